@@ -1,0 +1,2 @@
+//! The `ertel` command.
+fn main() {}

@@ -1,0 +1,1 @@
+//! Meshes, Lagrange elements, assembly and solvers on simplices; knows no lubrication.

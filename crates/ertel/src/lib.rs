@@ -1,0 +1,1 @@
+//! Elastohydrodynamic contacts: contact, film, weak forms, solve, post, case, output.
