@@ -1,1 +1,7 @@
-//! Elastohydrodynamic contacts: contact, film, weak forms, solve, post, case, output.
+//! Elastohydrodynamic contacts by the full-system finite element approach: contact and film, weak
+//! forms, solve, post-processing, case files and output. The arrows point one way:
+//! contact, film → forms → solve → post → output; forms never see files, solve never formats text.
+
+pub mod contact;
+pub mod params;
+pub mod solution;

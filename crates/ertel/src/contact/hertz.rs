@@ -1,0 +1,163 @@
+//! Hertz theory of the dry contact.
+
+use std::f64::consts::PI;
+
+use serde::Serialize;
+
+use super::{Contact, ContactKind};
+
+/// Dry contact after Hertz (1881).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Hertz {
+    /// Radius of the contact circle, or half-width of the line contact, a, m.
+    pub half_width: f64,
+    /// Largest pressure p_h, Pa.
+    pub pressure: f64,
+}
+
+impl Hertz {
+    /// Hertz contact for the reduced modulus E' in Pa (2/E' = Σ (1−ν²)/E).
+    ///
+    /// Circular: a³ = 3FR/(2E'), p_h = 3F/(2πa²) (Habchi 2008, eqs. 2.25, 2.26, corrected).
+    /// Line: a² = 8wR/(πE'), p_h = 2w/(πa) (Johnson 1985, eqs. 4.43, 4.45).
+    pub fn new(contact: &Contact, reduced_modulus: f64) -> Hertz {
+        let Contact { kind, radius, load } = *contact;
+        match kind {
+            ContactKind::Circular => {
+                let half_width = (1.5 * load * radius / reduced_modulus).cbrt();
+                Hertz {
+                    half_width,
+                    pressure: 1.5 * load / (PI * half_width * half_width),
+                }
+            }
+            ContactKind::Line => {
+                let half_width = (8.0 * load * radius / (PI * reduced_modulus)).sqrt();
+                Hertz {
+                    half_width,
+                    pressure: 2.0 * load / (PI * half_width),
+                }
+            }
+        }
+    }
+
+    /// Load of a contact that has the given Hertz pressure (Pa): N, or N/m for a line.
+    pub fn load_for_pressure(
+        kind: ContactKind,
+        radius: f64,
+        reduced_modulus: f64,
+        pressure: f64,
+    ) -> f64 {
+        match kind {
+            // p_h = E' a/(π R)
+            ContactKind::Circular => {
+                let a = PI * radius * pressure / reduced_modulus;
+                2.0 / 3.0 * PI * a * a * pressure
+            }
+            // p_h = E' a/(4 R)
+            ContactKind::Line => {
+                let a = 4.0 * radius * pressure / reduced_modulus;
+                0.5 * PI * a * pressure
+            }
+        }
+    }
+}
+
+/// Dimensionless Hertz pressure P(r) = √(1 − r²) inside r < 1, zero outside; r in half-widths.
+pub fn pressure_profile(r: f64) -> f64 {
+    (1.0 - r * r).max(0.0).sqrt()
+}
+
+/// Dimensionless integral of P over the whole contact: 2π/3 (circular), π/2 (line).
+pub fn load_integral(kind: ContactKind) -> f64 {
+    match kind {
+        ContactKind::Circular => 2.0 * PI / 3.0,
+        ContactKind::Line => 0.5 * PI,
+    }
+}
+
+/// Dimensionless deflection δR/a² of both bodies under the Hertz pressure at radius r (in a).
+///
+/// Circular (Johnson 1985, eqs. 3.41a, 3.42a): δ = 1 − r²/2 inside,
+/// δ = [(2 − r²) asin(1/r) + √(r² − 1)]/π outside; zero at infinity.
+///
+/// Line: relative to the centre, since the plane displacement has no far-field limit:
+/// δ = −r²/2 inside, δ = −r²/2 + [r√(r²−1) − ln(r + √(r²−1))]/2 outside.
+pub fn deflection_profile(kind: ContactKind, r: f64) -> f64 {
+    let r = r.abs();
+    match kind {
+        ContactKind::Circular if r <= 1.0 => 1.0 - 0.5 * r * r,
+        ContactKind::Circular => ((2.0 - r * r) * (1.0 / r).asin() + (r * r - 1.0).sqrt()) / PI,
+        ContactKind::Line if r <= 1.0 => -0.5 * r * r,
+        ContactKind::Line => {
+            let s = (r * r - 1.0).sqrt();
+            -0.5 * r * r + 0.5 * (r * s - (r + s).ln())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Main case: F = 100 N, R = 16 mm, steel on steel; figures of `formula_vectors` computed
+    /// by an independent script: a = 218.279 µm, p_h = 1.00212 GPa, E' = 230.769 GPa.
+    #[test]
+    fn circular_steel_contact() {
+        let contact = Contact {
+            kind: ContactKind::Circular,
+            radius: 0.016,
+            load: 100.0,
+        };
+        let hertz = Hertz::new(&contact, 230.769e9);
+        assert_relative_eq!(hertz.half_width, 218.279e-6, max_relative = 1e-5);
+        assert_relative_eq!(hertz.pressure, 1.00212e9, max_relative = 1e-5);
+    }
+
+    #[test]
+    fn load_for_pressure_inverts_hertz() {
+        for kind in [ContactKind::Line, ContactKind::Circular] {
+            let load = Hertz::load_for_pressure(kind, 0.01, 2.2e11, 7e8);
+            let hertz = Hertz::new(
+                &Contact {
+                    kind,
+                    radius: 0.01,
+                    load,
+                },
+                2.2e11,
+            );
+            assert_relative_eq!(hertz.pressure, 7e8, max_relative = 1e-12);
+        }
+    }
+
+    /// Line contact, Johnson (1985) eq. 4.43-4.45 with E* = E'/2: p_h² = w E*/(π R).
+    #[test]
+    fn line_contact_pressure() {
+        let contact = Contact {
+            kind: ContactKind::Line,
+            radius: 0.015,
+            load: 2.0e5,
+        };
+        let hertz = Hertz::new(&contact, 2.3e11);
+        assert_relative_eq!(
+            hertz.pressure.powi(2),
+            2.0e5 * 1.15e11 / (PI * 0.015),
+            max_relative = 1e-12
+        );
+    }
+
+    /// The gap of a dry contact closes at r = 1 with continuous deflection and slope.
+    #[test]
+    fn deflection_is_smooth_at_the_edge_and_decays() {
+        for kind in [ContactKind::Line, ContactKind::Circular] {
+            let (i, o) = (
+                deflection_profile(kind, 1.0 - 1e-9),
+                deflection_profile(kind, 1.0 + 1e-9),
+            );
+            assert_relative_eq!(i, o, epsilon = 1e-7);
+        }
+        // A point load's field far away: δ → F/(πE*r), dimensionless 2/(3 r)·(2/π)
+        let far = deflection_profile(ContactKind::Circular, 1e3);
+        assert_relative_eq!(far, 4.0 / (3.0 * PI * 1e3), max_relative = 1e-5);
+    }
+}

@@ -1,0 +1,55 @@
+//! The one place where SI meets the dimensionless variables of the solver.
+
+use serde::Serialize;
+
+use super::{Contact, ContactKind, Hertz, hertz};
+
+/// Scales of the dimensionless variables (Habchi 2008, eq. 2.28):
+/// X = x/a, P = p/p_h, H = hR/a², ρ̄ = ρ/ρ_R, μ̄ = μ/μ_R.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Scales {
+    /// Length a, m (Hertz half-width).
+    pub length: f64,
+    /// Pressure p_h, Pa.
+    pub pressure: f64,
+    /// Film thickness a²/R, m.
+    pub film: f64,
+    /// Viscosity μ_R at ambient pressure and the case's temperature, Pa·s.
+    pub viscosity: f64,
+    /// Density ρ_R at ambient pressure and the case's temperature, kg/m³.
+    pub density: f64,
+    /// λ = 12 u_m μ_R R²/(a³ p_h); the Reynolds diffusion is ρ̄H³/(μ̄λ) (eq. 2.29).
+    pub lambda: f64,
+    /// Stress scale of the elastic problem, R p_h/a, Pa: a body of modulus E has the
+    /// dimensionless modulus E/(R p_h/a) (eq. 3.6).
+    pub elastic_stress: f64,
+    /// ∫P over the half domain (circular, π/3) or the whole line (π/2).
+    pub load: f64,
+}
+
+impl Scales {
+    /// Scales of a contact with ambient viscosity (Pa·s) and density (kg/m³).
+    pub fn new(
+        contact: &Contact,
+        hertz: &Hertz,
+        entrainment_speed: f64,
+        viscosity: f64,
+        density: f64,
+    ) -> Scales {
+        let (a, p_h, r) = (hertz.half_width, hertz.pressure, contact.radius);
+        let load = match contact.kind {
+            ContactKind::Circular => 0.5 * hertz::load_integral(contact.kind),
+            ContactKind::Line => hertz::load_integral(contact.kind),
+        };
+        Scales {
+            length: a,
+            pressure: p_h,
+            film: a * a / r,
+            viscosity,
+            density,
+            lambda: 12.0 * entrainment_speed * viscosity * r * r / (a * a * a * p_h),
+            elastic_stress: r * p_h / a,
+            load,
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! What a user may set: mesh, solver, output. Defaults are right without being touched.
+
+use std::path::PathBuf;
+
+use serde::Serialize;
+
+/// Mesh density presets.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MeshPreset {
+    /// Quick look.
+    Coarse,
+    /// Engineering accuracy.
+    #[default]
+    Normal,
+    /// Reference accuracy.
+    Fine,
+}
+
+/// Mesh and elements; lengths in Hertz half-widths a.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MeshParams {
+    /// Preset that the sizes below came from.
+    pub preset: MeshPreset,
+    /// Cell size in the Hertz zone.
+    pub hertz_size: f64,
+    /// Cell size at the outlet constriction and the side lobes.
+    pub constriction_size: f64,
+    /// Cell size at the edge of the contact area (inlet and outlet regions).
+    pub edge_size: f64,
+    /// Growth of the cell size per distance, away from the contact and in depth.
+    pub growth: f64,
+    /// Width of the elastic body (x extent; half of it in y), and its depth.
+    pub body_width: f64,
+    /// Depth of the elastic body.
+    pub body_depth: f64,
+    /// Inlet edge of the contact area, X < −1; `None`: chosen from the film that formulas predict.
+    pub inlet: Option<f64>,
+    /// Outlet edge of the contact area, X > 1; `None`: chosen likewise.
+    pub outlet: Option<f64>,
+    /// Half-width of the contact area in Y (circular contacts); `None`: chosen likewise.
+    pub side: Option<f64>,
+    /// Lagrange order of the pressure, 1 to 5.
+    pub pressure_order: usize,
+    /// Lagrange order of the displacement, 1 or 2.
+    pub elastic_order: usize,
+}
+
+impl MeshParams {
+    /// Sizes of a preset.
+    pub fn preset(preset: MeshPreset) -> MeshParams {
+        let (hertz_size, constriction_size) = match preset {
+            MeshPreset::Coarse => (0.2, 0.1),
+            MeshPreset::Normal => (0.1, 0.05),
+            MeshPreset::Fine => (0.08, 0.025),
+        };
+        MeshParams {
+            preset,
+            hertz_size,
+            constriction_size,
+            edge_size: 0.5,
+            growth: 0.5,
+            body_width: 60.0,
+            body_depth: 60.0,
+            inlet: None,
+            outlet: None,
+            side: None,
+            pressure_order: 3,
+            elastic_order: 2,
+        }
+    }
+}
+
+impl Default for MeshParams {
+    fn default() -> Self {
+        MeshParams::preset(MeshPreset::default())
+    }
+}
+
+/// Discrete formulation of Reynolds' equation (Habchi 2008, section 3.4.3).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Formulation {
+    /// Standard Galerkin.
+    Galerkin,
+    /// Streamline-upwind Petrov-Galerkin, eq. 3.15.
+    #[default]
+    Supg,
+    /// Galerkin least squares, eq. 3.16.
+    Gls,
+}
+
+/// How the cavitation penalty ξ depends on the element size h_e.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PenaltyScaling {
+    /// ξ = ξ₀ h_e², as printed in Habchi 2008, eq. 3.24.
+    ElementSquared,
+    /// ξ = ξ₀.
+    #[default]
+    Constant,
+    /// ξ = ξ₀/h_e².
+    InverseElementSquared,
+}
+
+/// Which bodies deflect.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ElasticModel {
+    /// One equivalent body (appendix A).
+    #[default]
+    Equivalent,
+    /// Plane and ball solved separately, deflections summed.
+    TwoBodies,
+}
+
+/// How Newton's linear system is solved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum LinearSolver {
+    /// Body condensed to its loaded surface once, then Krylov iterations in P and H0.
+    #[default]
+    Condensed,
+    /// One sparse direct factorisation of the whole coupled system in every iteration.
+    Monolithic,
+}
+
+/// Solver settings.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct SolverParams {
+    /// Galerkin, SUPG or GLS.
+    pub formulation: Formulation,
+    /// Isotropic diffusion coefficient ρ_id of eq. 3.18; 0 for none.
+    pub isotropic_diffusion: f64,
+    /// Cavitation penalty ξ₀.
+    pub penalty: f64,
+    /// Its dependence on the element size.
+    pub penalty_scaling: PenaltyScaling,
+    /// Equivalent body or two bodies.
+    pub elasticity: ElasticModel,
+    /// Condensed or monolithic.
+    pub linear: LinearSolver,
+    /// Newton stops when the largest pressure update falls below this share of p_h, and the
+    /// relative residual too.
+    pub tolerance: f64,
+    /// Largest number of Newton iterations on one mesh.
+    pub max_iterations: usize,
+    /// Solve on a second, coarser mesh to bound the discretisation error.
+    pub error_estimate: bool,
+}
+
+impl Default for SolverParams {
+    fn default() -> Self {
+        SolverParams {
+            formulation: Formulation::default(),
+            isotropic_diffusion: 0.0,
+            penalty: 1e6,
+            penalty_scaling: PenaltyScaling::default(),
+            elasticity: ElasticModel::default(),
+            linear: LinearSolver::default(),
+            tolerance: 1e-8,
+            max_iterations: 60,
+            error_estimate: true,
+        }
+    }
+}
+
+/// What is written, and where.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OutputParams {
+    /// Folder; `None`: `results/<case name>`.
+    pub folder: Option<PathBuf>,
+    /// PNG pictures beside the SVG ones.
+    pub png: bool,
+    /// Write the displacement of the whole body (`body.vtu`).
+    pub body_field: bool,
+}
+
+impl Default for OutputParams {
+    fn default() -> Self {
+        OutputParams {
+            folder: None,
+            png: false,
+            body_field: true,
+        }
+    }
+}

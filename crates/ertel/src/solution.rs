@@ -1,0 +1,228 @@
+//! What a solve returns: plain data in SI, ready for output.
+
+use serde::Serialize;
+
+use crate::contact::{ContactKind, Groups, Hertz, Scales};
+
+/// A figure with its discretisation error bar.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Estimate {
+    /// The value on the finest mesh.
+    pub value: f64,
+    /// Half-width of the error bar, same unit; `None` when no coarser solution was computed.
+    pub error: Option<f64>,
+}
+
+/// A value with the place where it occurs, coordinates in m.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Located {
+    /// The value.
+    pub value: f64,
+    /// Position along the motion, m.
+    pub x: f64,
+    /// Position across it, m (0 for line contacts; reported at y ≤ 0, its mirror image has it too).
+    pub y: f64,
+}
+
+/// The figures that a tribologist asks for first.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Summary {
+    /// Film thickness at the centre of the contact, m.
+    pub film_central: Estimate,
+    /// Smallest film thickness, m.
+    pub film_minimum: Estimate,
+    /// Where it is.
+    pub film_minimum_at: Located,
+    /// Smallest film thickness on the centreline y = 0, m.
+    pub film_centreline_minimum: Located,
+    /// Largest pressure, Pa.
+    pub pressure_maximum: Located,
+    /// Pressure spike near the outlet on the centreline, Pa; `None` when the profile has none.
+    pub spike: Option<Located>,
+    /// Where the film breaks on the centreline, m.
+    pub outlet_position: f64,
+    /// Most negative pressure left by the cavitation penalty, Pa.
+    pub pressure_minimum: f64,
+    /// (inflow − outflow − side leakage)/inflow over the boundary of the contact area.
+    pub film_balance_error: f64,
+    /// |∫p − load|/load.
+    pub load_balance_error: f64,
+    /// Rigid-body separation h0 of the film equation, m.
+    pub rigid_separation: f64,
+}
+
+/// One Newton iteration.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct IterationRecord {
+    /// Mesh level, 0 the coarsest.
+    pub level: usize,
+    /// Pressure order on this level.
+    pub pressure_order: usize,
+    /// Share of the full cavitation penalty in force.
+    pub penalty_share: f64,
+    /// Iteration count on this level, from 1.
+    pub iteration: usize,
+    /// Reynolds residual relative to the entrained flow (dimensionless).
+    pub residual: f64,
+    /// Largest pressure update over p_h.
+    pub update: f64,
+    /// Share of the Newton step taken.
+    pub step: f64,
+    /// Krylov iterations of the linear solve.
+    pub krylov_iterations: usize,
+    /// Central film thickness after the step, m.
+    pub film_central: f64,
+}
+
+/// One mesh level of the solve.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LevelStats {
+    /// Cells of the body.
+    pub n_body_cells: usize,
+    /// Elements on the contact area.
+    pub n_contact_elements: usize,
+    /// Pressure unknowns.
+    pub n_pressure_dofs: usize,
+    /// Displacement unknowns.
+    pub n_displacement_dofs: usize,
+    /// Normal displacements on the contact area.
+    pub n_contact_dofs: usize,
+    /// Lagrange order of the pressure.
+    pub pressure_order: usize,
+    /// Newton iterations.
+    pub newton_iterations: usize,
+    /// Krylov iterations, all Newton iterations together.
+    pub krylov_iterations: usize,
+    /// Factorisations of the preconditioner or the monolithic matrix.
+    pub factorisations: usize,
+    /// Central film thickness reached, m.
+    pub film_central: f64,
+    /// Minimum film thickness reached, m.
+    pub film_minimum: f64,
+    /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov.
+    pub seconds: Timings,
+}
+
+/// Wall-clock split of the work, s.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Timings {
+    /// Meshing.
+    pub mesh: f64,
+    /// Elastic operator: assembly and factorisation.
+    pub operator: f64,
+    /// Assembly of the Reynolds equation and its Jacobian.
+    pub assembly: f64,
+    /// Factorisation of the preconditioner (or the monolithic matrix).
+    pub factorisation: f64,
+    /// Linear solves.
+    pub krylov: f64,
+}
+
+/// Solver statistics of the whole run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Stats {
+    /// One entry per mesh level, coarse to fine.
+    pub levels: Vec<LevelStats>,
+    /// Wall time of the solve, s.
+    pub wall_seconds: f64,
+    /// Peak resident memory of the process, bytes; `None` where the system does not tell.
+    pub peak_memory: Option<u64>,
+}
+
+/// Film thickness predicted by a published formula.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FormulaFilm {
+    /// Name, e.g. "Hamrock-Dowson 1977".
+    pub name: &'static str,
+    /// Central film thickness, m, where the formula gives one.
+    pub central: Option<f64>,
+    /// Minimum film thickness, m, where the formula gives one.
+    pub minimum: Option<f64>,
+    /// Source of the constants, and what the formula assumes.
+    pub source: &'static str,
+}
+
+/// Profiles along y = 0, SI.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Centreline {
+    /// Position, m.
+    pub x: Vec<f64>,
+    /// Pressure, Pa.
+    pub pressure: Vec<f64>,
+    /// Film thickness, m.
+    pub film_thickness: Vec<f64>,
+    /// Elastic deflection of both bodies together, m.
+    pub deflection: Vec<f64>,
+    /// Viscosity, Pa·s.
+    pub viscosity: Vec<f64>,
+    /// Density, kg/m³.
+    pub density: Vec<f64>,
+    /// Hertz pressure of the dry contact, Pa.
+    pub hertz_pressure: Vec<f64>,
+}
+
+/// Fields on the contact area (half domain y ≤ 0 for circular contacts), SI.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SurfaceField {
+    /// Points, m.
+    pub points: Vec<[f64; 2]>,
+    /// Linear sub-cells: triangles (circular), or segments in the first two entries (line).
+    pub cells: Vec<[u32; 3]>,
+    /// Pressure, Pa.
+    pub pressure: Vec<f64>,
+    /// Film thickness, m.
+    pub film_thickness: Vec<f64>,
+    /// Elastic deflection, m.
+    pub deflection: Vec<f64>,
+    /// Viscosity, Pa·s.
+    pub viscosity: Vec<f64>,
+    /// Density, kg/m³.
+    pub density: Vec<f64>,
+}
+
+/// Displacement of the equivalent body, SI.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BodyField {
+    /// Points, m; y = 0 for line contacts.
+    pub points: Vec<[f64; 3]>,
+    /// Cell corners and, for order 2, mid-edge nodes in VTK order: 3 or 6 (triangles), 4 or 10
+    /// (tetrahedra) entries.
+    pub cells: Vec<Vec<u32>>,
+    /// Displacement vector, m.
+    pub displacement: Vec<[f64; 3]>,
+}
+
+/// The solution of a case.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// Line or circular.
+    pub kind: ContactKind,
+    /// Hertz contact.
+    pub hertz: Hertz,
+    /// Reduced modulus E', Pa.
+    pub reduced_modulus: f64,
+    /// Groups with the initial slope of ln μ(p) as pressure-viscosity coefficient.
+    pub groups: Groups,
+    /// Groups with the reciprocal asymptotic isoviscous coefficient α*, where it exists.
+    pub groups_asymptotic: Option<Groups>,
+    /// Scales of the dimensionless variables.
+    pub scales: Scales,
+    /// Extents of the contact area in half-widths: inlet, outlet, side.
+    pub extents: [f64; 3],
+    /// The figures.
+    pub summary: Summary,
+    /// Film-thickness formulas for the same case.
+    pub formulas: Vec<FormulaFilm>,
+    /// Profiles along the centreline.
+    pub centreline: Centreline,
+    /// Fields on the contact area.
+    pub surface: SurfaceField,
+    /// Displacement of the body, if asked for.
+    pub body: Option<BodyField>,
+    /// Every Newton iteration.
+    pub history: Vec<IterationRecord>,
+    /// Effort.
+    pub stats: Stats,
+    /// What the user should know: ranges left, films below a nanometre, contact area too small.
+    pub warnings: Vec<String>,
+}
