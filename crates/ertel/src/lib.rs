@@ -4,4 +4,5 @@
 
 pub mod contact;
 pub mod params;
+pub mod reference;
 pub mod solution;

@@ -1,0 +1,142 @@
+//! Published film-thickness formulas, shown beside the computed film.
+//!
+//! Every formula carries its source and how sure its constants are. The film is h = H R in metres;
+//! groups follow [`Groups`].
+
+mod dowson_higginson;
+mod dowson_toyoda;
+mod hamrock_dowson;
+mod moes_line;
+mod nijenbanning_venner_moes;
+mod venner_isoviscous;
+
+pub use dowson_higginson::dowson_higginson_line_minimum;
+pub use dowson_toyoda::dowson_toyoda_line_central;
+pub use hamrock_dowson::{hamrock_dowson_central, hamrock_dowson_minimum};
+pub use moes_line::moes_line_film;
+pub use nijenbanning_venner_moes::nijenbanning_venner_moes_film;
+pub use venner_isoviscous::venner_isoviscous_film;
+
+use crate::contact::{ContactKind, Groups};
+use crate::solution::FormulaFilm;
+
+/// Largest material group L for which the isoviscous limit is listed.
+const ISOVISCOUS_L: f64 = 1.0;
+
+/// The closed family of formulas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmFormula {
+    /// Hamrock and Dowson 1977, circular, central and minimum film.
+    HamrockDowson,
+    /// Nijenbanning, Venner and Moes 1994, circular, central film.
+    NijenbanningVennerMoes,
+    /// Isoviscous-elastic limit, circular, central film.
+    VennerIsoviscous,
+    /// Moes, line, central film.
+    MoesLine,
+    /// Dowson and Higginson 1977, line, minimum film.
+    DowsonHigginson,
+    /// Dowson and Toyoda 1978, line, central film.
+    DowsonToyoda,
+}
+
+impl FilmFormula {
+    /// Every formula, in the order of the report.
+    pub const ALL: [FilmFormula; 6] = [
+        FilmFormula::HamrockDowson,
+        FilmFormula::NijenbanningVennerMoes,
+        FilmFormula::VennerIsoviscous,
+        FilmFormula::DowsonToyoda,
+        FilmFormula::DowsonHigginson,
+        FilmFormula::MoesLine,
+    ];
+
+    /// Shape of contact that the formula was made for.
+    pub fn kind(self) -> ContactKind {
+        match self {
+            FilmFormula::HamrockDowson
+            | FilmFormula::NijenbanningVennerMoes
+            | FilmFormula::VennerIsoviscous => ContactKind::Circular,
+            FilmFormula::MoesLine | FilmFormula::DowsonHigginson | FilmFormula::DowsonToyoda => {
+                ContactKind::Line
+            }
+        }
+    }
+
+    /// Name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            FilmFormula::HamrockDowson => "Hamrock-Dowson 1977",
+            FilmFormula::NijenbanningVennerMoes => "Nijenbanning-Venner-Moes 1994",
+            FilmFormula::VennerIsoviscous => "Venner isoviscous-elastic",
+            FilmFormula::MoesLine => "Moes (line)",
+            FilmFormula::DowsonHigginson => "Dowson-Higginson 1977",
+            FilmFormula::DowsonToyoda => "Dowson-Toyoda 1978",
+        }
+    }
+
+    /// Source of the constants, what the formula assumes, and how sure the constants are.
+    pub fn source(self) -> &'static str {
+        match self {
+            FilmFormula::HamrockDowson => hamrock_dowson::SOURCE,
+            FilmFormula::NijenbanningVennerMoes => nijenbanning_venner_moes::SOURCE,
+            FilmFormula::VennerIsoviscous => venner_isoviscous::SOURCE,
+            FilmFormula::MoesLine => moes_line::SOURCE,
+            FilmFormula::DowsonHigginson => dowson_higginson::SOURCE,
+            FilmFormula::DowsonToyoda => dowson_toyoda::SOURCE,
+        }
+    }
+
+    /// Central and minimum film in m for the radius R in m, where the formula gives them.
+    ///
+    /// Outside of what it was made for (power laws in G of an isoviscous fluid, the isoviscous
+    /// limit of a piezoviscous one) both are `None`.
+    pub fn film(self, radius: f64, groups: &Groups) -> (Option<f64>, Option<f64>) {
+        let (m, l) = (groups.moes_load, groups.moes_material);
+        // h = H R √(2U) of the formulas in Moes' groups
+        let moes_scale = radius * (2.0 * groups.speed).sqrt();
+        let (central, minimum) = match self {
+            FilmFormula::HamrockDowson => (
+                Some(radius * hamrock_dowson_central(groups)),
+                Some(radius * hamrock_dowson_minimum(groups)),
+            ),
+            FilmFormula::NijenbanningVennerMoes => {
+                (Some(moes_scale * nijenbanning_venner_moes_film(m, l)), None)
+            }
+            FilmFormula::VennerIsoviscous if l <= ISOVISCOUS_L => {
+                (Some(moes_scale * venner_isoviscous_film(m)), None)
+            }
+            FilmFormula::VennerIsoviscous => (None, None),
+            FilmFormula::MoesLine => (Some(moes_scale * moes_line_film(m, l)), None),
+            FilmFormula::DowsonHigginson => {
+                (None, Some(radius * dowson_higginson_line_minimum(groups)))
+            }
+            FilmFormula::DowsonToyoda => (Some(radius * dowson_toyoda_line_central(groups)), None),
+        };
+        let usable = |h: f64| h.is_finite() && h > 0.0;
+        (
+            central.filter(|h| usable(*h)),
+            minimum.filter(|h| usable(*h)),
+        )
+    }
+}
+
+/// Every formula that applies to a contact of the given kind, with films in m; R in m.
+pub fn film_formulas(kind: ContactKind, radius: f64, groups: &Groups) -> Vec<FormulaFilm> {
+    FilmFormula::ALL
+        .into_iter()
+        .filter(|formula| formula.kind() == kind)
+        .filter_map(|formula| {
+            let (central, minimum) = formula.film(radius, groups);
+            (central.is_some() || minimum.is_some()).then(|| FormulaFilm {
+                name: formula.name(),
+                central,
+                minimum,
+                source: formula.source(),
+            })
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests;
