@@ -1,1 +1,4 @@
 //! Laws and database of lubricant and solid properties, in SI; knows no mesh.
+
+pub mod input;
+pub mod quantity;

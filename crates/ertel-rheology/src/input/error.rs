@@ -1,0 +1,177 @@
+//! The error of all input files, displayed with the offending line.
+
+use std::fmt;
+use std::ops::Range;
+
+use super::Source;
+
+/// Something wrong in an input file: what, where, and what would be right.
+///
+/// Displays like a compiler message:
+///
+/// ```text
+/// unknown key `raduis` in [contact]
+///   --> steel.toml:4:1
+///    |
+///  4 | raduis = "16 mm"
+///    | ^^^^^^ did you mean `radius`?
+///    = help: the keys here are kind, radius, load
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct InputError(Box<Report>);
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Report {
+    file: String,
+    key: String,
+    message: String,
+    place: Option<Place>,
+    label: String,
+    help: Vec<String>,
+}
+
+/// A stretch of one line; counted from 1, columns in characters.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Place {
+    line: usize,
+    column: usize,
+    width: usize,
+    text: String,
+}
+
+impl InputError {
+    /// An error at the bytes `span` of `source`, about the key path `key`.
+    pub(super) fn at(
+        source: &Source,
+        span: Range<usize>,
+        key: impl Into<String>,
+        message: impl Into<String>,
+    ) -> Self {
+        Self(Box::new(Report {
+            file: source.file.clone(),
+            key: key.into(),
+            message: message.into(),
+            place: Some(Place::of(&source.text, span)),
+            label: String::new(),
+            help: Vec::new(),
+        }))
+    }
+
+    /// An error about a file as a whole.
+    pub(super) fn of_file(file: &str, message: impl Into<String>) -> Self {
+        Self(Box::new(Report {
+            file: file.to_owned(),
+            key: String::new(),
+            message: message.into(),
+            place: None,
+            label: String::new(),
+            help: Vec::new(),
+        }))
+    }
+
+    /// Adds words after the caret.
+    #[must_use]
+    pub fn with_label(mut self, label: impl Into<String>) -> Self {
+        self.0.label = label.into();
+        self
+    }
+
+    /// Adds a help line.
+    #[must_use]
+    pub fn with_help(mut self, help: impl Into<String>) -> Self {
+        self.0.help.push(help.into());
+        self
+    }
+
+    /// The file's name.
+    #[must_use]
+    pub fn file(&self) -> &str {
+        &self.0.file
+    }
+
+    /// The line, counted from 1, if the error has a place in the file.
+    #[must_use]
+    pub fn line(&self) -> Option<usize> {
+        self.0.place.as_ref().map(|place| place.line)
+    }
+
+    /// The column in characters, counted from 1, if the error has a place in the file.
+    #[must_use]
+    pub fn column(&self) -> Option<usize> {
+        self.0.place.as_ref().map(|place| place.column)
+    }
+
+    /// The key path, `contact.radius`; empty for syntax errors.
+    #[must_use]
+    pub fn key(&self) -> &str {
+        &self.0.key
+    }
+
+    /// What is wrong, in one sentence without the place.
+    #[must_use]
+    pub fn message(&self) -> &str {
+        &self.0.message
+    }
+
+    /// Help lines.
+    #[must_use]
+    pub fn help(&self) -> &[String] {
+        &self.0.help
+    }
+}
+
+impl Place {
+    fn of(text: &str, span: Range<usize>) -> Self {
+        let floor = |mut at: usize| {
+            at = at.min(text.len());
+            while !text.is_char_boundary(at) {
+                at -= 1;
+            }
+            at
+        };
+        let (start, end) = (floor(span.start), floor(span.end));
+        let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
+        // A tab would shift the caret; both lines show one blank for it.
+        let shown = |part: &str| part.trim_end_matches('\r').replace('\t', " ");
+        let width = text[start..end.clamp(start, line_end)].chars().count();
+        Self {
+            line: 1 + text[..start].matches('\n').count(),
+            column: 1 + text[line_start..start].chars().count(),
+            width: width.max(1),
+            text: shown(&text[line_start..line_end]),
+        }
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(place) = &self.place else {
+            write!(f, "{} {}", self.file, self.message)?;
+            for help in &self.help {
+                write!(f, "\n  = help: {help}")?;
+            }
+            return Ok(());
+        };
+        let gutter = place.line.to_string().len().max(2);
+        let blank = " ".repeat(gutter);
+        writeln!(f, "{}", self.message)?;
+        writeln!(
+            f,
+            "{blank}--> {}:{}:{}",
+            self.file, place.line, place.column
+        )?;
+        writeln!(f, "{blank} |")?;
+        writeln!(f, "{:>gutter$} | {}", place.line, place.text)?;
+        let indent = " ".repeat(place.column - 1);
+        write!(f, "{blank} | {indent}{}", "^".repeat(place.width))?;
+        if !self.label.is_empty() {
+            write!(f, " {}", self.label)?;
+        }
+        for help in &self.help {
+            write!(f, "\n{blank} = help: {help}")?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,97 @@
+//! TOML text to an owned tree with byte spans, tables in the order of the file.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::{InputError, Source};
+
+/// A value and where it stands.
+#[derive(Debug)]
+pub(super) struct Node {
+    pub(super) span: Range<usize>,
+    pub(super) value: Value,
+}
+
+#[derive(Debug)]
+pub(super) enum Value {
+    Str(String),
+    /// `None` if it does not fit 64 bits.
+    Integer(Option<i64>),
+    Float(f64),
+    Bool(bool),
+    Datetime,
+    Array(Vec<Node>),
+    Table(Vec<Entry>),
+}
+
+#[derive(Debug)]
+pub(super) struct Entry {
+    pub(super) key: String,
+    pub(super) key_span: Range<usize>,
+    pub(super) node: Node,
+}
+
+impl Node {
+    /// The kind of value with its article, for messages.
+    pub(super) fn kind(&self) -> &'static str {
+        match self.value {
+            Value::Str(_) => "a string",
+            Value::Integer(_) => "an integer",
+            Value::Float(_) => "a number",
+            Value::Bool(_) => "a boolean",
+            Value::Datetime => "a date or time",
+            Value::Array(_) => "an array",
+            Value::Table(_) => "a table",
+        }
+    }
+}
+
+pub(super) fn parse(source: &Source) -> Result<Node, InputError> {
+    let table = DeTable::parse(&source.text).map_err(|error| {
+        let end = source.text.len();
+        let span = error.span().unwrap_or(end..end);
+        InputError::at(
+            source,
+            span,
+            "",
+            format!("not valid TOML: {}", error.message()),
+        )
+    })?;
+    let span = table.span();
+    Ok(Node {
+        span,
+        value: of_table(table.into_inner()),
+    })
+}
+
+fn of_table(table: DeTable<'_>) -> Value {
+    let mut entries: Vec<Entry> = table
+        .into_iter()
+        .map(|(key, value)| Entry {
+            key_span: key.span(),
+            key: key.into_inner().into_owned(),
+            node: of_value(value),
+        })
+        .collect();
+    entries.sort_by_key(|entry| entry.key_span.start);
+    Value::Table(entries)
+}
+
+fn of_value(spanned: Spanned<DeValue<'_>>) -> Node {
+    let span = spanned.span();
+    let value = match spanned.into_inner() {
+        DeValue::String(text) => Value::Str(text.into_owned()),
+        DeValue::Integer(digits) => {
+            Value::Integer(i64::from_str_radix(digits.as_str(), digits.radix()).ok())
+        }
+        // The digits are valid TOML, so the only failure left would be a bug; NaN is refused by every reader.
+        DeValue::Float(digits) => Value::Float(digits.as_str().parse().unwrap_or(f64::NAN)),
+        DeValue::Boolean(value) => Value::Bool(value),
+        DeValue::Datetime(_) => Value::Datetime,
+        DeValue::Array(array) => Value::Array(array.into_iter().map(of_value).collect()),
+        DeValue::Table(table) => of_table(table),
+    };
+    Node { span, value }
+}

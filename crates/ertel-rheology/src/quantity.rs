@@ -1,0 +1,162 @@
+//! Numbers with units: `"16 mm"`, `"22 1/GPa"`, `"40 degC"` to SI, with the dimension checked.
+//!
+//! A quantity is a number followed by a unit expression. Units multiply with `.`, `*` or a space, divide
+//! with `/` and take integer powers (`m^3`, `m3`, `m³`, `GPa^-1`). A product after a slash needs
+//! parentheses, `J/(kg.K)`, because `J/kg.K` is read both ways by people.
+//!
+//! `degC` and `degF` are offset units: alone, and where a temperature is asked for, `40 degC` is 313.15 K;
+//! where a temperature difference is asked for, or inside a compound unit, `degC` is the same as `K`.
+
+mod dimension;
+mod unit;
+
+pub use dimension::Dimension;
+pub use unit::{Unit, UnitError};
+
+/// Why a text is not the quantity asked for.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum QuantityError {
+    /// The text does not start with a number.
+    #[error("`{text}` does not start with a number (write for example `16 mm` or `2.2e-8 1/Pa`)")]
+    NotANumber {
+        /// The text as given.
+        text: String,
+    },
+    /// The number is NaN, infinite or too large for a 64-bit float.
+    #[error("`{text}` is not a finite number")]
+    NotFinite {
+        /// The text as given.
+        text: String,
+    },
+    /// A number stands alone where a unit is needed.
+    #[error("`{text}` has no unit; {} is needed ({})", expected.name(), expected.examples())]
+    MissingUnit {
+        /// The text as given.
+        text: String,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// The unit cannot be read.
+    #[error("`{text}`: {source}")]
+    Unit {
+        /// The text as given.
+        text: String,
+        /// What is wrong with the unit.
+        source: UnitError,
+    },
+    /// The unit is known but measures something else.
+    #[error(
+        "`{text}` is {}, but {} is needed ({})",
+        found.name(), expected.name(), expected.examples()
+    )]
+    WrongDimension {
+        /// The text as given.
+        text: String,
+        /// What the text is.
+        found: Dimension,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// A temperature below 0 K.
+    #[error("`{text}` is below absolute zero")]
+    BelowAbsoluteZero {
+        /// The text as given.
+        text: String,
+    },
+}
+
+/// Reads `text` as a quantity of dimension `expected` and returns its value in SI.
+///
+/// # Errors
+///
+/// [`QuantityError`] if the text is no number with a unit, or the unit measures something else. The value
+/// returned is always finite.
+///
+/// ```
+/// use ertel_rheology::quantity::{parse, Dimension};
+/// assert_eq!(parse("16 mm", Dimension::LENGTH), Ok(0.016));
+/// assert_eq!(parse("40 degC", Dimension::TEMPERATURE), Ok(313.15));
+/// assert!(parse("100 mm", Dimension::FORCE).is_err());
+/// ```
+pub fn parse(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
+    let trimmed = text.trim();
+    let own = || text.to_owned();
+    let (number, unit_text) = split_number(trimmed).ok_or_else(|| {
+        let unsigned = trimmed.trim_start_matches(['+', '-']).to_ascii_lowercase();
+        if unsigned.starts_with("nan") || unsigned.starts_with("inf") {
+            QuantityError::NotFinite { text: own() }
+        } else {
+            QuantityError::NotANumber { text: own() }
+        }
+    })?;
+    if unit_text.is_empty() && expected != Dimension::DIMENSIONLESS {
+        return Err(QuantityError::MissingUnit {
+            text: own(),
+            expected,
+        });
+    }
+    let unit = Unit::parse(unit_text).map_err(|source| QuantityError::Unit {
+        text: own(),
+        source,
+    })?;
+    if !unit.dimension().same_exponents(expected) {
+        return Err(QuantityError::WrongDimension {
+            text: own(),
+            found: unit.dimension(),
+            expected,
+        });
+    }
+    let value = if expected == Dimension::TEMPERATURE_DIFFERENCE {
+        unit.difference_to_si(number)
+    } else {
+        unit.to_si(number)
+    };
+    if !value.is_finite() {
+        return Err(QuantityError::NotFinite { text: own() });
+    }
+    if expected == Dimension::TEMPERATURE && value < 0.0 {
+        return Err(QuantityError::BelowAbsoluteZero { text: own() });
+    }
+    Ok(value)
+}
+
+/// Splits `"16 mm"` into 16 and `mm`; `None` if there is no number in front.
+fn split_number(text: &str) -> Option<(f64, &str)> {
+    let bytes = text.as_bytes();
+    let digits_from = |from: usize| {
+        bytes[from..]
+            .iter()
+            .take_while(|byte| byte.is_ascii_digit())
+            .count()
+    };
+    let mut end = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    let mut n_digits = digits_from(end);
+    end += n_digits;
+    if bytes.get(end) == Some(&b'.') {
+        let n_decimals = digits_from(end + 1);
+        // The point of "5.Pa" would be a product sign; a number keeps its point only before digits or at its end.
+        if n_decimals > 0 || end + 1 == bytes.len() || bytes[end + 1] == b' ' {
+            end += 1 + n_decimals;
+            n_digits += n_decimals;
+        }
+    }
+    if n_digits == 0 {
+        return None;
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let n_exponent = if end + 1 + sign <= bytes.len() {
+            digits_from(end + 1 + sign)
+        } else {
+            0
+        };
+        if n_exponent > 0 {
+            end += 1 + sign + n_exponent;
+        }
+    }
+    let number = text[..end].parse().ok()?;
+    Some((number, text[end..].trim_start()))
+}
+
+#[cfg(test)]
+mod tests;
