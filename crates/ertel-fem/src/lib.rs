@@ -1,1 +1,3 @@
 //! Meshes, Lagrange elements, assembly and solvers on simplices; knows no lubrication.
+
+pub mod mesh;

@@ -1,0 +1,256 @@
+//! The body under a contact patch.
+
+use super::MeshError;
+use super::bisection::{Bisection, RefineInfo};
+use super::facet::{ContactMesh, FacetMesh};
+use super::layout::choose_layout;
+use super::simplex::{SimplexMesh, longest_edge};
+
+/// Box with a contact patch on its upper side; any unit of length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyParams {
+    /// 2: plane body in x-z (line contact); 3: solid cut by its symmetry plane y = 0 (circular contact)
+    pub dim: usize,
+    /// patch: x from here
+    pub x_inlet: f64,
+    /// patch: x to here
+    pub x_outlet: f64,
+    /// patch: y in `[-y_side, 0]` (not read for `dim` 2)
+    pub y_side: f64,
+    /// box: x in `[-width/2, width/2]`, y in `[-width/2, 0]`
+    pub width: f64,
+    /// box: z in `[-depth, 0]`
+    pub depth: f64,
+}
+
+impl BodyParams {
+    fn check(&self) -> Result<(), MeshError> {
+        let require = |ok: bool, name, value, expected| {
+            if ok {
+                Ok(())
+            } else {
+                Err(MeshError::Parameter {
+                    name,
+                    value,
+                    expected,
+                })
+            }
+        };
+        require(
+            matches!(self.dim, 2 | 3),
+            "dim",
+            self.dim as f64,
+            "must be 2 or 3",
+        )?;
+        let finite_positive = |x: f64| x.is_finite() && x > 0.0;
+        require(
+            finite_positive(self.width),
+            "width",
+            self.width,
+            "must be positive",
+        )?;
+        require(
+            finite_positive(self.depth),
+            "depth",
+            self.depth,
+            "must be positive",
+        )?;
+        let half = self.width / 2.0;
+        require(
+            self.x_inlet >= -half,
+            "x_inlet",
+            self.x_inlet,
+            "must lie within the box, at or right of -width/2",
+        )?;
+        require(
+            self.x_outlet <= half,
+            "x_outlet",
+            self.x_outlet,
+            "must lie within the box, at or left of width/2",
+        )?;
+        require(
+            self.x_outlet > self.x_inlet,
+            "x_outlet",
+            self.x_outlet,
+            "must exceed x_inlet",
+        )?;
+        if self.dim == 3 {
+            let inside = self.y_side > 0.0 && self.y_side <= half;
+            require(
+                inside,
+                "y_side",
+                self.y_side,
+                "must be positive, at most width/2",
+            )?;
+        }
+        Ok(())
+    }
+
+    fn y_lowest(&self) -> f64 {
+        if self.dim == 3 { -self.y_side } else { 0.0 }
+    }
+
+    fn on_patch(&self, x: [f64; 3]) -> bool {
+        x[2] == 0.0 && (self.x_inlet..=self.x_outlet).contains(&x[0]) && x[1] >= self.y_lowest()
+    }
+
+    fn on_patch_edge(&self, x: [f64; 3]) -> bool {
+        x[0] == self.x_inlet || x[0] == self.x_outlet || (self.dim == 3 && x[1] == -self.y_side)
+    }
+
+    /// Whether a cell's facet on the surface is partly on the patch, partly off.
+    fn straddles_patch(&self, vertices: &[[f64; 3]], cell: &[u32]) -> bool {
+        let (mut low, mut high, mut n_surface) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2], 0);
+        for x in cell
+            .iter()
+            .map(|&v| vertices[v as usize])
+            .filter(|x| x[2] == 0.0)
+        {
+            n_surface += 1;
+            for k in 0..2 {
+                low[k] = low[k].min(x[k]);
+                high[k] = high[k].max(x[k]);
+            }
+        }
+        let overlaps = low[0] < self.x_outlet
+            && high[0] > self.x_inlet
+            && (self.dim == 2 || high[1] > -self.y_side);
+        let inside =
+            low[0] >= self.x_inlet && high[0] <= self.x_outlet && low[1] >= self.y_lowest();
+        n_surface == self.dim && overlaps && !inside
+    }
+}
+
+/// The body's mesh with the parts of its boundary, refinable in place.
+#[derive(Debug, Clone)]
+pub struct BodyMesh {
+    /// the body
+    pub mesh: SimplexMesh,
+    /// facets on the patch, z = 0
+    pub contact: FacetMesh,
+    /// facets on z = -depth
+    pub bottom: FacetMesh,
+    /// facets on the symmetry plane y = 0 (none for `dim` 2)
+    pub symmetry: FacetMesh,
+    params: BodyParams,
+    bisection: Bisection,
+}
+
+/// Meshes the body so that no cell's longest edge exceeds the size field at its vertices and barycentre.
+///
+/// The patch is met exactly, however coarse the size field. A field that varies by more than about 1 per unit length
+/// can hide a fine zone from the sample points of a coarse cell.
+///
+/// # Errors
+/// Parameters out of range, a size that is not positive, or too many cells.
+pub fn body_mesh(
+    params: &BodyParams,
+    size: &dyn Fn([f64; 3]) -> f64,
+) -> Result<BodyMesh, MeshError> {
+    params.check()?;
+    let layout = choose_layout(params)?;
+    let mut bisection = Bisection::from_cubes(
+        params.dim,
+        layout.lower,
+        layout.side,
+        layout.n_cubes,
+        layout.maps,
+    );
+    refine_to_size(&mut bisection, params, size)?;
+    Ok(BodyMesh::from_bisection(bisection, *params))
+}
+
+fn refine_to_size(
+    bisection: &mut Bisection,
+    params: &BodyParams,
+    size: &dyn Fn([f64; 3]) -> f64,
+) -> Result<RefineInfo, MeshError> {
+    let positive = |point: [f64; 3]| {
+        let value = size(point);
+        if value > 0.0 {
+            Ok(value)
+        } else {
+            Err(MeshError::Size { value, point })
+        }
+    };
+    let mut at_vertices: Vec<f64> = vec![];
+    bisection.refine_while(|vertices, cell| {
+        for &point in &vertices[at_vertices.len()..] {
+            at_vertices.push(positive(point)?);
+        }
+        let allowed = cell
+            .iter()
+            .map(|&v| at_vertices[v as usize])
+            .fold(f64::INFINITY, f64::min);
+        let longest = longest_edge(vertices, cell);
+        if longest > allowed || params.straddles_patch(vertices, cell) {
+            return Ok(true);
+        }
+        let mut barycentre = [0.0; 3];
+        for &v in cell {
+            (0..3).for_each(|k| barycentre[k] += vertices[v as usize][k] / cell.len() as f64);
+        }
+        Ok(longest > positive(barycentre)?)
+    })
+}
+
+impl BodyMesh {
+    fn from_bisection(bisection: Bisection, params: BodyParams) -> Self {
+        let mesh = bisection.mesh();
+        let contact = FacetMesh::extract(&mesh, |x| params.on_patch(x));
+        let bottom = FacetMesh::extract(&mesh, |x| x[2] == -params.depth);
+        let symmetry = if params.dim == 3 {
+            FacetMesh::extract(&mesh, |x| x[1] == 0.0)
+        } else {
+            FacetMesh::default()
+        };
+        Self {
+            mesh,
+            contact,
+            bottom,
+            symmetry,
+            params,
+            bisection,
+        }
+    }
+
+    /// What the body was built from.
+    #[must_use]
+    pub fn params(&self) -> &BodyParams {
+        &self.params
+    }
+
+    /// The bisection state: ordered cells, tags, parents of vertices. Same numbering as `mesh`.
+    #[must_use]
+    pub fn bisection(&self) -> &Bisection {
+        &self.bisection
+    }
+
+    /// The contact patch as a mesh of its own.
+    #[must_use]
+    pub fn contact_mesh(&self) -> ContactMesh {
+        ContactMesh::extract(&self.mesh, &self.contact, |x| self.params.on_patch_edge(x))
+    }
+
+    /// Bisects the marked cells once, and others as conformity demands. Vertices keep their numbers.
+    ///
+    /// # Errors
+    /// A marked cell that does not exist, or too many cells; the mesh is then unchanged.
+    pub fn refine_marked(&mut self, marked: &[u32]) -> Result<RefineInfo, MeshError> {
+        let mut bisection = self.bisection.clone();
+        let info = bisection.refine_marked(marked)?;
+        *self = Self::from_bisection(bisection, self.params);
+        Ok(info)
+    }
+
+    /// Refines further, to another size field. Vertices keep their numbers.
+    ///
+    /// # Errors
+    /// As [`body_mesh`]; the mesh is then unchanged.
+    pub fn refine_to(&mut self, size: &dyn Fn([f64; 3]) -> f64) -> Result<RefineInfo, MeshError> {
+        let mut bisection = self.bisection.clone();
+        let info = refine_to_size(&mut bisection, &self.params, size)?;
+        *self = Self::from_bisection(bisection, self.params);
+        Ok(info)
+    }
+}

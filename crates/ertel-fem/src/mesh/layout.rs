@@ -1,0 +1,254 @@
+//! How cubes are laid under the contact patch and stretched onto the box.
+//!
+//! In reference units the patch is nx by ny unit squares and every cube has side 2^m, so that bisection brings cell
+//! faces onto all integer planes, the edges of the patch among them:
+//!
+//! ```text
+//!   reference x   -l          0   nx            r + nx        l + nx + r = Nx 2^m
+//!                  +-----------+====+-------------+
+//!   physical x   -w/2    x_inlet   x_outlet      w/2
+//! ```
+//!
+//! Each axis is mapped piecewise linearly; depth is unstretched as far down as the patch is long.
+
+use super::bisection::AxisMap;
+use super::{BodyParams, MeshError};
+
+/// A grid of cubes with the maps that take it to the box.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Layout {
+    /// side of a cube in reference units
+    pub side: f64,
+    /// lowest corner in reference units
+    pub lower: [f64; 3],
+    /// cubes along each axis (1 along y for a plane body)
+    pub n_cubes: [usize; 3],
+    /// reference to physical coordinates
+    pub maps: [AxisMap; 3],
+    /// largest over smallest stretch of any part of any axis: bounds the distortion of cells
+    pub spread: f64,
+}
+
+/// Weight of the number of cubes against the distortion: halving the cubes' side for 10 % less distortion.
+const CUBE_WEIGHT: f64 = 0.05;
+/// Preference for a coarse unit.
+const UNIT_WEIGHT: f64 = 0.02;
+const MAX_UNITS: u32 = 8;
+const MAX_LEVEL: u32 = 24;
+const MAX_CUBES: f64 = 1e6;
+
+/// Lengths of the parts of an axis: reference (integers) and physical.
+type Parts = Vec<[f64; 2]>;
+
+/// Finds the layout with least distortion and few cubes.
+pub(super) fn choose_layout(params: &BodyParams) -> Result<Layout, MeshError> {
+    let mut best: Option<(f64, Layout)> = None;
+    for units in 1..=MAX_UNITS {
+        let patch = patch_units(params, units);
+        for level in 0..=MAX_LEVEL {
+            let side = f64::from(1_u32 << level);
+            let xs = x_candidates(params, patch, side);
+            let ys = if params.dim == 2 {
+                vec![(1, vec![])]
+            } else {
+                y_candidates(params, patch, side)
+            };
+            let zs = z_candidates(params, patch, side);
+            for (nx, x) in &xs {
+                for (ny, y) in &ys {
+                    for (nz, z) in &zs {
+                        let n_cubes = *nx as f64 * *ny as f64 * *nz as f64;
+                        if n_cubes > MAX_CUBES {
+                            continue;
+                        }
+                        let stretches = [x, y, z]
+                            .into_iter()
+                            .flatten()
+                            .map(|part| part[1] / (part[0] * patch.unit));
+                        let (low, high) =
+                            stretches.fold((1.0_f64, 1.0_f64), |(l, h), s| (l.min(s), h.max(s)));
+                        let spread = high / low;
+                        let score = spread.ln()
+                            + CUBE_WEIGHT * n_cubes.ln()
+                            + UNIT_WEIGHT * f64::from(units);
+                        if best.as_ref().is_none_or(|(s, _)| score < *s) {
+                            best = Some((
+                                score,
+                                layout(params, side, [*nx, *ny, *nz], [x, y, z], spread),
+                            ));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    best.map(|(_, layout)| layout)
+        .ok_or(MeshError::Proportions {
+            width: params.width,
+            depth: params.depth,
+        })
+}
+
+#[derive(Clone, Copy)]
+struct Patch {
+    nx: f64,
+    ny: f64,
+    /// physical length of a reference unit
+    unit: f64,
+}
+
+/// The patch in units, `units` of them along its shorter extent.
+fn patch_units(params: &BodyParams, units: u32) -> Patch {
+    let length = params.x_outlet - params.x_inlet;
+    let units = f64::from(units);
+    if params.dim == 2 {
+        return Patch {
+            nx: units,
+            ny: 0.0,
+            unit: length / units,
+        };
+    }
+    let unit = length.min(params.y_side) / units;
+    let (nx, ny) = ((length / unit).round(), (params.y_side / unit).round());
+    Patch {
+        nx,
+        ny,
+        unit: (length / nx * params.y_side / ny).sqrt(),
+    }
+}
+
+/// Numbers of cubes that come nearest to a physical length.
+fn cube_counts(length: f64, side: f64) -> [usize; 2] {
+    let n = (length / side).floor().clamp(1.0, 1e7) as usize;
+    [n, n + 1]
+}
+
+/// A part that is absent physically must be absent in the grid, and conversely.
+fn consistent(parts: &Parts) -> bool {
+    parts
+        .iter()
+        .all(|part| part[0] >= 0.0 && (part[0] > 0.0) == (part[1] > 0.0))
+}
+
+fn present(parts: Parts) -> Parts {
+    parts.into_iter().filter(|part| part[0] > 0.0).collect()
+}
+
+fn x_candidates(params: &BodyParams, patch: Patch, side: f64) -> Vec<(usize, Parts)> {
+    let (left, right) = (
+        params.x_inlet + params.width / 2.0,
+        params.width / 2.0 - params.x_outlet,
+    );
+    let mut found = vec![];
+    for n in cube_counts(params.width / patch.unit, side) {
+        let outside = n as f64 * side - patch.nx;
+        let share = if left + right > 0.0 {
+            outside * left / (left + right)
+        } else {
+            0.0
+        };
+        for l in [share.floor(), share.floor() + 1.0] {
+            let parts = vec![
+                [l, left],
+                [patch.nx, params.x_outlet - params.x_inlet],
+                [outside - l, right],
+            ];
+            if consistent(&parts) {
+                found.push((n, present(parts)));
+            }
+        }
+    }
+    found
+}
+
+fn y_candidates(params: &BodyParams, patch: Patch, side: f64) -> Vec<(usize, Parts)> {
+    let width = params.width / 2.0;
+    let parts = |n: usize| {
+        vec![
+            [n as f64 * side - patch.ny, width - params.y_side],
+            [patch.ny, params.y_side],
+        ]
+    };
+    let counts = cube_counts(width / patch.unit, side).into_iter();
+    counts
+        .filter(|&n| consistent(&parts(n)))
+        .map(|n| (n, present(parts(n))))
+        .collect()
+}
+
+fn z_candidates(params: &BodyParams, patch: Patch, side: f64) -> Vec<(usize, Parts)> {
+    // unstretched to the length of the patch, but not below half the depth
+    let near = patch
+        .nx
+        .max(patch.ny)
+        .min((params.depth / (2.0 * patch.unit)).floor());
+    let parts = |n: usize| {
+        vec![
+            [n as f64 * side - near, params.depth - near * patch.unit],
+            [near, near * patch.unit],
+        ]
+    };
+    let counts = cube_counts(params.depth / patch.unit, side).into_iter();
+    counts
+        .filter(|&n| consistent(&parts(n)))
+        .map(|n| (n, present(parts(n))))
+        .collect()
+}
+
+fn layout(
+    params: &BodyParams,
+    side: f64,
+    n_cubes: [usize; 3],
+    parts: [&Parts; 3],
+    spread: f64,
+) -> Layout {
+    let (low, high) = (-params.width / 2.0, params.width / 2.0);
+    // knots of the patch in full precision: facets are recognised by equality
+    let x_exact = [low, params.x_inlet, params.x_outlet, high];
+    let y_exact = [low, -params.y_side, 0.0];
+    let z_exact = [-params.depth, 0.0];
+    // reference coordinate 0 is the inlet along x, the symmetry plane along y, the surface along z
+    let x_left = if params.x_inlet > low {
+        parts[0][0][0]
+    } else {
+        0.0
+    };
+    let lower_x = -x_left;
+    let lower_y = -parts[1].iter().map(|p| p[0]).sum::<f64>();
+    let lower_z = -parts[2].iter().map(|p| p[0]).sum::<f64>();
+    let lower = [lower_x, lower_y, lower_z];
+    let maps = [
+        axis_map(lower_x, low, parts[0], &x_exact),
+        if params.dim == 2 {
+            AxisMap::default()
+        } else {
+            axis_map(lower_y, low, parts[1], &y_exact)
+        },
+        axis_map(lower_z, -params.depth, parts[2], &z_exact),
+    ];
+    Layout {
+        side,
+        lower,
+        n_cubes,
+        maps,
+        spread,
+    }
+}
+
+/// Knots from the lower end; a physical coordinate within rounding of an exact one is replaced by it.
+fn axis_map(lower: f64, physical_lower: f64, parts: &Parts, exact: &[f64]) -> AxisMap {
+    let (mut reference, mut physical) = (lower, physical_lower);
+    let total: f64 = parts.iter().map(|p| p[1]).sum();
+    let mut knots = vec![[reference, physical]];
+    for part in parts {
+        reference += part[0];
+        physical += part[1];
+        let snapped = exact
+            .iter()
+            .copied()
+            .find(|e| (e - physical).abs() < 1e-9 * total)
+            .unwrap_or(physical);
+        knots.push([reference, snapped]);
+    }
+    AxisMap { knots }
+}

@@ -1,0 +1,67 @@
+//! Simplicial meshes of a half-space body by conforming bisection driven by a size field.
+//!
+//! - [`SimplexMesh`]: vertices and positively oriented cells, with measures and quality;
+//! - [`Bisection`]: the refinable state (ordered cells with tags), one code for triangles and tetrahedra;
+//! - [`body_mesh`]: the body under a contact patch, from a box of cubes stretched onto the requested size;
+//! - [`SizeField`]: zones of given cell size with linear growth outside.
+
+mod bisection;
+mod body;
+mod facet;
+mod layout;
+mod simplex;
+mod size_field;
+
+pub use bisection::{AxisMap, Bisection, RefineInfo};
+pub use body::{BodyMesh, BodyParams, body_mesh};
+pub use facet::{ContactMesh, FacetMesh};
+pub use simplex::{MeshStats, SimplexMesh};
+pub use size_field::{SizeField, SizeZone, Zone};
+
+/// Why a mesh could not be built.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MeshError {
+    /// A parameter is outside its range.
+    #[error("mesh parameter {name} = {value}: {expected}")]
+    Parameter {
+        /// name of the parameter
+        name: &'static str,
+        /// the value given
+        value: f64,
+        /// what it has to satisfy
+        expected: &'static str,
+    },
+    /// The size field is not a positive number somewhere in the body.
+    #[error("size field is {value} at {point:?}: must be positive")]
+    Size {
+        /// the value returned
+        value: f64,
+        /// where
+        point: [f64; 3],
+    },
+    /// The box is so flat that near-cubic start cells would be too many.
+    #[error("box of width {width} and depth {depth} is too far from a cube to be meshed")]
+    Proportions {
+        /// box width
+        width: f64,
+        /// box depth
+        depth: f64,
+    },
+    /// The size field asks for too many cells.
+    #[error("mesh exceeds {limit} cells: the size field is too fine")]
+    TooManyCells {
+        /// the largest number of cells allowed
+        limit: usize,
+    },
+    /// A marked cell does not exist.
+    #[error("cell {cell} marked for refinement, but the mesh has {n_cells} cells")]
+    NoSuchCell {
+        /// the index given
+        cell: u32,
+        /// cells in the mesh
+        n_cells: usize,
+    },
+}
+
+#[cfg(test)]
+mod tests;
