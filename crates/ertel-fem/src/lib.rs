@@ -1,3 +1,8 @@
 //! Meshes, Lagrange elements, assembly and solvers on simplices; knows no lubrication.
 
+pub mod assembly;
+pub mod element;
+pub mod linear;
 pub mod mesh;
+pub mod quadrature;
+pub mod space;

@@ -1,0 +1,246 @@
+//! Lagrange elements of any order on the reference simplex of dimension 1 to 3.
+//!
+//! Nodes sit on the lattice of barycentric multi-indices α, Σα_i = order, at λ_i = α_i/order.
+//! Reference vertices: v0 at the origin, v_i at the unit vector i; λ_0 = 1 − Σξ.
+//!
+//! ```text
+//!   order 2, dim 2      v2            node order: all vertices first, then the rest of the
+//!                       | \           lattice in lexicographic order of α
+//!                       4   5
+//!                       |     \
+//!                       v0--3--v1
+//! ```
+
+use crate::quadrature::Quadrature;
+
+/// A Lagrange element.
+#[derive(Clone, Debug)]
+pub struct Lagrange {
+    dim: usize,
+    order: usize,
+    lattice: Vec<[u8; 4]>,
+}
+
+/// Shape functions at the points of a quadrature rule, derivatives by reference coordinates.
+#[derive(Clone, Debug)]
+pub struct Tabulation {
+    /// Number of shape functions.
+    pub n_nodes: usize,
+    /// Values, `[point * n_nodes + node]`.
+    pub values: Vec<f64>,
+    /// Gradients ∂N/∂ξ_a.
+    pub gradients: Vec<[f64; 3]>,
+    /// Second derivatives ∂²N/∂ξ_a∂ξ_b.
+    pub hessians: Vec<[[f64; 3]; 3]>,
+}
+
+impl Lagrange {
+    /// Element of the given dimension (1 to 3) and order (1 to 5).
+    ///
+    /// # Panics
+    /// Outside these ranges: callers check user input first.
+    pub fn new(dim: usize, order: usize) -> Lagrange {
+        assert!((1..=3).contains(&dim) && (1..=5).contains(&order));
+        let k = order as u8;
+        let mut lattice: Vec<[u8; 4]> = (0..=dim)
+            .map(|v| {
+                let mut a = [0; 4];
+                a[v] = k;
+                a
+            })
+            .collect();
+        let limit = |axis: usize| if axis <= dim { k } else { 0 };
+        for a1 in 0..=limit(1) {
+            for a2 in 0..=limit(2) {
+                for a3 in 0..=limit(3) {
+                    if a1 + a2 + a3 <= k {
+                        let a = [k - a1 - a2 - a3, a1, a2, a3];
+                        if !a.contains(&k) {
+                            lattice.push(a);
+                        }
+                    }
+                }
+            }
+        }
+        Lagrange {
+            dim,
+            order,
+            lattice,
+        }
+    }
+
+    /// Dimension of the simplex.
+    pub fn dim(&self) -> usize {
+        self.dim
+    }
+
+    /// Polynomial order.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Number of nodes.
+    pub fn n_nodes(&self) -> usize {
+        self.lattice.len()
+    }
+
+    /// Barycentric multi-indices of the nodes, in units of 1/order.
+    pub fn lattice(&self) -> &[[u8; 4]] {
+        &self.lattice
+    }
+
+    /// Value, gradient and Hessian of every shape function at a reference point.
+    ///
+    /// N_α = Π_i φ(α_i, λ_i), φ(m, λ) = Π_{j<m} (kλ − j)/(j + 1)   (Silvester 1969)
+    pub fn evaluate(&self, xi: [f64; 3]) -> Vec<(f64, [f64; 3], [[f64; 3]; 3])> {
+        let d = self.dim;
+        let lambda = [1.0 - xi[..d].iter().sum::<f64>(), xi[0], xi[1], xi[2]];
+        self.lattice
+            .iter()
+            .map(|alpha| {
+                let mut f = [(1.0, 0.0, 0.0); 4];
+                for i in 0..=d {
+                    f[i] = silvester(self.order, alpha[i], lambda[i]);
+                }
+                // Derivatives by the barycentric coordinates, then ∂/∂ξ_a = ∂/∂λ_a − ∂/∂λ_0.
+                let product = |orders: [usize; 4]| -> f64 {
+                    (0..=d)
+                        .map(|i| [f[i].0, f[i].1, f[i].2][orders[i]])
+                        .product()
+                };
+                let first = |i: usize| {
+                    let mut o = [0; 4];
+                    o[i] += 1;
+                    product(o)
+                };
+                let second = |i: usize, j: usize| {
+                    let mut o = [0; 4];
+                    o[i] += 1;
+                    o[j] += 1;
+                    product(o)
+                };
+                let mut gradient = [0.0; 3];
+                let mut hessian = [[0.0; 3]; 3];
+                for a in 0..d {
+                    gradient[a] = first(a + 1) - first(0);
+                    for b in 0..d {
+                        hessian[a][b] = second(a + 1, b + 1) - second(a + 1, 0) - second(0, b + 1)
+                            + second(0, 0);
+                    }
+                }
+                (product([0; 4]), gradient, hessian)
+            })
+            .collect()
+    }
+
+    /// Shape functions at all points of a rule.
+    pub fn tabulate(&self, rule: &Quadrature) -> Tabulation {
+        let mut table = Tabulation {
+            n_nodes: self.n_nodes(),
+            values: Vec::new(),
+            gradients: Vec::new(),
+            hessians: Vec::new(),
+        };
+        for point in &rule.points {
+            for (value, gradient, hessian) in self.evaluate(*point) {
+                table.values.push(value);
+                table.gradients.push(gradient);
+                table.hessians.push(hessian);
+            }
+        }
+        table
+    }
+}
+
+/// φ(m, λ) and its first two derivatives.
+fn silvester(order: usize, m: u8, lambda: f64) -> (f64, f64, f64) {
+    let k = order as f64;
+    let (mut f, mut d, mut dd) = (1.0, 0.0, 0.0);
+    for j in 0..m {
+        let c = 1.0 / (j as f64 + 1.0);
+        let (g, dg) = ((k * lambda - j as f64) * c, k * c);
+        (f, d, dd) = (f * g, d * g + f * dg, dd * g + 2.0 * d * dg);
+    }
+    (f, d, dd)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Every element of the family; a new one joins here and inherits the tests.
+    fn family() -> Vec<Lagrange> {
+        (1..=3)
+            .flat_map(|dim| (1..=5).map(move |order| Lagrange::new(dim, order)))
+            .collect()
+    }
+
+    fn node_point(element: &Lagrange, alpha: &[u8; 4]) -> [f64; 3] {
+        let k = element.order() as f64;
+        [
+            alpha[1] as f64 / k,
+            alpha[2] as f64 / k,
+            alpha[3] as f64 / k,
+        ]
+    }
+
+    #[test]
+    fn shape_functions_are_nodal() {
+        for element in family() {
+            for (i, alpha) in element.lattice().iter().enumerate() {
+                for (j, (v, _, _)) in element
+                    .evaluate(node_point(&element, alpha))
+                    .iter()
+                    .enumerate()
+                {
+                    assert_relative_eq!(*v, if i == j { 1.0 } else { 0.0 }, epsilon = 1e-12);
+                }
+            }
+        }
+    }
+
+    /// Number of nodes = binomial(order + dim, dim).
+    #[test]
+    fn node_counts() {
+        let counts: Vec<usize> = family().iter().map(Lagrange::n_nodes).collect();
+        assert_eq!(counts, [2, 3, 4, 5, 6, 3, 6, 10, 15, 21, 4, 10, 20, 35, 56]);
+    }
+
+    /// Interpolating f = (1 + 2x − y + 3z)^order is exact, with its gradient and Hessian
+    /// (closed form) at a point off the nodes.
+    #[test]
+    fn polynomials_are_reproduced_with_derivatives() {
+        let slope = [2.0, -1.0, 3.0];
+        let x = [0.17, 0.31, 0.22];
+        for element in family() {
+            let (d, k) = (element.dim(), element.order() as i32);
+            let linear = |p: [f64; 3]| 1.0 + (0..d).map(|a| slope[a] * p[a]).sum::<f64>();
+            let (mut v, mut g, mut h) = (0.0, [0.0; 3], [[0.0; 3]; 3]);
+            for (alpha, (n, dn, ddn)) in element.lattice().iter().zip(element.evaluate(x)) {
+                let f = linear(node_point(&element, alpha)).powi(k);
+                v += f * n;
+                for a in 0..d {
+                    g[a] += f * dn[a];
+                    for b in 0..d {
+                        h[a][b] += f * ddn[a][b];
+                    }
+                }
+            }
+            let s = linear(x);
+            let kf = k as f64;
+            assert_relative_eq!(v, s.powi(k), max_relative = 1e-11);
+            for a in 0..d {
+                assert_relative_eq!(g[a], kf * slope[a] * s.powi(k - 1), max_relative = 1e-10);
+                for b in 0..d {
+                    let exact = if k > 1 {
+                        kf * (kf - 1.0) * slope[a] * slope[b] * s.powi(k - 2)
+                    } else {
+                        0.0
+                    };
+                    assert_relative_eq!(h[a][b], exact, max_relative = 1e-9, epsilon = 1e-10);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! Weak forms, one per file; the loops over elements live in `solve`.
+
+pub mod elasticity;
+pub mod reynolds;
