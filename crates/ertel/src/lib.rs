@@ -3,6 +3,7 @@
 //! contact, film → forms → solve → post → output; forms never see files, solve never formats text.
 
 pub mod contact;
+pub mod output;
 pub mod params;
 pub mod reference;
 pub mod solution;

@@ -1,0 +1,65 @@
+//! The case as output shows it: plain data, filled from the case file.
+
+use serde::Serialize;
+
+use crate::contact::{Contact, Elasticity, Motion};
+use crate::params::{MeshParams, SolverParams};
+
+/// One of the bodies.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BodyEcho {
+    /// Material.
+    pub name: String,
+    /// Elastic constants.
+    #[serde(flatten)]
+    pub elasticity: Elasticity,
+}
+
+/// The lubricant at the temperature of the case and ambient pressure.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FluidEcho {
+    /// Name.
+    pub name: String,
+    /// Name of the viscosity law.
+    pub viscosity_law: String,
+    /// Name of the density law.
+    pub density_law: String,
+    /// Viscosity, Pa·s.
+    pub viscosity: f64,
+    /// Density, kg/m³.
+    pub density: f64,
+    /// Initial slope of ln μ(p), 1/Pa.
+    pub pressure_viscosity: f64,
+    /// Reciprocal asymptotic isoviscous pressure coefficient α*, 1/Pa, where it exists.
+    pub pressure_viscosity_asymptotic: Option<f64>,
+}
+
+/// The case as understood, SI.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CaseEcho {
+    /// Title.
+    #[serde(skip)]
+    pub title: String,
+    /// The case as the user gave it, quantities with their units.
+    #[serde(skip)]
+    pub given: serde_json::Value,
+    /// Text of the case file, kept beside the results as `case.toml`.
+    #[serde(skip)]
+    pub case_file: Option<String>,
+    /// Geometry and load.
+    pub contact: Contact,
+    /// Speeds.
+    pub motion: Motion,
+    /// The plane.
+    pub plane: BodyEcho,
+    /// The ball or cylinder.
+    pub ball: BodyEcho,
+    /// Lubricant.
+    pub fluid: FluidEcho,
+    /// Temperature, K.
+    pub temperature: f64,
+    /// Mesh settings.
+    pub mesh: MeshParams,
+    /// Solver settings.
+    pub solver: SolverParams,
+}

@@ -1,0 +1,203 @@
+//! Guard: no result with a number that is not finite leaves the program.
+
+use super::CaseEcho;
+use crate::solution::{Located, Solution};
+
+/// Name of the first number that is not finite, or `None` if all are.
+pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<String> {
+    inputs(case)
+        .chain(figures(solution))
+        .chain(effort(solution))
+        .find(|(_, value)| !value.is_finite())
+        .map(|(name, _)| name)
+        .or_else(|| fields(solution))
+}
+
+fn inputs(case: &CaseEcho) -> impl Iterator<Item = (String, f64)> {
+    let named = [
+        ("radius", case.contact.radius),
+        ("load", case.contact.load),
+        ("entrainment speed", case.motion.entrainment_speed),
+        ("slide-to-roll ratio", case.motion.slide_to_roll_ratio),
+        (
+            "Young's modulus of the plane",
+            case.plane.elasticity.youngs_modulus,
+        ),
+        (
+            "Poisson's ratio of the plane",
+            case.plane.elasticity.poissons_ratio,
+        ),
+        (
+            "Young's modulus of the ball",
+            case.ball.elasticity.youngs_modulus,
+        ),
+        (
+            "Poisson's ratio of the ball",
+            case.ball.elasticity.poissons_ratio,
+        ),
+        ("viscosity", case.fluid.viscosity),
+        ("density", case.fluid.density),
+        (
+            "pressure-viscosity coefficient",
+            case.fluid.pressure_viscosity,
+        ),
+        (
+            "asymptotic pressure-viscosity coefficient",
+            case.fluid.pressure_viscosity_asymptotic.unwrap_or(0.0),
+        ),
+        ("temperature", case.temperature),
+        ("tolerance", case.solver.tolerance),
+        ("cavitation penalty", case.solver.penalty),
+        ("isotropic diffusion", case.solver.isotropic_diffusion),
+    ];
+    let mesh = &case.mesh;
+    let sizes = [
+        mesh.hertz_size,
+        mesh.constriction_size,
+        mesh.edge_size,
+        mesh.growth,
+        mesh.body_width,
+        mesh.body_depth,
+    ];
+    let chosen = [mesh.inlet, mesh.outlet, mesh.side].into_iter().flatten();
+    let mesh = sizes
+        .into_iter()
+        .chain(chosen)
+        .map(|v| ("mesh size".to_owned(), v));
+    named
+        .map(|(n, v)| (n.to_owned(), v))
+        .into_iter()
+        .chain(mesh.collect::<Vec<_>>())
+}
+
+fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
+    let s = &solution.summary;
+    let mut list = vec![
+        ("half-width", solution.hertz.half_width),
+        ("Hertz pressure", solution.hertz.pressure),
+        ("reduced modulus", solution.reduced_modulus),
+        ("central film thickness", s.film_central.value),
+        (
+            "error of the central film thickness",
+            s.film_central.error.unwrap_or(0.0),
+        ),
+        ("minimum film thickness", s.film_minimum.value),
+        (
+            "error of the minimum film thickness",
+            s.film_minimum.error.unwrap_or(0.0),
+        ),
+        ("outlet position", s.outlet_position),
+        ("smallest pressure", s.pressure_minimum),
+        ("film balance error", s.film_balance_error),
+        ("load balance error", s.load_balance_error),
+        ("rigid separation", s.rigid_separation),
+    ];
+    let mut located = |name, at: &Located| list.extend([at.value, at.x, at.y].map(|v| (name, v)));
+    located("place of the minimum film thickness", &s.film_minimum_at);
+    located(
+        "minimum film thickness on the centreline",
+        &s.film_centreline_minimum,
+    );
+    located("largest pressure", &s.pressure_maximum);
+    if let Some(spike) = &s.spike {
+        located("pressure spike", spike);
+    }
+    for groups in std::iter::once(&solution.groups).chain(&solution.groups_asymptotic) {
+        let values = [
+            groups.load,
+            groups.speed,
+            groups.material,
+            groups.moes_load,
+            groups.moes_material,
+        ];
+        list.extend(values.map(|v| ("dimensionless group", v)));
+    }
+    let scales = &solution.scales;
+    let values = [
+        scales.length,
+        scales.pressure,
+        scales.film,
+        scales.viscosity,
+        scales.density,
+        scales.lambda,
+        scales.elastic_stress,
+        scales.load,
+    ];
+    list.extend(values.map(|v| ("scale", v)));
+    list.extend(solution.extents.map(|v| ("extent of the contact area", v)));
+    for formula in &solution.formulas {
+        list.extend(formula.central.map(|v| (formula.name, v)));
+        list.extend(formula.minimum.map(|v| (formula.name, v)));
+    }
+    list.into_iter().map(|(n, v)| (n.to_owned(), v))
+}
+
+fn effort(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
+    let history = solution.history.iter().flat_map(|r| {
+        [
+            r.penalty_share,
+            r.residual,
+            r.update,
+            r.step,
+            r.film_central,
+        ]
+        .map(|v| {
+            (
+                format!("iteration {} on mesh {}", r.iteration, r.level + 1),
+                v,
+            )
+        })
+    });
+    let levels = solution.stats.levels.iter().enumerate().flat_map(|(i, l)| {
+        let t = &l.seconds;
+        [
+            l.film_central,
+            l.film_minimum,
+            t.mesh,
+            t.operator,
+            t.assembly,
+            t.factorisation,
+            t.krylov,
+        ]
+        .map(|v| (format!("statistics of mesh {}", i + 1), v))
+    });
+    let wall = ("wall time".to_owned(), solution.stats.wall_seconds);
+    history.chain(levels).chain([wall])
+}
+
+fn fields(solution: &Solution) -> Option<String> {
+    let (line, surface) = (&solution.centreline, &solution.surface);
+    let arrays = [
+        ("x along the centreline", &line.x),
+        ("pressure along the centreline", &line.pressure),
+        ("film thickness along the centreline", &line.film_thickness),
+        ("deflection along the centreline", &line.deflection),
+        ("viscosity along the centreline", &line.viscosity),
+        ("density along the centreline", &line.density),
+        ("Hertz pressure along the centreline", &line.hertz_pressure),
+        ("pressure on the contact area", &surface.pressure),
+        (
+            "film thickness on the contact area",
+            &surface.film_thickness,
+        ),
+        ("deflection on the contact area", &surface.deflection),
+        ("viscosity on the contact area", &surface.viscosity),
+        ("density on the contact area", &surface.density),
+    ];
+    let scalar = arrays
+        .into_iter()
+        .find(|(_, values)| values.iter().any(|v| !v.is_finite()))
+        .map(|(name, _)| name.to_owned());
+    let points_ok = surface.points.as_flattened().iter().all(|v| v.is_finite());
+    let body_ok = solution.body.as_ref().is_none_or(|b| {
+        let values = b
+            .points
+            .as_flattened()
+            .iter()
+            .chain(b.displacement.as_flattened());
+        values.into_iter().all(|v| v.is_finite())
+    });
+    scalar
+        .or_else(|| (!points_ok).then(|| "points of the contact area".to_owned()))
+        .or_else(|| (!body_ok).then(|| "displacement of the body".to_owned()))
+}

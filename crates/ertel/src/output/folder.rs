@@ -1,0 +1,188 @@
+//! Result folders that appear as a whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::TempDir;
+
+use super::OutputError;
+use super::result_json::FORMAT;
+
+/// Files that a result may hold; with any other file in it, a folder is not replaced.
+const OWN_FILES: [&str; 14] = [
+    "result.json",
+    "report.txt",
+    "case.toml",
+    "centreline.csv",
+    "surface.vtu",
+    "body.vtu",
+    "centreline.svg",
+    "pressure.svg",
+    "film.svg",
+    "convergence.svg",
+    "centreline.png",
+    "pressure.png",
+    "film.png",
+    "convergence.png",
+];
+
+/// A folder in the making beside its target; dropped unfinished, it vanishes.
+pub(super) struct NewFolder {
+    target: PathBuf,
+    parent: PathBuf,
+    temporary: TempDir,
+}
+
+impl NewFolder {
+    /// Checks that the target may be written and makes the temporary folder beside it.
+    pub fn beside(target: &Path) -> Result<NewFolder, OutputError> {
+        check_target(target)?;
+        // A link to a former result stays; what it points to is replaced
+        let target = if target.exists() {
+            fs::canonicalize(target).map_err(|e| OutputError::io(target, e))?
+        } else {
+            target.to_owned()
+        };
+        let parent = match target.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+            _ => PathBuf::from("."),
+        };
+        fs::create_dir_all(&parent).map_err(|e| OutputError::io(&parent, e))?;
+        let temporary = tempfile::Builder::new()
+            .prefix(".ertel-")
+            .tempdir_in(&parent)
+            .map_err(|e| OutputError::io(&parent, e))?;
+        Ok(NewFolder {
+            target,
+            parent,
+            temporary,
+        })
+    }
+
+    /// Writes one file and brings it to the disk; errors name the file in the target.
+    pub fn file(
+        &self,
+        name: &str,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), OutputError> {
+        debug_assert!(OWN_FILES.contains(&name), "{name} is not listed");
+        let save = || -> io::Result<()> {
+            let mut out = io::BufWriter::new(File::create(self.temporary.path().join(name))?);
+            write(&mut out)?;
+            out.into_inner()?.sync_all()
+        };
+        save().map_err(|e| OutputError::io(&self.target.join(name), e))
+    }
+
+    /// Puts the folder in its place, instead of a former result.
+    pub fn finish(self) -> Result<(), OutputError> {
+        let NewFolder {
+            target,
+            parent,
+            temporary,
+        } = self;
+        let failed = |e| OutputError::io(&target, e);
+        share(temporary.path()).map_err(failed)?;
+        sync_folder(temporary.path()).map_err(failed)?;
+        // Somebody may have put something there meanwhile
+        check_target(&target)?;
+        let former = if target.exists() {
+            let aside = tempfile::Builder::new()
+                .prefix(".ertel-old-")
+                .tempdir_in(&parent)
+                .map_err(failed)?;
+            fs::rename(&target, aside.path().join("result")).map_err(failed)?;
+            Some(aside)
+        } else {
+            None
+        };
+        if let Err(error) = fs::rename(temporary.path(), &target) {
+            if let Some(aside) = &former {
+                // The first failure is the one to tell
+                let _ = fs::rename(aside.path().join("result"), &target);
+            }
+            return Err(failed(error));
+        }
+        // Moved away: nothing is left to remove under the temporary name
+        let _ = temporary.keep();
+        sync_folder(&parent).map_err(failed)?;
+        match former {
+            Some(aside) => aside.close().map_err(failed),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Whether a result may be written here: nothing yet, an empty folder, or a former result.
+///
+/// # Errors
+/// [`OutputError::NotAFolder`] and [`OutputError::ForeignFolder`] for what is somebody else's;
+/// [`OutputError::Io`] where it cannot be read.
+pub fn check_target(target: &Path) -> Result<(), OutputError> {
+    let failed = |e| OutputError::io(target, e);
+    match fs::symlink_metadata(target) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(e) => return Err(failed(e)),
+        Ok(_) if !target.is_dir() => {
+            return Err(OutputError::NotAFolder {
+                path: target.to_owned(),
+            });
+        }
+        Ok(_) => {}
+    }
+    let mut names = Vec::new();
+    for entry in fs::read_dir(target).map_err(failed)? {
+        names.push(entry.map_err(failed)?.file_name());
+    }
+    if names.is_empty() {
+        return Ok(());
+    }
+    let foreign = |reason: String| OutputError::ForeignFolder {
+        path: target.to_owned(),
+        reason,
+    };
+    if !is_result(&target.join("result.json")) {
+        return Err(foreign("it holds files, but no result of ertel".into()));
+    }
+    let stray = names.iter().find(|n| !OWN_FILES.iter().any(|own| n == own));
+    match stray {
+        Some(name) => Err(foreign(format!(
+            "beside a former result it holds {}",
+            name.to_string_lossy()
+        ))),
+        None => Ok(()),
+    }
+}
+
+fn is_result(path: &Path) -> bool {
+    fs::read(path)
+        .ok()
+        .and_then(|bytes| serde_json::from_slice::<serde_json::Value>(&bytes).ok())
+        .is_some_and(|json| json["format"] == FORMAT)
+}
+
+/// Temporary folders are private; results have the permissions of any new folder.
+#[cfg(unix)]
+fn share(folder: &Path) -> io::Result<()> {
+    let probe = folder.join(".permissions");
+    fs::create_dir(&probe)?;
+    let usual = fs::metadata(&probe)?.permissions();
+    fs::remove_dir(&probe)?;
+    fs::set_permissions(folder, usual)
+}
+
+#[cfg(not(unix))]
+fn share(_folder: &Path) -> io::Result<()> {
+    Ok(())
+}
+
+#[cfg(unix)]
+fn sync_folder(folder: &Path) -> io::Result<()> {
+    File::open(folder)?.sync_all()
+}
+
+#[cfg(not(unix))]
+fn sync_folder(_folder: &Path) -> io::Result<()> {
+    Ok(())
+}

@@ -1,0 +1,137 @@
+//! Results for people and programs: report, `result.json`, tables, fields and pictures.
+//!
+//! [`write`] puts everything into one folder that appears as a whole or not at all.
+
+pub mod centreline;
+mod echo;
+mod finite;
+mod folder;
+pub mod plot;
+mod report;
+mod result_json;
+mod surface;
+pub mod vtu;
+
+#[cfg(test)]
+mod fixture;
+#[cfg(test)]
+mod tests;
+
+pub use echo::{BodyEcho, CaseEcho, FluidEcho};
+pub use folder::check_target;
+pub use plot::png::{PngError, check as check_png};
+pub use report::{digits, length, pressure, report};
+pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use folder::NewFolder;
+
+use crate::params::OutputParams;
+use crate::solution::Solution;
+
+/// PNG pixels per unit of the SVG pictures: about 300 dots per inch on a 17 cm wide page.
+const PNG_SCALE: f32 = 3.0;
+
+/// Why results were not written. Nothing is left half-written.
+#[derive(Debug, thiserror::Error)]
+pub enum OutputError {
+    /// The system refused: disk full, no permission, and so on.
+    #[error("cannot write {}: {source}", path.display())]
+    Io {
+        /// What was being written.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// The target exists and is not a folder.
+    #[error("cannot write results to {}: it is a file, not a folder", path.display())]
+    NotAFolder {
+        /// The target.
+        path: PathBuf,
+    },
+    /// The target holds something else than a former result.
+    #[error(
+        "will not replace the folder {}: {reason}. Choose another folder, or empty this one",
+        path.display()
+    )]
+    ForeignFolder {
+        /// The target.
+        path: PathBuf,
+        /// What it holds.
+        reason: String,
+    },
+    /// A number to be written is not finite.
+    #[error("the result is not written, because it holds a number that is not finite: {what}")]
+    NotFinite {
+        /// Which.
+        what: String,
+    },
+    /// PNG pictures were asked for but cannot be made.
+    #[error(transparent)]
+    Png(#[from] PngError),
+}
+
+impl OutputError {
+    fn io(path: &Path, source: io::Error) -> OutputError {
+        OutputError::Io {
+            path: path.to_owned(),
+            source,
+        }
+    }
+}
+
+/// Writes a result folder: `result.json`, `report.txt`, `case.toml`, `centreline.csv`,
+/// `surface.vtu`, `body.vtu` and the pictures, as `params` asks (its `folder` is not looked at).
+///
+/// The files are written beside the target first, brought to the disk, and then put in place; a
+/// former result there is replaced, anything else is refused.
+///
+/// # Errors
+/// [`OutputError`]; the target is then as it was before.
+pub fn write(
+    case: &CaseEcho,
+    solution: &Solution,
+    target: &Path,
+    params: &OutputParams,
+) -> Result<(), OutputError> {
+    if params.png {
+        check_png()?;
+    }
+    if let Some(what) = finite::first_not_finite(case, solution) {
+        return Err(OutputError::NotFinite { what });
+    }
+    let folder = NewFolder::beside(target)?;
+    let json = result_json(case, solution)
+        .and_then(|json| serde_json::to_string_pretty(&json))
+        .map_err(|e| OutputError::io(&target.join("result.json"), e.into()))?;
+    folder.file("result.json", |out| writeln!(out, "{json}"))?;
+    folder.file("report.txt", |out| {
+        out.write_all(report(case, solution, None).as_bytes())
+    })?;
+    if let Some(text) = &case.case_file {
+        folder.file("case.toml", |out| out.write_all(text.as_bytes()))?;
+    }
+    let half_width = solution.hertz.half_width;
+    folder.file("centreline.csv", |out| {
+        centreline::write_centreline(out, &solution.centreline, half_width)
+    })?;
+    folder.file("surface.vtu", |out| {
+        vtu::write_surface(out, solution.kind, &solution.surface)
+    })?;
+    if let Some(body) = solution.body.as_ref().filter(|_| params.body_field) {
+        folder.file("body.vtu", |out| vtu::write_body(out, solution.kind, body))?;
+    }
+    for picture in plot::pictures(&case.title, solution, Some(case.solver.tolerance)) {
+        let svg = picture.svg;
+        folder.file(&format!("{}.svg", picture.name), |out| {
+            out.write_all(svg.as_bytes())
+        })?;
+        if params.png {
+            let png = plot::png::from_svg(&svg, PNG_SCALE)?;
+            folder.file(&format!("{}.png", picture.name), |out| out.write_all(&png))?;
+        }
+    }
+    folder.finish()
+}

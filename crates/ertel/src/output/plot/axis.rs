@@ -1,0 +1,243 @@
+//! Axes: range, scale, ticks.
+
+/// Linear or logarithmic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AxisScale {
+    /// Equal steps.
+    Linear,
+    /// Equal ratios; values must be positive.
+    Log,
+}
+
+/// One axis: label (markup of labels: `*p*` italic, `_{h}` and `^{3}` scripts), range and scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// Label with its unit.
+    pub label: String,
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+    /// Linear or logarithmic.
+    pub scale: AxisScale,
+}
+
+impl Axis {
+    /// Linear axis over exactly this range.
+    pub fn linear(label: &str, low: f64, high: f64) -> Axis {
+        let (low, high) = if low.is_finite() && high.is_finite() && high > low {
+            (low, high)
+        } else {
+            (0.0, 1.0)
+        };
+        Axis {
+            label: label.to_owned(),
+            low,
+            high,
+            scale: AxisScale::Linear,
+        }
+    }
+
+    /// Linear axis that covers the values, rounded outwards to whole ticks.
+    pub fn linear_around(label: &str, values: impl IntoIterator<Item = f64>) -> Axis {
+        let (low, high) = range(values);
+        let (low, high) = if high > low {
+            (low, high)
+        } else {
+            (
+                low - 0.5 * low.abs().max(1.0),
+                high + 0.5 * high.abs().max(1.0),
+            )
+        };
+        let step = tick_step(high - low);
+        Axis::linear(
+            label,
+            (low / step).floor() * step,
+            (high / step).ceil() * step,
+        )
+    }
+
+    /// Logarithmic axis over the decades that cover the positive values.
+    pub fn log_around(label: &str, values: impl IntoIterator<Item = f64>) -> Axis {
+        let (low, high) = range(values.into_iter().filter(|v| *v > 0.0).map(f64::log10));
+        let (low, high) = (low.floor(), high.ceil());
+        Axis {
+            label: label.to_owned(),
+            low: 10f64.powf(low),
+            high: 10f64.powf(if high > low { high } else { low + 1.0 }),
+            scale: AxisScale::Log,
+        }
+    }
+
+    /// Position of a value between 0 (low) and 1 (high); not finite for a value ≤ 0 on a log axis.
+    pub fn position(&self, value: f64) -> f64 {
+        match self.scale {
+            AxisScale::Linear => (value - self.low) / (self.high - self.low),
+            AxisScale::Log if value > 0.0 => (value / self.low).ln() / (self.high / self.low).ln(),
+            AxisScale::Log => f64::NAN,
+        }
+    }
+
+    /// Labelled ticks: value and text in label markup.
+    pub fn ticks(&self) -> Vec<(f64, String)> {
+        match self.scale {
+            AxisScale::Linear => {
+                let step = tick_step(self.high - self.low);
+                multiples(self.low, self.high, step)
+                    .map(|v| (v, tick_label(v, step)))
+                    .collect()
+            }
+            AxisScale::Log => {
+                let (low, high) = self.decades();
+                // At most about eight labels
+                let every = ((high - low) as usize).div_ceil(8).max(1);
+                (low..=high)
+                    .filter(|e| e.rem_euclid(every as i32) == 0)
+                    .map(|e| (10f64.powi(e), power_label(e)))
+                    .collect()
+            }
+        }
+    }
+
+    /// Ticks without labels, between the labelled ones.
+    pub fn minor_ticks(&self) -> Vec<f64> {
+        match self.scale {
+            AxisScale::Linear => {
+                let step = tick_step(self.high - self.low);
+                let leading = step / 10f64.powf(step.log10().floor());
+                let parts = if (leading - 2.0).abs() < 0.1 {
+                    4.0
+                } else {
+                    5.0
+                };
+                multiples(self.low, self.high, step / parts).collect()
+            }
+            AxisScale::Log => {
+                let (low, high) = self.decades();
+                let inner: &[i32] = match high - low {
+                    0..=6 => &[2, 3, 4, 5, 6, 7, 8, 9],
+                    _ => &[1],
+                };
+                (low..high)
+                    .flat_map(|e| inner.iter().map(move |m| f64::from(*m) * 10f64.powi(e)))
+                    .collect()
+            }
+        }
+    }
+
+    fn decades(&self) -> (i32, i32) {
+        (
+            (self.low.log10() - 1e-9).ceil() as i32,
+            (self.high.log10() + 1e-9).floor() as i32,
+        )
+    }
+}
+
+/// Smallest and largest finite value; (0, 1) without any.
+fn range(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
+    let (low, high) = values
+        .into_iter()
+        .filter(|v| v.is_finite())
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+            (l.min(v), h.max(v))
+        });
+    if low <= high { (low, high) } else { (0.0, 1.0) }
+}
+
+/// Distance 1, 2 or 5 times a power of ten that gives four to eight ticks.
+pub(super) fn tick_step(span: f64) -> f64 {
+    let rough = span / 6.0;
+    let power = 10f64.powf(rough.log10().floor());
+    match rough / power {
+        f if f < 1.5 => power,
+        f if f < 3.5 => 2.0 * power,
+        f if f < 7.5 => 5.0 * power,
+        _ => 10.0 * power,
+    }
+}
+
+fn multiples(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> {
+    let first = (low / step - 1e-6).ceil() as i64;
+    let last = (high / step + 1e-6).floor() as i64;
+    (first..=last).map(move |i| i as f64 * step)
+}
+
+/// Number with as many decimals as the tick distance needs.
+pub(super) fn tick_label(value: f64, step: f64) -> String {
+    let decimals = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
+    let text = format!("{value:.decimals$}");
+    let zero = text
+        .trim_start_matches('-')
+        .chars()
+        .all(|c| c == '0' || c == '.');
+    match text.strip_prefix('-') {
+        Some(digits) if zero => digits.to_owned(),
+        Some(digits) => format!("−{digits}"),
+        None => text,
+    }
+}
+
+fn power_label(exponent: i32) -> String {
+    match exponent {
+        0 => "1".to_owned(),
+        1 => "10".to_owned(),
+        e if e < 0 => format!("10^{{−{}}}", -e),
+        e => format!("10^{{{e}}}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn labels(axis: &Axis) -> Vec<String> {
+        axis.ticks().into_iter().map(|t| t.1).collect()
+    }
+
+    #[test]
+    fn linear_ticks_are_round_numbers() {
+        let axis = Axis::linear("", -2.5, 1.5);
+        assert_eq!(
+            labels(&axis),
+            [
+                "−2.5", "−2.0", "−1.5", "−1.0", "−0.5", "0.0", "0.5", "1.0", "1.5"
+            ]
+        );
+        let axis = Axis::linear_around("", [0.0, 1.13]);
+        assert_eq!((axis.low, axis.high), (0.0, 1.2000000000000002));
+    }
+
+    #[test]
+    fn log_ticks_are_powers_of_ten() {
+        let axis = Axis::log_around("", [3e-4, 20.0, 0.0, f64::NAN]);
+        assert_eq!((axis.low, axis.high), (1e-4, 100.0));
+        assert_eq!(
+            labels(&axis),
+            [
+                "10^{−4}",
+                "10^{−3}",
+                "10^{−2}",
+                "10^{−1}",
+                "1",
+                "10",
+                "10^{2}"
+            ]
+        );
+        assert!((axis.position(0.1) - 0.5).abs() < 1e-12);
+        assert!(axis.position(0.0).is_nan());
+    }
+
+    #[test]
+    fn empty_or_constant_data_still_make_an_axis() {
+        for axis in [
+            Axis::linear_around("", []),
+            Axis::linear_around("", [3.0, 3.0]),
+            Axis::log_around("", []),
+            Axis::log_around("", [10.0]),
+            Axis::linear("", 1.0, f64::NAN),
+        ] {
+            assert!(axis.low < axis.high && axis.low.is_finite() && axis.high.is_finite());
+            assert!(axis.ticks().len() >= 2);
+        }
+    }
+}

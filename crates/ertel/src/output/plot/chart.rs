@@ -1,0 +1,456 @@
+//! Curves and points over one or two y axes.
+
+use std::fmt::Write;
+
+use super::axis::{Axis, AxisScale};
+use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
+
+/// Colours told apart by colour-blind readers and in grey (Okabe and Ito 2008).
+pub const PALETTE: [&str; 6] = [
+    "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00",
+];
+
+/// Which y axis a series belongs to.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Side {
+    /// Left axis.
+    #[default]
+    Left,
+    /// Right axis.
+    Right,
+}
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Look {
+    /// Solid line.
+    #[default]
+    Line,
+    /// Dashed line.
+    Dashed,
+    /// Open circles.
+    Circles,
+    /// Solid line through filled dots.
+    LineAndDots,
+}
+
+/// A curve or a set of points.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Series {
+    /// Legend entry; empty: none.
+    pub label: String,
+    /// Points in the units of the axes; a point that is not finite interrupts a line.
+    pub points: Vec<[f64; 2]>,
+    /// Line or points.
+    pub look: Look,
+    /// Colour, `#rrggbb`.
+    pub colour: String,
+    /// Left or right axis.
+    pub side: Side,
+}
+
+/// Vertical line with a label at its upper end.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Marker {
+    /// Where.
+    pub x: f64,
+    /// Label, in label markup.
+    pub label: String,
+}
+
+/// A diagram.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// Title kept in the file's metadata, not drawn.
+    pub title: String,
+    /// Lower axis.
+    pub x: Axis,
+    /// Upper axis with other units of the same range, if any.
+    pub x_top: Option<Axis>,
+    /// Left axis.
+    pub y: Axis,
+    /// Right axis, if any.
+    pub y_right: Option<Axis>,
+    /// Curves, drawn in this order.
+    pub series: Vec<Series>,
+    /// Vertical lines.
+    pub markers: Vec<Marker>,
+    /// Shaded ranges of x.
+    pub shaded: Vec<[f64; 2]>,
+}
+
+/// Frame of a diagram inside the picture, px.
+#[derive(Clone, Copy)]
+pub(super) struct Frame {
+    pub left: f64,
+    pub top: f64,
+    pub width: f64,
+    pub height: f64,
+}
+
+impl Frame {
+    pub fn x(&self, axis: &Axis, value: f64) -> f64 {
+        self.left + axis.position(value) * self.width
+    }
+
+    pub fn y(&self, axis: &Axis, value: f64) -> f64 {
+        self.top + (1.0 - axis.position(value)) * self.height
+    }
+
+    pub fn outline(&self) -> String {
+        format!(
+            "M{} {}h{}v{}h{}Z",
+            number(self.left),
+            number(self.top),
+            number(self.width),
+            number(self.height),
+            number(-self.width)
+        )
+    }
+}
+
+const TICK: f64 = 6.0;
+const MINOR_TICK: f64 = 3.0;
+pub(super) const FRAME_WIDTH: f64 = 1.0;
+
+impl Chart {
+    /// Diagram without series.
+    pub fn new(title: &str, x: Axis, y: Axis) -> Chart {
+        Chart {
+            title: title.to_owned(),
+            x,
+            x_top: None,
+            y,
+            y_right: None,
+            series: Vec::new(),
+            markers: Vec::new(),
+            shaded: Vec::new(),
+        }
+    }
+
+    /// The diagram as an SVG file.
+    pub fn svg(&self) -> String {
+        let frame = Frame {
+            left: 68.0,
+            top: if self.x_top.is_some() { 52.0 } else { 18.0 },
+            width: 420.0,
+            height: 290.0,
+        };
+        let right = if self.y_right.is_some() { 68.0 } else { 22.0 };
+        let mut svg = Svg::new(
+            frame.left + frame.width + right,
+            frame.top + frame.height + 52.0,
+            &self.title,
+        );
+        self.draw_shades(&mut svg, frame);
+        svg.begin_clip(frame.left, frame.top, frame.width, frame.height);
+        for series in &self.series {
+            self.draw_series(&mut svg, frame, series);
+        }
+        svg.end_clip();
+        self.draw_axes(&mut svg, frame);
+        self.draw_legend(&mut svg, frame);
+        svg.finish()
+    }
+
+    fn y_axis(&self, side: Side) -> &Axis {
+        match side {
+            Side::Left => &self.y,
+            Side::Right => self.y_right.as_ref().unwrap_or(&self.y),
+        }
+    }
+
+    fn draw_shades(&self, svg: &mut Svg, frame: Frame) {
+        for [from, to] in &self.shaded {
+            let from = frame.x(&self.x, *from).max(frame.left);
+            let to = frame.x(&self.x, *to).min(frame.left + frame.width);
+            if to > from {
+                svg.rectangle(from, frame.top, to - from, frame.height, "#efefef");
+            }
+        }
+        for marker in &self.markers {
+            let x = frame.x(&self.x, marker.x);
+            let d = format!(
+                "M{} {}v{}",
+                number(x),
+                number(frame.top),
+                number(frame.height)
+            );
+            svg.stroke(
+                &d,
+                Stroke {
+                    colour: "#8c8c8c",
+                    width: 0.8,
+                    dash: Some("2 3"),
+                },
+            );
+            let at = [x + 4.0, frame.top + 15.0];
+            svg.text(at, &marker.label, TICK_SIZE - 1.0, Anchor::Start, "#595959");
+        }
+    }
+
+    fn draw_series(&self, svg: &mut Svg, frame: Frame, series: &Series) {
+        let y = self.y_axis(series.side);
+        // Far outside of the frame, renderers lose precision
+        let limit = |v: f64| v.clamp(-1e4, 1e4);
+        let points: Vec<[f64; 2]> = series
+            .points
+            .iter()
+            .map(|[px, py]| [limit(frame.x(&self.x, *px)), limit(frame.y(y, *py))])
+            .collect();
+        if series.look != Look::Circles {
+            svg.stroke(&polyline(&points), line_stroke(series));
+        }
+        let finite = points
+            .iter()
+            .filter(|p| p[0].is_finite() && p[1].is_finite());
+        for [x, y] in finite {
+            match series.look {
+                Look::Circles => {
+                    svg.circle(*x, *y, 3.2, "white", Stroke::solid(&series.colour, 1.3));
+                }
+                Look::LineAndDots => {
+                    svg.circle(*x, *y, 2.2, &series.colour, Stroke::solid("white", 0.6));
+                }
+                Look::Line | Look::Dashed => {}
+            }
+        }
+    }
+
+    fn draw_axes(&self, svg: &mut Svg, frame: Frame) {
+        svg.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
+        draw_x_axis(svg, frame, &self.x, false);
+        draw_x_axis(svg, frame, self.x_top.as_ref().unwrap_or(&self.x), true);
+        if let Some(top) = &self.x_top {
+            label_x_axis(svg, frame, top, true);
+        }
+        label_x_axis(svg, frame, &self.x, false);
+        draw_y_axis(svg, frame, &self.y, Side::Left);
+        label_y_axis(
+            svg,
+            frame,
+            &self.y,
+            Side::Left,
+            self.axis_colour(Side::Left),
+        );
+        match &self.y_right {
+            Some(axis) => {
+                draw_y_axis(svg, frame, axis, Side::Right);
+                label_y_axis(svg, frame, axis, Side::Right, self.axis_colour(Side::Right));
+            }
+            None => draw_y_axis(svg, frame, &self.y, Side::Right),
+        }
+    }
+
+    /// With two y axes, labels take the colour of their solid curve.
+    fn axis_colour(&self, side: Side) -> &str {
+        let first = self
+            .series
+            .iter()
+            .find(|s| s.side == side && s.look != Look::Dashed);
+        match (&self.y_right, first) {
+            (Some(_), Some(series)) => &series.colour,
+            _ => INK,
+        }
+    }
+
+    fn draw_legend(&self, svg: &mut Svg, frame: Frame) {
+        let entries: Vec<&Series> = self.series.iter().filter(|s| !s.label.is_empty()).collect();
+        if entries.is_empty() {
+            return;
+        }
+        let row = 18.0;
+        let widest = entries
+            .iter()
+            .map(|s| text_width(&s.label, TICK_SIZE))
+            .fold(0.0, f64::max);
+        let (width, height) = (widest + 46.0, row * entries.len() as f64 + 6.0);
+        let [left, top] = self.emptiest_corner(frame, width, height);
+        for (i, series) in entries.iter().enumerate() {
+            let y = top + 3.0 + row * (i as f64 + 0.5);
+            let (from, to) = (left + 6.0, left + 34.0);
+            if series.look != Look::Circles {
+                let d = format!("M{} {}H{}", number(from), number(y), number(to));
+                svg.stroke(&d, line_stroke(series));
+            }
+            let middle = 0.5 * (from + to);
+            match series.look {
+                Look::Circles => {
+                    svg.circle(middle, y, 3.2, "white", Stroke::solid(&series.colour, 1.3));
+                }
+                Look::LineAndDots => {
+                    svg.circle(middle, y, 2.2, &series.colour, Stroke::solid("white", 0.6));
+                }
+                Look::Line | Look::Dashed => {}
+            }
+            svg.text(
+                [to + 6.0, y + 4.2],
+                &series.label,
+                TICK_SIZE,
+                Anchor::Start,
+                INK,
+            );
+        }
+    }
+
+    /// Place for a box of this size where the fewest curve points lie.
+    fn emptiest_corner(&self, frame: Frame, width: f64, height: f64) -> [f64; 2] {
+        let gap = 8.0;
+        let head = if self.markers.is_empty() { gap } else { 22.0 };
+        let lefts = [frame.left + gap, frame.left + frame.width - width - gap];
+        let tops = [
+            frame.top + head,
+            frame.top + frame.height - height - gap,
+            frame.top + 0.5 * (frame.height - height),
+        ];
+        let pixels: Vec<[f64; 2]> = self
+            .series
+            .iter()
+            .flat_map(|s| {
+                let y = self.y_axis(s.side);
+                let points: Vec<[f64; 2]> = s
+                    .points
+                    .iter()
+                    .map(|p| [frame.x(&self.x, p[0]), frame.y(y, p[1])])
+                    .collect();
+                densify(&points)
+            })
+            .collect();
+        let crowd = |[x, y]: [f64; 2]| {
+            pixels
+                .iter()
+                .filter(|p| (x..x + width).contains(&p[0]) && (y..y + height).contains(&p[1]))
+                .count()
+        };
+        tops.into_iter()
+            .flat_map(|t| lefts.into_iter().rev().map(move |l| [l, t]))
+            .min_by_key(|corner| crowd(*corner))
+            .unwrap_or([lefts[0], tops[0]])
+    }
+}
+
+fn line_stroke(series: &Series) -> Stroke<'_> {
+    match series.look {
+        Look::Dashed => Stroke {
+            colour: &series.colour,
+            width: 1.3,
+            dash: Some("6 4"),
+        },
+        _ => Stroke::solid(&series.colour, 1.7),
+    }
+}
+
+/// Points every few pixels along the segments, for the search of an empty place.
+fn densify(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut dense = Vec::new();
+    for pair in points.windows(2) {
+        let (dx, dy) = (pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]);
+        let length = dx.hypot(dy);
+        if !length.is_finite() || length > 5e3 {
+            continue;
+        }
+        let n = (length / 4.0).ceil().max(1.0);
+        dense.extend((0..n as usize).map(|i| {
+            let t = i as f64 / n;
+            [pair[0][0] + t * dx, pair[0][1] + t * dy]
+        }));
+    }
+    dense.extend(points.last());
+    dense
+}
+
+/// Path through pixel points, interrupted where one is not finite.
+pub(super) fn polyline(points: &[[f64; 2]]) -> String {
+    let mut d = String::new();
+    let mut pen_down = false;
+    for [x, y] in points {
+        if !(x.is_finite() && y.is_finite()) {
+            pen_down = false;
+            continue;
+        }
+        let command = if pen_down { 'L' } else { 'M' };
+        let _ = write!(d, "{command}{} {}", number(*x), number(*y));
+        pen_down = true;
+    }
+    d
+}
+
+pub(super) fn draw_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) {
+    let (edge, inwards) = if top {
+        (frame.top, 1.0)
+    } else {
+        (frame.top + frame.height, -1.0)
+    };
+    let mut d = String::new();
+    let mut tick = |value: f64, length: f64| {
+        let (x, y) = (number(frame.x(axis, value)), number(edge));
+        let _ = write!(d, "M{x} {y}v{}", number(inwards * length));
+    };
+    axis.ticks().iter().for_each(|t| tick(t.0, TICK));
+    axis.minor_ticks()
+        .into_iter()
+        .for_each(|v| tick(v, MINOR_TICK));
+    svg.stroke(&d, Stroke::solid(INK, 0.8));
+}
+
+pub(super) fn label_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) {
+    let (ticks_at, label_at) = if top {
+        (frame.top - 7.0, frame.top - 29.0)
+    } else {
+        (
+            frame.top + frame.height + 17.0,
+            frame.top + frame.height + 39.0,
+        )
+    };
+    for (value, label) in axis.ticks() {
+        let at = [frame.x(axis, value), ticks_at];
+        svg.text(at, &label, TICK_SIZE, Anchor::Middle, INK);
+    }
+    let at = [frame.left + 0.5 * frame.width, label_at];
+    svg.text(at, &axis.label, LABEL_SIZE, Anchor::Middle, INK);
+}
+
+pub(super) fn draw_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side) {
+    let (edge, inwards) = match side {
+        Side::Left => (frame.left, 1.0),
+        Side::Right => (frame.left + frame.width, -1.0),
+    };
+    let mut d = String::new();
+    let mut tick = |value: f64, length: f64| {
+        let (x, y) = (number(edge), number(frame.y(axis, value)));
+        let _ = write!(d, "M{x} {y}h{}", number(inwards * length));
+    };
+    axis.ticks().iter().for_each(|t| tick(t.0, TICK));
+    axis.minor_ticks()
+        .into_iter()
+        .for_each(|v| tick(v, MINOR_TICK));
+    svg.stroke(&d, Stroke::solid(INK, 0.8));
+}
+
+pub(super) fn label_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side, colour: &str) {
+    let ticks = axis.ticks();
+    let widest = ticks
+        .iter()
+        .map(|t| tick_width(&t.1, axis.scale))
+        .fold(0.0, f64::max);
+    let (ticks_at, label_at, anchor) = match side {
+        Side::Left => (frame.left - 6.0, frame.left - widest - 18.0, Anchor::End),
+        Side::Right => {
+            let edge = frame.left + frame.width;
+            (edge + 6.0, edge + widest + 26.0, Anchor::Start)
+        }
+    };
+    for (value, label) in ticks {
+        let at = [ticks_at, frame.y(axis, value) + 4.2];
+        svg.text(at, &label, TICK_SIZE, anchor, colour);
+    }
+    let at = [label_at, frame.top + 0.5 * frame.height];
+    svg.turned_text(at, &axis.label, LABEL_SIZE, Anchor::Middle, colour, -90.0);
+}
+
+fn tick_width(label: &str, scale: AxisScale) -> f64 {
+    match scale {
+        AxisScale::Linear => text_width(label, TICK_SIZE),
+        AxisScale::Log => text_width(label, 0.9 * TICK_SIZE),
+    }
+}

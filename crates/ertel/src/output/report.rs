@@ -1,0 +1,374 @@
+//! The summary that a user reads.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use super::CaseEcho;
+use crate::contact::{ContactKind, Groups};
+use crate::solution::{Estimate, Located, Solution};
+
+/// Width of the column of names.
+const NAME_WIDTH: usize = 34;
+
+/// The report as text: the case in SI, Hertz contact, groups, results beside published formulas,
+/// effort, warnings and, where given, the folder of the files.
+pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> String {
+    let mut out = Lines::default();
+    out.title(&case.title);
+    write_case(&mut out, case);
+    write_contact(&mut out, solution);
+    write_results(&mut out, solution);
+    write_formulas(&mut out, solution);
+    write_effort(&mut out, solution, folder);
+    out.text
+}
+
+#[derive(Default)]
+struct Lines {
+    text: String,
+}
+
+impl Lines {
+    fn title(&mut self, title: &str) {
+        // Control characters of a title stay out of the terminal
+        let clean: String = title.chars().filter(|c| !c.is_control()).collect();
+        let rule = "─".repeat(clean.chars().count().max(4));
+        let _ = writeln!(self.text, "{clean}\n{rule}");
+    }
+
+    fn heading(&mut self, heading: &str) {
+        let _ = writeln!(self.text, "\n{heading}");
+    }
+
+    fn row(&mut self, name: &str, value: impl AsRef<str>) {
+        let value = value.as_ref();
+        let _ = writeln!(self.text, "  {name:<NAME_WIDTH$}{value}");
+    }
+}
+
+fn write_case(out: &mut Lines, case: &CaseEcho) {
+    let (load_unit, shape) = match case.contact.kind {
+        ContactKind::Circular => ("N", "circular (ball on plane)"),
+        ContactKind::Line => ("N/m", "line (cylinder on plane)"),
+    };
+    out.heading("Case");
+    out.row("contact", shape);
+    out.row("radius R", length(case.contact.radius));
+    out.row(
+        "load",
+        format!("{} {load_unit}", digits(case.contact.load, 6)),
+    );
+    for (role, body) in [("plane", &case.plane), ("ball", &case.ball)] {
+        let e = &body.elasticity;
+        let text = format!(
+            "{}, E {}, ν {}",
+            body.name,
+            pressure(e.youngs_modulus),
+            digits(e.poissons_ratio, 4)
+        );
+        out.row(role, text);
+    }
+    let motion = &case.motion;
+    out.row(
+        "entrainment speed u_m",
+        format!("{} m/s", digits(motion.entrainment_speed, 6)),
+    );
+    out.row("slide-to-roll ratio", digits(motion.slide_to_roll_ratio, 6));
+    out.row(
+        "surface speeds",
+        format!(
+            "ball {} m/s, plane {} m/s",
+            digits(motion.ball_speed(), 6),
+            digits(motion.plane_speed(), 6)
+        ),
+    );
+    let fluid = &case.fluid;
+    out.row(
+        "lubricant",
+        format!(
+            "{}: viscosity {}, density {}",
+            fluid.name, fluid.viscosity_law, fluid.density_law
+        ),
+    );
+    out.row(
+        "temperature",
+        format!(
+            "{} K ({} °C)",
+            digits(case.temperature, 6),
+            digits(case.temperature - 273.15, 5)
+        ),
+    );
+    out.row("ambient viscosity", viscosity(fluid.viscosity));
+    out.row(
+        "ambient density",
+        format!("{} kg/m³", digits(fluid.density, 5)),
+    );
+    let coefficient = |alpha: f64| format!("{} 1/GPa", digits(1e9 * alpha, 4));
+    out.row(
+        "pressure-viscosity coefficient",
+        coefficient(fluid.pressure_viscosity),
+    );
+    if let Some(alpha) = fluid.pressure_viscosity_asymptotic {
+        out.row("  asymptotic, α*", coefficient(alpha));
+    }
+}
+
+fn write_contact(out: &mut Lines, solution: &Solution) {
+    out.heading("Dry contact (Hertz)");
+    out.row("half-width a", length(solution.hertz.half_width));
+    out.row("largest pressure p_h", pressure(solution.hertz.pressure));
+    out.row("reduced modulus E'", pressure(solution.reduced_modulus));
+    out.heading("Dimensionless groups");
+    out.row("Moes", moes(&solution.groups));
+    if let Some(groups) = &solution.groups_asymptotic {
+        out.row("  with α*", moes(groups));
+    }
+    let g = &solution.groups;
+    out.row(
+        "Hamrock-Dowson",
+        format!(
+            "W {}   U {}   G {}",
+            power(g.load),
+            power(g.speed),
+            digits(g.material, 4)
+        ),
+    );
+}
+
+fn moes(groups: &Groups) -> String {
+    format!(
+        "M {}   L {}",
+        digits(groups.moes_load, 4),
+        digits(groups.moes_material, 4)
+    )
+}
+
+fn write_results(out: &mut Lines, solution: &Solution) {
+    let s = &solution.summary;
+    let a = solution.hertz.half_width;
+    let place = |at: &Located| match solution.kind {
+        ContactKind::Line => format!("at x/a {:.3}", at.x / a),
+        ContactKind::Circular if at.y == 0.0 => format!("at x/a {:.3}, y/a 0", at.x / a),
+        ContactKind::Circular => format!("at x/a {:.3}, y/a ±{:.3}", at.x / a, at.y.abs() / a),
+    };
+    let at = |text: String, place: String| format!("{text:<24}{place}");
+    out.heading("Results");
+    out.row("central film thickness h_c", estimate(&s.film_central));
+    out.row(
+        "minimum film thickness h_min",
+        at(estimate(&s.film_minimum), place(&s.film_minimum_at)),
+    );
+    if solution.kind == ContactKind::Circular {
+        let line = &s.film_centreline_minimum;
+        out.row("  on the centreline", at(length(line.value), place(line)));
+    }
+    let p = &s.pressure_maximum;
+    out.row("largest pressure", at(pressure(p.value), place(p)));
+    match &s.spike {
+        Some(spike) => out.row("pressure spike", at(pressure(spike.value), place(spike))),
+        None => out.row("pressure spike", "none on the centreline"),
+    }
+    out.row(
+        "film ends (centreline)",
+        format!("at x/a {:.3}", s.outlet_position / a),
+    );
+    out.row("mass balance error", percent_or_power(s.film_balance_error));
+    out.row("load balance error", percent_or_power(s.load_balance_error));
+}
+
+fn write_formulas(out: &mut Lines, solution: &Solution) {
+    if solution.formulas.is_empty() {
+        return;
+    }
+    let s = &solution.summary;
+    let cell = |formula: Option<f64>, film: f64| match formula {
+        Some(h) => format!("{} ({:+.1} %)", length(h), 100.0 * (h / film - 1.0)),
+        None => "–".to_owned(),
+    };
+    out.heading("Published formulas (difference from the computed film)");
+    let header = format!("{:<24}{}", "central", "minimum");
+    out.row("", header);
+    for f in &solution.formulas {
+        let central = cell(f.central, s.film_central.value);
+        let minimum = cell(f.minimum, s.film_minimum.value);
+        out.row(f.name, format!("{central:<24}{minimum}"));
+    }
+    for f in &solution.formulas {
+        let _ = writeln!(out.text, "  {}: {}", f.name, f.source);
+    }
+}
+
+fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
+    out.heading("Effort");
+    for (i, level) in solution.stats.levels.iter().enumerate() {
+        out.row(
+            &format!("mesh {}", i + 1),
+            format!(
+                "{} pressure and {} displacement unknowns, {} Newton iterations, h_c {}",
+                level.n_pressure_dofs,
+                level.n_displacement_dofs,
+                level.newton_iterations,
+                length(level.film_central)
+            ),
+        );
+    }
+    out.row(
+        "wall time",
+        format!("{} s", digits(solution.stats.wall_seconds, 3)),
+    );
+    if let Some(bytes) = solution.stats.peak_memory {
+        out.row(
+            "peak memory",
+            format!("{} MB", digits(bytes as f64 / 1e6, 3)),
+        );
+    }
+    if !solution.warnings.is_empty() {
+        out.heading("Warnings");
+        for warning in &solution.warnings {
+            let _ = writeln!(out.text, "  ! {warning}");
+        }
+    }
+    if let Some(folder) = folder {
+        out.heading("Files");
+        let _ = writeln!(out.text, "  {}", folder.display());
+    }
+}
+
+/// Value with its error bar in the same unit, as many digits as the error bar leaves certain.
+fn estimate(e: &Estimate) -> String {
+    let (factor, unit) = length_unit(e.value);
+    match e.error {
+        Some(error) => {
+            let error = factor * error;
+            // Two digits of the error bar, between none and six decimals
+            let decimals = if error > 0.0 {
+                (1.0 - error.log10().floor()).clamp(0.0, 6.0) as usize
+            } else {
+                3
+            };
+            format!(
+                "{:.decimals$} ± {:.decimals$} {unit}",
+                factor * e.value,
+                error
+            )
+        }
+        None => length(e.value),
+    }
+}
+
+fn length_unit(value: f64) -> (f64, &'static str) {
+    match value.abs() {
+        v if v < 1e-6 => (1e9, "nm"),
+        v if v < 1e-3 => (1e6, "µm"),
+        v if v < 1.0 => (1e3, "mm"),
+        _ => (1.0, "m"),
+    }
+}
+
+/// Length with a readable unit, four digits.
+pub fn length(value: f64) -> String {
+    let (factor, unit) = length_unit(value);
+    format!("{} {unit}", digits(factor * value, 4))
+}
+
+/// Pressure with a readable unit, four digits.
+pub fn pressure(value: f64) -> String {
+    let (factor, unit) = match value.abs() {
+        v if v < 1e3 => (1.0, "Pa"),
+        v if v < 1e6 => (1e-3, "kPa"),
+        v if v < 1e9 => (1e-6, "MPa"),
+        _ => (1e-9, "GPa"),
+    };
+    format!("{} {unit}", digits(factor * value, 4))
+}
+
+fn viscosity(value: f64) -> String {
+    if value < 1.0 {
+        format!("{} mPa·s", digits(1e3 * value, 4))
+    } else {
+        format!("{} Pa·s", digits(value, 4))
+    }
+}
+
+fn power(value: f64) -> String {
+    format!("{value:.3e}")
+}
+
+fn percent_or_power(share: f64) -> String {
+    if share.abs() < 1e-4 {
+        power(share)
+    } else {
+        format!("{} %", digits(100.0 * share, 3))
+    }
+}
+
+/// Number with `n` significant digits, zeros at the end of the fraction left out.
+pub fn digits(value: f64, n: usize) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return format!("{value}");
+    }
+    let exponent = value.abs().log10().floor();
+    if !(-4.0..9.0).contains(&exponent) {
+        return format!("{value:.*e}", n.saturating_sub(1));
+    }
+    let decimals = (n as f64 - 1.0 - exponent).max(0.0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture;
+    use super::*;
+
+    #[test]
+    fn numbers_read_well() {
+        assert_eq!(length(244.824e-9), "244.8 nm");
+        assert_eq!(length(218.279e-6), "218.3 µm");
+        assert_eq!(length(0.016), "16 mm");
+        assert_eq!(pressure(1.00212e9), "1.002 GPa");
+        assert_eq!(pressure(6.8e8), "680 MPa");
+        assert_eq!(viscosity(0.04), "40 mPa·s");
+        assert_eq!(digits(2e5, 6), "200000");
+        assert_eq!(digits(0.0, 4), "0");
+        assert_eq!(digits(1.23456e-11, 3), "1.23e-11");
+    }
+
+    #[test]
+    fn error_bars_set_the_digits() {
+        let e = |value, error| estimate(&Estimate { value, error });
+        assert_eq!(e(244.824e-9, Some(0.82e-9)), "244.82 ± 0.82 nm");
+        assert_eq!(e(1.2345e-6, Some(12.3e-9)), "1.234 ± 0.012 µm");
+        assert_eq!(e(244.824e-9, Some(0.0)), "244.824 ± 0.000 nm");
+        assert_eq!(e(244.824e-9, None), "244.8 nm");
+    }
+
+    /// Figures known from elsewhere: a and p_h of the case, speeds 0.8 (1 ± 0.25), the formulas'
+    /// films, and 264.066/245 − 1 = 7.8 %.
+    #[test]
+    fn report_holds_the_case_and_the_results() {
+        let kind = ContactKind::Circular;
+        let text = report(
+            &fixture::case_echo(kind),
+            &fixture::solution(kind),
+            Some(Path::new("results/ball")),
+        );
+        for expected in [
+            "ball 1 m/s, plane 0.6 m/s",
+            "218.3 µm",
+            "1.002 GPa",
+            "M 199.3   L 10.36",
+            "245.00 ± 0.80 nm",
+            "264.1 nm (+7.8 %)",
+            "148.6 nm",
+            "! the pressure leaves",
+            "results/ball",
+        ] {
+            assert!(text.contains(expected), "{expected} is missing in\n{text}");
+        }
+    }
+}

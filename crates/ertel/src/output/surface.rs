@@ -1,0 +1,60 @@
+//! The whole contact area from the half that is solved.
+
+use crate::contact::ContactKind;
+use crate::solution::SurfaceField;
+
+/// Fields on the whole contact area: the half y ≤ 0 of a circular contact with its mirror image,
+/// nodes on y = 0 shared; a line contact as it is.
+pub(super) fn full_surface(kind: ContactKind, half: &SurfaceField) -> SurfaceField {
+    let mut full = half.clone();
+    if kind == ContactKind::Line {
+        return full;
+    }
+    let reach = half.points.iter().fold(0.0, |r: f64, p| r.max(p[1].abs()));
+    let mut image = Vec::with_capacity(half.points.len());
+    for (i, [x, y]) in half.points.iter().enumerate() {
+        if y.abs() <= 1e-9 * reach {
+            image.push(i as u32);
+            continue;
+        }
+        image.push(full.points.len() as u32);
+        full.points.push([*x, -y]);
+        full.pressure.push(half.pressure[i]);
+        full.film_thickness.push(half.film_thickness[i]);
+        full.deflection.push(half.deflection[i]);
+        full.viscosity.push(half.viscosity[i]);
+        full.density.push(half.density[i]);
+    }
+    // A mirror turns the orientation round; exchanging two corners turns it back
+    full.cells.extend(
+        half.cells
+            .iter()
+            .map(|[a, b, c]| [*a, *c, *b].map(|n| image[n as usize])),
+    );
+    full
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One triangle with an edge on y = 0: four nodes, two triangles of the same orientation.
+    #[test]
+    fn mirror_shares_the_centreline() {
+        let values = vec![1.0, 2.0, 3.0];
+        let half = SurfaceField {
+            points: vec![[0.0, 0.0], [0.0, -1.0], [1.0, 0.0]],
+            cells: vec![[0, 1, 2]],
+            pressure: values.clone(),
+            film_thickness: values.clone(),
+            deflection: values.clone(),
+            viscosity: values.clone(),
+            density: values,
+        };
+        let full = full_surface(ContactKind::Circular, &half);
+        assert_eq!(full.points[3], [0.0, 1.0]);
+        assert_eq!(full.cells, [[0, 1, 2], [0, 2, 3]]);
+        assert_eq!(full.density, [1.0, 2.0, 3.0, 2.0]);
+        assert_eq!(full_surface(ContactKind::Line, &half), half);
+    }
+}

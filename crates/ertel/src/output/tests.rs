@@ -1,0 +1,203 @@
+use std::fs;
+
+use serde_json::Value;
+
+use super::folder::NewFolder;
+use super::*;
+use crate::contact::ContactKind;
+
+fn names(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+fn write_to(target: &Path, kind: ContactKind) -> Result<(), OutputError> {
+    let (case, solution) = (fixture::case_echo(kind), fixture::solution(kind));
+    write(&case, &solution, target, &OutputParams::default())
+}
+
+#[test]
+fn circular_contact_writes_every_file() {
+    let place = tempfile::tempdir().unwrap();
+    let target = place.path().join("new/ball");
+    write_to(&target, ContactKind::Circular).unwrap();
+    assert_eq!(
+        names(&target),
+        [
+            "body.vtu",
+            "case.toml",
+            "centreline.csv",
+            "centreline.svg",
+            "convergence.svg",
+            "film.svg",
+            "pressure.svg",
+            "report.txt",
+            "result.json",
+            "surface.vtu",
+        ]
+    );
+    // Nothing is left of the temporary folder
+    assert_eq!(names(&place.path().join("new")), ["ball"]);
+}
+
+/// A line contact has no maps. No number of the document may have become `null`: those that are
+/// are listed.
+#[test]
+fn line_contact_result_is_complete() {
+    let place = tempfile::tempdir().unwrap();
+    let target = place.path().join("roller");
+    write_to(&target, ContactKind::Line).unwrap();
+    assert!(!names(&target).contains(&"film.svg".to_owned()));
+    let text = fs::read_to_string(target.join("result.json")).unwrap();
+    let json: Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["format"], FORMAT);
+    assert_eq!(json["kind"], "line");
+    assert_eq!(json["summary"]["film_central"]["value"], 245e-9);
+    assert_eq!(json["case"]["given"]["contact"]["load"], "100 N");
+    assert_eq!(json["case"]["si"]["contact"]["load"], 2e5);
+    let mut nulls = Vec::new();
+    find_nulls(&json, "", &mut nulls);
+    assert!(
+        nulls
+            .iter()
+            .all(|path| path.starts_with("/formulas") || path.starts_with("/case/si/mesh/")),
+        "{nulls:?}"
+    );
+}
+
+fn find_nulls(value: &Value, path: &str, found: &mut Vec<String>) {
+    match value {
+        Value::Null => found.push(path.to_owned()),
+        Value::Object(map) => map
+            .iter()
+            .for_each(|(k, v)| find_nulls(v, &format!("{path}/{k}"), found)),
+        Value::Array(list) => list.iter().for_each(|v| find_nulls(v, path, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn former_result_is_replaced() {
+    let place = tempfile::tempdir().unwrap();
+    let target = place.path().join("case");
+    write_to(&target, ContactKind::Circular).unwrap();
+    write_to(&target, ContactKind::Line).unwrap();
+    assert!(!target.join("film.svg").exists());
+    assert_eq!(names(place.path()), ["case"]);
+}
+
+#[test]
+fn folders_and_files_of_others_are_left_alone() {
+    let place = tempfile::tempdir().unwrap();
+    let target = place.path().join("mine");
+    fs::create_dir(&target).unwrap();
+    // An empty folder is free
+    check_target(&target).unwrap();
+    fs::write(target.join("notes.txt"), "precious").unwrap();
+    let error = write_to(&target, ContactKind::Line).unwrap_err();
+    assert!(
+        matches!(error, OutputError::ForeignFolder { .. }),
+        "{error}"
+    );
+    // A result.json of another program does not make it ours
+    fs::write(target.join("result.json"), "{\"format\": \"other\"}").unwrap();
+    assert!(write_to(&target, ContactKind::Line).is_err());
+    assert_eq!(names(&target), ["notes.txt", "result.json"]);
+
+    let file = place.path().join("file");
+    fs::write(&file, "").unwrap();
+    let error = write_to(&file, ContactKind::Line).unwrap_err();
+    assert!(matches!(error, OutputError::NotAFolder { .. }), "{error}");
+    let error = write_to(&file.join("below"), ContactKind::Line).unwrap_err();
+    assert!(matches!(error, OutputError::Io { .. }), "{error}");
+    assert_eq!(names(place.path()), ["file", "mine"]);
+}
+
+#[test]
+fn notes_beside_a_former_result_keep_it() {
+    let place = tempfile::tempdir().unwrap();
+    let target = place.path().join("case");
+    write_to(&target, ContactKind::Line).unwrap();
+    fs::write(target.join("notes.txt"), "precious").unwrap();
+    let error = write_to(&target, ContactKind::Line).unwrap_err();
+    assert!(error.to_string().contains("notes.txt"), "{error}");
+}
+
+#[test]
+fn failure_half_way_leaves_the_former_result() {
+    let place = tempfile::tempdir().unwrap();
+    let target = place.path().join("case");
+    write_to(&target, ContactKind::Line).unwrap();
+    let before = fs::read(target.join("result.json")).unwrap();
+    let attempt = || -> Result<(), OutputError> {
+        let folder = NewFolder::beside(&target)?;
+        folder.file("result.json", |out| out.write_all(b"new"))?;
+        folder.file("report.txt", |_| Err(io::ErrorKind::StorageFull.into()))?;
+        folder.finish()
+    };
+    let error = attempt().unwrap_err();
+    assert!(error.to_string().contains("report.txt"), "{error}");
+    assert_eq!(fs::read(target.join("result.json")).unwrap(), before);
+    assert_eq!(names(place.path()), ["case"]);
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_not_written() {
+    let place = tempfile::tempdir().unwrap();
+    let target = place.path().join("case");
+    let kind = ContactKind::Line;
+    let mut solution = fixture::solution(kind);
+    solution.centreline.viscosity[3] = f64::INFINITY;
+    let error = write(
+        &fixture::case_echo(kind),
+        &solution,
+        &target,
+        &OutputParams::default(),
+    )
+    .unwrap_err();
+    assert!(
+        error.to_string().contains("viscosity along the centreline"),
+        "{error}"
+    );
+    assert_eq!(names(place.path()), [] as [&str; 0]);
+}
+
+#[cfg(not(feature = "png"))]
+#[test]
+fn png_without_the_feature_says_how_to_get_it() {
+    let place = tempfile::tempdir().unwrap();
+    let kind = ContactKind::Line;
+    let params = OutputParams {
+        png: true,
+        ..OutputParams::default()
+    };
+    let (case, solution) = (fixture::case_echo(kind), fixture::solution(kind));
+    let error = write(&case, &solution, &place.path().join("x"), &params).unwrap_err();
+    assert!(error.to_string().contains("--features png"), "{error}");
+}
+
+/// Pictures are well-formed at least in this: every group that opens closes, no number is NaN.
+#[test]
+fn pictures_are_sound() {
+    for kind in [ContactKind::Line, ContactKind::Circular] {
+        let pictures = plot::pictures("T < U", &fixture::solution(kind), Some(1e-8));
+        assert_eq!(
+            pictures.len(),
+            if kind == ContactKind::Line { 2 } else { 4 }
+        );
+        for picture in pictures {
+            let svg = picture.svg;
+            assert!(
+                !svg.contains("NaN") && !svg.contains("inf"),
+                "{}",
+                picture.name
+            );
+            assert_eq!(svg.matches("<g").count(), svg.matches("</g>").count());
+            assert!(svg.contains("T &lt; U"));
+        }
+    }
+}

@@ -1,0 +1,246 @@
+//! VTK XML unstructured grids, binary data inline in base64.
+//!
+//! Each array is the base64 text of an 8-byte length in bytes followed by the little-endian data
+//! (`header_type="UInt64"`), as ParaView, PyVista and meshio read it.
+
+use std::io::{self, Write};
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+
+use super::surface::full_surface;
+use crate::contact::ContactKind;
+use crate::solution::{BodyField, SurfaceField};
+
+/// VTK cell types by number of nodes: triangles and segments, or tetrahedra, too.
+const LINE: u8 = 3;
+const TRIANGLE: u8 = 5;
+const TETRAHEDRON: u8 = 10;
+const QUADRATIC_TRIANGLE: u8 = 22;
+const QUADRATIC_TETRAHEDRON: u8 = 24;
+
+/// An array of a grid.
+struct Array<'a> {
+    name: &'a str,
+    n_components: usize,
+    data: Data,
+}
+
+enum Data {
+    Float64(Vec<f64>),
+    Int64(Vec<i64>),
+    UInt8(Vec<u8>),
+}
+
+impl Data {
+    fn type_name(&self) -> &'static str {
+        match self {
+            Data::Float64(_) => "Float64",
+            Data::Int64(_) => "Int64",
+            Data::UInt8(_) => "UInt8",
+        }
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        match self {
+            Data::Float64(values) => values.iter().flat_map(|v| v.to_le_bytes()).collect(),
+            Data::Int64(values) => values.iter().flat_map(|v| v.to_le_bytes()).collect(),
+            Data::UInt8(values) => values.clone(),
+        }
+    }
+}
+
+/// Writes the fields on the whole contact area: triangles, or the segments of a line contact.
+/// Lengths in m; arrays are named with their units.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_surface(out: impl Write, kind: ContactKind, half: &SurfaceField) -> io::Result<()> {
+    let field = full_surface(kind, half);
+    let points: Vec<[f64; 3]> = field.points.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
+    let n_nodes = match kind {
+        ContactKind::Line => 2,
+        ContactKind::Circular => 3,
+    };
+    let cells: Vec<&[u32]> = field.cells.iter().map(|c| &c[..n_nodes]).collect();
+    let scalar = |name, values| Array {
+        name,
+        n_components: 1,
+        data: Data::Float64(values),
+    };
+    let fields = [
+        scalar("pressure_Pa", field.pressure),
+        scalar("film_thickness_m", field.film_thickness),
+        scalar("deflection_m", field.deflection),
+        scalar("viscosity_Pa_s", field.viscosity),
+        scalar("density_kg_per_m3", field.density),
+    ];
+    write_grid(out, &points, &cells, 2, &fields)
+}
+
+/// Writes the displacement of the elastic body (of its half y ≤ 0 for circular contacts), in m.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_body(out: impl Write, kind: ContactKind, body: &BodyField) -> io::Result<()> {
+    let cells: Vec<&[u32]> = body.cells.iter().map(Vec::as_slice).collect();
+    let displacement = Array {
+        name: "displacement_m",
+        n_components: 3,
+        data: Data::Float64(body.displacement.concat()),
+    };
+    write_grid(
+        out,
+        &body.points,
+        &cells,
+        kind.body_dimension(),
+        &[displacement],
+    )
+}
+
+/// Cell type of so many nodes in a grid of triangles (2) or tetrahedra (3).
+fn cell_type(n_nodes: usize, dimension: usize) -> io::Result<u8> {
+    match (n_nodes, dimension) {
+        (2, _) => Ok(LINE),
+        (3, _) => Ok(TRIANGLE),
+        (4, 3) => Ok(TETRAHEDRON),
+        (6, _) => Ok(QUADRATIC_TRIANGLE),
+        (10, 3) => Ok(QUADRATIC_TETRAHEDRON),
+        _ => Err(io::Error::new(
+            io::ErrorKind::InvalidInput,
+            format!("no VTK cell of {n_nodes} nodes in {dimension} dimensions"),
+        )),
+    }
+}
+
+fn write_grid(
+    mut out: impl Write,
+    points: &[[f64; 3]],
+    cells: &[&[u32]],
+    dimension: usize,
+    fields: &[Array],
+) -> io::Result<()> {
+    let types: Vec<u8> = cells
+        .iter()
+        .map(|c| cell_type(c.len(), dimension))
+        .collect::<io::Result<_>>()?;
+    let connectivity = cells.iter().flat_map(|c| c.iter().map(|n| i64::from(*n)));
+    let offsets = cells.iter().scan(0, |end, c| {
+        *end += c.len() as i64;
+        Some(*end)
+    });
+    writeln!(out, "<?xml version=\"1.0\"?>")?;
+    writeln!(
+        out,
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">"
+    )?;
+    writeln!(out, "<UnstructuredGrid>")?;
+    writeln!(
+        out,
+        "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
+        points.len(),
+        cells.len()
+    )?;
+    section(
+        &mut out,
+        "Points",
+        &[Array {
+            name: "Points",
+            n_components: 3,
+            data: Data::Float64(points.concat()),
+        }],
+    )?;
+    let integers = |name, values| Array {
+        name,
+        n_components: 1,
+        data: Data::Int64(values),
+    };
+    section(
+        &mut out,
+        "Cells",
+        &[
+            integers("connectivity", connectivity.collect()),
+            integers("offsets", offsets.collect()),
+            Array {
+                name: "types",
+                n_components: 1,
+                data: Data::UInt8(types),
+            },
+        ],
+    )?;
+    section(&mut out, "PointData", fields)?;
+    writeln!(out, "</Piece>\n</UnstructuredGrid>\n</VTKFile>")
+}
+
+fn section(out: &mut impl Write, name: &str, arrays: &[Array]) -> io::Result<()> {
+    writeln!(out, "<{name}>")?;
+    for array in arrays {
+        let data = array.data.bytes();
+        let mut bytes = (data.len() as u64).to_le_bytes().to_vec();
+        bytes.extend(data);
+        writeln!(
+            out,
+            "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">",
+            array.data.type_name(),
+            array.name,
+            array.n_components
+        )?;
+        writeln!(out, "{}\n</DataArray>", STANDARD.encode(bytes))?;
+    }
+    writeln!(out, "</{name}>")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
+        let mut out = Vec::new();
+        write(&mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    /// Payload of an array, as base64 text.
+    fn payload<'a>(file: &'a str, name: &str) -> &'a str {
+        let (_, rest) = file.split_once(&format!("Name=\"{name}\"")).unwrap();
+        rest.lines().nth(1).unwrap()
+    }
+
+    /// Encoded by Python: `base64.b64encode(struct.pack('<Q…', …))`.
+    #[test]
+    fn line_surface_matches_hand_packed_bytes() {
+        let field = SurfaceField {
+            points: vec![[0.0, 0.0], [1.0, 0.0], [3.0, 0.0]],
+            cells: vec![[0, 1, 0], [1, 2, 0]],
+            pressure: vec![0.0, 1.0, 0.5],
+            film_thickness: vec![1.0; 3],
+            deflection: vec![1.0; 3],
+            viscosity: vec![1.0; 3],
+            density: vec![1.0; 3],
+        };
+        let file = text(|out| write_surface(out, ContactKind::Line, &field));
+        assert!(file.contains("NumberOfPoints=\"3\" NumberOfCells=\"2\""));
+        assert_eq!(payload(&file, "pressure_Pa"), PRESSURE);
+        assert_eq!(payload(&file, "connectivity"), CONNECTIVITY);
+        assert_eq!(payload(&file, "offsets"), OFFSETS);
+        assert_eq!(payload(&file, "types"), TYPES);
+        assert_eq!(payload(&file, "Points"), POINTS);
+    }
+
+    #[test]
+    fn cells_that_vtk_lacks_are_refused() {
+        let body = BodyField {
+            points: vec![[0.0; 3]; 5],
+            cells: vec![vec![0, 1, 2, 3, 4]],
+            displacement: vec![[0.0; 3]; 5],
+        };
+        let error = write_body(Vec::new(), ContactKind::Circular, &body).unwrap_err();
+        assert!(error.to_string().contains("5 nodes"));
+    }
+
+    const PRESSURE: &str = "GAAAAAAAAAAAAAAAAAAAAAAAAAAAAPA/AAAAAAAA4D8=";
+    const CONNECTIVITY: &str = "IAAAAAAAAAAAAAAAAAAAAAEAAAAAAAAAAQAAAAAAAAACAAAAAAAAAA==";
+    const OFFSETS: &str = "EAAAAAAAAAACAAAAAAAAAAQAAAAAAAAA";
+    const TYPES: &str = "AgAAAAAAAAADAw==";
+    const POINTS: &str = "SAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAADwPwAAAAAAAAAAAAAAAAAAAAAAAAAAAAAIQAAAAAAAAAAAAAAAAAAAAAA=";
+}
