@@ -1,4 +1,28 @@
 //! Laws and database of lubricant and solid properties, in SI; knows no mesh.
+//!
+//! Pressure is the rise above ambient in Pa, temperature is absolute in K. Laws are generic over [`Scalar`]: evaluated
+//! with a dual number they return exact derivatives.
+//!
+//! ```
+//! use ertel_rheology::{DensityLaw, ViscosityLaw};
+//!
+//! let viscosity = ViscosityLaw::roelands(0.04, 22e-9)?;
+//! let density = DensityLaw::dowson_higginson(870.0)?;
+//! let (mu, slope) = num_dual::first_derivative(|p| viscosity.viscosity(p, 313.0.into()), 0.0);
+//! assert!((slope / mu - 22e-9).abs() < 1e-20); // α in 1/Pa
+//! assert!((density.density(0.0, 313.0) - 870.0).abs() < 1e-9); // kg/m³
+//! # Ok::<(), ertel_rheology::LawError>(())
+//! ```
 
+pub mod density;
+mod error;
 pub mod input;
+mod interpolation;
 pub mod quantity;
+mod scalar;
+pub mod viscosity;
+
+pub use density::DensityLaw;
+pub use error::LawError;
+pub use scalar::Scalar;
+pub use viscosity::ViscosityLaw;

@@ -1,0 +1,114 @@
+//! Newtonian viscosity as a function of pressure and temperature.
+//!
+//! Pressure is the rise above ambient (Pa), temperature is absolute (K), viscosity is in Pa·s. Every law is written for
+//! the logarithm of the viscosity, which stays finite where the viscosity itself leaves the range of floating point.
+
+mod barus;
+mod cheng;
+mod coefficient;
+mod constant;
+mod doolittle;
+mod roelands;
+mod table;
+mod wlf;
+
+pub use barus::Barus;
+pub use cheng::Cheng;
+pub use coefficient::NoAsymptote;
+pub use constant::Constant;
+pub use doolittle::{Doolittle, OccupiedVolume};
+pub use roelands::{Roelands, TemperatureSlope};
+pub use table::Table;
+pub use wlf::ModifiedWlf;
+
+use crate::{LawError, Scalar};
+
+/// The viscosity laws.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ViscosityLaw {
+    /// `μ = μ₀`
+    Constant(Constant),
+    /// `μ = μ₀ exp(α p)`
+    Barus(Barus),
+    /// `μ = μ₀ exp[α p + β (1/T - 1/T_R) + γ p/T]`
+    Cheng(Cheng),
+    /// `μ = μ₀ exp{(ln μ₀ + 9.67) [-1 + (1 + p/p₀)^Z ((T - 138)/(T_R - 138))^(-S₀)]}`
+    Roelands(Roelands),
+    /// `μ = μ_g 10^[-C₁ (T - T_g) F / (C₂ + (T - T_g) F)]`
+    ModifiedWlf(ModifiedWlf),
+    /// `μ = μ₀ exp{B R₀ [v∞ / (V/V_R - R₀ v∞) - 1/(1 - R₀)]}`
+    Doolittle(Doolittle),
+    /// Monotone interpolation of `ln μ` in a table over pressure and temperature.
+    Table(Table),
+}
+
+impl ViscosityLaw {
+    /// Names of the laws as written in data files.
+    pub const NAMES: [&'static str; 7] = [
+        "constant",
+        "barus",
+        "cheng",
+        "roelands",
+        "wlf",
+        "doolittle",
+        "table",
+    ];
+
+    /// A viscosity `mu_0` (Pa·s) that does not change.
+    pub fn constant(mu_0: f64) -> Result<Self, LawError> {
+        Constant::new(mu_0).map(Self::Constant)
+    }
+
+    /// Barus' law with `mu_0` (Pa·s) and `alpha` (1/Pa).
+    pub fn barus(mu_0: f64, alpha: f64) -> Result<Self, LawError> {
+        Barus::new(mu_0, alpha).map(Self::Barus)
+    }
+
+    /// Roelands' law with `mu_0` (Pa·s), `alpha` (1/Pa) and the law's own pressure constant, any temperature.
+    pub fn roelands(mu_0: f64, alpha: f64) -> Result<Self, LawError> {
+        Roelands::from_alpha(mu_0, alpha, Roelands::PRESSURE_CONSTANT, None).map(Self::Roelands)
+    }
+
+    /// Viscosity (Pa·s) at `pressure` (Pa above ambient) and `temperature` (K).
+    ///
+    /// Overflows to infinity where `ln μ` exceeds about 709; [`ViscosityLaw::ln_viscosity`] does not.
+    #[inline]
+    pub fn viscosity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
+        self.ln_viscosity(pressure, temperature).exp()
+    }
+
+    /// Natural logarithm of the viscosity in Pa·s at `pressure` (Pa above ambient) and `temperature` (K).
+    #[inline]
+    pub fn ln_viscosity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
+        match self {
+            Self::Constant(law) => law.ln_viscosity(pressure, temperature),
+            Self::Barus(law) => law.ln_viscosity(pressure, temperature),
+            Self::Cheng(law) => law.ln_viscosity(pressure, temperature),
+            Self::Roelands(law) => law.ln_viscosity(pressure, temperature),
+            Self::ModifiedWlf(law) => law.ln_viscosity(pressure, temperature),
+            Self::Doolittle(law) => law.ln_viscosity(pressure, temperature),
+            Self::Table(law) => law.ln_viscosity(pressure, temperature),
+        }
+    }
+
+    /// Name of the law as written in data files.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Constant(_) => "constant",
+            Self::Barus(_) => "barus",
+            Self::Cheng(_) => "cheng",
+            Self::Roelands(_) => "roelands",
+            Self::ModifiedWlf(_) => "wlf",
+            Self::Doolittle(_) => "doolittle",
+            Self::Table(_) => "table",
+        }
+    }
+
+    /// Range `(min, max)` of pressure (Pa) and of temperature (K) covered by tabulated data; `None` for a formula.
+    pub fn tabulated_range(&self) -> Option<[(f64, f64); 2]> {
+        match self {
+            Self::Table(law) => Some(law.range()),
+            _ => None,
+        }
+    }
+}

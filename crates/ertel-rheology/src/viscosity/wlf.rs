@@ -1,0 +1,92 @@
+//! The modified law of Williams, Landel and Ferry.
+
+use std::f64::consts::LN_10;
+
+use crate::Scalar;
+use crate::error::{Check, LawError};
+
+/// Viscosity after Yasutomi, Bair and Winer (1984; Habchi 2008, eq. 2.19):
+///
+/// ```text
+/// μ   = μ_g 10^[-C₁ x / (C₂ + x)],   x = (T - T_g) F
+/// T_g = T_g0 + A₁ ln(1 + A₂ p)
+/// F   = 1 - B₁ ln(1 + B₂ p)
+/// ```
+///
+/// The law holds for a liquid, above its glass transition (`T > T_g`) and with `F > 0`. Beyond the pressure where the
+/// first of both fails, `x` would turn back and the viscosity fall again; from there on `ln μ` continues along its
+/// tangent in pressure, so that the viscosity (then above μ_g, 10¹² Pa·s as a rule) keeps growing with a continuous
+/// slope.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModifiedWlf {
+    /// Viscosity μ_g at the glass transition (Pa·s).
+    pub glass_viscosity: f64,
+    /// Glass transition temperature T_g0 at ambient pressure (K).
+    pub glass_temperature: f64,
+    /// A₁ (K).
+    pub a_1: f64,
+    /// A₂ (1/Pa).
+    pub a_2: f64,
+    /// B₁ (-).
+    pub b_1: f64,
+    /// B₂ (1/Pa).
+    pub b_2: f64,
+    /// C₁ (-).
+    pub c_1: f64,
+    /// C₂ (K).
+    pub c_2: f64,
+}
+
+impl ModifiedWlf {
+    /// Checks the constants: all positive.
+    pub fn new(constants: Self) -> Result<Self, LawError> {
+        let check = Check("wlf");
+        check.positive("mu_g", constants.glass_viscosity)?;
+        check.positive("t_g0", constants.glass_temperature)?;
+        check.positive("a_1", constants.a_1)?;
+        check.positive("a_2", constants.a_2)?;
+        check.positive("b_1", constants.b_1)?;
+        check.positive("b_2", constants.b_2)?;
+        check.positive("c_1", constants.c_1)?;
+        check.positive("c_2", constants.c_2)?;
+        Ok(constants)
+    }
+
+    /// Pressure (Pa above ambient) up to which the law holds at `temperature` (K): the glass transition or the pressure
+    /// where `F` vanishes, whichever comes first. Negative below the ambient glass temperature.
+    #[inline]
+    pub fn limiting_pressure<D: Scalar>(&self, temperature: D) -> D {
+        let glass = ((temperature - self.glass_temperature) / self.a_1).exp_m1() / self.a_2;
+        let expansion = (1.0 / self.b_1).exp_m1() / self.b_2;
+        if glass.re() < expansion {
+            glass
+        } else {
+            D::from(expansion)
+        }
+    }
+
+    /// `ln μ`, μ in Pa·s, at `pressure` (Pa above ambient) and `temperature` (K).
+    #[inline]
+    pub fn ln_viscosity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
+        let limit = self.limiting_pressure(temperature);
+        let p = if pressure.re() < limit.re() {
+            pressure
+        } else {
+            limit
+        };
+
+        let above_glass =
+            -(p * self.a_2).ln_1p() * self.a_1 + (temperature - self.glass_temperature); // T - T_g
+        let f = -(p * self.b_2).ln_1p() * self.b_1 + 1.0;
+        let x = above_glass * f;
+        let ln_mu = -x / (x + self.c_2) * (self.c_1 * LN_10) + self.glass_viscosity.ln();
+        if pressure.re() < limit.re() {
+            return ln_mu;
+        }
+        // Here x = 0, and d ln μ/dp = -ln 10 (C₁/C₂) dx/dp with dx/dp = -T_g' F + (T - T_g) F'.
+        let glass_slope = (p * self.a_2 + 1.0).recip() * (self.a_1 * self.a_2);
+        let f_slope = (p * self.b_2 + 1.0).recip() * (self.b_1 * self.b_2);
+        let slope = (glass_slope * f + above_glass * f_slope) * (LN_10 * self.c_1 / self.c_2);
+        slope * (pressure - limit) + ln_mu
+    }
+}
