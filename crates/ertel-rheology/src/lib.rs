@@ -8,9 +8,11 @@
 //!
 //! let viscosity = ViscosityLaw::roelands(0.04, 22e-9)?;
 //! let density = DensityLaw::dowson_higginson(870.0)?;
-//! let (mu, slope) = num_dual::first_derivative(|p| viscosity.viscosity(p, 313.0.into()), 0.0);
+//! assert_eq!(density.density(0.0, 313.0), 870.0); // kg/m³
+//! let temperature = 313.0; // K
+//! let mu = |pressure| viscosity.viscosity(pressure, temperature.into());
+//! let (mu, slope): (f64, f64) = num_dual::first_derivative(mu, 0.0);
 //! assert!((slope / mu - 22e-9).abs() < 1e-20); // α in 1/Pa
-//! assert!((density.density(0.0, 313.0) - 870.0).abs() < 1e-9); // kg/m³
 //! # Ok::<(), ertel_rheology::LawError>(())
 //! ```
 

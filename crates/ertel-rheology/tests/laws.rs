@@ -306,8 +306,8 @@ fn modified_wlf_beyond_the_glass_transition() {
     };
     assert_relative_eq!(
         wlf.limiting_pressure(313.15),
-        0.343345e9,
-        max_relative = 1e-5
+        0.3433338086e9,
+        max_relative = 1e-9
     );
 }
 

@@ -51,7 +51,7 @@ impl ViscosityLaw {
             let ends = (integrand(from), integrand(to));
             let middle = integrand(0.5 * (from + to));
             // A viscosity may dip a little (water does), but one that has fallen tenfold does not come back.
-            if !(ends.1 < 10.0) {
+            if ends.1.is_nan() || ends.1 > 10.0 {
                 break;
             }
             // Before the sum has grown, the interval itself sets the scale.
