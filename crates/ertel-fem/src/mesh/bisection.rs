@@ -19,7 +19,7 @@ use super::MeshError;
 use super::simplex::{SimplexMesh, signed_measure};
 
 /// Most cells a mesh may have: far beyond what can be solved on one machine, well within `u32`.
-const MAX_CELLS: usize = 50_000_000;
+const MAX_CELLS: usize = 20_000_000;
 
 /// Increasing piecewise linear map of one axis from reference to physical coordinate.
 #[derive(Debug, Clone, PartialEq, Default)]

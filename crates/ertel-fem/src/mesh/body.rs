@@ -98,15 +98,10 @@ impl BodyParams {
         x[0] == self.x_inlet || x[0] == self.x_outlet || (self.dim == 3 && x[1] == -self.y_side)
     }
 
-    /// Whether a cell's facet on the surface is partly on the patch, partly off.
-    fn straddles_patch(&self, vertices: &[[f64; 3]], cell: &[u32]) -> bool {
-        let (mut low, mut high, mut n_surface) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2], 0);
-        for x in cell
-            .iter()
-            .map(|&v| vertices[v as usize])
-            .filter(|x| x[2] == 0.0)
-        {
-            n_surface += 1;
+    /// Whether a facet of the upper side is partly on the patch, partly off.
+    fn straddles_patch(&self, vertices: &[[f64; 3]], facet: &[u32]) -> bool {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for x in facet.iter().map(|&v| vertices[v as usize]) {
             for k in 0..2 {
                 low[k] = low[k].min(x[k]);
                 high[k] = high[k].max(x[k]);
@@ -117,7 +112,7 @@ impl BodyParams {
             && (self.dim == 2 || high[1] > -self.y_side);
         let inside =
             low[0] >= self.x_inlet && high[0] <= self.x_outlet && low[1] >= self.y_lowest();
-        n_surface == self.dim && overlaps && !inside
+        overlaps && !inside
     }
 }
 
@@ -136,10 +131,13 @@ pub struct BodyMesh {
     bisection: Bisection,
 }
 
-/// Meshes the body so that no cell's longest edge exceeds the size field at its vertices and barycentre.
+/// Meshes the body so that no longest edge exceeds the size field: that of a cell at its barycentre, that of a facet
+/// on the upper side (z = 0) at its vertices and barycentre.
 ///
-/// The patch is met exactly, however coarse the size field. A field that varies by more than about 1 per unit length
-/// can hide a fine zone from the sample points of a coarse cell.
+/// The surface, where the load acts, so has the size asked for, while the cells below may grow at once; sampling
+/// them at their vertices too costs about a third more nodes for the same error of the deflection. The patch is met
+/// exactly, however coarse the size field. A field that varies by more than about 1 per unit length can hide a fine
+/// zone between the sample points of coarse cells.
 ///
 /// # Errors
 /// Parameters out of range, a size that is not positive, or too many cells.
@@ -173,24 +171,31 @@ fn refine_to_size(
             Err(MeshError::Size { value, point })
         }
     };
-    let mut at_vertices: Vec<f64> = vec![];
-    bisection.refine_while(|vertices, cell| {
-        for &point in &vertices[at_vertices.len()..] {
-            at_vertices.push(positive(point)?);
+    let barycentre = |vertices: &[[f64; 3]], simplex: &[u32]| {
+        let mut mean = [0.0; 3];
+        for &v in simplex {
+            (0..3).for_each(|k| mean[k] += vertices[v as usize][k] / simplex.len() as f64);
         }
-        let allowed = cell
-            .iter()
-            .map(|&v| at_vertices[v as usize])
-            .fold(f64::INFINITY, f64::min);
-        let longest = longest_edge(vertices, cell);
-        if longest > allowed || params.straddles_patch(vertices, cell) {
+        mean
+    };
+    let dim = params.dim;
+    bisection.refine_while(|vertices, cell| {
+        if longest_edge(vertices, cell) > positive(barycentre(vertices, cell))? {
             return Ok(true);
         }
-        let mut barycentre = [0.0; 3];
-        for &v in cell {
-            (0..3).for_each(|k| barycentre[k] += vertices[v as usize][k] / cell.len() as f64);
+        let (mut facet, mut n) = ([0; 4], 0);
+        for &v in cell.iter().filter(|&&v| vertices[v as usize][2] == 0.0) {
+            (facet[n], n) = (v, n + 1);
         }
-        Ok(longest > positive(barycentre)?)
+        let facet = &facet[..n];
+        if n < dim {
+            return Ok(false);
+        }
+        let mut allowed = positive(barycentre(vertices, facet))?;
+        for &v in facet {
+            allowed = allowed.min(positive(vertices[v as usize])?);
+        }
+        Ok(longest_edge(vertices, facet) > allowed || params.straddles_patch(vertices, facet))
     })
 }
 

@@ -35,7 +35,9 @@ const CUBE_WEIGHT: f64 = 0.05;
 const UNIT_WEIGHT: f64 = 0.02;
 const MAX_UNITS: u32 = 8;
 const MAX_LEVEL: u32 = 24;
-const MAX_CUBES: f64 = 1e6;
+const MAX_CUBES: f64 = 1e5;
+/// Above this spread cells would be slivers.
+const MAX_SPREAD: f64 = 4.0;
 
 /// Lengths of the parts of an axis: reference (integers) and physical.
 type Parts = Vec<[f64; 2]>;
@@ -68,6 +70,9 @@ pub(super) fn choose_layout(params: &BodyParams) -> Result<Layout, MeshError> {
                         let (low, high) =
                             stretches.fold((1.0_f64, 1.0_f64), |(l, h), s| (l.min(s), h.max(s)));
                         let spread = high / low;
+                        if spread > MAX_SPREAD {
+                            continue;
+                        }
                         let score = spread.ln()
                             + CUBE_WEIGHT * n_cubes.ln()
                             + UNIT_WEIGHT * f64::from(units);

@@ -39,8 +39,10 @@ pub enum MeshError {
         /// where
         point: [f64; 3],
     },
-    /// The box is so flat that near-cubic start cells would be too many.
-    #[error("box of width {width} and depth {depth} is too far from a cube to be meshed")]
+    /// No grid of near-cubic start cells fits: the box is very flat, or its sides pass the patch at a small distance.
+    #[error(
+        "box of width {width} and depth {depth} does not take near-cubic cells: too flat, or a side almost at the patch"
+    )]
     Proportions {
         /// box width
         width: f64,

@@ -218,19 +218,423 @@ fn bodies_are_met_exactly() {
     }
 }
 
+fn longest(vertices: &[[f64; 3]], simplex: &[u32]) -> f64 {
+    let x = |i: usize| vertices[simplex[i] as usize];
+    let pairs = (0..simplex.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
+    pairs
+        .map(|(i, j)| {
+            (0..3)
+                .map(|k| (x(i)[k] - x(j)[k]).powi(2))
+                .sum::<f64>()
+                .sqrt()
+        })
+        .fold(0.0, f64::max)
+}
+
 #[test]
-fn size_is_respected_and_not_overdone() {
+fn size_is_respected() {
     for p in bodies() {
         let field = hertz_zone(0.3, 0.8);
         let body = body_mesh(&p, &|x| field.size(x)).unwrap();
         let mesh = &body.mesh;
         for c in 0..mesh.n_cells() {
-            let cell = mesh.cell(c);
-            let allowed = cell
+            let mut barycentre = [0.0; 3];
+            for &v in mesh.cell(c) {
+                (0..3).for_each(|k| {
+                    barycentre[k] += mesh.vertices[v as usize][k] / (p.dim + 1) as f64
+                });
+            }
+            // the barycentre is summed in another order than in the mesher
+            assert!(
+                longest(&mesh.vertices, mesh.cell(c)) <= field.size(barycentre) * (1.0 + 1e-14)
+            );
+        }
+        for facet in &body.contact.facets {
+            let facet = &facet[..p.dim];
+            let allowed = facet
                 .iter()
                 .map(|&v| field.size(mesh.vertices[v as usize]))
                 .fold(f64::INFINITY, f64::min);
-            assert!(mesh.longest_edge(c) <= allowed);
+            assert!(longest(&mesh.vertices, facet) <= allowed);
         }
     }
+}
+
+/// The coarsest conforming descendant of the first cubes is unique, so another program must find the same counts:
+/// these come from full sweeps over all cells, without adjacency or worklist, in another language.
+#[test]
+fn counts_agree_with_an_independent_program() {
+    let field = SizeField {
+        zones: vec![SizeZone {
+            zone: Zone::Disc {
+                center: ORIGIN,
+                radius: 1.1,
+            },
+            size: 0.15,
+        }],
+        growth: 0.8,
+    };
+    for (dim, n_cells, n_vertices) in [(2, 263, 158), (3, 6660, 1557)] {
+        let stats = body_mesh(&BodyParams { dim, ..THESIS }, &|x| field.size(x))
+            .unwrap()
+            .mesh
+            .stats();
+        assert_eq!((stats.n_cells, stats.n_vertices), (n_cells, n_vertices));
+    }
+}
+
+/// Habchi 2008, section 3.7.1.1: in a box ten times as large the number of unknowns remains practically the same.
+#[test]
+fn far_field_is_cheap() {
+    for dim in [2, 3] {
+        let n_vertices = |width: f64| {
+            let params = BodyParams {
+                dim,
+                width,
+                depth: width,
+                ..THESIS
+            };
+            body_mesh(&params, &|x| hertz_zone(0.1, 1.0).size(x))
+                .unwrap()
+                .mesh
+                .n_vertices() as f64
+        };
+        let ratio = n_vertices(600.0) / n_vertices(60.0);
+        // a decade more, of three from the smallest cell to the box, at the same number of cells per decade
+        assert!(ratio < 4.0 / 3.0 + 0.05, "dim {dim}: {ratio}");
+    }
+}
+
+/// On unstretched cubes all cells of one tag are similar: right isosceles triangles; three shapes of tetrahedra.
+/// Five decades of grading do not change that.
+#[test]
+fn shapes_do_not_degrade() {
+    for (dim, n_shapes) in [(2, 1), (3, 3)] {
+        let mut bisection =
+            Bisection::from_cubes(dim, [-2.0, -2.0, -4.0], 2.0, [2, 1, 2], Default::default());
+        let info = bisection
+            .refine_while(|vertices, cell| {
+                let nearest = cell.iter().map(|&v| {
+                    vertices[v as usize]
+                        .map(|x| x * x)
+                        .iter()
+                        .sum::<f64>()
+                        .sqrt()
+                });
+                Ok(longest(vertices, cell) > 4e-5 + nearest.fold(f64::INFINITY, f64::min))
+            })
+            .unwrap();
+        assert!(info.n_bisections > 100 * dim, "{info:?}");
+        let mesh = bisection.mesh();
+        let stats = mesh.stats();
+        assert!(stats.max_edge / stats.min_edge > 5e4, "{stats:?}");
+        let mut shapes: Vec<Vec<i64>> = (0..mesh.n_cells())
+            .map(|c| {
+                let cell = mesh.cell(c);
+                let size = longest(&mesh.vertices, cell);
+                let pairs = (0..=dim).flat_map(|i| (0..i).map(move |j| (i, j)));
+                let mut edges: Vec<i64> = pairs
+                    .map(|(i, j)| {
+                        (longest(&mesh.vertices, &[cell[i], cell[j]]) / size * 1e6).round() as i64
+                    })
+                    .collect();
+                edges.sort_unstable();
+                edges
+            })
+            .collect();
+        shapes.sort();
+        shapes.dedup();
+        assert_eq!(shapes.len(), n_shapes, "{shapes:?}");
+    }
+}
+
+/// Stretching costs no more than its ratio: a quality of 0.5 for every box here, at a grading of 1000 to 1 and more.
+#[test]
+fn quality_is_bounded() {
+    for p in bodies() {
+        let field = SizeField {
+            zones: vec![SizeZone {
+                zone: Zone::Ball {
+                    center: ORIGIN,
+                    radius: 0.0,
+                },
+                size: 1e-3,
+            }],
+            growth: 0.9,
+        };
+        let stats = body_mesh(&p, &|x| field.size(x)).unwrap().mesh.stats();
+        assert!(stats.max_edge / stats.min_edge > 4e3, "{p:?} {stats:?}");
+        assert!(stats.min_quality > 0.5, "{p:?} {stats:?}");
+        // all equal on an unstretched box: allow for the rounding of the mean
+        let rounding = 1.0 + 1e-12;
+        assert!(stats.min_quality <= stats.mean_quality * rounding);
+        assert!(stats.mean_quality <= stats.max_quality * rounding);
+    }
+}
+
+#[test]
+fn quality_of_known_simplices() {
+    let quality = |dim: usize, vertices: &[[f64; 3]]| {
+        let mesh = SimplexMesh {
+            dim,
+            axes: [0, 1, 2],
+            vertices: vertices.to_vec(),
+            cells: vec![[0, 1, 2, 3]],
+        };
+        mesh.quality(0)
+    };
+    let h = 3_f64.sqrt() / 2.0;
+    let regular = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.5, h, 0.0],
+        [0.5, h / 3.0, (2.0 / 3.0_f64).sqrt()],
+    ];
+    approx::assert_relative_eq!(quality(2, &regular[..3]), 1.0, epsilon = 1e-14);
+    approx::assert_relative_eq!(quality(3, &regular), 1.0, epsilon = 1e-14);
+    // unit legs at a right angle. Triangle: r = 1 / (2 + sqrt 2), R = sqrt 2 / 2.
+    // Tetrahedron: r = 1 / (3 + sqrt 3), R = sqrt 3 / 2 (the sphere of the cube)
+    let corner = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let s = 2_f64.sqrt();
+    approx::assert_relative_eq!(
+        quality(2, &corner[..3]),
+        2.0 / (2.0 + s) / (s / 2.0),
+        epsilon = 1e-14
+    );
+    approx::assert_relative_eq!(
+        quality(3, &corner),
+        3.0 / (3.0 + 2.0 * h) / h,
+        epsilon = 1e-14
+    );
+}
+
+/// Marking by a fixed pseudo-random rule, ten times over: conforming each time, vertices stay, children lie in the
+/// cell that `origin` names.
+#[test]
+fn marked_cells_are_refined_in_place() {
+    for dim in [2, 3] {
+        let mut body = body_mesh(&BodyParams { dim, ..THESIS }, &|x| {
+            hertz_zone(1.0, 1.0).size(x)
+        })
+        .unwrap();
+        for round in 0..10 {
+            let old = body.mesh.clone();
+            let marked: Vec<u32> = (0..old.n_cells() as u32)
+                .filter(|c| (c * 7919 + round * 104_729) % 53 < 2)
+                .collect();
+            let info = body.refine_marked(&marked).unwrap();
+            check(&body);
+            let new = &body.mesh;
+            assert_eq!(new.n_cells(), old.n_cells() + info.n_bisections);
+            assert_eq!(info.n_old_vertices, old.n_vertices());
+            assert_eq!(new.vertices[..old.n_vertices()], old.vertices);
+            let mut filled = vec![0.0; old.n_cells()];
+            let mut n_children = vec![0; old.n_cells()];
+            for (c, &o) in info.origin.iter().enumerate() {
+                filled[o as usize] += new.measure(c);
+                n_children[o as usize] += 1;
+            }
+            assert!(marked.iter().all(|&c| n_children[c as usize] >= 2));
+            for (c, &measure) in filled.iter().enumerate() {
+                // cells across the edge of the stretched zone do not split exactly in half
+                let exact = old
+                    .cell(c)
+                    .iter()
+                    .all(|&v| old.vertices[v as usize].iter().all(|x| x.abs() < 1.5));
+                let tolerance = if exact { 1e-12 } else { 0.5 };
+                assert!(
+                    (measure / old.measure(c) - 1.0).abs() < tolerance,
+                    "{measure} {}",
+                    old.measure(c)
+                );
+            }
+            for (v, &[a, b]) in body
+                .bisection()
+                .parent_edges()
+                .iter()
+                .enumerate()
+                .skip(info.n_old_vertices)
+            {
+                let [x, p, q] = [v, a as usize, b as usize].map(|i| new.vertices[i]);
+                assert!(
+                    (0..3).all(|k| (x[k] - p[k]) * (x[k] - q[k]) <= 0.0),
+                    "{x:?} not between {p:?} and {q:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn refinement_that_asks_for_nothing_changes_nothing() {
+    let field = hertz_zone(0.5, 1.0);
+    let mut body = body_mesh(&THESIS, &|x| field.size(x)).unwrap();
+    let before = body.mesh.clone();
+    assert_eq!(body.refine_to(&|x| field.size(x)).unwrap().n_bisections, 0);
+    assert_eq!(body.refine_marked(&[]).unwrap().n_bisections, 0);
+    assert_eq!(body.mesh, before);
+    // in two steps or in one: the same coarsest mesh
+    let finer = hertz_zone(0.2, 1.0);
+    body.refine_to(&|x| finer.size(x)).unwrap();
+    check(&body);
+    let direct = body_mesh(&THESIS, &|x| finer.size(x)).unwrap();
+    assert_eq!(body.mesh.n_cells(), direct.mesh.n_cells());
+    assert_eq!(body.mesh.n_vertices(), direct.mesh.n_vertices());
+}
+
+/// Distances against the nearest of many points of each zone.
+#[test]
+fn zone_distances() {
+    let center = [0.3, -0.2, 0.1];
+    let turn = |i: usize| (2.0 * std::f64::consts::PI * i as f64 / 20_000.0).sin_cos();
+    let on_circle = |radius: f64, x_min: f64| -> Vec<[f64; 3]> {
+        let all = (0..20_000)
+            .map(turn)
+            .map(|(s, c)| [center[0] + radius * c, center[1] + radius * s, center[2]]);
+        all.filter(|x| x[0] >= x_min).collect()
+    };
+    let nearest = |points: &[[f64; 3]], x: [f64; 3]| {
+        let d = points
+            .iter()
+            .map(|p| (0..3).map(|k| (p[k] - x[k]).powi(2)).sum::<f64>().sqrt());
+        d.fold(f64::INFINITY, f64::min)
+    };
+    for i in 0..60_usize {
+        let x = [3, 5, 7].map(|p: usize| ((i * p * p + 1) % 41) as f64 / 10.0 - 2.0);
+        for x_min in [f64::NEG_INFINITY, 0.0, 0.7] {
+            let arc = Zone::Arc {
+                center,
+                radius: 1.0,
+                half_width: 0.15,
+                x_min,
+            };
+            let in_plane = nearest(&on_circle(1.0, x_min), [x[0], x[1], center[2]]);
+            let expected = (in_plane - 0.15).max(0.0).hypot(x[2] - center[2]);
+            approx::assert_abs_diff_eq!(arc.distance(x), expected, epsilon = 1e-3);
+        }
+        // distance to a ball from outside: to its nearest pole; a disc: to its rim unless straight above
+        let rho = (x[0] - center[0]).hypot(x[1] - center[1]);
+        let ball = (nearest(&[center], x) - 0.8).max(0.0);
+        approx::assert_abs_diff_eq!(
+            Zone::Ball {
+                center,
+                radius: 0.8
+            }
+            .distance(x),
+            ball,
+            epsilon = 1e-14
+        );
+        let disc = if rho > 0.8 {
+            nearest(&on_circle(0.8, f64::NEG_INFINITY), x)
+        } else {
+            (x[2] - center[2]).abs()
+        };
+        approx::assert_abs_diff_eq!(
+            Zone::Disc {
+                center,
+                radius: 0.8
+            }
+            .distance(x),
+            disc,
+            epsilon = 1e-3
+        );
+        let (min, max) = ([-1.0, -0.5, -0.4], [0.5, 0.2, -0.4]);
+        let clamped = [0, 1, 2].map(|k: usize| x[k].clamp(min[k], max[k]));
+        approx::assert_abs_diff_eq!(
+            Zone::Box { min, max }.distance(x),
+            nearest(&[clamped], x),
+            epsilon = 1e-14
+        );
+    }
+    let beyond = Zone::Arc {
+        center,
+        radius: 1.0,
+        half_width: 0.1,
+        x_min: 1.4,
+    };
+    assert_eq!(beyond.distance(ORIGIN), f64::INFINITY);
+}
+
+#[test]
+fn errors_name_the_culprit() {
+    let unit = |_: [f64; 3]| 1.0;
+    let name = |p: BodyParams| match body_mesh(&p, &unit) {
+        Err(MeshError::Parameter { name, .. }) => name,
+        other => panic!("{:?}", other.map(|b| b.mesh.n_cells())),
+    };
+    assert_eq!(name(BodyParams { dim: 4, ..THESIS }), "dim");
+    assert_eq!(
+        name(BodyParams {
+            width: f64::NAN,
+            ..THESIS
+        }),
+        "width"
+    );
+    assert_eq!(
+        name(BodyParams {
+            depth: 0.0,
+            ..THESIS
+        }),
+        "depth"
+    );
+    assert_eq!(
+        name(BodyParams {
+            x_inlet: -31.0,
+            ..THESIS
+        }),
+        "x_inlet"
+    );
+    assert_eq!(
+        name(BodyParams {
+            x_outlet: -5.0,
+            ..THESIS
+        }),
+        "x_outlet"
+    );
+    assert_eq!(
+        name(BodyParams {
+            x_outlet: 30.1,
+            ..THESIS
+        }),
+        "x_outlet"
+    );
+    assert_eq!(
+        name(BodyParams {
+            x_outlet: f64::NAN,
+            ..THESIS
+        }),
+        "x_outlet"
+    );
+    assert_eq!(
+        name(BodyParams {
+            y_side: 0.0,
+            ..THESIS
+        }),
+        "y_side"
+    );
+    let negative = body_mesh(&THESIS, &|x| x[2] + 1.0);
+    assert!(matches!(negative, Err(MeshError::Size { value, .. }) if value <= 0.0));
+    let flat = body_mesh(
+        &BodyParams {
+            width: 1e5,
+            depth: 0.01,
+            ..THESIS
+        },
+        &unit,
+    );
+    assert!(
+        matches!(flat, Err(MeshError::Proportions { .. })),
+        "{:?}",
+        flat.map(|b| b.mesh.stats())
+    );
+    let mut body = body_mesh(&THESIS, &|_| 30.0).unwrap();
+    let n_cells = body.mesh.n_cells();
+    let missing = body.refine_marked(&[n_cells as u32]).unwrap_err();
+    assert_eq!(
+        missing,
+        MeshError::NoSuchCell {
+            cell: n_cells as u32,
+            n_cells
+        }
+    );
 }
