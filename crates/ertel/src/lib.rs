@@ -2,6 +2,7 @@
 //! forms, solve, post-processing, case files and output. The arrows point one way:
 //! contact, film → forms → solve → post → output; forms never see files, solve never formats text.
 
+pub mod case;
 pub mod contact;
 pub mod output;
 pub mod params;
