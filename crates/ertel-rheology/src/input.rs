@@ -21,7 +21,7 @@
 mod bounds;
 mod error;
 mod table;
-mod tree;
+pub mod tree;
 
 use std::path::Path;
 
@@ -90,6 +90,12 @@ impl Document {
     #[must_use]
     pub fn text(&self) -> &str {
         &self.source.text
+    }
+
+    /// The values as they stand in the file, for an echo; reading goes through [`Document::root`].
+    #[must_use]
+    pub fn tree(&self) -> &Node {
+        &self.root
     }
 
     /// The top-level table.

@@ -9,28 +9,41 @@ use super::{InputError, Source};
 
 /// A value and where it stands.
 #[derive(Debug)]
-pub(super) struct Node {
-    pub(super) span: Range<usize>,
-    pub(super) value: Value,
+pub struct Node {
+    /// Bytes of the text it takes.
+    pub span: Range<usize>,
+    /// The value.
+    pub value: Value,
 }
 
+/// The TOML types.
 #[derive(Debug)]
-pub(super) enum Value {
+pub enum Value {
+    /// A string.
     Str(String),
-    /// `None` if it does not fit 64 bits.
+    /// An integer; `None` if it does not fit 64 bits.
     Integer(Option<i64>),
+    /// A float, which TOML allows to be NaN or infinite.
     Float(f64),
+    /// A boolean.
     Bool(bool),
+    /// A date or time, which no input uses.
     Datetime,
+    /// An array.
     Array(Vec<Node>),
+    /// A table, in the order of the file.
     Table(Vec<Entry>),
 }
 
+/// A key with its value.
 #[derive(Debug)]
-pub(super) struct Entry {
-    pub(super) key: String,
-    pub(super) key_span: Range<usize>,
-    pub(super) node: Node,
+pub struct Entry {
+    /// The key, quotes removed.
+    pub key: String,
+    /// Bytes of the key.
+    pub key_span: Range<usize>,
+    /// The value.
+    pub node: Node,
 }
 
 impl Node {

@@ -27,6 +27,7 @@
 //! physical is required. Numbers carry units. Unknown keys are errors.
 
 mod bodies;
+mod echo;
 mod lubricant;
 
 use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
@@ -60,6 +61,8 @@ pub struct Case {
     pub warnings: Vec<String>,
     /// The case file as read, kept with the results; empty for a case made in code.
     pub source: String,
+    /// Its keys and values as given, quantities with their units; null for a case made in code.
+    pub given: serde_json::Value,
 }
 
 impl Case {
