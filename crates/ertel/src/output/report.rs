@@ -58,7 +58,11 @@ fn write_case(out: &mut Lines, case: &CaseEcho) {
         "load",
         format!("{} {load_unit}", digits(case.contact.load, 6)),
     );
-    for (role, body) in [("plane", &case.plane), ("ball", &case.ball)] {
+    let ball = match case.contact.kind {
+        ContactKind::Circular => "ball",
+        ContactKind::Line => "cylinder",
+    };
+    for (role, body) in [("plane", &case.plane), (ball, &case.ball)] {
         let e = &body.elasticity;
         let text = format!(
             "{}, E {}, ν {}",
@@ -77,7 +81,7 @@ fn write_case(out: &mut Lines, case: &CaseEcho) {
     out.row(
         "surface speeds",
         format!(
-            "ball {} m/s, plane {} m/s",
+            "{ball} {} m/s, plane {} m/s",
             digits(motion.ball_speed(), 6),
             digits(motion.plane_speed(), 6)
         ),
@@ -194,7 +198,7 @@ fn write_formulas(out: &mut Lines, solution: &Solution) {
         out.row(f.name, format!("{central:<24}{minimum}"));
     }
     for f in &solution.formulas {
-        let _ = writeln!(out.text, "  {}: {}", f.name, f.source);
+        let _ = writeln!(out.text, "  · {}", f.source);
     }
 }
 

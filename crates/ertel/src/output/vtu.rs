@@ -178,12 +178,16 @@ fn section(out: &mut impl Write, name: &str, arrays: &[Array]) -> io::Result<()>
         let data = array.data.bytes();
         let mut bytes = (data.len() as u64).to_le_bytes().to_vec();
         bytes.extend(data);
+        // Scalars without the attribute are one-dimensional arrays to every reader
+        let components = match array.n_components {
+            1 => String::new(),
+            n => format!(" NumberOfComponents=\"{n}\""),
+        };
         writeln!(
             out,
-            "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">",
+            "<DataArray type=\"{}\" Name=\"{}\"{components} format=\"binary\">",
             array.data.type_name(),
             array.name,
-            array.n_components
         )?;
         writeln!(out, "{}\n</DataArray>", STANDARD.encode(bytes))?;
     }

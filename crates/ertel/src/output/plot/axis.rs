@@ -1,10 +1,12 @@
 //! Axes: range, scale, ticks.
 
-/// Linear or logarithmic.
+/// How values are spread over the axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AxisScale {
     /// Equal steps.
     Linear,
+    /// Equal steps, ticks at whole numbers only.
+    Count,
     /// Equal ratios; values must be positive.
     Log,
 }
@@ -18,7 +20,7 @@ pub struct Axis {
     pub low: f64,
     /// Upper end.
     pub high: f64,
-    /// Linear or logarithmic.
+    /// How values are spread.
     pub scale: AxisScale,
 }
 
@@ -35,6 +37,14 @@ impl Axis {
             low,
             high,
             scale: AxisScale::Linear,
+        }
+    }
+
+    /// Axis over the numbers 1 to n of steps, iterations or the like.
+    pub fn count(label: &str, n: usize) -> Axis {
+        Axis {
+            scale: AxisScale::Count,
+            ..Axis::linear(label, 0.5, n.max(2) as f64 + 0.5)
         }
     }
 
@@ -72,7 +82,7 @@ impl Axis {
     /// Position of a value between 0 (low) and 1 (high); not finite for a value ≤ 0 on a log axis.
     pub fn position(&self, value: f64) -> f64 {
         match self.scale {
-            AxisScale::Linear => (value - self.low) / (self.high - self.low),
+            AxisScale::Linear | AxisScale::Count => (value - self.low) / (self.high - self.low),
             AxisScale::Log if value > 0.0 => (value / self.low).ln() / (self.high / self.low).ln(),
             AxisScale::Log => f64::NAN,
         }
@@ -81,8 +91,8 @@ impl Axis {
     /// Labelled ticks: value and text in label markup.
     pub fn ticks(&self) -> Vec<(f64, String)> {
         match self.scale {
-            AxisScale::Linear => {
-                let step = tick_step(self.high - self.low);
+            AxisScale::Linear | AxisScale::Count => {
+                let step = self.step();
                 multiples(self.low, self.high, step)
                     .map(|v| (v, tick_label(v, step)))
                     .collect()
@@ -102,8 +112,12 @@ impl Axis {
     /// Ticks without labels, between the labelled ones.
     pub fn minor_ticks(&self) -> Vec<f64> {
         match self.scale {
+            AxisScale::Count => {
+                let step = (self.step() / 5.0).round().max(1.0);
+                multiples(self.low, self.high, step).collect()
+            }
             AxisScale::Linear => {
-                let step = tick_step(self.high - self.low);
+                let step = self.step();
                 let leading = step / 10f64.powf(step.log10().floor());
                 let parts = if (leading - 2.0).abs() < 0.1 {
                     4.0
@@ -122,6 +136,15 @@ impl Axis {
                     .flat_map(|e| inner.iter().map(move |m| f64::from(*m) * 10f64.powi(e)))
                     .collect()
             }
+        }
+    }
+
+    /// Distance of labelled ticks.
+    fn step(&self) -> f64 {
+        let step = tick_step(self.high - self.low);
+        match self.scale {
+            AxisScale::Count => step.max(1.0),
+            _ => step,
         }
     }
 
@@ -225,6 +248,12 @@ mod tests {
         );
         assert!((axis.position(0.1) - 0.5).abs() < 1e-12);
         assert!(axis.position(0.0).is_nan());
+    }
+
+    #[test]
+    fn counts_have_whole_ticks() {
+        assert_eq!(labels(&Axis::count("", 3)), ["1", "2", "3"]);
+        assert_eq!(Axis::count("", 11).minor_ticks().len(), 11);
     }
 
     #[test]

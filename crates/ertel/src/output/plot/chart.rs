@@ -49,7 +49,7 @@ pub struct Series {
     pub side: Side,
 }
 
-/// Vertical line with a label at its upper end.
+/// Vertical line with a label over the frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
     /// Where.
@@ -132,7 +132,11 @@ impl Chart {
     pub fn svg(&self) -> String {
         let frame = Frame {
             left: 68.0,
-            top: if self.x_top.is_some() { 52.0 } else { 18.0 },
+            top: match (&self.x_top, self.markers.is_empty()) {
+                (Some(_), _) => 52.0,
+                (None, false) => 28.0,
+                (None, true) => 18.0,
+            },
             width: 420.0,
             height: 290.0,
         };
@@ -184,7 +188,7 @@ impl Chart {
                     dash: Some("2 3"),
                 },
             );
-            let at = [x + 4.0, frame.top + 15.0];
+            let at = [x + 1.0, frame.top - 6.0];
             svg.text(at, &marker.label, TICK_SIZE - 1.0, Anchor::Start, "#595959");
         }
     }
@@ -265,7 +269,7 @@ impl Chart {
             .map(|s| text_width(&s.label, TICK_SIZE))
             .fold(0.0, f64::max);
         let (width, height) = (widest + 46.0, row * entries.len() as f64 + 6.0);
-        let [left, top] = self.emptiest_corner(frame, width, height);
+        let [left, top] = self.emptiest_place(frame, width, height);
         for (i, series) in entries.iter().enumerate() {
             let y = top + 3.0 + row * (i as f64 + 0.5);
             let (from, to) = (left + 6.0, left + 34.0);
@@ -293,15 +297,12 @@ impl Chart {
         }
     }
 
-    /// Place for a box of this size where the fewest curve points lie.
-    fn emptiest_corner(&self, frame: Frame, width: f64, height: f64) -> [f64; 2] {
+    /// Place for a box of this size where the fewest curve points lie; corners before the rest.
+    fn emptiest_place(&self, frame: Frame, width: f64, height: f64) -> [f64; 2] {
         let gap = 8.0;
-        let head = if self.markers.is_empty() { gap } else { 22.0 };
-        let lefts = [frame.left + gap, frame.left + frame.width - width - gap];
-        let tops = [
-            frame.top + head,
-            frame.top + frame.height - height - gap,
-            frame.top + 0.5 * (frame.height - height),
+        let room = [
+            frame.width - width - 2.0 * gap,
+            frame.height - height - 2.0 * gap,
         ];
         let pixels: Vec<[f64; 2]> = self
             .series
@@ -317,15 +318,27 @@ impl Chart {
             })
             .collect();
         let crowd = |[x, y]: [f64; 2]| {
-            pixels
-                .iter()
-                .filter(|p| (x..x + width).contains(&p[0]) && (y..y + height).contains(&p[1]))
-                .count()
+            let near = |p: &&[f64; 2]| {
+                (x - gap..x + width + gap).contains(&p[0])
+                    && (y - gap..y + height + gap).contains(&p[1])
+            };
+            pixels.iter().filter(near).count()
         };
-        tops.into_iter()
-            .flat_map(|t| lefts.into_iter().rev().map(move |l| [l, t]))
-            .min_by_key(|corner| crowd(*corner))
-            .unwrap_or([lefts[0], tops[0]])
+        let n = 8;
+        let mut places: Vec<[i32; 2]> =
+            (0..=n).flat_map(|j| (0..=n).map(move |i| [i, j])).collect();
+        // Distance from the nearest corner
+        places.sort_by_key(|p| p.iter().map(|i| i.min(&(n - i)).pow(2)).sum::<i32>());
+        places
+            .into_iter()
+            .map(|[i, j]| {
+                [
+                    frame.left + gap + room[0] * f64::from(i) / f64::from(n),
+                    frame.top + gap + room[1] * f64::from(j) / f64::from(n),
+                ]
+            })
+            .min_by_key(|place| crowd(*place))
+            .unwrap_or([frame.left + gap, frame.top + gap])
     }
 }
 
@@ -362,19 +375,27 @@ fn densify(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 /// Path through pixel points, interrupted where one is not finite.
 pub(super) fn polyline(points: &[[f64; 2]]) -> String {
     let mut d = String::new();
-    let mut pen_down = false;
-    for [x, y] in points {
-        if !(x.is_finite() && y.is_finite()) {
-            pen_down = false;
+    // Where the pen is, in hundredths of a pixel: relative steps make short files
+    let mut pen: Option<[i64; 2]> = None;
+    for point in points {
+        if !point.iter().all(|v| v.is_finite()) {
+            pen = None;
             continue;
         }
-        let command = if pen_down { 'L' } else { 'M' };
-        let _ = write!(d, "{command}{} {}", number(*x), number(*y));
-        pen_down = true;
+        let at = point.map(|v| (100.0 * v).round() as i64);
+        let (command, shown) = match pen {
+            None => ('M', at),
+            Some(from) if from == at => continue,
+            Some(from) => ('l', [at[0] - from[0], at[1] - from[1]]),
+        };
+        let [x, y] = shown.map(|v| number(v as f64 / 100.0));
+        let _ = write!(d, "{command}{x} {y}");
+        pen = Some(at);
     }
     d
 }
 
+/// Ticks on the lower or upper edge of the frame, pointing inwards.
 pub(super) fn draw_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) {
     let (edge, inwards) = if top {
         (frame.top, 1.0)
@@ -393,6 +414,7 @@ pub(super) fn draw_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) {
     svg.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
+/// Tick labels and axis label below or above the frame.
 pub(super) fn label_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) {
     let (ticks_at, label_at) = if top {
         (frame.top - 7.0, frame.top - 29.0)
@@ -410,6 +432,7 @@ pub(super) fn label_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) 
     svg.text(at, &axis.label, LABEL_SIZE, Anchor::Middle, INK);
 }
 
+/// Ticks on the left or right edge of the frame, pointing inwards.
 pub(super) fn draw_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side) {
     let (edge, inwards) = match side {
         Side::Left => (frame.left, 1.0),
@@ -427,6 +450,7 @@ pub(super) fn draw_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side) 
     svg.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
+/// Tick labels and axis label beside the frame.
 pub(super) fn label_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side, colour: &str) {
     let ticks = axis.ticks();
     let widest = ticks
@@ -450,7 +474,7 @@ pub(super) fn label_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side,
 
 fn tick_width(label: &str, scale: AxisScale) -> f64 {
     match scale {
-        AxisScale::Linear => text_width(label, TICK_SIZE),
+        AxisScale::Linear | AxisScale::Count => text_width(label, TICK_SIZE),
         AxisScale::Log => text_width(label, 0.9 * TICK_SIZE),
     }
 }

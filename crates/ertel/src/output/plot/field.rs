@@ -2,10 +2,8 @@
 
 use std::fmt::Write;
 
-use super::axis::{Axis, tick_label, tick_step};
-use super::chart::{
-    FRAME_WIDTH, Frame, Side, draw_x_axis, draw_y_axis, label_x_axis, label_y_axis, polyline,
-};
+use super::axis::{Axis, tick_label};
+use super::chart::{FRAME_WIDTH, Frame, Side, label_x_axis, label_y_axis, polyline};
 use super::contour;
 use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
 
@@ -21,13 +19,18 @@ pub(super) struct FieldMap<'a> {
     pub levels: Vec<f64>,
     /// One colour more than levels.
     pub colours: Vec<String>,
-    /// Ends of the colour bar.
-    pub bar: [f64; 2],
+    pub bar: Bar,
     pub bar_label: &'a str,
-    /// Level lines drawn over the colours.
-    pub lines: bool,
     /// Colour of the Hertz circle.
     pub circle: &'a str,
+}
+
+/// What the colour bar shows.
+pub(super) enum Bar {
+    /// Values from zero to this one on an axis; no level lines.
+    Continuous(f64),
+    /// Fields of equal height, their boundaries labelled; level lines in the map.
+    Steps,
 }
 
 const BAR_GAP: f64 = 22.0;
@@ -44,7 +47,6 @@ impl FieldMap<'_> {
             width: height * (x1 - x0) / (y1 - y0),
             height,
         };
-        let bar_axis = Axis::linear(self.bar_label, self.bar[0], self.bar[1]);
         let ticks = self.bar_ticks();
         let widest = ticks
             .iter()
@@ -64,15 +66,10 @@ impl FieldMap<'_> {
         let y = Axis::linear("*y*/*a*", y0, y1);
         self.draw_field(&mut svg, frame, &x, &y);
         svg.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
-        for top in [false, true] {
-            draw_x_axis(&mut svg, frame, &x, top);
-        }
         label_x_axis(&mut svg, frame, &x, false);
-        for side in [Side::Left, Side::Right] {
-            draw_y_axis(&mut svg, frame, &y, side);
-        }
+        draw_ticks(&mut svg, frame, &x, &y);
         label_y_axis(&mut svg, frame, &y, Side::Left, INK);
-        self.draw_bar(&mut svg, bar, &bar_axis, &ticks);
+        self.draw_bar(&mut svg, bar, &ticks);
         let at = [
             bar.left + bar.width + widest + 26.0,
             bar.top + 0.5 * bar.height,
@@ -105,8 +102,8 @@ impl FieldMap<'_> {
                 lines.push_str(&polyline(line));
             }
         }
-        if self.lines {
-            svg.stroke(&lines, Stroke::solid("#262626", 0.6));
+        if matches!(self.bar, Bar::Steps) {
+            svg.stroke(&lines, Stroke::solid("#262626", 0.45));
         }
         let radius = frame.x(x, 1.0) - frame.x(x, 0.0);
         let (cx, cy) = (frame.x(x, 0.0), frame.y(y, 0.0));
@@ -115,49 +112,69 @@ impl FieldMap<'_> {
         svg.end_clip();
     }
 
-    fn draw_bar(&self, svg: &mut Svg, bar: Frame, axis: &Axis, ticks: &[(f64, String)]) {
-        let ends = std::iter::once(self.bar[0])
-            .chain(self.levels.iter().copied())
-            .chain([self.bar[1]]);
-        let edges: Vec<f64> = ends.map(|v| bar.y(axis, v)).collect();
-        for (edge, colour) in edges.iter().zip(&self.colours) {
+    fn draw_bar(&self, svg: &mut Svg, bar: Frame, ticks: &[(f64, String)]) {
+        let y = |share: f64| bar.top + (1.0 - share) * bar.height;
+        let n = self.colours.len() as f64;
+        for (i, colour) in self.colours.iter().enumerate() {
             // Up to the top of the bar: the next colour covers the rest without a seam
-            svg.rectangle(bar.left, bar.top, bar.width, edge - bar.top, colour);
+            let from = y(i as f64 / n);
+            svg.rectangle(bar.left, bar.top, bar.width, from - bar.top, colour);
         }
+        let edge = bar.left + bar.width;
         let mut d = String::new();
-        for (value, label) in ticks {
-            let y = bar.y(axis, *value);
-            let edge = bar.left + bar.width;
-            let _ = write!(d, "M{} {}h4", number(edge), number(y));
+        for (share, label) in ticks {
+            let y = y(*share);
+            let _ = match self.bar {
+                Bar::Continuous(_) => write!(d, "M{} {}h4", number(edge), number(y)),
+                Bar::Steps => write!(
+                    d,
+                    "M{} {}h{}",
+                    number(bar.left),
+                    number(y),
+                    number(bar.width + 4.0)
+                ),
+            };
             svg.text([edge + 7.0, y + 4.2], label, TICK_SIZE, Anchor::Start, INK);
         }
-        svg.stroke(&d, Stroke::solid(INK, 0.8));
-        if self.lines {
-            let lines: String = edges[1..edges.len() - 1]
-                .iter()
-                .map(|y| format!("M{} {}h{}", number(bar.left), number(*y), number(bar.width)))
-                .collect();
-            svg.stroke(&lines, Stroke::solid("#262626", 0.6));
-        }
+        svg.stroke(&d, Stroke::solid(INK, 0.7));
         svg.stroke(&bar.outline(), Stroke::solid(INK, 0.8));
     }
 
-    /// Levels themselves where lines are drawn, else round numbers.
+    /// Ticks of the bar: share of its height, and label.
     fn bar_ticks(&self) -> Vec<(f64, String)> {
-        if !self.lines {
-            return Axis::linear("", self.bar[0], self.bar[1]).ticks();
+        match self.bar {
+            Bar::Continuous(top) => {
+                let axis = Axis::linear("", 0.0, top);
+                let ticks = axis.ticks().into_iter();
+                ticks.map(|(v, label)| (axis.position(v), label)).collect()
+            }
+            Bar::Steps => {
+                let step = match self.levels[..] {
+                    [first, second, ..] => second - first,
+                    _ => 1.0,
+                };
+                let n = self.colours.len() as f64;
+                self.levels
+                    .iter()
+                    .enumerate()
+                    .map(|(i, v)| ((i + 1) as f64 / n, tick_label(*v, step)))
+                    .collect()
+            }
         }
-        let step = match self.levels[..] {
-            [first, second, ..] => second - first,
-            _ => tick_step(self.bar[1] - self.bar[0]),
-        };
-        let every = self.levels.len().div_ceil(14);
-        self.levels
-            .iter()
-            .step_by(every)
-            .map(|v| (*v, tick_label(*v, step)))
-            .collect()
     }
+}
+
+/// Ticks that point outwards, for they would be lost on the colours.
+fn draw_ticks(svg: &mut Svg, frame: Frame, x: &Axis, y: &Axis) {
+    let mut d = String::new();
+    let (bottom, left) = (frame.top + frame.height, frame.left);
+    for (value, _) in x.ticks() {
+        let _ = write!(d, "M{} {}v4", number(frame.x(x, value)), number(bottom));
+    }
+    for (value, _) in y.ticks() {
+        let _ = write!(d, "M{} {}h-4", number(left), number(frame.y(y, value)));
+    }
+    svg.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
 fn in_window(corners: [[f64; 2]; 3], frame: Frame) -> bool {

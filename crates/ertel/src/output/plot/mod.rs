@@ -10,16 +10,22 @@ mod svg;
 pub use axis::{Axis, AxisScale};
 pub use chart::{Chart, Look, Marker, PALETTE, Series, Side};
 
-use field::FieldMap;
+use field::{Bar, FieldMap};
 
+use super::report::digits;
 use super::surface::full_surface;
 use crate::contact::{ContactKind, hertz};
-use crate::solution::Solution;
+use crate::solution::{IterationRecord, Solution};
 
 /// Film thicknesses are shown in nm below this value (m), else in µm.
 const NANOMETRES_BELOW: f64 = 1e-6;
 /// Colours of a map that shall look continuous.
-const N_SHADES: usize = 50;
+const N_SHADES: usize = 64;
+
+/// Film maps: fine levels up to this multiple of the central film,
+const FINE_UP_TO: f64 = 1.15;
+/// and coarse ones up to this.
+const FILM_UP_TO: f64 = 2.5;
 
 /// A picture: file name without suffix, and SVG text.
 pub struct Picture {
@@ -170,7 +176,7 @@ pub fn centreline(title: &str, solution: &Solution) -> Chart {
 /// Window of the maps, in half-widths.
 fn window_map(solution: &Solution) -> [[f64; 2]; 2] {
     let [low, high] = window_x(solution);
-    let side = solution.extents[2].min(0.5 * (high - low)).max(1.0);
+    let side = solution.extents[2].min(1.5_f64.max(-0.75 * low)).max(1.0);
     [[low, high], [-side, side]]
 }
 
@@ -196,44 +202,52 @@ pub fn pressure_map(title: &str, solution: &Solution) -> String {
         colours: (0..N_SHADES)
             .map(|i| hex(colorous::VIRIDIS, i, N_SHADES))
             .collect(),
-        bar: [0.0, top],
+        bar: Bar::Continuous(top),
         bar_label: &format!("Pressure *p* ({unit})"),
-        lines: false,
         circle: "#ffffff",
     }
     .svg()
 }
 
-/// Film thickness over the whole contact as contours at equal steps, like an interferogram.
+/// Film thickness over the whole contact as contours, like an interferogram: close levels up to
+/// [`FINE_UP_TO`] times the central film, wide ones to [`FILM_UP_TO`], white beyond.
 pub fn film_map(title: &str, solution: &Solution) -> String {
-    let central = solution.summary.film_central.value;
-    let (factor, unit) = film_unit(2.5 * central);
+    let summary = &solution.summary;
+    let (factor, unit) = film_unit(FILM_UP_TO * summary.film_central.value);
     let surface = full_surface(solution.kind, &solution.surface);
     let values: Vec<f64> = surface.film_thickness.iter().map(|h| factor * h).collect();
-    let step = axis::tick_step(factor * central * 0.8);
-    let first = (factor * solution.summary.film_minimum.value / step)
-        .floor()
-        .max(0.0)
-        + 1.0;
-    let last = (2.5 * factor * central / step).floor().max(first + 1.0);
-    let levels: Vec<f64> = (first as usize..=last as usize)
-        .map(|i| step * i as f64)
-        .collect();
+    let levels = film_levels(
+        factor * summary.film_minimum.value,
+        factor * summary.film_central.value,
+    );
     let n = levels.len();
+    let mut colours: Vec<String> = (0..n).map(|i| hex(colorous::VIRIDIS, i, n)).collect();
+    colours.push("#ffffff".to_owned());
     FieldMap {
         title,
         points: &in_half_widths(&surface.points, solution.hertz.half_width),
         triangles: &surface.cells,
         values: &values,
         window: window_map(solution),
-        colours: (0..=n).map(|i| hex(colorous::VIRIDIS, i, n + 1)).collect(),
-        bar: [levels[0] - step, levels[n - 1] + step],
         levels,
+        colours,
+        bar: Bar::Steps,
         bar_label: &format!("Film thickness *h* ({unit})"),
-        lines: true,
         circle: "#ffffff",
     }
     .svg()
+}
+
+/// Rising levels of a film map for the minimum and central film.
+fn film_levels(minimum: f64, central: f64) -> Vec<f64> {
+    let fine = axis::tick_step(0.8 * central);
+    let coarse = 5.0 * fine;
+    let first = (minimum / fine).floor().max(0.0) as usize + 1;
+    let last = ((FINE_UP_TO * central / coarse).ceil() * 5.0) as usize;
+    let last_coarse = (FILM_UP_TO * central / coarse).ceil() as usize;
+    let fine_levels = (first..=last).map(|i| fine * i as f64);
+    let coarse_levels = (last / 5 + 1..=last_coarse).map(|i| coarse * i as f64);
+    fine_levels.chain(coarse_levels).collect()
 }
 
 fn in_half_widths(points: &[[f64; 2]], half_width: f64) -> Vec<[f64; 2]> {
@@ -243,13 +257,16 @@ fn in_half_widths(points: &[[f64; 2]], half_width: f64) -> Vec<[f64; 2]> {
 /// Residual and update of every Newton iteration, levels one after the other.
 pub fn convergence(title: &str, solution: &Solution, tolerance: Option<f64>) -> Chart {
     let history = &solution.history;
-    let n = history.len().max(2) as f64;
-    let curve = |value: fn(&crate::solution::IterationRecord) -> f64| -> Vec<[f64; 2]> {
-        history
-            .iter()
-            .enumerate()
-            .map(|(i, record)| [(i + 1) as f64, value(record)])
-            .collect()
+    let curve = |value: fn(&IterationRecord) -> f64| -> Vec<[f64; 2]> {
+        let mut points = Vec::new();
+        for (i, record) in history.iter().enumerate() {
+            if i > 0 && history[i - 1].level != record.level {
+                // A new mesh starts a new line
+                points.push([f64::NAN; 2]);
+            }
+            points.push([(i + 1) as f64, value(record)]);
+        }
+        points
     };
     let residual = curve(|r| r.residual);
     let update = curve(|r| r.update);
@@ -260,13 +277,13 @@ pub fn convergence(title: &str, solution: &Solution, tolerance: Option<f64>) -> 
         .chain(tolerance);
     let mut chart = Chart::new(
         title,
-        Axis::linear("Newton iteration", 0.5, n + 0.5),
+        Axis::count("Newton iteration", history.len()),
         Axis::log_around("Relative residual and update", heights),
     );
     if let Some(tolerance) = tolerance {
         chart.series.push(Series {
             label: "tolerance".into(),
-            points: vec![[0.0, tolerance], [n + 1.0, tolerance]],
+            points: vec![[0.0, tolerance], [history.len() as f64 + 1.0, tolerance]],
             look: Look::Dashed,
             colour: "#7f7f7f".into(),
             side: Side::Left,
@@ -346,7 +363,7 @@ pub fn viscosity_chart(
             .zip(&curve.viscosity)
             .map(|(p, v)| [*p, *v])
             .collect();
-        let label = format!("{} °C", axis::tick_label(curve.temperature - 273.15, 0.1));
+        let label = format!("{} °C", digits(curve.temperature - 273.15, 4));
         let parts = [
             (label, from, to, Look::Line),
             (String::new(), f64::NEG_INFINITY, from, Look::Dashed),
@@ -385,4 +402,29 @@ fn between(points: &[[f64; 2]], low: f64, high: f64) -> Vec<[f64; 2]> {
         }
     }
     part
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Central film 245 nm, minimum 107 nm: every 20 nm up to 300, then every 100 to 700 nm.
+    #[test]
+    fn film_levels_are_round_and_close_inside_the_contact() {
+        let expected: Vec<f64> = (6..=15)
+            .map(|i| 20.0 * f64::from(i))
+            .chain([400.0, 500.0, 600.0, 700.0])
+            .collect();
+        assert_eq!(film_levels(107.0, 245.0), expected);
+    }
+
+    /// An exponential is straight on a logarithmic axis: cut at 0.5 it has e^0.5.
+    #[test]
+    fn curve_is_cut_at_the_end_of_its_range() {
+        let curve = [[0.0, 1.0], [1.0, 1f64.exp()], [2.0, 2f64.exp()]];
+        let inside = between(&curve, 0.0, 0.5);
+        assert_eq!((inside.len(), inside[1][0]), (2, 0.5));
+        assert!((inside[1][1] - 0.5f64.exp()).abs() < 1e-12);
+        assert_eq!(between(&curve, 0.5, f64::INFINITY).len(), 3);
+    }
 }
