@@ -121,6 +121,10 @@ impl NewFolder {
 /// [`OutputError::Io`] where it cannot be read.
 pub fn check_target(target: &Path) -> Result<(), OutputError> {
     let failed = |e| OutputError::io(target, e);
+    if target.as_os_str().is_empty() {
+        let error = io::Error::new(io::ErrorKind::InvalidInput, "the name is empty");
+        return Err(OutputError::io(Path::new("the result folder"), error));
+    }
     match fs::symlink_metadata(target) {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
         Err(e) => return Err(failed(e)),

@@ -31,7 +31,10 @@ struct Lines {
 impl Lines {
     fn title(&mut self, title: &str) {
         // Control characters of a title stay out of the terminal
-        let clean: String = title.chars().filter(|c| !c.is_control()).collect();
+        let mut clean: String = title.chars().filter(|c| !c.is_control()).collect();
+        if clean.trim().is_empty() {
+            clean = "Elastohydrodynamic contact".to_owned();
+        }
         let rule = "─".repeat(clean.chars().count().max(4));
         let _ = writeln!(self.text, "{clean}\n{rule}");
     }

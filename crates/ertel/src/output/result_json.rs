@@ -43,6 +43,8 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "groups_asymptotic": solution.groups_asymptotic,
         "formulas": formulas,
         "warnings": solution.warnings,
+        "ball_speed": case.motion.ball_speed(),
+        "plane_speed": case.motion.plane_speed(),
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "scales": solution.scales,
         "extents": { "inlet": inlet, "outlet": outlet, "side": side },
@@ -52,20 +54,49 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     }))
 }
 
-/// Units of the keys that have one; all others are dimensionless.
+/// Unit of each key that has one, wherever it occurs; all others are dimensionless.
 fn units() -> Value {
-    json!({
-        "film_central, film_minimum, film_centreline_minimum, rigid_separation": "m",
-        "x, y, outlet_position, half_width, length, film, radius": "m",
-        "pressure, pressure_maximum, pressure_minimum, spike, reduced_modulus, youngs_modulus, elastic_stress": "Pa",
-        "viscosity": "Pa s",
-        "density": "kg/m^3",
-        "pressure_viscosity, pressure_viscosity_asymptotic": "1/Pa",
-        "contact.load": "N (circular), N/m (line)",
-        "entrainment_speed": "m/s",
-        "temperature": "K",
-        "seconds, wall_seconds": "s",
-        "peak_memory": "byte",
-        "extents, mesh": "half-widths a",
-    })
+    const UNITS: [(&str, &[&str]); 11] = [
+        (
+            "m",
+            &[
+                "film_central",
+                "film_minimum",
+                "film_minimum_at",
+                "film_centreline_minimum",
+            ],
+        ),
+        (
+            "m",
+            &[
+                "x",
+                "y",
+                "outlet_position",
+                "rigid_separation",
+                "half_width",
+                "radius",
+            ],
+        ),
+        (
+            "Pa",
+            &["pressure", "pressure_maximum", "pressure_minimum", "spike"],
+        ),
+        ("Pa", &["reduced_modulus", "youngs_modulus"]),
+        ("Pa s", &["viscosity"]),
+        ("kg/m^3", &["density"]),
+        (
+            "1/Pa",
+            &["pressure_viscosity", "pressure_viscosity_asymptotic"],
+        ),
+        ("m/s", &["entrainment_speed", "ball_speed", "plane_speed"]),
+        ("K", &["temperature"]),
+        ("s", &["seconds", "wall_seconds"]),
+        ("byte", &["peak_memory"]),
+    ];
+    let pairs = UNITS
+        .iter()
+        .flat_map(|(unit, keys)| keys.iter().map(move |k| (k, unit)));
+    pairs
+        .map(|(k, u)| ((*k).to_owned(), Value::from(*u)))
+        .collect()
 }

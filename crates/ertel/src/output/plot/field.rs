@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use super::axis::{Axis, tick_label};
-use super::chart::{FRAME_WIDTH, Frame, Side, label_x_axis, label_y_axis, polyline};
+use super::chart::Side;
 use super::contour;
+use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
 use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
 
 /// A map of a field given on triangles; lengths in Hertz half-widths.
