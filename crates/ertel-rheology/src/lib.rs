@@ -16,15 +16,23 @@
 //! # Ok::<(), ertel_rheology::LawError>(())
 //! ```
 
+pub mod database;
 pub mod density;
 mod error;
+mod fluid;
 pub mod input;
 mod interpolation;
+pub mod provenance;
 pub mod quantity;
+mod read;
 mod scalar;
+mod solid;
 pub mod viscosity;
 
 pub use density::DensityLaw;
 pub use error::LawError;
+pub use fluid::{Fluid, FluidError};
+pub use read::Files;
 pub use scalar::Scalar;
+pub use solid::Solid;
 pub use viscosity::ViscosityLaw;

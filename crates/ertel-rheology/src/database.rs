@@ -1,0 +1,302 @@
+//! Fluids and solids that come with the crate.
+//!
+//! One TOML file each in `data/fluids` and `data/solids`, with the schema of [`Fluid::from_table`] and
+//! [`Solid::from_table`]. A file opens with `title`, `source` (a key of `data/references.bib`), `locator` (the place in
+//! it), `status` and `notes`; these hold for each of its numbers unless `[provenance."key.path"]` says otherwise.
+
+use thiserror::Error;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use crate::input::{Document, InputError, Table};
+use crate::provenance::{Datum, Status};
+use crate::{Files, Fluid, Solid};
+
+/// Name and text of the files of a folder.
+type Folder = [(&'static str, &'static str)];
+
+macro_rules! folder {
+    ($folder:literal, $suffix:literal: $($name:literal)*) => {
+        &[$(($name, include_str!(concat!("../data/", $folder, "/", $name, $suffix)))),*]
+    };
+}
+
+const FLUIDS: &Folder = folder!("fluids", ".toml":
+    "glycerol" "holmes-evans-oil" "mourier-oil" "n-decane" "n-dodecane" "pao-650" "polyphenyl-ether-5p4e" "r123"
+    "r134a" "r245fa" "squalane-pip" "thesis-fluid-a" "thesis-fluid-b" "thesis-fluid-c" "thesis-roelands-oil"
+    "thesis-wlf-oil" "venner-oil" "water");
+
+const TABLES: &Folder = folder!("fluids", "":
+    "n-decane.csv" "n-dodecane.csv" "r123.csv" "r134a.csv" "r245fa.csv" "water.csv");
+
+const SOLIDS: &Folder = folder!("solids", ".toml":
+    "austempered-ductile-iron" "gear-steel" "glass" "pa66" "peek" "pom" "sapphire" "silicon-nitride"
+    "soda-lime-glass" "steel");
+
+/// The bibliography of the database, in BibTeX.
+pub const REFERENCES: &str = include_str!("../data/references.bib");
+
+/// A name that is not in the database, or a data file at fault.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum DatabaseError {
+    /// There is no such fluid or solid.
+    #[error(
+        "there is no {kind} `{name}` in the database{}; the choices are {}",
+        .near.map(|near| format!(" (did you mean `{near}`?)")).unwrap_or_default(), .choices.join(", ")
+    )]
+    Unknown {
+        /// `fluid` or `solid`.
+        kind: &'static str,
+        /// The name asked for.
+        name: String,
+        /// The name most like it.
+        near: Option<&'static str>,
+        /// All names.
+        choices: Vec<&'static str>,
+    },
+    /// A file of the database is wrong.
+    #[error(transparent)]
+    Data(#[from] InputError),
+}
+
+/// Names of the fluids, in alphabetical order.
+pub fn fluid_names() -> Vec<&'static str> {
+    FLUIDS.iter().map(|(name, _)| *name).collect()
+}
+
+/// Names of the solids, in alphabetical order.
+pub fn solid_names() -> Vec<&'static str> {
+    SOLIDS.iter().map(|(name, _)| *name).collect()
+}
+
+/// The fluid of that name.
+///
+/// # Errors
+///
+/// [`DatabaseError::Unknown`] lists the names there are.
+pub fn fluid(name: &str) -> Result<Fluid, DatabaseError> {
+    let (name, text) = find("fluid", FLUIDS, name)?;
+    let document = Document::parse(format!("data/fluids/{name}.toml"), text)?;
+    let mut table = document.root();
+    let entry = Entry::read(&mut table)?;
+    // Data for later models: shown with their sources, not yet read.
+    table.optional_table("shear_thinning")?;
+    let mut fluid = Fluid::from_table(&mut table, name, Files::Embedded(TABLES))?;
+    table.finish()?;
+    fluid.provenance = entry.provenance(text);
+    fluid.title = entry.title;
+    fluid.notes = entry.notes;
+    Ok(fluid)
+}
+
+/// The solid of that name.
+///
+/// # Errors
+///
+/// [`DatabaseError::Unknown`] lists the names there are.
+pub fn solid(name: &str) -> Result<Solid, DatabaseError> {
+    let (name, text) = find("solid", SOLIDS, name)?;
+    let document = Document::parse(format!("data/solids/{name}.toml"), text)?;
+    let mut table = document.root();
+    let entry = Entry::read(&mut table)?;
+    let mut solid = Solid::from_table(&mut table, name)?;
+    table.finish()?;
+    solid.provenance = entry.provenance(text);
+    solid.title = entry.title;
+    solid.notes = entry.notes;
+    Ok(solid)
+}
+
+fn find(
+    kind: &'static str,
+    folder: &Folder,
+    name: &str,
+) -> Result<(&'static str, &'static str), DatabaseError> {
+    folder
+        .iter()
+        .copied()
+        .find(|(found, _)| *found == name)
+        .ok_or_else(|| {
+            let choices: Vec<&'static str> = folder.iter().map(|(name, _)| *name).collect();
+            let wanted = name.to_lowercase();
+            let similarity = |choice: &str| {
+                // A part of a name counts as much as a likeness of the whole: `squalane`, `fluid-a`.
+                let part = wanted.len() >= 3 && choice.contains(&wanted);
+                if part {
+                    1.0
+                } else {
+                    strsim::jaro_winkler(choice, &wanted)
+                }
+            };
+            let near = choices
+                .iter()
+                .copied()
+                .max_by(|a, b| similarity(a).total_cmp(&similarity(b)));
+            let near = near.filter(|near| similarity(near) > 0.8);
+            DatabaseError::Unknown {
+                kind,
+                name: name.to_owned(),
+                near,
+                choices,
+            }
+        })
+}
+
+/// Keys that are about the entry, not data.
+const HEADER: [&str; 6] = [
+    "title",
+    "source",
+    "locator",
+    "status",
+    "notes",
+    "provenance",
+];
+
+/// The head of a data file.
+struct Entry {
+    title: String,
+    notes: Vec<String>,
+    origin: Origin,
+    /// By key path.
+    exceptions: Vec<(String, Origin)>,
+}
+
+/// Origin of a number; what an exception leaves out is that of the entry.
+#[derive(Default)]
+struct Origin {
+    source: Option<String>,
+    locator: Option<String>,
+    status: Option<Status>,
+    note: Option<String>,
+}
+
+impl Entry {
+    fn read(table: &mut Table<'_>) -> Result<Self, InputError> {
+        let title = table.required_str("title")?.to_owned();
+        let notes = table.optional_strs("notes")?.unwrap_or_default();
+        let origin = Origin {
+            source: Some(table.required_str("source")?.to_owned()),
+            locator: Some(table.required_str("locator")?.to_owned()),
+            status: Some(table.required_choice("status", &Status::NAMES)?),
+            note: None,
+        };
+        let mut exceptions = Vec::new();
+        if let Some(mut provenance) = table.optional_table("provenance")? {
+            let keys: Vec<&str> = provenance.keys().collect();
+            for key in keys {
+                let mut of_key = provenance.required_table(key)?;
+                let text = |text: Option<&str>| text.map(str::to_owned);
+                let origin = Origin {
+                    source: text(of_key.optional_str("source")?),
+                    locator: text(of_key.optional_str("locator")?),
+                    status: of_key.optional_choice("status", &Status::NAMES)?,
+                    note: text(of_key.optional_str("note")?),
+                };
+                of_key.finish()?;
+                exceptions.push((key.to_owned(), origin));
+            }
+        }
+        Ok(Self {
+            title,
+            notes: notes.into_iter().map(str::to_owned).collect(),
+            origin,
+            exceptions,
+        })
+    }
+
+    /// Every datum of the file with its origin, in the order of the file. `text` has been parsed before.
+    fn provenance(&self, text: &str) -> Vec<Datum> {
+        let mut leaves = Vec::new();
+        if let Ok(root) = DeTable::parse(text) {
+            collect("", root.get_ref(), &mut leaves);
+        }
+        leaves.sort_by_key(|leaf| leaf.0);
+        leaves
+            .into_iter()
+            .map(|(_, key, value)| self.datum(key, &value))
+            .collect()
+    }
+
+    fn datum(&self, key: String, written: &str) -> Datum {
+        let none = Origin::default();
+        let exception = self
+            .exceptions
+            .iter()
+            .find(|(path, _)| *path == key)
+            .map_or(&none, |(_, origin)| origin);
+        let (source, locator) = match (&exception.source, &exception.locator) {
+            // Another source: the locator of the entry does not belong to it.
+            (Some(source), locator) => (Some(source), locator.as_ref()),
+            (None, locator) => (
+                self.origin.source.as_ref(),
+                locator.as_ref().or(self.origin.locator.as_ref()),
+            ),
+        };
+        let source: Vec<&str> = [source, locator]
+            .into_iter()
+            .flatten()
+            .map(String::as_str)
+            .collect();
+        let (value, unit) = split_unit(written);
+        Datum {
+            key,
+            value,
+            unit,
+            source: source.join(", "),
+            status: exception
+                .status
+                .or(self.origin.status)
+                .unwrap_or(Status::User),
+            note: exception.note.clone(),
+        }
+    }
+}
+
+/// Position, key path and text of every value that is data.
+fn collect(path: &str, table: &DeTable<'_>, leaves: &mut Vec<(usize, String, String)>) {
+    for (key, value) in table {
+        let key = key.get_ref().as_ref();
+        if path.is_empty() && HEADER.contains(&key) || path == "validity" && key == "source" {
+            continue;
+        }
+        let path = if path.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{path}.{key}")
+        };
+        match value.get_ref() {
+            DeValue::Table(table) => collect(&path, table, leaves),
+            leaf => leaves.push((value.span().start, path, written(leaf))),
+        }
+    }
+}
+
+/// A value as a person wrote it.
+fn written(value: &DeValue<'_>) -> String {
+    match value {
+        DeValue::String(text) => text.to_string(),
+        DeValue::Integer(digits) => digits.as_str().to_owned(),
+        DeValue::Float(digits) => digits.as_str().to_owned(),
+        DeValue::Array(values) => {
+            let values: Vec<String> = values.iter().map(Spanned::get_ref).map(written).collect();
+            values.join(" to ")
+        }
+        DeValue::Boolean(value) => value.to_string(),
+        DeValue::Datetime(value) => value.to_string(),
+        DeValue::Table(_) => String::new(),
+    }
+}
+
+/// Splits `40 mPa.s` into value and unit; `1` is the unit of a bare number, a name has none.
+fn split_unit(written: &str) -> (String, String) {
+    let number = |text: &str| text.parse::<f64>().is_ok();
+    match written.split_once(' ') {
+        Some((_, rest)) if rest.contains(" to ") => (
+            written.to_owned(),
+            rest.rsplit(' ').next().unwrap_or("").to_owned(),
+        ),
+        Some((value, unit)) if number(value) => (value.to_owned(), unit.to_owned()),
+        _ if number(written) => (written.to_owned(), "1".to_owned()),
+        _ => (written.to_owned(), String::new()),
+    }
+}

@@ -1,0 +1,160 @@
+//! A lubricant: its laws, and where its numbers come from.
+
+use thiserror::Error;
+
+use crate::provenance::{Datum, RangeWarning, ValidityRange};
+use crate::viscosity::NoAsymptote;
+use crate::{DensityLaw, Scalar, ViscosityLaw};
+
+/// A lubricant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fluid {
+    /// Name in the database or in the case file.
+    pub name: String,
+    /// Description in a few words.
+    pub title: String,
+    /// Viscosity law.
+    pub viscosity: ViscosityLaw,
+    /// Density law; `None` where the source of the fluid gives none.
+    pub density: Option<DensityLaw>,
+    /// Temperature at which the reference viscosity and density hold (K).
+    pub reference_temperature: Option<f64>,
+    /// Thermal conductivity (W/(m·K)).
+    pub thermal_conductivity: Option<f64>,
+    /// Heat capacity (J/(kg·K)).
+    pub heat_capacity: Option<f64>,
+    /// Range of the data; `None` if nothing is known about it.
+    pub validity: Option<ValidityRange>,
+    /// What to know before using this fluid.
+    pub notes: Vec<String>,
+    /// Every number with its source.
+    pub provenance: Vec<Datum>,
+}
+
+/// A datum is missing that a computation needs.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum FluidError {
+    /// The fluid has no density law.
+    #[error(
+        "the data of `{fluid}` have no density law. Add one to the lubricant of the case, for example \
+         `density = {{ law = \"dowson-higginson\", rho_0 = \"...\" }}`"
+    )]
+    NoDensityLaw {
+        /// Name of the fluid.
+        fluid: String,
+    },
+}
+
+impl Fluid {
+    /// The density law.
+    ///
+    /// # Errors
+    ///
+    /// [`FluidError::NoDensityLaw`], which names what is missing and where to add it.
+    pub fn density_law(&self) -> Result<&DensityLaw, FluidError> {
+        self.density
+            .as_ref()
+            .ok_or_else(|| FluidError::NoDensityLaw {
+                fluid: self.name.clone(),
+            })
+    }
+
+    /// Density (kg/m³) at `pressure` (Pa above ambient) and `temperature` (K).
+    ///
+    /// # Errors
+    ///
+    /// [`FluidError::NoDensityLaw`].
+    pub fn density<D: Scalar>(&self, pressure: D, temperature: D) -> Result<D, FluidError> {
+        Ok(self.density_law()?.density(pressure, temperature))
+    }
+
+    /// Viscosity (Pa·s) at `pressure` (Pa above ambient) and `temperature` (K).
+    pub fn viscosity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
+        self.viscosity.viscosity(pressure, temperature)
+    }
+
+    /// Initial slope `d ln μ/dp` at ambient pressure and `temperature` (K), in 1/Pa.
+    pub fn pressure_viscosity_slope(&self, temperature: f64) -> f64 {
+        self.viscosity.pressure_viscosity_slope(temperature)
+    }
+
+    /// Reciprocal asymptotic coefficient α* at `temperature` (K), in 1/Pa; see
+    /// [`ViscosityLaw::pressure_viscosity_reciprocal_asymptotic`].
+    ///
+    /// # Errors
+    ///
+    /// [`NoAsymptote`] if the viscosity does not grow with pressure.
+    pub fn pressure_viscosity_reciprocal_asymptotic(
+        &self,
+        temperature: f64,
+    ) -> Result<f64, NoAsymptote> {
+        self.viscosity
+            .pressure_viscosity_reciprocal_asymptotic(temperature)
+    }
+
+    /// Warnings where pressures up to `pressure_max` (Pa above ambient) or `temperature` (K) leave the range of the
+    /// data: the declared range, that of tables, and the glass transition of the WLF law. Of several limits that are
+    /// passed, the tightest is reported.
+    pub fn check_range(&self, pressure_max: f64, temperature: f64) -> Vec<RangeWarning> {
+        let mut pressure_limits = Vec::new();
+        let mut temperature_ranges = Vec::new();
+        if let Some(validity) = &self.validity {
+            pressure_limits.extend(
+                validity
+                    .pressure
+                    .map(|range| (range.1, validity.source.as_str())),
+            );
+            temperature_ranges.extend(
+                validity
+                    .temperature
+                    .map(|range| (range, validity.source.as_str())),
+            );
+        }
+        let density = self.density.as_ref().and_then(DensityLaw::tabulated_range);
+        let tables = [
+            (self.viscosity.tabulated_range(), "viscosity table"),
+            (density, "density table"),
+        ];
+        for (range, basis) in tables {
+            if let Some([pressure, temperature]) = range {
+                pressure_limits.push((pressure.1, basis));
+                temperature_ranges.push((temperature, basis));
+            }
+        }
+        if let ViscosityLaw::ModifiedWlf(law) = &self.viscosity {
+            pressure_limits.push((
+                law.limiting_pressure(temperature),
+                "end of the WLF law: glass transition or F = 0",
+            ));
+        }
+
+        let mut warnings = Vec::new();
+        let tightest = pressure_limits
+            .into_iter()
+            .min_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some((limit, basis)) = tightest.filter(|(limit, _)| pressure_max > *limit) {
+            warnings.push(RangeWarning::PressureAbove {
+                fluid: self.name.clone(),
+                pressure: pressure_max,
+                limit,
+                basis: basis.to_owned(),
+            });
+        }
+        // 0.01 K passes: a temperature rounds when it is converted.
+        let outside =
+            |range: (f64, f64)| temperature < range.0 - 0.01 || temperature > range.1 + 0.01;
+        let width = |range: (f64, f64)| range.1 - range.0;
+        let passed = temperature_ranges
+            .into_iter()
+            .filter(|(range, _)| outside(*range));
+        if let Some((range, basis)) = passed.min_by(|a, b| width(a.0).total_cmp(&width(b.0))) {
+            warnings.push(RangeWarning::Temperature {
+                fluid: self.name.clone(),
+                temperature,
+                range,
+                basis: basis.to_owned(),
+            });
+        }
+        warnings
+    }
+}

@@ -1,0 +1,117 @@
+//! Where a number comes from.
+
+use std::fmt;
+
+use thiserror::Error;
+
+/// One number of a fluid or solid, as it is written in its file, with its origin.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Datum {
+    /// Key path, `viscosity.mu_0`.
+    pub key: String,
+    /// The value as written, without its unit.
+    pub value: String,
+    /// The unit as written; `1` for a pure number, empty for a name.
+    pub unit: String,
+    /// Key in the bibliography and place in the source, `habchi2008, Table 5.1`.
+    pub source: String,
+    /// How well the number is attested.
+    pub status: Status,
+    /// What to know before using it.
+    pub note: Option<String>,
+}
+
+/// How well a number is attested.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// Printed in the thesis of Habchi (2008).
+    Thesis,
+    /// Printed in a publication.
+    Published,
+    /// Read in the source code of a public program that cites a publication.
+    Code,
+    /// Read on a public web page.
+    Page,
+    /// Computed with the CoolProp library.
+    Coolprop,
+    /// Computed from other data of the same entry.
+    Computed,
+    /// Not from any source: stands in for a number that does not influence an isothermal film.
+    Nominal,
+    /// Given by the user.
+    User,
+}
+
+impl Status {
+    /// All statuses with the names used in data files.
+    pub const NAMES: [(&'static str, Status); 8] = [
+        ("thesis", Self::Thesis),
+        ("published", Self::Published),
+        ("code", Self::Code),
+        ("page", Self::Page),
+        ("coolprop", Self::Coolprop),
+        ("computed", Self::Computed),
+        ("nominal", Self::Nominal),
+        ("user", Self::User),
+    ];
+
+    /// The name used in data files.
+    pub fn name(self) -> &'static str {
+        Self::NAMES
+            .iter()
+            .find(|(_, status)| *status == self)
+            .map_or("", |(name, _)| name)
+    }
+}
+
+impl fmt::Display for Status {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Pressures and temperatures for which the data of a fluid hold.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ValidityRange {
+    /// Lowest and highest pressure (Pa above ambient); `None` if the source does not say.
+    pub pressure: Option<(f64, f64)>,
+    /// Lowest and highest temperature (K); `None` if the source does not say.
+    pub temperature: Option<(f64, f64)>,
+    /// What the range rests on.
+    pub source: String,
+}
+
+/// A state outside the range for which the data of a fluid hold.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum RangeWarning {
+    /// The pressure goes above the range.
+    #[error(
+        "{fluid}: the pressure reaches {:.3} GPa, its data hold up to {:.3} GPa ({basis})",
+        .pressure / 1e9, .limit / 1e9
+    )]
+    PressureAbove {
+        /// Name of the fluid.
+        fluid: String,
+        /// Largest pressure (Pa).
+        pressure: f64,
+        /// Upper end of the range (Pa).
+        limit: f64,
+        /// What the range rests on.
+        basis: String,
+    },
+    /// The temperature lies outside the range.
+    #[error(
+        "{fluid}: the temperature is {temperature:.2} K, its data hold from {:.2} to {:.2} K ({basis})",
+        .range.0, .range.1
+    )]
+    Temperature {
+        /// Name of the fluid.
+        fluid: String,
+        /// Temperature (K).
+        temperature: f64,
+        /// The range (K).
+        range: (f64, f64),
+        /// What the range rests on.
+        basis: String,
+    },
+}

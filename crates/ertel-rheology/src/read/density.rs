@@ -1,0 +1,119 @@
+//! Density laws from a table.
+
+use super::{Files, group, law_name, locate, table::Columns};
+use crate::DensityLaw;
+use crate::density::{
+    BulkModulusSoftening, DowsonHigginson, Table as DensityTable, Tait, TaitVolume,
+    ThermalExpansion,
+};
+use crate::input::{Bounds, InputError, Table};
+use crate::quantity::Dimension;
+
+impl DensityLaw {
+    /// Reads a law from a table such as `{ law = "dowson-higginson", rho_0 = "870 kg/m^3" }` and refuses unknown keys.
+    ///
+    /// | law | keys |
+    /// |---|---|
+    /// | `constant` | `rho_0` |
+    /// | `dowson-higginson` | `rho_0`; optional `c_1`, `c_2`; optional together `reference_temperature`, `beta` |
+    /// | `tait` | `rho_0`, `k_0r`, `k_0r_prime`; optional together `reference_temperature`, `beta_k`, `beta_k_prime`, `a_v` |
+    /// | `table` | `file`, a CSV file; or `isotherms`, `units` |
+    ///
+    /// # Errors
+    ///
+    /// Unknown laws and keys, missing keys, wrong units and impossible values, each with its line.
+    pub fn from_table(mut table: Table<'_>, files: Files<'_>) -> Result<Self, InputError> {
+        let name = law_name(&mut table, &Self::NAMES)?;
+        let law = match name {
+            "constant" => Self::constant(rho_0(&mut table)?).map_err(locate(&table))?,
+            "dowson-higginson" => Self::DowsonHigginson(dowson_higginson(&mut table)?),
+            "tait" => {
+                let rho_0 = rho_0(&mut table)?;
+                let volume = TaitVolume::read(&mut table)?;
+                Self::Tait(Tait::new(rho_0, volume).map_err(locate(&table))?)
+            }
+            _ => {
+                let columns = Columns::read(&mut table, files, "density", Dimension::DENSITY)?;
+                let law =
+                    DensityTable::new(columns.temperatures, columns.pressures, columns.values);
+                Self::Table(law.map_err(locate(&table))?)
+            }
+        };
+        table.finish()?;
+        Ok(law)
+    }
+}
+
+impl TaitVolume {
+    /// Reads the keys of the Tait equation, `k_0r`, `k_0r_prime` and the temperature terms, from a table.
+    ///
+    /// # Errors
+    ///
+    /// Missing keys, wrong units and impossible values.
+    pub(super) fn read(table: &mut Table<'_>) -> Result<Self, InputError> {
+        let bulk_modulus =
+            table.required_quantity("k_0r", Dimension::PRESSURE, Bounds::POSITIVE)?;
+        let bulk_modulus_slope = table.required_number("k_0r_prime", Bounds::POSITIVE)?;
+        let thermal = if group(
+            table,
+            &["reference_temperature", "beta_k", "beta_k_prime", "a_v"],
+        )? {
+            let per_kelvin = Dimension::INVERSE_TEMPERATURE;
+            Some(BulkModulusSoftening {
+                reference_temperature: reference_temperature(table)?,
+                bulk_modulus_coefficient: table.required_quantity(
+                    "beta_k",
+                    per_kelvin,
+                    Bounds::ANY,
+                )?,
+                bulk_modulus_slope_coefficient: table.required_quantity(
+                    "beta_k_prime",
+                    per_kelvin,
+                    Bounds::ANY,
+                )?,
+                expansivity: table.required_quantity("a_v", per_kelvin, Bounds::NON_NEGATIVE)?,
+            })
+        } else {
+            None
+        };
+        Self::new(bulk_modulus, bulk_modulus_slope, thermal).map_err(locate(table))
+    }
+}
+
+fn rho_0(table: &mut Table<'_>) -> Result<f64, InputError> {
+    table.required_quantity("rho_0", Dimension::DENSITY, Bounds::POSITIVE)
+}
+
+pub(super) fn reference_temperature(table: &mut Table<'_>) -> Result<f64, InputError> {
+    table.required_quantity(
+        "reference_temperature",
+        Dimension::TEMPERATURE,
+        Bounds::POSITIVE,
+    )
+}
+
+fn dowson_higginson(table: &mut Table<'_>) -> Result<DowsonHigginson, InputError> {
+    let rho_0 = rho_0(table)?;
+    let per_pressure = Dimension::INVERSE_PRESSURE;
+    let c_1 = table.optional_quantity("c_1", per_pressure, Bounds::NON_NEGATIVE)?;
+    let c_2 = table.optional_quantity("c_2", per_pressure, Bounds::NON_NEGATIVE)?;
+    let thermal = if group(table, &["reference_temperature", "beta"])? {
+        Some(ThermalExpansion {
+            reference_temperature: reference_temperature(table)?,
+            temperature_coefficient: table.required_quantity(
+                "beta",
+                Dimension::INVERSE_TEMPERATURE,
+                Bounds::NON_NEGATIVE,
+            )?,
+        })
+    } else {
+        None
+    };
+    DowsonHigginson::with_constants(
+        rho_0,
+        c_1.unwrap_or(DowsonHigginson::COMPRESSIBILITY),
+        c_2.unwrap_or(DowsonHigginson::SATURATION),
+        thermal,
+    )
+    .map_err(locate(table))
+}

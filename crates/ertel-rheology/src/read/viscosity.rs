@@ -1,0 +1,160 @@
+//! Viscosity laws from a table.
+
+use super::{Files, density::reference_temperature, group, law_name, locate, table::Columns};
+use crate::density::TaitVolume;
+use crate::input::{Bounds, InputError, Table};
+use crate::quantity::Dimension;
+use crate::viscosity::{
+    Barus, Cheng, Doolittle, ModifiedWlf, OccupiedVolume, Roelands, Table as ViscosityTable,
+    TemperatureSlope,
+};
+use crate::{DensityLaw, ViscosityLaw};
+
+impl ViscosityLaw {
+    /// Reads a law from a table such as `{ law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }` and refuses
+    /// unknown keys. `density` is that of the same fluid; it serves Doolittle's law where that has no
+    /// `equation_of_state` of its own.
+    ///
+    /// | law | keys |
+    /// |---|---|
+    /// | `constant` | `mu_0` |
+    /// | `barus` | `mu_0`, `alpha` |
+    /// | `cheng` | `mu_0`, `alpha`, `beta`, `gamma`, `reference_temperature` |
+    /// | `roelands` | `mu_0`, `alpha` or `z`; optional `p_0`; optional together `reference_temperature`, `beta` |
+    /// | `wlf` | `mu_g`, `t_g0`, `a_1`, `a_2`, `b_1`, `b_2`, `c_1`, `c_2` |
+    /// | `doolittle` | `mu_0`, `b`, `r_0`; optional together `reference_temperature`, `epsilon`; `equation_of_state` with the keys of the density law `tait` except `rho_0` |
+    /// | `table` | `file`, a CSV file; or `isotherms`, `units` |
+    ///
+    /// # Errors
+    ///
+    /// Unknown laws and keys, missing keys, wrong units and impossible values, each with its line.
+    pub fn from_table(
+        mut table: Table<'_>,
+        density: Option<&DensityLaw>,
+        files: Files<'_>,
+    ) -> Result<Self, InputError> {
+        let name = law_name(&mut table, &Self::NAMES)?;
+        let law = match name {
+            "constant" => Self::constant(mu_0(&mut table)?).map_err(locate(&table))?,
+            "barus" => {
+                let (mu_0, alpha) = (mu_0(&mut table)?, alpha(&mut table)?);
+                Self::Barus(Barus::new(mu_0, alpha).map_err(locate(&table))?)
+            }
+            "cheng" => Self::Cheng(cheng(&mut table)?),
+            "roelands" => Self::Roelands(roelands(&mut table)?),
+            "wlf" => Self::ModifiedWlf(wlf(&mut table)?),
+            "doolittle" => Self::Doolittle(doolittle(&mut table, density)?),
+            _ => {
+                let columns = Columns::read(&mut table, files, "viscosity", Dimension::VISCOSITY)?;
+                let law =
+                    ViscosityTable::new(columns.temperatures, columns.pressures, columns.values);
+                Self::Table(law.map_err(locate(&table))?)
+            }
+        };
+        table.finish()?;
+        Ok(law)
+    }
+}
+
+fn mu_0(table: &mut Table<'_>) -> Result<f64, InputError> {
+    table.required_quantity("mu_0", Dimension::VISCOSITY, Bounds::POSITIVE)
+}
+
+fn alpha(table: &mut Table<'_>) -> Result<f64, InputError> {
+    table.required_quantity("alpha", Dimension::INVERSE_PRESSURE, Bounds::NON_NEGATIVE)
+}
+
+fn cheng(table: &mut Table<'_>) -> Result<Cheng, InputError> {
+    let mu_0 = mu_0(table)?;
+    let alpha = table.required_quantity("alpha", Dimension::INVERSE_PRESSURE, Bounds::ANY)?;
+    let beta = table.required_quantity("beta", Dimension::TEMPERATURE_DIFFERENCE, Bounds::ANY)?;
+    let gamma =
+        table.required_quantity("gamma", Dimension::TEMPERATURE_PER_PRESSURE, Bounds::ANY)?;
+    let reference_temperature = reference_temperature(table)?;
+    Cheng::new(mu_0, alpha, beta, gamma, reference_temperature).map_err(locate(table))
+}
+
+fn roelands(table: &mut Table<'_>) -> Result<Roelands, InputError> {
+    let mu_0 = mu_0(table)?;
+    let p_0 = table
+        .optional_quantity("p_0", Dimension::PRESSURE, Bounds::POSITIVE)?
+        .unwrap_or(Roelands::PRESSURE_CONSTANT);
+    let thermal = if group(table, &["reference_temperature", "beta"])? {
+        Some(TemperatureSlope {
+            reference_temperature: reference_temperature(table)?,
+            beta: table.required_quantity(
+                "beta",
+                Dimension::INVERSE_TEMPERATURE,
+                Bounds::NON_NEGATIVE,
+            )?,
+        })
+    } else {
+        None
+    };
+    match (table.contains("alpha"), table.contains("z")) {
+        (true, true) => {
+            Err(table.error("z", "`alpha` and `z` say the same thing: give one of them"))
+        }
+        (false, true) => {
+            let z = table.required_number("z", Bounds::NON_NEGATIVE)?;
+            Roelands::from_index(mu_0, z, p_0, thermal).map_err(locate(table))
+        }
+        _ => {
+            let alpha = alpha(table)?;
+            Roelands::from_alpha(mu_0, alpha, p_0, thermal).map_err(locate(table))
+        }
+    }
+}
+
+fn wlf(table: &mut Table<'_>) -> Result<ModifiedWlf, InputError> {
+    let difference = Dimension::TEMPERATURE_DIFFERENCE;
+    let per_pressure = Dimension::INVERSE_PRESSURE;
+    let constants = ModifiedWlf {
+        glass_viscosity: table.required_quantity("mu_g", Dimension::VISCOSITY, Bounds::POSITIVE)?,
+        glass_temperature: table.required_quantity(
+            "t_g0",
+            Dimension::TEMPERATURE,
+            Bounds::POSITIVE,
+        )?,
+        a_1: table.required_quantity("a_1", difference, Bounds::POSITIVE)?,
+        a_2: table.required_quantity("a_2", per_pressure, Bounds::POSITIVE)?,
+        b_1: table.required_number("b_1", Bounds::POSITIVE)?,
+        b_2: table.required_quantity("b_2", per_pressure, Bounds::POSITIVE)?,
+        c_1: table.required_number("c_1", Bounds::POSITIVE)?,
+        c_2: table.required_quantity("c_2", difference, Bounds::POSITIVE)?,
+    };
+    ModifiedWlf::new(constants).map_err(locate(table))
+}
+
+fn doolittle(table: &mut Table<'_>, density: Option<&DensityLaw>) -> Result<Doolittle, InputError> {
+    let mu_0 = mu_0(table)?;
+    let b = table.required_number("b", Bounds::POSITIVE)?;
+    let r_0 = table.required_number("r_0", Bounds::open(0.0, 1.0))?;
+    let thermal = if group(table, &["reference_temperature", "epsilon"])? {
+        Some(OccupiedVolume {
+            reference_temperature: reference_temperature(table)?,
+            expansivity: table.required_quantity(
+                "epsilon",
+                Dimension::INVERSE_TEMPERATURE,
+                Bounds::ANY,
+            )?,
+        })
+    } else {
+        None
+    };
+    let volume = match (table.optional_table("equation_of_state")?, density) {
+        (Some(mut equation), _) => {
+            let volume = TaitVolume::read(&mut equation)?;
+            equation.finish()?;
+            volume
+        }
+        (None, Some(DensityLaw::Tait(tait))) => tait.volume.clone(),
+        (None, _) => {
+            return Err(table.missing("equation_of_state").with_help(
+                "Doolittle's law needs the volume: give `equation_of_state = { k_0r = ..., k_0r_prime = ... }`, or the \
+                 density law `tait`",
+            ));
+        }
+    };
+    Doolittle::new(mu_0, b, r_0, thermal, volume).map_err(locate(table))
+}

@@ -1,0 +1,26 @@
+//! A solid: elastic and thermal properties, and where its numbers come from.
+
+use crate::provenance::Datum;
+
+/// An isotropic linear elastic solid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solid {
+    /// Name in the database or in the case file.
+    pub name: String,
+    /// Description in a few words.
+    pub title: String,
+    /// Young's modulus (Pa).
+    pub youngs_modulus: f64,
+    /// Poisson's ratio (-).
+    pub poissons_ratio: f64,
+    /// Density (kg/m³).
+    pub density: Option<f64>,
+    /// Thermal conductivity (W/(m·K)).
+    pub thermal_conductivity: Option<f64>,
+    /// Heat capacity (J/(kg·K)).
+    pub heat_capacity: Option<f64>,
+    /// What to know before using this solid.
+    pub notes: Vec<String>,
+    /// Every number with its source.
+    pub provenance: Vec<Datum>,
+}
