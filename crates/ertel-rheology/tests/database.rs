@@ -17,10 +17,7 @@ fn check_provenance(entry: &str, provenance: &[Datum]) {
         } = datum;
         assert!(!value.is_empty(), "{entry}: {key}");
         let name = key.ends_with(".law") || key.ends_with(".file");
-        assert!(
-            name != !unit.is_empty(),
-            "{entry}: {key} = {value} [{unit}]"
-        );
+        assert!(name == unit.is_empty(), "{entry}: {key} = {value} [{unit}]");
         if *status == Status::Nominal {
             assert!(
                 datum.note.is_some(),
