@@ -1,5 +1,9 @@
 //! `[bodies]`.
 
+use ertel_rheology::Solid;
+use ertel_rheology::database;
+use ertel_rheology::input::{InputError, StrOrTable, Table};
+
 use crate::contact::Elasticity;
 
 /// One of the two bodies.
@@ -9,4 +13,39 @@ pub struct Body {
     pub name: String,
     /// Elastic constants.
     pub elasticity: Elasticity,
+}
+
+/// Reads the plane and the ball.
+pub(super) fn read(mut table: Table<'_>) -> Result<(Body, Body), InputError> {
+    let plane = read_body(&mut table, "plane")?;
+    let ball = read_body(&mut table, "ball")?;
+    table.finish()?;
+    Ok((plane, ball))
+}
+
+/// A name from the database, a table with the constants, or a table with a name and what differs.
+fn read_body(table: &mut Table<'_>, key: &str) -> Result<Body, InputError> {
+    let solid = match table.required_str_or_table(key)? {
+        StrOrTable::Str(name) => database::solid(name).map_err(super::unknown(table, key))?,
+        StrOrTable::Table(mut inner) => {
+            let solid = match inner.optional_str("name")? {
+                Some(name) => {
+                    let mut solid =
+                        database::solid(name).map_err(super::unknown(&inner, "name"))?;
+                    solid.override_from(&mut inner)?;
+                    solid
+                }
+                None => Solid::from_table(&mut inner, "given by its constants")?,
+            };
+            inner.finish()?;
+            solid
+        }
+    };
+    Ok(Body {
+        name: solid.name,
+        elasticity: Elasticity {
+            youngs_modulus: solid.youngs_modulus,
+            poissons_ratio: solid.poissons_ratio,
+        },
+    })
 }

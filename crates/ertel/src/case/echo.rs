@@ -1,5 +1,8 @@
 //! The case as the output shows it.
 
+use ertel_rheology::input::tree::{Node, Value};
+use serde_json::{Map, json};
+
 use super::{Body, Case};
 use crate::output::{BodyEcho, CaseEcho, FluidEcho};
 
@@ -42,5 +45,23 @@ fn body(body: &Body) -> BodyEcho {
     BodyEcho {
         name: body.name.clone(),
         elasticity: body.elasticity,
+    }
+}
+
+/// A file's values as JSON, in the order of the file.
+pub(super) fn json_of(node: &Node) -> serde_json::Value {
+    match &node.value {
+        Value::Str(text) => json!(text),
+        Value::Integer(number) => json!(number),
+        Value::Float(number) => json!(number),
+        Value::Bool(switch) => json!(switch),
+        Value::Datetime => serde_json::Value::Null,
+        Value::Array(nodes) => nodes.iter().map(json_of).collect(),
+        Value::Table(entries) => {
+            let pairs = entries
+                .iter()
+                .map(|entry| (entry.key.clone(), json_of(&entry.node)));
+            serde_json::Value::Object(pairs.collect::<Map<_, _>>())
+        }
     }
 }

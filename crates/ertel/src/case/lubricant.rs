@@ -1,6 +1,15 @@
-//! `[lubricant]`.
+//! `lubricant` and `temperature`.
 
-use ertel_rheology::{DensityLaw, ViscosityLaw};
+use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
+use ertel_rheology::quantity::Dimension;
+use ertel_rheology::{DensityLaw, Files, Fluid, ViscosityLaw, database};
+
+/// Temperatures of lubricants, K: outside, a unit was mistaken.
+const TEMPERATURE: Bounds = Bounds::closed(100.0, 1000.0);
+/// Ambient viscosities from gases to pitch, Pa·s; likewise.
+const VISCOSITY: Bounds = Bounds::closed(1e-6, 1e6);
+/// Ambient densities, kg/m³; likewise.
+const DENSITY: Bounds = Bounds::closed(0.1, 3e4);
 
 /// The lubricant of a case.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,4 +34,119 @@ impl Lubricant {
     pub fn ambient_density(&self) -> f64 {
         self.density.density(0.0, self.temperature)
     }
+}
+
+/// Reads the lubricant at the top level: a name with a top-level `temperature`, or a table.
+///
+/// `pressure` is the Hertz pressure, Pa. Returns the warnings about the range of the data, too.
+pub(super) fn read(
+    root: &mut Table<'_>,
+    files: Files<'_>,
+    pressure: f64,
+) -> Result<(Lubricant, Vec<String>), InputError> {
+    match root.required_str_or_table("lubricant")? {
+        StrOrTable::Str(name) => {
+            let fluid = database::fluid(name).map_err(super::unknown(root, "lubricant"))?;
+            let temperature = root
+                .required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)
+                .map_err(|error| {
+                    error.with_help("a lubricant given by its name needs the temperature before the first [table]")
+                })?;
+            check(root, "lubricant", Some(name), fluid, temperature, pressure)
+        }
+        StrOrTable::Table(mut table) => {
+            if root.contains("temperature") {
+                return Err(root
+                    .error("temperature", "`temperature` belongs into [lubricant]")
+                    .with_help("at the top level it goes with `lubricant = \"name\"`"));
+            }
+            let temperature =
+                table.required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)?;
+            let name = table.optional_str("name")?;
+            let fluid = match name {
+                Some(name) => {
+                    let mut fluid =
+                        database::fluid(name).map_err(super::unknown(&table, "name"))?;
+                    fluid.override_from(&mut table, files)?;
+                    fluid
+                }
+                None => {
+                    if !table.contains("density") {
+                        return Err(table.missing("density").with_help(
+                            "such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }",
+                        ));
+                    }
+                    Fluid::from_table(&mut table, "the lubricant", files)?
+                }
+            };
+            let key = if name.is_some() { "name" } else { "viscosity" };
+            let lubricant = check(&table, key, name, fluid, temperature, pressure)?;
+            table.finish()?;
+            Ok(lubricant)
+        }
+    }
+}
+
+/// The laws at the temperature of the case; errors stand at `key` of `table`.
+fn check(
+    table: &Table<'_>,
+    key: &str,
+    name: Option<&str>,
+    fluid: Fluid,
+    temperature: f64,
+    pressure: f64,
+) -> Result<(Lubricant, Vec<String>), InputError> {
+    let density = fluid
+        .density_law()
+        .map_err(|error| table.error(key, error.to_string()))?
+        .clone();
+    let warnings = fluid.check_range(pressure, temperature);
+    let lubricant = Lubricant {
+        name: name.map(str::to_owned),
+        temperature,
+        density,
+        viscosity: fluid.viscosity,
+    };
+    let must_lie = |what: &str, value: f64, bounds: Bounds, unit: &str| {
+        if bounds.contains(value) {
+            Ok(())
+        } else {
+            Err(table.error(
+                key,
+                format!(
+                    "the {what} at {temperature} K and ambient pressure is {value:e} {unit}; it must be {}",
+                    bounds.describe(unit)
+                ),
+            ))
+        }
+    };
+    must_lie(
+        "viscosity",
+        lubricant.ambient_viscosity(),
+        VISCOSITY,
+        "Pa.s",
+    )?;
+    must_lie("density", lubricant.ambient_density(), DENSITY, "kg/m^3")?;
+    let loaded = [
+        (
+            "viscosity",
+            lubricant.viscosity.ln_viscosity(pressure, temperature),
+        ),
+        (
+            "density",
+            lubricant.density.density(pressure, temperature).ln(),
+        ),
+    ];
+    for (what, logarithm) in loaded {
+        if !logarithm.is_finite() {
+            return Err(table.error(
+                key,
+                format!("the {what} law fails at the Hertz pressure of {pressure:.3e} Pa"),
+            ));
+        }
+    }
+    Ok((
+        lubricant,
+        warnings.iter().map(ToString::to_string).collect(),
+    ))
 }

@@ -27,8 +27,17 @@
 //! physical is required. Numbers carry units. Unknown keys are errors.
 
 mod bodies;
+mod check;
+mod contact;
 mod echo;
 mod lubricant;
+mod params;
+
+use std::path::Path;
+
+use ertel_rheology::Files;
+use ertel_rheology::database::DatabaseError;
+use ertel_rheology::input::{Document, InputError, Table};
 
 use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
 use crate::params::{MeshParams, OutputParams, SolverParams};
@@ -66,6 +75,68 @@ pub struct Case {
 }
 
 impl Case {
+    /// Reads a case file.
+    ///
+    /// # Errors
+    ///
+    /// [`InputError`] with file, line and key: a file that cannot be read, bad syntax, unknown or missing
+    /// keys, wrong units, values that no contact can have, and a Hertz pressure outside 1 MPa to 5 GPa.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self::from_document(&Document::read(path)?, folder)
+    }
+
+    /// Reads a case from a parsed document; tables of data it names are found in `folder`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Case::read`].
+    pub fn from_document(document: &Document, folder: &Path) -> Result<Self, InputError> {
+        let mut root = document.root();
+        let title = root.optional_str("title")?.unwrap_or_default().to_owned();
+        let mut contact_table = root.required_table("contact")?;
+        let (plane, ball) = bodies::read(root.required_table("bodies")?)?;
+        let modulus = reduced_modulus(plane.elasticity, ball.elasticity);
+        let contact = contact::read_contact(&mut contact_table, modulus)?;
+        let mut motion_table = root.required_table("motion")?;
+        let motion = contact::read_motion(&mut motion_table)?;
+        let hertz = check::hertz(&contact_table, &contact, modulus)?;
+        let (lubricant, range_warnings) =
+            lubricant::read(&mut root, Files::Folder(folder), hertz.pressure)?;
+        let mesh = match root.optional_table("mesh")? {
+            Some(table) => params::read_mesh(table, contact.kind)?,
+            None => MeshParams::default(),
+        };
+        let solver = match root.optional_table("solver")? {
+            Some(table) => params::read_solver(table)?,
+            None => SolverParams::default(),
+        };
+        let output = match root.optional_table("output")? {
+            Some(table) => params::read_output(table)?,
+            None => OutputParams::default(),
+        };
+        contact_table.finish()?;
+        motion_table.finish()?;
+        root.finish()?;
+        let mut case = Self {
+            title,
+            contact,
+            plane,
+            ball,
+            motion,
+            lubricant,
+            mesh,
+            solver,
+            output,
+            warnings: Vec::new(),
+            source: document.text().to_owned(),
+            given: echo::json_of(document.tree()),
+        };
+        case.warnings = check::warnings(&case, &hertz);
+        case.warnings.extend(range_warnings);
+        Ok(case)
+    }
+
     /// Reduced modulus E' of both bodies, Pa.
     pub fn reduced_modulus(&self) -> f64 {
         reduced_modulus(self.plane.elasticity, self.ball.elasticity)
@@ -76,3 +147,14 @@ impl Case {
         Hertz::new(&self.contact, self.reduced_modulus())
     }
 }
+
+/// Points at the name that is not in the database.
+fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> InputError + 't {
+    move |error| match error {
+        DatabaseError::Unknown { choices, .. } => table.unknown_name(key, choices),
+        DatabaseError::Data(error) => error,
+    }
+}
+
+#[cfg(test)]
+mod tests;

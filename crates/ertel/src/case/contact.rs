@@ -1,0 +1,102 @@
+//! `[contact]` and `[motion]`.
+
+use ertel_rheology::input::{Bounds, InputError, Table};
+use ertel_rheology::quantity::Dimension;
+
+use crate::contact::{Contact, ContactKind, Hertz, Motion};
+
+/// Radii from asperities to rolls, m: beyond these a unit was mistaken.
+const RADIUS: Bounds = Bounds::closed(1e-6, 1e3);
+/// Speeds, m/s; likewise.
+const MAX_SPEED: f64 = 1e3;
+
+/// Reads `[contact]`; `reduced_modulus` in Pa converts a Hertz pressure to a load.
+pub(super) fn read_contact(
+    table: &mut Table<'_>,
+    reduced_modulus: f64,
+) -> Result<Contact, InputError> {
+    let kind = table.required_choice(
+        "kind",
+        &[
+            ("circular", ContactKind::Circular),
+            ("line", ContactKind::Line),
+        ],
+    )?;
+    let radius = table.required_quantity("radius", Dimension::LENGTH, RADIUS)?;
+    let load = if table.contains("hertz_pressure") {
+        let pressure = table.required_quantity(
+            "hertz_pressure",
+            Dimension::PRESSURE,
+            super::check::HERTZ_PRESSURE,
+        )?;
+        if table.contains("load") {
+            return Err(table.error(
+                "hertz_pressure",
+                "`load` and `hertz_pressure` say the same thing twice; keep one of them",
+            ));
+        }
+        Hertz::load_for_pressure(kind, radius, reduced_modulus, pressure)
+    } else {
+        let dimension = match kind {
+            ContactKind::Circular => Dimension::FORCE,
+            ContactKind::Line => Dimension::FORCE_PER_LENGTH,
+        };
+        table
+            .required_quantity("load", dimension, Bounds::POSITIVE)
+            .map_err(|error| match kind {
+                ContactKind::Circular => error,
+                ContactKind::Line => {
+                    error.with_help("the load of a line contact is per length, such as \"50 kN/m\"")
+                }
+            })?
+    };
+    Ok(Contact { kind, radius, load })
+}
+
+/// Reads `[motion]`: entrainment speed and slide-to-roll ratio, or the speeds of both surfaces.
+pub(super) fn read_motion(table: &mut Table<'_>) -> Result<Motion, InputError> {
+    let speed = Bounds::closed(-MAX_SPEED, MAX_SPEED);
+    if !table.contains("ball_speed") && !table.contains("plane_speed") {
+        let entrainment_speed =
+            table.required_quantity("entrainment_speed", Dimension::SPEED, speed)?;
+        check_entrainment(table, "entrainment_speed", entrainment_speed)?;
+        let slide_to_roll_ratio = table.required_number("slide_to_roll_ratio", Bounds::ANY)?;
+        return Ok(Motion {
+            entrainment_speed,
+            slide_to_roll_ratio,
+        });
+    }
+    let ball = table.required_quantity("ball_speed", Dimension::SPEED, speed)?;
+    let plane = table.required_quantity("plane_speed", Dimension::SPEED, speed)?;
+    for key in ["entrainment_speed", "slide_to_roll_ratio"] {
+        if table.contains(key) {
+            return Err(table.error(
+                key,
+                format!("`{key}` follows from `ball_speed` and `plane_speed`; give one pair"),
+            ));
+        }
+    }
+    let entrainment_speed = 0.5 * (ball + plane);
+    check_entrainment(table, "ball_speed", entrainment_speed)?;
+    Ok(Motion {
+        entrainment_speed,
+        slide_to_roll_ratio: (ball - plane) / entrainment_speed,
+    })
+}
+
+/// Slowest entrainment, m/s: a nanometre in a second.
+const MIN_SPEED: f64 = 1e-9;
+
+fn check_entrainment(table: &Table<'_>, key: &str, speed: f64) -> Result<(), InputError> {
+    if speed.abs() < MIN_SPEED {
+        return Err(table
+            .error(key, "the entrainment speed must not be zero")
+            .with_help("only entrained lubricant keeps the surfaces apart in a steady contact"));
+    }
+    if speed < 0.0 {
+        return Err(table
+            .error(key, "the entrainment speed must be positive")
+            .with_help("the inlet lies at x < 0; turn x around and both speeds with it"));
+    }
+    Ok(())
+}

@@ -1,0 +1,175 @@
+//! `[mesh]`, `[solver]` and `[output]`: all optional.
+
+use std::path::PathBuf;
+
+use ertel_rheology::input::{Bounds, InputError, Table};
+
+use crate::contact::ContactKind;
+use crate::params::{
+    ElasticModel, Formulation, LinearSolver, MeshParams, MeshPreset, OutputParams, PenaltyScaling,
+    SolverParams,
+};
+
+/// Replaces `field` if the file says so.
+fn set<T>(field: &mut T, value: Option<T>) {
+    if let Some(value) = value {
+        *field = value;
+    }
+}
+
+pub(super) fn read_mesh(mut table: Table<'_>, kind: ContactKind) -> Result<MeshParams, InputError> {
+    let preset = table.optional_choice(
+        "preset",
+        &[
+            ("coarse", MeshPreset::Coarse),
+            ("normal", MeshPreset::Normal),
+            ("fine", MeshPreset::Fine),
+        ],
+    )?;
+    let mut mesh = MeshParams::preset(preset.unwrap_or_default());
+    // Sizes in Hertz half-widths. Below 0.002 no memory is large enough.
+    let size = Bounds::closed(0.002, 2.0);
+    set(
+        &mut mesh.hertz_size,
+        table.optional_number("hertz_size", size)?,
+    );
+    set(
+        &mut mesh.constriction_size,
+        table.optional_number("constriction_size", size)?,
+    );
+    set(
+        &mut mesh.edge_size,
+        table.optional_number("edge_size", size)?,
+    );
+    set(
+        &mut mesh.growth,
+        table.optional_number("growth", Bounds::closed(0.05, 2.0))?,
+    );
+    let extent = Bounds::closed(8.0, 1000.0);
+    set(
+        &mut mesh.body_width,
+        table.optional_number("body_width", extent)?,
+    );
+    set(
+        &mut mesh.body_depth,
+        table.optional_number("body_depth", extent)?,
+    );
+    for (larger, smaller, key) in [
+        (mesh.hertz_size, mesh.constriction_size, "constriction_size"),
+        (mesh.edge_size, mesh.hertz_size, "hertz_size"),
+    ] {
+        if smaller > larger {
+            return Err(table.error(
+                key,
+                format!("`{key}` is {smaller}, but the cells farther out are {larger}"),
+            )
+            .with_help("sizes must not grow towards the constriction: constriction_size <= hertz_size <= edge_size"));
+        }
+    }
+    // The contact area must contain the dry contact and lie on the body.
+    let half_width = 0.5 * mesh.body_width;
+    mesh.inlet = table.optional_number("inlet", Bounds::from_to(-half_width, -1.0))?;
+    mesh.outlet = table.optional_number("outlet", Bounds::above_to(1.0, half_width))?;
+    if kind == ContactKind::Circular {
+        mesh.side = table.optional_number("side", Bounds::above_to(1.0, half_width))?;
+    } else if table.contains("side") {
+        return Err(table.error(
+            "side",
+            "`side` is for circular contacts; a line contact has none",
+        ));
+    }
+    set(
+        &mut mesh.pressure_order,
+        order(&mut table, "pressure_order", 5)?,
+    );
+    set(
+        &mut mesh.elastic_order,
+        order(&mut table, "elastic_order", 2)?,
+    );
+    table.finish()?;
+    Ok(mesh)
+}
+
+/// A Lagrange order from 1 to `highest`.
+fn order(table: &mut Table<'_>, key: &str, highest: i64) -> Result<Option<usize>, InputError> {
+    let order = table.optional_integer(key, 1..=highest)?;
+    Ok(order.and_then(|order| usize::try_from(order).ok()))
+}
+
+pub(super) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
+    let mut solver = SolverParams::default();
+    let formulation = table.optional_choice(
+        "formulation",
+        &[
+            ("galerkin", Formulation::Galerkin),
+            ("supg", Formulation::Supg),
+            ("gls", Formulation::Gls),
+        ],
+    )?;
+    set(&mut solver.formulation, formulation);
+    set(
+        &mut solver.isotropic_diffusion,
+        table.optional_number("isotropic_diffusion", Bounds::closed(0.0, 10.0))?,
+    );
+    set(
+        &mut solver.penalty,
+        table.optional_number("penalty", Bounds::closed(1.0, 1e15))?,
+    );
+    let scaling = table.optional_choice(
+        "penalty_scaling",
+        &[
+            ("element-squared", PenaltyScaling::ElementSquared),
+            ("constant", PenaltyScaling::Constant),
+            (
+                "inverse-element-squared",
+                PenaltyScaling::InverseElementSquared,
+            ),
+        ],
+    )?;
+    set(&mut solver.penalty_scaling, scaling);
+    let elasticity = table.optional_choice(
+        "elasticity",
+        &[
+            ("equivalent", ElasticModel::Equivalent),
+            ("two-bodies", ElasticModel::TwoBodies),
+        ],
+    )?;
+    set(&mut solver.elasticity, elasticity);
+    let linear = table.optional_choice(
+        "linear",
+        &[
+            ("condensed", LinearSolver::Condensed),
+            ("monolithic", LinearSolver::Monolithic),
+        ],
+    )?;
+    set(&mut solver.linear, linear);
+    set(
+        &mut solver.tolerance,
+        table.optional_number("tolerance", Bounds::closed(1e-13, 1e-2))?,
+    );
+    let iterations = table.optional_integer("max_iterations", 1..=10_000)?;
+    set(
+        &mut solver.max_iterations,
+        iterations.and_then(|n| usize::try_from(n).ok()),
+    );
+    set(
+        &mut solver.error_estimate,
+        table.optional_bool("error_estimate")?,
+    );
+    table.finish()?;
+    Ok(solver)
+}
+
+pub(super) fn read_output(mut table: Table<'_>) -> Result<OutputParams, InputError> {
+    let mut output = OutputParams::default();
+    if let Some(folder) = table.optional_str("folder")? {
+        if folder.trim().is_empty() {
+            return Err(table.error("folder", "`folder` must not be empty"));
+        }
+        output.folder = Some(PathBuf::from(folder));
+    }
+    set(&mut output.png, table.optional_bool("png")?);
+    set(&mut output.body_field, table.optional_bool("body_field")?);
+    table.finish()?;
+    Ok(output)
+}

@@ -1,0 +1,238 @@
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use ertel_rheology::input::{Document, InputError};
+
+use super::Case;
+use crate::contact::ContactKind;
+use crate::params::{ElasticModel, Formulation, LinearSolver, MeshPreset, PenaltyScaling};
+
+const STEEL: &str = r#"
+title = "Steel ball on steel disc"
+[contact]
+kind = "circular"
+radius = "16 mm"
+load = "100 N"
+[bodies]
+plane = "steel"
+ball = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
+[motion]
+entrainment_speed = "0.8 m/s"
+slide_to_roll_ratio = 0.0
+[lubricant]
+temperature = "40 degC"
+density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
+"#;
+
+fn read(text: &str) -> Result<Case, InputError> {
+    Case::from_document(&Document::parse("steel.toml", text)?, Path::new(""))
+}
+
+fn with(old: &str, new: &str) -> Result<Case, InputError> {
+    assert!(STEEL.contains(old), "{old}");
+    read(&STEEL.replacen(old, new, 1))
+}
+
+fn message(result: Result<Case, InputError>) -> String {
+    result.unwrap_err().to_string()
+}
+
+#[test]
+fn the_case_of_the_thesis_in_si() {
+    let case = read(STEEL).unwrap();
+    assert_eq!(case.title, "Steel ball on steel disc");
+    assert_eq!(case.contact.kind, ContactKind::Circular);
+    assert_eq!((case.contact.radius, case.contact.load), (0.016, 100.0));
+    for body in [&case.plane, &case.ball] {
+        assert_eq!(body.elasticity.youngs_modulus, 210e9);
+        assert_eq!(body.elasticity.poissons_ratio, 0.3);
+    }
+    assert_eq!(case.plane.name, "steel");
+    assert_eq!(case.motion.entrainment_speed, 0.8);
+    let lubricant = &case.lubricant;
+    assert_eq!(lubricant.temperature, 313.15);
+    let ambient = lubricant.viscosity.viscosity(0.0, lubricant.temperature);
+    assert_relative_eq!(ambient, 0.04, max_relative = 1e-12);
+    let density = lubricant.density.density(0.0, lubricant.temperature);
+    assert_relative_eq!(density, 870.0, max_relative = 1e-12);
+    // Hertz figures of an independent script: a = 218.279 um, p_h = 1.00212 GPa.
+    assert_relative_eq!(case.hertz().half_width, 218.279e-6, max_relative = 1e-5);
+    assert_relative_eq!(case.hertz().pressure, 1.00212e9, max_relative = 1e-5);
+    assert!(case.warnings.is_empty(), "{:?}", case.warnings);
+    assert_eq!(case.source, STEEL);
+}
+
+#[test]
+fn a_line_contact_has_a_load_per_length() {
+    let text = STEEL.replace("circular", "line");
+    let line = text.replace("\"100 N\"", "\"0.2 kN/mm\"");
+    let case = read(&line).unwrap();
+    assert_eq!(case.contact.kind, ContactKind::Line);
+    assert_relative_eq!(case.contact.load, 2e5, max_relative = 1e-15);
+    assert!(message(read(&text)).contains("needs a force per length"));
+    assert!(message(read(&format!("{line}\n[mesh]\nside = 4"))).contains("line contact has none"));
+}
+
+#[test]
+fn a_hertz_pressure_stands_for_the_load() {
+    for pressure in ["1 MPa", "0.5 GPa", "5 GPa"] {
+        let case = with(
+            "load = \"100 N\"",
+            &format!("hertz_pressure = \"{pressure}\""),
+        )
+        .unwrap();
+        let expected = match pressure {
+            "1 MPa" => 1e6,
+            "0.5 GPa" => 5e8,
+            _ => 5e9,
+        };
+        assert_relative_eq!(case.hertz().pressure, expected, max_relative = 1e-12);
+    }
+}
+
+#[test]
+fn surface_speeds_stand_for_entrainment_and_slide_to_roll() {
+    let case = with(
+        "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.0",
+        "ball_speed = \"1.2 m/s\"\nplane_speed = \"800 mm/s\"",
+    )
+    .unwrap();
+    assert_relative_eq!(case.motion.entrainment_speed, 1.0, max_relative = 1e-15);
+    assert_relative_eq!(case.motion.slide_to_roll_ratio, 0.4, max_relative = 1e-14);
+}
+
+#[test]
+fn opposite_sliding_is_allowed_and_mentioned() {
+    let case = with("slide_to_roll_ratio = 0.0", "slide_to_roll_ratio = -1.5").unwrap();
+    assert_eq!(case.motion.slide_to_roll_ratio, -1.5);
+    assert!(case.warnings.is_empty());
+    let case = with("slide_to_roll_ratio = 0.0", "slide_to_roll_ratio = -3").unwrap();
+    assert!(case.warnings[0].contains("opposite directions"));
+}
+
+#[test]
+fn a_fluid_by_name_needs_a_temperature() {
+    let head = &STEEL[..STEEL.find("[lubricant]").unwrap()];
+    let short = format!("lubricant = \"squalane-pip\"\ntemperature = \"313 K\"\n{head}");
+    let case = read(&short).unwrap();
+    assert_eq!(case.lubricant.name.as_deref(), Some("squalane-pip"));
+    assert_eq!(case.lubricant.temperature, 313.0);
+    // Habchi 2008, Table 4.1: mu_R = 70.5 mPa.s at 313 K.
+    let ambient = case.lubricant.viscosity.viscosity(0.0, 313.0);
+    assert_relative_eq!(ambient, 0.0705, max_relative = 1e-12);
+
+    let long = format!("{head}[lubricant]\nname = \"squalane-pip\"\ntemperature = \"313 K\"\n");
+    let same = read(&long).unwrap().lubricant;
+    assert_relative_eq!(same.viscosity.viscosity(0.0, 313.0), ambient);
+
+    let without = short.replace("temperature = \"313 K\"\n", "");
+    let error = message(read(&without));
+    assert!(
+        error.contains("missing key `temperature` at the top level"),
+        "{error}"
+    );
+    let twice = format!("temperature = \"313 K\"\n{long}");
+    assert!(message(read(&twice)).contains("temperature"));
+    let unknown = message(read(&long.replace("squalane", "squalene")));
+    assert!(
+        unknown.contains("did you mean `squalane-pip`?"),
+        "{unknown}"
+    );
+}
+
+#[test]
+fn a_named_fluid_can_be_given_another_law() {
+    let head = &STEEL[..STEEL.find("[lubricant]").unwrap()];
+    let case = read(&format!(
+        "{head}[lubricant]\nname = \"squalane-pip\"\ntemperature = \"313 K\"\n\
+         viscosity = {{ law = \"barus\", mu_0 = \"20 mPa.s\", alpha = \"15 1/GPa\" }}\n"
+    ))
+    .unwrap();
+    // exp(15) at 1 GPa.
+    let viscosity = case.lubricant.viscosity.viscosity(1e9, 313.0);
+    assert_relative_eq!(viscosity, 0.02 * 15.0_f64.exp(), max_relative = 1e-12);
+}
+
+#[test]
+fn everything_optional_is_read() {
+    let case = read(&format!(
+        r#"{STEEL}
+[mesh]
+preset = "fine"
+hertz_size = 0.07
+constriction_size = 0.03
+edge_size = 0.4
+growth = 0.3
+body_width = 40
+body_depth = 50
+inlet = -4.5
+outlet = 1.5
+side = 3
+pressure_order = 5
+elastic_order = 1
+[solver]
+formulation = "gls"
+isotropic_diffusion = 0.5
+penalty = 1e7
+penalty_scaling = "inverse-element-squared"
+elasticity = "two-bodies"
+linear = "monolithic"
+tolerance = 1e-6
+max_iterations = 20
+error_estimate = false
+[output]
+folder = "here"
+png = true
+body_field = false
+"#
+    ))
+    .unwrap();
+    let mesh = &case.mesh;
+    assert_eq!(mesh.preset, MeshPreset::Fine);
+    assert_eq!((mesh.hertz_size, mesh.constriction_size), (0.07, 0.03));
+    assert_eq!((mesh.edge_size, mesh.growth), (0.4, 0.3));
+    assert_eq!((mesh.body_width, mesh.body_depth), (40.0, 50.0));
+    assert_eq!(
+        (mesh.inlet, mesh.outlet, mesh.side),
+        (Some(-4.5), Some(1.5), Some(3.0))
+    );
+    assert_eq!((mesh.pressure_order, mesh.elastic_order), (5, 1));
+    let solver = &case.solver;
+    assert_eq!(solver.formulation, Formulation::Gls);
+    assert_eq!((solver.isotropic_diffusion, solver.penalty), (0.5, 1e7));
+    assert_eq!(
+        solver.penalty_scaling,
+        PenaltyScaling::InverseElementSquared
+    );
+    assert_eq!(solver.elasticity, ElasticModel::TwoBodies);
+    assert_eq!(solver.linear, LinearSolver::Monolithic);
+    assert_eq!((solver.tolerance, solver.max_iterations), (1e-6, 20));
+    assert!(!solver.error_estimate);
+    assert_eq!(case.output.folder.as_deref(), Some("here".as_ref()));
+    assert!(case.output.png && !case.output.body_field);
+}
+
+#[test]
+fn a_hertz_pressure_out_of_range_tells_the_loads_that_fit() {
+    // 1 MPa and 5 GPa on 16 mm steel: 9.937e-8 N and 12420 N by an independent evaluation.
+    for load in ["\"1e-9 N\"", "\"1 MN\""] {
+        let error = message(with("\"100 N\"", load));
+        assert!(
+            error.contains("must be between 9.937e-8 N and 12420 N"),
+            "{error}"
+        );
+    }
+    with("\"100 N\"", "\"1e-7 N\"").unwrap();
+    with("\"100 N\"", "\"12420 N\"").unwrap();
+}
+
+#[test]
+fn a_contact_as_large_as_its_body_is_refused() {
+    let soft = STEEL.replace(
+        "\"steel\"",
+        "{ youngs_modulus = \"1 MPa\", poissons_ratio = 0.4 }",
+    );
+    let soft = soft.replace("210 GPa", "1 MPa").replace("100 N", "5 kN");
+    assert!(message(read(&soft)).contains("exceeds the radius"));
+}
