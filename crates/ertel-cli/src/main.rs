@@ -1,2 +1,32 @@
 //! The `ertel` command.
-fn main() {}
+
+mod args;
+mod failure;
+mod fluids;
+mod print;
+mod provenance;
+mod solids;
+mod solve;
+mod table;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use args::{Cli, Command};
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let result = match cli.command {
+        Command::Solve(arguments) => solve::run(&arguments),
+        Command::Fluids(arguments) => fluids::run(&arguments),
+        Command::Solids(arguments) => solids::run(&arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            failure.exit_code()
+        }
+    }
+}

@@ -617,14 +617,15 @@ fn describe(error: &QuantityError, key: &str) -> String {
 
 /// The choice most like `name`, if any is like it.
 fn nearest<'n>(name: &str, choices: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+    let name = name.to_lowercase();
     choices
         .into_iter()
-        .map(|choice| {
-            let distance = strsim::osa_distance(&name.to_lowercase(), &choice.to_lowercase());
-            (distance, choice)
+        .map(|choice| (strsim::osa_distance(&name, &choice.to_lowercase()), choice))
+        .filter(|(distance, choice)| {
+            // A third of the letters may differ (`raduis`, `visosity`), more after a common start (`circle`).
+            3 * distance <= choice.chars().count().max(3)
+                || strsim::jaro_winkler(&name, choice) > 0.87
         })
-        // A third of the letters may differ: `raduis`, `lod`, `visosity`.
-        .filter(|(distance, choice)| 3 * distance <= choice.chars().count().max(3))
         .min_by_key(|(distance, _)| *distance)
         .map(|(_, choice)| choice)
 }

@@ -1,0 +1,93 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Film thickness and pressure of elastohydrodynamic contacts.
+#[derive(Debug, Parser)]
+#[command(name = "ertel", version, arg_required_else_help = true)]
+#[command(after_help = "\
+Exit codes: 0 solved, 1 results could not be written, 2 bad input or usage, 3 not converged, 130 interrupted.")]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The subcommands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Solve a case file and write the results into a folder
+    Solve(SolveArgs),
+    /// List the lubricants of the database, or show one of them
+    Fluids(FluidsArgs),
+    /// List the solids of the database, or show one of them
+    Solids(SolidsArgs),
+}
+
+/// `ertel solve`.
+#[derive(Debug, Args)]
+pub struct SolveArgs {
+    /// The case file (TOML)
+    #[arg(value_name = "CASE.toml")]
+    pub case: PathBuf,
+    /// Folder for the results [default: `results/<name of the case file>`, or `output.folder` of the case]
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Write PNG pictures beside the SVG ones
+    #[arg(long)]
+    pub png: bool,
+    /// Read and check the case, then stop
+    #[arg(long)]
+    pub check: bool,
+    /// No progress on stderr and no report on stdout
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// `ertel fluids`.
+#[derive(Debug, Args)]
+pub struct FluidsArgs {
+    /// What to do; lists without it.
+    #[command(subcommand)]
+    pub command: Option<FluidsCommand>,
+}
+
+/// The subcommands of `ertel fluids`.
+#[derive(Debug, Subcommand)]
+pub enum FluidsCommand {
+    /// List all names
+    List,
+    /// Show the data of one fluid with units, sources, status and range
+    Show {
+        /// Name of the fluid
+        name: String,
+        /// Temperature of the viscosity table, such as "60 degC" [default: the fluid's reference temperature]
+        #[arg(short, long, value_name = "T")]
+        temperature: Option<String>,
+        /// Write the viscosity over pressure as a picture
+        #[arg(long, value_name = "FILE.svg")]
+        plot: Option<PathBuf>,
+    },
+}
+
+/// `ertel solids`.
+#[derive(Debug, Args)]
+pub struct SolidsArgs {
+    /// What to do; lists without it.
+    #[command(subcommand)]
+    pub command: Option<SolidsCommand>,
+}
+
+/// The subcommands of `ertel solids`.
+#[derive(Debug, Subcommand)]
+pub enum SolidsCommand {
+    /// List all names
+    List,
+    /// Show the data of one solid with units, sources and status
+    Show {
+        /// Name of the solid
+        name: String,
+    },
+}

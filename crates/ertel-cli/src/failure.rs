@@ -1,0 +1,50 @@
+//! What can go wrong, and the exit code that says so.
+
+use std::process::ExitCode;
+
+use ertel::output::OutputError;
+use ertel_rheology::database::DatabaseError;
+use ertel_rheology::input::InputError;
+use ertel_rheology::quantity::QuantityError;
+
+/// A command that did not succeed.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The case file is wrong.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// An argument is wrong.
+    #[error("{0}")]
+    Argument(String),
+    /// Results cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// Anything else, reading and writing above all.
+    #[error("{0}")]
+    Other(String),
+}
+
+impl Failure {
+    /// 1 other, 2 bad input.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Output(_) | Self::Other(_) => 1,
+            Self::Input(_) | Self::Argument(_) => 2,
+        })
+    }
+}
+
+impl From<QuantityError> for Failure {
+    fn from(error: QuantityError) -> Self {
+        Self::Argument(error.to_string())
+    }
+}
+
+impl From<DatabaseError> for Failure {
+    fn from(error: DatabaseError) -> Self {
+        match error {
+            DatabaseError::Unknown { .. } => Self::Argument(error.to_string()),
+            DatabaseError::Data(error) => Self::Other(error.to_string()),
+        }
+    }
+}

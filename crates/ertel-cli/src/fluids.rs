@@ -1,0 +1,237 @@
+//! `ertel fluids`.
+
+use std::path::Path;
+
+use ertel::output::plot::{ViscosityCurve, viscosity_chart};
+use ertel::output::{digits, pressure};
+use ertel_rheology::quantity::{self, Dimension};
+use ertel_rheology::{DensityLaw, Fluid, database};
+
+use crate::args::{FluidsArgs, FluidsCommand};
+use crate::failure::Failure;
+use crate::print;
+use crate::provenance::{data, notes};
+use crate::table::{columns, paragraph};
+
+/// Pressures of the table, Pa.
+const PRESSURES: [f64; 10] = [
+    0.0, 0.05e9, 0.1e9, 0.2e9, 0.3e9, 0.4e9, 0.5e9, 0.6e9, 0.8e9, 1e9,
+];
+/// Points of the curve in the picture.
+const N_POINTS: usize = 201;
+
+/// Runs the command.
+///
+/// # Errors
+///
+/// An unknown name, a bad temperature, a picture or stdout that cannot be written.
+pub fn run(arguments: &FluidsArgs) -> Result<(), Failure> {
+    match &arguments.command {
+        None | Some(FluidsCommand::List) => print::stdout(&list()?),
+        Some(FluidsCommand::Show {
+            name,
+            temperature,
+            plot,
+        }) => {
+            let fluid = database::fluid(name)?;
+            let temperature = state_temperature(&fluid, temperature.as_deref())?;
+            if let Some(path) = plot {
+                write_plot(path, &fluid, temperature)?;
+            }
+            print::stdout(&show(&fluid, temperature))
+        }
+    }
+}
+
+fn list() -> Result<String, Failure> {
+    let mut rows = Vec::new();
+    for name in database::fluid_names() {
+        let fluid = database::fluid(name)?;
+        let density = fluid
+            .density
+            .as_ref()
+            .map_or("no density law", DensityLaw::name);
+        rows.push(vec![
+            name.to_owned(),
+            fluid.viscosity.name().to_owned(),
+            density.to_owned(),
+            fluid.title,
+        ]);
+    }
+    Ok(format!(
+        "Fluids (`ertel fluids show NAME` for the data and their sources):\n\n{}",
+        columns(&rows)
+    ))
+}
+
+/// The temperature asked for, or the fluid's own, K.
+fn state_temperature(fluid: &Fluid, asked: Option<&str>) -> Result<f64, Failure> {
+    if let Some(text) = asked {
+        let temperature = quantity::parse(text, Dimension::TEMPERATURE)?;
+        return if (100.0..=1000.0).contains(&temperature) {
+            Ok(temperature)
+        } else {
+            Err(Failure::Argument(format!(
+                "--temperature {text} is {temperature} K; it must be between 100 K and 1000 K"
+            )))
+        };
+    }
+    if let Some(temperature) = fluid.reference_temperature {
+        return Ok(temperature);
+    }
+    if depends_on_temperature(fluid) {
+        return Err(Failure::Argument(format!(
+            "the data of `{}` name no temperature; give one, such as --temperature \"40 degC\"",
+            fluid.name
+        )));
+    }
+    Ok(293.15)
+}
+
+fn depends_on_temperature(fluid: &Fluid) -> bool {
+    let state = |temperature: f64| {
+        [0.0, 0.5e9].map(|p| {
+            let density = fluid.density(p, temperature).ok();
+            (fluid.viscosity(p, temperature), density)
+        })
+    };
+    state(300.0) != state(350.0)
+}
+
+fn show(fluid: &Fluid, temperature: f64) -> String {
+    let mut text = format!("{}: {}\n\n", fluid.name, fluid.title);
+    text += &data(&fluid.provenance);
+    text += "\nRange of the data\n";
+    text += &range(fluid);
+    text += &notes(&fluid.notes);
+    text += &if depends_on_temperature(fluid) {
+        format!(
+            "\nAt {} K ({} °C)\n",
+            digits(temperature, 6),
+            digits(temperature - 273.15, 5)
+        )
+    } else {
+        "\nAt any temperature\n".to_owned()
+    };
+    let per_gpa = |alpha: f64| format!("{} 1/GPa", digits(1e9 * alpha, 4));
+    let row = |name: &str, value: String| vec![name.to_owned(), value];
+    let asymptotic = fluid.pressure_viscosity_reciprocal_asymptotic(temperature);
+    text += &columns(&[
+        row(
+            "initial slope of ln viscosity, α",
+            per_gpa(fluid.pressure_viscosity_slope(temperature)),
+        ),
+        row(
+            "reciprocal asymptotic coefficient, α*",
+            asymptotic.map_or_else(|error| format!("none: {error}"), per_gpa),
+        ),
+    ]);
+    text.push('\n');
+    text + &states(fluid, temperature)
+}
+
+/// Pressures and temperatures for which the data hold.
+fn range(fluid: &Fluid) -> String {
+    let Some(validity) = &fluid.validity else {
+        return "  not known\n".to_owned();
+    };
+    let pressures = validity
+        .pressure
+        .map(|(low, high)| format!("{} to {}", pressure(low), pressure(high)));
+    let temperatures = validity
+        .temperature
+        .map(|(low, high)| format!("{} to {} K", digits(low, 6), digits(high, 6)));
+    let ends: Vec<String> = [pressures, temperatures].into_iter().flatten().collect();
+    paragraph("  ", &format!("{} ({})", ends.join(", "), validity.source))
+}
+
+/// Viscosity and density over pressure; states outside the range of the data are marked.
+fn states(fluid: &Fluid, temperature: f64) -> String {
+    let mut rows = vec![
+        ["pressure p", "viscosity µ", "density ρ"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    let mut extrapolated = false;
+    for p in PRESSURES {
+        let outside = !fluid.check_range(p, temperature).is_empty();
+        extrapolated |= outside;
+        let mark = if outside { " *" } else { "" };
+        rows.push(vec![
+            pressure(p) + mark,
+            viscosity(fluid.viscosity(p, temperature)),
+            fluid.density(p, temperature).map_or_else(
+                |_| "no law".to_owned(),
+                |density| format!("{} kg/m³", digits(density, 5)),
+            ),
+        ]);
+    }
+    let remark = if extrapolated {
+        "  * outside the range of the data\n"
+    } else {
+        ""
+    };
+    columns(&rows) + remark
+}
+
+fn viscosity(value: f64) -> String {
+    match value {
+        mu if mu < 1.0 => format!("{} mPa.s", digits(1e3 * mu, 4)),
+        mu => format!("{} Pa.s", digits(mu, 4)),
+    }
+}
+
+/// Writes the curve of viscosity over pressure as SVG.
+fn write_plot(path: &Path, fluid: &Fluid, temperature: f64) -> Result<(), Failure> {
+    if path
+        .extension()
+        .is_none_or(|extension| !extension.eq_ignore_ascii_case("svg"))
+    {
+        return Err(Failure::Argument(format!(
+            "the picture is SVG; its name must end in .svg, not {}",
+            path.display()
+        )));
+    }
+    let valid = fluid
+        .validity
+        .as_ref()
+        .and_then(|validity| validity.pressure);
+    // Nothing tells how far to draw: 1 GPa, where most contacts are.
+    let highest = valid.map_or(1e9, |(_, high)| high.clamp(0.1e9, 3e9));
+    let pressures: Vec<f64> = (0..N_POINTS)
+        .map(|i| highest * i as f64 / (N_POINTS - 1) as f64)
+        .collect();
+    let curve = ViscosityCurve {
+        temperature,
+        viscosity: pressures
+            .iter()
+            .map(|p| fluid.viscosity(*p, temperature))
+            .collect(),
+        pressure: pressures,
+    };
+    let svg = viscosity_chart(&fluid.title, &[curve], valid.map(Into::into)).svg();
+    write_whole(path, svg.as_bytes())
+        .map_err(|error| Failure::Other(format!("cannot write {}: {error}", path.display())))
+}
+
+/// Writes a file so that it is whole or absent.
+fn write_whole(path: &Path, content: &[u8]) -> std::io::Result<()> {
+    use std::io::Write;
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".ertel-");
+    #[cfg(unix)]
+    {
+        // The usual rights of a new file; the umask is taken off.
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(content)?;
+    file.as_file().sync_all()?;
+    file.persist(path)?;
+    Ok(())
+}

@@ -1,0 +1,20 @@
+//! Writing to stdout: a closed pipe (`ertel fluids | head`) ends the output, not the program.
+
+use std::io::{self, Write};
+
+use crate::failure::Failure;
+
+/// Writes `text` to stdout.
+///
+/// # Errors
+///
+/// Anything but a closed pipe, such as a full disk behind a redirection.
+pub fn stdout(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Failure::Other(format!("cannot write to stdout: {error}")))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,178 @@
+//! The commands end to end: output and exit codes.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn ertel(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+fn stdout(output: &Output) -> &str {
+    std::str::from_utf8(&output.stdout).unwrap()
+}
+
+fn stderr(output: &Output) -> &str {
+    std::str::from_utf8(&output.stderr).unwrap()
+}
+
+/// A file of `tests/good`.
+fn good(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/good")
+        .join(name)
+}
+
+#[test]
+fn wrong_usage_exits_with_2() {
+    for arguments in [
+        &["sovle"][..],
+        &["solve"],
+        &["solve", "case.toml", "--nonsense"],
+        &["fluids", "show"],
+        &[],
+    ] {
+        let output = ertel(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(stderr(&output).contains("Usage"), "{arguments:?}");
+    }
+    assert_eq!(ertel(&["--help"]).status.code(), Some(0));
+    assert_eq!(ertel(&["--version"]).status.code(), Some(0));
+}
+
+#[test]
+fn a_case_file_that_cannot_be_read_exits_with_2() {
+    let output = ertel(&["solve", "no/such/case.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("no/such/case.toml cannot be read"));
+}
+
+#[test]
+fn a_good_case_passes_the_check_with_its_warnings() {
+    let path = good("quick.toml");
+    let output = ertel(&["solve", "--check", path.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    let sliding = folder.path().join("sliding.toml");
+    std::fs::write(&sliding, text.replace("ratio = 0.0", "ratio = 2.5")).unwrap();
+    let output = ertel(&["solve", "--check", sliding.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(stderr(&output).contains("warning: the slide-to-roll ratio 2.5 is beyond 2"));
+}
+
+#[test]
+fn the_lists_name_every_fluid_and_solid() {
+    let output = ertel(&["fluids"]);
+    for name in ertel_rheology::database::fluid_names() {
+        assert!(stdout(&output).contains(name), "{name}");
+    }
+    let output = ertel(&["solids", "list"]);
+    for name in ertel_rheology::database::solid_names() {
+        assert!(stdout(&output).contains(name), "{name}");
+    }
+}
+
+#[test]
+fn every_fluid_and_solid_can_be_shown() {
+    for name in ertel_rheology::database::fluid_names() {
+        let output = ertel(&["fluids", "show", name, "--temperature", "300 K"]);
+        assert_eq!(output.status.code(), Some(0), "{name}: {}", stderr(&output));
+        assert!(!stdout(&output).contains("NaN"), "{name}");
+    }
+    for name in ertel_rheology::database::solid_names() {
+        let output = ertel(&["solids", "show", name]);
+        assert_eq!(output.status.code(), Some(0), "{name}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn a_fluid_is_shown_with_data_sources_and_states() {
+    let output = ertel(&["fluids", "show", "squalane-pip"]);
+    let text = stdout(&output);
+    // Habchi 2008, Tables 4.1 and 5.2; alpha* recomputed by an independent script: 18.9 1/GPa.
+    for words in [
+        "70.5 mPa.s",
+        "8.375 GPa",
+        "thesis  [1]",
+        "[1] Habchi",
+        "18.92 1/GPa",
+        "0 Pa to 470 MPa",
+        "outside the range of the data",
+    ] {
+        assert!(text.contains(words), "{words} is not in\n{text}");
+    }
+}
+
+#[test]
+fn unknown_names_exit_with_2_and_the_choices() {
+    let output = ertel(&["fluids", "show", "squalene-pip"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("did you mean `squalane-pip`?"));
+    assert!(stderr(&output).contains("glycerol"));
+    let output = ertel(&["solids", "show", "stel"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("did you mean `steel`?"));
+}
+
+#[test]
+fn bad_temperatures_exit_with_2() {
+    for (temperature, words) in [
+        ("40", "has no unit"),
+        ("40 mm", "is a length, but a temperature is needed"),
+        ("40 K", "between 100 K and 1000 K"),
+        ("-300 degC", "below absolute zero"),
+    ] {
+        let argument = format!("--temperature={temperature}");
+        let output = ertel(&["fluids", "show", "glycerol", &argument]);
+        assert_eq!(output.status.code(), Some(2), "{temperature}");
+        assert!(stderr(&output).contains(words), "{}", stderr(&output));
+    }
+}
+
+#[test]
+fn the_viscosity_curve_is_written_whole_or_not_at_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("curve.svg");
+    let show = |path: &Path| {
+        ertel(&[
+            "fluids",
+            "show",
+            "glycerol",
+            "--plot",
+            path.to_str().unwrap(),
+        ])
+    };
+    assert_eq!(show(&picture).status.code(), Some(0));
+    let svg = std::fs::read_to_string(&picture).unwrap();
+    assert!(svg.starts_with("<svg") || svg.starts_with("<?xml"));
+    assert!(svg.trim_end().ends_with("</svg>"));
+
+    let output = show(&folder.path().join("curve.pdf"));
+    assert_eq!(output.status.code(), Some(2));
+    assert!(stderr(&output).contains("must end in .svg"));
+
+    let output = show(&folder.path().join("absent/curve.svg"));
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("cannot write"));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_behind_stdout_exits_with_1() {
+    let full = std::fs::OpenOptions::new()
+        .write(true)
+        .open("/dev/full")
+        .unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .arg("fluids")
+        .stdout(full)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("cannot write to stdout"));
+}
