@@ -3,6 +3,7 @@
 pub mod assembly;
 pub mod element;
 pub mod linear;
+pub mod locate;
 pub mod mesh;
 pub mod quadrature;
 pub mod space;

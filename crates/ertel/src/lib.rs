@@ -4,7 +4,11 @@
 
 pub mod case;
 pub mod contact;
+pub mod film;
+pub mod forms;
 pub mod output;
 pub mod params;
+pub mod post;
 pub mod reference;
 pub mod solution;
+pub mod solve;

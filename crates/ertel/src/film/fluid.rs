@@ -52,8 +52,15 @@ impl FilmFluid {
         let rho = self.density.density(p, t) / self.density_scale;
         let mu = (self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale).exp();
         let by_p = |v: Dual2_64| {
-            if ambient { [v.re, 0.0, 0.0] } else { [v.re, v.v1 * scale, v.v2 * scale * scale] }
+            if ambient {
+                [v.re, 0.0, 0.0]
+            } else {
+                [v.re, v.v1 * scale, v.v2 * scale * scale]
+            }
         };
-        PointFluid { density: by_p(rho), viscosity: by_p(mu) }
+        PointFluid {
+            density: by_p(rho),
+            viscosity: by_p(mu),
+        }
     }
 }

@@ -11,7 +11,10 @@
 /// λ = Eν/[(1+ν)(1−2ν)], μ = E/[2(1+ν)]
 pub fn lame(youngs_modulus: f64, poissons_ratio: f64) -> (f64, f64) {
     let (e, nu) = (youngs_modulus, poissons_ratio);
-    (e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), e / (2.0 * (1.0 + nu)))
+    (
+        e * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)),
+        e / (2.0 * (1.0 + nu)),
+    )
 }
 
 /// Adds one quadrature point's share of the element stiffness, row-major with index
@@ -62,15 +65,29 @@ mod tests {
     /// ½[λ tr(ε)² + 2μ ε:ε] per volume.
     #[test]
     fn energy_of_rigid_motion_and_uniform_strain() {
-        let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let gradients = [[-1.0, -1.0, -1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let x = [
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 0.0, 1.0],
+        ];
+        let gradients = [
+            [-1.0, -1.0, -1.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 0.0, 1.0],
+        ];
         let lame = lame(1.0, 0.25);
         let mut k = vec![0.0; 144];
         stiffness_point(3, lame, &gradients, 1.0, &mut k);
         let energy = |a: [[f64; 3]; 3]| {
             let u: Vec<f64> = x
                 .iter()
-                .flat_map(|p| (0..3).map(|m| 0.7 + (0..3).map(|n| a[m][n] * p[n]).sum::<f64>()).collect::<Vec<_>>())
+                .flat_map(|p| {
+                    (0..3)
+                        .map(|m| 0.7 + (0..3).map(|n| a[m][n] * p[n]).sum::<f64>())
+                        .collect::<Vec<_>>()
+                })
                 .collect();
             let mut sum = 0.0;
             for i in 0..12 {
@@ -80,7 +97,11 @@ mod tests {
             }
             sum
         };
-        assert_relative_eq!(energy([[0.0, 0.3, -0.2], [-0.3, 0.0, 0.5], [0.2, -0.5, 0.0]]), 0.0, epsilon = 1e-14);
+        assert_relative_eq!(
+            energy([[0.0, 0.3, -0.2], [-0.3, 0.0, 0.5], [0.2, -0.5, 0.0]]),
+            0.0,
+            epsilon = 1e-14
+        );
         let e = [[0.1, 0.05, -0.02], [0.05, -0.3, 0.04], [-0.02, 0.04, 0.2]];
         let trace: f64 = e[0][0] + e[1][1] + e[2][2];
         let square: f64 = e.iter().flatten().map(|v| v * v).sum();

@@ -70,7 +70,7 @@ pub struct TestCoefficients<D> {
 }
 
 /// Integrand of the weak form at a point; `source` is f.
-pub fn reynolds_point<D: DualNum<f64, f64> + Copy>(
+pub fn reynolds_point<D: DualNum<Primitive = f64> + Copy>(
     s: &PointState<D>,
     fluid: &PointFluid,
     e: &ElementConstants,
@@ -88,7 +88,11 @@ pub fn reynolds_point<D: DualNum<f64, f64> + Copy>(
     let mu_p = dp * fluid.viscosity[2] + fluid.viscosity[1];
 
     let epsilon = rho * h * h * h / (mu * e.lambda);
-    let penalty = if s.pressure.re() < 0.0 { s.pressure * e.penalty } else { zero };
+    let penalty = if s.pressure.re() < 0.0 {
+        s.pressure * e.penalty
+    } else {
+        zero
+    };
     let mut test = TestCoefficients {
         value: penalty - source,
         gradient: [epsilon * px - rho * h, epsilon * py],
@@ -126,7 +130,7 @@ pub fn reynolds_point<D: DualNum<f64, f64> + Copy>(
 }
 
 /// (coth Pe − 1/Pe)/Pe, smooth through Pe = 0 where it is 1/3; τ = h_e²/(4l²ε) of it.
-fn upwind<D: DualNum<f64, f64> + Copy>(peclet: D) -> D {
+fn upwind<D: DualNum<Primitive = f64> + Copy>(peclet: D) -> D {
     let pe = peclet.re();
     if pe.abs() < 0.1 {
         // 1/3 − Pe²/45 + 2Pe⁴/945 − Pe⁶/4725; the next term is below 1e-11
@@ -199,7 +203,12 @@ mod tests {
             for p in [0.8, 0.1, -0.05] {
                 for k in 0..7 {
                     let d = |v: f64, i: usize| {
-                        Dual64::from_re(v) + if i == k { Dual64::new(0.0, 1.0) } else { Dual64::from_re(0.0) }
+                        Dual64::from_re(v)
+                            + if i == k {
+                                Dual64::new(0.0, 1.0)
+                            } else {
+                                Dual64::from_re(0.0)
+                            }
                     };
                     let x = base(p);
                     let s = PointState {
@@ -210,7 +219,12 @@ mod tests {
                         film_gradient: [d(x[5], 5), d(x[6], 6)],
                     };
                     let t = reynolds_point(&s, &fluid(p), &c, 0.3);
-                    let exact = [t.value.eps, t.gradient[0].eps, t.gradient[1].eps, t.laplacian.eps];
+                    let exact = [
+                        t.value.eps,
+                        t.gradient[0].eps,
+                        t.gradient[1].eps,
+                        t.laplacian.eps,
+                    ];
                     let step = 1e-6;
                     let (mut up, mut down) = (x, x);
                     up[k] += step;
@@ -218,7 +232,12 @@ mod tests {
                     let (up, down) = (evaluate(up, &c), evaluate(down, &c));
                     for i in 0..4 {
                         let difference = (up[i] - down[i]) / (2.0 * step);
-                        assert_relative_eq!(exact[i], difference, max_relative = 1e-5, epsilon = 1e-7);
+                        assert_relative_eq!(
+                            exact[i],
+                            difference,
+                            max_relative = 1e-5,
+                            epsilon = 1e-7
+                        );
                     }
                 }
             }
@@ -228,7 +247,10 @@ mod tests {
     /// SUPG and GLS add nothing where the strong residual vanishes: choose f = R.
     #[test]
     fn stabilisation_is_consistent() {
-        let fluid = PointFluid { density: [1.1, 0.2, -0.1], viscosity: [5.0, 15.0, 45.0] };
+        let fluid = PointFluid {
+            density: [1.1, 0.2, -0.1],
+            viscosity: [5.0, 15.0, 45.0],
+        };
         let s = PointState {
             pressure: 0.6,
             pressure_gradient: [0.5, -0.1],
@@ -240,7 +262,10 @@ mod tests {
         // R = −∇ε·∇P − εΔP + ρ'P_x H + ρH_x by hand, ε = ρH³/(μλ)
         let eps = 1.1 * 0.008 / (5.0 * 0.01);
         let k = eps * (0.2 / 1.1 - 3.0);
-        let (ex, ey) = (k * 0.5 + 3.0 * eps / 0.2 * 0.1, k * -0.1 + 3.0 * eps / 0.2 * 0.05);
+        let (ex, ey) = (
+            k * 0.5 + 3.0 * eps / 0.2 * 0.1,
+            k * -0.1 + 3.0 * eps / 0.2 * 0.05,
+        );
         let f = -(ex * 0.5 + ey * -0.1) + eps * 1.2 + 0.2 * 0.5 * 0.2 + 1.1 * 0.1;
         let gls = reynolds_point(&s, &fluid, &c, f);
         c.formulation = Formulation::Galerkin;

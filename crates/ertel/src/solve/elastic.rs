@@ -45,7 +45,12 @@ impl BodySpace {
             .into_iter()
             .map(|node| dofs.of_node(node as usize)[dim - 1] as usize)
             .collect();
-        BodySpace { space, dofs, graph, normal_dofs }
+        BodySpace {
+            space,
+            dofs,
+            graph,
+            normal_dofs,
+        }
     }
 
     /// Factorised stiffness of the body with unit Young's modulus.
@@ -141,6 +146,11 @@ impl ElasticOperator {
         let first = &self.bodies[0];
         let total: f64 = self.bodies.iter().map(compliance).sum();
         let scale = first.modulus * compliance(first) / total;
-        first.stiffness.condensed_entries(pairs).into_iter().map(|s| s * scale).collect()
+        first
+            .stiffness
+            .condensed_entries(pairs)
+            .into_iter()
+            .map(|s| s * scale)
+            .collect()
     }
 }

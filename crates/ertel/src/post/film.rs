@@ -1,0 +1,121 @@
+//! Pressure and film thickness at any point of the contact area, dimensionless.
+
+use crate::solve::discretisation::Discretisation;
+use crate::solve::system::State;
+
+/// Fields at a point of the contact area.
+#[derive(Clone, Copy, Debug)]
+pub struct PointFields {
+    /// P.
+    pub pressure: f64,
+    /// ∇P.
+    pub pressure_gradient: [f64; 2],
+    /// H.
+    pub film: f64,
+    /// Deflection.
+    pub deflection: f64,
+}
+
+/// Evaluates the fields; `None` outside the contact area.
+pub fn fields_at(d: &Discretisation, state: &State, point: [f64; 2]) -> Option<PointFields> {
+    let (cell, xi) = d.locator.find(&d.surface, point)?;
+    Some(fields_in(d, state, cell, xi))
+}
+
+/// Evaluates the fields at reference coordinates of an element.
+pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -> PointFields {
+    let mut fields = PointFields {
+        pressure: 0.0,
+        pressure_gradient: [0.0; 2],
+        film: state.rigid_separation,
+        deflection: 0.0,
+    };
+    let basis = d.pressure.element.evaluate(xi);
+    for ((value, gradient, _), node) in basis.iter().zip(d.pressure.nodes_of(cell)) {
+        let p = state.pressure[*node as usize];
+        let g = d.maps[cell].gradient(*gradient);
+        fields.pressure += p * value;
+        fields.pressure_gradient[0] += p * g[0];
+        fields.pressure_gradient[1] += p * g[1];
+    }
+    let mut point = [0.0; 3];
+    let basis = d.deflection.element.evaluate(xi);
+    for ((value, _, _), node) in basis.iter().zip(d.deflection.nodes_of(cell)) {
+        fields.deflection += value * state.deflection[*node as usize];
+        for (x, px) in point.iter_mut().zip(d.deflection.points[*node as usize]) {
+            *x += value * px;
+        }
+    }
+    fields.film += fields.deflection + d.undeformed_gap(point);
+    fields
+}
+
+/// Film thickness at the centre of the contact.
+pub fn central_film(d: &Discretisation, state: &State) -> f64 {
+    fields_at(d, state, [0.0, 0.0]).map_or(f64::NAN, |f| f.film)
+}
+
+/// Smallest film thickness of the contact area and where it is.
+///
+/// Each element is sampled on a lattice; around the best point the lattice is refined until its
+/// spacing is 1e-4 of the element.
+pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
+    let film = |cell: usize, xi: [f64; 3]| fields_in(d, state, cell, xi).film;
+    let n = 4;
+    let step = 1.0 / n as f64;
+    let mut best = (f64::INFINITY, 0, [0.0; 3]);
+    let plane = d.surface.dim == 2;
+    for cell in 0..d.maps.len() {
+        for i in 0..=n {
+            for j in 0..=(if plane { n - i } else { 0 }) {
+                let xi = [i as f64 * step, j as f64 * step, 0.0];
+                let h = film(cell, xi);
+                if h < best.0 {
+                    best = (h, cell, xi);
+                }
+            }
+        }
+    }
+    // H is smooth inside the element: shrink a cross around the best point.
+    let mut radius = 0.5 * step;
+    while radius > 1e-4 {
+        let (_, cell, centre) = best;
+        let mut improved = false;
+        for (dx, dy) in [
+            (1.0, 0.0),
+            (-1.0, 0.0),
+            (0.0, 1.0),
+            (0.0, -1.0),
+            (1.0, -1.0),
+            (-1.0, 1.0),
+        ] {
+            let y = if plane { centre[1] + radius * dy } else { 0.0 };
+            let xi = [centre[0] + radius * dx, y, 0.0];
+            if xi[0] < 0.0 || xi[1] < 0.0 || xi[0] + xi[1] > 1.0 {
+                continue;
+            }
+            let h = film(cell, xi);
+            if h < best.0 {
+                best = (h, cell, xi);
+                improved = true;
+            }
+        }
+        if !improved {
+            radius *= 0.5;
+        }
+    }
+    let (h, cell, xi) = best;
+    let v: Vec<[f64; 3]> = d
+        .surface
+        .cell(cell)
+        .iter()
+        .map(|v| d.surface.vertices[*v as usize])
+        .collect();
+    let point = [0, 1].map(|a| {
+        v[0][a]
+            + (1..v.len())
+                .map(|k| xi[k - 1] * (v[k][a] - v[0][a]))
+                .sum::<f64>()
+    });
+    (h, point)
+}

@@ -1,0 +1,4 @@
+//! Figures and fields from a converged state.
+
+pub mod film;
+pub mod profile;

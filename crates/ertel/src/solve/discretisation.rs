@@ -1,0 +1,309 @@
+//! One mesh level: meshes, spaces, elastic operator and everything that Newton's method reuses.
+
+use std::time::Instant;
+
+use ertel_fem::assembly::CONSTRAINED;
+use ertel_fem::element::Tabulation;
+use ertel_fem::linear::condensed::CholeskyError;
+use ertel_fem::locate::Locator;
+use ertel_fem::mesh::{
+    BodyMesh, BodyParams, MeshError, SimplexMesh, SizeField, SizeZone, Zone, body_mesh,
+};
+use ertel_fem::quadrature::Quadrature;
+use ertel_fem::space::{Affine, Space};
+
+use super::elastic::{BodySpace, ElasticBody, ElasticOperator};
+use crate::contact::ContactKind;
+
+/// Cell sizes of one level and the region they cover, in Hertz half-widths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LevelSizes {
+    /// Cell size in the Hertz zone.
+    pub hertz: f64,
+    /// Cell size at the outlet constriction and the side lobes.
+    pub constriction: f64,
+    /// Largest cell size on the contact area.
+    pub edge: f64,
+    /// Growth per distance along the surface.
+    pub growth: f64,
+    /// Growth per depth.
+    pub depth_growth: f64,
+}
+
+/// Geometry of the half-space body, in Hertz half-widths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extents {
+    /// Inlet edge X of the contact area.
+    pub inlet: f64,
+    /// Outlet edge X.
+    pub outlet: f64,
+    /// Side edge |Y|.
+    pub side: f64,
+    /// Width of the body.
+    pub body_width: f64,
+    /// Depth of the body.
+    pub body_depth: f64,
+}
+
+/// Building a level failed.
+#[derive(Debug, thiserror::Error)]
+pub enum DiscretisationError {
+    /// The mesh could not be built.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The elastic problem could not be factorised.
+    #[error(transparent)]
+    Elastic(#[from] CholeskyError),
+}
+
+/// A level of the discretisation.
+pub struct Discretisation {
+    /// Line or circular.
+    pub kind: ContactKind,
+    /// Body with its boundary facets.
+    pub body: BodyMesh,
+    /// Displacement space of the body.
+    pub body_space: BodySpace,
+    /// Contact area.
+    pub surface: SimplexMesh,
+    /// Finds the element under a point of it.
+    pub locator: Locator,
+    /// Pressure nodes.
+    pub pressure: Space,
+    /// Pressure unknown of each node, or `CONSTRAINED` on the edge of the contact area.
+    pub pressure_dofs: Vec<u32>,
+    /// Number of pressure unknowns.
+    pub n_pressure: usize,
+    /// Deflection nodes of the contact area.
+    pub deflection: Space,
+    /// Elastic response.
+    pub elastic: ElasticOperator,
+    /// Affine map of each element.
+    pub maps: Vec<Affine>,
+    /// Size h_e of each element: √(2 area), the leg of a right isosceles triangle, or length.
+    pub sizes: Vec<f64>,
+    /// Quadrature rule of the film equations.
+    pub rule: Quadrature,
+    /// Pressure shape functions at its points.
+    pub pressure_table: Tabulation,
+    /// Deflection shape functions at its points.
+    pub deflection_table: Tabulation,
+    /// ∫N of each pressure unknown.
+    pub load: Vec<f64>,
+    /// Element matrices ∫N_δ N_P, row-major, deflection by pressure node.
+    pub coupling: Vec<f64>,
+    /// Seconds spent on the mesh and on the elastic operator.
+    pub seconds: (f64, f64),
+}
+
+/// Dimensionless elastic constants of one body: E/(R p_h/a) and ν.
+pub type BodyConstants = (f64, f64);
+
+impl Discretisation {
+    /// Meshes the body and factorises its elastic response.
+    ///
+    /// # Errors
+    /// When meshing or factorisation fails.
+    pub fn new(
+        kind: ContactKind,
+        extents: &Extents,
+        sizes: &LevelSizes,
+        pressure_order: usize,
+        elastic_order: usize,
+        bodies: &[BodyConstants],
+    ) -> Result<Discretisation, DiscretisationError> {
+        let start = Instant::now();
+        let body = body_mesh(&body_params(kind, extents), &|x| {
+            size_at(kind, extents, sizes, x)
+        })?;
+        let mesh_seconds = start.elapsed().as_secs_f64();
+        let start = Instant::now();
+        let contact = body.contact_mesh();
+        let surface = contact.mesh;
+        let deflection = Space::new(&surface, elastic_order);
+        let body_space = BodySpace::new(&body, &surface, &contact.body_vertices, &deflection);
+        let mut elastic = ElasticOperator { bodies: Vec::new() };
+        for &(modulus, poissons_ratio) in bodies {
+            let stiffness = body_space.factorise(&body, poissons_ratio)?;
+            elastic.bodies.push(ElasticBody {
+                stiffness,
+                modulus,
+                poissons_ratio,
+            });
+        }
+        let operator_seconds = start.elapsed().as_secs_f64();
+
+        let pressure = Space::new(&surface, pressure_order);
+        let mut n_pressure = 0;
+        let pressure_dofs: Vec<u32> = pressure
+            .points
+            .iter()
+            .map(|p| {
+                if on_edge(kind, extents, *p) {
+                    CONSTRAINED
+                } else {
+                    n_pressure += 1;
+                    n_pressure as u32 - 1
+                }
+            })
+            .collect();
+        let maps: Vec<Affine> = (0..surface.n_cells())
+            .map(|c| Affine::new(&surface, c))
+            .collect();
+        let rule = Quadrature::simplex(surface.dim, 2 * pressure_order.max(2) + 2);
+        let pressure_table = pressure.element.tabulate(&rule);
+        let deflection_table = deflection.element.tabulate(&rule);
+        let (n, m) = (pressure_table.n_nodes, deflection_table.n_nodes);
+        let mut load = vec![0.0; n_pressure];
+        let mut coupling = vec![0.0; maps.len() * n * m];
+        for (c, map) in maps.iter().enumerate() {
+            let block = &mut coupling[c * n * m..(c + 1) * n * m];
+            for (q, weight) in rule.weights.iter().enumerate() {
+                let w = weight * map.determinant;
+                for (j, node) in pressure.nodes_of(c).iter().enumerate() {
+                    let v = w * pressure_table.values[q * n + j];
+                    let dof = pressure_dofs[*node as usize];
+                    if dof != CONSTRAINED {
+                        load[dof as usize] += v;
+                    }
+                    for i in 0..m {
+                        block[i * n + j] += v * deflection_table.values[q * m + i];
+                    }
+                }
+            }
+        }
+        let element_sizes = maps
+            .iter()
+            .map(|m| {
+                if surface.dim == 1 {
+                    m.determinant
+                } else {
+                    m.determinant.sqrt()
+                }
+            })
+            .collect();
+        Ok(Discretisation {
+            kind,
+            body,
+            body_space,
+            locator: Locator::new(&surface),
+            surface,
+            pressure,
+            pressure_dofs,
+            n_pressure,
+            deflection,
+            elastic,
+            maps,
+            sizes: element_sizes,
+            rule,
+            pressure_table,
+            deflection_table,
+            load,
+            coupling,
+            seconds: (mesh_seconds, operator_seconds),
+        })
+    }
+
+    /// Nodal loads ∫P N_δ of nodal pressures (all nodes, edge included).
+    pub fn nodal_loads(&self, pressure: &[f64]) -> Vec<f64> {
+        let (n, m) = (self.pressure_table.n_nodes, self.deflection_table.n_nodes);
+        let mut f = vec![0.0; self.deflection.n_nodes()];
+        for c in 0..self.maps.len() {
+            let block = &self.coupling[c * n * m..(c + 1) * n * m];
+            let nodes = self.pressure.nodes_of(c);
+            for (i, target) in self.deflection.nodes_of(c).iter().enumerate() {
+                let mut sum = 0.0;
+                for (j, node) in nodes.iter().enumerate() {
+                    sum += block[i * n + j] * pressure[*node as usize];
+                }
+                f[*target as usize] += sum;
+            }
+        }
+        f
+    }
+
+    /// Deflection of the surface nodes under nodal pressures.
+    pub fn deflect(&self, pressure: &[f64]) -> Vec<f64> {
+        self.elastic.deflect(&self.nodal_loads(pressure))
+    }
+
+    /// ∫P over the contact area.
+    pub fn integral(&self, pressure: &[f64]) -> f64 {
+        self.pressure_dofs
+            .iter()
+            .zip(pressure)
+            .filter(|(d, _)| **d != CONSTRAINED)
+            .map(|(d, p)| self.load[*d as usize] * p)
+            .sum()
+    }
+
+    /// Undeformed gap at a surface point: X²/2 (line), (X² + Y²)/2 (circular).
+    pub fn undeformed_gap(&self, point: [f64; 3]) -> f64 {
+        0.5 * (point[0] * point[0] + point[1] * point[1])
+    }
+}
+
+fn body_params(kind: ContactKind, e: &Extents) -> BodyParams {
+    BodyParams {
+        dim: kind.body_dimension(),
+        x_inlet: e.inlet,
+        x_outlet: e.outlet,
+        y_side: e.side,
+        width: e.body_width,
+        depth: e.body_depth,
+    }
+}
+
+/// Whether a surface point lies where P = 0 is prescribed (not on the symmetry line).
+fn on_edge(kind: ContactKind, e: &Extents, p: [f64; 3]) -> bool {
+    let tiny = 1e-9 * (e.outlet - e.inlet);
+    p[0] < e.inlet + tiny
+        || p[0] > e.outlet - tiny
+        || (kind == ContactKind::Circular && p[1] < -e.side + tiny)
+}
+
+/// Size field: fine under the Hertz zone, finer in a crescent at its outlet side, `edge` on the
+/// rest of the contact area, growing into the body.
+fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {
+    let origin = [0.0; 3];
+    let side = if kind == ContactKind::Circular {
+        e.side
+    } else {
+        0.0
+    };
+    let zones = [
+        SizeZone {
+            zone: Zone::Disc {
+                center: origin,
+                radius: 1.0,
+            },
+            size: s.hertz,
+        },
+        SizeZone {
+            zone: Zone::Arc {
+                center: origin,
+                radius: 0.95,
+                half_width: 0.1,
+                x_min: if kind == ContactKind::Circular {
+                    -0.3
+                } else {
+                    0.5
+                },
+            },
+            size: s.constriction,
+        },
+        SizeZone {
+            zone: Zone::Box {
+                min: [e.inlet, -side, 0.0],
+                max: [e.outlet, 0.0, 0.0],
+            },
+            size: s.edge,
+        },
+    ];
+    let surface = SizeField {
+        zones: zones.to_vec(),
+        growth: s.growth,
+    }
+    .size([x[0], x[1], 0.0]);
+    surface + s.depth_growth * -x[2]
+}

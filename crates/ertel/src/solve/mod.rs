@@ -1,0 +1,80 @@
+//! From a problem to its solution: meshes from coarse to fine, Newton's method on each.
+
+pub mod discretisation;
+pub mod elastic;
+pub mod newton;
+pub mod preconditioner;
+pub mod sequence;
+pub mod system;
+
+use ertel_fem::linear::gmres::GmresError;
+use ertel_fem::linear::lu::LuError;
+
+pub use discretisation::DiscretisationError;
+
+use crate::solution::IterationRecord;
+
+/// Follows a solve; every method has a default that does nothing.
+pub trait Observer {
+    /// A new mesh level begins.
+    fn level(
+        &mut self,
+        _level: usize,
+        _n_levels: usize,
+        _n_pressure: usize,
+        _n_displacement: usize,
+    ) {
+    }
+
+    /// A Newton iteration ended.
+    fn iteration(&mut self, _record: &IterationRecord) {}
+
+    /// Whether the user wants to stop; asked before each Newton iteration.
+    fn cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// Observes nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Silent;
+
+impl Observer for Silent {}
+
+/// A solve failed.
+#[derive(Debug, thiserror::Error)]
+pub enum SolveError {
+    /// Newton's method did not converge.
+    #[error(
+        "no convergence on mesh level {level} after {iterations} Newton iterations: {reason}; \
+         last relative residual {residual:.1e}, last pressure update {update:.1e} p_h, \
+         {:.2} % of the cavitation penalty in force",
+        100.0 * penalty_share
+    )]
+    NotConverged {
+        /// Mesh level, 0 the coarsest.
+        level: usize,
+        /// Newton iterations on this level.
+        iterations: usize,
+        /// Last relative residual.
+        residual: f64,
+        /// Last pressure update over p_h.
+        update: f64,
+        /// Share of the full penalty in force.
+        penalty_share: f64,
+        /// Why it stopped.
+        reason: &'static str,
+    },
+    /// A linear system could not be solved.
+    #[error("linear solver: {0}")]
+    Krylov(#[from] GmresError),
+    /// A factorisation failed.
+    #[error(transparent)]
+    Factorisation(#[from] LuError),
+    /// Mesh or elastic operator failed.
+    #[error(transparent)]
+    Discretisation(#[from] DiscretisationError),
+    /// The observer asked to stop.
+    #[error("interrupted")]
+    Interrupted,
+}

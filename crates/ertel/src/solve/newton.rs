@@ -1,0 +1,420 @@
+//! Newton's method on one level, with steps that know the physics.
+//!
+//! - Falling pressures are updated in the logarithm of viscosity, −ln(1 − dP m)/m with
+//!   m = d ln μ̄/dP: linearly, one step could undo many decades of viscosity.
+//! - Rising pressures are capped at a share of the Hertz pressure.
+//! - The whole step is cut so that no point loses more than half of its film.
+//!
+//! Near the solution none of these acts beyond second order, and convergence is quadratic.
+
+use std::time::Instant;
+
+use ertel_fem::assembly::CONSTRAINED;
+use ertel_fem::linear::gmres::{GmresParams, gmres};
+
+use super::discretisation::Discretisation;
+use super::preconditioner::{NearStiffness, Preconditioner};
+use super::system::{FilmConstants, State, System};
+use super::{Observer, SolveError};
+use crate::film::FilmFluid;
+use crate::post::film::central_film;
+use crate::solution::{IterationRecord, Timings};
+
+/// Settings of one Newton run.
+#[derive(Clone, Copy, Debug)]
+pub struct NewtonParams {
+    /// Largest pressure update, in p_h, at which the run has converged.
+    pub update_tolerance: f64,
+    /// Largest relative residual at which the run has converged.
+    pub residual_tolerance: f64,
+    /// Iterations allowed.
+    pub max_iterations: usize,
+    /// Largest rise of a pressure in one step, in p_h.
+    pub rise_limit: f64,
+    /// Largest share of its film that a point may lose in one step.
+    pub film_loss_limit: f64,
+    /// Growth of the natural level (the next simplified step over this one) beyond which a step
+    /// is halved.
+    pub growth_limit: f64,
+    /// Share of the step below which it is taken as it is.
+    pub smallest_share: f64,
+}
+
+/// Effort of a Newton run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NewtonStats {
+    /// Newton iterations.
+    pub iterations: usize,
+    /// Krylov iterations.
+    pub krylov_iterations: usize,
+    /// Preconditioners factorised.
+    pub factorisations: usize,
+    /// Where the time went.
+    pub seconds: Timings,
+}
+
+/// The film equations of a run.
+#[derive(Clone, Debug)]
+pub struct FilmModel {
+    /// Fluid.
+    pub fluid: FilmFluid,
+    /// Constants of the Reynolds equation.
+    pub constants: FilmConstants,
+}
+
+/// What a run is about, for its records.
+#[derive(Clone, Copy, Debug)]
+pub struct RunLabel {
+    /// Mesh level.
+    pub level: usize,
+    /// Share of the full penalty.
+    pub penalty_share: f64,
+    /// Film scale a²/R, m.
+    pub film_scale: f64,
+}
+
+/// A level with what Newton's method keeps for it.
+pub struct NewtonLevel<'a> {
+    /// The discretisation.
+    pub discretisation: &'a Discretisation,
+    /// Cut-off stiffness of the preconditioner.
+    pub near: NearStiffness,
+    /// Target of ∫P.
+    pub load: f64,
+}
+
+impl<'a> NewtonLevel<'a> {
+    /// Prepares a level.
+    pub fn new(discretisation: &'a Discretisation, load: f64) -> NewtonLevel<'a> {
+        NewtonLevel {
+            discretisation,
+            near: NearStiffness::new(discretisation),
+            load,
+        }
+    }
+
+    /// Iterates until both tolerances hold. `state` is the start, then the solution.
+    ///
+    /// # Errors
+    /// When the iterations run out, the linear solver fails, or the user interrupts.
+    pub fn run(
+        &self,
+        model: &FilmModel,
+        params: &NewtonParams,
+        label: &RunLabel,
+        state: &mut State,
+        stats: &mut NewtonStats,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SolveError> {
+        let mut solver = LinearSolver {
+            level: self,
+            preconditioner: None,
+            stats,
+        };
+        let mut system = solver.assemble(model, state);
+        let mut step = solver.newton_step(&system, state)?;
+        for iteration in 1..=params.max_iterations {
+            if observer.cancelled() {
+                return Err(SolveError::Interrupted);
+            }
+            let residual = system.relative_residual();
+            let update = max_abs(&step.pressure);
+            let stopped = |reason| SolveError::NotConverged {
+                level: label.level,
+                iterations: iteration,
+                residual,
+                update,
+                penalty_share: label.penalty_share,
+                reason,
+            };
+            if !(residual.is_finite() && update.is_finite()) {
+                return Err(stopped("the residual is not finite"));
+            }
+            let converged =
+                update < params.update_tolerance && residual < params.residual_tolerance;
+            let mut share = 1.0;
+            let (next_state, next_system) = loop {
+                let trial = self.advance(model, params, state, &step, &mut share);
+                let trial_system = solver.assemble(model, &trial);
+                if converged {
+                    break (trial, trial_system);
+                }
+                // Natural monotonicity (Deuflhard 2004, section 3.3): the next step, were it
+                // taken with this Jacobian, must not grow.
+                let natural = solver.simplified_step(&system, &trial_system, &trial)?;
+                let growth = rms(&natural.pressure) / rms(&step.pressure);
+                if growth < params.growth_limit || share < params.smallest_share {
+                    break (trial, trial_system);
+                }
+                share *= 0.5;
+            };
+            solver.stats.iterations += 1;
+            *state = next_state;
+            observer.iteration(&IterationRecord {
+                level: label.level,
+                pressure_order: self.discretisation.pressure.element.order(),
+                penalty_share: label.penalty_share,
+                iteration,
+                residual,
+                update,
+                step: share,
+                krylov_iterations: step.krylov_iterations,
+                film_central: label.film_scale * central_film(self.discretisation, state),
+            });
+            if converged {
+                return Ok(());
+            }
+            system = next_system;
+            step = solver.newton_step(&system, state)?;
+            if iteration == params.max_iterations {
+                return Err(stopped("the iterations ran out"));
+            }
+        }
+        unreachable!("the last iteration returns")
+    }
+
+    /// State after a share of the step, kept within the physical limits; `share` is cut when a
+    /// point would lose too much film.
+    fn advance(
+        &self,
+        model: &FilmModel,
+        params: &NewtonParams,
+        state: &State,
+        step: &Step,
+        share: &mut f64,
+    ) -> State {
+        let mut pressure: Vec<f64> = step.pressure.iter().map(|v| *share * v).collect();
+        self.limit_pressures(&model.fluid, state, params, &mut pressure);
+        let deflection = self.discretisation.deflect(&pressure);
+        let separation = *share * step.separation;
+        let cut = self.film_share(state, &deflection, separation, params);
+        *share *= cut;
+        let mut next = state.clone();
+        add(&mut next.pressure, cut, &pressure);
+        add(&mut next.deflection, cut, &deflection);
+        next.rigid_separation += cut * separation;
+        next
+    }
+
+    /// Falling pressures in the logarithm of viscosity, rising ones capped.
+    fn limit_pressures(
+        &self,
+        fluid: &FilmFluid,
+        state: &State,
+        params: &NewtonParams,
+        step: &mut [f64],
+    ) {
+        for (dp, p) in step.iter_mut().zip(&state.pressure) {
+            if *dp < 0.0 {
+                let f = fluid.at(*p);
+                let m = f.viscosity[1] / f.viscosity[0];
+                if m > 0.0 {
+                    *dp = -(-*dp * m).ln_1p() / m;
+                }
+            } else {
+                *dp = dp.min(params.rise_limit);
+            }
+        }
+    }
+
+    /// Largest share of the step, at most 1, that leaves every point enough film.
+    fn film_share(
+        &self,
+        state: &State,
+        deflection_step: &[f64],
+        d_separation: f64,
+        params: &NewtonParams,
+    ) -> f64 {
+        let d = self.discretisation;
+        let m = d.deflection_table.n_nodes;
+        let mut share: f64 = 1.0;
+        for c in 0..d.maps.len() {
+            let nodes = d.deflection.nodes_of(c);
+            for q in 0..d.rule.len() {
+                let (mut h, mut dh) = (state.rigid_separation, d_separation);
+                let mut point = [0.0; 3];
+                for (i, node) in nodes.iter().enumerate() {
+                    let basis = d.deflection_table.values[q * m + i];
+                    h += basis * state.deflection[*node as usize];
+                    dh += basis * deflection_step[*node as usize];
+                    for (x, px) in point.iter_mut().zip(d.deflection.points[*node as usize]) {
+                        *x += basis * px;
+                    }
+                }
+                h += d.undeformed_gap(point);
+                if dh < 0.0 {
+                    share = share.min(params.film_loss_limit * h / -dh);
+                }
+            }
+        }
+        share
+    }
+}
+
+/// Newton step at all pressure nodes and of H0.
+struct Step {
+    pressure: Vec<f64>,
+    separation: f64,
+    krylov_iterations: usize,
+}
+
+/// Solves the bordered linear systems of a run; keeps the preconditioner while it serves.
+struct LinearSolver<'a, 'b> {
+    level: &'a NewtonLevel<'a>,
+    preconditioner: Option<Bordered>,
+    stats: &'b mut NewtonStats,
+}
+
+/// Preconditioner of the bordered system: the factorised sparse part, and its response to a unit
+/// separation by which H0 is eliminated.
+struct Bordered {
+    sparse: Preconditioner,
+    response: Vec<f64>,
+    schur: f64,
+}
+
+/// Krylov iterations above which the preconditioner is made anew.
+const STALE_ITERATIONS: usize = 12;
+
+impl LinearSolver<'_, '_> {
+    fn assemble(&mut self, model: &FilmModel, state: &State) -> System {
+        let clock = Instant::now();
+        let d = self.level.discretisation;
+        let system = System::assemble(d, &model.fluid, &model.constants, state, None);
+        self.stats.seconds.assembly += clock.elapsed().as_secs_f64();
+        system
+    }
+
+    fn refresh(&mut self, system: &System) -> Result<(), SolveError> {
+        let clock = Instant::now();
+        let d = self.level.discretisation;
+        let mut sparse = Preconditioner::new(d, &self.level.near, system)?;
+        let mut response = system.by_separation.clone();
+        sparse.solve(&mut response);
+        let schur = -dot(&d.load, &response);
+        self.preconditioner = Some(Bordered {
+            sparse,
+            response,
+            schur,
+        });
+        self.stats.factorisations += 1;
+        self.stats.seconds.factorisation += clock.elapsed().as_secs_f64();
+        Ok(())
+    }
+
+    /// −J⁻¹F of a system at its own state.
+    fn newton_step(&mut self, system: &System, state: &State) -> Result<Step, SolveError> {
+        let tolerance = (1e-2 * system.relative_residual()).clamp(1e-9, 1e-4);
+        if self.preconditioner.is_some() {
+            let attempt = self.solve(system, system, state, tolerance, 2 * STALE_ITERATIONS);
+            match attempt {
+                Ok(step) if step.krylov_iterations <= STALE_ITERATIONS => return Ok(step),
+                Ok(step) => {
+                    self.preconditioner = None;
+                    return Ok(step);
+                }
+                Err(_) => {}
+            }
+        }
+        self.refresh(system)?;
+        self.solve(system, system, state, tolerance, 200)
+    }
+
+    /// −J⁻¹F with the Jacobian of `jacobian` and the residual of `system`, coarsely.
+    fn simplified_step(
+        &mut self,
+        jacobian: &System,
+        system: &System,
+        state: &State,
+    ) -> Result<Step, SolveError> {
+        if self.preconditioner.is_none() {
+            self.refresh(jacobian)?;
+        }
+        self.solve(jacobian, system, state, 1e-2, 200)
+    }
+
+    fn solve(
+        &mut self,
+        jacobian: &System,
+        system: &System,
+        state: &State,
+        tolerance: f64,
+        max_iterations: usize,
+    ) -> Result<Step, SolveError> {
+        let clock = Instant::now();
+        let d = self.level.discretisation;
+        let n = d.n_pressure;
+        let bordered = self.preconditioner.as_mut().expect("refreshed before");
+        // The load row is scaled like the residual: one number stands for the whole contact.
+        let row_scale = jacobian.residual_scale / self.level.load;
+        let mut rhs: Vec<f64> = system.residual.iter().map(|v| -v).collect();
+        rhs.push(row_scale * (self.level.load - d.integral(&state.pressure)));
+        let mut nodal = vec![0.0; d.pressure.n_nodes()];
+        let apply = |x: &[f64], y: &mut [f64]| {
+            scatter(d, &x[..n], &mut nodal);
+            jacobian.multiply(d, &nodal, &mut y[..n]);
+            for (yi, b) in y[..n].iter_mut().zip(&jacobian.by_separation) {
+                *yi += b * x[n];
+            }
+            y[n] = row_scale * dot(&d.load, &x[..n]);
+        };
+        let precondition = |x: &mut [f64]| {
+            let (pressures, separation) = x.split_at_mut(n);
+            bordered.sparse.solve(pressures);
+            let h = (separation[0] / row_scale - dot(&d.load, pressures)) / bordered.schur;
+            for (p, r) in pressures.iter_mut().zip(&bordered.response) {
+                *p -= h * r;
+            }
+            separation[0] = h;
+        };
+        let mut x = vec![0.0; n + 1];
+        let info = gmres(
+            apply,
+            precondition,
+            &rhs,
+            &mut x,
+            GmresParams {
+                tolerance,
+                max_iterations,
+            },
+        )?;
+        self.stats.krylov_iterations += info.iterations;
+        self.stats.seconds.krylov += clock.elapsed().as_secs_f64();
+        let mut pressure = vec![0.0; d.pressure.n_nodes()];
+        scatter(d, &x[..n], &mut pressure);
+        Ok(Step {
+            pressure,
+            separation: x[n],
+            krylov_iterations: info.iterations,
+        })
+    }
+}
+
+/// Values of the unknowns at their nodes, zero on the edge.
+fn scatter(d: &Discretisation, unknowns: &[f64], nodal: &mut [f64]) {
+    for (value, dof) in nodal.iter_mut().zip(&d.pressure_dofs) {
+        *value = if *dof == CONSTRAINED {
+            0.0
+        } else {
+            unknowns[*dof as usize]
+        };
+    }
+}
+
+fn add(x: &mut [f64], factor: f64, dx: &[f64]) {
+    for (a, b) in x.iter_mut().zip(dx) {
+        *a += factor * b;
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn rms(v: &[f64]) -> f64 {
+    (dot(v, v) / v.len() as f64).sqrt()
+}
+
+fn max_abs(v: &[f64]) -> f64 {
+    v.iter().fold(0.0, |m, x| m.max(x.abs()))
+}

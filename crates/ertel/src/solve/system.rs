@@ -1,0 +1,246 @@
+//! Residual and Jacobian of the film equations on one level, and products with the Jacobian.
+//!
+//! ```text
+//!   unknowns (P, H0); deflection δ = C M P eliminated, C the condensed compliance
+//!
+//!   | R_P + R_δ C M   r_0 | | dP  |     | R            |
+//!   | cᵀ               0  | | dH0 | = − | cᵀP − load   |
+//! ```
+//! This is Newton's method on the whole coupled system (Habchi 2008, eq. 3.22): the elastic
+//! equations are linear, so eliminating U from each step changes nothing but the cost.
+
+use ertel_fem::assembly::CONSTRAINED;
+use nalgebra::SVector;
+use num_dual::{Derivative, DualSVec64};
+use rayon::prelude::*;
+
+use super::discretisation::Discretisation;
+use crate::film::FilmFluid;
+use crate::forms::reynolds::{ElementConstants, PointState, reynolds_point};
+use crate::params::{Formulation, PenaltyScaling};
+
+type Dual = DualSVec64<7>;
+
+/// Coefficients of the Reynolds equation that do not vary over a level.
+#[derive(Clone, Copy, Debug)]
+pub struct FilmConstants {
+    /// λ.
+    pub lambda: f64,
+    /// Galerkin, SUPG or GLS.
+    pub formulation: Formulation,
+    /// ρ_id.
+    pub isotropic_diffusion: f64,
+    /// ξ₀ in force.
+    pub penalty: f64,
+    /// Its scaling.
+    pub penalty_scaling: PenaltyScaling,
+}
+
+impl FilmConstants {
+    fn on_element(&self, size: f64, order: usize) -> ElementConstants {
+        let penalty = match self.penalty_scaling {
+            PenaltyScaling::ElementSquared => self.penalty * size * size,
+            PenaltyScaling::Constant => self.penalty,
+            PenaltyScaling::InverseElementSquared => self.penalty / (size * size),
+        };
+        ElementConstants {
+            lambda: self.lambda,
+            size,
+            order,
+            penalty,
+            formulation: self.formulation,
+            isotropic_diffusion: self.isotropic_diffusion,
+        }
+    }
+}
+
+/// State of the contact on a level.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// Pressure at every pressure node (zero on the edge).
+    pub pressure: Vec<f64>,
+    /// Deflection at every deflection node.
+    pub deflection: Vec<f64>,
+    /// Film constant H0.
+    pub rigid_separation: f64,
+}
+
+/// Linearised film equations.
+pub struct System {
+    /// Reynolds residual of each pressure unknown.
+    pub residual: Vec<f64>,
+    /// √Σ of the entrainment share of the residual: its scale.
+    pub residual_scale: f64,
+    /// ∂R/∂H0.
+    pub by_separation: Vec<f64>,
+    /// Element blocks, row-major: pressure node by (pressure nodes, then deflection nodes).
+    pub blocks: Vec<f64>,
+}
+
+impl System {
+    /// Evaluates residual and Jacobian. `source(x, y)` is f of the manufactured solutions.
+    pub fn assemble(
+        d: &Discretisation,
+        fluid: &FilmFluid,
+        constants: &FilmConstants,
+        state: &State,
+        source: Option<&(dyn Fn([f64; 3]) -> f64 + Sync)>,
+    ) -> System {
+        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+        let width = n + m + 3; // pressure, deflection | H0, residual, entrainment
+        let mut local = vec![0.0; d.maps.len() * n * width];
+        local
+            .par_chunks_mut(n * width)
+            .enumerate()
+            .for_each(|(c, out)| {
+                element(d, fluid, constants, state, source, c, out);
+            });
+        let mut system = System {
+            residual: vec![0.0; d.n_pressure],
+            residual_scale: 0.0,
+            by_separation: vec![0.0; d.n_pressure],
+            blocks: vec![0.0; d.maps.len() * n * (n + m)],
+        };
+        let mut entrainment = vec![0.0; d.n_pressure];
+        for c in 0..d.maps.len() {
+            for (i, node) in d.pressure.nodes_of(c).iter().enumerate() {
+                let row = &local[(c * n + i) * width..(c * n + i + 1) * width];
+                let dof = d.pressure_dofs[*node as usize];
+                if dof != CONSTRAINED {
+                    system.by_separation[dof as usize] += row[n + m];
+                    system.residual[dof as usize] += row[n + m + 1];
+                    entrainment[dof as usize] += row[n + m + 2];
+                    let start = (c * n + i) * (n + m);
+                    system.blocks[start..start + n + m].copy_from_slice(&row[..n + m]);
+                }
+            }
+        }
+        system.residual_scale = norm(&entrainment);
+        system
+    }
+
+    /// Reynolds residual relative to the entrained flow.
+    pub fn relative_residual(&self) -> f64 {
+        norm(&self.residual) / self.residual_scale
+    }
+
+    /// y = (R_P + R_δ C M) x for pressures x at every node.
+    pub fn multiply(&self, d: &Discretisation, pressure: &[f64], y: &mut [f64]) {
+        let deflection = d.deflect(pressure);
+        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+        y.fill(0.0);
+        for c in 0..d.maps.len() {
+            let nodes = d.pressure.nodes_of(c);
+            let below = d.deflection.nodes_of(c);
+            for (i, node) in nodes.iter().enumerate() {
+                let dof = d.pressure_dofs[*node as usize];
+                if dof == CONSTRAINED {
+                    continue;
+                }
+                let start = (c * n + i) * (n + m);
+                let row = &self.blocks[start..start + n + m];
+                let mut sum = 0.0;
+                for (v, j) in row[..n].iter().zip(nodes) {
+                    sum += v * pressure[*j as usize];
+                }
+                for (v, j) in row[n..].iter().zip(below) {
+                    sum += v * deflection[*j as usize];
+                }
+                y[dof as usize] += sum;
+            }
+        }
+    }
+}
+
+/// Adds one element's rows: [∂R/∂P | ∂R/∂δ | ∂R/∂H0 | R | entrainment] for each pressure node.
+fn element(
+    d: &Discretisation,
+    fluid: &FilmFluid,
+    constants: &FilmConstants,
+    state: &State,
+    source: Option<&(dyn Fn([f64; 3]) -> f64 + Sync)>,
+    c: usize,
+    out: &mut [f64],
+) {
+    let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+    let width = n + m + 3;
+    let map = &d.maps[c];
+    let local = constants.on_element(d.sizes[c], d.pressure.element.order());
+    let p_nodes = d.pressure.nodes_of(c);
+    let w_nodes = d.deflection.nodes_of(c);
+    let mut p_basis = vec![[0.0; 4]; n]; // N, N_x, N_y, ΔN
+    let mut w_basis = vec![[0.0; 3]; m]; // N, N_x, N_y
+    for (q, weight) in d.rule.weights.iter().enumerate() {
+        let mut p = [0.0; 4];
+        for (j, basis) in p_basis.iter_mut().enumerate() {
+            let g = map.gradient(d.pressure_table.gradients[q * n + j]);
+            let laplacian = map.laplacian(&d.pressure_table.hessians[q * n + j]);
+            *basis = [d.pressure_table.values[q * n + j], g[0], g[1], laplacian];
+            let value = state.pressure[p_nodes[j] as usize];
+            for (a, b) in p.iter_mut().zip(*basis) {
+                *a += value * b;
+            }
+        }
+        let mut point = [0.0; 3];
+        let mut w = [0.0; 3];
+        for (j, basis) in w_basis.iter_mut().enumerate() {
+            let node = w_nodes[j] as usize;
+            let g = map.gradient(d.deflection_table.gradients[q * m + j]);
+            *basis = [d.deflection_table.values[q * m + j], g[0], g[1]];
+            for (a, b) in w.iter_mut().zip(*basis) {
+                *a += state.deflection[node] * b;
+            }
+            for (x, px) in point.iter_mut().zip(d.deflection.points[node]) {
+                *x += basis[0] * px;
+            }
+        }
+        let dual = |value: f64, k: usize| {
+            Dual::new(
+                value,
+                Derivative::some(SVector::from_fn(|i, _| if i == k { 1.0 } else { 0.0 })),
+            )
+        };
+        let h = state.rigid_separation + d.undeformed_gap(point) + w[0];
+        let s = PointState {
+            pressure: dual(p[0], 0),
+            pressure_gradient: [dual(p[1], 1), dual(p[2], 2)],
+            pressure_laplacian: dual(p[3], 3),
+            film: dual(h, 4),
+            film_gradient: [dual(point[0] + w[1], 5), dual(point[1] + w[2], 6)],
+        };
+        let fluid = fluid.at(p[0]);
+        let f = source.map_or(0.0, |f| f(point));
+        let t = reynolds_point(&s, &fluid, &local, f);
+        let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian];
+        let scale = weight * map.determinant;
+        let value = test.map(|v| scale * v.re);
+        let slopes = test.map(|v| {
+            let e = v
+                .eps
+                .unwrap_generic(nalgebra::Const::<7>, nalgebra::Const::<1>);
+            std::array::from_fn::<f64, 7, _>(|k| scale * e[k])
+        });
+        let entrainment = scale * fluid.density[0] * h;
+        for i in 0..n {
+            let test = p_basis[i];
+            let row = &mut out[i * width..(i + 1) * width];
+            let mut by: [f64; 7] = [0.0; 7];
+            for (k, b) in by.iter_mut().enumerate() {
+                *b = (0..4).map(|a| test[a] * slopes[a][k]).sum();
+            }
+            for (r, b) in row[..n].iter_mut().zip(&p_basis) {
+                *r += by[0] * b[0] + by[1] * b[1] + by[2] * b[2] + by[3] * b[3];
+            }
+            for (r, b) in row[n..n + m].iter_mut().zip(&w_basis) {
+                *r += by[4] * b[0] + by[5] * b[1] + by[6] * b[2];
+            }
+            row[n + m] += by[4];
+            row[n + m + 1] += (0..4).map(|a| test[a] * value[a]).sum::<f64>();
+            row[n + m + 2] += test[1] * entrainment;
+        }
+    }
+}
+
+fn norm(v: &[f64]) -> f64 {
+    v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
