@@ -10,5 +10,6 @@ pub mod output;
 pub mod params;
 pub mod post;
 pub mod reference;
+pub mod run;
 pub mod solution;
 pub mod solve;

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
+use crate::contact::ContactKind;
+
 /// Mesh density presets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -28,12 +30,14 @@ pub struct MeshParams {
     pub constriction_size: f64,
     /// Cell size at the edge of the contact area (inlet and outlet regions).
     pub edge_size: f64,
-    /// Growth of the cell size per distance, away from the contact and in depth.
+    /// Growth of the cell size per distance along the surface.
     pub growth: f64,
-    /// Width of the elastic body (x extent; half of it in y), and its depth.
-    pub body_width: f64,
-    /// Depth of the elastic body.
-    pub body_depth: f64,
+    /// Growth of the cell size per depth.
+    pub depth_growth: f64,
+    /// Width of the elastic body (x extent; half of it in y); `None`: 60, more for thick films.
+    pub body_width: Option<f64>,
+    /// Depth of the elastic body; `None`: likewise.
+    pub body_depth: Option<f64>,
     /// Inlet edge of the contact area, X < −1; `None`: chosen from the film that formulas predict.
     pub inlet: Option<f64>,
     /// Outlet edge of the contact area, X > 1; `None`: chosen likewise.
@@ -47,33 +51,31 @@ pub struct MeshParams {
 }
 
 impl MeshParams {
-    /// Sizes of a preset.
-    pub fn preset(preset: MeshPreset) -> MeshParams {
-        let (hertz_size, constriction_size) = match preset {
-            MeshPreset::Coarse => (0.2, 0.1),
-            MeshPreset::Normal => (0.1, 0.05),
-            MeshPreset::Fine => (0.08, 0.025),
+    /// Sizes of a preset; a line contact affords much finer cells.
+    pub fn preset(preset: MeshPreset, kind: ContactKind) -> MeshParams {
+        let (hertz_size, constriction_size) = match (kind, preset) {
+            (ContactKind::Circular, MeshPreset::Coarse) => (0.2, 0.1),
+            (ContactKind::Circular, MeshPreset::Normal) => (0.1, 0.05),
+            (ContactKind::Circular, MeshPreset::Fine) => (0.1, 0.025),
+            (ContactKind::Line, MeshPreset::Coarse) => (0.05, 0.02),
+            (ContactKind::Line, MeshPreset::Normal) => (0.02, 0.005),
+            (ContactKind::Line, MeshPreset::Fine) => (0.01, 0.002),
         };
         MeshParams {
             preset,
             hertz_size,
             constriction_size,
             edge_size: 0.5,
-            growth: 0.5,
-            body_width: 60.0,
-            body_depth: 60.0,
+            growth: 0.9,
+            depth_growth: 0.9,
+            body_width: None,
+            body_depth: None,
             inlet: None,
             outlet: None,
             side: None,
             pressure_order: 3,
             elastic_order: 2,
         }
-    }
-}
-
-impl Default for MeshParams {
-    fn default() -> Self {
-        MeshParams::preset(MeshPreset::default())
     }
 }
 
@@ -84,9 +86,9 @@ pub enum Formulation {
     /// Standard Galerkin.
     Galerkin,
     /// Streamline-upwind Petrov-Galerkin, eq. 3.15.
-    #[default]
     Supg,
     /// Galerkin least squares, eq. 3.16.
+    #[default]
     Gls,
 }
 
@@ -154,7 +156,7 @@ impl Default for SolverParams {
         SolverParams {
             formulation: Formulation::default(),
             isotropic_diffusion: 0.0,
-            penalty: 1e6,
+            penalty: 1e4,
             penalty_scaling: PenaltyScaling::default(),
             elasticity: ElasticModel::default(),
             linear: LinearSolver::default(),

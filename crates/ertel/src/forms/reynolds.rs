@@ -147,7 +147,7 @@ fn upwind<D: DualNum<Primitive = f64> + Copy>(peclet: D) -> D {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
-    use num_dual::{Dual64, DualNum};
+    use num_dual::Dual64;
 
     fn constants(formulation: Formulation) -> ElementConstants {
         ElementConstants {

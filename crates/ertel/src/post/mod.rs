@@ -1,4 +1,6 @@
 //! Figures and fields from a converged state.
 
-pub mod film;
+pub mod balance;
+pub mod fields;
 pub mod profile;
+pub mod summary;

@@ -1,5 +1,6 @@
 //! One mesh level: meshes, spaces, elastic operator and everything that Newton's method reuses.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use ertel_fem::assembly::CONSTRAINED;
@@ -56,24 +57,20 @@ pub enum DiscretisationError {
     Elastic(#[from] CholeskyError),
 }
 
-/// A level of the discretisation.
-pub struct Discretisation {
+/// Mesh of one level with its elastic response; pressure spaces of any order stand on it.
+pub struct ContactBody {
     /// Line or circular.
     pub kind: ContactKind,
+    /// Contact area and body.
+    pub extents: Extents,
     /// Body with its boundary facets.
     pub body: BodyMesh,
     /// Displacement space of the body.
-    pub body_space: BodySpace,
+    pub space: BodySpace,
     /// Contact area.
     pub surface: SimplexMesh,
     /// Finds the element under a point of it.
     pub locator: Locator,
-    /// Pressure nodes.
-    pub pressure: Space,
-    /// Pressure unknown of each node, or `CONSTRAINED` on the edge of the contact area.
-    pub pressure_dofs: Vec<u32>,
-    /// Number of pressure unknowns.
-    pub n_pressure: usize,
     /// Deflection nodes of the contact area.
     pub deflection: Space,
     /// Elastic response.
@@ -82,6 +79,89 @@ pub struct Discretisation {
     pub maps: Vec<Affine>,
     /// Size h_e of each element: √(2 area), the leg of a right isosceles triangle, or length.
     pub sizes: Vec<f64>,
+    /// Seconds spent on the mesh and on the elastic operator.
+    pub seconds: (f64, f64),
+}
+
+/// Dimensionless elastic constants of one body: E/(R p_h/a) and ν.
+pub type BodyConstants = (f64, f64);
+
+impl ContactBody {
+    /// Meshes the body and factorises its elastic response.
+    ///
+    /// # Errors
+    /// When meshing or factorisation fails.
+    pub fn new(
+        kind: ContactKind,
+        extents: &Extents,
+        sizes: &LevelSizes,
+        elastic_order: usize,
+        bodies: &[BodyConstants],
+    ) -> Result<ContactBody, DiscretisationError> {
+        let start = Instant::now();
+        let body = body_mesh(&body_params(kind, extents), &|x| size_at(kind, extents, sizes, x))?;
+        let mesh_seconds = start.elapsed().as_secs_f64();
+        let start = Instant::now();
+        let contact = body.contact_mesh();
+        let surface = contact.mesh;
+        let deflection = Space::new(&surface, elastic_order);
+        let space = BodySpace::new(&body, &surface, &contact.body_vertices, &deflection);
+        let mut elastic = ElasticOperator { bodies: Vec::new() };
+        for &(modulus, poissons_ratio) in bodies {
+            let stiffness = space.factorise(&body, poissons_ratio)?;
+            elastic.bodies.push(ElasticBody { stiffness, modulus, poissons_ratio });
+        }
+        let operator_seconds = start.elapsed().as_secs_f64();
+        let maps: Vec<Affine> = (0..surface.n_cells()).map(|c| Affine::new(&surface, c)).collect();
+        let element_sizes = maps
+            .iter()
+            .map(|m| if surface.dim == 1 { m.determinant } else { m.determinant.sqrt() })
+            .collect();
+        Ok(ContactBody {
+            kind,
+            extents: *extents,
+            body,
+            space,
+            locator: Locator::new(&surface),
+            surface,
+            deflection,
+            elastic,
+            maps,
+            sizes: element_sizes,
+            seconds: (mesh_seconds, operator_seconds),
+        })
+    }
+
+    /// Undeformed gap at a surface point: X²/2 (line), (X² + Y²)/2 (circular).
+    pub fn undeformed_gap(&self, point: [f64; 3]) -> f64 {
+        0.5 * (point[0] * point[0] + point[1] * point[1])
+    }
+
+    /// (X, Y) of reference coordinates in an element.
+    pub fn point(&self, element: usize, xi: [f64; 3]) -> [f64; 2] {
+        let v = |k: usize| self.surface.vertices[self.surface.cell(element)[k] as usize];
+        let origin = v(0);
+        [0, 1].map(|a| {
+            origin[a] + (1..=self.surface.dim).map(|k| xi[k - 1] * (v(k)[a] - origin[a])).sum::<f64>()
+        })
+    }
+
+    /// Number of elements on the contact area.
+    pub fn n_elements(&self) -> usize {
+        self.maps.len()
+    }
+}
+
+/// Pressure space on a contact body, and everything that Newton's method reuses.
+pub struct Discretisation {
+    /// Mesh and elastic response.
+    pub contact: Arc<ContactBody>,
+    /// Pressure nodes.
+    pub pressure: Space,
+    /// Pressure unknown of each node, or `CONSTRAINED` on the edge of the contact area.
+    pub pressure_dofs: Vec<u32>,
+    /// Number of pressure unknowns.
+    pub n_pressure: usize,
     /// Quadrature rule of the film equations.
     pub rule: Quadrature,
     /// Pressure shape functions at its points.
@@ -92,54 +172,19 @@ pub struct Discretisation {
     pub load: Vec<f64>,
     /// Element matrices ∫N_δ N_P, row-major, deflection by pressure node.
     pub coupling: Vec<f64>,
-    /// Seconds spent on the mesh and on the elastic operator.
-    pub seconds: (f64, f64),
 }
 
-/// Dimensionless elastic constants of one body: E/(R p_h/a) and ν.
-pub type BodyConstants = (f64, f64);
-
 impl Discretisation {
-    /// Meshes the body and factorises its elastic response.
-    ///
-    /// # Errors
-    /// When meshing or factorisation fails.
-    pub fn new(
-        kind: ContactKind,
-        extents: &Extents,
-        sizes: &LevelSizes,
-        pressure_order: usize,
-        elastic_order: usize,
-        bodies: &[BodyConstants],
-    ) -> Result<Discretisation, DiscretisationError> {
-        let start = Instant::now();
-        let body = body_mesh(&body_params(kind, extents), &|x| {
-            size_at(kind, extents, sizes, x)
-        })?;
-        let mesh_seconds = start.elapsed().as_secs_f64();
-        let start = Instant::now();
-        let contact = body.contact_mesh();
-        let surface = contact.mesh;
-        let deflection = Space::new(&surface, elastic_order);
-        let body_space = BodySpace::new(&body, &surface, &contact.body_vertices, &deflection);
-        let mut elastic = ElasticOperator { bodies: Vec::new() };
-        for &(modulus, poissons_ratio) in bodies {
-            let stiffness = body_space.factorise(&body, poissons_ratio)?;
-            elastic.bodies.push(ElasticBody {
-                stiffness,
-                modulus,
-                poissons_ratio,
-            });
-        }
-        let operator_seconds = start.elapsed().as_secs_f64();
-
-        let pressure = Space::new(&surface, pressure_order);
+    /// Pressure space of the given order on the contact area of a body.
+    pub fn new(contact: &Arc<ContactBody>, pressure_order: usize) -> Discretisation {
+        let surface = &contact.surface;
+        let pressure = Space::new(surface, pressure_order);
         let mut n_pressure = 0;
         let pressure_dofs: Vec<u32> = pressure
             .points
             .iter()
             .map(|p| {
-                if on_edge(kind, extents, *p) {
+                if on_edge(contact.kind, &contact.extents, *p) {
                     CONSTRAINED
                 } else {
                     n_pressure += 1;
@@ -147,16 +192,14 @@ impl Discretisation {
                 }
             })
             .collect();
-        let maps: Vec<Affine> = (0..surface.n_cells())
-            .map(|c| Affine::new(&surface, c))
-            .collect();
+        // ε∇P·∇W has degree 2k − 2 and H³ six more; viscosity makes it no polynomial at all.
         let rule = Quadrature::simplex(surface.dim, 2 * pressure_order.max(2) + 2);
         let pressure_table = pressure.element.tabulate(&rule);
-        let deflection_table = deflection.element.tabulate(&rule);
+        let deflection_table = contact.deflection.element.tabulate(&rule);
         let (n, m) = (pressure_table.n_nodes, deflection_table.n_nodes);
         let mut load = vec![0.0; n_pressure];
-        let mut coupling = vec![0.0; maps.len() * n * m];
-        for (c, map) in maps.iter().enumerate() {
+        let mut coupling = vec![0.0; contact.n_elements() * n * m];
+        for (c, map) in contact.maps.iter().enumerate() {
             let block = &mut coupling[c * n * m..(c + 1) * n * m];
             for (q, weight) in rule.weights.iter().enumerate() {
                 let w = weight * map.determinant;
@@ -172,46 +215,27 @@ impl Discretisation {
                 }
             }
         }
-        let element_sizes = maps
-            .iter()
-            .map(|m| {
-                if surface.dim == 1 {
-                    m.determinant
-                } else {
-                    m.determinant.sqrt()
-                }
-            })
-            .collect();
-        Ok(Discretisation {
-            kind,
-            body,
-            body_space,
-            locator: Locator::new(&surface),
-            surface,
+        Discretisation {
+            contact: Arc::clone(contact),
             pressure,
             pressure_dofs,
             n_pressure,
-            deflection,
-            elastic,
-            maps,
-            sizes: element_sizes,
             rule,
             pressure_table,
             deflection_table,
             load,
             coupling,
-            seconds: (mesh_seconds, operator_seconds),
-        })
+        }
     }
 
     /// Nodal loads ∫P N_δ of nodal pressures (all nodes, edge included).
     pub fn nodal_loads(&self, pressure: &[f64]) -> Vec<f64> {
         let (n, m) = (self.pressure_table.n_nodes, self.deflection_table.n_nodes);
-        let mut f = vec![0.0; self.deflection.n_nodes()];
-        for c in 0..self.maps.len() {
+        let mut f = vec![0.0; self.contact.deflection.n_nodes()];
+        for c in 0..self.contact.n_elements() {
             let block = &self.coupling[c * n * m..(c + 1) * n * m];
             let nodes = self.pressure.nodes_of(c);
-            for (i, target) in self.deflection.nodes_of(c).iter().enumerate() {
+            for (i, target) in self.contact.deflection.nodes_of(c).iter().enumerate() {
                 let mut sum = 0.0;
                 for (j, node) in nodes.iter().enumerate() {
                     sum += block[i * n + j] * pressure[*node as usize];
@@ -224,7 +248,7 @@ impl Discretisation {
 
     /// Deflection of the surface nodes under nodal pressures.
     pub fn deflect(&self, pressure: &[f64]) -> Vec<f64> {
-        self.elastic.deflect(&self.nodal_loads(pressure))
+        self.contact.elastic.deflect(&self.nodal_loads(pressure))
     }
 
     /// ∫P over the contact area.
@@ -235,11 +259,6 @@ impl Discretisation {
             .filter(|(d, _)| **d != CONSTRAINED)
             .map(|(d, p)| self.load[*d as usize] * p)
             .sum()
-    }
-
-    /// Undeformed gap at a surface point: X²/2 (line), (X² + Y²)/2 (circular).
-    pub fn undeformed_gap(&self, point: [f64; 3]) -> f64 {
-        0.5 * (point[0] * point[0] + point[1] * point[1])
     }
 }
 

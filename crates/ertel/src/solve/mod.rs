@@ -2,6 +2,8 @@
 
 pub mod discretisation;
 pub mod elastic;
+pub mod evaluate;
+pub mod monolithic;
 pub mod newton;
 pub mod preconditioner;
 pub mod sequence;

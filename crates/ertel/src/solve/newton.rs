@@ -13,11 +13,13 @@ use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::gmres::{GmresParams, gmres};
 
 use super::discretisation::Discretisation;
+use super::monolithic::{BodyMatrices, Monolithic};
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{FilmConstants, State, System};
 use super::{Observer, SolveError};
 use crate::film::FilmFluid;
-use crate::post::film::central_film;
+use crate::params::LinearSolver;
+use crate::solve::evaluate::central_film;
 use crate::solution::{IterationRecord, Timings};
 
 /// Settings of one Newton run.
@@ -38,6 +40,20 @@ pub struct NewtonParams {
     pub growth_limit: f64,
     /// Share of the step below which it is taken as it is.
     pub smallest_share: f64,
+}
+
+impl Default for NewtonParams {
+    fn default() -> Self {
+        NewtonParams {
+            update_tolerance: 1e-8,
+            residual_tolerance: 1e-8,
+            max_iterations: 60,
+            rise_limit: 0.2,
+            film_loss_limit: 0.5,
+            growth_limit: 1.5,
+            smallest_share: 0.01,
+        }
+    }
 }
 
 /// Effort of a Newton run.
@@ -77,20 +93,24 @@ pub struct RunLabel {
 pub struct NewtonLevel<'a> {
     /// The discretisation.
     pub discretisation: &'a Discretisation,
-    /// Cut-off stiffness of the preconditioner.
-    pub near: NearStiffness,
+    /// How its linear systems are solved.
+    method: Method,
     /// Target of ∫P.
     pub load: f64,
 }
 
 impl<'a> NewtonLevel<'a> {
     /// Prepares a level.
-    pub fn new(discretisation: &'a Discretisation, load: f64) -> NewtonLevel<'a> {
-        NewtonLevel {
-            discretisation,
-            near: NearStiffness::new(discretisation),
-            load,
-        }
+    pub fn new(
+        discretisation: &'a Discretisation,
+        load: f64,
+        solver: LinearSolver,
+    ) -> NewtonLevel<'a> {
+        let method = match solver {
+            LinearSolver::Condensed => Method::Condensed(NearStiffness::new(discretisation)),
+            LinearSolver::Monolithic => Method::Monolithic(BodyMatrices::new(discretisation)),
+        };
+        NewtonLevel { discretisation, method, load }
     }
 
     /// Iterates until both tolerances hold. `state` is the start, then the solution.
@@ -106,11 +126,7 @@ impl<'a> NewtonLevel<'a> {
         stats: &mut NewtonStats,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
-        let mut solver = LinearSolver {
-            level: self,
-            preconditioner: None,
-            stats,
-        };
+        let mut solver = StepSolver { level: self, factors: None, stats };
         let mut system = solver.assemble(model, state);
         let mut step = solver.newton_step(&system, state)?;
         for iteration in 1..=params.max_iterations {
@@ -164,11 +180,11 @@ impl<'a> NewtonLevel<'a> {
             if converged {
                 return Ok(());
             }
-            system = next_system;
-            step = solver.newton_step(&system, state)?;
             if iteration == params.max_iterations {
                 return Err(stopped("the iterations ran out"));
             }
+            system = next_system;
+            step = solver.newton_step(&system, state)?;
         }
         unreachable!("the last iteration returns")
     }
@@ -228,8 +244,8 @@ impl<'a> NewtonLevel<'a> {
         let d = self.discretisation;
         let m = d.deflection_table.n_nodes;
         let mut share: f64 = 1.0;
-        for c in 0..d.maps.len() {
-            let nodes = d.deflection.nodes_of(c);
+        for c in 0..d.contact.n_elements() {
+            let nodes = d.contact.deflection.nodes_of(c);
             for q in 0..d.rule.len() {
                 let (mut h, mut dh) = (state.rigid_separation, d_separation);
                 let mut point = [0.0; 3];
@@ -237,11 +253,11 @@ impl<'a> NewtonLevel<'a> {
                     let basis = d.deflection_table.values[q * m + i];
                     h += basis * state.deflection[*node as usize];
                     dh += basis * deflection_step[*node as usize];
-                    for (x, px) in point.iter_mut().zip(d.deflection.points[*node as usize]) {
+                    for (x, px) in point.iter_mut().zip(d.contact.deflection.points[*node as usize]) {
                         *x += basis * px;
                     }
                 }
-                h += d.undeformed_gap(point);
+                h += d.contact.undeformed_gap(point);
                 if dh < 0.0 {
                     share = share.min(params.film_loss_limit * h / -dh);
                 }
@@ -258,10 +274,22 @@ struct Step {
     krylov_iterations: usize,
 }
 
-/// Solves the bordered linear systems of a run; keeps the preconditioner while it serves.
-struct LinearSolver<'a, 'b> {
+/// How the linear systems of a level are solved.
+enum Method {
+    Condensed(NearStiffness),
+    Monolithic(BodyMatrices),
+}
+
+/// What is kept from one linear solve to the next.
+enum Factors {
+    Bordered(Bordered),
+    Monolithic(Monolithic),
+}
+
+/// Solves the linear systems of a run; keeps the factors while they serve.
+struct StepSolver<'a, 'b> {
     level: &'a NewtonLevel<'a>,
-    preconditioner: Option<Bordered>,
+    factors: Option<Factors>,
     stats: &'b mut NewtonStats,
 }
 
@@ -274,9 +302,9 @@ struct Bordered {
 }
 
 /// Krylov iterations above which the preconditioner is made anew.
-const STALE_ITERATIONS: usize = 12;
+const STALE_ITERATIONS: usize = 20;
 
-impl LinearSolver<'_, '_> {
+impl StepSolver<'_, '_> {
     fn assemble(&mut self, model: &FilmModel, state: &State) -> System {
         let clock = Instant::now();
         let d = self.level.discretisation;
@@ -288,14 +316,17 @@ impl LinearSolver<'_, '_> {
     fn refresh(&mut self, system: &System) -> Result<(), SolveError> {
         let clock = Instant::now();
         let d = self.level.discretisation;
-        let mut sparse = Preconditioner::new(d, &self.level.near, system)?;
-        let mut response = system.by_separation.clone();
-        sparse.solve(&mut response);
-        let schur = -dot(&d.load, &response);
-        self.preconditioner = Some(Bordered {
-            sparse,
-            response,
-            schur,
+        self.factors = Some(match &self.level.method {
+            Method::Condensed(near) => {
+                let mut sparse = Preconditioner::new(d, near, system)?;
+                let mut response = system.by_separation.clone();
+                sparse.solve(&mut response);
+                let schur = -dot(&d.load, &response);
+                Factors::Bordered(Bordered { sparse, response, schur })
+            }
+            Method::Monolithic(bodies) => {
+                Factors::Monolithic(Monolithic::new(d, bodies, system)?)
+            }
         });
         self.stats.factorisations += 1;
         self.stats.seconds.factorisation += clock.elapsed().as_secs_f64();
@@ -305,15 +336,12 @@ impl LinearSolver<'_, '_> {
     /// −J⁻¹F of a system at its own state.
     fn newton_step(&mut self, system: &System, state: &State) -> Result<Step, SolveError> {
         let tolerance = (1e-2 * system.relative_residual()).clamp(1e-9, 1e-4);
-        if self.preconditioner.is_some() {
-            let attempt = self.solve(system, system, state, tolerance, 2 * STALE_ITERATIONS);
-            match attempt {
-                Ok(step) if step.krylov_iterations <= STALE_ITERATIONS => return Ok(step),
-                Ok(step) => {
-                    self.preconditioner = None;
-                    return Ok(step);
+        if matches!(self.factors, Some(Factors::Bordered(_))) {
+            if let Ok(step) = self.solve(system, system, state, tolerance, 2 * STALE_ITERATIONS) {
+                if step.krylov_iterations > STALE_ITERATIONS {
+                    self.factors = None;
                 }
-                Err(_) => {}
+                return Ok(step);
             }
         }
         self.refresh(system)?;
@@ -327,7 +355,7 @@ impl LinearSolver<'_, '_> {
         system: &System,
         state: &State,
     ) -> Result<Step, SolveError> {
-        if self.preconditioner.is_none() {
+        if self.factors.is_none() {
             self.refresh(jacobian)?;
         }
         self.solve(jacobian, system, state, 1e-2, 200)
@@ -342,13 +370,44 @@ impl LinearSolver<'_, '_> {
         max_iterations: usize,
     ) -> Result<Step, SolveError> {
         let clock = Instant::now();
-        let d = self.level.discretisation;
+        let level = self.level;
+        let d = level.discretisation;
+        let defect = level.load - d.integral(&state.pressure);
+        let (unknowns, separation, krylov_iterations) =
+            match self.factors.as_mut().expect("refreshed before") {
+                Factors::Bordered(b) => {
+                    let params = GmresParams { tolerance, max_iterations };
+                    b.solve(d, jacobian, &system.residual, defect, level.load, params)?
+                }
+                Factors::Monolithic(m) => {
+                    let (p, h) = m.solve(&system.residual, defect);
+                    (p, h, 0)
+                }
+            };
+        self.stats.krylov_iterations += krylov_iterations;
+        self.stats.seconds.krylov += clock.elapsed().as_secs_f64();
+        let mut pressure = vec![0.0; d.pressure.n_nodes()];
+        scatter(d, &unknowns, &mut pressure);
+        Ok(Step { pressure, separation, krylov_iterations })
+    }
+}
+
+impl Bordered {
+    /// Krylov iterations on the bordered condensed system.
+    fn solve(
+        &mut self,
+        d: &Discretisation,
+        jacobian: &System,
+        residual: &[f64],
+        load_defect: f64,
+        load: f64,
+        params: GmresParams,
+    ) -> Result<(Vec<f64>, f64, usize), SolveError> {
         let n = d.n_pressure;
-        let bordered = self.preconditioner.as_mut().expect("refreshed before");
         // The load row is scaled like the residual: one number stands for the whole contact.
-        let row_scale = jacobian.residual_scale / self.level.load;
-        let mut rhs: Vec<f64> = system.residual.iter().map(|v| -v).collect();
-        rhs.push(row_scale * (self.level.load - d.integral(&state.pressure)));
+        let row_scale = jacobian.residual_scale / load;
+        let mut rhs: Vec<f64> = residual.iter().map(|v| -v).collect();
+        rhs.push(row_scale * load_defect);
         let mut nodal = vec![0.0; d.pressure.n_nodes()];
         let apply = |x: &[f64], y: &mut [f64]| {
             scatter(d, &x[..n], &mut nodal);
@@ -360,33 +419,18 @@ impl LinearSolver<'_, '_> {
         };
         let precondition = |x: &mut [f64]| {
             let (pressures, separation) = x.split_at_mut(n);
-            bordered.sparse.solve(pressures);
-            let h = (separation[0] / row_scale - dot(&d.load, pressures)) / bordered.schur;
-            for (p, r) in pressures.iter_mut().zip(&bordered.response) {
+            self.sparse.solve(pressures);
+            let h = (separation[0] / row_scale - dot(&d.load, pressures)) / self.schur;
+            for (p, r) in pressures.iter_mut().zip(&self.response) {
                 *p -= h * r;
             }
             separation[0] = h;
         };
         let mut x = vec![0.0; n + 1];
-        let info = gmres(
-            apply,
-            precondition,
-            &rhs,
-            &mut x,
-            GmresParams {
-                tolerance,
-                max_iterations,
-            },
-        )?;
-        self.stats.krylov_iterations += info.iterations;
-        self.stats.seconds.krylov += clock.elapsed().as_secs_f64();
-        let mut pressure = vec![0.0; d.pressure.n_nodes()];
-        scatter(d, &x[..n], &mut pressure);
-        Ok(Step {
-            pressure,
-            separation: x[n],
-            krylov_iterations: info.iterations,
-        })
+        let info = gmres(apply, precondition, &rhs, &mut x, params)?;
+        let separation = x[n];
+        x.truncate(n);
+        Ok((x, separation, info.iterations))
     }
 }
 

@@ -22,7 +22,7 @@ pub struct NearStiffness {
 impl NearStiffness {
     /// Stiffness between nodes that are neighbours of neighbours.
     pub fn new(d: &Discretisation) -> NearStiffness {
-        let graph = NodeGraph::new(&d.deflection);
+        let graph = NodeGraph::new(&d.contact.deflection);
         let mut pairs = Vec::new();
         for i in 0..graph.n_nodes() {
             let mut near: Vec<u32> = graph
@@ -38,7 +38,7 @@ impl NearStiffness {
                     .map(|j| (i as u32, j)),
             );
         }
-        let values = d.elastic.near_stiffness(&pairs);
+        let values = d.contact.elastic.near_stiffness(&pairs);
         let mut entries = Vec::with_capacity(2 * pairs.len());
         for ((i, j), v) in pairs.into_iter().zip(values) {
             entries.push((i, j, v));
@@ -68,12 +68,12 @@ impl Preconditioner {
         system: &System,
     ) -> Result<Preconditioner, LuError> {
         let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
-        let size = d.n_pressure + d.deflection.n_nodes();
+        let size = d.n_pressure + d.contact.deflection.n_nodes();
         let mut triplets =
             Vec::with_capacity(system.blocks.len() + d.coupling.len() + near.entries.len());
-        for c in 0..d.maps.len() {
+        for c in 0..d.contact.n_elements() {
             let nodes = d.pressure.nodes_of(c);
-            let below = d.deflection.nodes_of(c);
+            let below = d.contact.deflection.nodes_of(c);
             for (i, node) in nodes.iter().enumerate() {
                 let row = d.pressure_dofs[*node as usize];
                 if row == CONSTRAINED {

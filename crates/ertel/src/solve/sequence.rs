@@ -1,13 +1,27 @@
 //! Coarse-to-fine sequence of levels.
 
-use super::discretisation::{BodyConstants, Discretisation, Extents, LevelSizes};
+use std::sync::Arc;
+
+use super::discretisation::{BodyConstants, ContactBody, Discretisation, Extents, LevelSizes};
 use super::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, RunLabel};
 use super::system::{FilmConstants, State};
 use super::{Observer, SolveError};
 use crate::contact::{ContactKind, hertz};
 use crate::film::FilmFluid;
-use crate::post::film::{central_film, fields_at, minimum_film};
+use crate::params::LinearSolver;
+use crate::solve::evaluate::{central_film, fields_at, minimum_film};
 use crate::solution::LevelStats;
+
+/// One stage of a solve: a mesh, a pressure order, a formulation.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage {
+    /// Cell sizes; a stage with the sizes of the one before keeps its mesh and elastic operator.
+    pub sizes: LevelSizes,
+    /// Lagrange order of the pressure.
+    pub pressure_order: usize,
+    /// Constants of the Reynolds equation, penalty at full strength.
+    pub constants: FilmConstants,
+}
 
 /// Everything a solve needs, dimensionless.
 pub struct Problem {
@@ -15,111 +29,102 @@ pub struct Problem {
     pub kind: ContactKind,
     /// Contact area and body.
     pub extents: Extents,
-    /// Levels, coarse to fine: sizes and pressure order.
-    pub levels: Vec<(LevelSizes, usize)>,
+    /// Stages, coarse to fine.
+    pub stages: Vec<Stage>,
     /// Order of the displacement.
     pub elastic_order: usize,
     /// Elastic bodies: the equivalent one, or plane and ball.
     pub bodies: Vec<BodyConstants>,
     /// Fluid.
     pub fluid: FilmFluid,
-    /// Constants of the Reynolds equation, penalty at full strength.
-    pub constants: FilmConstants,
     /// Target of ∫P over the (half) contact area.
     pub load: f64,
     /// Central film of the start.
     pub start_film: f64,
     /// Film scale a²/R, m.
     pub film_scale: f64,
-    /// Newton tolerances of the finest level.
+    /// Newton tolerances and limits.
     pub newton: NewtonParams,
+    /// Condensed or monolithic.
+    pub linear: LinearSolver,
 }
 
-/// A converged level.
-pub struct LevelSolution {
+/// A converged stage.
+pub struct StageSolution {
     /// The discretisation.
     pub discretisation: Discretisation,
     /// The state on it.
     pub state: State,
 }
 
-/// Shares of the full cavitation penalty on the coarsest level, where the free boundary is
-/// still far from its place.
+/// Shares of the full cavitation penalty in the first stage, where the free boundary is still
+/// far from its place.
 const PENALTY_RAMP: [f64; 3] = [1e-4, 1e-2, 1.0];
 
-/// Update, in p_h, below which the next stage of the ramp begins.
-const STAGE_TOLERANCE: f64 = 1e-2;
+/// Update, in p_h, below which the next share of the ramp begins.
+const RAMP_TOLERANCE: f64 = 1e-2;
 
-/// Solves level by level; returns the finest and the effort on each.
+/// Solves stage by stage; returns the last and the effort on each.
 ///
 /// # Errors
-/// When a level does not converge or cannot be built.
-pub fn solve_levels(
+/// When a stage does not converge or cannot be built.
+pub fn solve_stages(
     problem: &Problem,
     observer: &mut dyn Observer,
-) -> Result<(LevelSolution, Vec<LevelStats>), SolveError> {
-    let mut previous: Option<LevelSolution> = None;
+) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
+    let mut previous: Option<StageSolution> = None;
     let mut stats = Vec::new();
-    let n_levels = problem.levels.len();
-    for (level, (sizes, order)) in problem.levels.iter().enumerate() {
-        let d = Discretisation::new(
-            problem.kind,
-            &problem.extents,
-            sizes,
-            *order,
-            problem.elastic_order,
-            &problem.bodies,
-        )?;
-        observer.level(level, n_levels, d.n_pressure, d.body_space.dofs.n_dofs);
+    for (level, stage) in problem.stages.iter().enumerate() {
         let mut effort = NewtonStats::default();
-        effort.seconds.mesh = d.seconds.0;
-        effort.seconds.operator = d.seconds.1;
-        let newton = NewtonLevel::new(&d, problem.load);
+        let same_mesh = level > 0 && problem.stages[level - 1].sizes == stage.sizes;
+        let contact = match &previous {
+            Some(coarse) if same_mesh => Arc::clone(&coarse.discretisation.contact),
+            _ => {
+                let contact = ContactBody::new(
+                    problem.kind,
+                    &problem.extents,
+                    &stage.sizes,
+                    problem.elastic_order,
+                    &problem.bodies,
+                )?;
+                (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
+                Arc::new(contact)
+            }
+        };
+        let d = Discretisation::new(&contact, stage.pressure_order);
+        let n_displacement = contact.space.dofs.n_dofs;
+        observer.level(level, problem.stages.len(), d.n_pressure, n_displacement);
+        let newton = NewtonLevel::new(&d, problem.load, problem.linear);
         let mut state = match &previous {
             None => cold_start(problem, &d),
             Some(coarse) => interpolate(coarse, &d),
         };
-        let ramp: &[f64] = if previous.is_none() {
-            &PENALTY_RAMP
-        } else {
-            &[1.0]
-        };
+        let ramp: &[f64] = if level == 0 { &PENALTY_RAMP } else { &[1.0] };
         for share in ramp {
             let model = FilmModel {
                 fluid: problem.fluid.clone(),
                 constants: FilmConstants {
-                    penalty: problem.constants.penalty * share,
-                    ..problem.constants
+                    penalty: stage.constants.penalty * share,
+                    ..stage.constants
                 },
             };
-            let last = *share == 1.0;
-            let params = NewtonParams {
-                update_tolerance: if last {
-                    problem.newton.update_tolerance
-                } else {
-                    STAGE_TOLERANCE
-                },
-                residual_tolerance: if last {
-                    problem.newton.residual_tolerance
-                } else {
-                    f64::INFINITY
-                },
-                ..problem.newton
-            };
-            let label = RunLabel {
-                level,
-                penalty_share: *share,
-                film_scale: problem.film_scale,
-            };
+            // A start for the next stage need not be converged.
+            let last = *share == 1.0 && (level > 0 || problem.stages.len() == 1);
+            let mut params = problem.newton;
+            if !last {
+                params.update_tolerance = RAMP_TOLERANCE;
+                params.residual_tolerance = f64::INFINITY;
+            }
+            let label = RunLabel { level, penalty_share: *share, film_scale: problem.film_scale };
             newton.run(&model, &params, &label, &mut state, &mut effort, observer)?;
         }
         stats.push(LevelStats {
-            n_body_cells: d.body.mesh.n_cells(),
-            n_contact_elements: d.maps.len(),
+            n_body_cells: contact.body.mesh.n_cells(),
+            n_contact_elements: contact.n_elements(),
             n_pressure_dofs: d.n_pressure,
-            n_displacement_dofs: d.body_space.dofs.n_dofs,
-            n_contact_dofs: d.deflection.n_nodes(),
-            pressure_order: *order,
+            n_displacement_dofs: n_displacement,
+            n_contact_dofs: contact.deflection.n_nodes(),
+            pressure_order: stage.pressure_order,
             newton_iterations: effort.iterations,
             krylov_iterations: effort.krylov_iterations,
             factorisations: effort.factorisations,
@@ -128,12 +133,9 @@ pub fn solve_levels(
             seconds: effort.seconds,
         });
         drop(newton);
-        previous = Some(LevelSolution {
-            discretisation: d,
-            state,
-        });
+        previous = Some(StageSolution { discretisation: d, state });
     }
-    Ok((previous.expect("at least one level"), stats))
+    Ok((previous.expect("at least one stage"), stats))
 }
 
 /// Hertz pressure, and H0 such that the central film is the problem's start film.
@@ -155,7 +157,7 @@ fn cold_start(problem: &Problem, d: &Discretisation) -> State {
 }
 
 /// Pressures of a coarser level, without new extrema; same central film.
-fn interpolate(coarse: &LevelSolution, d: &Discretisation) -> State {
+fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
     let (from, old) = (&coarse.discretisation, &coarse.state);
     let pressure: Vec<f64> = d
         .pressure
@@ -166,7 +168,7 @@ fn interpolate(coarse: &LevelSolution, d: &Discretisation) -> State {
             if *dof == ertel_fem::assembly::CONSTRAINED {
                 return 0.0;
             }
-            let Some((cell, xi)) = from.locator.find(&from.surface, [p[0], p[1]]) else {
+            let Some((cell, xi)) = from.contact.locator.find(&from.contact.surface, [p[0], p[1]]) else {
                 return 0.0;
             };
             let nodes = from.pressure.nodes_of(cell);

@@ -88,7 +88,7 @@ impl System {
     ) -> System {
         let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
         let width = n + m + 3; // pressure, deflection | H0, residual, entrainment
-        let mut local = vec![0.0; d.maps.len() * n * width];
+        let mut local = vec![0.0; d.contact.n_elements() * n * width];
         local
             .par_chunks_mut(n * width)
             .enumerate()
@@ -99,10 +99,10 @@ impl System {
             residual: vec![0.0; d.n_pressure],
             residual_scale: 0.0,
             by_separation: vec![0.0; d.n_pressure],
-            blocks: vec![0.0; d.maps.len() * n * (n + m)],
+            blocks: vec![0.0; d.contact.n_elements() * n * (n + m)],
         };
         let mut entrainment = vec![0.0; d.n_pressure];
-        for c in 0..d.maps.len() {
+        for c in 0..d.contact.n_elements() {
             for (i, node) in d.pressure.nodes_of(c).iter().enumerate() {
                 let row = &local[(c * n + i) * width..(c * n + i + 1) * width];
                 let dof = d.pressure_dofs[*node as usize];
@@ -129,9 +129,9 @@ impl System {
         let deflection = d.deflect(pressure);
         let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
         y.fill(0.0);
-        for c in 0..d.maps.len() {
+        for c in 0..d.contact.n_elements() {
             let nodes = d.pressure.nodes_of(c);
-            let below = d.deflection.nodes_of(c);
+            let below = d.contact.deflection.nodes_of(c);
             for (i, node) in nodes.iter().enumerate() {
                 let dof = d.pressure_dofs[*node as usize];
                 if dof == CONSTRAINED {
@@ -164,10 +164,10 @@ fn element(
 ) {
     let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
     let width = n + m + 3;
-    let map = &d.maps[c];
-    let local = constants.on_element(d.sizes[c], d.pressure.element.order());
+    let map = &d.contact.maps[c];
+    let local = constants.on_element(d.contact.sizes[c], d.pressure.element.order());
     let p_nodes = d.pressure.nodes_of(c);
-    let w_nodes = d.deflection.nodes_of(c);
+    let w_nodes = d.contact.deflection.nodes_of(c);
     let mut p_basis = vec![[0.0; 4]; n]; // N, N_x, N_y, ΔN
     let mut w_basis = vec![[0.0; 3]; m]; // N, N_x, N_y
     for (q, weight) in d.rule.weights.iter().enumerate() {
@@ -190,7 +190,7 @@ fn element(
             for (a, b) in w.iter_mut().zip(*basis) {
                 *a += state.deflection[node] * b;
             }
-            for (x, px) in point.iter_mut().zip(d.deflection.points[node]) {
+            for (x, px) in point.iter_mut().zip(d.contact.deflection.points[node]) {
                 *x += basis[0] * px;
             }
         }
@@ -200,7 +200,7 @@ fn element(
                 Derivative::some(SVector::from_fn(|i, _| if i == k { 1.0 } else { 0.0 })),
             )
         };
-        let h = state.rigid_separation + d.undeformed_gap(point) + w[0];
+        let h = state.rigid_separation + d.contact.undeformed_gap(point) + w[0];
         let s = PointState {
             pressure: dual(p[0], 0),
             pressure_gradient: [dual(p[1], 1), dual(p[2], 2)],

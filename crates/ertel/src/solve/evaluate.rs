@@ -18,7 +18,7 @@ pub struct PointFields {
 
 /// Evaluates the fields; `None` outside the contact area.
 pub fn fields_at(d: &Discretisation, state: &State, point: [f64; 2]) -> Option<PointFields> {
-    let (cell, xi) = d.locator.find(&d.surface, point)?;
+    let (cell, xi) = d.contact.locator.find(&d.contact.surface, point)?;
     Some(fields_in(d, state, cell, xi))
 }
 
@@ -33,20 +33,20 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
     let basis = d.pressure.element.evaluate(xi);
     for ((value, gradient, _), node) in basis.iter().zip(d.pressure.nodes_of(cell)) {
         let p = state.pressure[*node as usize];
-        let g = d.maps[cell].gradient(*gradient);
+        let g = d.contact.maps[cell].gradient(*gradient);
         fields.pressure += p * value;
         fields.pressure_gradient[0] += p * g[0];
         fields.pressure_gradient[1] += p * g[1];
     }
     let mut point = [0.0; 3];
-    let basis = d.deflection.element.evaluate(xi);
-    for ((value, _, _), node) in basis.iter().zip(d.deflection.nodes_of(cell)) {
+    let basis = d.contact.deflection.element.evaluate(xi);
+    for ((value, _, _), node) in basis.iter().zip(d.contact.deflection.nodes_of(cell)) {
         fields.deflection += value * state.deflection[*node as usize];
-        for (x, px) in point.iter_mut().zip(d.deflection.points[*node as usize]) {
+        for (x, px) in point.iter_mut().zip(d.contact.deflection.points[*node as usize]) {
             *x += value * px;
         }
     }
-    fields.film += fields.deflection + d.undeformed_gap(point);
+    fields.film += fields.deflection + d.contact.undeformed_gap(point);
     fields
 }
 
@@ -64,8 +64,8 @@ pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
     let n = 4;
     let step = 1.0 / n as f64;
     let mut best = (f64::INFINITY, 0, [0.0; 3]);
-    let plane = d.surface.dim == 2;
-    for cell in 0..d.maps.len() {
+    let plane = d.contact.surface.dim == 2;
+    for cell in 0..d.contact.n_elements() {
         for i in 0..=n {
             for j in 0..=(if plane { n - i } else { 0 }) {
                 let xi = [i as f64 * step, j as f64 * step, 0.0];
@@ -105,17 +105,5 @@ pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
         }
     }
     let (h, cell, xi) = best;
-    let v: Vec<[f64; 3]> = d
-        .surface
-        .cell(cell)
-        .iter()
-        .map(|v| d.surface.vertices[*v as usize])
-        .collect();
-    let point = [0, 1].map(|a| {
-        v[0][a]
-            + (1..v.len())
-                .map(|k| xi[k - 1] * (v[k][a] - v[0][a]))
-                .sum::<f64>()
-    });
-    (h, point)
+    (h, d.contact.point(cell, xi))
 }

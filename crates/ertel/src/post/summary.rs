@@ -1,0 +1,126 @@
+//! The figures of a solution, and what the user should know about them.
+
+use super::balance::film_balance_error;
+use super::profile::Profile;
+use crate::contact::{ContactKind, Scales};
+use crate::film::FilmFluid;
+use crate::solution::{Estimate, LevelStats, Located, Summary};
+use crate::solve::evaluate::{central_film, fields_in, minimum_film};
+use crate::solve::sequence::StageSolution;
+
+/// Smallest error bar claimed, relative: what interpolation, the free boundary's smoothing and
+/// the finite body leave even where two meshes agree by chance.
+const SMALLEST_ERROR: f64 = 2e-4;
+
+/// Reads the figures off the finest stage.
+pub fn summarise(
+    solution: &StageSolution,
+    levels: &[LevelStats],
+    fluid: &FilmFluid,
+    scales: &Scales,
+) -> Summary {
+    let (d, state) = (&solution.discretisation, &solution.state);
+    let located = |value: f64, [x, y]: [f64; 2]| Located {
+        value,
+        x: x * scales.length,
+        y: y * scales.length,
+    };
+    let profile = Profile::new(d, state, 16);
+    let (h_m, at) = minimum_film(d, state);
+    let (h_line, x_line) = profile.film_minimum();
+    let (p_max, p_at) = largest_pressure(solution);
+    let p_min = state.pressure.iter().fold(0.0_f64, |m, p| m.min(*p));
+    let estimate = |value: f64, of: fn(&LevelStats) -> f64| Estimate {
+        value,
+        error: error_bar(levels, of),
+    };
+    Summary {
+        film_central: estimate(central_film(d, state) * scales.film, |l| l.film_central),
+        film_minimum: estimate(h_m * scales.film, |l| l.film_minimum),
+        film_minimum_at: located(h_m * scales.film, at),
+        film_centreline_minimum: located(h_line * scales.film, [x_line, 0.0]),
+        pressure_maximum: located(p_max * scales.pressure, p_at),
+        spike: profile.spike().map(|(p, x)| located(p * scales.pressure, [x, 0.0])),
+        outlet_position: profile.outlet() * scales.length,
+        pressure_minimum: p_min * scales.pressure,
+        film_balance_error: film_balance_error(d, state, fluid, scales.lambda),
+        load_balance_error: (d.integral(&state.pressure) / scales.load - 1.0).abs(),
+        rigid_separation: state.rigid_separation * scales.film,
+    }
+}
+
+/// Error bar of a figure from the last two meshes, of cell sizes 2h and h.
+///
+/// With an error that at least halves from mesh to mesh (order one or better),
+/// |v_2h − v| ≥ 2|v_h − v|, so |v_2h − v_h| ≥ |v_h − v|: the difference bounds the error of the
+/// finer value. Smooth solutions converge faster and the bar is then wide.
+fn error_bar(levels: &[LevelStats], of: fn(&LevelStats) -> f64) -> Option<f64> {
+    let [.., coarse, fine] = levels else { return None };
+    (coarse.pressure_order == fine.pressure_order && coarse.n_body_cells != fine.n_body_cells)
+        .then(|| (of(coarse) - of(fine)).abs().max(SMALLEST_ERROR * of(fine).abs()))
+}
+
+/// Largest pressure on a lattice of eight points per element edge.
+fn largest_pressure(solution: &StageSolution) -> (f64, [f64; 2]) {
+    let (d, state) = (&solution.discretisation, &solution.state);
+    let n = 8;
+    let plane = d.contact.surface.dim == 2;
+    let mut best = (f64::NEG_INFINITY, [0.0; 2]);
+    for c in 0..d.contact.n_elements() {
+        for i in 0..=n {
+            for j in 0..=(if plane { n - i } else { 0 }) {
+                let xi = [i as f64 / n as f64, j as f64 / n as f64, 0.0];
+                let p = fields_in(d, state, c, xi).pressure;
+                if p > best.0 {
+                    best = (p, d.contact.point(c, xi));
+                }
+            }
+        }
+    }
+    best
+}
+
+/// Film thickness below which a continuum film is doubtful, m.
+const THINNEST_FILM: f64 = 1e-9;
+
+/// Warnings about a solution: film too thin for a continuum, error bars too wide, contact area
+/// too small.
+pub fn warnings(kind: ContactKind, summary: &Summary, solution: &StageSolution) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let minimum = summary.film_minimum;
+    if minimum.value < THINNEST_FILM {
+        warnings.push(format!(
+            "the minimum film thickness, {:.2} nm, is below a nanometre: no continuum film exists there",
+            minimum.value * 1e9
+        ));
+    }
+    for (name, figure) in [("central", summary.film_central), ("minimum", minimum)] {
+        let relative = figure.error.unwrap_or(0.0) / figure.value;
+        if relative > 0.05 {
+            warnings.push(format!(
+                "the {name} film thickness is uncertain by {:.0} %: use a finer mesh ([mesh] preset = \"fine\")",
+                100.0 * relative
+            ));
+        }
+    }
+    let (d, e) = (&solution.discretisation, &solution.discretisation.contact.extents);
+    let profile = Profile::new(d, &solution.state, 2);
+    if profile.outlet() > e.outlet - 0.02 {
+        warnings.push(format!(
+            "the film does not break before the outlet edge X = {}: move it outward ([mesh] outlet)",
+            e.outlet
+        ));
+    }
+    let inlet_film = profile.fields.first().map_or(f64::INFINITY, |f| f.film);
+    let centre = central_film(d, &solution.state);
+    if inlet_film < 20.0 * centre {
+        warnings.push(format!(
+            "the film at the inlet edge X = {} is only {:.0} times the central film: the contact is \
+             starved by its own contact area; move the edge outward ([mesh] inlet{})",
+            e.inlet,
+            inlet_film / centre,
+            if kind == ContactKind::Circular { ", side" } else { "" }
+        ));
+    }
+    warnings
+}

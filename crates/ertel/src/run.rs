@@ -1,0 +1,237 @@
+//! From a case to its solution.
+
+use std::time::Instant;
+
+use crate::solve::discretisation::{Extents, LevelSizes};
+use crate::solve::newton::NewtonParams;
+use crate::solve::sequence::{Problem, Stage, solve_stages};
+use crate::solve::system::FilmConstants;
+use crate::solve::{Observer, SolveError};
+use crate::case::Case;
+use crate::contact::{ContactKind, EquivalentBody, Groups, Scales, hertz};
+use crate::film::FilmFluid;
+use crate::params::{ElasticModel, Formulation, MeshParams};
+use crate::post;
+use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
+use crate::solution::{Solution, Stats};
+
+/// Dimensionless problem of a case.
+pub fn problem(case: &Case) -> Problem {
+    let contact = case.contact;
+    let hertz = case.hertz();
+    let lubricant = &case.lubricant;
+    let viscosity = lubricant.ambient_viscosity();
+    let u_m = case.motion.entrainment_speed;
+    let scales = Scales::new(&contact, &hertz, u_m, viscosity, lubricant.ambient_density());
+    let start_film = predicted_film(case) / scales.film;
+    let constants = FilmConstants {
+        lambda: scales.lambda,
+        formulation: case.solver.formulation,
+        isotropic_diffusion: case.solver.isotropic_diffusion,
+        penalty: case.solver.penalty,
+        penalty_scaling: case.solver.penalty_scaling,
+    };
+    let dimensionless = |modulus: f64, ratio: f64| (modulus / scales.elastic_stress, ratio);
+    let bodies = match case.solver.elasticity {
+        ElasticModel::Equivalent => {
+            let body = EquivalentBody::new(case.plane.elasticity, case.ball.elasticity);
+            vec![dimensionless(body.youngs_modulus, body.poissons_ratio)]
+        }
+        ElasticModel::TwoBodies => [&case.plane, &case.ball]
+            .map(|b| dimensionless(b.elasticity.youngs_modulus, b.elasticity.poissons_ratio))
+            .to_vec(),
+    };
+    Problem {
+        kind: contact.kind,
+        extents: extents(contact.kind, &case.mesh, start_film),
+        stages: stages(&case.mesh, constants, case.solver.error_estimate),
+        elastic_order: case.mesh.elastic_order,
+        bodies,
+        fluid: FilmFluid::new(&lubricant.density, &lubricant.viscosity, lubricant.temperature, &scales),
+        load: scales.load,
+        // A film that starts too thick closes in from the safe side.
+        start_film: 1.5 * start_film,
+        film_scale: scales.film,
+        newton: NewtonParams {
+            update_tolerance: case.solver.tolerance,
+            residual_tolerance: case.solver.tolerance,
+            max_iterations: case.solver.max_iterations,
+            ..NewtonParams::default()
+        },
+        linear: case.solver.linear,
+    }
+}
+
+/// Solves a case.
+///
+/// # Errors
+/// When no mesh level converges, the mesh cannot be built, or the observer cancels.
+pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
+    let clock = Instant::now();
+    let problem = problem(case);
+    let mut recorder = Recorder { observer, history: Vec::new() };
+    let (finest, levels) = solve_stages(&problem, &mut recorder)?;
+    let history = recorder.history;
+    let hertz = case.hertz();
+    let slope = case.lubricant.viscosity.pressure_viscosity_slope(case.lubricant.temperature);
+    let asymptotic = case
+        .lubricant
+        .viscosity
+        .pressure_viscosity_reciprocal_asymptotic(case.lubricant.temperature)
+        .ok();
+    let groups = groups(case, slope);
+    let groups_asymptotic = asymptotic.map(|alpha| self::groups(case, alpha));
+    let scales = Scales::new(
+        &case.contact,
+        &hertz,
+        case.motion.entrainment_speed,
+        case.lubricant.ambient_viscosity(),
+        case.lubricant.ambient_density(),
+    );
+    let summary = post::summary::summarise(&finest, &levels, &problem.fluid, &scales);
+    let mut warnings = case.warnings.clone();
+    warnings.extend(post::summary::warnings(case.contact.kind, &summary, &finest));
+    Ok(Solution {
+        kind: case.contact.kind,
+        hertz,
+        reduced_modulus: case.reduced_modulus(),
+        formulas: crate::reference::film_formulas(case.contact.kind, case.contact.radius, &groups),
+        groups,
+        groups_asymptotic,
+        scales,
+        extents: [problem.extents.inlet, problem.extents.outlet, problem.extents.side],
+        centreline: post::fields::centreline(&finest, &problem.fluid, &scales),
+        surface: post::fields::surface(&finest, &problem.fluid, &scales),
+        body: case.output.body_field.then(|| post::fields::body(&finest, &scales)),
+        summary,
+        history,
+        stats: Stats {
+            levels,
+            wall_seconds: clock.elapsed().as_secs_f64(),
+            peak_memory: peak_memory(),
+        },
+        warnings,
+    })
+}
+
+/// Groups of a case for a pressure-viscosity coefficient in 1/Pa.
+pub fn groups(case: &Case, pressure_viscosity_coefficient: f64) -> Groups {
+    Groups::new(
+        &case.contact,
+        case.reduced_modulus(),
+        case.lubricant.ambient_viscosity(),
+        case.motion.entrainment_speed,
+        pressure_viscosity_coefficient,
+    )
+}
+
+/// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular) predict.
+fn predicted_film(case: &Case) -> f64 {
+    let slope = case.lubricant.viscosity.pressure_viscosity_slope(case.lubricant.temperature);
+    let g = groups(case, slope.max(0.0));
+    let h = match case.contact.kind {
+        ContactKind::Line => moes_line_film(g.moes_load, g.moes_material),
+        ContactKind::Circular => nijenbanning_venner_moes_film(g.moes_load, g.moes_material),
+    };
+    h * case.contact.radius * (2.0 * g.speed).sqrt()
+}
+
+/// Ratio of the gap at the inlet edge to the central film from which the inlet counts as flooded.
+const FLOODED: f64 = 100.0;
+
+/// Contact area: the thesis's where the film is thin; longer where a thick film builds up further
+/// out. The body grows with it.
+fn extents(kind: ContactKind, mesh: &MeshParams, film: f64) -> Extents {
+    let gap = |x: f64| {
+        0.5 * x * x + hertz::deflection_profile(kind, x) - hertz::deflection_profile(kind, 1.0)
+            - 0.5
+    };
+    let mut reach: f64 = 4.5;
+    while gap(reach) < FLOODED * film {
+        reach += 0.5;
+    }
+    let inlet = mesh.inlet.unwrap_or(-reach);
+    let outlet = mesh.outlet.unwrap_or_else(|| 1.5_f64.max((1.0 + 2.0 * film.sqrt()).ceil_half()));
+    let side = mesh.side.unwrap_or_else(|| 3.0_f64.max((reach * 2.0 / 3.0).ceil_half()));
+    let widest = inlet.abs().max(outlet).max(side);
+    Extents {
+        inlet,
+        outlet,
+        side,
+        body_width: mesh.body_width.unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
+        body_depth: mesh.body_depth.unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
+    }
+}
+
+/// Rounding up to halves: contact areas that bisection meshes well.
+trait CeilHalf {
+    fn ceil_half(self) -> f64;
+}
+
+impl CeilHalf for f64 {
+    fn ceil_half(self) -> f64 {
+        (2.0 * self).ceil() / 2.0
+    }
+}
+
+/// A diffusive quadratic start on the coarse mesh, then the case's own discretisation on the
+/// coarse mesh (for the error estimate) and on the fine one.
+fn stages(mesh: &MeshParams, constants: FilmConstants, error_estimate: bool) -> Vec<Stage> {
+    let fine = LevelSizes {
+        hertz: mesh.hertz_size,
+        constriction: mesh.constriction_size,
+        edge: mesh.edge_size,
+        growth: mesh.growth,
+        depth_growth: mesh.depth_growth,
+    };
+    let coarse = LevelSizes {
+        hertz: 2.0 * fine.hertz,
+        constriction: 2.0 * fine.constriction,
+        edge: 2.0 * fine.edge,
+        ..fine
+    };
+    let start = FilmConstants {
+        formulation: Formulation::Gls,
+        isotropic_diffusion: constants.isotropic_diffusion.max(START_DIFFUSION),
+        ..constants
+    };
+    let order = mesh.pressure_order;
+    let mut stages = vec![Stage { sizes: coarse, pressure_order: order.min(2), constants: start }];
+    if error_estimate {
+        stages.push(Stage { sizes: coarse, pressure_order: order, constants });
+    }
+    stages.push(Stage { sizes: fine, pressure_order: order, constants });
+    stages
+}
+
+/// Isotropic diffusion of the first stage: it only has to start the next one.
+const START_DIFFUSION: f64 = 0.5;
+
+/// Passes everything on and keeps the iterations.
+struct Recorder<'a> {
+    observer: &'a mut dyn Observer,
+    history: Vec<crate::solution::IterationRecord>,
+}
+
+impl Observer for Recorder<'_> {
+    fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, n_displacement: usize) {
+        self.observer.level(level, n_levels, n_pressure, n_displacement);
+    }
+
+    fn iteration(&mut self, record: &crate::solution::IterationRecord) {
+        self.history.push(record.clone());
+        self.observer.iteration(record);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.observer.cancelled()
+    }
+}
+
+/// Peak resident memory of this process in bytes, from Linux's process status.
+fn peak_memory() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find(|l| l.starts_with("VmHWM:"))?;
+    let kib: u64 = line.split_whitespace().nth(1)?.parse().ok()?;
+    Some(1024 * kib)
+}
