@@ -2,11 +2,6 @@
 
 use std::time::Instant;
 
-use crate::solve::discretisation::{Extents, LevelSizes};
-use crate::solve::newton::NewtonParams;
-use crate::solve::sequence::{Problem, Stage, solve_stages};
-use crate::solve::system::FilmConstants;
-use crate::solve::{Observer, SolveError};
 use crate::case::Case;
 use crate::contact::{ContactKind, EquivalentBody, Groups, Scales, hertz};
 use crate::film::FilmFluid;
@@ -14,6 +9,11 @@ use crate::params::{ElasticModel, Formulation, MeshParams};
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
 use crate::solution::{Solution, Stats};
+use crate::solve::discretisation::{Extents, LevelSizes};
+use crate::solve::newton::{FilmModel, NewtonParams};
+use crate::solve::sequence::{Problem, Stage, solve_stages};
+use crate::solve::system::FilmConstants;
+use crate::solve::{Observer, SolveError};
 
 /// Dimensionless problem of a case.
 pub fn problem(case: &Case) -> Problem {
@@ -22,7 +22,13 @@ pub fn problem(case: &Case) -> Problem {
     let lubricant = &case.lubricant;
     let viscosity = lubricant.ambient_viscosity();
     let u_m = case.motion.entrainment_speed;
-    let scales = Scales::new(&contact, &hertz, u_m, viscosity, lubricant.ambient_density());
+    let scales = Scales::new(
+        &contact,
+        &hertz,
+        u_m,
+        viscosity,
+        lubricant.ambient_density(),
+    );
     let start_film = predicted_film(case) / scales.film;
     let constants = FilmConstants {
         lambda: scales.lambda,
@@ -47,7 +53,12 @@ pub fn problem(case: &Case) -> Problem {
         stages: stages(&case.mesh, constants, case.solver.error_estimate),
         elastic_order: case.mesh.elastic_order,
         bodies,
-        fluid: FilmFluid::new(&lubricant.density, &lubricant.viscosity, lubricant.temperature, &scales),
+        fluid: FilmFluid::new(
+            &lubricant.density,
+            &lubricant.viscosity,
+            lubricant.temperature,
+            &scales,
+        ),
         load: scales.load,
         // A film that starts too thick closes in from the safe side.
         start_film: 1.5 * start_film,
@@ -69,11 +80,17 @@ pub fn problem(case: &Case) -> Problem {
 pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     let clock = Instant::now();
     let problem = problem(case);
-    let mut recorder = Recorder { observer, history: Vec::new() };
+    let mut recorder = Recorder {
+        observer,
+        history: Vec::new(),
+    };
     let (finest, levels) = solve_stages(&problem, &mut recorder)?;
     let history = recorder.history;
     let hertz = case.hertz();
-    let slope = case.lubricant.viscosity.pressure_viscosity_slope(case.lubricant.temperature);
+    let slope = case
+        .lubricant
+        .viscosity
+        .pressure_viscosity_slope(case.lubricant.temperature);
     let asymptotic = case
         .lubricant
         .viscosity
@@ -88,9 +105,17 @@ pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, Solve
         case.lubricant.ambient_viscosity(),
         case.lubricant.ambient_density(),
     );
-    let summary = post::summary::summarise(&finest, &levels, &problem.fluid, &scales);
+    let model = FilmModel {
+        fluid: problem.fluid.clone(),
+        constants: problem.stages.last().expect("at least one stage").constants,
+    };
+    let summary = post::summary::summarise(&finest, &levels, &model, &scales);
     let mut warnings = case.warnings.clone();
-    warnings.extend(post::summary::warnings(case.contact.kind, &summary, &finest));
+    warnings.extend(post::summary::warnings(
+        case.contact.kind,
+        &summary,
+        &finest,
+    ));
     Ok(Solution {
         kind: case.contact.kind,
         hertz,
@@ -99,10 +124,17 @@ pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, Solve
         groups,
         groups_asymptotic,
         scales,
-        extents: [problem.extents.inlet, problem.extents.outlet, problem.extents.side],
+        extents: [
+            problem.extents.inlet,
+            problem.extents.outlet,
+            problem.extents.side,
+        ],
         centreline: post::fields::centreline(&finest, &problem.fluid, &scales),
         surface: post::fields::surface(&finest, &problem.fluid, &scales),
-        body: case.output.body_field.then(|| post::fields::body(&finest, &scales)),
+        body: case
+            .output
+            .body_field
+            .then(|| post::fields::body(&finest, &scales)),
         summary,
         history,
         stats: Stats {
@@ -127,7 +159,10 @@ pub fn groups(case: &Case, pressure_viscosity_coefficient: f64) -> Groups {
 
 /// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular) predict.
 fn predicted_film(case: &Case) -> f64 {
-    let slope = case.lubricant.viscosity.pressure_viscosity_slope(case.lubricant.temperature);
+    let slope = case
+        .lubricant
+        .viscosity
+        .pressure_viscosity_slope(case.lubricant.temperature);
     let g = groups(case, slope.max(0.0));
     let h = match case.contact.kind {
         ContactKind::Line => moes_line_film(g.moes_load, g.moes_material),
@@ -143,7 +178,8 @@ const FLOODED: f64 = 100.0;
 /// out. The body grows with it.
 fn extents(kind: ContactKind, mesh: &MeshParams, film: f64) -> Extents {
     let gap = |x: f64| {
-        0.5 * x * x + hertz::deflection_profile(kind, x) - hertz::deflection_profile(kind, 1.0)
+        0.5 * x * x + hertz::deflection_profile(kind, x)
+            - hertz::deflection_profile(kind, 1.0)
             - 0.5
     };
     let mut reach: f64 = 4.5;
@@ -151,15 +187,23 @@ fn extents(kind: ContactKind, mesh: &MeshParams, film: f64) -> Extents {
         reach += 0.5;
     }
     let inlet = mesh.inlet.unwrap_or(-reach);
-    let outlet = mesh.outlet.unwrap_or_else(|| 1.5_f64.max((1.0 + 2.0 * film.sqrt()).ceil_half()));
-    let side = mesh.side.unwrap_or_else(|| 3.0_f64.max((reach * 2.0 / 3.0).ceil_half()));
+    let outlet = mesh
+        .outlet
+        .unwrap_or_else(|| 1.5_f64.max((1.0 + 2.0 * film.sqrt()).ceil_half()));
+    let side = mesh
+        .side
+        .unwrap_or_else(|| 3.0_f64.max((reach * 2.0 / 3.0).ceil_half()));
     let widest = inlet.abs().max(outlet).max(side);
     Extents {
         inlet,
         outlet,
         side,
-        body_width: mesh.body_width.unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
-        body_depth: mesh.body_depth.unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
+        body_width: mesh
+            .body_width
+            .unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
+        body_depth: mesh
+            .body_depth
+            .unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
     }
 }
 
@@ -196,11 +240,23 @@ fn stages(mesh: &MeshParams, constants: FilmConstants, error_estimate: bool) -> 
         ..constants
     };
     let order = mesh.pressure_order;
-    let mut stages = vec![Stage { sizes: coarse, pressure_order: order.min(2), constants: start }];
+    let mut stages = vec![Stage {
+        sizes: coarse,
+        pressure_order: order.min(2),
+        constants: start,
+    }];
     if error_estimate {
-        stages.push(Stage { sizes: coarse, pressure_order: order, constants });
+        stages.push(Stage {
+            sizes: coarse,
+            pressure_order: order,
+            constants,
+        });
     }
-    stages.push(Stage { sizes: fine, pressure_order: order, constants });
+    stages.push(Stage {
+        sizes: fine,
+        pressure_order: order,
+        constants,
+    });
     stages
 }
 
@@ -215,7 +271,8 @@ struct Recorder<'a> {
 
 impl Observer for Recorder<'_> {
     fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, n_displacement: usize) {
-        self.observer.level(level, n_levels, n_pressure, n_displacement);
+        self.observer
+            .level(level, n_levels, n_pressure, n_displacement);
     }
 
     fn iteration(&mut self, record: &crate::solution::IterationRecord) {

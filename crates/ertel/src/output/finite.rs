@@ -56,10 +56,17 @@ fn inputs(case: &CaseEcho) -> impl Iterator<Item = (String, f64)> {
         mesh.constriction_size,
         mesh.edge_size,
         mesh.growth,
+        mesh.depth_growth,
+    ];
+    let chosen = [
+        mesh.inlet,
+        mesh.outlet,
+        mesh.side,
         mesh.body_width,
         mesh.body_depth,
-    ];
-    let chosen = [mesh.inlet, mesh.outlet, mesh.side].into_iter().flatten();
+    ]
+    .into_iter()
+    .flatten();
     let mesh = sizes
         .into_iter()
         .chain(chosen)

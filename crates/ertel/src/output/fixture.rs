@@ -6,7 +6,7 @@ use serde_json::json;
 use super::{BodyEcho, CaseEcho, FluidEcho};
 use crate::contact::hertz::{deflection_profile, pressure_profile};
 use crate::contact::{Contact, ContactKind, Elasticity, Groups, Hertz, Motion, Scales};
-use crate::params::{MeshParams, SolverParams};
+use crate::params::{MeshParams, MeshPreset, SolverParams};
 use crate::reference::film_formulas;
 use crate::solution::*;
 
@@ -58,7 +58,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
             pressure_viscosity_asymptotic: Some(18.2e-9),
         },
         temperature: 313.15,
-        mesh: MeshParams::default(),
+        mesh: MeshParams::preset(MeshPreset::Normal, kind),
         solver: SolverParams::default(),
     }
 }

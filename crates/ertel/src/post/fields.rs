@@ -17,9 +17,11 @@ pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) 
         line.pressure.push(f.pressure * scales.pressure);
         line.film_thickness.push(f.film * scales.film);
         line.deflection.push(f.deflection * scales.film);
-        line.viscosity.push(properties.viscosity[0] * scales.viscosity);
+        line.viscosity
+            .push(properties.viscosity[0] * scales.viscosity);
         line.density.push(properties.density[0] * scales.density);
-        line.hertz_pressure.push(hertz::pressure_profile(*x) * scales.pressure);
+        line.hertz_pressure
+            .push(hertz::pressure_profile(*x) * scales.pressure);
     }
     line
 }
@@ -42,33 +44,48 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
     for p in &solution.state.pressure {
         let properties = fluid.at(*p);
         field.pressure.push(p * scales.pressure);
-        field.viscosity.push(properties.viscosity[0] * scales.viscosity);
+        field
+            .viscosity
+            .push(properties.viscosity[0] * scales.viscosity);
         field.density.push(properties.density[0] * scales.density);
     }
     let lattice = d.pressure.element.lattice();
     let order = d.pressure.element.order();
     let local = |a1: usize, a2: usize| {
         let key = [(order - a1 - a2) as u8, a1 as u8, a2 as u8, 0];
-        lattice.iter().position(|a| *a == key).expect("lattice point")
+        lattice
+            .iter()
+            .position(|a| *a == key)
+            .expect("lattice point")
     };
     for c in 0..d.contact.n_elements() {
         let nodes = d.pressure.nodes_of(c);
         for (alpha, node) in lattice.iter().zip(nodes) {
-            let xi = [alpha[1] as f64 / order as f64, alpha[2] as f64 / order as f64, 0.0];
+            let xi = [
+                alpha[1] as f64 / order as f64,
+                alpha[2] as f64 / order as f64,
+                0.0,
+            ];
             let f = fields_in(d, &solution.state, c, xi);
             field.film_thickness[*node as usize] = f.film * scales.film;
             field.deflection[*node as usize] = f.deflection * scales.film;
         }
         for i in 0..order {
             if d.contact.surface.dim == 1 {
-                field.cells.push([nodes[local(i, 0)], nodes[local(i + 1, 0)], 0]);
+                field
+                    .cells
+                    .push([nodes[local(i, 0)], nodes[local(i + 1, 0)], 0]);
                 continue;
             }
             for j in 0..order - i {
                 let corner = |a: usize, b: usize| nodes[local(a, b)];
-                field.cells.push([corner(i, j), corner(i + 1, j), corner(i, j + 1)]);
+                field
+                    .cells
+                    .push([corner(i, j), corner(i + 1, j), corner(i, j + 1)]);
                 if i + j + 2 <= order {
-                    field.cells.push([corner(i + 1, j + 1), corner(i, j + 1), corner(i + 1, j)]);
+                    field
+                        .cells
+                        .push([corner(i + 1, j + 1), corner(i, j + 1), corner(i + 1, j)]);
                 }
             }
         }
@@ -81,7 +98,11 @@ pub fn body(solution: &StageSolution, scales: &Scales) -> BodyField {
     let d = &solution.discretisation;
     let c = &d.contact;
     let mut load = vec![0.0; c.space.dofs.n_dofs];
-    for (f, dof) in d.nodal_loads(&solution.state.pressure).iter().zip(&c.space.normal_dofs) {
+    for (f, dof) in d
+        .nodal_loads(&solution.state.pressure)
+        .iter()
+        .zip(&c.space.normal_dofs)
+    {
         load[*dof] = -f / c.elastic.bodies[0].modulus;
     }
     c.elastic.bodies[0].stiffness.solve_full(&mut load);
@@ -94,11 +115,18 @@ pub fn body(solution: &StageSolution, scales: &Scales) -> BodyField {
     };
     let lattice = space.element.lattice();
     let mid = |&(a, b): &(usize, usize)| {
-        lattice.iter().position(|l| l[a] == 1 && l[b] == 1).expect("mid-edge node")
+        lattice
+            .iter()
+            .position(|l| l[a] == 1 && l[b] == 1)
+            .expect("mid-edge node")
     };
     let local: Vec<usize> = (0..=c.body.mesh.dim).chain(edges.iter().map(mid)).collect();
     BodyField {
-        points: space.points.iter().map(|p| p.map(|x| x * scales.length)).collect(),
+        points: space
+            .points
+            .iter()
+            .map(|p| p.map(|x| x * scales.length))
+            .collect(),
         cells: (0..space.n_elements())
             .map(|e| local.iter().map(|l| space.nodes_of(e)[*l]).collect())
             .collect(),

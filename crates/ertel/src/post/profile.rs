@@ -1,7 +1,7 @@
 //! The centreline y = 0 and what is read off it, dimensionless.
 
-use crate::solve::evaluate::{PointFields, fields_at};
 use crate::solve::discretisation::Discretisation;
+use crate::solve::evaluate::{PointFields, fields_at};
 use crate::solve::system::State;
 
 /// Fields along the centreline, X ascending.
@@ -16,7 +16,8 @@ pub struct Profile {
 impl Profile {
     /// Samples every element edge on the centreline at `per_edge` intervals.
     pub fn new(d: &Discretisation, state: &State, per_edge: usize) -> Profile {
-        let mut knots: Vec<f64> = d.contact
+        let mut knots: Vec<f64> = d
+            .contact
             .surface
             .vertices
             .iter()

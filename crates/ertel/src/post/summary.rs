@@ -3,9 +3,9 @@
 use super::balance::film_balance_error;
 use super::profile::Profile;
 use crate::contact::{ContactKind, Scales};
-use crate::film::FilmFluid;
 use crate::solution::{Estimate, LevelStats, Located, Summary};
 use crate::solve::evaluate::{central_film, fields_in, minimum_film};
+use crate::solve::newton::FilmModel;
 use crate::solve::sequence::StageSolution;
 
 /// Smallest error bar claimed, relative: what interpolation, the free boundary's smoothing and
@@ -16,7 +16,7 @@ const SMALLEST_ERROR: f64 = 2e-4;
 pub fn summarise(
     solution: &StageSolution,
     levels: &[LevelStats],
-    fluid: &FilmFluid,
+    model: &FilmModel,
     scales: &Scales,
 ) -> Summary {
     let (d, state) = (&solution.discretisation, &solution.state);
@@ -40,10 +40,12 @@ pub fn summarise(
         film_minimum_at: located(h_m * scales.film, at),
         film_centreline_minimum: located(h_line * scales.film, [x_line, 0.0]),
         pressure_maximum: located(p_max * scales.pressure, p_at),
-        spike: profile.spike().map(|(p, x)| located(p * scales.pressure, [x, 0.0])),
+        spike: profile
+            .spike()
+            .map(|(p, x)| located(p * scales.pressure, [x, 0.0])),
         outlet_position: profile.outlet() * scales.length,
         pressure_minimum: p_min * scales.pressure,
-        film_balance_error: film_balance_error(d, state, fluid, scales.lambda),
+        film_balance_error: film_balance_error(solution, model),
         load_balance_error: (d.integral(&state.pressure) / scales.load - 1.0).abs(),
         rigid_separation: state.rigid_separation * scales.film,
     }
@@ -55,9 +57,16 @@ pub fn summarise(
 /// |v_2h − v| ≥ 2|v_h − v|, so |v_2h − v_h| ≥ |v_h − v|: the difference bounds the error of the
 /// finer value. Smooth solutions converge faster and the bar is then wide.
 fn error_bar(levels: &[LevelStats], of: fn(&LevelStats) -> f64) -> Option<f64> {
-    let [.., coarse, fine] = levels else { return None };
-    (coarse.pressure_order == fine.pressure_order && coarse.n_body_cells != fine.n_body_cells)
-        .then(|| (of(coarse) - of(fine)).abs().max(SMALLEST_ERROR * of(fine).abs()))
+    let [.., coarse, fine] = levels else {
+        return None;
+    };
+    (coarse.pressure_order == fine.pressure_order && coarse.n_body_cells != fine.n_body_cells).then(
+        || {
+            (of(coarse) - of(fine))
+                .abs()
+                .max(SMALLEST_ERROR * of(fine).abs())
+        },
+    )
 }
 
 /// Largest pressure on a lattice of eight points per element edge.
@@ -103,7 +112,10 @@ pub fn warnings(kind: ContactKind, summary: &Summary, solution: &StageSolution) 
             ));
         }
     }
-    let (d, e) = (&solution.discretisation, &solution.discretisation.contact.extents);
+    let (d, e) = (
+        &solution.discretisation,
+        &solution.discretisation.contact.extents,
+    );
     let profile = Profile::new(d, &solution.state, 2);
     if profile.outlet() > e.outlet - 0.02 {
         warnings.push(format!(

@@ -99,7 +99,9 @@ impl ContactBody {
         bodies: &[BodyConstants],
     ) -> Result<ContactBody, DiscretisationError> {
         let start = Instant::now();
-        let body = body_mesh(&body_params(kind, extents), &|x| size_at(kind, extents, sizes, x))?;
+        let body = body_mesh(&body_params(kind, extents), &|x| {
+            size_at(kind, extents, sizes, x)
+        })?;
         let mesh_seconds = start.elapsed().as_secs_f64();
         let start = Instant::now();
         let contact = body.contact_mesh();
@@ -109,13 +111,25 @@ impl ContactBody {
         let mut elastic = ElasticOperator { bodies: Vec::new() };
         for &(modulus, poissons_ratio) in bodies {
             let stiffness = space.factorise(&body, poissons_ratio)?;
-            elastic.bodies.push(ElasticBody { stiffness, modulus, poissons_ratio });
+            elastic.bodies.push(ElasticBody {
+                stiffness,
+                modulus,
+                poissons_ratio,
+            });
         }
         let operator_seconds = start.elapsed().as_secs_f64();
-        let maps: Vec<Affine> = (0..surface.n_cells()).map(|c| Affine::new(&surface, c)).collect();
+        let maps: Vec<Affine> = (0..surface.n_cells())
+            .map(|c| Affine::new(&surface, c))
+            .collect();
         let element_sizes = maps
             .iter()
-            .map(|m| if surface.dim == 1 { m.determinant } else { m.determinant.sqrt() })
+            .map(|m| {
+                if surface.dim == 1 {
+                    m.determinant
+                } else {
+                    m.determinant.sqrt()
+                }
+            })
             .collect();
         Ok(ContactBody {
             kind,
@@ -142,7 +156,10 @@ impl ContactBody {
         let v = |k: usize| self.surface.vertices[self.surface.cell(element)[k] as usize];
         let origin = v(0);
         [0, 1].map(|a| {
-            origin[a] + (1..=self.surface.dim).map(|k| xi[k - 1] * (v(k)[a] - origin[a])).sum::<f64>()
+            origin[a]
+                + (1..=self.surface.dim)
+                    .map(|k| xi[k - 1] * (v(k)[a] - origin[a]))
+                    .sum::<f64>()
         })
     }
 

@@ -42,7 +42,10 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
     let basis = d.contact.deflection.element.evaluate(xi);
     for ((value, _, _), node) in basis.iter().zip(d.contact.deflection.nodes_of(cell)) {
         fields.deflection += value * state.deflection[*node as usize];
-        for (x, px) in point.iter_mut().zip(d.contact.deflection.points[*node as usize]) {
+        for (x, px) in point
+            .iter_mut()
+            .zip(d.contact.deflection.points[*node as usize])
+        {
             *x += value * px;
         }
     }

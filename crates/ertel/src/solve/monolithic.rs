@@ -96,7 +96,10 @@ impl Monolithic {
             t.push(Triplet::new(i, separation, system.by_separation[i]));
             t.push(Triplet::new(separation, i, d.load[i]));
         }
-        Ok(Monolithic { lu: SparseLu::new(size, &t)?, n: size })
+        Ok(Monolithic {
+            lu: SparseLu::new(size, &t)?,
+            n: size,
+        })
     }
 
     /// Pressure and separation steps for a Reynolds residual and a load defect; the elastic

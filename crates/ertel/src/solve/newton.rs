@@ -19,8 +19,8 @@ use super::system::{FilmConstants, State, System};
 use super::{Observer, SolveError};
 use crate::film::FilmFluid;
 use crate::params::LinearSolver;
-use crate::solve::evaluate::central_film;
 use crate::solution::{IterationRecord, Timings};
+use crate::solve::evaluate::central_film;
 
 /// Settings of one Newton run.
 #[derive(Clone, Copy, Debug)]
@@ -110,7 +110,11 @@ impl<'a> NewtonLevel<'a> {
             LinearSolver::Condensed => Method::Condensed(NearStiffness::new(discretisation)),
             LinearSolver::Monolithic => Method::Monolithic(BodyMatrices::new(discretisation)),
         };
-        NewtonLevel { discretisation, method, load }
+        NewtonLevel {
+            discretisation,
+            method,
+            load,
+        }
     }
 
     /// Iterates until both tolerances hold. `state` is the start, then the solution.
@@ -126,7 +130,11 @@ impl<'a> NewtonLevel<'a> {
         stats: &mut NewtonStats,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
-        let mut solver = StepSolver { level: self, factors: None, stats };
+        let mut solver = StepSolver {
+            level: self,
+            factors: None,
+            stats,
+        };
         let mut system = solver.assemble(model, state);
         let mut step = solver.newton_step(&system, state)?;
         for iteration in 1..=params.max_iterations {
@@ -152,7 +160,7 @@ impl<'a> NewtonLevel<'a> {
             let (next_state, next_system) = loop {
                 let trial = self.advance(model, params, state, &step, &mut share);
                 let trial_system = solver.assemble(model, &trial);
-                if converged {
+                if converged || update < SAFE_UPDATE {
                     break (trial, trial_system);
                 }
                 // Natural monotonicity (Deuflhard 2004, section 3.3): the next step, were it
@@ -253,7 +261,10 @@ impl<'a> NewtonLevel<'a> {
                     let basis = d.deflection_table.values[q * m + i];
                     h += basis * state.deflection[*node as usize];
                     dh += basis * deflection_step[*node as usize];
-                    for (x, px) in point.iter_mut().zip(d.contact.deflection.points[*node as usize]) {
+                    for (x, px) in point
+                        .iter_mut()
+                        .zip(d.contact.deflection.points[*node as usize])
+                    {
                         *x += basis * px;
                     }
                 }
@@ -301,6 +312,9 @@ struct Bordered {
     schur: f64,
 }
 
+/// Update, in p_h, below which steps are no longer tested for monotonicity.
+const SAFE_UPDATE: f64 = 0.02;
+
 /// Krylov iterations above which the preconditioner is made anew.
 const STALE_ITERATIONS: usize = 20;
 
@@ -322,11 +336,13 @@ impl StepSolver<'_, '_> {
                 let mut response = system.by_separation.clone();
                 sparse.solve(&mut response);
                 let schur = -dot(&d.load, &response);
-                Factors::Bordered(Bordered { sparse, response, schur })
+                Factors::Bordered(Bordered {
+                    sparse,
+                    response,
+                    schur,
+                })
             }
-            Method::Monolithic(bodies) => {
-                Factors::Monolithic(Monolithic::new(d, bodies, system)?)
-            }
+            Method::Monolithic(bodies) => Factors::Monolithic(Monolithic::new(d, bodies, system)?),
         });
         self.stats.factorisations += 1;
         self.stats.seconds.factorisation += clock.elapsed().as_secs_f64();
@@ -335,7 +351,7 @@ impl StepSolver<'_, '_> {
 
     /// −J⁻¹F of a system at its own state.
     fn newton_step(&mut self, system: &System, state: &State) -> Result<Step, SolveError> {
-        let tolerance = (1e-2 * system.relative_residual()).clamp(1e-9, 1e-4);
+        let tolerance = (1e-2 * system.relative_residual()).clamp(1e-9, 1e-3);
         if matches!(self.factors, Some(Factors::Bordered(_))) {
             if let Ok(step) = self.solve(system, system, state, tolerance, 2 * STALE_ITERATIONS) {
                 if step.krylov_iterations > STALE_ITERATIONS {
@@ -376,7 +392,10 @@ impl StepSolver<'_, '_> {
         let (unknowns, separation, krylov_iterations) =
             match self.factors.as_mut().expect("refreshed before") {
                 Factors::Bordered(b) => {
-                    let params = GmresParams { tolerance, max_iterations };
+                    let params = GmresParams {
+                        tolerance,
+                        max_iterations,
+                    };
                     b.solve(d, jacobian, &system.residual, defect, level.load, params)?
                 }
                 Factors::Monolithic(m) => {
@@ -388,7 +407,11 @@ impl StepSolver<'_, '_> {
         self.stats.seconds.krylov += clock.elapsed().as_secs_f64();
         let mut pressure = vec![0.0; d.pressure.n_nodes()];
         scatter(d, &unknowns, &mut pressure);
-        Ok(Step { pressure, separation, krylov_iterations })
+        Ok(Step {
+            pressure,
+            separation,
+            krylov_iterations,
+        })
     }
 }
 

@@ -9,8 +9,8 @@ use super::{Observer, SolveError};
 use crate::contact::{ContactKind, hertz};
 use crate::film::FilmFluid;
 use crate::params::LinearSolver;
-use crate::solve::evaluate::{central_film, fields_at, minimum_film};
 use crate::solution::LevelStats;
+use crate::solve::evaluate::{central_film, fields_at, minimum_film};
 
 /// One stage of a solve: a mesh, a pressure order, a formulation.
 #[derive(Clone, Copy, Debug)]
@@ -115,7 +115,11 @@ pub fn solve_stages(
                 params.update_tolerance = RAMP_TOLERANCE;
                 params.residual_tolerance = f64::INFINITY;
             }
-            let label = RunLabel { level, penalty_share: *share, film_scale: problem.film_scale };
+            let label = RunLabel {
+                level,
+                penalty_share: *share,
+                film_scale: problem.film_scale,
+            };
             newton.run(&model, &params, &label, &mut state, &mut effort, observer)?;
         }
         stats.push(LevelStats {
@@ -133,7 +137,10 @@ pub fn solve_stages(
             seconds: effort.seconds,
         });
         drop(newton);
-        previous = Some(StageSolution { discretisation: d, state });
+        previous = Some(StageSolution {
+            discretisation: d,
+            state,
+        });
     }
     Ok((previous.expect("at least one stage"), stats))
 }
@@ -168,7 +175,11 @@ fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
             if *dof == ertel_fem::assembly::CONSTRAINED {
                 return 0.0;
             }
-            let Some((cell, xi)) = from.contact.locator.find(&from.contact.surface, [p[0], p[1]]) else {
+            let Some((cell, xi)) = from
+                .contact
+                .locator
+                .find(&from.contact.surface, [p[0], p[1]])
+            else {
                 return 0.0;
             };
             let nodes = from.pressure.nodes_of(cell);

@@ -73,6 +73,9 @@ pub struct System {
     pub residual_scale: f64,
     /// ∂R/∂H0.
     pub by_separation: Vec<f64>,
+    /// Share of the residual that the edge of the contact area takes up, at each pressure node:
+    /// the mass flux through the edge, −∮ m·n N (zero at free nodes).
+    pub edge_flux: Vec<f64>,
     /// Element blocks, row-major: pressure node by (pressure nodes, then deflection nodes).
     pub blocks: Vec<f64>,
 }
@@ -99,6 +102,7 @@ impl System {
             residual: vec![0.0; d.n_pressure],
             residual_scale: 0.0,
             by_separation: vec![0.0; d.n_pressure],
+            edge_flux: vec![0.0; d.pressure.n_nodes()],
             blocks: vec![0.0; d.contact.n_elements() * n * (n + m)],
         };
         let mut entrainment = vec![0.0; d.n_pressure];
@@ -106,7 +110,9 @@ impl System {
             for (i, node) in d.pressure.nodes_of(c).iter().enumerate() {
                 let row = &local[(c * n + i) * width..(c * n + i + 1) * width];
                 let dof = d.pressure_dofs[*node as usize];
-                if dof != CONSTRAINED {
+                if dof == CONSTRAINED {
+                    system.edge_flux[*node as usize] += row[n + m + 1];
+                } else {
                     system.by_separation[dof as usize] += row[n + m];
                     system.residual[dof as usize] += row[n + m + 1];
                     entrainment[dof as usize] += row[n + m + 2];
