@@ -16,6 +16,12 @@ pub enum Failure {
     /// An argument is wrong.
     #[error("{0}")]
     Argument(String),
+    /// The solver gave up.
+    #[error("{0}")]
+    NotConverged(String),
+    /// Ctrl-C.
+    #[error("interrupted; nothing was written")]
+    Interrupted,
     /// Results cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
@@ -25,11 +31,13 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// 1 other, 2 bad input.
+    /// 1 other, 2 bad input, 3 not converged, 130 interrupted.
     pub fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
             Self::Output(_) | Self::Other(_) => 1,
             Self::Input(_) | Self::Argument(_) => 2,
+            Self::NotConverged(_) => 3,
+            Self::Interrupted => 130,
         })
     }
 }

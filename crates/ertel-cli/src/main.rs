@@ -4,6 +4,7 @@ mod args;
 mod failure;
 mod fluids;
 mod print;
+mod progress;
 mod provenance;
 mod solids;
 mod solve;

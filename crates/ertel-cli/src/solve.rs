@@ -1,11 +1,21 @@
 //! `ertel solve`.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use ertel::case::Case;
+use ertel::output;
+use ertel::solve::SolveError;
 
 use crate::args::SolveArgs;
 use crate::failure::Failure;
+use crate::print;
+use crate::progress::Progress;
+
+/// Set by Ctrl-C; the solver looks at it before each iteration.
+static CANCELLED: AtomicBool = AtomicBool::new(false);
+/// While results are written a second Ctrl-C waits for the moment this takes.
+static WRITING: AtomicBool = AtomicBool::new(false);
 
 /// Runs the command.
 ///
@@ -13,16 +23,46 @@ use crate::failure::Failure;
 ///
 /// A bad case, results that cannot be written, no convergence, an interruption.
 pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
-    let case = Case::read(&arguments.case)?;
-    for warning in &case.warnings {
-        eprintln!("warning: {warning}");
-    }
+    let mut case = Case::read(&arguments.case)?;
+    case.output.png |= arguments.png;
     let folder = folder(arguments, &case);
+    if arguments.check || arguments.quiet {
+        warn(&case.warnings);
+    }
+    if case.output.png {
+        output::check_png().map_err(|error| Failure::Argument(error.to_string()))?;
+    }
     if arguments.check {
         return Ok(());
     }
-    let _ = folder;
-    Err(Failure::Other("this build has no solver".to_owned()))
+    // A long solve whose results have no place to go would be in vain.
+    output::check_target(&folder)?;
+    check_writable(&folder)?;
+    listen_for_interrupts();
+
+    let mut progress = Progress::new(arguments.quiet, &CANCELLED);
+    let solution = ertel::run::solve(&case, &mut progress);
+    drop(progress);
+    let solution = solution?;
+    WRITING.store(true, Ordering::SeqCst);
+    if CANCELLED.load(Ordering::SeqCst) {
+        return Err(Failure::Interrupted);
+    }
+    let echo = case.echo();
+    output::write(&echo, &solution, &folder, &case.output)?;
+    WRITING.store(false, Ordering::SeqCst);
+    if arguments.quiet {
+        let known = |warning: &&String| !case.warnings.contains(warning);
+        warn(solution.warnings.iter().filter(known));
+        return Ok(());
+    }
+    print::stdout(&output::report(&echo, &solution, Some(&folder)))
+}
+
+fn warn<'a>(warnings: impl IntoIterator<Item = &'a String>) {
+    for warning in warnings {
+        eprintln!("warning: {warning}");
+    }
 }
 
 /// Where the results go: the command line, the case, or `results/<name of the case file>`.
@@ -33,4 +73,50 @@ fn folder(arguments: &SolveArgs, case: &Case) -> PathBuf {
         .clone()
         .or_else(|| case.output.folder.clone())
         .unwrap_or_else(|| Path::new("results").join(name()))
+}
+
+/// Tries to make a folder beside the target, or where the first folder on the way to it will be made.
+fn check_writable(target: &Path) -> Result<(), Failure> {
+    let failed = |path: &Path, error: std::io::Error| {
+        Failure::Other(format!(
+            "cannot write results to {}: {error}",
+            path.display()
+        ))
+    };
+    let absolute = std::path::absolute(target).map_err(|error| failed(target, error))?;
+    let existing = absolute.ancestors().skip(1).find(|path| path.exists());
+    let parent = existing.unwrap_or(Path::new("/"));
+    tempfile::Builder::new()
+        .prefix(".ertel-")
+        .tempdir_in(parent)
+        .map(drop)
+        .map_err(|error| failed(target, error))
+}
+
+/// The first Ctrl-C asks the solver to stop; the second ends the program where nothing can be left half-written.
+fn listen_for_interrupts() {
+    let handler = || {
+        if CANCELLED.swap(true, Ordering::SeqCst) {
+            if !WRITING.load(Ordering::SeqCst) {
+                std::process::exit(130);
+            }
+        } else {
+            eprintln!("stopping after this iteration; press Ctrl-C again to stop at once");
+        }
+    };
+    if let Err(error) = ctrlc::set_handler(handler) {
+        eprintln!("warning: Ctrl-C will stop the program at once ({error})");
+    }
+}
+
+impl From<SolveError> for Failure {
+    fn from(error: SolveError) -> Self {
+        match error {
+            SolveError::Interrupted => Self::Interrupted,
+            SolveError::Discretisation(error) => Self::Other(error.to_string()),
+            SolveError::NotConverged { .. }
+            | SolveError::Krylov(_)
+            | SolveError::Factorisation(_) => Self::NotConverged(error.to_string()),
+        }
+    }
 }

@@ -40,7 +40,7 @@ use ertel_rheology::database::DatabaseError;
 use ertel_rheology::input::{Document, InputError, Table};
 
 use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
-use crate::params::{MeshParams, OutputParams, SolverParams};
+use crate::params::{MeshParams, MeshPreset, OutputParams, SolverParams};
 
 pub use bodies::Body;
 pub use lubricant::Lubricant;
@@ -105,7 +105,7 @@ impl Case {
             lubricant::read(&mut root, Files::Folder(folder), hertz.pressure)?;
         let mesh = match root.optional_table("mesh")? {
             Some(table) => params::read_mesh(table, contact.kind)?,
-            None => MeshParams::default(),
+            None => MeshParams::preset(MeshPreset::default(), contact.kind),
         };
         let solver = match root.optional_table("solver")? {
             Some(table) => params::read_solver(table)?,

@@ -17,6 +17,9 @@ fn set<T>(field: &mut T, value: Option<T>) {
     }
 }
 
+/// Largest extent of a contact area from its centre, in half-widths.
+const FARTHEST: f64 = 250.0;
+
 pub(super) fn read_mesh(mut table: Table<'_>, kind: ContactKind) -> Result<MeshParams, InputError> {
     let preset = table.optional_choice(
         "preset",
@@ -26,9 +29,12 @@ pub(super) fn read_mesh(mut table: Table<'_>, kind: ContactKind) -> Result<MeshP
             ("fine", MeshPreset::Fine),
         ],
     )?;
-    let mut mesh = MeshParams::preset(preset.unwrap_or_default());
-    // Sizes in Hertz half-widths. Below 0.002 no memory is large enough.
-    let size = Bounds::closed(0.002, 2.0);
+    let mut mesh = MeshParams::preset(preset.unwrap_or_default(), kind);
+    // Sizes in Hertz half-widths; below these, no memory is large enough.
+    let size = match kind {
+        ContactKind::Circular => Bounds::closed(0.01, 2.0),
+        ContactKind::Line => Bounds::closed(0.0002, 2.0),
+    };
     set(
         &mut mesh.hertz_size,
         table.optional_number("hertz_size", size)?,
@@ -41,19 +47,15 @@ pub(super) fn read_mesh(mut table: Table<'_>, kind: ContactKind) -> Result<MeshP
         &mut mesh.edge_size,
         table.optional_number("edge_size", size)?,
     );
+    let growth = Bounds::closed(0.05, 2.0);
+    set(&mut mesh.growth, table.optional_number("growth", growth)?);
     set(
-        &mut mesh.growth,
-        table.optional_number("growth", Bounds::closed(0.05, 2.0))?,
+        &mut mesh.depth_growth,
+        table.optional_number("depth_growth", growth)?,
     );
-    let extent = Bounds::closed(8.0, 1000.0);
-    set(
-        &mut mesh.body_width,
-        table.optional_number("body_width", extent)?,
-    );
-    set(
-        &mut mesh.body_depth,
-        table.optional_number("body_depth", extent)?,
-    );
+    let extent = Bounds::closed(8.0, 2.0 * FARTHEST);
+    mesh.body_width = table.optional_number("body_width", extent)?;
+    mesh.body_depth = table.optional_number("body_depth", extent)?;
     for (larger, smaller, key) in [
         (mesh.hertz_size, mesh.constriction_size, "constriction_size"),
         (mesh.edge_size, mesh.hertz_size, "hertz_size"),
@@ -67,7 +69,7 @@ pub(super) fn read_mesh(mut table: Table<'_>, kind: ContactKind) -> Result<MeshP
         }
     }
     // The contact area must contain the dry contact and lie on the body.
-    let half_width = 0.5 * mesh.body_width;
+    let half_width = mesh.body_width.map_or(FARTHEST, |width| 0.5 * width);
     mesh.inlet = table.optional_number("inlet", Bounds::from_to(-half_width, -1.0))?;
     mesh.outlet = table.optional_number("outlet", Bounds::above_to(1.0, half_width))?;
     if kind == ContactKind::Circular {

@@ -164,6 +164,7 @@ hertz_size = 0.07
 constriction_size = 0.03
 edge_size = 0.4
 growth = 0.3
+depth_growth = 0.4
 body_width = 40
 body_depth = 50
 inlet = -4.5
@@ -191,8 +192,11 @@ body_field = false
     let mesh = &case.mesh;
     assert_eq!(mesh.preset, MeshPreset::Fine);
     assert_eq!((mesh.hertz_size, mesh.constriction_size), (0.07, 0.03));
-    assert_eq!((mesh.edge_size, mesh.growth), (0.4, 0.3));
-    assert_eq!((mesh.body_width, mesh.body_depth), (40.0, 50.0));
+    assert_eq!(
+        (mesh.edge_size, mesh.growth, mesh.depth_growth),
+        (0.4, 0.3, 0.4)
+    );
+    assert_eq!((mesh.body_width, mesh.body_depth), (Some(40.0), Some(50.0)));
     assert_eq!(
         (mesh.inlet, mesh.outlet, mesh.side),
         (Some(-4.5), Some(1.5), Some(3.0))

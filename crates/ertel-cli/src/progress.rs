@@ -1,0 +1,93 @@
+//! Progress on stderr while the solver runs: one line that changes in a terminal, a line per iteration elsewhere.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use ertel::output::length;
+use ertel::solution::IterationRecord;
+use ertel::solve::Observer;
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// Shows the iterations and passes on that the user wants to stop.
+pub struct Progress<'a> {
+    display: Display,
+    cancelled: &'a AtomicBool,
+    level: String,
+}
+
+enum Display {
+    Quiet,
+    Lines,
+    Terminal(ProgressBar),
+}
+
+impl<'a> Progress<'a> {
+    /// Progress that stops the solver once `cancelled` is set.
+    pub fn new(quiet: bool, cancelled: &'a AtomicBool) -> Self {
+        let display = if quiet {
+            Display::Quiet
+        } else if console_is_terminal() {
+            let bar = ProgressBar::new_spinner();
+            if let Ok(style) = ProgressStyle::with_template("{spinner} {elapsed} {wide_msg}") {
+                bar.set_style(style);
+            }
+            bar.set_message("building the mesh and the elastic operator");
+            bar.enable_steady_tick(Duration::from_millis(100));
+            Display::Terminal(bar)
+        } else {
+            Display::Lines
+        };
+        Self {
+            display,
+            cancelled,
+            level: String::new(),
+        }
+    }
+
+    fn show(&self, line: String) {
+        match &self.display {
+            Display::Quiet => {}
+            Display::Lines => eprintln!("{line}"),
+            Display::Terminal(bar) => bar.set_message(line),
+        }
+    }
+}
+
+impl Drop for Progress<'_> {
+    fn drop(&mut self) {
+        if let Display::Terminal(bar) = &self.display {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+impl Observer for Progress<'_> {
+    fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, n_displacement: usize) {
+        self.level = format!("stage {}/{n_levels}", level + 1);
+        self.show(format!(
+            "{}: {n_pressure} pressure and {n_displacement} displacement unknowns",
+            self.level
+        ));
+    }
+
+    fn iteration(&mut self, record: &IterationRecord) {
+        self.show(format!(
+            "{}, Newton {:>2}: residual {:.1e}, pressure update {:.1e}, step {:.2}, central film {}",
+            self.level,
+            record.iteration,
+            record.residual,
+            record.update,
+            record.step,
+            length(record.film_central)
+        ));
+    }
+
+    fn cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+fn console_is_terminal() -> bool {
+    use std::io::IsTerminal;
+    std::io::stderr().is_terminal()
+}

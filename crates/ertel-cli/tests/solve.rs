@@ -1,0 +1,247 @@
+//! `ertel solve` end to end: results, exit codes, and nothing half-written.
+
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use tempfile::TempDir;
+
+/// A folder with a copy of `tests/good/<name>`.
+fn workspace(name: &str) -> TempDir {
+    let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good");
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::copy(good.join(name), folder.path().join(name)).unwrap();
+    folder
+}
+
+fn command(folder: &TempDir, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
+    command.arg("solve").args(arguments).current_dir(folder);
+    command
+}
+
+fn solve(folder: &TempDir, arguments: &[&str]) -> Output {
+    command(folder, arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+/// Exit code 1, the words on stderr, and the folder as it was.
+fn refused(folder: &TempDir, arguments: &[&str], words: &str) {
+    let before = names(folder.path());
+    let output = solve(folder, arguments);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains(words), "{message}");
+    assert_eq!(names(folder.path()), before);
+}
+
+#[test]
+fn results_are_reported_and_written() {
+    let folder = workspace("quick.toml");
+    let output = solve(&folder, &["quick.toml"]);
+    let report = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(report.contains("central film thickness"), "{report}");
+    assert!(report.contains("results/quick"), "{report}");
+    assert!(text(&output.stderr).contains("Newton"));
+
+    let results = folder.path().join("results/quick");
+    for name in [
+        "result.json",
+        "report.txt",
+        "centreline.csv",
+        "surface.vtu",
+        "centreline.svg",
+    ] {
+        assert!(results.join(name).exists(), "{name}");
+    }
+    let kept = std::fs::read_to_string(results.join("case.toml")).unwrap();
+    let case = std::fs::read_to_string(folder.path().join("quick.toml")).unwrap();
+    assert_eq!(kept, case);
+    assert_eq!(names(&folder.path().join("results")), ["quick"]);
+}
+
+#[test]
+fn the_folder_comes_from_the_command_line_or_the_case() {
+    let folder = workspace("quick.toml");
+    let path = folder.path().join("quick.toml");
+    let case = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(
+        &path,
+        case + "\n[output]\nfolder = \"from/case\"\nbody_field = false\n",
+    )
+    .unwrap();
+    assert_eq!(solve(&folder, &["quick.toml"]).status.code(), Some(0));
+    let results = folder.path().join("from/case");
+    assert!(results.join("result.json").exists());
+    assert!(!results.join("body.vtu").exists());
+
+    let output = solve(&folder, &["quick.toml", "--output", "from/line"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(names(&folder.path().join("from")), ["case", "line"]);
+}
+
+#[test]
+fn a_former_result_is_replaced_and_quiet_is_quiet() {
+    let folder = workspace("quick.toml");
+    let arguments = ["quick.toml", "--quiet"];
+    assert_eq!(solve(&folder, &arguments).status.code(), Some(0));
+    let report = folder.path().join("results/quick/report.txt");
+    std::fs::write(&report, "old").unwrap();
+    let output = solve(&folder, &arguments);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!((text(&output.stdout), text(&output.stderr)), ("", ""));
+    assert!(
+        std::fs::read_to_string(&report)
+            .unwrap()
+            .contains("film thickness")
+    );
+}
+
+#[test]
+fn what_belongs_to_somebody_else_is_not_replaced() {
+    let folder = workspace("quick.toml");
+    let thesis = folder.path().join("thesis");
+    std::fs::create_dir(&thesis).unwrap();
+    std::fs::write(thesis.join("chapter.txt"), "years of work").unwrap();
+    refused(
+        &folder,
+        &["quick.toml", "--output", "thesis"],
+        "will not replace the folder thesis",
+    );
+    assert!(thesis.join("chapter.txt").exists());
+
+    std::fs::write(folder.path().join("file"), "").unwrap();
+    refused(
+        &folder,
+        &["quick.toml", "--output", "file"],
+        "it is a file, not a folder",
+    );
+    refused(
+        &folder,
+        &["quick.toml", "--output", "file/below"],
+        "cannot write",
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn an_unwritable_folder_is_told_before_the_solve() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = workspace("quick.toml");
+    let locked = folder.path().join("locked");
+    std::fs::create_dir(&locked).unwrap();
+    std::fs::set_permissions(&locked, std::fs::Permissions::from_mode(0o555)).unwrap();
+    // The administrator may write anywhere; /proc refuses even him.
+    let place = if std::fs::write(locked.join("probe"), "").is_ok() {
+        PathBuf::from("/proc/ertel-results")
+    } else {
+        locked.join("results")
+    };
+    let output = solve(
+        &folder,
+        &["quick.toml", "--output", place.to_str().unwrap()],
+    );
+    assert_eq!(output.status.code(), Some(1));
+    let message = text(&output.stderr);
+    assert!(message.contains("cannot write results to"), "{message}");
+    assert!(!message.contains("Newton"), "{message}");
+}
+
+/// A limit on the size of files stops the writing halfway, as a full disk does.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_disk_that_fills_up_leaves_nothing_half_written() {
+    let folder = workspace("quick.toml");
+    let limited = |folder: &TempDir| {
+        // 32 blocks of 512 or 1024 bytes: some files fit, others do not.
+        Command::new("sh")
+            .arg("-c")
+            .arg("trap '' XFSZ; ulimit -f 32; exec \"$0\" solve quick.toml --output steel")
+            .arg(env!("CARGO_BIN_EXE_ertel"))
+            .current_dir(folder)
+            .output()
+            .unwrap()
+    };
+    let output = limited(&folder);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert!(message.contains("error: cannot write steel/"), "{message}");
+    assert_eq!(names(folder.path()), ["quick.toml"]);
+
+    // A former result survives.
+    assert_eq!(
+        solve(&folder, &["quick.toml", "--output", "steel"])
+            .status
+            .code(),
+        Some(0)
+    );
+    let before = std::fs::read(folder.path().join("steel/result.json")).unwrap();
+    assert_eq!(limited(&folder).status.code(), Some(1));
+    assert_eq!(
+        std::fs::read(folder.path().join("steel/result.json")).unwrap(),
+        before
+    );
+    assert_eq!(names(folder.path()), ["quick.toml", "steel"]);
+}
+
+#[test]
+fn no_convergence_exits_with_3_and_writes_nothing() {
+    let folder = workspace("quick.toml");
+    let path = folder.path().join("quick.toml");
+    let case = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, case + "\n[solver]\nmax_iterations = 1\n").unwrap();
+    let output = solve(&folder, &["quick.toml"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(text(&output.stderr).contains("no convergence"));
+    assert_eq!(names(folder.path()), ["quick.toml"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_exits_with_130_and_writes_nothing() {
+    let folder = workspace("slow.toml");
+    let mut child = command(&folder, &["slow.toml"])
+        .stderr(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
+    let first = lines.next().unwrap().unwrap();
+    assert!(first.contains("stage"), "{first}");
+    let kill = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(kill.unwrap().success());
+    let rest: Vec<String> = lines.map(Result::unwrap).collect();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{rest:?}");
+    assert!(
+        rest.last()
+            .unwrap()
+            .contains("interrupted; nothing was written"),
+        "{rest:?}"
+    );
+    assert_eq!(names(folder.path()), ["slow.toml"]);
+}
+
+#[cfg(not(feature = "png"))]
+#[test]
+fn png_without_its_feature_is_told_before_the_solve() {
+    let folder = workspace("quick.toml");
+    let output = solve(&folder, &["quick.toml", "--png"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("--features png"));
+    assert!(!text(&output.stderr).contains("Newton"));
+}
