@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use ertel::case::Case;
 use ertel::output;
-use ertel::solve::SolveError;
+use ertel::solve::{DiscretisationError, SolveError};
 
 use crate::args::SolveArgs;
 use crate::failure::Failure;
@@ -16,6 +16,10 @@ use crate::progress::Progress;
 static CANCELLED: AtomicBool = AtomicBool::new(false);
 /// While results are written a second Ctrl-C waits for the moment this takes.
 static WRITING: AtomicBool = AtomicBool::new(false);
+
+/// What to try when the iterations do not converge.
+const HELP: &str = "  = help: nothing was written. A finer mesh ([mesh] preset = \"fine\"), some diffusion ([solver] \
+    isotropic_diffusion = 0.5)\n  = help: or a smaller load to begin with often help";
 
 /// Runs the command.
 ///
@@ -113,10 +117,15 @@ impl From<SolveError> for Failure {
     fn from(error: SolveError) -> Self {
         match error {
             SolveError::Interrupted => Self::Interrupted,
+            SolveError::Discretisation(DiscretisationError::Mesh(error)) => {
+                Self::Argument(format!(
+                    "the mesh of this case cannot be built: {error}\n  = help: see [mesh] in the case file"
+                ))
+            }
             SolveError::Discretisation(error) => Self::Other(error.to_string()),
             SolveError::NotConverged { .. }
             | SolveError::Krylov(_)
-            | SolveError::Factorisation(_) => Self::NotConverged(error.to_string()),
+            | SolveError::Factorisation(_) => Self::NotConverged(format!("{error}\n{HELP}")),
         }
     }
 }

@@ -209,6 +209,18 @@ fn no_convergence_exits_with_3_and_writes_nothing() {
     assert_eq!(names(folder.path()), ["quick.toml"]);
 }
 
+#[test]
+fn a_mesh_that_cannot_be_built_exits_with_2() {
+    let folder = workspace("quick.toml");
+    let path = folder.path().join("quick.toml");
+    let case = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, case + "body_width = 8\n").unwrap();
+    let output = solve(&folder, &["quick.toml"]);
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("see [mesh] in the case file"));
+    assert_eq!(names(folder.path()), ["quick.toml"]);
+}
+
 #[cfg(unix)]
 #[test]
 fn ctrl_c_exits_with_130_and_writes_nothing() {

@@ -91,7 +91,12 @@ impl Bounds {
                 format!(" {unit}")
             };
             let excluded = if excluded { " (excluded)" } else { "" };
-            format!("{value}{unit}{excluded}")
+            let readable = value == 0.0 || (1e-3..1e5).contains(&value.abs());
+            if readable {
+                format!("{value}{unit}{excluded}")
+            } else {
+                format!("{value:e}{unit}{excluded}")
+            }
         };
         match (self.lower.is_finite(), self.upper.is_finite()) {
             (false, false) => "finite".to_owned(),

@@ -232,7 +232,7 @@ fn bounds_include_and_exclude_their_ends() {
     assert!(!Bounds::ANY.contains(f64::NAN));
     assert_eq!(
         Bounds::closed(1e6, 5e9).describe("Pa"),
-        "between 1000000 Pa and 5000000000 Pa"
+        "between 1e6 Pa and 5e9 Pa"
     );
     assert_eq!(
         Bounds::above_to(0.0, 1.0).to_string(),

@@ -7,7 +7,9 @@ use crate::contact::{Contact, ContactKind, Hertz, Motion};
 
 /// Radii from asperities to rolls, m: beyond these a unit was mistaken.
 const RADIUS: Bounds = Bounds::closed(1e-6, 1e3);
-/// Speeds, m/s; likewise.
+/// Surfaces that move almost exactly against each other have ratios far beyond 2, but not these.
+const SLIDE_TO_ROLL: Bounds = Bounds::closed(-1e6, 1e6);
+/// Speeds, m/s, as for the radii.
 const MAX_SPEED: f64 = 1e3;
 
 /// Reads `[contact]`; `reduced_modulus` in Pa converts a Hertz pressure to a load.
@@ -60,7 +62,7 @@ pub(super) fn read_motion(table: &mut Table<'_>) -> Result<Motion, InputError> {
         let entrainment_speed =
             table.required_quantity("entrainment_speed", Dimension::SPEED, speed)?;
         check_entrainment(table, "entrainment_speed", entrainment_speed)?;
-        let slide_to_roll_ratio = table.required_number("slide_to_roll_ratio", Bounds::ANY)?;
+        let slide_to_roll_ratio = table.required_number("slide_to_roll_ratio", SLIDE_TO_ROLL)?;
         return Ok(Motion {
             entrainment_speed,
             slide_to_roll_ratio,

@@ -98,6 +98,9 @@ fn order(table: &mut Table<'_>, key: &str, highest: i64) -> Result<Option<usize>
     Ok(order.and_then(|order| usize::try_from(order).ok()))
 }
 
+/// Rounding keeps the residual from falling below this.
+const MIN_TOLERANCE: f64 = 1e-11;
+
 pub(super) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
     let mut solver = SolverParams::default();
     let formulation = table.optional_choice(
@@ -147,7 +150,7 @@ pub(super) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
     set(&mut solver.linear, linear);
     set(
         &mut solver.tolerance,
-        table.optional_number("tolerance", Bounds::closed(1e-13, 1e-2))?,
+        table.optional_number("tolerance", Bounds::closed(MIN_TOLERANCE, 1e-2))?,
     );
     let iterations = table.optional_integer("max_iterations", 1..=10_000)?;
     set(
