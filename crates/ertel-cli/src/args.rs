@@ -32,7 +32,7 @@ pub struct SolveArgs {
     /// The case file (TOML)
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
-    /// Folder for the results [default: `results/<name of the case file>`, or `output.folder` of the case]
+    /// Folder for the results (default: `output.folder` of the case, else `results/<name of the case file>`)
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
     /// Write PNG pictures beside the SVG ones
@@ -63,7 +63,7 @@ pub enum FluidsCommand {
     Show {
         /// Name of the fluid
         name: String,
-        /// Temperature of the viscosity table, such as "60 degC" [default: the fluid's reference temperature]
+        /// Temperature of the viscosity table, such as "60 degC" (default: that of the data)
         #[arg(short, long, value_name = "T")]
         temperature: Option<String>,
         /// Write the viscosity over pressure as a picture

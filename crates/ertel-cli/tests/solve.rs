@@ -245,6 +245,11 @@ fn ctrl_c_exits_with_130_and_writes_nothing() {
             .contains("interrupted; nothing was written"),
         "{rest:?}"
     );
+    // Stopped on the way, not after the last stage.
+    assert!(
+        !rest.iter().any(|line| line.starts_with("stage 3")),
+        "{rest:?}"
+    );
     assert_eq!(names(folder.path()), ["slow.toml"]);
 }
 

@@ -332,6 +332,16 @@ fn carets_line_up_after_tabs_accents_and_carriage_returns() {
 }
 
 #[test]
+fn columns_count_characters() {
+    let document = document("t = { \"µµ\" = \"µm\", r = \"1 N\" }");
+    let mut table = document.root().required_table("t").unwrap();
+    let error = table
+        .required_quantity("r", Dimension::LENGTH, Bounds::ANY)
+        .unwrap_err();
+    assert_eq!(error.column(), Some(24));
+}
+
+#[test]
 fn files_that_cannot_be_read_are_named() {
     let folder = tempfile::tempdir().unwrap();
     let absent = folder.path().join("absent.toml");
