@@ -54,9 +54,9 @@ impl MeshParams {
     /// Sizes of a preset; a line contact affords much finer cells.
     pub fn preset(preset: MeshPreset, kind: ContactKind) -> MeshParams {
         let (hertz_size, constriction_size) = match (kind, preset) {
-            (ContactKind::Circular, MeshPreset::Coarse) => (0.2, 0.1),
-            (ContactKind::Circular, MeshPreset::Normal) => (0.1, 0.05),
-            (ContactKind::Circular, MeshPreset::Fine) => (0.1, 0.025),
+            (ContactKind::Circular, MeshPreset::Coarse) => (0.18, 0.09),
+            (ContactKind::Circular, MeshPreset::Normal) => (0.13, 0.065),
+            (ContactKind::Circular, MeshPreset::Fine) => (0.09, 0.032),
             (ContactKind::Line, MeshPreset::Coarse) => (0.05, 0.02),
             (ContactKind::Line, MeshPreset::Normal) => (0.02, 0.005),
             (ContactKind::Line, MeshPreset::Fine) => (0.01, 0.002),

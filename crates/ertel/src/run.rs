@@ -11,7 +11,7 @@ use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
 use crate::solution::{Solution, Stats};
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::newton::{FilmModel, NewtonParams};
-use crate::solve::sequence::{Problem, Stage, solve_stages};
+use crate::solve::sequence::{Problem, Role, Stage, solve_stages};
 use crate::solve::system::FilmConstants;
 use crate::solve::{Observer, SolveError};
 
@@ -172,7 +172,7 @@ fn predicted_film(case: &Case) -> f64 {
 }
 
 /// Ratio of the gap at the inlet edge to the central film from which the inlet counts as flooded.
-const FLOODED: f64 = 100.0;
+const FLOODED: f64 = 80.0;
 
 /// Contact area: the thesis's where the film is thin; longer where a thick film builds up further
 /// out. The body grows with it.
@@ -189,7 +189,7 @@ fn extents(kind: ContactKind, mesh: &MeshParams, film: f64) -> Extents {
     let inlet = mesh.inlet.unwrap_or(-reach);
     let outlet = mesh
         .outlet
-        .unwrap_or_else(|| 1.5_f64.max((1.0 + 2.0 * film.sqrt()).ceil_half()));
+        .unwrap_or_else(|| 1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half()));
     let side = mesh
         .side
         .unwrap_or_else(|| 3.0_f64.max((reach * 2.0 / 3.0).ceil_half()));
@@ -244,18 +244,21 @@ fn stages(mesh: &MeshParams, constants: FilmConstants, error_estimate: bool) -> 
         sizes: coarse,
         pressure_order: order.min(2),
         constants: start,
+        role: Role::Start,
     }];
     if error_estimate {
         stages.push(Stage {
             sizes: coarse,
             pressure_order: order,
             constants,
+            role: Role::Estimate,
         });
     }
     stages.push(Stage {
         sizes: fine,
         pressure_order: order,
         constants,
+        role: Role::Final,
     });
     stages
 }

@@ -77,6 +77,8 @@ pub struct IterationRecord {
 /// One mesh level of the solve.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LevelStats {
+    /// Whether Newton's method converged here; a start or an estimate may do without.
+    pub converged: bool,
     /// Cells of the body.
     pub n_body_cells: usize,
     /// Elements on the contact area.

@@ -88,7 +88,7 @@ pub fn gmres(
             h[i + 1] = -s * a + c * b;
         }
         let r = h[k].hypot(h[k + 1]);
-        let breakdown = h[k + 1] <= 1e-14 * norm_b.max(r) || r == 0.0;
+        let breakdown = h[k + 1] <= 1e-14 * norm_b.max(r) || r == 0.0 || !r.is_finite();
         let (c, s) = if r > 0.0 {
             (h[k] / r, h[k + 1] / r)
         } else {

@@ -226,6 +226,7 @@ fn body(kind: ContactKind, a: f64) -> BodyField {
 
 fn level(n: usize, newton_iterations: usize) -> LevelStats {
     LevelStats {
+        converged: true,
         n_body_cells: 10 * n,
         n_contact_elements: n,
         n_pressure_dofs: 5 * n,

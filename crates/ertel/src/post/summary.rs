@@ -56,16 +56,17 @@ pub fn summarise(
 /// With an error that at least halves from mesh to mesh (order one or better),
 /// |v_2h − v| ≥ 2|v_h − v|, so |v_2h − v_h| ≥ |v_h − v|: the difference bounds the error of the
 /// finer value. Smooth solutions converge faster and the bar is then wide.
+///
+/// The coarser mesh is the last one on which any stage converged; a diffusive start counts too, it
+/// only widens the bar.
 fn error_bar(levels: &[LevelStats], of: fn(&LevelStats) -> f64) -> Option<f64> {
-    let [.., coarse, fine] = levels else {
-        return None;
-    };
-    (coarse.pressure_order == fine.pressure_order && coarse.n_body_cells != fine.n_body_cells).then(
-        || {
-            (of(coarse) - of(fine))
-                .abs()
-                .max(SMALLEST_ERROR * of(fine).abs())
-        },
+    let (fine, coarser) = levels.split_last()?;
+    let other_mesh = |l: &&LevelStats| l.converged && l.n_body_cells != fine.n_body_cells;
+    let coarse = coarser.iter().rev().find(other_mesh)?;
+    Some(
+        (of(coarse) - of(fine))
+            .abs()
+            .max(SMALLEST_ERROR * of(fine).abs()),
     )
 }
 
@@ -102,6 +103,11 @@ pub fn warnings(kind: ContactKind, summary: &Summary, solution: &StageSolution) 
             "the minimum film thickness, {:.2} nm, is below a nanometre: no continuum film exists there",
             minimum.value * 1e9
         ));
+    }
+    if minimum.error.is_none() {
+        warnings.push(
+            "no error bar: no coarser mesh converged (or solver.error_estimate is off)".to_owned(),
+        );
     }
     for (name, figure) in [("central", summary.film_central), ("minimum", minimum)] {
         let relative = figure.error.unwrap_or(0.0) / figure.value;

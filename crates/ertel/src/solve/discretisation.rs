@@ -23,7 +23,7 @@ pub struct LevelSizes {
     pub hertz: f64,
     /// Cell size at the outlet constriction and the side lobes.
     pub constriction: f64,
-    /// Largest cell size on the contact area.
+    /// Largest cell size within three half-widths; beyond, it grows with the distance.
     pub edge: f64,
     /// Growth per distance along the surface.
     pub growth: f64,
@@ -302,11 +302,6 @@ fn on_edge(kind: ContactKind, e: &Extents, p: [f64; 3]) -> bool {
 /// rest of the contact area, growing into the body.
 fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {
     let origin = [0.0; 3];
-    let side = if kind == ContactKind::Circular {
-        e.side
-    } else {
-        0.0
-    };
     let zones = [
         SizeZone {
             zone: Zone::Disc {
@@ -328,18 +323,25 @@ fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {
             },
             size: s.constriction,
         },
-        SizeZone {
-            zone: Zone::Box {
-                min: [e.inlet, -side, 0.0],
-                max: [e.outlet, 0.0, 0.0],
-            },
-            size: s.edge,
-        },
     ];
+    // Far from the contact the film varies on the scale of the distance; beyond the contact area
+    // there is no film.
+    let r = x[0].hypot(x[1]);
+    let side = if kind == ContactKind::Circular {
+        e.side
+    } else {
+        0.0
+    };
+    let area = Zone::Box {
+        min: [e.inlet, -side, 0.0],
+        max: [e.outlet, 0.0, 0.0],
+    };
+    let outside = area.distance([x[0], x[1], 0.0]);
+    let largest = s.edge * (r / 3.0).max(1.0) + s.growth * outside;
     let surface = SizeField {
         zones: zones.to_vec(),
         growth: s.growth,
     }
     .size([x[0], x[1], 0.0]);
-    surface + s.depth_growth * -x[2]
+    surface.min(largest) + s.depth_growth * -x[2]
 }

@@ -352,13 +352,13 @@ impl StepSolver<'_, '_> {
     /// −J⁻¹F of a system at its own state.
     fn newton_step(&mut self, system: &System, state: &State) -> Result<Step, SolveError> {
         let tolerance = (1e-2 * system.relative_residual()).clamp(1e-9, 1e-3);
-        if matches!(self.factors, Some(Factors::Bordered(_))) {
-            if let Ok(step) = self.solve(system, system, state, tolerance, 2 * STALE_ITERATIONS) {
-                if step.krylov_iterations > STALE_ITERATIONS {
-                    self.factors = None;
-                }
-                return Ok(step);
+        if matches!(self.factors, Some(Factors::Bordered(_)))
+            && let Ok(step) = self.solve(system, system, state, tolerance, 2 * STALE_ITERATIONS)
+        {
+            if step.krylov_iterations > STALE_ITERATIONS {
+                self.factors = None;
             }
+            return Ok(step);
         }
         self.refresh(system)?;
         self.solve(system, system, state, tolerance, 200)

@@ -1,5 +1,6 @@
 //! Coarse-to-fine sequence of levels.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 
 use super::discretisation::{BodyConstants, ContactBody, Discretisation, Extents, LevelSizes};
@@ -21,6 +22,20 @@ pub struct Stage {
     pub pressure_order: usize,
     /// Constants of the Reynolds equation, penalty at full strength.
     pub constants: FilmConstants,
+    /// What it is for.
+    pub role: Role,
+}
+
+/// What a stage is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Only starts the next one: loose tolerance, penalty ramp, and what it reaches is good
+    /// enough even when it does not converge.
+    Start,
+    /// Its figures bound the discretisation error; skipped when it does not converge.
+    Estimate,
+    /// The solution.
+    Final,
 }
 
 /// Everything a solve needs, dimensionless.
@@ -55,14 +70,27 @@ pub struct StageSolution {
     pub discretisation: Discretisation,
     /// The state on it.
     pub state: State,
+    /// Cell sizes of its mesh.
+    pub sizes: LevelSizes,
+}
+
+impl StageSolution {
+    /// Whether an unconverged state is still near a contact: finite, with a positive film.
+    fn is_usable(&self) -> bool {
+        let film = central_film(&self.discretisation, &self.state);
+        film.is_finite() && film > 0.0 && self.state.pressure.iter().all(|p| p.is_finite())
+    }
 }
 
 /// Shares of the full cavitation penalty in the first stage, where the free boundary is still
 /// far from its place.
 const PENALTY_RAMP: [f64; 3] = [1e-4, 1e-2, 1.0];
 
-/// Update, in p_h, below which the next share of the ramp begins.
-const RAMP_TOLERANCE: f64 = 1e-2;
+/// Update, in p_h, at which a start is good enough.
+const START_TOLERANCE: f64 = 1e-2;
+
+/// Newton iterations that a start may take for each share of the ramp.
+const START_ITERATIONS: usize = 30;
 
 /// Solves stage by stage; returns the last and the effort on each.
 ///
@@ -73,56 +101,44 @@ pub fn solve_stages(
     observer: &mut dyn Observer,
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
     let mut previous: Option<StageSolution> = None;
-    let mut stats = Vec::new();
-    for (level, stage) in problem.stages.iter().enumerate() {
-        let mut effort = NewtonStats::default();
-        let same_mesh = level > 0 && problem.stages[level - 1].sizes == stage.sizes;
+    let mut stats: Vec<LevelStats> = Vec::new();
+    let mut queue: VecDeque<Stage> = problem.stages.iter().copied().collect();
+    let mut rescued = false;
+    while let Some(stage) = queue.pop_front() {
+        let level = stats.len();
         let contact = match &previous {
-            Some(coarse) if same_mesh => Arc::clone(&coarse.discretisation.contact),
-            _ => {
-                let contact = ContactBody::new(
-                    problem.kind,
-                    &problem.extents,
-                    &stage.sizes,
-                    problem.elastic_order,
-                    &problem.bodies,
-                )?;
-                (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
-                Arc::new(contact)
-            }
+            Some(p) if p.sizes == stage.sizes => Arc::clone(&p.discretisation.contact),
+            _ => Arc::new(ContactBody::new(
+                problem.kind,
+                &problem.extents,
+                &stage.sizes,
+                problem.elastic_order,
+                &problem.bodies,
+            )?),
         };
         let d = Discretisation::new(&contact, stage.pressure_order);
         let n_displacement = contact.space.dofs.n_dofs;
-        observer.level(level, problem.stages.len(), d.n_pressure, n_displacement);
-        let newton = NewtonLevel::new(&d, problem.load, problem.linear);
+        observer.level(level, level + 1 + queue.len(), d.n_pressure, n_displacement);
         let mut state = match &previous {
             None => cold_start(problem, &d),
             Some(coarse) => interpolate(coarse, &d),
         };
-        let ramp: &[f64] = if level == 0 { &PENALTY_RAMP } else { &[1.0] };
-        for share in ramp {
-            let model = FilmModel {
-                fluid: problem.fluid.clone(),
-                constants: FilmConstants {
-                    penalty: stage.constants.penalty * share,
-                    ..stage.constants
-                },
-            };
-            // A start for the next stage need not be converged.
-            let last = *share == 1.0 && (level > 0 || problem.stages.len() == 1);
-            let mut params = problem.newton;
-            if !last {
-                params.update_tolerance = RAMP_TOLERANCE;
-                params.residual_tolerance = f64::INFINITY;
-            }
-            let label = RunLabel {
-                level,
-                penalty_share: *share,
-                film_scale: problem.film_scale,
-            };
-            newton.run(&model, &params, &label, &mut state, &mut effort, observer)?;
+        let mut effort = NewtonStats::default();
+        let fresh = previous.as_ref().is_none_or(|p| p.sizes != stage.sizes);
+        if fresh {
+            (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
         }
+        let outcome = run_stage(
+            problem,
+            &stage,
+            level,
+            &d,
+            &mut state,
+            &mut effort,
+            observer,
+        );
         stats.push(LevelStats {
+            converged: outcome.is_ok(),
             n_body_cells: contact.body.mesh.n_cells(),
             n_contact_elements: contact.n_elements(),
             n_pressure_dofs: d.n_pressure,
@@ -136,13 +152,72 @@ pub fn solve_stages(
             film_minimum: problem.film_scale * minimum_film(&d, &state).0,
             seconds: effort.seconds,
         });
-        drop(newton);
-        previous = Some(StageSolution {
+        let solution = StageSolution {
             discretisation: d,
             state,
-        });
+            sizes: stage.sizes,
+        };
+        match outcome {
+            Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+            Ok(()) => previous = Some(solution),
+            Err(e) => match stage.role {
+                Role::Start if solution.is_usable() => previous = Some(solution),
+                Role::Estimate => {}
+                // A finer mesh may carry what the coarse one could not: start there once more.
+                Role::Final if !rescued => {
+                    rescued = true;
+                    queue.push_back(Stage {
+                        sizes: stage.sizes,
+                        ..problem.stages[0]
+                    });
+                    queue.push_back(stage);
+                }
+                Role::Start | Role::Final => return Err(e),
+            },
+        }
     }
-    Ok((previous.expect("at least one stage"), stats))
+    Ok((previous.expect("the final stage converged"), stats))
+}
+
+/// Newton's method on one stage, through the penalty ramp if it is a start.
+fn run_stage(
+    problem: &Problem,
+    stage: &Stage,
+    level: usize,
+    d: &Discretisation,
+    state: &mut State,
+    effort: &mut NewtonStats,
+    observer: &mut dyn Observer,
+) -> Result<(), SolveError> {
+    let newton = NewtonLevel::new(d, problem.load, problem.linear);
+    let start = stage.role == Role::Start;
+    let mut outcome = Ok(());
+    for share in if start { &PENALTY_RAMP[..] } else { &[1.0] } {
+        let model = FilmModel {
+            fluid: problem.fluid.clone(),
+            constants: FilmConstants {
+                penalty: stage.constants.penalty * share,
+                ..stage.constants
+            },
+        };
+        let mut params = problem.newton;
+        if start {
+            params.update_tolerance = START_TOLERANCE;
+            params.residual_tolerance = f64::INFINITY;
+            params.max_iterations = START_ITERATIONS;
+        }
+        let label = RunLabel {
+            level,
+            penalty_share: *share,
+            film_scale: problem.film_scale,
+        };
+        outcome = newton.run(&model, &params, &label, state, effort, observer);
+        let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
+        if outcome.is_err() && !(start && stalled) {
+            return outcome;
+        }
+    }
+    outcome
 }
 
 /// Hertz pressure, and H0 such that the central film is the problem's start film.
