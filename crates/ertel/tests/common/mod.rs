@@ -1,0 +1,91 @@
+//! Cases that several verifications share.
+#![allow(dead_code)]
+
+use ertel::case::{Body, Case, Lubricant};
+use ertel::contact::{Contact, ContactKind, Elasticity, Hertz, Motion, reduced_modulus};
+use ertel::params::{MeshParams, MeshPreset, OutputParams, SolverParams};
+use ertel_rheology::{DensityLaw, ViscosityLaw};
+
+/// Steel.
+pub const STEEL: Elasticity = Elasticity {
+    youngs_modulus: 210e9,
+    poissons_ratio: 0.3,
+};
+
+/// Glass of optical rigs.
+pub const GLASS: Elasticity = Elasticity {
+    youngs_modulus: 81e9,
+    poissons_ratio: 0.208,
+};
+
+/// Steel on steel in a mineral oil after Roelands and Dowson-Higginson: R = 16 mm, 0.8 m/s; load
+/// in N (circular) or N/m (line).
+pub fn case(kind: ContactKind, load: f64) -> Case {
+    let steel = Body {
+        name: "steel".into(),
+        elasticity: STEEL,
+    };
+    Case {
+        title: String::new(),
+        contact: Contact {
+            kind,
+            radius: 0.016,
+            load,
+        },
+        plane: steel.clone(),
+        ball: steel,
+        motion: Motion {
+            entrainment_speed: 0.8,
+            slide_to_roll_ratio: 0.0,
+        },
+        lubricant: Lubricant {
+            name: None,
+            temperature: 313.15,
+            density: DensityLaw::dowson_higginson(870.0).unwrap(),
+            viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
+        },
+        mesh: MeshParams::preset(MeshPreset::Coarse, kind),
+        solver: SolverParams::default(),
+        output: OutputParams {
+            body_field: false,
+            ..OutputParams::default()
+        },
+        warnings: Vec::new(),
+        source: String::new(),
+        given: serde_json::Value::Null,
+    }
+}
+
+/// The same with load and pressure-viscosity coefficient from Moes's groups M and L
+/// (U = μ₀u_m/(E'R); line: w = M E'R √(2U), circular: F = M E'R² (2U)^¾; α = L (2U)^(−¼)/E').
+pub fn moes_case(kind: ContactKind, m: f64, l: f64) -> Case {
+    let mut case = case(kind, 1.0);
+    let modulus = reduced_modulus(case.plane.elasticity, case.ball.elasticity);
+    let (viscosity, radius) = (0.04, case.contact.radius);
+    let speed = 2.0 * viscosity * case.motion.entrainment_speed / (modulus * radius);
+    case.contact.load = match kind {
+        ContactKind::Line => m * modulus * radius * speed.sqrt(),
+        ContactKind::Circular => m * modulus * radius * radius * speed.powf(0.75),
+    };
+    let alpha = l / (speed.powf(0.25) * modulus);
+    case.lubricant.viscosity = ViscosityLaw::roelands(viscosity, alpha).unwrap();
+    case
+}
+
+/// Hertz pressure of a case, Pa.
+pub fn hertz_pressure(case: &Case) -> f64 {
+    Hertz::new(&case.contact, case.reduced_modulus()).pressure
+}
+
+/// Pseudo-random numbers in [−1, 1].
+pub fn noise(n: usize, seed: u64) -> Vec<f64> {
+    let mut state = seed;
+    (0..n)
+        .map(|_| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+        })
+        .collect()
+}
