@@ -7,12 +7,15 @@
 //! Nothing of the product computes f: fluid, film and flux are written out here once more, and
 //! differentiated by dual numbers.
 
+mod common;
+
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use ertel::contact::{ContactKind, Scales};
 use ertel::film::FilmFluid;
-use ertel::params::{Formulation, PenaltyScaling};
+use ertel::params::Formulation;
+use ertel::run::problem;
 use ertel::solve::discretisation::{ContactBody, Discretisation, Extents, LevelSizes};
 use ertel::solve::evaluate::fields_in;
 use ertel::solve::system::{FilmConstants, State, System};
@@ -124,7 +127,7 @@ fn errors(
         formulation,
         isotropic_diffusion: diffusion,
         penalty: 0.0,
-        penalty_scaling: PenaltyScaling::Constant,
+        ..problem(&common::case(kind, 100.0)).stages[0].constants
     };
     let fluid = fluid();
     let mut state = State {

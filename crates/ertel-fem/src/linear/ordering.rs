@@ -1,6 +1,12 @@
 //! Fill-reducing order by nested dissection (METIS).
 
+use std::sync::{Mutex, PoisonError};
+
 use crate::assembly::NodeGraph;
+
+/// METIS draws from the C library's one random sequence, seeded at its start: two calls at a time
+/// would disturb each other's order, and with it the last digits of every result.
+static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
 
 /// METIS refused the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -38,9 +44,10 @@ pub fn nested_dissection(graph: &NodeGraph) -> Result<Vec<usize>, OrderingError>
     let mut options = [0i32; metis_sys::METIS_NOPTIONS as usize];
     let mut order = vec![0i32; n];
     let mut inverse = vec![0i32; n];
+    let _guard = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     // SAFETY: all arrays have the lengths METIS documents (n + 1, Σdegrees, n, n) and outlive the
     // call; a null vertex weight means unit weights. METIS uses a fixed seed, so the order is
-    // reproducible.
+    // reproducible while no other call runs.
     let code = unsafe {
         metis_sys::METIS_SetDefaultOptions(options.as_mut_ptr());
         metis_sys::METIS_NodeND(

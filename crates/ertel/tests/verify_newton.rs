@@ -1,0 +1,171 @@
+//! Newton's method on the coupled system: its two linear solvers agree, it converges
+//! quadratically, and its effort and results repeat.
+
+mod common;
+
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use ertel::case::Case;
+use ertel::contact::ContactKind;
+use ertel::params::{ElasticModel, LinearSolver};
+use ertel::run::{problem, solve};
+use ertel::solution::{IterationRecord, Solution};
+use ertel::solve::discretisation::ContactBody;
+use ertel::solve::sequence::{Problem, Role, StageSolution, solve_stages};
+use ertel::solve::{Observer, Silent};
+
+/// A contact that a small mesh resolves: M = 90 (line), M = 20 (circular).
+fn small_case(kind: ContactKind) -> Case {
+    let load = if kind == ContactKind::Line { 3e5 } else { 10.0 };
+    let mut case = common::case(kind, load);
+    case.plane.elasticity = common::GLASS;
+    case.solver.tolerance = 1e-11;
+    if kind == ContactKind::Circular {
+        case.mesh.hertz_size = 0.4;
+        case.mesh.constriction_size = 0.3;
+        case.mesh.edge_size = 1.0;
+        case.mesh.elastic_order = 1;
+        case.mesh.pressure_order = 2;
+    }
+    case
+}
+
+/// Its problem on the fine mesh alone: start and solution.
+fn one_mesh(case: &Case) -> Problem {
+    let mut problem = problem(case);
+    let sizes = problem.stages.last().unwrap().sizes;
+    problem.stages.retain(|s| s.role != Role::Estimate);
+    for stage in &mut problem.stages {
+        stage.sizes = sizes;
+    }
+    problem
+}
+
+fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    (a.iter().zip(b)).fold(0.0, |m, (a, b)| m.max((a - b).abs()))
+}
+
+/// Condensed and monolithic Newton end at the same solution of the same discrete equations.
+#[test]
+fn condensed_path_equals_monolithic_path() {
+    for kind in [ContactKind::Line, ContactKind::Circular] {
+        for elasticity in [ElasticModel::Equivalent, ElasticModel::TwoBodies] {
+            let mut case = small_case(kind);
+            case.solver.elasticity = elasticity;
+            let solution = |linear: LinearSolver| -> StageSolution {
+                let mut case = case.clone();
+                case.solver.linear = linear;
+                solve_stages(&one_mesh(&case), &mut Silent).unwrap().0
+            };
+            let [a, b] = [LinearSolver::Condensed, LinearSolver::Monolithic].map(solution);
+            let (a, b) = (a.state, b.state);
+            let pressure = largest_difference(&a.pressure, &b.pressure);
+            let deflection = largest_difference(&a.deflection, &b.deflection);
+            let separation = (a.rigid_separation - b.rigid_separation).abs();
+            println!(
+                "{kind:?} {elasticity:?}: P {pressure:.1e}, deflection {deflection:.1e}, H0 {separation:.1e}"
+            );
+            assert!(pressure < 1e-9 && deflection < 1e-9 && separation < 1e-9);
+        }
+    }
+}
+
+/// Keeps the iterations of the final stage.
+#[derive(Default)]
+struct LastLevel(Vec<IterationRecord>);
+
+impl Observer for LastLevel {
+    fn level(&mut self, _: usize, _: usize, _: usize, _: usize) {
+        self.0.clear();
+    }
+    fn iteration(&mut self, record: &IterationRecord) {
+        self.0.push(record.clone());
+    }
+}
+
+/// Updates u_k of the last iterations: order ln(u_(k+1)/u_k)/ln(u_k/u_(k−1)) is 2 while the updates
+/// lie between the nonlinear start and round-off; a Jacobian that is wrong by a per cent has
+/// order 1.
+#[test]
+fn newton_converges_quadratically() {
+    for (kind, linear) in [
+        (ContactKind::Line, LinearSolver::Condensed),
+        (ContactKind::Line, LinearSolver::Monolithic),
+        (ContactKind::Circular, LinearSolver::Condensed),
+        (ContactKind::Circular, LinearSolver::Monolithic),
+    ] {
+        let mut case = small_case(kind);
+        case.solver.linear = linear;
+        let mut last = LastLevel::default();
+        solve_stages(&one_mesh(&case), &mut last).unwrap();
+        let updates: Vec<f64> = (last.0.iter().map(|r| r.update))
+            .filter(|u| *u > 1e-12)
+            .collect();
+        let [.., a, b, c] = updates[..] else {
+            panic!("too few iterations")
+        };
+        let order = (c / b).ln() / (b / a).ln();
+        println!("{kind:?} {linear:?}: {a:.1e} -> {b:.1e} -> {c:.1e}, order {order:.2}");
+        assert!(c < 1e-5 && (1.7..2.6).contains(&order), "{updates:?}");
+    }
+}
+
+/// Newton iterations, Krylov iterations and factorisations of every level.
+fn effort(s: &Solution) -> Vec<[usize; 3]> {
+    (s.stats.levels.iter())
+        .map(|l| [l.newton_iterations, l.krylov_iterations, l.factorisations])
+        .collect()
+}
+
+/// Cold start on the coarse preset: the effort is pinned, a second run repeats every bit.
+fn pinned(kind: ContactKind, load: f64, expected: &[[usize; 3]]) {
+    let case = common::case(kind, load);
+    let [a, b] = [(); 2].map(|()| solve(&case, &mut Silent).unwrap());
+    assert_eq!(a.surface, b.surface);
+    assert_eq!(a.centreline, b.centreline);
+    assert_eq!(a.history, b.history);
+    assert_eq!(a.summary, b.summary);
+    assert_eq!(effort(&a), expected, "Newton, Krylov, factorisations");
+}
+
+/// What other threads of the process do changes no bit of a result: sums are taken in a fixed
+/// order, and the elimination order is drawn under a lock.
+#[test]
+fn results_repeat_beside_other_solves() {
+    let case = common::case(ContactKind::Line, 3e5);
+    let alone = solve(&case, &mut Silent).unwrap();
+    let done = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            let other = problem(&common::case(ContactKind::Line, 2e5));
+            while !done.load(Ordering::Relaxed) {
+                let sizes = other.stages[0].sizes;
+                ContactBody::new(other.kind, &other.extents, &sizes, 2, &other.bodies).unwrap();
+            }
+        });
+        let repeats: Vec<bool> = (0..15)
+            .map(|_| solve(&case, &mut Silent).is_ok_and(|s| s.summary == alone.summary))
+            .collect();
+        done.store(true, Ordering::Relaxed);
+        assert!(repeats.iter().all(|same| *same), "{repeats:?}");
+    });
+}
+
+#[test]
+fn effort_of_a_line_contact() {
+    pinned(
+        ContactKind::Line,
+        3e5,
+        &[[12, 142, 4], [6, 79, 1], [6, 74, 1]],
+    );
+}
+
+#[test]
+fn effort_of_a_circular_contact() {
+    pinned(
+        ContactKind::Circular,
+        100.0,
+        &[[17, 271, 6], [9, 183, 4], [11, 188, 4]],
+    );
+}
