@@ -9,8 +9,10 @@ use crate::forms::reynolds::PointFluid;
 
 /// Isothermal fluid in the scales of a contact.
 ///
-/// Below ambient pressure (P < 0, an artefact of the cavitation penalty) the properties stay at
-/// their ambient values.
+/// Below ambient pressure (P < 0, an artefact of the cavitation penalty) the properties go on with
+/// the slope they have at P = 0 and level off within a few per cent. A kink there would make the
+/// stabilised equation jump where a quadrature point crosses P = 0, and a solution with a point on
+/// the jump does not exist: Newton's method would step from one side to the other for ever.
 #[derive(Clone, Debug)]
 pub struct FilmFluid {
     density: DensityLaw,
@@ -45,22 +47,83 @@ impl FilmFluid {
 
     /// ρ̄, μ̄ and their first two derivatives by P, exact.
     pub fn at(&self, pressure: f64) -> PointFluid {
-        let ambient = pressure <= 0.0;
         let scale = self.pressure_scale;
         let p = Dual2_64::from_re(pressure.max(0.0) * scale).derivative();
         let t = Dual2_64::from_re(self.temperature);
-        let rho = self.density.density(p, t) / self.density_scale;
-        let mu = (self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale).exp();
-        let by_p = |v: Dual2_64| {
-            if ambient {
-                [v.re, 0.0, 0.0]
-            } else {
-                [v.re, v.v1 * scale, v.v2 * scale * scale]
-            }
-        };
+        let ln_mu = self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale;
+        let mut rho = self.density.density(p, t) / self.density_scale;
+        let mut mu = ln_mu.exp();
+        if pressure < 0.0 {
+            let p = Dual2_64::from_re(pressure * scale).derivative();
+            rho = level_off(p, rho.re, rho.v1);
+            mu = level_off(p, 0.0, ln_mu.v1).exp() * mu.re;
+        }
+        let by_p = |v: Dual2_64| [v.re, v.v1 * scale, v.v2 * scale * scale];
         PointFluid {
             density: by_p(rho),
             viscosity: by_p(mu),
+        }
+    }
+}
+
+/// How far properties go beyond their ambient values: 5 % of density, and of viscosity.
+const DEPTH: f64 = 0.05;
+
+/// v₀ + v₁p/(1 − |v₁|p/d) for p < 0: value and slope of v at p = 0, never d below v₀.
+fn level_off(p: Dual2_64, value: f64, slope: f64) -> Dual2_64 {
+    p * slope / (-p * (slope.abs() / DEPTH) + 1.0) + value
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::{Contact, ContactKind, Hertz};
+    use approx::assert_relative_eq;
+
+    /// Values and slopes meet at P = 0, and nothing runs away below: ρ̄ = (1 + 2.266e-9 p)/
+    /// (1 + 1.683e-9 p) and Barus' law have the slopes 5.83e-10 and 2.2e-8 1/Pa by hand.
+    #[test]
+    fn properties_pass_through_ambient_pressure() {
+        let contact = Contact {
+            kind: ContactKind::Circular,
+            radius: 0.016,
+            load: 100.0,
+        };
+        let hertz = Hertz::new(&contact, 230e9);
+        let scales = Scales::new(&contact, &hertz, 1.0, 0.04, 870.0);
+        let density = DensityLaw::dowson_higginson(870.0).unwrap();
+        let viscosity = ViscosityLaw::barus(0.04, 2.2e-8).unwrap();
+        let fluid = FilmFluid::new(&density, &viscosity, 313.15, &scales);
+        let p_h = hertz.pressure;
+        for p in [-1e-9, 0.0, 1e-9] {
+            let f = fluid.at(p);
+            assert_relative_eq!(f.density[1], 5.83e-10 * p_h, max_relative = 0.03);
+            assert_relative_eq!(f.viscosity[1], 2.2e-8 * p_h, max_relative = 1e-6);
+        }
+        let (below, above) = (fluid.at(-1e-10), fluid.at(1e-10));
+        for (a, b) in [
+            (below.density, above.density),
+            (below.viscosity, above.viscosity),
+        ] {
+            assert_relative_eq!(a[0], b[0], max_relative = 1e-7);
+            assert_relative_eq!(a[1], b[1], max_relative = 1e-7);
+        }
+        for p in [-1e-3, -1.0, -1e3] {
+            let f = fluid.at(p);
+            assert!((0.95..1.0).contains(&f.density[0]), "{p}");
+            assert!((0.95..1.0).contains(&f.viscosity[0]), "{p}");
+            assert!(f.density[1] > 0.0 && f.viscosity[1] > 0.0);
+            // central differences
+            let step = 1e-4 * p.abs();
+            let difference = |v: fn(&PointFluid) -> [f64; 3], k: usize| {
+                (v(&fluid.at(p + step))[k] - v(&fluid.at(p - step))[k]) / (2.0 * step)
+            };
+            for k in 0..2 {
+                let d = difference(|f| f.density, k);
+                assert_relative_eq!(f.density[k + 1], d, max_relative = 1e-5);
+                let d = difference(|f| f.viscosity, k);
+                assert_relative_eq!(f.viscosity[k + 1], d, max_relative = 1e-5);
+            }
         }
     }
 }
