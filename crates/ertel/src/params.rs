@@ -99,8 +99,12 @@ pub enum PenaltyScaling {
     /// ξ = ξ₀ h_e², as printed in Habchi 2008, eq. 3.24.
     ElementSquared,
     /// ξ = ξ₀.
-    #[default]
     Constant,
+    /// ξ = ξ₀ max(1, H_f²/λ), H_f the central film that formulas predict: the layer at the free
+    /// boundary, √(ε/ξ), then is a fixed small share of the length √H_f over which a film of any
+    /// thickness ruptures.
+    #[default]
+    Film,
     /// ξ = ξ₀/h_e².
     InverseElementSquared,
 }

@@ -79,3 +79,38 @@ fn line() {
         assert!(s.warnings.is_empty(), "{:?}", s.warnings);
     }
 }
+
+/// Rigid isoviscous line contact: h₀ = 2.4475·2 U R/W, the closed form of Martin (1916) with
+/// Reynolds' cavitation condition. At M = 0.0065 elasticity is negligible; 0.5 % is the layer of
+/// the cavitation penalty.
+#[test]
+fn rigid_line_contact_is_martins() {
+    let mut case = main_case(ContactKind::Line, 100.0);
+    case.lubricant.viscosity = ViscosityLaw::constant(0.04).unwrap();
+    case.lubricant.density = DensityLaw::constant(870.0).unwrap();
+    let s = solve(&case, &mut Silent).unwrap();
+    let martin = 4.895 * s.groups.speed / s.groups.load * case.contact.radius;
+    assert!(s.groups.moes_load < 0.01);
+    assert_relative_eq!(s.summary.film_central.value, martin, max_relative = 5e-3);
+}
+
+/// Rigid isoviscous circular contact: Brewe, Hamrock & Taylor (1979), J. Lubr. Technol. 101,
+/// h₀ = 128·0.36 [0.131 atan(1/2) + 1.683]² R (U/W)² = 140.1 R (U/W)²; with half-Sommerfeld
+/// cavitation Kapitza's closed form gives 113.7. The load of a rigid ball falls off as 1/r and the
+/// film goes with its square: the finite contact area costs about 3 %.
+#[test]
+fn rigid_circular_contact_is_brewes() {
+    let mut case = main_case(ContactKind::Circular, 0.5);
+    case.mesh = MeshParams::preset(MeshPreset::Coarse, ContactKind::Circular);
+    case.motion.entrainment_speed = 2.0;
+    case.lubricant.viscosity = ViscosityLaw::constant(0.04).unwrap();
+    case.lubricant.density = DensityLaw::constant(870.0).unwrap();
+    let s = solve(&case, &mut Silent).unwrap();
+    let brewe = 140.1 * (s.groups.speed / s.groups.load).powi(2) * case.contact.radius;
+    println!(
+        "{} {} {:?} {:?}",
+        s.summary.film_central.value, brewe, s.groups, s.stats
+    );
+    assert!(s.groups.moes_load < 1.0);
+    assert_relative_eq!(s.summary.film_central.value, brewe, max_relative = 0.05);
+}

@@ -124,6 +124,7 @@ pub(super) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
         "penalty_scaling",
         &[
             ("element-squared", PenaltyScaling::ElementSquared),
+            ("film", PenaltyScaling::Film),
             ("constant", PenaltyScaling::Constant),
             (
                 "inverse-element-squared",

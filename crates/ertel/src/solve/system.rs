@@ -34,6 +34,8 @@ pub struct FilmConstants {
     pub penalty: f64,
     /// Its scaling.
     pub penalty_scaling: PenaltyScaling,
+    /// Predicted central film H_f.
+    pub film_scale: f64,
 }
 
 impl FilmConstants {
@@ -41,6 +43,9 @@ impl FilmConstants {
         let penalty = match self.penalty_scaling {
             PenaltyScaling::ElementSquared => self.penalty * size * size,
             PenaltyScaling::Constant => self.penalty,
+            PenaltyScaling::Film => {
+                self.penalty * (self.film_scale * self.film_scale / self.lambda).max(1.0)
+            }
             PenaltyScaling::InverseElementSquared => self.penalty / (size * size),
         };
         ElementConstants {
