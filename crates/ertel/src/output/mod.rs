@@ -1,6 +1,6 @@
 //! Results for people and programs: report, `result.json`, tables, fields and pictures.
 //!
-//! [`write`] puts everything into one folder that appears as a whole or not at all.
+//! [`write()`] puts everything into one folder that appears as a whole or not at all.
 
 pub mod centreline;
 mod echo;

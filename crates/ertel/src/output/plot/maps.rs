@@ -49,7 +49,7 @@ pub fn pressure_map(title: &str, solution: &Solution) -> String {
 }
 
 /// Film thickness over the whole contact as contours, like an interferogram: close levels up to
-/// [`FINE_UP_TO`] times the central film, wide ones to [`FILM_UP_TO`], white beyond.
+/// `FINE_UP_TO` times the central film, wide ones to `FILM_UP_TO`, white beyond.
 pub fn film_map(title: &str, solution: &Solution) -> String {
     let summary = &solution.summary;
     let (factor, unit) = film_unit(FILM_UP_TO * summary.film_central.value);
