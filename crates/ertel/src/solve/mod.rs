@@ -7,6 +7,7 @@ pub mod monolithic;
 pub mod newton;
 pub mod preconditioner;
 pub mod sequence;
+mod step;
 pub mod system;
 
 use ertel_fem::linear::gmres::GmresError;

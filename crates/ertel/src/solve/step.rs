@@ -1,0 +1,215 @@
+//! The linear systems of Newton's method: the bordered condensed one by preconditioned GMRES, or the
+//! monolithic one by sparse LU; factors are kept while they serve.
+
+use std::time::Instant;
+
+use ertel_fem::assembly::CONSTRAINED;
+use ertel_fem::linear::gmres::{GmresParams, gmres};
+
+use super::SolveError;
+use super::discretisation::Discretisation;
+use super::monolithic::{BodyMatrices, Monolithic};
+use super::newton::{FilmModel, NewtonLevel, NewtonStats};
+use super::preconditioner::{NearStiffness, Preconditioner};
+use super::system::{State, System};
+
+/// Newton step at all pressure nodes and of H0.
+pub(super) struct Step {
+    pub pressure: Vec<f64>,
+    pub separation: f64,
+    pub krylov_iterations: usize,
+}
+
+/// How the linear systems of a level are solved.
+pub(super) enum Method {
+    Condensed(NearStiffness),
+    Monolithic(BodyMatrices),
+}
+
+/// What is kept from one linear solve to the next.
+enum Factors {
+    Bordered(Bordered),
+    Monolithic(Monolithic),
+}
+
+/// Solves the linear systems of a run; keeps the factors while they serve.
+pub(super) struct StepSolver<'a, 'b> {
+    level: &'a NewtonLevel<'a>,
+    factors: Option<Factors>,
+    pub stats: &'b mut NewtonStats,
+}
+
+/// Preconditioner of the bordered system: the factorised sparse part, and its response to a unit
+/// separation by which H0 is eliminated.
+struct Bordered {
+    sparse: Preconditioner,
+    response: Vec<f64>,
+    schur: f64,
+}
+
+/// Krylov iterations above which the preconditioner is made anew.
+const STALE_ITERATIONS: usize = 20;
+
+impl<'a, 'b> StepSolver<'a, 'b> {
+    /// Solver without factors yet; counts its effort in `stats`.
+    pub fn new(level: &'a NewtonLevel<'a>, stats: &'b mut NewtonStats) -> StepSolver<'a, 'b> {
+        StepSolver {
+            level,
+            factors: None,
+            stats,
+        }
+    }
+
+    /// Linearised equations at a state.
+    pub fn assemble(&mut self, model: &FilmModel, state: &State) -> System {
+        let clock = Instant::now();
+        let d = self.level.discretisation;
+        let system = System::assemble(d, &model.fluid, &model.constants, state, None);
+        self.stats.seconds.assembly += clock.elapsed().as_secs_f64();
+        system
+    }
+
+    fn refresh(&mut self, system: &System) -> Result<(), SolveError> {
+        let clock = Instant::now();
+        let d = self.level.discretisation;
+        self.factors = Some(match &self.level.method {
+            Method::Condensed(near) => {
+                let mut sparse = Preconditioner::new(d, near, system)?;
+                let mut response = system.by_separation.clone();
+                sparse.solve(&mut response);
+                let schur = -dot(&d.load, &response);
+                Factors::Bordered(Bordered {
+                    sparse,
+                    response,
+                    schur,
+                })
+            }
+            Method::Monolithic(bodies) => Factors::Monolithic(Monolithic::new(d, bodies, system)?),
+        });
+        self.stats.factorisations += 1;
+        self.stats.seconds.factorisation += clock.elapsed().as_secs_f64();
+        Ok(())
+    }
+
+    /// −J⁻¹F of a system at its own state.
+    pub fn newton_step(&mut self, system: &System, state: &State) -> Result<Step, SolveError> {
+        let tolerance = (1e-2 * system.relative_residual()).clamp(1e-9, 1e-3);
+        if matches!(self.factors, Some(Factors::Bordered(_)))
+            && let Ok(step) = self.solve(system, system, state, tolerance, 2 * STALE_ITERATIONS)
+        {
+            if step.krylov_iterations > STALE_ITERATIONS {
+                self.factors = None;
+            }
+            return Ok(step);
+        }
+        self.refresh(system)?;
+        self.solve(system, system, state, tolerance, 200)
+    }
+
+    /// −J⁻¹F with the Jacobian of `jacobian` and the residual of `system`, coarsely.
+    pub fn simplified_step(
+        &mut self,
+        jacobian: &System,
+        system: &System,
+        state: &State,
+    ) -> Result<Step, SolveError> {
+        if self.factors.is_none() {
+            self.refresh(jacobian)?;
+        }
+        self.solve(jacobian, system, state, 1e-2, 200)
+    }
+
+    fn solve(
+        &mut self,
+        jacobian: &System,
+        system: &System,
+        state: &State,
+        tolerance: f64,
+        max_iterations: usize,
+    ) -> Result<Step, SolveError> {
+        let clock = Instant::now();
+        let level = self.level;
+        let d = level.discretisation;
+        let defect = level.load - d.integral(&state.pressure);
+        let (unknowns, separation, krylov_iterations) =
+            match self.factors.as_mut().expect("refreshed before") {
+                Factors::Bordered(b) => {
+                    let params = GmresParams {
+                        tolerance,
+                        max_iterations,
+                    };
+                    b.solve(d, jacobian, &system.residual, defect, level.load, params)?
+                }
+                Factors::Monolithic(m) => {
+                    let (p, h) = m.solve(&system.residual, defect);
+                    (p, h, 0)
+                }
+            };
+        self.stats.krylov_iterations += krylov_iterations;
+        self.stats.seconds.krylov += clock.elapsed().as_secs_f64();
+        let mut pressure = vec![0.0; d.pressure.n_nodes()];
+        scatter(d, &unknowns, &mut pressure);
+        Ok(Step {
+            pressure,
+            separation,
+            krylov_iterations,
+        })
+    }
+}
+
+impl Bordered {
+    /// Krylov iterations on the bordered condensed system.
+    fn solve(
+        &mut self,
+        d: &Discretisation,
+        jacobian: &System,
+        residual: &[f64],
+        load_defect: f64,
+        load: f64,
+        params: GmresParams,
+    ) -> Result<(Vec<f64>, f64, usize), SolveError> {
+        let n = d.n_pressure;
+        // The load row is scaled like the residual: one number stands for the whole contact.
+        let row_scale = jacobian.residual_scale / load;
+        let mut rhs: Vec<f64> = residual.iter().map(|v| -v).collect();
+        rhs.push(row_scale * load_defect);
+        let mut nodal = vec![0.0; d.pressure.n_nodes()];
+        let apply = |x: &[f64], y: &mut [f64]| {
+            scatter(d, &x[..n], &mut nodal);
+            jacobian.multiply(d, &nodal, &mut y[..n]);
+            for (yi, b) in y[..n].iter_mut().zip(&jacobian.by_separation) {
+                *yi += b * x[n];
+            }
+            y[n] = row_scale * dot(&d.load, &x[..n]);
+        };
+        let precondition = |x: &mut [f64]| {
+            let (pressures, separation) = x.split_at_mut(n);
+            self.sparse.solve(pressures);
+            let h = (separation[0] / row_scale - dot(&d.load, pressures)) / self.schur;
+            for (p, r) in pressures.iter_mut().zip(&self.response) {
+                *p -= h * r;
+            }
+            separation[0] = h;
+        };
+        let mut x = vec![0.0; n + 1];
+        let info = gmres(apply, precondition, &rhs, &mut x, params)?;
+        let separation = x[n];
+        x.truncate(n);
+        Ok((x, separation, info.iterations))
+    }
+}
+
+/// Values of the unknowns at their nodes, zero on the edge.
+fn scatter(d: &Discretisation, unknowns: &[f64], nodal: &mut [f64]) {
+    for (value, dof) in nodal.iter_mut().zip(&d.pressure_dofs) {
+        *value = if *dof == CONSTRAINED {
+            0.0
+        } else {
+            unknowns[*dof as usize]
+        };
+    }
+}
+
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
