@@ -249,11 +249,15 @@ fn stages(
         growth: mesh.growth,
         depth_growth: mesh.depth_growth,
     };
+    // The growth of the cells away from the contact makes errors, too: it is coarsened alike, or
+    // the error estimate would not see them.
+    let doubled = |growth: f64| (2.0 * growth).min(LARGEST_GROWTH).max(growth);
     let coarse = LevelSizes {
         hertz: 2.0 * fine.hertz,
         constriction: 2.0 * fine.constriction,
         edge: 2.0 * fine.edge,
-        ..fine
+        growth: doubled(fine.growth),
+        depth_growth: doubled(fine.depth_growth),
     };
     let start = FilmConstants {
         formulation: Formulation::Gls,
@@ -283,6 +287,10 @@ fn stages(
     });
     stages
 }
+
+/// Growth of cells that coarse stages do not exceed: cells that grow by more than their distance can
+/// step over a fine zone.
+const LARGEST_GROWTH: f64 = 0.9;
 
 /// Isotropic diffusion of the first stage: it only has to start the next one.
 const START_DIFFUSION: f64 = 0.5;

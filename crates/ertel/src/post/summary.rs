@@ -30,13 +30,14 @@ pub fn summarise(
     let (h_line, x_line) = profile.film_minimum();
     let (p_max, p_at) = largest_pressure(solution);
     let p_min = state.pressure.iter().fold(0.0_f64, |m, p| m.min(*p));
-    let estimate = |value: f64, of: fn(&LevelStats) -> f64| Estimate {
+    let bars = error_bars(levels);
+    let estimate = |value: f64, figure: usize| Estimate {
         value,
-        error: error_bar(levels, of),
+        error: bars.map(|b| b[figure] * value.abs()),
     };
     Summary {
-        film_central: estimate(central_film(d, state) * scales.film, |l| l.film_central),
-        film_minimum: estimate(h_m * scales.film, |l| l.film_minimum),
+        film_central: estimate(central_film(d, state) * scales.film, 0),
+        film_minimum: estimate(h_m * scales.film, 1),
         film_minimum_at: located(h_m * scales.film, at),
         film_centreline_minimum: located(h_line * scales.film, [x_line, 0.0]),
         pressure_maximum: located(p_max * scales.pressure, p_at),
@@ -51,23 +52,24 @@ pub fn summarise(
     }
 }
 
-/// Error bar of a figure from the last two meshes, of cell sizes 2h and h.
+/// Relative error bars of central and minimum film from the last two meshes, of cell sizes 2h and h.
 ///
-/// With an error that at least halves from mesh to mesh (order one or better),
-/// |v_2h − v| ≥ 2|v_h − v|, so |v_2h − v_h| ≥ |v_h − v|: the difference bounds the error of the
-/// finer value. Smooth solutions converge faster and the bar is then wide.
+/// With an error of order p, |v_2h − v_h| = (2^p − 1)|v_h − v|: at order one the difference is the
+/// error of the finer value. The bar is one and a half of it, since coarse meshes fall short of their
+/// order, and at least half of the other figure's difference: a difference can vanish by chance, and
+/// both films see the same meshes. Smooth solutions converge faster and the bar is then wide.
 ///
 /// The coarser mesh is the last one on which any stage converged; a diffusive start counts too, it
 /// only widens the bar.
-fn error_bar(levels: &[LevelStats], of: fn(&LevelStats) -> f64) -> Option<f64> {
+fn error_bars(levels: &[LevelStats]) -> Option<[f64; 2]> {
     let (fine, coarser) = levels.split_last()?;
     let other_mesh = |l: &&LevelStats| l.converged && l.n_body_cells != fine.n_body_cells;
     let coarse = coarser.iter().rev().find(other_mesh)?;
-    Some(
-        (of(coarse) - of(fine))
-            .abs()
-            .max(SMALLEST_ERROR * of(fine).abs()),
-    )
+    let difference = |of: fn(&LevelStats) -> f64| (of(coarse) / of(fine) - 1.0).abs();
+    let central = difference(|l| l.film_central);
+    let minimum = difference(|l| l.film_minimum);
+    let bar = |own: f64, other: f64| (1.5 * own).max(0.5 * other).max(SMALLEST_ERROR);
+    Some([bar(central, minimum), bar(minimum, central)])
 }
 
 /// Largest pressure on a lattice of eight points per element edge.
