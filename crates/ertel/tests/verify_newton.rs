@@ -157,7 +157,7 @@ fn effort_of_a_line_contact() {
     pinned(
         ContactKind::Line,
         3e5,
-        &[[12, 142, 4], [6, 79, 1], [6, 74, 1]],
+        &[[12, 139, 4], [6, 75, 1], [7, 88, 1]],
     );
 }
 
@@ -166,6 +166,6 @@ fn effort_of_a_circular_contact() {
     pinned(
         ContactKind::Circular,
         100.0,
-        &[[17, 271, 6], [9, 183, 4], [11, 188, 4]],
+        &[[19, 323, 6], [10, 159, 4], [11, 190, 4]],
     );
 }
