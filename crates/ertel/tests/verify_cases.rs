@@ -61,10 +61,8 @@ fn equivalent_body_replaces_two_bodies() {
 /// α p_h follow from them), so the films in a²/R, and h/(R √(2U)) with them, are the same number.
 #[test]
 fn similar_contacts_have_similar_films() {
-    for (kind, m, l) in [
-        (ContactKind::Line, 30.0, 6.0),
-        (ContactKind::Circular, 80.0, 6.0),
-    ] {
+    let (m, l) = (30.0, 3.0);
+    for kind in [ContactKind::Line, ContactKind::Circular] {
         let similar = |radius: f64, modulus: f64, viscosity: f64, speed: f64, density: f64| {
             let mut case = common::case(kind, 1.0);
             for body in [&mut case.plane, &mut case.ball] {

@@ -64,25 +64,27 @@ fn line() {
     }
 }
 
-/// Coarse preset; references H_c, H_m computed with cells of 0.09 and 0.032 (constriction) growing by
-/// 0.3, on the same contact area; their error is about 5e-4.
+/// Coarse preset; references H_c, H_m computed on the same contact areas with cells of 0.09 and, at
+/// the constriction, 0.032 (M = 200) or 0.1 and 0.05 (M = 50), all growing by 0.3: good to 5e-4.
 #[test]
 fn circular() {
     let kind = ContactKind::Circular;
-    for (m, l, exact) in [(200.0, 10.0, [8.1424e-2, 3.8825e-2])] {
-        let case = common::moes_case(kind, m, l);
+    for (m, l, area, exact) in [
+        (200.0, 10.0, [-4.5, 1.5, 3.0], [8.1424e-2, 3.8825e-2]),
+        (50.0, 5.0, [-6.5, 2.0, 4.5], [0.145_386, 9.1792e-2]),
+    ] {
+        let mut case = common::moes_case(kind, m, l);
+        let [inlet, outlet, side] = area.map(Some);
+        case.mesh = MeshParams {
+            inlet,
+            outlet,
+            side,
+            ..case.mesh
+        };
         let s = solve(&case, &mut Silent).unwrap();
-        println!("{:?}", s.extents);
         let label = |name| format!("M = {m}, L = {l}, {name}");
-        check(
-            &label("h_c"),
-            s.summary.film_central,
-            exact[0] * s.scales.film,
-        );
-        check(
-            &label("h_m"),
-            s.summary.film_minimum,
-            exact[1] * s.scales.film,
-        );
+        let [h_c, h_m] = exact.map(|h| h * s.scales.film);
+        check(&label("h_c"), s.summary.film_central, h_c);
+        check(&label("h_m"), s.summary.film_minimum, h_m);
     }
 }
