@@ -69,6 +69,7 @@ pub fn problem(case: &Case) -> Problem {
         // A film that starts too thick closes in from the safe side.
         start_film: 1.5 * start_film,
         film_scale: scales.film,
+        pressure_scale: scales.pressure,
         newton: NewtonParams {
             update_tolerance: case.solver.tolerance,
             residual_tolerance: case.solver.tolerance,
@@ -113,14 +114,21 @@ pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, Solve
     );
     let model = FilmModel {
         fluid: problem.fluid.clone(),
-        constants: problem.stages.last().expect("at least one stage").constants,
+        constants: finest.constants,
     };
     let summary = post::summary::summarise(&finest, &levels, &model, &scales);
     let mut warnings = case.warnings.clone();
+    if finest.constants.formulation != case.solver.formulation {
+        warnings.push(format!(
+            "solved with the formulation {:?}: {:?} did not converge on this mesh",
+            finest.constants.formulation, case.solver.formulation
+        ));
+    }
     warnings.extend(post::summary::warnings(
         case.contact.kind,
         &summary,
         &finest,
+        &levels,
     ));
     Ok(Solution {
         kind: case.contact.kind,

@@ -101,6 +101,8 @@ pub struct LevelStats {
     pub film_central: f64,
     /// Minimum film thickness reached, m.
     pub film_minimum: f64,
+    /// Largest pressure reached, Pa.
+    pub pressure_maximum: f64,
     /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov.
     pub seconds: Timings,
 }

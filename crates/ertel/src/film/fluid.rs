@@ -5,7 +5,15 @@ use ertel_rheology::viscosity::ViscosityLaw;
 use num_dual::{Dual2_64, DualNum};
 
 use crate::contact::Scales;
-use crate::forms::reynolds::PointFluid;
+
+/// Fluid at a point: value, first and second derivative by P.
+#[derive(Clone, Copy, Debug)]
+pub struct PointFluid {
+    /// ρ̄, ρ̄', ρ̄''.
+    pub density: [f64; 3],
+    /// μ̄, μ̄', μ̄''.
+    pub viscosity: [f64; 3],
+}
 
 /// Isothermal fluid in the scales of a contact.
 ///
@@ -50,7 +58,7 @@ impl FilmFluid {
         let scale = self.pressure_scale;
         let p = Dual2_64::from_re(pressure.max(0.0) * scale).derivative();
         let t = Dual2_64::from_re(self.temperature);
-        let ln_mu = self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale;
+        let ln_mu = saturate(self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale);
         let mut rho = self.density.density(p, t) / self.density_scale;
         let mut mu = ln_mu.exp();
         if pressure < 0.0 {
@@ -64,6 +72,19 @@ impl FilmFluid {
             viscosity: by_p(mu),
         }
     }
+}
+
+/// ln μ̄ above which the lubricant is a solid for every purpose, and laws would overflow: e²⁰⁰ times
+/// the ambient viscosity. Pressures on the way to a solution can get there.
+const SOLID: f64 = 200.0;
+
+/// Levels off above [`SOLID`], with continuous slope: at most half of it more.
+fn saturate(ln_viscosity: Dual2_64) -> Dual2_64 {
+    let excess = ln_viscosity - SOLID;
+    if excess.re <= 0.0 {
+        return ln_viscosity;
+    }
+    excess / (excess * (2.0 / SOLID) + 1.0) + SOLID
 }
 
 /// How far properties go beyond their ambient values: 5 % of density, and of viscosity.

@@ -2,4 +2,4 @@
 
 pub mod fluid;
 
-pub use fluid::FilmFluid;
+pub use fluid::{FilmFluid, PointFluid};

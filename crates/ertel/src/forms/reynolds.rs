@@ -15,6 +15,7 @@
 
 use num_dual::DualNum;
 
+use crate::film::PointFluid;
 use crate::params::Formulation;
 
 /// What the equation sees at a point; derivatives are taken by these numbers.
@@ -30,15 +31,6 @@ pub struct PointState<D> {
     pub film: D,
     /// ∇H.
     pub film_gradient: [D; 2],
-}
-
-/// Fluid at a point: value, first and second derivative by P.
-#[derive(Clone, Copy, Debug)]
-pub struct PointFluid {
-    /// ρ̄, ρ̄', ρ̄''.
-    pub density: [f64; 3],
-    /// μ̄, μ̄', μ̄''.
-    pub viscosity: [f64; 3],
 }
 
 /// Constants of the equation on one element.

@@ -238,6 +238,7 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
         factorisations: newton_iterations,
         film_central: FILM,
         film_minimum: 0.5 * FILM,
+        pressure_maximum: 1e9,
         seconds: Timings {
             mesh: 0.2,
             operator: 1.1,

@@ -13,6 +13,9 @@ pub struct Profile {
     pub fields: Vec<PointFields>,
 }
 
+/// Depth, in p_h, of a dip that sets a spike apart from the rest of the profile.
+const SPIKE_DEPTH: f64 = 2e-3;
+
 impl Profile {
     /// Samples every element edge on the centreline at `per_edge` intervals.
     pub fn new(d: &Discretisation, state: &State, per_edge: usize) -> Profile {
@@ -63,23 +66,60 @@ impl Profile {
         self.x.last().copied().unwrap_or(f64::NAN)
     }
 
-    /// Pressure spike: the last local maximum before the outlet that stands behind a dip at least
-    /// 0.2 % of p_h below it, downstream of the centre.
+    /// Pressure spike: between the centre and the outlet, the highest pressure behind a dip that
+    /// lies at least 0.2 % of p_h below it and below the pressures before it.
     pub fn spike(&self) -> Option<(f64, f64)> {
         let p = |i: usize| self.fields[i].pressure;
         let end = self.x.iter().position(|x| *x >= self.outlet())?;
         let start = self.x.iter().position(|x| *x >= 0.0)?;
-        let (mut dip, mut spike): (f64, Option<usize>) = (f64::INFINITY, None);
+        let (mut top, mut dip) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut spike: Option<usize> = None;
         for i in start..end {
-            dip = dip.min(p(i));
-            if p(i) > dip + 2e-3 && spike.is_none_or(|s| p(i) > p(s)) {
+            if p(i) < top - SPIKE_DEPTH {
+                dip = dip.min(p(i));
+            }
+            if dip.is_finite() && p(i) > dip + SPIKE_DEPTH && spike.is_none_or(|s| p(i) > p(s)) {
                 spike = Some(i);
             }
+            top = top.max(p(i));
         }
         spike.map(|i| (p(i), self.x[i]))
     }
 
     fn extreme(&self, score: impl Fn(&PointFields) -> f64) -> Option<usize> {
         (0..self.x.len()).max_by(|i, j| score(&self.fields[*i]).total_cmp(&score(&self.fields[*j])))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// P = 1 − X² + 0.4 exp(−((X − 0.8)/0.03)²), minus 0.3 to end the film where that is zero.
+    fn profile(bump: f64) -> Profile {
+        let x: Vec<f64> = (0..=3000).map(|i| -1.5 + i as f64 * 1e-3).collect();
+        let fields = x
+            .iter()
+            .map(|x| PointFields {
+                pressure: 0.7 - x * x + bump * (-((x - 0.8) / 0.03).powi(2)).exp(),
+                pressure_gradient: [0.0; 2],
+                film: 0.1 + 0.02 * (x - 0.5_f64).powi(2),
+                deflection: 0.0,
+            })
+            .collect();
+        Profile { x, fields }
+    }
+
+    /// By hand: the spike's top near 0.7 − 0.64 + 0.4 at X = 0.8; without the bump the film ends
+    /// at √0.7 and there is no spike; the film is thinnest at 0.5.
+    #[test]
+    fn spike_outlet_and_minimum_of_a_made_up_profile() {
+        let (p, x) = profile(0.4).spike().unwrap();
+        assert_relative_eq!(p, 0.46, max_relative = 0.01);
+        assert_relative_eq!(x, 0.8, epsilon = 3e-3);
+        assert_eq!(profile(0.0).spike(), None);
+        assert_relative_eq!(profile(0.0).outlet(), 0.7_f64.sqrt(), epsilon = 1e-6);
+        assert_relative_eq!(profile(0.0).film_minimum().1, 0.5, epsilon = 1e-9);
     }
 }

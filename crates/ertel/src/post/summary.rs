@@ -4,7 +4,7 @@ use super::balance::film_balance_error;
 use super::profile::Profile;
 use crate::contact::{ContactKind, Scales};
 use crate::solution::{Estimate, LevelStats, Located, Summary};
-use crate::solve::evaluate::{central_film, fields_in, minimum_film};
+use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
 use crate::solve::newton::FilmModel;
 use crate::solve::sequence::StageSolution;
 
@@ -28,7 +28,7 @@ pub fn summarise(
     let profile = Profile::new(d, state, 16);
     let (h_m, at) = minimum_film(d, state);
     let (h_line, x_line) = profile.film_minimum();
-    let (p_max, p_at) = largest_pressure(solution);
+    let (p_max, p_at) = largest_pressure(d, state);
     let p_min = state.pressure.iter().fold(0.0_f64, |m, p| m.min(*p));
     let bars = error_bars(levels);
     let estimate = |value: f64, figure: usize| Estimate {
@@ -72,32 +72,20 @@ fn error_bars(levels: &[LevelStats]) -> Option<[f64; 2]> {
     Some([bar(central, minimum), bar(minimum, central)])
 }
 
-/// Largest pressure on a lattice of eight points per element edge.
-fn largest_pressure(solution: &StageSolution) -> (f64, [f64; 2]) {
-    let (d, state) = (&solution.discretisation, &solution.state);
-    let n = 8;
-    let plane = d.contact.surface.dim == 2;
-    let mut best = (f64::NEG_INFINITY, [0.0; 2]);
-    for c in 0..d.contact.n_elements() {
-        for i in 0..=n {
-            for j in 0..=(if plane { n - i } else { 0 }) {
-                let xi = [i as f64 / n as f64, j as f64 / n as f64, 0.0];
-                let p = fields_in(d, state, c, xi).pressure;
-                if p > best.0 {
-                    best = (p, d.contact.point(c, xi));
-                }
-            }
-        }
-    }
-    best
-}
+/// Change of the largest pressure from mesh to mesh, relative, up to which it counts as resolved.
+const PRESSURE_RESOLVED: f64 = 0.05;
 
 /// Film thickness below which a continuum film is doubtful, m.
 const THINNEST_FILM: f64 = 1e-9;
 
 /// Warnings about a solution: film too thin for a continuum, error bars too wide, contact area
 /// too small.
-pub fn warnings(kind: ContactKind, summary: &Summary, solution: &StageSolution) -> Vec<String> {
+pub fn warnings(
+    kind: ContactKind,
+    summary: &Summary,
+    solution: &StageSolution,
+    levels: &[LevelStats],
+) -> Vec<String> {
     let mut warnings = Vec::new();
     let minimum = summary.film_minimum;
     if minimum.value < THINNEST_FILM {
@@ -119,6 +107,16 @@ pub fn warnings(kind: ContactKind, summary: &Summary, solution: &StageSolution) 
                 100.0 * relative
             ));
         }
+    }
+    if let [.., coarse, fine] = levels
+        && (coarse.pressure_maximum / fine.pressure_maximum - 1.0).abs() > PRESSURE_RESOLVED
+    {
+        warnings.push(format!(
+            "the largest pressure is that of a spike which the mesh does not resolve: {:.3} GPa on the \
+             mesh before, {:.3} GPa here; film thickness does not depend on it",
+            coarse.pressure_maximum / 1e9,
+            fine.pressure_maximum / 1e9
+        ));
     }
     let (d, e) = (
         &solution.discretisation,

@@ -110,3 +110,22 @@ pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
     let (h, cell, xi) = best;
     (h, d.contact.point(cell, xi))
 }
+
+/// Largest pressure, on a lattice of eight points per element edge, and where it is.
+pub fn largest_pressure(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
+    let n = 8;
+    let plane = d.contact.surface.dim == 2;
+    let mut best = (f64::NEG_INFINITY, [0.0; 2]);
+    for c in 0..d.contact.n_elements() {
+        for i in 0..=n {
+            for j in 0..=(if plane { n - i } else { 0 }) {
+                let xi = [i as f64 / n as f64, j as f64 / n as f64, 0.0];
+                let p = fields_in(d, state, c, xi).pressure;
+                if p > best.0 {
+                    best = (p, d.contact.point(c, xi));
+                }
+            }
+        }
+    }
+    best
+}

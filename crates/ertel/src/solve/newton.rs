@@ -157,10 +157,19 @@ impl<'a> NewtonLevel<'a> {
                 }
                 // Natural monotonicity (Deuflhard 2004, section 3.3): the next step, were it
                 // taken with this Jacobian, must not grow.
-                let natural = solver.simplified_step(&system, &trial_system, &trial)?;
-                let growth = rms(&natural.pressure) / rms(&step.pressure);
-                if growth < params.growth_limit || share < params.smallest_share {
+                let finite = trial_system.relative_residual().is_finite();
+                let growth = if finite {
+                    solver
+                        .simplified_step(&system, &trial_system, &trial)
+                        .map_or(f64::INFINITY, |s| rms(&s.pressure) / rms(&step.pressure))
+                } else {
+                    f64::INFINITY
+                };
+                if growth < params.growth_limit || (finite && share < params.smallest_share) {
                     break (trial, trial_system);
+                }
+                if share < params.smallest_share {
+                    return Err(stopped("no step leads to a finite residual"));
                 }
                 share *= 0.5;
             };
@@ -261,7 +270,8 @@ impl<'a> NewtonLevel<'a> {
                     }
                 }
                 h += d.contact.undeformed_gap(point);
-                if dh < 0.0 {
+                // A start may lack film at a point: let the step mend it.
+                if dh < 0.0 && h > 0.0 {
                     share = share.min(params.film_loss_limit * h / -dh);
                 }
             }

@@ -1,8 +1,8 @@
 //! Sparse approximation of the coupled Jacobian, factorised.
 //!
 //! ```text
-//!   | R_P   R_δ | | dP |     S̃: the stiffness of the surface, cut off a few nodes away, its
-//!   | −M    S̃   | | dδ |     diagonal raised so that a uniform load keeps its stiffness
+//!   | R_P   R_δ | | dP |     S̃: the stiffness of the surface, cut off after the second
+//!   | −M    S̃   | | dδ |     ring of nodes
 //! ```
 //! The compliance of a half-space is long-range, its inverse is not: that is why cutting the
 //! stiffness works where cutting the compliance does not.

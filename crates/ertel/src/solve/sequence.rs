@@ -9,9 +9,9 @@ use super::system::{FilmConstants, State};
 use super::{Observer, SolveError};
 use crate::contact::{ContactKind, hertz};
 use crate::film::FilmFluid;
-use crate::params::LinearSolver;
+use crate::params::{Formulation, LinearSolver};
 use crate::solution::LevelStats;
-use crate::solve::evaluate::{central_film, fields_at, minimum_film};
+use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
 
 /// One stage of a solve: a mesh, a pressure order, a formulation.
 #[derive(Clone, Copy, Debug)]
@@ -58,6 +58,8 @@ pub struct Problem {
     pub start_film: f64,
     /// Film scale a²/R, m.
     pub film_scale: f64,
+    /// Pressure scale p_h, Pa.
+    pub pressure_scale: f64,
     /// Newton tolerances and limits.
     pub newton: NewtonParams,
     /// Condensed or monolithic.
@@ -72,12 +74,14 @@ pub struct StageSolution {
     pub state: State,
     /// Cell sizes of its mesh.
     pub sizes: LevelSizes,
+    /// Constants of the Reynolds equation it solves.
+    pub constants: FilmConstants,
 }
 
 impl StageSolution {
-    /// Whether an unconverged state is still near a contact: finite, with a positive film.
+    /// Whether an unconverged state is still near a contact: finite, with film everywhere.
     fn is_usable(&self) -> bool {
-        let film = central_film(&self.discretisation, &self.state);
+        let (film, _) = minimum_film(&self.discretisation, &self.state);
         film.is_finite() && film > 0.0 && self.state.pressure.iter().all(|p| p.is_finite())
     }
 }
@@ -103,8 +107,12 @@ pub fn solve_stages(
     let mut previous: Option<StageSolution> = None;
     let mut stats: Vec<LevelStats> = Vec::new();
     let mut queue: VecDeque<Stage> = problem.stages.iter().copied().collect();
-    let mut rescued = false;
+    let mut rescues = rescues(problem).into_iter();
+    let mut first_failure = None;
     while let Some(stage) = queue.pop_front() {
+        if observer.cancelled() {
+            return Err(SolveError::Interrupted);
+        }
         let level = stats.len();
         let contact = match &previous {
             Some(p) if p.sizes == stage.sizes => Arc::clone(&p.discretisation.contact),
@@ -150,12 +158,14 @@ pub fn solve_stages(
             factorisations: effort.factorisations,
             film_central: problem.film_scale * central_film(&d, &state),
             film_minimum: problem.film_scale * minimum_film(&d, &state).0,
+            pressure_maximum: problem.pressure_scale * largest_pressure(&d, &state).0,
             seconds: effort.seconds,
         });
         let solution = StageSolution {
             discretisation: d,
             state,
             sizes: stage.sizes,
+            constants: stage.constants,
         };
         match outcome {
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
@@ -163,20 +173,52 @@ pub fn solve_stages(
             Err(e) => match stage.role {
                 Role::Start if solution.is_usable() => previous = Some(solution),
                 Role::Estimate => {}
-                // A finer mesh may carry what the coarse one could not: start there once more.
-                Role::Final if !rescued => {
-                    rescued = true;
-                    queue.push_back(Stage {
-                        sizes: stage.sizes,
-                        ..problem.stages[0]
-                    });
-                    queue.push_back(stage);
+                Role::Final => {
+                    let failure = first_failure.get_or_insert(e);
+                    match rescues.next() {
+                        Some(stages) => queue.extend(stages),
+                        None => return Err(std::mem::replace(failure, SolveError::Interrupted)),
+                    }
                 }
-                Role::Start | Role::Final => return Err(e),
+                Role::Start => return Err(e),
             },
         }
     }
     Ok((previous.expect("the final stage converged"), stats))
+}
+
+/// What is tried, in turn, when the final stage does not converge: the start once more, on the fine
+/// mesh, which may carry what the coarse one could not; then SUPG in place of GLS, which converges
+/// on some meshes too coarse for GLS (and the other way round).
+fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
+    let (Some(start), Some(last)) = (problem.stages.first(), problem.stages.last()) else {
+        return Vec::new();
+    };
+    let mut rescues = vec![vec![
+        Stage {
+            sizes: last.sizes,
+            ..*start
+        },
+        *last,
+    ]];
+    if last.constants.formulation == Formulation::Gls {
+        let supg = |stage: &Stage| Stage {
+            constants: FilmConstants {
+                formulation: Formulation::Supg,
+                ..stage.constants
+            },
+            ..*stage
+        };
+        rescues.push(
+            problem
+                .stages
+                .iter()
+                .filter(|s| s.role != Role::Start)
+                .map(supg)
+                .collect(),
+        );
+    }
+    rescues
 }
 
 /// Newton's method on one stage, through the penalty ramp if it is a start.
@@ -279,7 +321,10 @@ fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
         deflection,
         rigid_separation: 0.0,
     };
-    let target = fields_at(from, old, [0.0, 0.0]).map_or(0.0, |f| f.film);
-    state.rigid_separation = target - central_film(d, &state);
+    state.rigid_separation = central_film(from, old) - central_film(d, &state);
+    // Deflections of two meshes differ by more than the thinnest film has to give.
+    let (thinnest, _) = minimum_film(d, &state);
+    let floor = 0.5 * minimum_film(from, old).0;
+    state.rigid_separation += (floor - thinnest).max(0.0);
     state
 }
