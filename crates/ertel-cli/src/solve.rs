@@ -18,8 +18,8 @@ static CANCELLED: AtomicBool = AtomicBool::new(false);
 static WRITING: AtomicBool = AtomicBool::new(false);
 
 /// What to try when the iterations do not converge.
-const HELP: &str = "  = help: nothing was written. A finer mesh ([mesh] preset = \"fine\"), some diffusion ([solver] \
-    isotropic_diffusion = 0.5)\n  = help: or a smaller load to begin with often help";
+const HELP: &str = "  = help: nothing was written. A finer mesh ([mesh] preset = \"fine\"), another \
+    formulation ([solver]\n    formulation = \"supg\") or a smaller load to begin with often help";
 
 /// Runs the command.
 ///

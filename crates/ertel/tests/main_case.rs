@@ -46,15 +46,17 @@ fn main_case(kind: ContactKind, load: f64) -> Case {
 
 /// Habchi 2008, Table 3.4, finest mesh: H_c = 0.082215, H_m = 0.039298 for data that the print
 /// calls M = 200, L = 10. The printed data themselves give M = 199.3, L = 10.36 and a film about
-/// 2 % thicker (see validation/); an independent prototype converged to 0.0836 and 0.0400 on them.
+/// 2 % thicker: an independent finite element code (other mesher, quadratic tetrahedra, cubic
+/// pressure) gave 0.08361 and 0.04006 on its finest mesh. The tolerances are the error bars that
+/// this mesh reports, 0.3 % and 0.8 %, rounded.
 #[test]
 fn circular() {
     let s = solve(&main_case(ContactKind::Circular, 100.0), &mut Silent).unwrap();
     let scale = s.scales.film;
     let (h_c, h_m) = (s.summary.film_central, s.summary.film_minimum);
-    assert_relative_eq!(h_c.value / scale, 0.0836, max_relative = 3e-3);
-    assert_relative_eq!(h_m.value / scale, 0.0400, max_relative = 6e-3);
-    assert!((h_m.value / scale - 0.0400).abs() < h_m.error.unwrap() / scale + 5e-5);
+    assert_relative_eq!(h_c.value / scale, 0.08361, max_relative = 3e-3);
+    assert_relative_eq!(h_m.value / scale, 0.04006, max_relative = 8e-3);
+    assert!((h_m.value / scale - 0.04006).abs() < h_m.error.unwrap() / scale);
     assert!(s.summary.film_balance_error.abs() < 2e-3);
     assert!(s.summary.load_balance_error < 1e-10);
     assert!(s.warnings.is_empty(), "{:?}", s.warnings);

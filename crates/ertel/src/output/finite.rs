@@ -150,7 +150,7 @@ fn effort(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
         ]
         .map(|v| {
             (
-                format!("iteration {} on mesh {}", r.iteration, r.level + 1),
+                format!("iteration {} of stage {}", r.iteration, r.level + 1),
                 v,
             )
         })
@@ -166,7 +166,7 @@ fn effort(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
             t.factorisation,
             t.krylov,
         ]
-        .map(|v| (format!("statistics of mesh {}", i + 1), v))
+        .map(|v| (format!("statistics of stage {}", i + 1), v))
     });
     let wall = ("wall time".to_owned(), solution.stats.wall_seconds);
     history.chain(levels).chain([wall])

@@ -209,7 +209,7 @@ fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
     out.heading("Effort");
     for (i, level) in solution.stats.levels.iter().enumerate() {
         out.row(
-            &format!("mesh {}", i + 1),
+            &format!("stage {}", i + 1),
             format!(
                 "{} pressure and {} displacement unknowns, {} Newton iterations, h_c {}",
                 level.n_pressure_dofs,

@@ -19,7 +19,7 @@ use crate::solution::IterationRecord;
 
 /// Follows a solve; every method has a default that does nothing.
 pub trait Observer {
-    /// A new mesh level begins.
+    /// A new stage begins.
     fn level(
         &mut self,
         _level: usize,
@@ -49,15 +49,16 @@ impl Observer for Silent {}
 pub enum SolveError {
     /// Newton's method did not converge.
     #[error(
-        "no convergence on mesh level {level} after {iterations} Newton iterations: {reason}; \
+        "no convergence in stage {} after {iterations} Newton iterations: {reason}; \
          last relative residual {residual:.1e}, last pressure update {update:.1e} p_h, \
          {:.2} % of the cavitation penalty in force",
+        level + 1,
         100.0 * penalty_share
     )]
     NotConverged {
-        /// Mesh level, 0 the coarsest.
+        /// Stage, 0 the first.
         level: usize,
-        /// Newton iterations on this level.
+        /// Newton iterations in this stage.
         iterations: usize,
         /// Last relative residual.
         residual: f64,

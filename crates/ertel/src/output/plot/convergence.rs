@@ -56,7 +56,7 @@ pub fn convergence(title: &str, solution: &Solution, tolerance: Option<f64>) -> 
             level = Some(record.level);
             chart.markers.push(Marker {
                 x: i as f64 + 0.5,
-                label: format!("mesh {}", record.level + 1),
+                label: format!("stage {}", record.level + 1),
             });
         }
     }
