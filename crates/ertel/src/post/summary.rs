@@ -118,6 +118,18 @@ pub fn warnings(
             fine.pressure_maximum / 1e9
         ));
     }
+    let orders = [
+        solution.discretisation.pressure.element.order(),
+        solution.discretisation.contact.deflection.element.order(),
+    ];
+    if orders.contains(&1) {
+        // Measured on a roller: 3 and 4 of the differences that the bars are made of.
+        warnings.push(
+            "first-order elements err by more than their error bars: use [mesh] pressure_order 2 or \
+             more and elastic_order 2"
+                .to_owned(),
+        );
+    }
     let (d, e) = (
         &solution.discretisation,
         &solution.discretisation.contact.extents,
