@@ -20,6 +20,8 @@ pub struct Cli {
 pub enum Command {
     /// Solve a case file and write the results into a folder
     Solve(SolveArgs),
+    /// Compute published cases and compare
+    Validate(ValidateArgs),
     /// List the lubricants of the database, or show one of them
     Fluids(FluidsArgs),
     /// List the solids of the database, or show one of them
@@ -44,6 +46,23 @@ pub struct SolveArgs {
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// `ertel validate`.
+#[derive(Debug, Args)]
+pub struct ValidateArgs {
+    /// Studies to run [default: all]
+    #[arg(value_name = "NAME")]
+    pub names: Vec<String>,
+    /// Folder with the studies
+    #[arg(long, value_name = "DIR", default_value = "validation")]
+    pub folder: PathBuf,
+    /// Only the runs that take seconds
+    #[arg(long)]
+    pub quick: bool,
+    /// Write the page `validation.md` and its pictures into this folder
+    #[arg(long, value_name = "DIR")]
+    pub write: Option<PathBuf>,
 }
 
 /// `ertel fluids`.

@@ -9,6 +9,7 @@ mod provenance;
 mod solids;
 mod solve;
 mod table;
+mod validate;
 
 use std::process::ExitCode;
 
@@ -20,6 +21,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let result = match cli.command {
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Validate(arguments) => validate::run(&arguments),
         Command::Fluids(arguments) => fluids::run(&arguments),
         Command::Solids(arguments) => solids::run(&arguments),
     };

@@ -13,3 +13,4 @@ pub mod reference;
 pub mod run;
 pub mod solution;
 pub mod solve;
+pub mod validate;

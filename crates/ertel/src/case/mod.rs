@@ -44,6 +44,7 @@ use crate::params::{MeshParams, MeshPreset, OutputParams, SolverParams};
 
 pub use bodies::Body;
 pub use lubricant::Lubricant;
+pub(crate) use params::{read_mesh, read_solver};
 
 /// Everything a solve needs, in SI.
 #[derive(Clone, Debug)]

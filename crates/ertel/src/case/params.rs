@@ -18,9 +18,9 @@ fn set<T>(field: &mut T, value: Option<T>) {
 }
 
 /// Largest extent of a contact area from its centre, in half-widths.
-const FARTHEST: f64 = 250.0;
+const FARTHEST: f64 = 300.0;
 
-pub(super) fn read_mesh(mut table: Table<'_>, kind: ContactKind) -> Result<MeshParams, InputError> {
+pub(crate) fn read_mesh(mut table: Table<'_>, kind: ContactKind) -> Result<MeshParams, InputError> {
     let preset = table.optional_choice(
         "preset",
         &[
@@ -101,7 +101,7 @@ fn order(table: &mut Table<'_>, key: &str, highest: i64) -> Result<Option<usize>
 /// Rounding keeps the residual from falling below this.
 const MIN_TOLERANCE: f64 = 1e-11;
 
-pub(super) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
+pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
     let mut solver = SolverParams::default();
     let formulation = table.optional_choice(
         "formulation",

@@ -1,0 +1,97 @@
+//! `ertel validate`.
+
+use std::fs;
+use std::path::Path;
+use std::time::Instant;
+
+use ertel::solve::Silent;
+use ertel::validate::{self, Selection, Study, StudyResult};
+
+use crate::args::ValidateArgs;
+use crate::failure::Failure;
+use crate::print;
+
+/// Runs the command.
+///
+/// # Errors
+///
+/// Unknown names, bad files, and comparisons that do not hold.
+pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
+    let folder = &arguments.folder;
+    let known = validate::names(folder)
+        .map_err(|error| Failure::Argument(format!("{}: {error}", folder.display())))?;
+    for name in &arguments.names {
+        if !known.contains(name) {
+            return Err(Failure::Argument(format!(
+                "no study `{name}` in {}; there are: {}",
+                folder.display(),
+                known.join(", ")
+            )));
+        }
+    }
+    let names = if arguments.names.is_empty() {
+        &known
+    } else {
+        &arguments.names
+    };
+    let studies: Vec<Study> = names
+        .iter()
+        .map(|name| validate::read(&folder.join(name)))
+        .collect::<Result<_, _>>()?;
+    let selection = if arguments.quick {
+        Selection::Quick
+    } else {
+        Selection::All
+    };
+    let mut failed = Vec::new();
+    let mut sections = Vec::new();
+    for study in &studies {
+        let clock = Instant::now();
+        let result = study.run(selection, &mut Silent, &mut |run| {
+            eprintln!("{}: {}", study.name, run.name);
+        })?;
+        let seconds = clock.elapsed().as_secs_f64();
+        print::stdout(&format!("{}\n", validate::text(study, &result)))?;
+        eprintln!("{}: {seconds:.0} s", study.name);
+        if !result.holds() {
+            failed.push(study.name.as_str());
+        }
+        if let Some(docs) = &arguments.write {
+            sections.push(section(study, &result, docs)?);
+        }
+    }
+    if let Some(docs) = &arguments.write {
+        let page = validate::page(&sections);
+        write(&docs.join("validation.md"), &page)?;
+    }
+    if failed.is_empty() {
+        print::stdout("all comparisons hold\n")
+    } else {
+        Err(Failure::Other(format!(
+            "comparisons that do not hold in: {}",
+            failed.join(", ")
+        )))
+    }
+}
+
+/// Writes the pictures of a study; returns its part of the page.
+fn section(study: &Study, result: &StudyResult, docs: &Path) -> Result<String, Failure> {
+    let mut pictures = Vec::new();
+    for (name, caption, chart) in study.draw(result) {
+        let path = format!("{PICTURES}/{name}.svg");
+        write(&docs.join(&path), &chart.svg())?;
+        pictures.push((path, caption));
+    }
+    Ok(validate::markdown(study, result, &pictures))
+}
+
+/// Folder of the pictures beside the page.
+const PICTURES: &str = "validation";
+
+fn write(path: &Path, text: &str) -> Result<(), Failure> {
+    let failed = |error| Failure::Other(format!("cannot write {}: {error}", path.display()));
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder).map_err(failed)?;
+    }
+    fs::write(path, text).map_err(failed)
+}

@@ -1,0 +1,37 @@
+//! Validation: published values beside ours, study by study.
+//!
+//! A study is a folder with case files and a `reference.toml` that says which runs to make of them
+//! and which published values, tolerances and reasons belong to the results.
+
+mod check;
+mod deflection;
+mod picture;
+mod quantity;
+mod read;
+mod run;
+mod table;
+
+pub use check::{Accept, Check, Reference, Row, Verdict};
+pub use deflection::{Deflection, deflect};
+pub use picture::{Picture, PictureKind};
+pub use quantity::Quantity;
+pub use read::{names, read};
+pub use run::{Outcome, Run, Selection, StudyResult, Task};
+pub use table::{markdown, page, text};
+
+/// A validation study.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// Name of its folder.
+    pub name: String,
+    /// One line.
+    pub title: String,
+    /// Where the published values stand.
+    pub source: String,
+    /// What is computed.
+    pub runs: Vec<Run>,
+    /// What is compared.
+    pub checks: Vec<Check>,
+    /// What is drawn.
+    pub pictures: Vec<Picture>,
+}

@@ -1,0 +1,234 @@
+//! Pictures of studies.
+
+use super::run::Outcome;
+use super::{Quantity, Study};
+use crate::contact::{ContactKind, hertz};
+use crate::output::plot::{self, Axis, Chart, Look, PALETTE, Series};
+use crate::params::PenaltyScaling;
+use crate::reference::FilmFormula;
+
+/// What a picture shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PictureKind {
+    /// Pressure and film on the centreline of a run.
+    Centreline(usize),
+    /// Deflection on the centreline of all runs, and Hertz theory.
+    Deflection,
+    /// Its deviation from Hertz theory.
+    DeflectionError,
+    /// Central film of these runs over the load group, one curve per material group, with a
+    /// formula.
+    FilmOverLoad(FilmFormula, Vec<usize>),
+    /// A quantity over the penalty, one colour per scaling, one look per mesh.
+    Penalty(Quantity),
+}
+
+/// A picture to draw.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// File name after that of the study.
+    pub name: String,
+    /// What it shows, in a sentence.
+    pub caption: String,
+    /// What it shows.
+    pub kind: PictureKind,
+}
+
+impl Picture {
+    /// The chart; `None` when its runs have no results.
+    pub(super) fn chart(&self, study: &Study, outcomes: &[Outcome]) -> Option<Chart> {
+        match &self.kind {
+            PictureKind::Centreline(run) => match &outcomes[*run] {
+                Outcome::Solved(s) => Some(plot::centreline(&self.caption, s)),
+                _ => None,
+            },
+            PictureKind::Deflection => self.deflection(study, outcomes, false),
+            PictureKind::DeflectionError => self.deflection(study, outcomes, true),
+            PictureKind::FilmOverLoad(formula, runs) => {
+                self.film_over_load(study, outcomes, *formula, runs)
+            }
+            PictureKind::Penalty(quantity) => self.penalty(study, outcomes, *quantity),
+        }
+    }
+
+    fn deflection(&self, study: &Study, outcomes: &[Outcome], deviation: bool) -> Option<Chart> {
+        let theory = |kind: ContactKind, x: f64| hertz::deflection_profile(kind, x);
+        let mut series = Vec::new();
+        let mut hertz_curve = Vec::new();
+        for (run, outcome) in study.runs.iter().zip(outcomes) {
+            let Outcome::Deflected(d) = outcome else {
+                continue;
+            };
+            let kind = run.case.contact.kind;
+            let points: Vec<[f64; 2]> = d.x.iter().zip(&d.value).map(|(x, v)| [*x, *v]).collect();
+            if hertz_curve.is_empty() {
+                let (from, to) = (points.first()?[0], points.last()?[0]);
+                hertz_curve = (0..=N_MARKS)
+                    .map(|i| from + (to - from) * f64::from(i) / f64::from(N_MARKS))
+                    .map(|x| [x, theory(kind, x)])
+                    .collect();
+            }
+            let points = if deviation {
+                let relative = |p: &[f64; 2]| [p[0], 100.0 * (p[1] - theory(kind, p[0]))];
+                points.iter().map(relative).collect()
+            } else {
+                points
+            };
+            series.push(Series {
+                label: run.name.clone(),
+                points,
+                look: if series.len() % 2 == 0 {
+                    Look::Line
+                } else {
+                    Look::Dashed
+                },
+                colour: PALETTE[series.len() % PALETTE.len()].into(),
+                ..Series::default()
+            });
+        }
+        if !deviation {
+            series.push(Series {
+                label: "Hertz theory".into(),
+                points: hertz_curve,
+                look: Look::Circles,
+                colour: "#404040".into(),
+                ..Series::default()
+            });
+        }
+        let label = if deviation {
+            "Deviation of the deflection (% of the central)"
+        } else {
+            "Deflection *δR*/*a*^{2}"
+        };
+        self.curves("*x*/*a*", label, series)
+    }
+
+    fn film_over_load(
+        &self,
+        study: &Study,
+        outcomes: &[Outcome],
+        formula: FilmFormula,
+        runs: &[usize],
+    ) -> Option<Chart> {
+        // (L, [M, H of ours, H of the formula])
+        let mut curves: Vec<(f64, Vec<[f64; 3]>)> = Vec::new();
+        for i in runs {
+            let (run, outcome) = (&study.runs[*i], &outcomes[*i]);
+            let Outcome::Solved(s) = outcome else {
+                continue;
+            };
+            let scale = run.case.contact.radius * (2.0 * s.groups.speed).sqrt();
+            let Some(predicted) = formula.film(run.case.contact.radius, &s.groups).0 else {
+                continue;
+            };
+            let (m, l) = (s.groups.moes_load, s.groups.moes_material);
+            let point = [m, s.summary.film_central.value / scale, predicted / scale];
+            match curves
+                .iter_mut()
+                .find(|(other, _)| (other - l).abs() < 1e-3)
+            {
+                Some((_, points)) => points.push(point),
+                None => curves.push((l, vec![point])),
+            }
+        }
+        curves.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut series = Vec::new();
+        for (i, (l, points)) in curves.iter_mut().enumerate() {
+            points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            let colour = PALETTE[i % PALETTE.len()].to_owned();
+            series.push(Series {
+                label: String::new(),
+                points: points.iter().map(|p| [p[0], p[2]]).collect(),
+                look: Look::Dashed,
+                colour: colour.clone(),
+                ..Series::default()
+            });
+            series.push(Series {
+                label: format!("*L* = {}", (1e3 * *l).round() / 1e3),
+                points: points.iter().map(|p| [p[0], p[1]]).collect(),
+                look: Look::LineAndDots,
+                colour,
+                ..Series::default()
+            });
+        }
+        let all = || series.iter().flat_map(|s| s.points.iter());
+        all().next()?;
+        let x = Axis::log_around("Load group *M*", all().map(|p| p[0]));
+        let y = Axis::log_around("Central film *h*_{c}/(*R*√2*U*)", all().map(|p| p[1]));
+        let mut chart = Chart::new(&self.caption, x, y);
+        chart.series = series;
+        Some(chart)
+    }
+
+    fn penalty(&self, study: &Study, outcomes: &[Outcome], quantity: Quantity) -> Option<Chart> {
+        // One curve per (scaling, mesh), in the order of their first runs
+        let mut curves: Vec<Curve> = Vec::new();
+        for (run, outcome) in study.runs.iter().zip(outcomes) {
+            let Some(value) = quantity.value(run, outcome, None) else {
+                continue;
+            };
+            let solver = &run.case.solver;
+            let key = (solver.penalty_scaling, run.case.mesh.constriction_size);
+            let point = [solver.penalty, value];
+            match curves.iter_mut().find(|(k, _)| *k == key) {
+                Some((_, points)) => points.push(point),
+                None => curves.push((key, vec![point])),
+            }
+        }
+        let first_mesh = curves.first()?.0.1;
+        let mut meshes: Vec<f64> = curves.iter().map(|((_, mesh), _)| *mesh).collect();
+        meshes.dedup();
+        let series: Vec<Series> = curves
+            .into_iter()
+            .map(|((scaling, mesh), points)| {
+                let (label, colour) = match scaling {
+                    PenaltyScaling::ElementSquared => ("*ξ*_{0}*h*_{e}^{2}", PALETTE[1]),
+                    PenaltyScaling::Constant => ("*ξ*_{0}", PALETTE[0]),
+                    PenaltyScaling::Film => ("*ξ*_{0} max(1, *H*_{f}^{2}/*λ*)", PALETTE[3]),
+                    PenaltyScaling::InverseElementSquared => ("*ξ*_{0}/*h*_{e}^{2}", PALETTE[2]),
+                };
+                Series {
+                    label: if mesh == first_mesh { label } else { "" }.to_owned(),
+                    points,
+                    look: match meshes.iter().position(|m| *m == mesh) {
+                        Some(0) => Look::Line,
+                        Some(1) => Look::Dashed,
+                        _ => Look::LineAndDots,
+                    },
+                    colour: colour.into(),
+                    ..Series::default()
+                }
+            })
+            .collect();
+        let all = || series.iter().flat_map(|s| s.points.iter());
+        let x = Axis::log_around("Penalty *ξ*_{0}", all().map(|p| p[0]));
+        let label = match quantity {
+            Quantity::Outlet => "Outlet *X*_{out}",
+            other => other.label(),
+        };
+        let y = Axis::linear_around(label, all().map(|p| p[1]));
+        let mut chart = Chart::new(&self.caption, x, y);
+        chart.series = series;
+        Some(chart)
+    }
+
+    fn curves(&self, x: &str, y: &str, series: Vec<Series>) -> Option<Chart> {
+        let all = || series.iter().flat_map(|s| s.points.iter());
+        let first = all().next()?[0];
+        let (low, high) = all().fold((first, first), |(l, h), p| (l.min(p[0]), h.max(p[0])));
+        let mut chart = Chart::new(
+            &self.caption,
+            Axis::linear(x, low, high),
+            // Marks at the top of a curve keep clear of the frame
+            Axis::linear_around(y, all().flat_map(|p| [p[1], 1.02 * p[1]])),
+        );
+        chart.series = series;
+        Some(chart)
+    }
+}
+
+/// Marks on the curve of the theory.
+const N_MARKS: u32 = 30;
+
+/// Points of one penalty scaling on one mesh (its constriction size).
+type Curve = ((PenaltyScaling, f64), Vec<[f64; 2]>);

@@ -1,0 +1,311 @@
+//! Reading studies.
+//!
+//! ```toml
+//! title = "What is validated"
+//! source = "Whose values"
+//!
+//! [[run]]
+//! name = "normal"                 # within the study
+//! case = "case.toml"              # beside this file
+//! task = "solve"                  # or "deflect": deflection under the Hertz pressure
+//! quick = true                    # takes seconds
+//! newton_iterations = 31          # of a cold start, all levels together
+//! moes = [200.0, 10.0]            # sets load and alpha (Barus, Roelands) for these groups
+//! [run.mesh]                      # replaces the case's [mesh]; likewise [run.solver]
+//! preset = "normal"
+//!
+//! [[check]]
+//! quantity = "central-film"
+//! runs = ["normal"]               # all that have the quantity, if left out
+//! value = 0.0822                  # or formula = "moes-line" (compressed = true), or neither
+//! tolerance = "1 %"               # or tolerance_absolute, at_most, between = [2.0, 4.0], sign = true
+//! source = "Table 3.4"
+//! reason = "why this tolerance"
+//!
+//! [[picture]]
+//! name = "centreline"
+//! kind = "centreline"             # of a `run`; deflection, deflection-error, film-over-load, penalty
+//! run = "normal"
+//! caption = "What it shows."
+//! ```
+//! A check of a change has `run` and `relative_to`; one of the order of convergence has
+//! `order = [...]`, three runs with cells halved from one to the next.
+
+use std::path::Path;
+
+use ertel_rheology::ViscosityLaw;
+use ertel_rheology::input::{Bounds, Document, InputError, Table};
+
+use super::check::Subject;
+use super::{Accept, Check, Picture, PictureKind, Quantity, Reference, Run, Study, Task};
+use crate::case::{Case, read_mesh, read_solver};
+use crate::contact::ContactKind;
+use crate::reference::FilmFormula;
+
+/// Names of the studies in a folder, sorted.
+///
+/// # Errors
+/// When the folder cannot be read.
+pub fn names(folder: &Path) -> std::io::Result<Vec<String>> {
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder)? {
+        let entry = entry?;
+        if entry.path().join(REFERENCE).is_file() {
+            names.extend(entry.file_name().into_string());
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
+/// The file that describes a study.
+const REFERENCE: &str = "reference.toml";
+
+/// Reads the study in `folder`.
+///
+/// # Errors
+/// [`InputError`] with file, line and key, of `reference.toml` or a case file.
+pub fn read(folder: &Path) -> Result<Study, InputError> {
+    let document = Document::read(&folder.join(REFERENCE))?;
+    let mut root = document.root();
+    let name = folder
+        .file_name()
+        .map(|n| n.to_string_lossy().into_owned())
+        .unwrap_or_default();
+    let mut study = Study {
+        name,
+        title: root.required_str("title")?.to_owned(),
+        source: root.required_str("source")?.to_owned(),
+        runs: Vec::new(),
+        checks: Vec::new(),
+        pictures: Vec::new(),
+    };
+    for table in root.tables("run")? {
+        study.runs.push(read_run(table, folder)?);
+    }
+    for table in root.tables("check")? {
+        let check = read_check(table, &study)?;
+        study.checks.push(check);
+    }
+    for table in root.tables("picture")? {
+        let picture = read_picture(table, &study)?;
+        study.pictures.push(picture);
+    }
+    root.finish()?;
+    Ok(study)
+}
+
+fn read_run(mut table: Table<'_>, folder: &Path) -> Result<Run, InputError> {
+    let name = table.required_str("name")?.to_owned();
+    let mut case = Case::read(&folder.join(table.required_str("case")?))?;
+    if case.title.is_empty() {
+        case.title.clone_from(&name);
+    }
+    let task = table
+        .optional_choice(
+            "task",
+            &[("solve", Task::Solve), ("deflect", Task::Deflect)],
+        )?
+        .unwrap_or(Task::Solve);
+    if let Some(groups) = table.optional_numbers("moes", Bounds::closed(0.0, 1e5))? {
+        let [m, l] = groups[..] else {
+            return Err(table.error("moes", "`moes` is [M, L]"));
+        };
+        set_groups(&mut case, m, l).map_err(|message| table.error("moes", message))?;
+    }
+    if let Some(mesh) = table.optional_table("mesh")? {
+        case.mesh = read_mesh(mesh, case.contact.kind)?;
+    }
+    if let Some(solver) = table.optional_table("solver")? {
+        case.solver = read_solver(solver)?;
+    }
+    case.output.body_field = false;
+    let iterations = table.optional_integer("newton_iterations", 1..=10_000)?;
+    let run = Run {
+        name,
+        case,
+        task,
+        quick: table.optional_bool("quick")?.unwrap_or(false),
+        newton_iterations: iterations.and_then(|n| usize::try_from(n).ok()),
+    };
+    table.finish()?;
+    Ok(run)
+}
+
+/// Sets load and pressure-viscosity coefficient so that the groups are M and L.
+fn set_groups(case: &mut Case, m: f64, l: f64) -> Result<(), String> {
+    let modulus = case.reduced_modulus();
+    let radius = case.contact.radius;
+    let mu_0 = case.lubricant.ambient_viscosity();
+    let twice_speed = 2.0 * mu_0 * case.motion.entrainment_speed / (modulus * radius);
+    case.contact.load = match case.contact.kind {
+        ContactKind::Circular => m * twice_speed.powf(0.75) * modulus * radius * radius,
+        ContactKind::Line => m * twice_speed.sqrt() * modulus * radius,
+    };
+    let alpha = l * twice_speed.powf(-0.25) / modulus;
+    let law = match case.lubricant.viscosity {
+        ViscosityLaw::Barus(_) => ViscosityLaw::barus(mu_0, alpha),
+        ViscosityLaw::Roelands(_) => ViscosityLaw::roelands(mu_0, alpha),
+        _ => return Err("`moes` needs a Barus or Roelands viscosity".to_owned()),
+    };
+    case.lubricant.viscosity = law.map_err(|error| error.to_string())?;
+    Ok(())
+}
+
+fn read_check(mut table: Table<'_>, study: &Study) -> Result<Check, InputError> {
+    let quantities = Quantity::ALL.map(|q| (q.key(), q));
+    let quantity = table.required_choice("quantity", &quantities)?;
+    let subject = read_subject(&mut table, study)?;
+    let formulas = FilmFormula::ALL.map(|f| (formula_key(f), f));
+    let reference = match (
+        table.optional_number("value", Bounds::ANY)?,
+        table.optional_choice("formula", &formulas)?,
+    ) {
+        (None, None) => Reference::Nothing,
+        (Some(value), None) => Reference::Value(value),
+        (None, Some(formula)) => {
+            Reference::Formula(formula, table.optional_bool("compressed")?.unwrap_or(false))
+        }
+        (Some(_), Some(_)) => {
+            return Err(table.error("formula", "a check has a `value` or a `formula`"));
+        }
+    };
+    let accept = read_accept(&mut table)?;
+    let needs_value = matches!(
+        accept,
+        Accept::Relative(_) | Accept::Absolute(_) | Accept::Sign
+    );
+    if needs_value && reference == Reference::Nothing {
+        return Err(table.missing("value"));
+    }
+    let source = table.optional_str("source")?.unwrap_or_default().to_owned();
+    let reason = match accept {
+        Accept::Anything => table.optional_str("reason")?.unwrap_or_default(),
+        _ => table.required_str("reason")?,
+    }
+    .to_owned();
+    table.finish()?;
+    Ok(Check {
+        quantity,
+        subject,
+        reference,
+        accept,
+        source,
+        reason,
+    })
+}
+
+fn read_subject(table: &mut Table<'_>, study: &Study) -> Result<Subject, InputError> {
+    if let Some(runs) = table.optional_strs("order")? {
+        let runs = indices(table, "order", &runs, study)?;
+        let [a, b, c] = runs[..] else {
+            return Err(table.error("order", "an order of convergence needs three runs"));
+        };
+        return Ok(Subject::Order([a, b, c]));
+    }
+    if let Some(other) = table.optional_str("relative_to")? {
+        let run = table.required_str("run")?;
+        let run = indices(table, "run", &[run], study)?;
+        let other = indices(table, "relative_to", &[other], study)?;
+        return Ok(Subject::Change(run[0], other[0]));
+    }
+    let runs = match table.optional_strs("runs")? {
+        Some(runs) => indices(table, "runs", &runs, study)?,
+        None => (0..study.runs.len()).collect(),
+    };
+    Ok(Subject::Value(runs))
+}
+
+fn read_accept(table: &mut Table<'_>) -> Result<Accept, InputError> {
+    let positive = Bounds::POSITIVE;
+    let mut found = Vec::new();
+    if let Some(limit) = table.optional_number("tolerance", positive)? {
+        found.push(Accept::Relative(limit));
+    }
+    if let Some(limit) = table.optional_number("tolerance_absolute", positive)? {
+        found.push(Accept::Absolute(limit));
+    }
+    if let Some(limit) = table.optional_number("at_most", positive)? {
+        found.push(Accept::AtMost(limit));
+    }
+    if let Some(bounds) = table.optional_numbers("between", Bounds::ANY)? {
+        let [low, high] = bounds[..] else {
+            return Err(table.error("between", "`between` is [low, high]"));
+        };
+        found.push(Accept::Between(low, high));
+    }
+    if table.optional_bool("sign")? == Some(true) {
+        found.push(Accept::Sign);
+    }
+    match found[..] {
+        [] => Ok(Accept::Anything),
+        [accept] => Ok(accept),
+        _ => Err(table.error_here("a check has one tolerance")),
+    }
+}
+
+fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputError> {
+    let name = table.required_str("name")?.to_owned();
+    let caption = table.required_str("caption")?.to_owned();
+    let kinds = [
+        "centreline",
+        "deflection",
+        "deflection-error",
+        "film-over-load",
+        "penalty",
+    ]
+    .map(|k| (k, k));
+    let kind = match table.required_choice("kind", &kinds)? {
+        "centreline" => {
+            let run = table.required_str("run")?;
+            PictureKind::Centreline(indices(&table, "run", &[run], study)?[0])
+        }
+        "deflection" => PictureKind::Deflection,
+        "deflection-error" => PictureKind::DeflectionError,
+        "film-over-load" => {
+            let formulas = FilmFormula::ALL.map(|f| (formula_key(f), f));
+            let formula = table.required_choice("formula", &formulas)?;
+            let runs = match table.optional_strs("runs")? {
+                Some(runs) => indices(&table, "runs", &runs, study)?,
+                None => (0..study.runs.len()).collect(),
+            };
+            PictureKind::FilmOverLoad(formula, runs)
+        }
+        _ => {
+            let quantities = Quantity::ALL.map(|q| (q.key(), q));
+            PictureKind::Penalty(table.required_choice("quantity", &quantities)?)
+        }
+    };
+    table.finish()?;
+    Ok(Picture {
+        name,
+        caption,
+        kind,
+    })
+}
+
+fn indices(
+    table: &Table<'_>,
+    key: &str,
+    names: &[&str],
+    study: &Study,
+) -> Result<Vec<usize>, InputError> {
+    names
+        .iter()
+        .map(|name| {
+            let found = study.runs.iter().position(|run| run.name == *name);
+            found.ok_or_else(|| table.error(key, format!("no run is called `{name}`")))
+        })
+        .collect()
+}
+
+fn formula_key(formula: FilmFormula) -> &'static str {
+    match formula {
+        FilmFormula::HamrockDowson => "hamrock-dowson",
+        FilmFormula::NijenbanningVennerMoes => "nijenbanning-venner-moes",
+        FilmFormula::VennerIsoviscous => "venner-isoviscous",
+        FilmFormula::MoesLine => "moes-line",
+        FilmFormula::DowsonHigginson => "dowson-higginson",
+        FilmFormula::DowsonToyoda => "dowson-toyoda",
+    }
+}

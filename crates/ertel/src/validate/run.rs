@@ -1,0 +1,149 @@
+//! Running a study.
+
+use super::check::{Reference, Row, Verdict};
+use super::{Accept, Deflection, Quantity, Study, deflect};
+use crate::case::Case;
+use crate::output::plot::Chart;
+use crate::run::solve;
+use crate::solution::Solution;
+use crate::solve::{Observer, SolveError};
+
+/// What is computed from a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// Film and pressure.
+    Solve,
+    /// Deflection under the Hertz pressure.
+    Deflect,
+}
+
+/// One computation of a study.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Name within the study.
+    pub name: String,
+    /// The case, changes of the run included.
+    pub case: Case,
+    /// What is computed.
+    pub task: Task,
+    /// Takes seconds: part of the quick selection.
+    pub quick: bool,
+    /// Newton iterations that a cold start is known to take.
+    pub newton_iterations: Option<usize>,
+}
+
+/// Which runs are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Selection {
+    /// All of them.
+    All,
+    /// Those that take seconds.
+    Quick,
+}
+
+/// What came of a run.
+#[derive(Debug)]
+pub enum Outcome {
+    /// A solution.
+    Solved(Box<Solution>),
+    /// A deflection.
+    Deflected(Deflection),
+    /// An error, as told.
+    Failed(String),
+    /// Not selected.
+    Skipped,
+}
+
+/// Results of a study.
+#[derive(Debug)]
+pub struct StudyResult {
+    /// One outcome per run.
+    pub outcomes: Vec<Outcome>,
+    /// The comparisons.
+    pub rows: Vec<Row>,
+}
+
+impl StudyResult {
+    /// Whether no comparison fails.
+    pub fn holds(&self) -> bool {
+        self.rows.iter().all(|r| r.verdict != Verdict::Fails)
+    }
+}
+
+/// Processors differ in the last bits, and a convergence test may fall on either side of them.
+const PIN_SLACK: f64 = 1.0;
+
+impl Study {
+    /// Makes the selected runs and compares. `begin` hears of each run before it starts.
+    ///
+    /// # Errors
+    /// Only when the observer cancels; a run that fails shows in its rows.
+    pub fn run(
+        &self,
+        selection: Selection,
+        observer: &mut dyn Observer,
+        begin: &mut dyn FnMut(&Run),
+    ) -> Result<StudyResult, SolveError> {
+        let mut outcomes = Vec::new();
+        for run in &self.runs {
+            if selection == Selection::Quick && !run.quick {
+                outcomes.push(Outcome::Skipped);
+                continue;
+            }
+            begin(run);
+            let outcome = match run.task {
+                Task::Solve => solve(&run.case, observer).map(|s| Outcome::Solved(Box::new(s))),
+                Task::Deflect => deflect(&run.case).map(Outcome::Deflected),
+            };
+            outcomes.push(match outcome {
+                Ok(outcome) => outcome,
+                Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+                Err(error) => Outcome::Failed(error.to_string()),
+            });
+        }
+        let mut rows = Vec::new();
+        for (run, outcome) in self.runs.iter().zip(&outcomes) {
+            if let Outcome::Failed(message) = outcome {
+                rows.push(Row::failure(&run.name, message));
+            }
+        }
+        for check in &self.checks {
+            rows.extend(check.rows(&self.runs, &outcomes));
+        }
+        for (run, outcome) in self.runs.iter().zip(&outcomes) {
+            rows.extend(run.iterations(outcome));
+        }
+        Ok(StudyResult { outcomes, rows })
+    }
+
+    /// Pictures of the results: file name without suffix, caption, chart.
+    pub fn draw(&self, result: &StudyResult) -> Vec<(String, String, Chart)> {
+        self.pictures
+            .iter()
+            .filter_map(|picture| {
+                let chart = picture.chart(self, &result.outcomes)?;
+                let name = format!("{}-{}", self.name, picture.name);
+                Some((name, picture.caption.clone(), chart))
+            })
+            .collect()
+    }
+}
+
+impl Run {
+    /// The iterations of a cold start, beside the pinned ones.
+    fn iterations(&self, outcome: &Outcome) -> Option<Row> {
+        let quantity = Quantity::NewtonIterations;
+        let ours = quantity.value(self, outcome, None)?;
+        let (reference, accept, source) = match self.newton_iterations {
+            Some(pinned) => (
+                Reference::Value(pinned as f64),
+                Accept::Absolute(PIN_SLACK),
+                "cold start, pinned",
+            ),
+            None => (Reference::Nothing, Accept::Anything, "cold start"),
+        };
+        Some(Row::new(
+            &self.name, quantity, reference, ours, accept, source,
+        ))
+    }
+}

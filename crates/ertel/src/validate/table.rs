@@ -1,0 +1,181 @@
+//! The comparisons as text.
+
+use super::check::{Accept, Row, Verdict};
+use super::{Study, StudyResult};
+
+/// Columns of the table.
+const HEAD: [&str; 8] = [
+    "run",
+    "quantity",
+    "published",
+    "ours",
+    "difference",
+    "tolerance",
+    "",
+    "published by",
+];
+
+/// Table of a study for the terminal.
+pub fn text(study: &Study, result: &StudyResult) -> String {
+    let mut rows = vec![HEAD.map(str::to_owned)];
+    rows.extend(result.rows.iter().map(cells));
+    let widths: Vec<usize> = (0..HEAD.len())
+        .map(|c| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0))
+        .collect();
+    let mut out = format!("{} ({})\n", study.title, study.name);
+    for row in rows {
+        let mut line = String::from(" ");
+        for (cell, width) in row.iter().zip(&widths) {
+            line.push_str(&format!(" {cell:<width$} "));
+        }
+        out.push_str(line.trim_end());
+        out.push('\n');
+    }
+    for row in &result.rows {
+        if let Some(message) = &row.message {
+            out.push_str(&format!("  {}: {message}\n", row.run));
+        }
+    }
+    out
+}
+
+/// The whole page.
+pub fn page(sections: &[String]) -> String {
+    format!(
+        "# Validation\n\nPublished values beside computed ones. Made by\n\n    ertel validate --write docs\n\n\
+         from the studies in `validation/`; `ertel validate NAME` runs one of them, `ertel validate --quick` the runs \
+         that take seconds. Films are H = hR/a², lengths X = x/a, pressures P = p/p_h. Rows without a tolerance are \
+         shown for information.\n\n{}",
+        sections.join("\n")
+    )
+}
+
+/// Section of a study in a Markdown page; `pictures` are paths and captions.
+pub fn markdown(study: &Study, result: &StudyResult, pictures: &[(String, String)]) -> String {
+    let mut out = format!("## {}\n\nSource: {}.", study.title, study.source);
+    out.push_str(&format!(
+        " Cases and remarks: [validation/{0}](../validation/{0}/README.md).\n\n",
+        study.name
+    ));
+    let line = |cells: &[String]| {
+        let escaped: Vec<String> = cells.iter().map(|c| c.replace('|', "\\|")).collect();
+        format!("| {} |\n", escaped.join(" | "))
+    };
+    out.push_str(&line(&HEAD.map(str::to_owned)));
+    out.push_str(&format!("|{}\n", "---|".repeat(HEAD.len())));
+    for row in &result.rows {
+        out.push_str(&line(&cells(row)));
+    }
+    for row in &result.rows {
+        if let Some(message) = &row.message {
+            out.push_str(&format!("\n{}: {message}\n", row.run));
+        }
+    }
+    let mut reasons: Vec<String> = Vec::new();
+    for check in &study.checks {
+        let tolerance = tolerance(check.accept, false, check.quantity.is_count());
+        let reason = format!(
+            "{} ({tolerance}): {}.",
+            check.quantity.label(),
+            check.reason
+        );
+        if !check.reason.is_empty() && !reasons.contains(&reason) {
+            reasons.push(reason);
+        }
+    }
+    if !reasons.is_empty() {
+        out.push_str("\nTolerances:\n\n");
+        for reason in reasons {
+            out.push_str(&format!("- {reason}\n"));
+        }
+    }
+    for (path, caption) in pictures {
+        out.push_str(&format!("\n![{caption}]({path})\n\n{caption}\n"));
+    }
+    out
+}
+
+fn cells(row: &Row) -> [String; 8] {
+    let is_count = row.label == "Newton iterations" || row.label == "unknowns";
+    let show = |v: f64| {
+        if is_count {
+            format!("{v:.0}")
+        } else if row.is_share {
+            share(v)
+        } else {
+            significant(v)
+        }
+    };
+    let difference = row.reference.zip(row.ours).map(|(r, ours)| {
+        if is_count {
+            format!("{:+.0}", ours - r)
+        } else if row.is_share {
+            format!("{:+.2} points", 100.0 * (ours - r))
+        } else if matches!(row.accept, Accept::Absolute(_)) || r == 0.0 {
+            format!("{:+.1e}", ours - r)
+        } else {
+            format!("{:+.2} %", 100.0 * (ours / r - 1.0))
+        }
+    });
+    [
+        row.run.clone(),
+        row.label.clone(),
+        row.reference.map(show).unwrap_or_default(),
+        row.ours.map(show).unwrap_or_default(),
+        difference.unwrap_or_default(),
+        tolerance(row.accept, row.is_share, is_count),
+        match row.verdict {
+            Verdict::Holds => "ok".to_owned(),
+            Verdict::Fails => "NOT".to_owned(),
+            Verdict::Shown => String::new(),
+        },
+        row.source.clone(),
+    ]
+}
+
+fn tolerance(accept: Accept, is_share: bool, is_count: bool) -> String {
+    let show = |v: f64| {
+        if is_share { share(v) } else { short(v) }
+    };
+    match accept {
+        Accept::Relative(limit) => format!("{} %", short(100.0 * limit)),
+        Accept::Absolute(limit) if is_count => format!("{limit:.0}"),
+        Accept::Absolute(limit) => show(limit),
+        Accept::AtMost(limit) => format!("at most {}", show(limit)),
+        Accept::Between(low, high) => format!("{} to {}", show(low), show(high)),
+        Accept::Sign => "sign".to_owned(),
+        Accept::Anything => String::new(),
+    }
+}
+
+fn share(v: f64) -> String {
+    if v != 0.0 && v.abs() < 5e-5 {
+        format!("{:.1e} %", 100.0 * v)
+    } else {
+        format!("{:.3} %", 100.0 * v)
+    }
+}
+
+/// Few digits.
+fn short(v: f64) -> String {
+    let text = format!("{v:.4}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text.is_empty() || text == "0" || text == "-0" {
+        format!("{v:.0e}")
+    } else {
+        text.to_owned()
+    }
+}
+
+/// Five significant digits.
+fn significant(v: f64) -> String {
+    if v == 0.0 || !v.is_finite() {
+        return format!("{v}");
+    }
+    let exponent = v.abs().log10().floor() as i32;
+    if (-3..5).contains(&exponent) {
+        format!("{v:.*}", usize::try_from(4 - exponent).unwrap_or(0))
+    } else {
+        format!("{v:.3e}")
+    }
+}
