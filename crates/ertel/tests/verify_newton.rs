@@ -157,7 +157,7 @@ fn effort_of_a_line_contact() {
     pinned(
         ContactKind::Line,
         3e5,
-        &[[10, 120, 4], [6, 70, 1], [7, 88, 1]],
+        &[[10, 118, 4], [6, 81, 1], [7, 88, 1]],
     );
 }
 
@@ -166,6 +166,6 @@ fn effort_of_a_circular_contact() {
     pinned(
         ContactKind::Circular,
         100.0,
-        &[[18, 287, 6], [9, 168, 5], [11, 187, 4]],
+        &[[18, 275, 7], [11, 238, 5], [11, 187, 4]],
     );
 }

@@ -1,0 +1,99 @@
+//! `ertel validate` end to end: table, page and exit codes.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn validate(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .arg("validate")
+        .args(arguments)
+        .arg("--folder")
+        .arg(folder)
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+fn studies() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation")
+}
+
+/// A folder with one study of one coarse line contact whose film is checked against `value`.
+fn study(value: f64) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("roller");
+    std::fs::create_dir(&path).unwrap();
+    let case = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good/quick.toml");
+    std::fs::copy(case, path.join("case.toml")).unwrap();
+    let reference = format!(
+        "title = \"Roller\"\nsource = \"a made-up value\"\n\n\
+         [[run]]\nname = \"roller\"\ncase = \"case.toml\"\nquick = true\n\n\
+         [[check]]\nquantity = \"central-film\"\nvalue = {value}\ntolerance = \"1 %\"\nreason = \"none\"\n"
+    );
+    std::fs::write(path.join("reference.toml"), reference).unwrap();
+    folder
+}
+
+#[test]
+fn a_comparison_that_does_not_hold_exits_with_1() {
+    let output = validate(study(1.0).path(), &[]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stdout).contains("NOT"));
+    assert!(text(&output.stderr).contains("do not hold in: roller"));
+}
+
+#[test]
+fn a_study_that_holds_exits_with_0_and_makes_a_page() {
+    let docs = tempfile::tempdir().unwrap();
+    let docs = docs.path().join("docs");
+    let output = validate(
+        &studies(),
+        &[
+            "penalty-scaling",
+            "--quick",
+            "--write",
+            docs.to_str().unwrap(),
+        ],
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stdout));
+    let table = text(&output.stdout);
+    assert!(table.contains("film 1e4, normal"), "{table}");
+    assert!(
+        !table.contains("h^2 1e2, fine"),
+        "a slow run is made: {table}"
+    );
+    let page = std::fs::read_to_string(docs.join("validation.md")).unwrap();
+    assert!(page.contains("](validation/penalty-scaling-outlet.svg)"));
+    assert!(docs.join("validation/penalty-scaling-outlet.svg").is_file());
+}
+
+#[test]
+fn unknown_studies_and_bad_references_exit_with_2() {
+    let output = validate(&studies(), &["table-9-9"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("table-3-4"), "lists them");
+    assert_eq!(
+        validate(Path::new("no/such/folder"), &[]).status.code(),
+        Some(2)
+    );
+    let folder = study(1.0);
+    let path = folder.path().join("roller/reference.toml");
+    let reference = std::fs::read_to_string(&path).unwrap();
+    for (good, bad) in [
+        ("central-film", "centre-film"),
+        ("case.toml", "no-case.toml"),
+        ("reason = \"none\"", ""),
+        ("value = 1", "values = 1"),
+        ("value = 1\n", ""),
+        ("quick = true", "quick = true\nmoes = [1.0]"),
+        ("reason", "runs = [\"ball\"]\nreason"),
+    ] {
+        std::fs::write(&path, reference.replace(good, bad)).unwrap();
+        let output = validate(folder.path(), &[]);
+        assert_eq!(output.status.code(), Some(2), "{bad}");
+        assert!(text(&output.stderr).contains("reference.toml") || bad == "no-case.toml");
+    }
+}
