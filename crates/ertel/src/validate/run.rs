@@ -70,8 +70,11 @@ impl StudyResult {
     }
 }
 
-/// Processors differ in the last bits, and a convergence test may fall on either side of them.
-const PIN_SLACK: f64 = 1.0;
+/// Processors differ in the last bits, and a convergence test may fall on either side of them:
+/// one iteration, or 5 % of a long way.
+fn pin_slack(pinned: f64) -> f64 {
+    (0.05 * pinned).floor().max(1.0)
+}
 
 impl Study {
     /// Makes the selected runs and compares. `begin` hears of each run before it starts.
@@ -137,7 +140,7 @@ impl Run {
         let (reference, accept, source) = match self.newton_iterations {
             Some(pinned) => (
                 Reference::Value(pinned as f64),
-                Accept::Absolute(PIN_SLACK),
+                Accept::Absolute(pin_slack(pinned as f64)),
                 "cold start, pinned",
             ),
             None => (Reference::Nothing, Accept::Anything, "cold start"),
