@@ -9,8 +9,12 @@ use ertel::run::solve;
 use ertel::solution::Estimate;
 use ertel::solve::Silent;
 
+/// Widest bars that still tell something: a coarse mesh is for a quick look.
+const WIDEST_COARSE: f64 = 0.1;
+const WIDEST_NORMAL: f64 = 0.04;
+
 /// Relative error and bar of one figure.
-fn check(label: &str, figure: Estimate, exact: f64) {
+fn check(label: &str, figure: Estimate, exact: f64, widest: f64) {
     let error = (figure.value / exact - 1.0).abs();
     let bar = figure.error.expect("an estimate was asked for") / exact;
     println!("{label}: error {error:.1e}, bar {bar:.1e}");
@@ -18,8 +22,7 @@ fn check(label: &str, figure: Estimate, exact: f64) {
         error < bar,
         "{label}: error {error:.1e} beyond the bar {bar:.1e}"
     );
-    // A twentieth, and a per mille, are worth telling.
-    assert!(bar < 0.06, "{label}: bar {bar:.1e}");
+    assert!(bar < widest, "{label}: bar {bar:.1e}");
 }
 
 /// Reference on cells of 0.4 and 0.3 of the normal preset's, growing by 0.2 instead of 0.3: its own
@@ -46,7 +49,10 @@ fn line() {
             ..MeshParams::preset(MeshPreset::Fine, kind)
         };
         let exact = solve(&case, &mut Silent).unwrap();
-        for preset in [MeshPreset::Coarse, MeshPreset::Normal] {
+        for (preset, widest) in [
+            (MeshPreset::Coarse, WIDEST_COARSE),
+            (MeshPreset::Normal, WIDEST_NORMAL),
+        ] {
             case.mesh = MeshParams::preset(preset, kind);
             let s = solve(&case, &mut Silent).unwrap();
             let label = |name| format!("M = {m}, L = {l}, {preset:?}, {name}");
@@ -54,11 +60,13 @@ fn line() {
                 &label("h_c"),
                 s.summary.film_central,
                 exact.summary.film_central.value,
+                widest,
             );
             check(
                 &label("h_m"),
                 s.summary.film_minimum,
                 exact.summary.film_minimum.value,
+                widest,
             );
         }
     }
@@ -84,7 +92,7 @@ fn circular() {
         let s = solve(&case, &mut Silent).unwrap();
         let label = |name| format!("M = {m}, L = {l}, {name}");
         let [h_c, h_m] = exact.map(|h| h * s.scales.film);
-        check(&label("h_c"), s.summary.film_central, h_c);
-        check(&label("h_m"), s.summary.film_minimum, h_m);
+        check(&label("h_c"), s.summary.film_central, h_c, WIDEST_COARSE);
+        check(&label("h_m"), s.summary.film_minimum, h_m, WIDEST_COARSE);
     }
 }
