@@ -4,7 +4,7 @@ use super::axis::Axis;
 use super::frame::{
     FRAME_WIDTH, Frame, draw_x_axis, draw_y_axis, label_x_axis, label_y_axis, polyline,
 };
-use super::svg::{Anchor, INK, Stroke, Svg, TICK_SIZE, number, text_width};
+use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
 
 /// Colours told apart by colour-blind readers and in grey (Okabe and Ito 2008).
 pub const PALETTE: [&str; 6] = [
@@ -33,6 +33,16 @@ pub enum Look {
     Circles,
     /// Solid line through filled dots.
     LineAndDots,
+    /// Filled dots.
+    Dots,
+    /// Crosses.
+    Crosses,
+}
+
+impl Look {
+    fn has_line(self) -> bool {
+        matches!(self, Look::Line | Look::Dashed | Look::LineAndDots)
+    }
 }
 
 /// A curve or a set of points.
@@ -64,6 +74,8 @@ pub struct Marker {
 pub struct Chart {
     /// Title kept in the file's metadata, not drawn.
     pub title: String,
+    /// Text over the frame, in label markup; empty: none.
+    pub heading: String,
     /// Lower axis.
     pub x: Axis,
     /// Upper axis with other units of the same range, if any.
@@ -80,11 +92,39 @@ pub struct Chart {
     pub shaded: Vec<[f64; 2]>,
 }
 
+/// Frame inside the picture, px.
+const LEFT: f64 = 68.0;
+const WIDTH: f64 = 420.0;
+const HEIGHT: f64 = 290.0;
+
+/// Diagrams in rows of `columns`, as one SVG file.
+pub fn side_by_side(title: &str, charts: &[Chart], columns: usize) -> String {
+    let rows: Vec<&[Chart]> = charts.chunks(columns.max(1)).collect();
+    let width = |row: &[Chart]| row.iter().map(|c| c.size()[0]).sum::<f64>();
+    let height = |row: &[Chart]| row.iter().map(|c| c.size()[1]).fold(0.0, f64::max);
+    let mut svg = Svg::new(
+        rows.iter().map(|r| width(r)).fold(0.0, f64::max),
+        rows.iter().map(|r| height(r)).sum(),
+        title,
+    );
+    let mut top = 0.0;
+    for row in rows {
+        let mut left = 0.0;
+        for chart in row {
+            chart.draw(&mut svg, [left, top]);
+            left += chart.size()[0];
+        }
+        top += height(row);
+    }
+    svg.finish()
+}
+
 impl Chart {
     /// Diagram without series.
     pub fn new(title: &str, x: Axis, y: Axis) -> Chart {
         Chart {
             title: title.to_owned(),
+            heading: String::new(),
             x,
             x_top: None,
             y,
@@ -97,31 +137,46 @@ impl Chart {
 
     /// The diagram as an SVG file.
     pub fn svg(&self) -> String {
-        let frame = Frame {
-            left: 68.0,
-            top: match (&self.x_top, self.markers.is_empty()) {
-                (Some(_), _) => 52.0,
-                (None, false) => 28.0,
-                (None, true) => 18.0,
-            },
-            width: 420.0,
-            height: 290.0,
+        side_by_side(&self.title, std::slice::from_ref(self), 1)
+    }
+
+    /// Space over the frame for labels, px.
+    fn head(&self) -> f64 {
+        let heading = if self.heading.is_empty() { 0.0 } else { 20.0 };
+        let labels = match (&self.x_top, self.markers.is_empty()) {
+            (Some(_), _) => 52.0,
+            (None, false) => 28.0,
+            (None, true) => 18.0,
         };
+        heading + labels
+    }
+
+    /// Width and height of the picture, px.
+    fn size(&self) -> [f64; 2] {
         let right = if self.y_right.is_some() { 68.0 } else { 22.0 };
-        let mut svg = Svg::new(
-            frame.left + frame.width + right,
-            frame.top + frame.height + 52.0,
-            &self.title,
-        );
-        self.draw_shades(&mut svg, frame);
+        [LEFT + WIDTH + right, self.head() + HEIGHT + 52.0]
+    }
+
+    /// Draws with the upper left corner at a point, px.
+    fn draw(&self, svg: &mut Svg, [left, top]: [f64; 2]) {
+        let frame = Frame {
+            left: left + LEFT,
+            top: top + self.head(),
+            width: WIDTH,
+            height: HEIGHT,
+        };
+        if !self.heading.is_empty() {
+            let at = [frame.left + 0.5 * frame.width, top + 22.0];
+            svg.text(at, &self.heading, LABEL_SIZE, Anchor::Middle, INK);
+        }
+        self.draw_shades(svg, frame);
         svg.begin_clip(frame.left, frame.top, frame.width, frame.height);
         for series in &self.series {
-            self.draw_series(&mut svg, frame, series);
+            self.draw_series(svg, frame, series);
         }
         svg.end_clip();
-        self.draw_axes(&mut svg, frame);
-        self.draw_legend(&mut svg, frame);
-        svg.finish()
+        self.draw_axes(svg, frame);
+        self.draw_legend(svg, frame);
     }
 
     fn y_axis(&self, side: Side) -> &Axis {
@@ -169,22 +224,14 @@ impl Chart {
             .iter()
             .map(|[px, py]| [limit(frame.x(&self.x, *px)), limit(frame.y(y, *py))])
             .collect();
-        if series.look != Look::Circles {
+        if series.look.has_line() {
             svg.stroke(&polyline(&points), line_stroke(series));
         }
         let finite = points
             .iter()
             .filter(|p| p[0].is_finite() && p[1].is_finite());
-        for [x, y] in finite {
-            match series.look {
-                Look::Circles => {
-                    svg.circle(*x, *y, 3.2, "white", Stroke::solid(&series.colour, 1.3));
-                }
-                Look::LineAndDots => {
-                    svg.circle(*x, *y, 2.2, &series.colour, Stroke::solid("white", 0.6));
-                }
-                Look::Line | Look::Dashed => {}
-            }
+        for point in finite {
+            draw_point(svg, *point, series);
         }
     }
 
@@ -240,20 +287,11 @@ impl Chart {
         for (i, series) in entries.iter().enumerate() {
             let y = top + 3.0 + row * (i as f64 + 0.5);
             let (from, to) = (left + 6.0, left + 34.0);
-            if series.look != Look::Circles {
+            if series.look.has_line() {
                 let d = format!("M{} {}H{}", number(from), number(y), number(to));
                 svg.stroke(&d, line_stroke(series));
             }
-            let middle = 0.5 * (from + to);
-            match series.look {
-                Look::Circles => {
-                    svg.circle(middle, y, 3.2, "white", Stroke::solid(&series.colour, 1.3));
-                }
-                Look::LineAndDots => {
-                    svg.circle(middle, y, 2.2, &series.colour, Stroke::solid("white", 0.6));
-                }
-                Look::Line | Look::Dashed => {}
-            }
+            draw_point(svg, [0.5 * (from + to), y], series);
             svg.text(
                 [to + 6.0, y + 4.2],
                 &series.label,
@@ -281,7 +319,11 @@ impl Chart {
                     .iter()
                     .map(|p| [frame.x(&self.x, p[0]), frame.y(y, p[1])])
                     .collect();
-                densify(&points)
+                if s.look.has_line() {
+                    densify(&points)
+                } else {
+                    points
+                }
             })
             .collect();
         let crowd = |[x, y]: [f64; 2]| {
@@ -306,6 +348,22 @@ impl Chart {
             })
             .min_by_key(|place| crowd(*place))
             .unwrap_or([frame.left + gap, frame.top + gap])
+    }
+}
+
+/// The mark of a series at a point, if it has one.
+fn draw_point(svg: &mut Svg, [x, y]: [f64; 2], series: &Series) {
+    let colour = &series.colour;
+    match series.look {
+        Look::Circles => svg.circle(x, y, 3.2, "white", Stroke::solid(colour, 1.3)),
+        Look::LineAndDots => svg.circle(x, y, 2.2, colour, Stroke::solid("white", 0.6)),
+        Look::Dots => svg.circle(x, y, 3.4, colour, Stroke::solid("white", 0.5)),
+        Look::Crosses => {
+            let (x, y) = (number(x - 3.0), number(y - 3.0));
+            let d = format!("M{x} {y}l6 6m0 -6l-6 6");
+            svg.stroke(&d, Stroke::solid(colour, 1.6));
+        }
+        Look::Line | Look::Dashed => {}
     }
 }
 

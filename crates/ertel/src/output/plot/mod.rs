@@ -12,7 +12,7 @@ pub mod png;
 mod svg;
 
 pub use axis::{Axis, AxisScale};
-pub use chart::{Chart, Look, Marker, PALETTE, Series, Side};
+pub use chart::{Chart, Look, Marker, PALETTE, Series, Side, side_by_side};
 pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use maps::{film_map, pressure_map};
