@@ -34,11 +34,11 @@ fn panel(heading: &str, records: &[&Record]) -> Chart {
         heading,
         Axis {
             label: "Load group *M*".into(),
-            low: 0.3,
+            low: 0.1,
             high: 3e4,
             scale: AxisScale::Log,
         },
-        Axis::linear("Material group *L*", -1.5, 30.0),
+        Axis::linear("Material group *L*", -2.0, 40.0),
     );
     chart.heading = heading.to_owned();
     let mut below = 0;
@@ -49,7 +49,8 @@ fn panel(heading: &str, records: &[&Record]) -> Chart {
             .map(|r| place(r))
             .collect();
         let label = match limit {
-            usize::MAX => format!("{below} Newton iterations or more"),
+            usize::MAX => format!("{below} or more"),
+            _ if below == 0 => format!("fewer than {limit} Newton iterations"),
             _ => format!("{below} to {}", limit - 1),
         };
         chart.series.push(series(label, points, Look::Dots, colour));
@@ -77,12 +78,15 @@ fn series(label: String, points: Vec<[f64; 2]>, look: Look, colour: &str) -> Ser
     }
 }
 
-/// Where a case is drawn: laws beside each other where their groups agree.
+/// Where a case is drawn: laws beside each other where their groups agree, densities above each
+/// other.
 fn place(record: &Record) -> [f64; 2] {
-    let shift = Family::ALL
-        .iter()
-        .position(|f| *f == record.family)
-        .unwrap_or(0) as f64
-        - 2.0;
-    [record.m * 10f64.powf(0.045 * shift), record.l]
+    let law = Family::ALL.iter().position(|f| *f == record.family);
+    let right = 0.05 * (law.unwrap_or(0) as f64 - 2.0);
+    let up = match record.name.as_str() {
+        n if n.contains("-inc-") => -0.7,
+        n if n.contains("-tait-") => 0.7,
+        _ => 0.0,
+    };
+    [record.m * 10f64.powf(right), record.l + up]
 }

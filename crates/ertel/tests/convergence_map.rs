@@ -1,0 +1,148 @@
+//! A small part of the convergence map (`cargo bench -p ertel --bench map`): cold, default
+//! settings, every law, light to heavy.
+
+#[path = "../benches/map/cases.rs"]
+#[allow(dead_code)] // the bench uses all of it
+mod cases;
+
+use std::collections::HashSet;
+
+use ertel::contact::ContactKind;
+use ertel::params::{MeshParams, MeshPreset};
+use ertel::run::{groups, solve};
+use ertel::solution::Solution;
+use ertel::solve::Silent;
+
+use cases::{Family, MapCase};
+
+fn find(name: &str) -> MapCase {
+    cases::cases()
+        .into_iter()
+        .find(|c| c.name == name)
+        .unwrap_or_else(|| panic!("no case {name} in the map"))
+}
+
+/// Solves a case and checks what every solution must hold.
+fn solved(name: &str, preset: Option<MeshPreset>) -> Solution {
+    let map_case = find(name);
+    let mut case = map_case.read().unwrap();
+    if let Some(preset) = preset {
+        case.mesh = MeshParams::preset(preset, map_case.kind);
+    }
+    let solution = solve(&case, &mut Silent).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let s = &solution.summary;
+    assert!(s.film_minimum.value > 0.0, "{name}: no film");
+    assert!(s.film_central.value >= s.film_minimum.value, "{name}");
+    assert!(s.load_balance_error < 1e-7, "{name}: load balance");
+    assert!(
+        s.film_balance_error.abs() < 0.02,
+        "{name}: mass balance {}",
+        s.film_balance_error
+    );
+    solution
+}
+
+/// Line contacts converge cold, and their films lie near Moes' formula. It is for Barus' law and
+/// an incompressible fluid: Roelands' law takes up to 17 % off, compression up to 25 % (the
+/// density of Dowson and Higginson at 4 GPa is 1.31), its own scatter is 6 %.
+#[test]
+fn line_contacts() {
+    for name in [
+        "line-constant-M1",
+        "line-constant-M100",
+        "line-constant-inc-M20",
+        "line-roelands-M1-L2.5",
+        "line-roelands-M20-L5",
+        "line-roelands-M100-L10",
+        "line-roelands-M50-L20",
+        "line-roelands-M1-L25",
+        "line-roelands-inc-M100-L2.5",
+        "line-roelands-tait-M50-L10",
+        "line-barus-M10-L10",
+        "line-barus-M200-L5",
+        "line-barus-inc-M20-L2.5",
+        "line-barus-tait-M10-L15",
+    ] {
+        let solution = solved(name, None);
+        let formula = solution
+            .formulas
+            .iter()
+            .find(|f| f.name.contains("Moes"))
+            .and_then(|f| f.central)
+            .unwrap();
+        let ratio = solution.summary.film_central.value / formula;
+        assert!((0.65..1.1).contains(&ratio), "{name}: {ratio} of Moes");
+    }
+}
+
+/// Fluids of the database, to 3 GPa, thin to thick, on steel and on glass.
+#[test]
+fn line_contacts_of_the_database() {
+    for name in [
+        "line-thesis-wlf-oil-0.5GPa-5mps",
+        "line-thesis-wlf-oil-2GPa-0.3mps",
+        "line-thesis-wlf-oil-3GPa-1mps",
+        "line-squalane-pip-0.3GPa-0.1mps",
+        "line-squalane-pip-1GPa-0.3mps",
+        "line-pao-650-0.8GPa-0.05mps",
+    ] {
+        solved(name, None);
+    }
+}
+
+#[test]
+fn circular_contact() {
+    solved("circular-roelands-M50-L5", Some(MeshPreset::Coarse));
+}
+
+/// Where the film is no continuum any more, the result says so.
+#[test]
+fn films_below_a_nanometre_are_called_so() {
+    let solution = solved("line-roelands-M500-L1", None);
+    assert!(solution.summary.film_minimum.value < 1e-9);
+    assert!(solution.warnings.iter().any(|w| w.contains("nanometre")));
+}
+
+/// The list is what the documentation says: at least 300 cases, each name once, valid, M from 1 to
+/// 10,000, L from 0 to 25, Hertz pressures between 1 MPa and 4 GPa, all laws.
+#[test]
+fn the_list_covers_its_ranges() {
+    let list = cases::cases();
+    assert!(list.len() >= 300);
+    let names: HashSet<&str> = list.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(names.len(), list.len());
+    for kind in [ContactKind::Line, ContactKind::Circular] {
+        let (mut m, mut l) = ([f64::INFINITY, 0.0_f64], [f64::INFINITY, 0.0_f64]);
+        let mut families = HashSet::new();
+        for map_case in list.iter().filter(|c| c.kind == kind) {
+            let case = map_case
+                .read()
+                .unwrap_or_else(|e| panic!("{}: {e}", map_case.name));
+            let pressure = case.hertz().pressure;
+            assert!(
+                (0.999e6..4.001e9).contains(&pressure),
+                "{}: {pressure}",
+                map_case.name
+            );
+            let lubricant = &case.lubricant;
+            let alpha = lubricant
+                .viscosity
+                .pressure_viscosity_slope(lubricant.temperature);
+            let g = groups(&case, alpha);
+            m = [m[0].min(g.moes_load), m[1].max(g.moes_load)];
+            l = [l[0].min(g.moes_material), l[1].max(g.moes_material)];
+            families.insert(map_case.family.name());
+            // The groups are those of the name.
+            if let Some((_, rest)) = map_case.name.split_once("-M") {
+                let (named, material) = rest.split_once("-L").unwrap_or((rest, "0"));
+                let close =
+                    |a: f64, b: &str| (a - b.parse::<f64>().unwrap()).abs() < 1e-6 * (1.0 + a);
+                assert!(close(g.moes_load, named), "{}", map_case.name);
+                assert!(close(g.moes_material, material), "{}", map_case.name);
+            }
+        }
+        assert!(m[0] < 1.01 && m[1] > 9999.0, "{kind:?}: M {m:?}");
+        assert!(l[0] == 0.0 && l[1] > 24.9, "{kind:?}: L {l:?}");
+        assert_eq!(families.len(), Family::ALL.len());
+    }
+}
