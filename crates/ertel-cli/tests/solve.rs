@@ -80,13 +80,13 @@ fn the_folder_comes_from_the_command_line_or_the_case() {
     let case = std::fs::read_to_string(&path).unwrap();
     std::fs::write(
         &path,
-        case + "\n[output]\nfolder = \"from/case\"\nbody_field = false\n",
+        case + "\n[output]\nfolder = \"from/case\"\nbody_field = true\n",
     )
     .unwrap();
     assert_eq!(solve(&folder, &["quick.toml"]).status.code(), Some(0));
     let results = folder.path().join("from/case");
     assert!(results.join("result.json").exists());
-    assert!(!results.join("body.vtu").exists());
+    assert!(results.join("body.vtu").exists());
 
     let output = solve(&folder, &["quick.toml", "--output", "from/line"]);
     assert_eq!(output.status.code(), Some(0));

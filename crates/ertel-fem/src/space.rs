@@ -64,6 +64,16 @@ impl Space {
         self.element_nodes.len() / self.element.n_nodes()
     }
 
+    /// The mesh vertices that carry each node (ascending, `u32::MAX` beyond the last): nodes of one
+    /// vertex, edge or cell have the same.
+    pub fn carriers(&self) -> Vec<[u32; 4]> {
+        let mut carriers = vec![[u32::MAX; 4]; self.n_nodes()];
+        for (key, node) in &self.keys {
+            carriers[*node as usize] = key.map(|(vertex, _)| vertex);
+        }
+        carriers
+    }
+
     /// For each node of this space on a surface mesh, the node of a body space of the same order.
     ///
     /// `to_body` maps surface vertices to body vertices.

@@ -192,7 +192,7 @@ impl Default for OutputParams {
         OutputParams {
             folder: None,
             png: false,
-            body_field: true,
+            body_field: false,
         }
     }
 }

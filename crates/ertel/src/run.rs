@@ -145,10 +145,9 @@ pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, Solve
         ],
         centreline: post::fields::centreline(&finest, &problem.fluid, &scales),
         surface: post::fields::surface(&finest, &problem.fluid, &scales),
-        body: case
-            .output
-            .body_field
-            .then(|| post::fields::body(&finest, &scales)),
+        body: (case.output.body_field)
+            .then(|| post::fields::body(&finest, &scales))
+            .transpose()?,
         summary,
         history,
         stats: Stats {

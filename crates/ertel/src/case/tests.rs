@@ -185,7 +185,7 @@ error_estimate = false
 [output]
 folder = "here"
 png = true
-body_field = false
+body_field = true
 "#
     ))
     .unwrap();
@@ -214,7 +214,7 @@ body_field = false
     assert_eq!((solver.tolerance, solver.max_iterations), (1e-6, 20));
     assert!(!solver.error_estimate);
     assert_eq!(case.output.folder.as_deref(), Some("here".as_ref()));
-    assert!(case.output.png && !case.output.body_field);
+    assert!(case.output.png && case.output.body_field);
 }
 
 #[test]

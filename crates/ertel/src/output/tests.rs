@@ -17,7 +17,11 @@ fn names(folder: &Path) -> Vec<String> {
 
 fn write_to(target: &Path, kind: ContactKind) -> Result<(), OutputError> {
     let (case, solution) = (fixture::case_echo(kind), fixture::solution(kind));
-    write(&case, &solution, target, &OutputParams::default())
+    let params = OutputParams {
+        body_field: true,
+        ..OutputParams::default()
+    };
+    write(&case, &solution, target, &params)
 }
 
 #[test]

@@ -1,9 +1,12 @@
 //! Fields for output, in SI.
 
+use ertel_fem::linear::condensed::Keep;
+
 use crate::contact::{Scales, hertz};
 use crate::film::FilmFluid;
 use crate::post::profile::Profile;
 use crate::solution::{BodyField, Centreline, SurfaceField};
+use crate::solve::discretisation::DiscretisationError;
 use crate::solve::evaluate::fields_in;
 use crate::solve::sequence::StageSolution;
 
@@ -94,18 +97,27 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
 }
 
 /// Displacement of the first body (the equivalent one, or the plane).
-pub fn body(solution: &StageSolution, scales: &Scales) -> BodyField {
+///
+/// The solve knows the surface alone: the body is factorised once more.
+///
+/// # Errors
+/// When the factorisation fails.
+pub fn body(solution: &StageSolution, scales: &Scales) -> Result<BodyField, DiscretisationError> {
     let d = &solution.discretisation;
     let c = &d.contact;
+    let body = &c.elastic.bodies[0];
     let mut load = vec![0.0; c.space.dofs.n_dofs];
     for (f, dof) in d
         .nodal_loads(&solution.state.pressure)
         .iter()
         .zip(&c.space.normal_dofs)
     {
-        load[*dof] = -f / c.elastic.bodies[0].modulus;
+        load[*dof] = -f / body.modulus;
     }
-    c.elastic.bodies[0].stiffness.solve_full(&mut load);
+    c.space
+        .factorise(&c.body, body.poissons_ratio, Keep::Factor)
+        .and_then(|k| k.solve_full(&mut load))
+        .map_err(DiscretisationError::from)?;
     let space = &c.space.space;
     // VTK's order of mid-edge nodes, as pairs of corners.
     let edges: &[(usize, usize)] = match (c.body.mesh.dim, space.element.order()) {
@@ -121,7 +133,7 @@ pub fn body(solution: &StageSolution, scales: &Scales) -> BodyField {
             .expect("mid-edge node")
     };
     let local: Vec<usize> = (0..=c.body.mesh.dim).chain(edges.iter().map(mid)).collect();
-    BodyField {
+    Ok(BodyField {
         points: space
             .points
             .iter()
@@ -136,5 +148,5 @@ pub fn body(solution: &StageSolution, scales: &Scales) -> BodyField {
             .into_iter()
             .map(|u| u.map(|v| v * scales.film))
             .collect(),
-    }
+    })
 }

@@ -13,7 +13,7 @@ use ertel_fem::mesh::{
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
-use super::elastic::{BodySpace, ElasticBody, ElasticOperator};
+use super::elastic::{BodySpace, ElasticBody, ElasticOperator, SurfaceResponse, near_pairs};
 use crate::contact::ContactKind;
 
 /// Cell sizes of one level and the region they cover, in Hertz half-widths.
@@ -75,6 +75,8 @@ pub struct ContactBody {
     pub deflection: Space,
     /// Elastic response.
     pub elastic: ElasticOperator,
+    /// Pairs of deflection nodes whose stiffness the preconditioner sees.
+    pub near_pairs: Vec<(u32, u32)>,
     /// Affine map of each element.
     pub maps: Vec<Affine>,
     /// Size h_e of each element: √(2 area), the leg of a right isosceles triangle, or length.
@@ -108,11 +110,21 @@ impl ContactBody {
         let surface = contact.mesh;
         let deflection = Space::new(&surface, elastic_order);
         let space = BodySpace::new(&body, &surface, &contact.body_vertices, &deflection);
+        let near_pairs = near_pairs(&deflection);
         let mut elastic = ElasticOperator { bodies: Vec::new() };
         for &(modulus, poissons_ratio) in bodies {
-            let stiffness = space.factorise(&body, poissons_ratio)?;
+            let known = |b: &&ElasticBody| b.poissons_ratio == poissons_ratio;
+            let response = match elastic.bodies.iter().find(known) {
+                Some(b) => Arc::clone(&b.response),
+                None => Arc::new(SurfaceResponse::new(
+                    &space,
+                    &body,
+                    poissons_ratio,
+                    &near_pairs,
+                )?),
+            };
             elastic.bodies.push(ElasticBody {
-                stiffness,
+                response,
                 modulus,
                 poissons_ratio,
             });
@@ -140,6 +152,7 @@ impl ContactBody {
             surface,
             deflection,
             elastic,
+            near_pairs,
             maps,
             sizes: element_sizes,
             seconds: (mesh_seconds, operator_seconds),
@@ -242,6 +255,22 @@ impl Discretisation {
             deflection_table,
             load,
             coupling,
+        }
+    }
+
+    /// Calls `f(deflection node, pressure unknown, ∫N_δ N_P)` for every entry of M, element by element.
+    pub fn for_each_coupling(&self, mut f: impl FnMut(u32, u32, f64)) {
+        let (n, m) = (self.pressure_table.n_nodes, self.deflection_table.n_nodes);
+        for c in 0..self.contact.n_elements() {
+            let block = &self.coupling[c * n * m..(c + 1) * n * m];
+            for (i, node) in self.contact.deflection.nodes_of(c).iter().enumerate() {
+                for (j, other) in self.pressure.nodes_of(c).iter().enumerate() {
+                    let dof = self.pressure_dofs[*other as usize];
+                    if dof != CONSTRAINED {
+                        f(*node, dof, block[i * n + j]);
+                    }
+                }
+            }
         }
     }
 

@@ -1,7 +1,10 @@
 //! The elastic response of the contact surface, condensed from the body.
 
+use std::sync::Arc;
+
 use ertel_fem::assembly::{CONSTRAINED, DofMap, NodeGraph, assemble_symmetric};
-use ertel_fem::linear::condensed::{CholeskyError, CondensedStiffness};
+use ertel_fem::linear::compliance::Compliance;
+use ertel_fem::linear::condensed::{CholeskyError, CondensedStiffness, Keep};
 use ertel_fem::mesh::{BodyMesh, SimplexMesh};
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
@@ -61,9 +64,16 @@ impl BodySpace {
         &self,
         body: &BodyMesh,
         poissons_ratio: f64,
+        keep: Keep,
     ) -> Result<CondensedStiffness, CholeskyError> {
-        let matrix = self.stiffness(body, poissons_ratio);
-        CondensedStiffness::new(&matrix, &self.graph, &self.dofs, &self.normal_dofs)
+        CondensedStiffness::new(
+            &self.space,
+            &self.graph,
+            &self.dofs,
+            &self.normal_dofs,
+            keep,
+            self.element_stiffness(body, poissons_ratio),
+        )
     }
 
     /// Stiffness matrix of the body with unit Young's modulus, upper triangle.
@@ -72,12 +82,22 @@ impl BodySpace {
         body: &BodyMesh,
         poissons_ratio: f64,
     ) -> ertel_fem::assembly::SymmetricMatrix {
+        let element = self.element_stiffness(body, poissons_ratio);
+        assemble_symmetric(&self.space, &self.graph, &self.dofs, element)
+    }
+
+    /// Stiffness matrix of an element of the body with unit Young's modulus.
+    fn element_stiffness(
+        &self,
+        body: &BodyMesh,
+        poissons_ratio: f64,
+    ) -> impl Fn(usize, &mut [f64]) + Sync {
         let dim = body.mesh.dim;
         let lame = lame(1.0, poissons_ratio);
         let rule = Quadrature::simplex(dim, 2 * (self.space.element.order() - 1));
         let table = self.space.element.tabulate(&rule);
         let n = table.n_nodes;
-        assemble_symmetric(&self.space, &self.graph, &self.dofs, |cell, out| {
+        move |cell, out| {
             out.fill(0.0);
             let map = Affine::new(&body.mesh, cell);
             let mut gradients = [[0.0; 3]; 10];
@@ -87,7 +107,7 @@ impl BodySpace {
                 }
                 stiffness_point(dim, lame, &gradients[..n], weight * map.determinant, out);
             }
-        })
+        }
     }
 
     /// Displacement of every node from a solution vector; constrained components are zero.
@@ -109,10 +129,57 @@ impl BodySpace {
     }
 }
 
-/// One elastic body: condensed stiffness for unit modulus, and its dimensionless modulus.
+/// Condensed response of the contact area of a body with unit Young's modulus: all that Newton's
+/// method needs of a body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceResponse {
+    /// Deflection of each surface node under unit loads on the others.
+    pub compliance: Compliance,
+    /// Condensed stiffness between near nodes, in the order of their list of pairs.
+    pub near: Vec<f64>,
+}
+
+impl SurfaceResponse {
+    /// Factorises a body and condenses it.
+    ///
+    /// # Errors
+    /// When the factorisation fails.
+    pub fn new(
+        space: &BodySpace,
+        body: &BodyMesh,
+        poissons_ratio: f64,
+        near_pairs: &[(u32, u32)],
+    ) -> Result<SurfaceResponse, CholeskyError> {
+        let stiffness = space.factorise(body, poissons_ratio, Keep::Condensed)?;
+        let near = near_pairs.iter();
+        Ok(SurfaceResponse {
+            near: near
+                .map(|(i, j)| stiffness.condensed_entry(*i as usize, *j as usize))
+                .collect(),
+            compliance: stiffness.compliance()?,
+        })
+    }
+}
+
+/// Pairs of surface nodes (i ≤ j) that are neighbours of neighbours: the stiffness of the surface
+/// is short-ranged, and what a preconditioner needs of it ends there.
+pub fn near_pairs(surface: &Space) -> Vec<(u32, u32)> {
+    let graph = NodeGraph::new(surface);
+    let mut pairs = Vec::new();
+    for i in 0..graph.n_nodes() {
+        let rings = graph.of(i).iter().flat_map(|j| graph.of(*j as usize));
+        let mut near: Vec<u32> = rings.copied().filter(|j| *j as usize >= i).collect();
+        near.sort_unstable();
+        near.dedup();
+        pairs.extend(near.into_iter().map(|j| (i as u32, j)));
+    }
+    pairs
+}
+
+/// One elastic body: response for unit modulus, and its dimensionless modulus.
 pub struct ElasticBody {
-    /// Condensed stiffness for E = 1.
-    pub stiffness: CondensedStiffness,
+    /// Response for E = 1; bodies of one Poisson's ratio share it.
+    pub response: Arc<SurfaceResponse>,
     /// E/(R p_h/a).
     pub modulus: f64,
     /// Poisson's ratio.
@@ -126,31 +193,54 @@ pub struct ElasticOperator {
 }
 
 impl ElasticOperator {
-    /// Total deflection of the surface nodes under nodal loads ∫P N: δ = Σ_b S_b⁻¹ f/E_b.
+    /// Distinct responses with Σ1/E of the bodies that have them.
+    fn responses(&self) -> impl Iterator<Item = (&SurfaceResponse, f64)> {
+        let shares = |b: &ElasticBody| {
+            let same = |o: &&ElasticBody| Arc::ptr_eq(&o.response, &b.response);
+            self.bodies
+                .iter()
+                .filter(same)
+                .map(|o| 1.0 / o.modulus)
+                .sum()
+        };
+        self.bodies.iter().enumerate().filter_map(move |(k, b)| {
+            let seen = |o: &ElasticBody| Arc::ptr_eq(&o.response, &b.response);
+            let first = !self.bodies[..k].iter().any(seen);
+            first.then(|| (&*b.response, shares(b)))
+        })
+    }
+
+    /// Total deflection of the surface nodes under nodal loads ∫P N: δ = Σ_b C_b f/E_b.
     pub fn deflect(&self, load: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; load.len()];
-        for body in &self.bodies {
-            let mut w = load.to_vec();
-            body.stiffness.solve_condensed(&mut w);
-            for (s, w) in sum.iter_mut().zip(&w) {
-                *s += w / body.modulus;
+        let mut part = vec![0.0; load.len()];
+        for (response, share) in self.responses() {
+            response.compliance.apply(load, &mut part);
+            for (s, w) in sum.iter_mut().zip(&part) {
+                *s += share * w;
             }
         }
         sum
     }
 
-    /// Stiffness of the bodies in series between close surface nodes, approximately:
-    /// the first body's, scaled by its share of the half-space compliance (1 − ν²)/E.
-    pub fn near_stiffness(&self, pairs: &[(u32, u32)]) -> Vec<f64> {
+    /// The same in single precision, for products with the Jacobian; `part` is scratch.
+    pub fn deflect_single(&self, load: &[f32], sum: &mut [f32], part: &mut [f32]) {
+        sum.fill(0.0);
+        for (response, share) in self.responses() {
+            response.compliance.apply_single(load, part);
+            for (s, w) in sum.iter_mut().zip(&*part) {
+                *s += share as f32 * w;
+            }
+        }
+    }
+
+    /// Stiffness of the bodies in series between near surface nodes, approximately: the first
+    /// body's, scaled by its share of the half-space compliance (1 − ν²)/E.
+    pub fn near_stiffness(&self) -> impl Iterator<Item = f64> {
         let compliance = |b: &ElasticBody| (1.0 - b.poissons_ratio.powi(2)) / b.modulus;
         let first = &self.bodies[0];
         let total: f64 = self.bodies.iter().map(compliance).sum();
         let scale = first.modulus * compliance(first) / total;
-        first
-            .stiffness
-            .condensed_entries(pairs)
-            .into_iter()
-            .map(|s| s * scale)
-            .collect()
+        first.response.near.iter().map(move |s| s * scale)
     }
 }

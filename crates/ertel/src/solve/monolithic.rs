@@ -8,12 +8,12 @@
 //!   H0   | cᵀ                   |
 //! ```
 
-use ertel_fem::assembly::{CONSTRAINED, SymmetricMatrix};
+use ertel_fem::assembly::SymmetricMatrix;
 use ertel_fem::linear::lu::{LuError, SparseLu};
 use faer::sparse::Triplet;
 
 use super::discretisation::Discretisation;
-use super::system::System;
+use super::system::{Column, System};
 
 /// Stiffness matrices of the bodies, dimensionless.
 pub struct BodyMatrices {
@@ -50,37 +50,27 @@ impl Monolithic {
         bodies: &BodyMatrices,
         system: &System,
     ) -> Result<Monolithic, LuError> {
-        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
         let n_u = d.contact.space.dofs.n_dofs;
         let size = d.n_pressure + n_u * bodies.matrices.len() + 1;
         let first = |body: usize| d.n_pressure + body * n_u;
         let separation = size - 1;
+        let normal = &d.contact.space.normal_dofs;
         let mut t = Vec::new();
-        for c in 0..d.contact.n_elements() {
-            let nodes = d.pressure.nodes_of(c);
-            for (i, node) in nodes.iter().enumerate() {
-                let row = d.pressure_dofs[*node as usize];
-                if row == CONSTRAINED {
-                    continue;
-                }
-                let row = row as usize;
-                let block = &system.blocks[(c * n + i) * (n + m)..][..n + m];
-                for (j, other) in nodes.iter().enumerate() {
-                    let column = d.pressure_dofs[*other as usize];
-                    if column != CONSTRAINED {
-                        t.push(Triplet::new(row, column as usize, block[j]));
-                    }
-                }
-                for (j, other) in d.contact.deflection.nodes_of(c).iter().enumerate() {
-                    let u = d.contact.space.normal_dofs[*other as usize];
-                    for body in 0..bodies.matrices.len() {
-                        t.push(Triplet::new(row, first(body) + u, -block[n + j]));
-                        let coupling = d.coupling[c * n * m + j * n + i];
-                        t.push(Triplet::new(first(body) + u, row, coupling));
-                    }
-                }
+        System::for_each_entry(d, |row, column, index| {
+            let (row, value) = (row as usize, system.blocks[index]);
+            match column {
+                Column::Pressure(dof) => t.push(Triplet::new(row, dof as usize, value)),
+                Column::Deflection(node) => t
+                    .extend((0..bodies.matrices.len()).map(|body| {
+                        Triplet::new(row, first(body) + normal[node as usize], -value)
+                    })),
             }
-        }
+        });
+        d.for_each_coupling(|node, dof, value| {
+            t.extend((0..bodies.matrices.len()).map(|body| {
+                Triplet::new(first(body) + normal[node as usize], dof as usize, value)
+            }));
+        });
         for (body, (k, modulus)) in bodies.matrices.iter().enumerate() {
             for j in 0..k.n {
                 for p in k.col_ptr[j]..k.col_ptr[j + 1] {

@@ -7,52 +7,164 @@
 //! The compliance of a half-space is long-range, its inverse is not: that is why cutting the
 //! stiffness works where cutting the compliance does not.
 
+use std::sync::{Arc, OnceLock};
+
 use ertel_fem::assembly::{CONSTRAINED, NodeGraph};
-use ertel_fem::linear::lu::{LuError, SparseLu};
-use faer::sparse::Triplet;
+use ertel_fem::linear::frontal_lu::{FrontalLu, FrontalPattern};
+use ertel_fem::linear::fronts::Blocks;
+use ertel_fem::linear::lu::LuError;
+use rustc_hash::FxHashMap;
 
 use super::discretisation::Discretisation;
-use super::system::System;
+use super::system::{Column, System};
 
-/// Pattern and values of the cut-off stiffness, made once per level.
+/// What all preconditioners of a level share: the entries of the matrix and their elimination
+/// order.
 pub struct NearStiffness {
-    entries: Vec<(u32, u32, f64)>,
+    /// Row and column of each entry.
+    entries: Vec<(u32, u32)>,
+    /// Values of the entries that do not change with the state; zero for the others.
+    fixed: Vec<f64>,
+    /// The first entries come from the element blocks: index in [`System::blocks`].
+    from_blocks: Vec<u32>,
+    /// Made when first needed.
+    pattern: OnceLock<Arc<FrontalPattern>>,
 }
 
 impl NearStiffness {
     /// Stiffness between nodes that are neighbours of neighbours.
     pub fn new(d: &Discretisation) -> NearStiffness {
-        let graph = NodeGraph::new(&d.contact.deflection);
-        let mut pairs = Vec::new();
-        for i in 0..graph.n_nodes() {
-            let mut near: Vec<u32> = graph
-                .of(i)
-                .iter()
-                .flat_map(|j| graph.of(*j as usize).iter().copied())
-                .collect();
-            near.sort_unstable();
-            near.dedup();
-            pairs.extend(
-                near.into_iter()
-                    .filter(|j| *j as usize >= i)
-                    .map(|j| (i as u32, j)),
-            );
-        }
-        let values = d.contact.elastic.near_stiffness(&pairs);
-        let mut entries = Vec::with_capacity(2 * pairs.len());
-        for ((i, j), v) in pairs.into_iter().zip(values) {
-            entries.push((i, j, v));
+        let first = d.n_pressure as u32;
+        let mut near = NearStiffness {
+            entries: Vec::new(),
+            fixed: Vec::new(),
+            from_blocks: Vec::new(),
+            pattern: OnceLock::new(),
+        };
+        System::for_each_entry(d, |row, column, index| {
+            let column = match column {
+                Column::Pressure(dof) => dof,
+                Column::Deflection(node) => first + node,
+            };
+            near.entries.push((row, column));
+            near.from_blocks.push(index as u32);
+        });
+        near.fixed = vec![0.0; near.entries.len()];
+        d.for_each_coupling(|node, dof, value| {
+            near.entries.push((first + node, dof));
+            near.fixed.push(-value);
+        });
+        let stiffness = d.contact.elastic.near_stiffness();
+        for (&(i, j), v) in d.contact.near_pairs.iter().zip(stiffness) {
+            near.entries.push((first + i, first + j));
+            near.fixed.push(v);
             if i != j {
-                entries.push((j, i, v));
+                near.entries.push((first + j, first + i));
+                near.fixed.push(v);
             }
         }
-        NearStiffness { entries }
+        near
+    }
+
+    fn pattern(&self, d: &Discretisation) -> Result<&Arc<FrontalPattern>, LuError> {
+        if let Some(pattern) = self.pattern.get() {
+            return Ok(pattern);
+        }
+        let groups = Groups::new(d);
+        let graph = groups.graph(d);
+        let blocks = Blocks {
+            graph: &graph,
+            n_inner: groups.unknowns.len(),
+            unknowns: groups.unknowns,
+        };
+        let pattern = FrontalPattern::new(&blocks, &self.entries).map_err(|e| LuError {
+            n: d.n_pressure + d.contact.deflection.n_nodes(),
+            reason: e.to_string(),
+        })?;
+        Ok(self.pattern.get_or_init(|| Arc::new(pattern)))
+    }
+}
+
+/// Unknowns of one vertex, edge or element of the surface: pressures and deflections of one place
+/// are eliminated together, where either may be the better pivot.
+struct Groups {
+    unknowns: Vec<Vec<u32>>,
+    of_deflection: Vec<u32>,
+    /// `CONSTRAINED` at the edge.
+    of_pressure: Vec<u32>,
+}
+
+impl Groups {
+    fn new(d: &Discretisation) -> Groups {
+        let mut index: FxHashMap<[u32; 4], u32> = FxHashMap::default();
+        let mut unknowns: Vec<Vec<u32>> = Vec::new();
+        let mut add = |place: [u32; 4], unknown: u32| {
+            let group = *index.entry(place).or_insert_with(|| {
+                unknowns.push(Vec::new());
+                unknowns.len() as u32 - 1
+            });
+            unknowns[group as usize].push(unknown);
+            group
+        };
+        let deflections = d.contact.deflection.carriers();
+        let of_deflection = (deflections.into_iter().enumerate())
+            .map(|(node, place)| add(place, (d.n_pressure + node) as u32))
+            .collect();
+        let of_pressure = (d.pressure.carriers().into_iter().zip(&d.pressure_dofs))
+            .map(|(place, dof)| match *dof {
+                CONSTRAINED => CONSTRAINED,
+                dof => add(place, dof),
+            })
+            .collect();
+        Groups {
+            unknowns,
+            of_deflection,
+            of_pressure,
+        }
+    }
+
+    /// Groups of one element, and those of near deflections, are neighbours.
+    fn graph(&self, d: &Discretisation) -> NodeGraph {
+        let mut rows: Vec<Vec<u32>> = vec![Vec::new(); self.unknowns.len()];
+        for c in 0..d.contact.n_elements() {
+            let pressures = d.pressure.nodes_of(c).iter();
+            let deflections = d.contact.deflection.nodes_of(c).iter();
+            let mut groups: Vec<u32> = pressures
+                .map(|n| self.of_pressure[*n as usize])
+                .filter(|g| *g != CONSTRAINED)
+                .chain(deflections.map(|n| self.of_deflection[*n as usize]))
+                .collect();
+            groups.sort_unstable();
+            groups.dedup();
+            for g in &groups {
+                rows[*g as usize].extend_from_slice(&groups);
+            }
+        }
+        for (i, j) in &d.contact.near_pairs {
+            let (a, b) = (
+                self.of_deflection[*i as usize],
+                self.of_deflection[*j as usize],
+            );
+            rows[a as usize].push(b);
+            rows[b as usize].push(a);
+        }
+        let mut graph = NodeGraph {
+            offsets: vec![0],
+            neighbours: Vec::new(),
+        };
+        for mut row in rows {
+            row.sort_unstable();
+            row.dedup();
+            graph.neighbours.append(&mut row);
+            graph.offsets.push(graph.neighbours.len());
+        }
+        graph
     }
 }
 
 /// Factorised approximation of the coupled system without the load equation.
 pub struct Preconditioner {
-    lu: SparseLu,
+    lu: FrontalLu,
     n_pressure: usize,
     scratch: Vec<f64>,
 }
@@ -67,52 +179,19 @@ impl Preconditioner {
         near: &NearStiffness,
         system: &System,
     ) -> Result<Preconditioner, LuError> {
-        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
-        let size = d.n_pressure + d.contact.deflection.n_nodes();
-        let mut triplets =
-            Vec::with_capacity(system.blocks.len() + d.coupling.len() + near.entries.len());
-        for c in 0..d.contact.n_elements() {
-            let nodes = d.pressure.nodes_of(c);
-            let below = d.contact.deflection.nodes_of(c);
-            for (i, node) in nodes.iter().enumerate() {
-                let row = d.pressure_dofs[*node as usize];
-                if row == CONSTRAINED {
-                    continue;
-                }
-                let start = (c * n + i) * (n + m);
-                for (j, other) in nodes.iter().enumerate() {
-                    let column = d.pressure_dofs[*other as usize];
-                    if column != CONSTRAINED {
-                        triplets.push(Triplet::new(
-                            row as usize,
-                            column as usize,
-                            system.blocks[start + j],
-                        ));
-                    }
-                }
-                for (j, other) in below.iter().enumerate() {
-                    let column = d.n_pressure + *other as usize;
-                    triplets.push(Triplet::new(
-                        row as usize,
-                        column,
-                        system.blocks[start + n + j],
-                    ));
-                    let block = d.coupling[c * n * m + j * n + i];
-                    triplets.push(Triplet::new(column, row as usize, -block));
-                }
-            }
+        let n = d.n_pressure + d.contact.deflection.n_nodes();
+        let mut values = near.fixed.clone();
+        for (value, index) in values.iter_mut().zip(&near.from_blocks) {
+            *value = system.blocks[*index as usize];
         }
-        for &(i, j, v) in &near.entries {
-            triplets.push(Triplet::new(
-                d.n_pressure + i as usize,
-                d.n_pressure + j as usize,
-                v,
-            ));
-        }
+        let lu = FrontalLu::new(near.pattern(d)?, &values).map_err(|e| LuError {
+            n,
+            reason: e.to_string(),
+        })?;
         Ok(Preconditioner {
-            lu: SparseLu::new(size, &triplets)?,
+            lu,
             n_pressure: d.n_pressure,
-            scratch: vec![0.0; size],
+            scratch: vec![0.0; n],
         })
     }
 
@@ -121,6 +200,14 @@ impl Preconditioner {
         self.scratch.fill(0.0);
         self.scratch[..self.n_pressure].copy_from_slice(rhs);
         self.lu.solve(&mut self.scratch);
+        rhs.copy_from_slice(&self.scratch[..self.n_pressure]);
+    }
+
+    /// The same with the transposed matrix.
+    pub fn solve_transposed(&mut self, rhs: &mut [f64]) {
+        self.scratch.fill(0.0);
+        self.scratch[..self.n_pressure].copy_from_slice(rhs);
+        self.lu.solve_transposed(&mut self.scratch);
         rhs.copy_from_slice(&self.scratch[..self.n_pressure]);
     }
 }

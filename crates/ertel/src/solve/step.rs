@@ -173,10 +173,9 @@ impl Bordered {
         let row_scale = jacobian.residual_scale / load;
         let mut rhs: Vec<f64> = residual.iter().map(|v| -v).collect();
         rhs.push(row_scale * load_defect);
-        let mut nodal = vec![0.0; d.pressure.n_nodes()];
+        let mut products = jacobian.products(d);
         let apply = |x: &[f64], y: &mut [f64]| {
-            scatter(d, &x[..n], &mut nodal);
-            jacobian.multiply(d, &nodal, &mut y[..n]);
+            products.multiply(&x[..n], &mut y[..n]);
             for (yi, b) in y[..n].iter_mut().zip(&jacobian.by_separation) {
                 *yi += b * x[n];
             }

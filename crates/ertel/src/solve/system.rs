@@ -135,32 +135,106 @@ impl System {
         norm(&self.residual) / self.residual_scale
     }
 
-    /// y = (R_P + R_δ C M) x for pressures x at every node.
-    pub fn multiply(&self, d: &Discretisation, pressure: &[f64], y: &mut [f64]) {
-        let deflection = d.deflect(pressure);
+    /// Calls `f(row, column, index in blocks)` for every entry of R_P and R_δ, element by element.
+    pub fn for_each_entry(d: &Discretisation, mut f: impl FnMut(u32, Column, usize)) {
         let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+        for c in 0..d.contact.n_elements() {
+            let nodes = d.pressure.nodes_of(c);
+            for (i, node) in nodes.iter().enumerate() {
+                let row = d.pressure_dofs[*node as usize];
+                if row == CONSTRAINED {
+                    continue;
+                }
+                let start = (c * n + i) * (n + m);
+                for (j, other) in nodes.iter().enumerate() {
+                    let column = d.pressure_dofs[*other as usize];
+                    if column != CONSTRAINED {
+                        f(row, Column::Pressure(column), start + j);
+                    }
+                }
+                for (j, other) in d.contact.deflection.nodes_of(c).iter().enumerate() {
+                    f(row, Column::Deflection(*other), start + n + j);
+                }
+            }
+        }
+    }
+
+    /// Products with R_P + R_δ C M: scratch memory for them.
+    pub fn products<'a>(&'a self, d: &'a Discretisation) -> Products<'a> {
+        let n = d.contact.deflection.n_nodes();
+        Products {
+            system: self,
+            d,
+            pressure: vec![0.0; d.pressure.n_nodes()],
+            loads: vec![0.0; n],
+            deflection: vec![0.0; n],
+            part: vec![0.0; n],
+        }
+    }
+}
+
+/// Column of an entry of the linearised film equations.
+#[derive(Clone, Copy, Debug)]
+pub enum Column {
+    /// Pressure unknown.
+    Pressure(u32),
+    /// Deflection node.
+    Deflection(u32),
+}
+
+/// Products with the condensed Jacobian, without the separation.
+///
+/// The elastic response is applied in single precision: it enters a step of Newton's method, whose
+/// residual is computed in double.
+pub struct Products<'a> {
+    system: &'a System,
+    d: &'a Discretisation,
+    pressure: Vec<f64>,
+    loads: Vec<f32>,
+    deflection: Vec<f32>,
+    part: Vec<f32>,
+}
+
+impl Products<'_> {
+    /// y = (R_P + R_δ C M) x for the pressure unknowns.
+    pub fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
+        let d = self.d;
+        for (value, dof) in self.pressure.iter_mut().zip(&d.pressure_dofs) {
+            *value = x.get(*dof as usize).copied().unwrap_or(0.0);
+        }
+        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+        self.loads.fill(0.0);
+        for c in 0..d.contact.n_elements() {
+            let block = &d.coupling[c * n * m..(c + 1) * n * m];
+            let nodes = d.pressure.nodes_of(c);
+            for (row, target) in block.chunks_exact(n).zip(d.contact.deflection.nodes_of(c)) {
+                self.loads[*target as usize] += dot_at(row, nodes, &self.pressure) as f32;
+            }
+        }
+        let elastic = &d.contact.elastic;
+        elastic.deflect_single(&self.loads, &mut self.deflection, &mut self.part);
         y.fill(0.0);
         for c in 0..d.contact.n_elements() {
             let nodes = d.pressure.nodes_of(c);
             let below = d.contact.deflection.nodes_of(c);
-            for (i, node) in nodes.iter().enumerate() {
+            let blocks = &self.system.blocks[c * n * (n + m)..(c + 1) * n * (n + m)];
+            for (row, node) in blocks.chunks_exact(n + m).zip(nodes) {
                 let dof = d.pressure_dofs[*node as usize];
-                if dof == CONSTRAINED {
-                    continue;
+                if dof != CONSTRAINED {
+                    y[dof as usize] += dot_at(&row[..n], nodes, &self.pressure)
+                        + dot_at(&row[n..], below, &self.deflection);
                 }
-                let start = (c * n + i) * (n + m);
-                let row = &self.blocks[start..start + n + m];
-                let mut sum = 0.0;
-                for (v, j) in row[..n].iter().zip(nodes) {
-                    sum += v * pressure[*j as usize];
-                }
-                for (v, j) in row[n..].iter().zip(below) {
-                    sum += v * deflection[*j as usize];
-                }
-                y[dof as usize] += sum;
             }
         }
     }
+}
+
+/// Σ row_j values[nodes_j].
+fn dot_at<T: Copy + Into<f64>>(row: &[f64], nodes: &[u32], values: &[T]) -> f64 {
+    row.iter()
+        .zip(nodes)
+        .map(|(v, j)| v * values[*j as usize].into())
+        .sum()
 }
 
 /// Adds one element's rows: [∂R/∂P | ∂R/∂δ | ∂R/∂H0 | R | entrainment] for each pressure node.

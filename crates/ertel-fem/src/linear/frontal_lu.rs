@@ -1,0 +1,374 @@
+//! Multifrontal LU of an unsymmetric matrix with symmetric pattern, for preconditioning.
+//!
+//! ```text
+//!   front  | A  B |    W = A⁻¹B, V = C A⁻¹; D − V B goes to the parent.
+//!          | C  D |    A⁻¹, V and W are kept: a solve is three products per front.
+//! ```
+//! Rows are interchanged inside A only: the order is fixed by the pattern, once for all matrices
+//! that share it. Single precision is what a preconditioner needs.
+
+use std::sync::Arc;
+
+use faer::linalg::matmul::matmul;
+use faer::prelude::{Reborrow, ReborrowMut};
+use faer::{Accum, ColMut, ColRef, Mat, MatMut, MatRef, Par};
+
+use crate::linear::fronts::{Blocks, Fronts};
+use crate::linear::ordering::OrderingError;
+
+/// The matrix could not be factorised in the order of its pattern.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("frontal LU broke down: a block of {size} unknowns is singular")]
+pub struct FrontalError {
+    /// Unknowns of the block.
+    pub size: usize,
+}
+
+/// Pattern of a matrix given as a list of entries, with its elimination order.
+#[derive(Clone, Debug)]
+pub struct FrontalPattern {
+    fronts: Fronts,
+    /// For each front, entry of the list and index in the front's matrix (column-major).
+    scatter: Vec<Vec<(u32, u32)>>,
+    /// Start of each front's A⁻¹, V, W in the storage; one more at the end.
+    starts: Vec<usize>,
+}
+
+impl FrontalPattern {
+    /// Orders the unknowns of `blocks` and finds the place of each entry (row, column).
+    ///
+    /// # Errors
+    /// When METIS fails.
+    ///
+    /// # Panics
+    /// When the groups of an entry are no neighbours in the graph of `blocks`.
+    pub fn new(blocks: &Blocks, entries: &[(u32, u32)]) -> Result<FrontalPattern, OrderingError> {
+        let fronts = Fronts::new(blocks)?;
+        let owners = fronts.owners();
+        let mut scatter = vec![Vec::new(); fronts.fronts.len()];
+        for (k, (row, column)) in entries.iter().enumerate() {
+            let row = fronts.position[*row as usize] as usize;
+            let column = fronts.position[*column as usize] as usize;
+            let owner = owners[row.min(column)] as usize;
+            let front = &fronts.fronts[owner];
+            let index = front.index_of(row) + front.size() * front.index_of(column);
+            scatter[owner].push((k as u32, index as u32));
+        }
+        let mut starts = vec![0];
+        for f in &fronts.fronts {
+            let (n, m) = (f.n_own, f.boundary.len());
+            starts.push(starts[starts.len() - 1] + n * (n + 2 * m));
+        }
+        Ok(FrontalPattern {
+            fronts,
+            scatter,
+            starts,
+        })
+    }
+
+    /// Number of unknowns.
+    pub fn n(&self) -> usize {
+        self.fronts.order.len()
+    }
+
+    /// Numbers that a factorisation keeps.
+    pub fn n_stored(&self) -> usize {
+        self.starts[self.starts.len() - 1]
+    }
+
+    /// Factorises the front `k`, given what its children leave.
+    fn factorise(
+        &self,
+        k: usize,
+        values: &[f64],
+        kept: &mut [f32],
+        left: Vec<Left>,
+    ) -> Result<Left, FrontalError> {
+        let front = &self.fronts.fronts[k];
+        let (n, size) = (front.n_own, front.size());
+        let mut matrix = Mat::<f32>::zeros(size, size);
+        for (entry, index) in &self.scatter[k] {
+            let (i, j) = (*index as usize % size, *index as usize / size);
+            matrix[(i, j)] += values[*entry as usize] as f32;
+        }
+        for (child, left) in front.children.iter().zip(&left) {
+            let map = &self.fronts.fronts[*child].in_parent;
+            for (j, column) in map.iter().enumerate() {
+                let target = matrix.col_as_slice_mut(*column as usize);
+                let source = &left.matrix.col_as_slice(left.n_own + j)[left.n_own..];
+                for (row, v) in map.iter().zip(source) {
+                    target[*row as usize] += v;
+                }
+            }
+        }
+        drop(left);
+        eliminate(matrix.as_mut(), n, kept).ok_or(FrontalError { size: n })?;
+        Ok(Left { matrix, n_own: n })
+    }
+}
+
+/// Matrix of a front after its elimination: what goes to the parent begins at (n_own, n_own).
+struct Left {
+    matrix: Mat<f32>,
+    n_own: usize,
+}
+
+/// Eliminates the first `n` unknowns of a front in place; `storage` takes A⁻¹, V and W.
+fn eliminate(mut matrix: MatMut<f32>, n: usize, storage: &mut [f32]) -> Option<()> {
+    let m = matrix.nrows() - n;
+    let (inverse, rest) = storage.split_at_mut(n * n);
+    let (v, w) = rest.split_at_mut(n * m);
+    let mut inverse = MatMut::from_column_major_slice_mut(inverse, n, n);
+    let mut v = MatMut::from_column_major_slice_mut(v, m, n);
+    let mut w = MatMut::from_column_major_slice_mut(w, n, m);
+    let (a, b, c, mut d) = matrix.rb_mut().split_at_mut(n, n);
+    invert(a, inverse.rb_mut())?;
+    let par = Par::Seq;
+    matmul(w.rb_mut(), Accum::Replace, inverse.rb(), b.rb(), 1.0, par);
+    matmul(v.rb_mut(), Accum::Replace, c.rb(), inverse.rb(), 1.0, par);
+    matmul(d.rb_mut(), Accum::Add, v.rb(), b.rb(), -1.0, par);
+    Some(())
+}
+
+/// Inverse by LU with row interchanges; `None` when singular.
+fn invert(mut a: MatMut<f32>, mut inverse: MatMut<f32>) -> Option<()> {
+    use faer::dyn_stack::{MemBuffer, MemStack};
+    use faer::linalg::lu::partial_pivoting::factor;
+    let n = a.nrows();
+    let (mut perm, mut perm_inverse) = (vec![0usize; n], vec![0usize; n]);
+    let mut memory = MemBuffer::new(factor::lu_in_place_scratch::<usize, f32>(
+        n,
+        n,
+        Par::Seq,
+        Default::default(),
+    ));
+    factor::lu_in_place(
+        a.rb_mut(),
+        &mut perm,
+        &mut perm_inverse,
+        Par::Seq,
+        MemStack::new(&mut memory),
+        Default::default(),
+    );
+    inverse.fill(0.0);
+    for (i, p) in perm.iter().enumerate() {
+        inverse[(i, *p)] = 1.0;
+    }
+    let regular = (0..n).all(|i| a[(i, i)].is_normal());
+    faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place(
+        a.rb(),
+        inverse.rb_mut(),
+        Par::Seq,
+    );
+    faer::linalg::triangular_solve::solve_upper_triangular_in_place(a.rb(), inverse, Par::Seq);
+    regular.then_some(())
+}
+
+/// A factorised matrix.
+#[derive(Clone, Debug)]
+pub struct FrontalLu {
+    pattern: Arc<FrontalPattern>,
+    storage: Vec<f32>,
+    x: Vec<f32>,
+    outer: Vec<f32>,
+    own: Vec<f32>,
+}
+
+impl FrontalLu {
+    /// Factorises the matrix whose entries, in the order of the pattern's list, are `values`; equal
+    /// places add up.
+    ///
+    /// # Errors
+    /// When a diagonal block is singular.
+    pub fn new(pattern: &Arc<FrontalPattern>, values: &[f64]) -> Result<FrontalLu, FrontalError> {
+        let mut storage = vec![0.0; pattern.n_stored()];
+        let front =
+            |k: usize, kept: &mut [f32], left: Vec<Left>| pattern.factorise(k, values, kept, left);
+        pattern
+            .fronts
+            .eliminate(&pattern.starts, &mut storage, &front)?;
+        let fronts = &pattern.fronts.fronts;
+        let largest = |f: fn(&crate::linear::fronts::Front) -> usize| {
+            vec![0.0; fronts.iter().map(f).max().unwrap_or(0)]
+        };
+        Ok(FrontalLu {
+            pattern: Arc::clone(pattern),
+            storage,
+            x: vec![0.0; pattern.n()],
+            outer: largest(|f| f.boundary.len()),
+            own: largest(|f| f.n_own),
+        })
+    }
+
+    /// Solves in place, approximately.
+    pub fn solve(&mut self, rhs: &mut [f64]) {
+        self.sweep(rhs, |[inverse, v, w]| [inverse, v, w]);
+    }
+
+    /// Solves with the transposed matrix in place, approximately.
+    pub fn solve_transposed(&mut self, rhs: &mut [f64]) {
+        self.sweep(rhs, |[inverse, v, w]| {
+            [inverse.transpose(), w.transpose(), v.transpose()]
+        });
+    }
+
+    /// Down the fronts by the second part and the inverse, up again by the third.
+    fn sweep(&mut self, rhs: &mut [f64], parts: impl Fn([Part; 3]) -> [Part; 3]) {
+        let fronts = &self.pattern.fronts;
+        for (x, unknown) in self.x.iter_mut().zip(&fronts.order) {
+            *x = rhs[*unknown as usize] as f32;
+        }
+        for (k, f) in fronts.fronts.iter().enumerate() {
+            let (n, m) = (f.n_own, f.boundary.len());
+            let [inverse, v, _] = parts(split(&self.storage[self.pattern.starts[k]..], n, m));
+            let own = &mut self.own[..n];
+            own.copy_from_slice(&self.x[f.first..f.first + n]);
+            let outer = &mut self.outer[..m];
+            product(outer, v, own);
+            for (s, value) in f.boundary.iter().zip(&*outer) {
+                self.x[*s as usize] -= value;
+            }
+            product(&mut self.x[f.first..f.first + n], inverse, own);
+        }
+        for (k, f) in fronts.fronts.iter().enumerate().rev() {
+            let (n, m) = (f.n_own, f.boundary.len());
+            let [_, _, w] = parts(split(&self.storage[self.pattern.starts[k]..], n, m));
+            let outer = &mut self.outer[..m];
+            for (s, value) in f.boundary.iter().zip(outer.iter_mut()) {
+                *value = self.x[*s as usize];
+            }
+            let own = &mut self.own[..n];
+            product(own, w, outer);
+            for (x, value) in self.x[f.first..f.first + n].iter_mut().zip(&*own) {
+                *x -= value;
+            }
+        }
+        for (x, unknown) in self.x.iter().zip(&fronts.order) {
+            rhs[*unknown as usize] = *x as f64;
+        }
+    }
+}
+
+type Part<'a> = MatRef<'a, f32>;
+
+/// A⁻¹, V and W of a front.
+fn split(storage: &[f32], n: usize, m: usize) -> [Part<'_>; 3] {
+    [
+        MatRef::from_column_major_slice(&storage[..n * n], n, n),
+        MatRef::from_column_major_slice(&storage[n * n..n * (n + m)], m, n),
+        MatRef::from_column_major_slice(&storage[n * (n + m)..n * (n + 2 * m)], n, m),
+    ]
+}
+
+/// y = A x.
+fn product(y: &mut [f32], a: Part, x: &[f32]) {
+    if x.is_empty() {
+        y.fill(0.0);
+        return;
+    }
+    matmul(
+        ColMut::from_slice_mut(y),
+        Accum::Replace,
+        a,
+        ColRef::from_slice(x),
+        1.0,
+        Par::Seq,
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::NodeGraph;
+    use approx::assert_relative_eq;
+    use faer::linalg::solvers::Solve;
+
+    /// A grid of groups of one to three unknowns with entries from a formula, duplicates among them:
+    /// solves with the matrix and its transpose equal those of dense linear algebra to single
+    /// precision.
+    #[test]
+    fn equals_dense_linear_algebra() {
+        let (nx, ny) = (23, 17);
+        let near = |i: usize, j: usize| {
+            let (x, y) = (i % nx, i / nx);
+            let (u, v) = (j % nx, j / nx);
+            x.abs_diff(u) <= 1 && y.abs_diff(v) <= 1
+        };
+        let mut graph = NodeGraph {
+            offsets: vec![0],
+            neighbours: Vec::new(),
+        };
+        for i in 0..nx * ny {
+            graph
+                .neighbours
+                .extend((0..nx * ny).filter(|j| near(i, *j)).map(|j| j as u32));
+            graph.offsets.push(graph.neighbours.len());
+        }
+        let mut n = 0;
+        let unknowns: Vec<Vec<u32>> = (0..nx * ny)
+            .map(|i| {
+                let own = (n..n + 1 + i as u32 % 3).collect();
+                n += 1 + i as u32 % 3;
+                own
+            })
+            .collect();
+        let mut entries = Vec::new();
+        let mut values = Vec::new();
+        for i in 0..nx * ny {
+            for j in graph.of(i) {
+                for a in &unknowns[i] {
+                    for b in &unknowns[*j as usize] {
+                        let v = (1.3 * *a as f64 + 0.7 * *b as f64).sin();
+                        entries.push((*a, *b));
+                        values.push(0.5 * v);
+                        entries.push((*a, *b));
+                        values.push(0.5 * v + if a == b { 9.0 } else { 0.0 });
+                    }
+                }
+            }
+        }
+        let n = n as usize;
+        let blocks = Blocks {
+            graph: &graph,
+            unknowns,
+            n_inner: nx * ny,
+        };
+        let pattern = Arc::new(FrontalPattern::new(&blocks, &entries).unwrap());
+        assert!(pattern.fronts.fronts.len() > 10);
+        let mut lu = FrontalLu::new(&pattern, &values).unwrap();
+        let mut dense = Mat::<f64>::zeros(n, n);
+        for ((i, j), v) in entries.iter().zip(&values) {
+            dense[(*i as usize, *j as usize)] += v;
+        }
+        let b: Vec<f64> = (0..n).map(|i| (0.1 * i as f64).cos()).collect();
+        let column = Mat::from_fn(n, 1, |i, _| b[i]);
+        let (mut x, mut y) = (b.clone(), b.clone());
+        lu.solve(&mut x);
+        lu.solve_transposed(&mut y);
+        let exact = dense.partial_piv_lu().solve(&column);
+        let transposed = dense.transpose().to_owned().partial_piv_lu().solve(&column);
+        for i in 0..n {
+            assert_relative_eq!(x[i], exact[(i, 0)], epsilon = 1e-5);
+            assert_relative_eq!(y[i], transposed[(i, 0)], epsilon = 1e-5);
+        }
+        let again = FrontalLu::new(&pattern, &values).unwrap();
+        assert_eq!(again.storage, lu.storage);
+    }
+
+    #[test]
+    fn singular_block_is_refused() {
+        let graph = NodeGraph {
+            offsets: vec![0, 1],
+            neighbours: vec![0],
+        };
+        let blocks = Blocks {
+            graph: &graph,
+            unknowns: vec![vec![0, 1]],
+            n_inner: 1,
+        };
+        let entries = [(0, 0), (0, 1), (1, 0), (1, 1)];
+        let pattern = Arc::new(FrontalPattern::new(&blocks, &entries).unwrap());
+        let e = FrontalLu::new(&pattern, &[1.0, 2.0, 2.0, 4.0]).unwrap_err();
+        assert_eq!(e, FrontalError { size: 2 });
+    }
+}
