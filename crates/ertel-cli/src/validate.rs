@@ -77,9 +77,9 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
 /// Writes the pictures of a study; returns its part of the page.
 fn section(study: &Study, result: &StudyResult, docs: &Path) -> Result<String, Failure> {
     let mut pictures = Vec::new();
-    for (name, caption, chart) in study.draw(result) {
+    for (name, caption, svg) in study.draw(result) {
         let path = format!("{PICTURES}/{name}.svg");
-        write(&docs.join(&path), &chart.svg())?;
+        write(&docs.join(&path), &svg)?;
         pictures.push((path, caption));
     }
     Ok(validate::markdown(study, result, &pictures))

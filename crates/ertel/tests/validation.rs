@@ -36,6 +36,7 @@ macro_rules! studies {
 
 studies! {
     figure_3_10: "figure-3-10",
+    figure_3_3: "figure-3-3",
     figure_3_8: "figure-3-8",
     figure_a_2: "figure-a-2",
     line_convergence: "line-convergence",

@@ -6,6 +6,7 @@
 mod check;
 mod deflection;
 mod picture;
+mod profiles;
 mod quantity;
 mod read;
 mod run;

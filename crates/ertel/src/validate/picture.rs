@@ -1,11 +1,12 @@
 //! Pictures of studies.
 
 use super::run::Outcome;
-use super::{Quantity, Study};
+use super::{Quantity, Study, profiles};
 use crate::contact::{ContactKind, hertz};
 use crate::output::plot::{self, Axis, Chart, Look, PALETTE, Series};
 use crate::params::PenaltyScaling;
 use crate::reference::FilmFormula;
+use crate::solution::Solution;
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +20,10 @@ pub enum PictureKind {
     /// Central film of these runs over the load group, one curve per material group, with a
     /// formula.
     FilmOverLoad(FilmFormula, Vec<usize>),
+    /// Pressure and film on the centreline of these runs, panels in rows of so many.
+    Profiles(Vec<usize>, usize),
+    /// Pressure on the centreline of these runs, and again within this range of X.
+    Pressures(Vec<usize>, [f64; 2]),
     /// A quantity over the penalty, one colour per scaling, one look per mesh.
     Penalty(Quantity),
 }
@@ -35,9 +40,32 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// The chart; `None` when its runs have no results.
-    pub(super) fn chart(&self, study: &Study, outcomes: &[Outcome]) -> Option<Chart> {
+    /// The picture as an SVG file; `None` when its runs have no results.
+    pub(super) fn svg(&self, study: &Study, outcomes: &[Outcome]) -> Option<String> {
+        let solved = |runs: &[usize]| -> Vec<(String, Option<&Solution>)> {
+            let solution = |i: &usize| match &outcomes[*i] {
+                Outcome::Solved(s) => Some(&**s),
+                _ => None,
+            };
+            runs.iter()
+                .map(|i| (study.runs[*i].name.clone(), solution(i)))
+                .collect()
+        };
         match &self.kind {
+            PictureKind::Profiles(runs, columns) => {
+                profiles::panels(&self.caption, &solved(runs), *columns)
+            }
+            PictureKind::Pressures(runs, zoom) => {
+                profiles::pressures(&self.caption, &solved(runs), *zoom)
+            }
+            _ => self.chart(study, outcomes).map(|chart| chart.svg()),
+        }
+    }
+
+    /// The chart of a picture with one frame.
+    fn chart(&self, study: &Study, outcomes: &[Outcome]) -> Option<Chart> {
+        match &self.kind {
+            PictureKind::Profiles(..) | PictureKind::Pressures(..) => None,
             PictureKind::Centreline(run) => match &outcomes[*run] {
                 Outcome::Solved(s) => Some(plot::centreline(&self.caption, s)),
                 _ => None,

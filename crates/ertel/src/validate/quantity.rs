@@ -15,6 +15,10 @@ pub enum Quantity {
     MinimumPressure,
     /// Largest P.
     MaximumPressure,
+    /// P at the spike near the outlet.
+    SpikePressure,
+    /// Variation of P on the centreline, |X| ≤ 0.8, beyond that of one rise and one fall.
+    PressureOscillation,
     /// Mass balance error of the film between inlet and centre.
     FilmBalance,
     /// Newton iterations of a cold start, all levels together.
@@ -31,12 +35,14 @@ pub enum Quantity {
 
 impl Quantity {
     /// Every quantity.
-    pub const ALL: [Quantity; 11] = [
+    pub const ALL: [Quantity; 13] = [
         Quantity::CentralFilm,
         Quantity::MinimumFilm,
         Quantity::Outlet,
         Quantity::MinimumPressure,
         Quantity::MaximumPressure,
+        Quantity::SpikePressure,
+        Quantity::PressureOscillation,
         Quantity::FilmBalance,
         Quantity::NewtonIterations,
         Quantity::DeflectionError,
@@ -53,6 +59,8 @@ impl Quantity {
             Quantity::Outlet => "outlet",
             Quantity::MinimumPressure => "minimum-pressure",
             Quantity::MaximumPressure => "maximum-pressure",
+            Quantity::SpikePressure => "spike-pressure",
+            Quantity::PressureOscillation => "pressure-oscillation",
             Quantity::FilmBalance => "film-balance",
             Quantity::NewtonIterations => "newton-iterations",
             Quantity::DeflectionError => "deflection-error",
@@ -70,6 +78,8 @@ impl Quantity {
             Quantity::Outlet => "X_out",
             Quantity::MinimumPressure => "min P",
             Quantity::MaximumPressure => "max P",
+            Quantity::SpikePressure => "P of the spike",
+            Quantity::PressureOscillation => "oscillation of P",
             Quantity::FilmBalance => "balance error",
             Quantity::NewtonIterations => "Newton iterations",
             Quantity::DeflectionError => "deflection error",
@@ -97,6 +107,17 @@ impl Quantity {
                     Quantity::Outlet => Some(f.outlet_position / s.scales.length),
                     Quantity::MinimumPressure => Some(f.pressure_minimum / s.scales.pressure),
                     Quantity::MaximumPressure => Some(f.pressure_maximum.value / s.scales.pressure),
+                    Quantity::SpikePressure => f.spike.map(|p| p.value / s.scales.pressure),
+                    Quantity::PressureOscillation => {
+                        let line = &s.centreline;
+                        let inner = line
+                            .x
+                            .iter()
+                            .zip(&line.pressure)
+                            .filter(|(x, _)| x.abs() <= OSCILLATION_ZONE * s.scales.length)
+                            .map(|(_, p)| p / s.scales.pressure);
+                        Some(oscillation(&inner.collect::<Vec<_>>()))
+                    }
                     Quantity::FilmBalance => Some(f.film_balance_error.abs()),
                     Quantity::NewtonIterations => Some(
                         s.stats
@@ -127,5 +148,34 @@ impl Quantity {
             }
             Outcome::Failed(_) | Outcome::Skipped => None,
         }
+    }
+}
+
+/// Part of the Hertz zone where a heavily loaded contact's pressure is smooth: the inlet and the
+/// spike lie outside.
+const OSCILLATION_ZONE: f64 = 0.8;
+
+/// Sum of all rises and falls beyond those of a profile that rises to its maximum and falls.
+fn oscillation(values: &[f64]) -> f64 {
+    let (Some(first), Some(last)) = (values.first(), values.last()) else {
+        return 0.0;
+    };
+    let total: f64 = values.windows(2).map(|w| (w[1] - w[0]).abs()).sum();
+    let top = values.iter().fold(f64::NEG_INFINITY, |m, v| m.max(*v));
+    (total - (2.0 * top - first - last)).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::oscillation;
+    use approx::assert_relative_eq;
+
+    /// By hand: one dip of 0.2 on the way up and one of 0.1 on the way down cost twice their depths.
+    #[test]
+    fn oscillation_counts_dips_twice() {
+        assert_eq!(oscillation(&[0.1, 0.5, 1.0, 0.7, 0.2]), 0.0);
+        let dips = [0.1, 0.5, 0.3, 1.0, 0.6, 0.7, 0.2];
+        assert_relative_eq!(oscillation(&dips), 0.6, epsilon = 1e-14);
+        assert_eq!(oscillation(&[]), 0.0);
     }
 }

@@ -24,7 +24,8 @@
 //!
 //! [[picture]]
 //! name = "centreline"
-//! kind = "centreline"             # of a `run`; deflection, deflection-error, film-over-load, penalty
+//! kind = "centreline"             # of a `run`; deflection, deflection-error, film-over-load, penalty; of
+//!                                 # several `runs`: profiles (panels in `columns`), pressures (with `zoom`)
 //! run = "normal"
 //! caption = "What it shows."
 //! ```
@@ -253,6 +254,8 @@ fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputErr
         "deflection-error",
         "film-over-load",
         "penalty",
+        "profiles",
+        "pressures",
     ]
     .map(|k| (k, k));
     let kind = match table.required_choice("kind", &kinds)? {
@@ -265,11 +268,23 @@ fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputErr
         "film-over-load" => {
             let formulas = FilmFormula::ALL.map(|f| (formula_key(f), f));
             let formula = table.required_choice("formula", &formulas)?;
-            let runs = match table.optional_strs("runs")? {
-                Some(runs) => indices(&table, "runs", &runs, study)?,
-                None => (0..study.runs.len()).collect(),
+            PictureKind::FilmOverLoad(formula, picture_runs(&mut table, study)?)
+        }
+        "profiles" => PictureKind::Profiles(
+            picture_runs(&mut table, study)?,
+            table
+                .optional_integer("columns", 1..=4)?
+                .and_then(|n| usize::try_from(n).ok())
+                .unwrap_or(2),
+        ),
+        "pressures" => {
+            let runs = picture_runs(&mut table, study)?;
+            let zoom = table.optional_numbers("zoom", Bounds::ANY)?;
+            let zoom = zoom.ok_or_else(|| table.missing("zoom"))?;
+            let [low, high] = zoom[..] else {
+                return Err(table.error("zoom", "`zoom` is [from, to] in X"));
             };
-            PictureKind::FilmOverLoad(formula, runs)
+            PictureKind::Pressures(runs, [low, high])
         }
         _ => {
             let quantities = Quantity::ALL.map(|q| (q.key(), q));
@@ -282,6 +297,14 @@ fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputErr
         caption,
         kind,
     })
+}
+
+/// `runs` of a picture, all if left out.
+fn picture_runs(table: &mut Table<'_>, study: &Study) -> Result<Vec<usize>, InputError> {
+    match table.optional_strs("runs")? {
+        Some(runs) => indices(table, "runs", &runs, study),
+        None => Ok((0..study.runs.len()).collect()),
+    }
 }
 
 fn indices(

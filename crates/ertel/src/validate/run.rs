@@ -3,7 +3,6 @@
 use super::check::{Reference, Row, Verdict};
 use super::{Accept, Deflection, Quantity, Study, deflect};
 use crate::case::Case;
-use crate::output::plot::Chart;
 use crate::run::solve;
 use crate::solution::Solution;
 use crate::solve::{Observer, SolveError};
@@ -119,14 +118,14 @@ impl Study {
         Ok(StudyResult { outcomes, rows })
     }
 
-    /// Pictures of the results: file name without suffix, caption, chart.
-    pub fn draw(&self, result: &StudyResult) -> Vec<(String, String, Chart)> {
+    /// Pictures of the results: file name without suffix, caption, SVG file.
+    pub fn draw(&self, result: &StudyResult) -> Vec<(String, String, String)> {
         self.pictures
             .iter()
             .filter_map(|picture| {
-                let chart = picture.chart(self, &result.outcomes)?;
+                let svg = picture.svg(self, &result.outcomes)?;
                 let name = format!("{}-{}", self.name, picture.name);
-                Some((name, picture.caption.clone(), chart))
+                Some((name, picture.caption.clone(), svg))
             })
             .collect()
     }
