@@ -22,6 +22,8 @@ pub enum Command {
     Solve(SolveArgs),
     /// Compute published cases and compare
     Validate(ValidateArgs),
+    /// Show or clear the elastic operators kept from earlier solves
+    Cache(CacheArgs),
     /// List the lubricants of the database, or show one of them
     Fluids(FluidsArgs),
     /// List the solids of the database, or show one of them
@@ -43,9 +45,29 @@ pub struct SolveArgs {
     /// Read and check the case, then stop
     #[arg(long)]
     pub check: bool,
+    /// Neither use nor keep elastic operators of other solves
+    #[arg(long)]
+    pub no_cache: bool,
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// `ertel cache`.
+#[derive(Debug, Args)]
+pub struct CacheArgs {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: CacheCommand,
+}
+
+/// The subcommands of `ertel cache`.
+#[derive(Debug, Subcommand)]
+pub enum CacheCommand {
+    /// Show where it is and how much it holds
+    Show,
+    /// Remove all that it holds
+    Clear,
 }
 
 /// `ertel validate`.

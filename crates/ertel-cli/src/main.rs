@@ -1,6 +1,7 @@
 //! The `ertel` command.
 
 mod args;
+mod cache;
 mod failure;
 mod fluids;
 mod print;
@@ -22,6 +23,7 @@ fn main() -> ExitCode {
     let result = match cli.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
+        Command::Cache(arguments) => cache::run(&arguments),
         Command::Fluids(arguments) => fluids::run(&arguments),
         Command::Solids(arguments) => solids::run(&arguments),
     };

@@ -5,9 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use ertel::case::Case;
 use ertel::output;
+use ertel::run::Session;
 use ertel::solve::{DiscretisationError, SolveError};
 
 use crate::args::SolveArgs;
+use crate::cache::user_cache;
 use crate::failure::Failure;
 use crate::print;
 use crate::progress::Progress;
@@ -39,13 +41,19 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     if arguments.check {
         return Ok(());
     }
+    let session = Session {
+        cache: match arguments.no_cache {
+            true => None,
+            false => user_cache()?,
+        },
+    };
     // A long solve whose results have no place to go would be in vain.
     output::check_target(&folder)?;
     check_writable(&folder)?;
     listen_for_interrupts();
 
     let mut progress = Progress::new(arguments.quiet, &CANCELLED);
-    let solution = ertel::run::solve(&case, &mut progress);
+    let solution = session.solve(&case, &mut progress);
     drop(progress);
     let solution = solution?;
     WRITING.store(true, Ordering::SeqCst);

@@ -17,6 +17,8 @@ fn workspace(name: &str) -> TempDir {
 fn command(folder: &TempDir, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
     command.arg("solve").args(arguments).current_dir(folder);
+    // Tests leave the user's cache alone.
+    command.env("ERTEL_CACHE", "");
     command
 }
 
@@ -261,4 +263,50 @@ fn png_without_its_feature_is_told_before_the_solve() {
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("--features png"));
     assert!(!text(&output.stderr).contains("Newton"));
+}
+
+/// Two processes at once fill one cache; a third finds it; `--no-cache` neither reads nor writes;
+/// `ertel cache` shows and clears it.
+#[test]
+fn processes_share_the_cache_of_elastic_operators() {
+    let cache = tempfile::tempdir().unwrap();
+    let folder = workspace("quick.toml");
+    let with = |arguments: &[&str]| {
+        let mut command = command(&folder, arguments);
+        command.env("ERTEL_CACHE", cache.path()).arg("--quiet");
+        command
+    };
+    let pair = ["a", "b"].map(|name| {
+        let mut command = with(&["quick.toml", "--output", name]);
+        command.stderr(Stdio::piped()).spawn().unwrap()
+    });
+    for process in pair {
+        let output = process.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(0));
+        assert!(!text(&output.stderr).contains("operator"));
+    }
+    let kept = names(cache.path());
+    assert!(!kept.is_empty() && kept.iter().all(|n| n.ends_with(".operator")));
+
+    // A damaged file is a warning, unless it is not looked at.
+    std::fs::write(cache.path().join(&kept[0]), "damaged").unwrap();
+    let quiet = with(&["quick.toml", "--no-cache"]).output().unwrap();
+    assert!(!text(&quiet.stderr).contains("operator"));
+    let warned = with(&["quick.toml"]).output().unwrap();
+    assert_eq!(warned.status.code(), Some(0));
+    assert!(text(&warned.stderr).contains("is built anew"));
+
+    let ertel = |arguments: &[&str], limit: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
+        command.args(arguments).env("ERTEL_CACHE", cache.path());
+        command.env("ERTEL_CACHE_LIMIT", limit).output().unwrap()
+    };
+    let shown = ertel(&["cache", "show"], "3 MB");
+    let line = format!("{} elastic operators", kept.len());
+    assert!(text(&shown.stdout).contains(&line) && text(&shown.stdout).contains("3.0 MB"));
+    assert_eq!(ertel(&["cache", "clear"], "3 MB").status.code(), Some(0));
+    assert!(names(cache.path()).is_empty());
+    with(&["quick.toml", "--no-cache"]).output().unwrap();
+    assert!(names(cache.path()).is_empty());
+    assert_eq!(ertel(&["cache", "show"], "plenty").status.code(), Some(2));
 }

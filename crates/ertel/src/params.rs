@@ -177,7 +177,7 @@ impl Default for SolverParams {
 }
 
 /// What is written, and where.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Default)]
 pub struct OutputParams {
     /// Folder; `None`: `results/<case name>`.
     pub folder: Option<PathBuf>,
@@ -185,14 +185,4 @@ pub struct OutputParams {
     pub png: bool,
     /// Write the displacement of the whole body (`body.vtu`).
     pub body_field: bool,
-}
-
-impl Default for OutputParams {
-    fn default() -> Self {
-        OutputParams {
-            folder: None,
-            png: false,
-            body_field: false,
-        }
-    }
 }

@@ -9,6 +9,7 @@ use crate::params::{ElasticModel, Formulation, MeshParams};
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
 use crate::solution::{Solution, Stats};
+use crate::solve::cache::OperatorCache;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::newton::{FilmModel, NewtonParams};
 use crate::solve::sequence::{Problem, Role, Stage, solve_stages};
@@ -77,21 +78,50 @@ pub fn problem(case: &Case) -> Problem {
             ..NewtonParams::default()
         },
         linear: case.solver.linear,
+        cache: None,
     }
 }
 
-/// Solves a case.
+/// What solves share.
+#[derive(Clone, Debug, Default)]
+pub struct Session {
+    /// Where elastic operators are kept between solves; `None`: nowhere.
+    pub cache: Option<OperatorCache>,
+}
+
+impl Session {
+    /// Solves a case.
+    ///
+    /// # Errors
+    /// When no mesh level converges, the mesh cannot be built, or the observer cancels.
+    pub fn solve(&self, case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
+        let problem = Problem {
+            cache: self.cache.clone(),
+            ..problem(case)
+        };
+        solve_problem(case, &problem, observer)
+    }
+}
+
+/// Solves a case on its own, without a cache.
 ///
 /// # Errors
-/// When no mesh level converges, the mesh cannot be built, or the observer cancels.
+/// As [`Session::solve`].
 pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
+    Session::default().solve(case, observer)
+}
+
+fn solve_problem(
+    case: &Case,
+    problem: &Problem,
+    observer: &mut dyn Observer,
+) -> Result<Solution, SolveError> {
     let clock = Instant::now();
-    let problem = problem(case);
     let mut recorder = Recorder {
         observer,
         history: Vec::new(),
     };
-    let (finest, levels) = solve_stages(&problem, &mut recorder)?;
+    let (finest, levels) = solve_stages(problem, &mut recorder)?;
     let history = recorder.history;
     let hertz = case.hertz();
     let slope = case
@@ -123,6 +153,9 @@ pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, Solve
             "solved with the formulation {:?}: {:?} did not converge on this mesh",
             finest.constants.formulation, case.solver.formulation
         ));
+    }
+    if let Some(cache) = &problem.cache {
+        warnings.extend(cache.take_warnings());
     }
     warnings.extend(post::summary::warnings(
         case.contact.kind,

@@ -89,6 +89,8 @@ pub struct LevelStats {
     pub n_displacement_dofs: usize,
     /// Normal displacements on the contact area.
     pub n_contact_dofs: usize,
+    /// Whether the elastic operator came from the cache.
+    pub operator_cached: bool,
     /// Lagrange order of the pressure.
     pub pressure_order: usize,
     /// Newton iterations.
@@ -103,7 +105,7 @@ pub struct LevelStats {
     pub film_minimum: f64,
     /// Largest pressure reached, Pa.
     pub pressure_maximum: f64,
-    /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov.
+    /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov, the rest.
     pub seconds: Timings,
 }
 
@@ -120,6 +122,15 @@ pub struct Timings {
     pub factorisation: f64,
     /// Linear solves.
     pub krylov: f64,
+    /// Everything else: spaces, starts, step limits, figures of the level.
+    pub other: f64,
+}
+
+impl Timings {
+    /// Sum of all parts but the rest.
+    pub fn known(&self) -> f64 {
+        self.mesh + self.operator + self.assembly + self.factorisation + self.krylov
+    }
 }
 
 /// Solver statistics of the whole run.

@@ -165,6 +165,26 @@ fn results_repeat_beside_other_solves() {
     });
 }
 
+/// On one thread and on two: the same to 1e-10 of the largest.
+#[test]
+fn results_do_not_depend_on_the_number_of_threads() {
+    for kind in [ContactKind::Line, ContactKind::Circular] {
+        let case = small_case(kind);
+        let [a, b] = [1, 2].map(|n| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build();
+            pool.unwrap().install(|| solve(&case, &mut Silent).unwrap())
+        });
+        let scale = |v: &[f64]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        for (a, b) in [
+            (&a.surface.pressure, &b.surface.pressure),
+            (&a.surface.film_thickness, &b.surface.film_thickness),
+        ] {
+            assert!(largest_difference(a, b) < 1e-10 * scale(a));
+        }
+        assert_eq!(effort(&a), effort(&b));
+    }
+}
+
 #[test]
 fn effort_of_a_line_contact() {
     pinned(

@@ -53,6 +53,11 @@ impl Compliance {
         self.double[i * self.n + j]
     }
 
+    /// Row i.
+    pub fn row(&self, i: usize) -> &[f64] {
+        &self.double[i * self.n..(i + 1) * self.n]
+    }
+
     /// y = C x.
     pub fn apply(&self, x: &[f64], y: &mut [f64]) {
         rows(&self.double, x, y);

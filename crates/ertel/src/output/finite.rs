@@ -165,6 +165,7 @@ fn effort(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
             t.assembly,
             t.factorisation,
             t.krylov,
+            t.other,
         ]
         .map(|v| (format!("statistics of stage {}", i + 1), v))
     });

@@ -232,6 +232,7 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
         n_pressure_dofs: 5 * n,
         n_displacement_dofs: 40 * n,
         n_contact_dofs: 2 * n,
+        operator_cached: false,
         pressure_order: 3,
         newton_iterations,
         krylov_iterations: 9 * newton_iterations,
@@ -245,6 +246,7 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
             assembly: 0.6,
             factorisation: 0.5,
             krylov: 0.3,
+            other: 0.1,
         },
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::CaseEcho;
 use crate::contact::{ContactKind, Groups};
-use crate::solution::{Estimate, Located, Solution};
+use crate::solution::{Estimate, Located, Solution, Timings};
 
 /// Width of the column of names.
 const NAME_WIDTH: usize = 34;
@@ -219,10 +219,27 @@ fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
             ),
         );
     }
+    let levels = &solution.stats.levels;
+    let seconds = |part: fn(&Timings) -> f64| levels.iter().map(|l| part(&l.seconds)).sum::<f64>();
+    let wall = solution.stats.wall_seconds;
+    let parts = [
+        ("mesh", seconds(|t| t.mesh)),
+        ("elastic operator", seconds(|t| t.operator)),
+        ("assembly", seconds(|t| t.assembly)),
+        ("preconditioner", seconds(|t| t.factorisation)),
+        ("Krylov", seconds(|t| t.krylov)),
+        ("other", wall - seconds(Timings::known)),
+    ]
+    .map(|(name, s)| format!("{name} {s:.2}"));
+    let cached = levels.iter().filter(|l| l.operator_cached).count();
     out.row(
         "wall time",
-        format!("{} s", digits(solution.stats.wall_seconds, 3)),
+        format!("{} s: {}", digits(wall, 3), parts.join(", ")),
     );
+    if cached > 0 {
+        let text = format!("elastic operator of {cached} stages at hand in the cache");
+        out.row("", text);
+    }
     if let Some(bytes) = solution.stats.peak_memory {
         out.row(
             "peak memory",

@@ -106,19 +106,19 @@ pub fn body(solution: &StageSolution, scales: &Scales) -> Result<BodyField, Disc
     let d = &solution.discretisation;
     let c = &d.contact;
     let body = &c.elastic.bodies[0];
-    let mut load = vec![0.0; c.space.dofs.n_dofs];
+    let mut load = vec![0.0; c.space().dofs.n_dofs];
     for (f, dof) in d
         .nodal_loads(&solution.state.pressure)
         .iter()
-        .zip(&c.space.normal_dofs)
+        .zip(&c.space().normal_dofs)
     {
         load[*dof] = -f / body.modulus;
     }
-    c.space
+    c.space()
         .factorise(&c.body, body.poissons_ratio, Keep::Factor)
         .and_then(|k| k.solve_full(&mut load))
         .map_err(DiscretisationError::from)?;
-    let space = &c.space.space;
+    let space = &c.space().space;
     // VTK's order of mid-edge nodes, as pairs of corners.
     let edges: &[(usize, usize)] = match (c.body.mesh.dim, space.element.order()) {
         (_, 1) => &[],
@@ -143,7 +143,7 @@ pub fn body(solution: &StageSolution, scales: &Scales) -> Result<BodyField, Disc
             .map(|e| local.iter().map(|l| space.nodes_of(e)[*l]).collect())
             .collect(),
         displacement: c
-            .space
+            .space()
             .displacement(&load)
             .into_iter()
             .map(|u| u.map(|v| v * scales.film))

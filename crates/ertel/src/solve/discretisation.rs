@@ -1,6 +1,6 @@
 //! One mesh level: meshes, spaces, elastic operator and everything that Newton's method reuses.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::Instant;
 
 use ertel_fem::assembly::CONSTRAINED;
@@ -13,6 +13,7 @@ use ertel_fem::mesh::{
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
+use super::cache::{OperatorCache, OperatorKey, SMALLEST};
 use super::elastic::{BodySpace, ElasticBody, ElasticOperator, SurfaceResponse, near_pairs};
 use crate::contact::ContactKind;
 
@@ -65,8 +66,16 @@ pub struct ContactBody {
     pub extents: Extents,
     /// Body with its boundary facets.
     pub body: BodyMesh,
-    /// Displacement space of the body.
-    pub space: BodySpace,
+    /// Order of the displacement.
+    pub elastic_order: usize,
+    /// Displacement unknowns of the body.
+    pub n_displacement: usize,
+    space: OnceLock<BodySpace>,
+    body_vertices: Vec<u32>,
+    /// Where elastic responses are kept, if anywhere.
+    pub cache: Option<OperatorCache>,
+    /// Whether all of this one came from there.
+    pub from_cache: bool,
     /// Contact area.
     pub surface: SimplexMesh,
     /// Finds the element under a point of it.
@@ -100,6 +109,21 @@ impl ContactBody {
         elastic_order: usize,
         bodies: &[BodyConstants],
     ) -> Result<ContactBody, DiscretisationError> {
+        ContactBody::with_cache(kind, extents, sizes, elastic_order, bodies, None)
+    }
+
+    /// The same with responses from a cache where it has them.
+    ///
+    /// # Errors
+    /// When meshing or factorisation fails.
+    pub fn with_cache(
+        kind: ContactKind,
+        extents: &Extents,
+        sizes: &LevelSizes,
+        elastic_order: usize,
+        bodies: &[BodyConstants],
+        cache: Option<&OperatorCache>,
+    ) -> Result<ContactBody, DiscretisationError> {
         let start = Instant::now();
         let body = body_mesh(&body_params(kind, extents), &|x| {
             size_at(kind, extents, sizes, x)
@@ -109,19 +133,23 @@ impl ContactBody {
         let contact = body.contact_mesh();
         let surface = contact.mesh;
         let deflection = Space::new(&surface, elastic_order);
-        let space = BodySpace::new(&body, &surface, &contact.body_vertices, &deflection);
         let near_pairs = near_pairs(&deflection);
+        let mut builder = ResponseBuilder {
+            body: &body,
+            near_pairs: &near_pairs,
+            n: deflection.n_nodes(),
+            new_space: || BodySpace::new(&body, &surface, &contact.body_vertices, &deflection),
+            space: OnceLock::new(),
+            cache: cache.filter(|_| body.mesh.n_cells() > SMALLEST),
+            elastic_order,
+            n_displacement: 0,
+        };
         let mut elastic = ElasticOperator { bodies: Vec::new() };
         for &(modulus, poissons_ratio) in bodies {
             let known = |b: &&ElasticBody| b.poissons_ratio == poissons_ratio;
             let response = match elastic.bodies.iter().find(known) {
                 Some(b) => Arc::clone(&b.response),
-                None => Arc::new(SurfaceResponse::new(
-                    &space,
-                    &body,
-                    poissons_ratio,
-                    &near_pairs,
-                )?),
+                None => Arc::new(builder.response(poissons_ratio)?),
             };
             elastic.bodies.push(ElasticBody {
                 response,
@@ -129,6 +157,8 @@ impl ContactBody {
                 poissons_ratio,
             });
         }
+        let (space, n_displacement) = (builder.space, builder.n_displacement);
+        let from_cache = !bodies.is_empty() && space.get().is_none();
         let operator_seconds = start.elapsed().as_secs_f64();
         let maps: Vec<Affine> = (0..surface.n_cells())
             .map(|c| Affine::new(&surface, c))
@@ -147,7 +177,12 @@ impl ContactBody {
             kind,
             extents: *extents,
             body,
+            elastic_order,
+            n_displacement,
             space,
+            body_vertices: contact.body_vertices,
+            cache: cache.cloned(),
+            from_cache,
             locator: Locator::new(&surface),
             surface,
             deflection,
@@ -156,6 +191,15 @@ impl ContactBody {
             maps,
             sizes: element_sizes,
             seconds: (mesh_seconds, operator_seconds),
+        })
+    }
+
+    /// Displacement space of the body, made when first asked for: a solve whose elastic response is
+    /// in the cache never does.
+    pub fn space(&self) -> &BodySpace {
+        self.space.get_or_init(|| {
+            let trace = &self.deflection;
+            BodySpace::new(&self.body, &self.surface, &self.body_vertices, trace)
         })
     }
 
@@ -179,6 +223,43 @@ impl ContactBody {
     /// Number of elements on the contact area.
     pub fn n_elements(&self) -> usize {
         self.maps.len()
+    }
+}
+
+/// Finds responses in the cache or builds and keeps them.
+struct ResponseBuilder<'a, F> {
+    body: &'a BodyMesh,
+    near_pairs: &'a [(u32, u32)],
+    /// Surface nodes.
+    n: usize,
+    new_space: F,
+    space: OnceLock<BodySpace>,
+    cache: Option<&'a OperatorCache>,
+    elastic_order: usize,
+    n_displacement: usize,
+}
+
+impl<F: Fn() -> BodySpace> ResponseBuilder<'_, F> {
+    fn response(&mut self, poissons_ratio: f64) -> Result<SurfaceResponse, CholeskyError> {
+        let key = self.cache.map(|c| {
+            (
+                c,
+                OperatorKey::new(self.body, self.elastic_order, poissons_ratio),
+            )
+        });
+        if let Some((cache, key)) = key
+            && let Some((response, n)) = cache.get(key, self.n, self.near_pairs.len())
+        {
+            self.n_displacement = n;
+            return Ok(response);
+        }
+        let space = self.space.get_or_init(&self.new_space);
+        self.n_displacement = space.dofs.n_dofs;
+        let response = SurfaceResponse::new(space, self.body, poissons_ratio, self.near_pairs)?;
+        if let Some((cache, key)) = key {
+            cache.put(key, &response, self.n_displacement);
+        }
+        Ok(response)
     }
 }
 

@@ -1,5 +1,7 @@
 //! Pressure and film thickness at any point of the contact area, dimensionless.
 
+use ertel_fem::element::Lagrange;
+
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
@@ -58,6 +60,35 @@ pub fn central_film(d: &Discretisation, state: &State) -> f64 {
     fields_at(d, state, [0.0, 0.0]).map_or(f64::NAN, |f| f.film)
 }
 
+/// Lattice of an element with `n` points per edge, and shape functions there: point by point.
+struct Lattice {
+    points: Vec<[f64; 3]>,
+    /// `values[point * element.n_nodes() + node]`.
+    values: Vec<f64>,
+}
+
+impl Lattice {
+    fn new(element: &Lagrange, n: usize) -> Lattice {
+        let mut points = Vec::new();
+        for i in 0..=n {
+            for j in 0..=(if element.dim() == 2 { n - i } else { 0 }) {
+                points.push([i as f64 / n as f64, j as f64 / n as f64, 0.0]);
+            }
+        }
+        let values = points.iter().flat_map(|xi| element.evaluate(*xi));
+        Lattice {
+            values: values.map(|basis| basis.0).collect(),
+            points,
+        }
+    }
+
+    /// Shape functions at each point.
+    fn basis(&self) -> impl Iterator<Item = (&[f64; 3], &[f64])> {
+        let n = self.values.len() / self.points.len();
+        self.points.iter().zip(self.values.chunks_exact(n))
+    }
+}
+
 /// Smallest film thickness of the contact area and where it is.
 ///
 /// Each element is sampled on a lattice; around the best point the lattice is refined until its
@@ -68,14 +99,22 @@ pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
     let step = 1.0 / n as f64;
     let mut best = (f64::INFINITY, 0, [0.0; 3]);
     let plane = d.contact.surface.dim == 2;
+    let lattice = Lattice::new(&d.contact.deflection.element, n);
     for cell in 0..d.contact.n_elements() {
-        for i in 0..=n {
-            for j in 0..=(if plane { n - i } else { 0 }) {
-                let xi = [i as f64 * step, j as f64 * step, 0.0];
-                let h = film(cell, xi);
-                if h < best.0 {
-                    best = (h, cell, xi);
+        let nodes = d.contact.deflection.nodes_of(cell);
+        for (xi, basis) in lattice.basis() {
+            let mut h = state.rigid_separation;
+            let mut point = [0.0; 3];
+            for (value, node) in basis.iter().zip(nodes) {
+                h += value * state.deflection[*node as usize];
+                let place = d.contact.deflection.points[*node as usize];
+                for (x, px) in point.iter_mut().zip(place) {
+                    *x += value * px;
                 }
+            }
+            h += d.contact.undeformed_gap(point);
+            if h < best.0 {
+                best = (h, cell, *xi);
             }
         }
     }
@@ -113,17 +152,15 @@ pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
 
 /// Largest pressure, on a lattice of eight points per element edge, and where it is.
 pub fn largest_pressure(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
-    let n = 8;
-    let plane = d.contact.surface.dim == 2;
+    let lattice = Lattice::new(&d.pressure.element, 8);
     let mut best = (f64::NEG_INFINITY, [0.0; 2]);
     for c in 0..d.contact.n_elements() {
-        for i in 0..=n {
-            for j in 0..=(if plane { n - i } else { 0 }) {
-                let xi = [i as f64 / n as f64, j as f64 / n as f64, 0.0];
-                let p = fields_in(d, state, c, xi).pressure;
-                if p > best.0 {
-                    best = (p, d.contact.point(c, xi));
-                }
+        let nodes = d.pressure.nodes_of(c);
+        for (xi, basis) in lattice.basis() {
+            let values = nodes.iter().map(|n| state.pressure[*n as usize]);
+            let p = basis.iter().zip(values).map(|(b, v)| b * v).sum();
+            if p > best.0 {
+                best = (p, d.contact.point(c, *xi));
             }
         }
     }

@@ -1,5 +1,6 @@
 //! From a problem to its solution: meshes from coarse to fine, Newton's method on each.
 
+pub mod cache;
 pub mod discretisation;
 pub mod elastic;
 pub mod evaluate;

@@ -28,7 +28,7 @@ impl BodyMatrices {
             .elastic
             .bodies
             .iter()
-            .map(|b| (c.space.stiffness(&c.body, b.poissons_ratio), b.modulus))
+            .map(|b| (c.space().stiffness(&c.body, b.poissons_ratio), b.modulus))
             .collect();
         BodyMatrices { matrices }
     }
@@ -50,11 +50,11 @@ impl Monolithic {
         bodies: &BodyMatrices,
         system: &System,
     ) -> Result<Monolithic, LuError> {
-        let n_u = d.contact.space.dofs.n_dofs;
+        let n_u = d.contact.n_displacement;
         let size = d.n_pressure + n_u * bodies.matrices.len() + 1;
         let first = |body: usize| d.n_pressure + body * n_u;
         let separation = size - 1;
-        let normal = &d.contact.space.normal_dofs;
+        let normal = &d.contact.space().normal_dofs;
         let mut t = Vec::new();
         System::for_each_entry(d, |row, column, index| {
             let (row, value) = (row as usize, system.blocks[index]);

@@ -2,7 +2,9 @@
 
 use std::collections::VecDeque;
 use std::sync::Arc;
+use std::time::Instant;
 
+use super::cache::OperatorCache;
 use super::discretisation::{BodyConstants, ContactBody, Discretisation, Extents, LevelSizes};
 use super::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, RunLabel};
 use super::system::{FilmConstants, State};
@@ -64,6 +66,8 @@ pub struct Problem {
     pub newton: NewtonParams,
     /// Condensed or monolithic.
     pub linear: LinearSolver,
+    /// Where elastic operators are kept, if anywhere.
+    pub cache: Option<OperatorCache>,
 }
 
 /// A converged stage.
@@ -113,19 +117,21 @@ pub fn solve_stages(
         if observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
+        let clock = Instant::now();
         let level = stats.len();
         let contact = match &previous {
             Some(p) if p.sizes == stage.sizes => Arc::clone(&p.discretisation.contact),
-            _ => Arc::new(ContactBody::new(
+            _ => Arc::new(ContactBody::with_cache(
                 problem.kind,
                 &problem.extents,
                 &stage.sizes,
                 problem.elastic_order,
                 &problem.bodies,
+                problem.cache.as_ref(),
             )?),
         };
         let d = Discretisation::new(&contact, stage.pressure_order);
-        let n_displacement = contact.space.dofs.n_dofs;
+        let n_displacement = contact.n_displacement;
         observer.level(level, level + 1 + queue.len(), d.n_pressure, n_displacement);
         let mut state = match &previous {
             None => cold_start(problem, &d),
@@ -145,13 +151,14 @@ pub fn solve_stages(
             &mut effort,
             observer,
         );
-        stats.push(LevelStats {
+        let mut figures = LevelStats {
             converged: outcome.is_ok(),
             n_body_cells: contact.body.mesh.n_cells(),
             n_contact_elements: contact.n_elements(),
             n_pressure_dofs: d.n_pressure,
             n_displacement_dofs: n_displacement,
             n_contact_dofs: contact.deflection.n_nodes(),
+            operator_cached: contact.from_cache,
             pressure_order: stage.pressure_order,
             newton_iterations: effort.iterations,
             krylov_iterations: effort.krylov_iterations,
@@ -160,7 +167,9 @@ pub fn solve_stages(
             film_minimum: problem.film_scale * minimum_film(&d, &state).0,
             pressure_maximum: problem.pressure_scale * largest_pressure(&d, &state).0,
             seconds: effort.seconds,
-        });
+        };
+        figures.seconds.other = clock.elapsed().as_secs_f64() - figures.seconds.known();
+        stats.push(figures);
         let solution = StageSolution {
             discretisation: d,
             state,

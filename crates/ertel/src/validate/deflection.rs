@@ -59,7 +59,7 @@ pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
     Ok(Deflection {
         x: profile.x,
         value: profile.fields.iter().map(|f| f.deflection).collect(),
-        n_displacement_dofs: contact.space.dofs.n_dofs,
+        n_displacement_dofs: contact.n_displacement,
     })
 }
 
