@@ -9,7 +9,7 @@ use ertel::contact::{ContactKind, hertz};
 use ertel::params::{ElasticModel, Formulation};
 use ertel::run::problem;
 use ertel::solve::discretisation::{ContactBody, Discretisation, LevelSizes};
-use ertel::solve::system::{FilmConstants, State, System};
+use ertel::solve::system::{FilmConstants, Precision, State, System};
 use ertel_fem::assembly::CONSTRAINED;
 
 const SIZES: LevelSizes = LevelSizes {
@@ -88,6 +88,12 @@ fn check(kind: ContactKind, elasticity: ElasticModel, order: usize) {
             *v = 0.0;
         }
     }
+    let mut unknowns = vec![0.0; d.n_pressure];
+    for (v, dof) in direction.iter().zip(&d.pressure_dofs) {
+        if *dof != CONSTRAINED {
+            unknowns[*dof as usize] = *v;
+        }
+    }
     let d_separation = 0.7;
     let moved = |step: f64| {
         let pressure = (base.pressure.iter().zip(&direction))
@@ -110,7 +116,9 @@ fn check(kind: ContactKind, elasticity: ElasticModel, order: usize) {
             };
             let system = System::assemble(&d, &problem.fluid, &constants, &base, None);
             let mut product = vec![0.0; d.n_pressure];
-            system.multiply(&d, &direction, &mut product);
+            system
+                .products(&d, Precision::Double)
+                .multiply(&unknowns, &mut product);
             for (y, b) in product.iter_mut().zip(&system.by_separation) {
                 *y += d_separation * b;
             }

@@ -190,7 +190,7 @@ fn effort_of_a_line_contact() {
     pinned(
         ContactKind::Line,
         3e5,
-        &[[10, 118, 4], [6, 81, 1], [7, 88, 1]],
+        &[[10, 102, 4], [8, 108, 1], [7, 70, 1]],
     );
 }
 
@@ -199,6 +199,6 @@ fn effort_of_a_circular_contact() {
     pinned(
         ContactKind::Circular,
         100.0,
-        &[[18, 275, 7], [11, 238, 5], [11, 187, 4]],
+        &[[18, 263, 6], [11, 221, 4], [11, 158, 4]],
     );
 }

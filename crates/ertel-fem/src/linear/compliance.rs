@@ -1,13 +1,16 @@
 //! Dense symmetric compliance of the loaded surface, applied on all cores.
 //!
-//! Rows are cut into blocks of fixed size, and each row is summed by one thread in one order: the
-//! result does not depend on the number of threads.
+//! The lower triangle is kept in square tiles. A tile serves twice while it is at hand, for its
+//! rows and, transposed, for its columns: a product is bound by the memory that it reads. Tiles are
+//! dealt to a fixed number of tasks whose sums are added in a fixed order: the result does not
+//! depend on the number of threads.
 
 use faer::linalg::matmul::matmul;
+use faer::traits::RealField;
 use faer::{Accum, ColMut, ColRef, MatRef, Par};
 use rayon::prelude::*;
 
-/// A symmetric matrix in full, in double and in single precision.
+/// A symmetric matrix in double and in single precision.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compliance {
     n: usize,
@@ -15,30 +18,48 @@ pub struct Compliance {
     single: Vec<f32>,
 }
 
-/// Rows that one task takes.
-const ROWS: usize = 64;
+/// Rows of a tile.
+const TILE: usize = 96;
+/// Tasks of a product.
+const TASKS: usize = 8;
+
+/// Start of tile (a, b), b ≤ a, in the list of tiles: row by row.
+fn start(a: usize, b: usize) -> usize {
+    (a * (a + 1) / 2 + b) * TILE * TILE
+}
 
 impl Compliance {
     /// From the lower triangle of a matrix: `lower(j)` is column j from the diagonal down.
     pub fn from_lower<'a>(n: usize, lower: impl Fn(usize) -> &'a [f64] + Sync) -> Compliance {
-        let mut double = vec![0.0; n * n];
-        double
-            .par_chunks_mut(n.max(1) * ROWS)
-            .enumerate()
-            .for_each(|(block, rows)| {
-                let first = block * ROWS;
-                let count = rows.len() / n;
-                for i in 0..count {
-                    // by symmetry row i from the diagonal on is column i from the diagonal down
-                    rows[i * n + first + i..(i + 1) * n].copy_from_slice(lower(first + i));
-                }
-                for j in 0..first + count {
-                    let column = lower(j);
-                    for i in j.saturating_sub(first)..count {
-                        rows[i * n + j] = column[first + i - j];
+        let n_tiles = n.div_ceil(TILE);
+        let mut double = vec![0.0; start(n_tiles, 0)];
+        let mut rows = Vec::with_capacity(n_tiles);
+        let mut rest = &mut double[..];
+        for a in 0..n_tiles {
+            let (row, below) = rest.split_at_mut((a + 1) * TILE * TILE);
+            rows.push((a, row));
+            rest = below;
+        }
+        rows.into_par_iter().for_each(|(a, row)| {
+            let last = ((a + 1) * TILE).min(n);
+            for (b, tile) in row.chunks_exact_mut(TILE * TILE).enumerate() {
+                for (j, column) in tile.chunks_exact_mut(TILE).enumerate() {
+                    let j = b * TILE + j;
+                    if j < n {
+                        let first = (a * TILE).max(j);
+                        column[first - a * TILE..last - a * TILE]
+                            .copy_from_slice(&lower(j)[first - j..last - j]);
                     }
                 }
-            });
+            }
+            // tiles on the diagonal are kept in full
+            let diagonal = &mut row[a * TILE * TILE..];
+            for j in 0..TILE {
+                for i in 0..j {
+                    diagonal[j * TILE + i] = diagonal[i * TILE + j];
+                }
+            }
+        });
         let single = double.iter().map(|v| *v as f32).collect();
         Compliance { n, double, single }
     }
@@ -50,37 +71,105 @@ impl Compliance {
 
     /// Entry (i, j).
     pub fn get(&self, i: usize, j: usize) -> f64 {
-        self.double[i * self.n + j]
+        let (i, j) = (i.max(j), i.min(j));
+        self.double[start(i / TILE, j / TILE) + (j % TILE) * TILE + i % TILE]
     }
 
-    /// Row i.
-    pub fn row(&self, i: usize) -> &[f64] {
-        &self.double[i * self.n..(i + 1) * self.n]
+    /// Column j from the diagonal down.
+    pub fn lower(&self, j: usize) -> impl Iterator<Item = f64> {
+        (j..self.n).map(move |i| self.get(i, j))
     }
 
     /// y = C x.
     pub fn apply(&self, x: &[f64], y: &mut [f64]) {
-        rows(&self.double, x, y);
+        product(&self.double, x, y);
     }
 
-    /// y = C x in single precision, a good half of the time.
+    /// y = C x in single precision, in half of the time.
     pub fn apply_single(&self, x: &[f32], y: &mut [f32]) {
-        rows(&self.single, x, y);
+        product(&self.single, x, y);
     }
 }
 
-fn rows<T: faer::traits::RealField>(matrix: &[T], x: &[T], y: &mut [T]) {
+fn product<T: RealField + Copy + std::ops::AddAssign>(tiles: &[T], x: &[T], y: &mut [T]) {
     let n = x.len();
-    y.par_chunks_mut(ROWS).enumerate().for_each(|(block, y)| {
-        let start = block * ROWS * n;
-        let rows = &matrix[start..start + y.len() * n];
-        matmul(
-            ColMut::from_slice_mut(y),
-            Accum::Replace,
-            MatRef::from_row_major_slice(rows, rows.len() / n, n),
-            ColRef::from_slice(x),
-            T::one_impl(),
-            Par::Seq,
-        );
-    });
+    let n_tiles = n.div_ceil(TILE);
+    let zero = T::zero_impl();
+    let mut padded = vec![zero; n_tiles * TILE];
+    padded[..n].copy_from_slice(x);
+    let part = |b: usize| ColRef::from_slice(&padded[b * TILE..(b + 1) * TILE]);
+    let sums: Vec<Vec<T>> = (0..TASKS.min(n_tiles))
+        .into_par_iter()
+        .map(|task| {
+            let mut sum = vec![zero; n_tiles * TILE];
+            for a in (task..n_tiles).step_by(TASKS) {
+                for b in 0..=a {
+                    let tile = &tiles[start(a, b)..start(a, b) + TILE * TILE];
+                    let tile = MatRef::from_column_major_slice(tile, TILE, TILE);
+                    let mut add = |to: usize, matrix: MatRef<T>, from: usize| {
+                        let target = &mut sum[to * TILE..(to + 1) * TILE];
+                        let target = ColMut::from_slice_mut(target);
+                        matmul(
+                            target,
+                            Accum::Add,
+                            matrix,
+                            part(from),
+                            T::one_impl(),
+                            Par::Seq,
+                        );
+                    };
+                    add(a, tile, b);
+                    if b < a {
+                        add(b, tile.transpose(), a);
+                    }
+                }
+            }
+            sum
+        })
+        .collect();
+    y.fill(zero);
+    for sum in &sums {
+        for (y, s) in y.iter_mut().zip(sum) {
+            *y += *s;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Products and entries against the plain sums over the same numbers, for orders below, at and
+    /// beyond a tile; the same bits on one thread and on two.
+    #[test]
+    fn equals_plain_sums() {
+        for n in [1, TILE, 3 * TILE + 17] {
+            let entry = |i: usize, j: usize| ((i + 1) * (j + 1) % 101) as f64 / 101.0;
+            let columns: Vec<Vec<f64>> = (0..n)
+                .map(|j| (j..n).map(|i| entry(i, j)).collect())
+                .collect();
+            let c = Compliance::from_lower(n, |j| &columns[j]);
+            let x: Vec<f64> = (0..n).map(|i| (0.3 * i as f64).sin()).collect();
+            let single: Vec<f32> = x.iter().map(|v| *v as f32).collect();
+            let products = [1, 2].map(|threads| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+                pool.unwrap().install(|| {
+                    let (mut y, mut z) = (vec![0.0; n], vec![0.0f32; n]);
+                    c.apply(&x, &mut y);
+                    c.apply_single(&single, &mut z);
+                    (y, z)
+                })
+            });
+            assert_eq!(products[0], products[1]);
+            let (y, z) = &products[0];
+            for i in 0..n {
+                let exact: f64 = (0..n).map(|j| entry(i, j) * x[j]).sum();
+                assert_relative_eq!(y[i], exact, epsilon = 1e-11);
+                assert_relative_eq!(z[i] as f64, exact, epsilon = 1e-3);
+                assert_eq!(c.get(i, n - 1), entry(i, n - 1));
+                assert!(c.lower(i).eq(columns[i].iter().copied()));
+            }
+        }
+    }
 }

@@ -169,8 +169,8 @@ impl OperatorCache {
         fs::create_dir_all(&self.folder)?;
         let n = response.compliance.n();
         let mut payload: Vec<f64> = Vec::with_capacity(n * (n + 1) / 2 + response.near.len());
-        for i in 0..n {
-            payload.extend_from_slice(&response.compliance.row(i)[i..]);
+        for j in 0..n {
+            payload.extend(response.compliance.lower(j));
         }
         payload.extend_from_slice(&response.near);
         let sizes = [

@@ -126,7 +126,7 @@ impl<'a> NewtonLevel<'a> {
         stats: &mut NewtonStats,
         observer: &mut dyn Observer,
     ) -> Result<(), SolveError> {
-        let mut solver = StepSolver::new(self, stats);
+        let mut solver = StepSolver::new(self, params, stats);
         let mut system = solver.assemble(model, state);
         let mut step = solver.newton_step(&system, state)?;
         for iteration in 1..=params.max_iterations {

@@ -160,17 +160,27 @@ impl System {
     }
 
     /// Products with R_P + R_δ C M: scratch memory for them.
-    pub fn products<'a>(&'a self, d: &'a Discretisation) -> Products<'a> {
+    pub fn products<'a>(&'a self, d: &'a Discretisation, precision: Precision) -> Products<'a> {
         let n = d.contact.deflection.n_nodes();
         Products {
             system: self,
             d,
+            precision,
             pressure: vec![0.0; d.pressure.n_nodes()],
             loads: vec![0.0; n],
             deflection: vec![0.0; n],
-            part: vec![0.0; n],
+            single: std::array::from_fn(|_| vec![0.0; n]),
         }
     }
+}
+
+/// Precision of the elastic response in products with the Jacobian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Enough for a step of Newton's method, whose residual is computed in double.
+    Single,
+    /// Double.
+    Double,
 }
 
 /// Column of an entry of the linearised film equations.
@@ -183,16 +193,15 @@ pub enum Column {
 }
 
 /// Products with the condensed Jacobian, without the separation.
-///
-/// The elastic response is applied in single precision: it enters a step of Newton's method, whose
-/// residual is computed in double.
 pub struct Products<'a> {
     system: &'a System,
     d: &'a Discretisation,
+    precision: Precision,
     pressure: Vec<f64>,
-    loads: Vec<f32>,
-    deflection: Vec<f32>,
-    part: Vec<f32>,
+    loads: Vec<f64>,
+    deflection: Vec<f64>,
+    /// Loads, deflections and scratch.
+    single: [Vec<f32>; 3],
 }
 
 impl Products<'_> {
@@ -208,11 +217,10 @@ impl Products<'_> {
             let block = &d.coupling[c * n * m..(c + 1) * n * m];
             let nodes = d.pressure.nodes_of(c);
             for (row, target) in block.chunks_exact(n).zip(d.contact.deflection.nodes_of(c)) {
-                self.loads[*target as usize] += dot_at(row, nodes, &self.pressure) as f32;
+                self.loads[*target as usize] += dot_at(row, nodes, &self.pressure);
             }
         }
-        let elastic = &d.contact.elastic;
-        elastic.deflect_single(&self.loads, &mut self.deflection, &mut self.part);
+        self.deflect();
         y.fill(0.0);
         for c in 0..d.contact.n_elements() {
             let nodes = d.pressure.nodes_of(c);
@@ -227,13 +235,30 @@ impl Products<'_> {
             }
         }
     }
+
+    /// Deflections of the loads.
+    fn deflect(&mut self) {
+        let elastic = &self.d.contact.elastic;
+        if self.precision == Precision::Double {
+            self.deflection = elastic.deflect(&self.loads);
+            return;
+        }
+        let [loads, deflection, part] = &mut self.single;
+        for (single, load) in loads.iter_mut().zip(&self.loads) {
+            *single = *load as f32;
+        }
+        elastic.deflect_single(loads, deflection, part);
+        for (value, single) in self.deflection.iter_mut().zip(&*deflection) {
+            *value = f64::from(*single);
+        }
+    }
 }
 
 /// Σ row_j values[nodes_j].
-fn dot_at<T: Copy + Into<f64>>(row: &[f64], nodes: &[u32], values: &[T]) -> f64 {
+fn dot_at(row: &[f64], nodes: &[u32], values: &[f64]) -> f64 {
     row.iter()
         .zip(nodes)
-        .map(|(v, j)| v * values[*j as usize].into())
+        .map(|(v, j)| v * values[*j as usize])
         .sum()
 }
 
