@@ -1,65 +1,112 @@
-//! What the shipped cases cost: `cargo bench -p ertel`.
+//! What contacts cost: `cargo bench -p ertel`.
 //!
-//! Wall seconds (median of the runs) with their split, and the ratio of the monolithic to the
-//! condensed path on the same discrete problem, all in one run on one machine.
+//! The shipped cases as they are, the main contact at an error of 0.2 % and a line contact at
+//! 0.1 %, each cold and with the elastic operator at hand; then the same discrete problems by the
+//! condensed and by the monolithic path. Wall and CPU seconds, medians of several runs, with
+//! their split, all in one run on one machine.
 
-use std::path::Path;
-use std::time::Instant;
+#[path = "common/mod.rs"]
+mod common;
 
+use std::path::{Path, PathBuf};
+
+use common::{Clock, Seconds, Stopwatch};
 use ertel::case::Case;
 use ertel::params::LinearSolver;
 use ertel::run::solve;
-use ertel::solution::{Solution, Timings};
+use ertel::solution::{Estimate, Solution, Timings};
 use ertel::solve::Silent;
+use ertel_rheology::input::Document;
 
 fn main() {
-    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
-    let read = |name: &str| Case::read(&cases.join(name)).expect("a shipped case");
-
-    println!(
-        "case            runs   wall s    mesh  operator  assembly  factors  krylov   newton  krylov its"
-    );
-    for (name, runs) in [
-        ("ball-on-disc", 3),
-        ("squalane-on-glass", 3),
-        ("roller", 15),
-    ] {
-        let (wall, solution) = measure(&read(&format!("{name}.toml")), runs);
-        row(name, runs, wall, &solution);
+    println!("{}", HEAD);
+    for (name, runs) in [("ball-on-disc", 3), ("squalane-on-glass", 3), ("roller", 9)] {
+        measure(name, &read(name, ""), runs);
     }
-
-    let mut case = read("roller.toml");
-    case.mesh.hertz_size = 0.05;
-    case.mesh.constriction_size = 0.02;
-    let (condensed, solution) = measure(&case, 5);
-    row("roller, coarse", 5, condensed, &solution);
-    case.solver.linear = LinearSolver::Monolithic;
-    let (monolithic, solution) = measure(&case, 5);
-    row("  monolithic", 5, monolithic, &solution);
-    println!(
-        "monolithic/condensed, roller on the coarse mesh: {:.1}",
-        monolithic / condensed
+    println!();
+    if let Some(case) = at_error("ball-on-disc", "0.2 %") {
+        let time = measure("ball-on-disc, 0.2 %", &case, 3);
+        against("(a) main job at 0.2 %, cold", time, 2.0);
+    }
+    if let Some(case) = at_error("roller", "0.1 %") {
+        let time = measure("roller, 0.1 %", &case, 9);
+        against("(b) line contact at 0.1 %, cold", time, 0.1);
+    }
+    println!();
+    monolithic_case("roller", "[mesh]\npreset = \"coarse\"\n");
+    monolithic_case(
+        "ball-on-disc",
+        "[mesh]\nhertz_size = 0.5\nconstriction_size = 0.3\nedge_size = 1.0\ndepth_growth = 0.9\n\
+         pressure_order = 2\n[solver]\nisotropic_diffusion = 1.0\nerror_estimate = false\n",
     );
+    monolithic_iteration("ball-on-disc");
+    monolithic_iteration("roller");
 }
 
-/// Median wall seconds of several solves, and the last solution.
-fn measure(case: &Case, runs: usize) -> (f64, Solution) {
-    let mut walls = Vec::new();
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases")
+}
+
+/// A shipped case with more tables.
+fn read(name: &str, tables: &str) -> Case {
+    try_read(name, tables).expect("a shipped case")
+}
+
+fn try_read(name: &str, tables: &str) -> Option<Case> {
+    let path = folder().join(format!("{name}.toml"));
+    let text = std::fs::read_to_string(&path).expect("a shipped case");
+    let document = Document::parse(name, format!("{text}\n{tables}")).ok()?;
+    let mut case = Case::from_document(&document, &folder()).ok()?;
+    case.output.body_field = false;
+    Some(case)
+}
+
+/// A shipped case with the mesh refined until the films are this accurate.
+fn at_error(name: &str, error: &str) -> Option<Case> {
+    try_read(name, &format!("[mesh]\ntarget_error = \"{error}\"\n"))
+}
+
+const HEAD: &str = "case                          wall s   CPU s |  mesh operator assembly factors krylov | newton krylov       U      P    ±hc    ±hmin";
+
+/// Medians of several solves, printed with the split of the last.
+fn measure(name: &str, case: &Case, runs: usize) -> Seconds {
+    let mut times = Vec::new();
     let mut last = None;
     for _ in 0..runs {
-        let clock = Instant::now();
+        let clock = Clock::start();
         last = Some(solve(case, &mut Silent).expect("a shipped case converges"));
-        walls.push(clock.elapsed().as_secs_f64());
+        times.push(clock.seconds());
     }
-    walls.sort_by(f64::total_cmp);
-    (walls[runs / 2], last.expect("at least one run"))
+    let time = median(times);
+    row(name, time, &last.expect("at least one run"));
+    time
 }
 
-fn row(name: &str, runs: usize, wall: f64, solution: &Solution) {
+fn median(times: Vec<Seconds>) -> Seconds {
+    let middle = |value: fn(&Seconds) -> f64| {
+        let mut values: Vec<f64> = times.iter().map(value).collect();
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    };
+    Seconds {
+        wall: middle(|s| s.wall),
+        cpu: middle(|s| s.cpu),
+    }
+}
+
+fn row(name: &str, time: Seconds, solution: &Solution) {
     let levels = &solution.stats.levels;
     let seconds = |part: fn(&Timings) -> f64| levels.iter().map(|l| part(&l.seconds)).sum::<f64>();
+    let bar = |e: Estimate| {
+        e.error.map_or("      ".to_owned(), |b| {
+            format!("{:5.2}%", 100.0 * b / e.value)
+        })
+    };
+    let last = levels.last().expect("a solution has levels");
     println!(
-        "{name:<15} {runs:>4} {wall:>8.3} {:>7.3} {:>9.3} {:>9.3} {:>8.3} {:>7.3} {:>8} {:>11}",
+        "{name:<28} {:>7.3} {:>7.3} | {:>5.3} {:>8.3} {:>8.3} {:>7.3} {:>6.3} | {:>6} {:>6} {:>7} {:>6} {} {}",
+        time.wall,
+        time.cpu,
         seconds(|s| s.mesh),
         seconds(|s| s.operator),
         seconds(|s| s.assembly),
@@ -67,5 +114,62 @@ fn row(name: &str, runs: usize, wall: f64, solution: &Solution) {
         seconds(|s| s.krylov),
         levels.iter().map(|l| l.newton_iterations).sum::<usize>(),
         levels.iter().map(|l| l.krylov_iterations).sum::<usize>(),
+        last.n_displacement_dofs,
+        last.n_pressure_dofs,
+        bar(solution.summary.film_central),
+        bar(solution.summary.film_minimum),
+    );
+}
+
+/// A measured time beside what is asked for.
+fn against(what: &str, time: Seconds, target: f64) {
+    println!(
+        "{what:<44} {:.3} s wall, {:.3} s CPU; at most {target} s: {:.2} of it",
+        time.wall,
+        time.cpu,
+        time.wall / target
+    );
+}
+
+/// A whole case on a small mesh by both paths.
+fn monolithic_case(name: &str, tables: &str) {
+    let mut case = read(name, tables);
+    let condensed = measure(&format!("{name}, small mesh"), &case, 3);
+    case.solver.linear = LinearSolver::Monolithic;
+    let monolithic = measure("  monolithic", &case, 1);
+    println!(
+        "(c) {name}, small mesh, whole case: monolithic/condensed {:.1} wall, {:.1} CPU",
+        monolithic.wall / condensed.wall,
+        monolithic.cpu / condensed.cpu
+    );
+}
+
+/// Newton iterations of the first stage by both paths.
+fn monolithic_iteration(name: &str) {
+    let mut case = read(name, "");
+    let mut times = Vec::new();
+    for (linear, n) in [(LinearSolver::Condensed, 10), (LinearSolver::Monolithic, 3)] {
+        case.solver.linear = linear;
+        let mut watch = Stopwatch::stopping_after(n);
+        // It ends by being stopped.
+        let _ = solve(&case, &mut watch);
+        let stage = &watch.stages[0];
+        times.push((
+            stage.n_displacement + stage.n_pressure,
+            stage.per_iteration(),
+        ));
+    }
+    let [(n, condensed), (_, monolithic)] = times[..] else {
+        return;
+    };
+    println!(
+        "(c) {name}, first stage, {n} unknowns, a Newton iteration: condensed {:.4} s ({:.4} CPU), \
+         monolithic {:.3} s ({:.3} CPU); ratio {:.0} wall, {:.0} CPU",
+        condensed.wall,
+        condensed.cpu,
+        monolithic.wall,
+        monolithic.cpu,
+        monolithic.wall / condensed.wall,
+        monolithic.cpu / condensed.cpu
     );
 }

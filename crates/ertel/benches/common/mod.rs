@@ -1,0 +1,98 @@
+//! What the benches share: a stopwatch on the solver's observer.
+
+use std::time::Instant;
+
+use cpu_time::ProcessTime;
+use ertel::solution::IterationRecord;
+use ertel::solve::Observer;
+
+/// Wall and CPU seconds.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seconds {
+    pub wall: f64,
+    pub cpu: f64,
+}
+
+/// A running clock.
+#[derive(Clone, Copy)]
+pub struct Clock {
+    wall: Instant,
+    cpu: ProcessTime,
+}
+
+impl Clock {
+    pub fn start() -> Clock {
+        Clock {
+            wall: Instant::now(),
+            cpu: ProcessTime::now(),
+        }
+    }
+
+    pub fn seconds(&self) -> Seconds {
+        Seconds {
+            wall: self.wall.elapsed().as_secs_f64(),
+            cpu: self.cpu.elapsed().as_secs_f64(),
+        }
+    }
+}
+
+/// A stage as it went by.
+#[derive(Clone, Debug, Default)]
+pub struct StageTimes {
+    pub n_pressure: usize,
+    pub n_displacement: usize,
+    /// Of each Newton iteration but the first, which includes the set-up.
+    pub iterations: Vec<Seconds>,
+}
+
+impl StageTimes {
+    /// Mean of the iterations.
+    pub fn per_iteration(&self) -> Seconds {
+        let n = self.iterations.len() as f64;
+        Seconds {
+            wall: self.iterations.iter().map(|s| s.wall).sum::<f64>() / n,
+            cpu: self.iterations.iter().map(|s| s.cpu).sum::<f64>() / n,
+        }
+    }
+}
+
+/// Takes the time of every Newton iteration; stops the solve after so many of them.
+#[derive(Default)]
+pub struct Stopwatch {
+    pub stages: Vec<StageTimes>,
+    pub stop_after: Option<usize>,
+    last: Option<Clock>,
+    n: usize,
+}
+
+impl Stopwatch {
+    pub fn stopping_after(n: usize) -> Stopwatch {
+        Stopwatch {
+            stop_after: Some(n),
+            ..Stopwatch::default()
+        }
+    }
+}
+
+impl Observer for Stopwatch {
+    fn level(&mut self, _level: usize, _n: usize, n_pressure: usize, n_displacement: usize) {
+        self.last = None;
+        self.stages.push(StageTimes {
+            n_pressure,
+            n_displacement,
+            iterations: Vec::new(),
+        });
+    }
+
+    fn iteration(&mut self, _record: &IterationRecord) {
+        if let (Some(clock), Some(stage)) = (self.last, self.stages.last_mut()) {
+            stage.iterations.push(clock.seconds());
+        }
+        self.last = Some(Clock::start());
+        self.n += 1;
+    }
+
+    fn cancelled(&self) -> bool {
+        self.stop_after.is_some_and(|limit| self.n >= limit)
+    }
+}
