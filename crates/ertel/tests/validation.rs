@@ -48,7 +48,10 @@ studies! {
 }
 
 /// Takes minutes only.
-const SLOW: &[&str] = &["table-3-3"];
+const SLOW: &[&str] = &["figure-3-4", "table-3-3"];
+
+/// Whose effort is shown, not pinned: it is at the edge of what converges.
+const UNPINNED: &[&str] = &["figure-3-4"];
 
 #[test]
 fn no_study_is_forgotten() {
@@ -58,7 +61,7 @@ fn no_study_is_forgotten() {
     for name in known {
         let study = validate::read(&folder().join(name)).unwrap();
         assert!(folder().join(name).join("README.md").is_file(), "{name}");
-        for run in &study.runs {
+        for run in study.runs.iter().filter(|_| !UNPINNED.contains(&name)) {
             let solves = run.task == validate::Task::Solve;
             assert_eq!(
                 run.newton_iterations.is_some(),
