@@ -13,6 +13,9 @@ use ertel::solution::Solution;
 use ertel::solve::Silent;
 use ertel::solve::cache::OperatorCache;
 
+/// Changes a file, given another one.
+type Damage = fn(&mut Vec<u8>, &[u8]);
+
 const LARGE: u64 = 1_000_000_000;
 
 /// A circular contact on a mesh that takes a moment, at the Poisson's ratio of both bodies.
@@ -96,7 +99,7 @@ fn damaged_files_are_built_anew() {
     let case = small_case();
     let good = solve_with(folder.path(), LARGE, &case);
     let paths = files(folder.path());
-    let damages: [(&str, fn(&mut Vec<u8>, &[u8])); 6] = [
+    let damages: [(&str, Damage); 6] = [
         ("cut short", |b, _| b.truncate(b.len() - 1)),
         ("cut short", |b, _| b.truncate(17)),
         ("checksum", |b, _| {
