@@ -84,7 +84,8 @@ impl Locator {
     }
 }
 
-fn reference_point(mesh: &SimplexMesh, cell: usize, p: [f64; 2]) -> [f64; 3] {
+/// Reference coordinates of a point with respect to a cell, inside it or not.
+pub fn reference_point(mesh: &SimplexMesh, cell: usize, p: [f64; 2]) -> [f64; 3] {
     let v: Vec<[f64; 3]> = mesh
         .cell(cell)
         .iter()

@@ -24,6 +24,9 @@ pub enum MeshPreset {
 pub struct MeshParams {
     /// Preset that the sizes below came from.
     pub preset: MeshPreset,
+    /// Relative error of central and minimum film to reach by local refinement; `None`: the mesh is as the
+    /// sizes below say.
+    pub target_error: Option<f64>,
     /// Cell size in the Hertz zone.
     pub hertz_size: f64,
     /// Cell size at the outlet constriction and the side lobes.
@@ -68,6 +71,7 @@ impl MeshParams {
         };
         MeshParams {
             preset,
+            target_error: None,
             hertz_size,
             constriction_size,
             edge_size: 0.5,
@@ -80,6 +84,28 @@ impl MeshParams {
             side: None,
             pressure_order: 3,
             elastic_order: 2,
+        }
+    }
+}
+
+/// Target of a user who asks for nothing.
+pub const DEFAULT_TARGET_ERROR: f64 = 0.002;
+
+impl MeshParams {
+    /// Mesh refined locally until central and minimum film are accurate to `target_error`, relative; the sizes
+    /// are those that it starts from.
+    pub fn adaptive(target_error: f64, kind: ContactKind) -> MeshParams {
+        let start = MeshParams::preset(MeshPreset::Normal, kind);
+        // No refinement mends the growth, whose error falls with its square.
+        let share = (target_error / DEFAULT_TARGET_ERROR).min(1.0).sqrt();
+        MeshParams {
+            target_error: Some(target_error),
+            depth_growth: share
+                * match kind {
+                    ContactKind::Circular => 0.6,
+                    ContactKind::Line => 0.3,
+                },
+            ..start
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::params::{ElasticModel, Formulation, MeshParams};
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
 use crate::solution::{Solution, Stats};
+use crate::solve::adapt::AdaptParams;
 use crate::solve::cache::OperatorCache;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::newton::{FilmModel, NewtonParams};
@@ -79,6 +80,8 @@ pub fn problem(case: &Case) -> Problem {
         },
         linear: case.solver.linear,
         cache: None,
+        error_estimate: case.solver.error_estimate,
+        adapt: case.mesh.target_error.map(AdaptParams::to),
     }
 }
 
@@ -162,6 +165,7 @@ fn solve_problem(
         &summary,
         &finest,
         &levels,
+        case.mesh.target_error,
     ));
     Ok(Solution {
         kind: case.contact.kind,
@@ -291,7 +295,11 @@ fn stages(
     };
     // The growth of the cells away from the contact makes errors, too: it is coarsened alike, or
     // the error estimate would not see them.
-    let doubled = |growth: f64| (2.0 * growth).min(LARGEST_GROWTH).max(growth);
+    // Where the mesh is refined locally, its growth stays.
+    let doubled = |growth: f64| match mesh.target_error {
+        Some(_) => growth,
+        None => (2.0 * growth).min(LARGEST_GROWTH).max(growth),
+    };
     let coarse = LevelSizes {
         hertz: 2.0 * fine.hertz,
         constriction: 2.0 * fine.constriction,
@@ -307,13 +315,25 @@ fn stages(
     let order = mesh.pressure_order;
     let mut stages = vec![Stage {
         sizes: coarse,
+        refinements: 0,
         pressure_order: order.min(2),
         constants: start,
         role: Role::Start,
     }];
+    if mesh.target_error.is_some() {
+        stages.push(Stage {
+            sizes: coarse,
+            refinements: 0,
+            pressure_order: order,
+            constants,
+            role: Role::Final,
+        });
+        return stages;
+    }
     if error_estimate {
         stages.push(Stage {
             sizes: coarse,
+            refinements: 0,
             pressure_order: order,
             constants,
             role: Role::Estimate,
@@ -321,6 +341,7 @@ fn stages(
     }
     stages.push(Stage {
         sizes: fine,
+        refinements: 0,
         pressure_order: order,
         constants,
         role: Role::Final,

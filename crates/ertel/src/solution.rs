@@ -105,7 +105,9 @@ pub struct LevelStats {
     pub film_minimum: f64,
     /// Largest pressure reached, Pa.
     pub pressure_maximum: f64,
-    /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov, the rest.
+    /// Estimated relative errors of central and minimum film, uncalibrated; `None` where none was made.
+    pub estimate: Option<[f64; 2]>,
+    /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov, error estimate, the rest.
     pub seconds: Timings,
 }
 
@@ -122,6 +124,8 @@ pub struct Timings {
     pub factorisation: f64,
     /// Linear solves.
     pub krylov: f64,
+    /// Error estimate: adjoints and misfits.
+    pub estimate: f64,
     /// Everything else: spaces, starts, step limits, figures of the level.
     pub other: f64,
 }
@@ -129,7 +133,7 @@ pub struct Timings {
 impl Timings {
     /// Sum of all parts but the rest.
     pub fn known(&self) -> f64 {
-        self.mesh + self.operator + self.assembly + self.factorisation + self.krylov
+        self.mesh + self.operator + self.assembly + self.factorisation + self.krylov + self.estimate
     }
 }
 

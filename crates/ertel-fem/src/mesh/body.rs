@@ -248,6 +248,60 @@ impl BodyMesh {
         Ok(info)
     }
 
+    /// Bisects the cells at the contact patch until the longest edge of each facet inside facet i of `contact` is at
+    /// most `sizes[i]`, and others as conformity demands. Below the patch the cells grow as fast as conformity
+    /// lets them. Vertices keep their numbers.
+    ///
+    /// # Errors
+    /// A size that is not positive, or too many cells; the mesh is then unchanged.
+    ///
+    /// # Panics
+    /// When there is not one size for each facet.
+    pub fn refine_contact(&mut self, sizes: &[f64]) -> Result<(), MeshError> {
+        assert_eq!(sizes.len(), self.contact.len(), "one size for each facet");
+        let mut allowed = vec![f64::INFINITY; self.mesh.n_cells()];
+        for ((facet, cell), &size) in self
+            .contact
+            .facets
+            .iter()
+            .zip(&self.contact.cells)
+            .zip(sizes)
+        {
+            if size.is_nan() || size <= 0.0 {
+                let point = self.mesh.vertices[facet[0] as usize];
+                return Err(MeshError::Size { value: size, point });
+            }
+            allowed[*cell as usize] = size;
+        }
+        let mut bisection = self.bisection.clone();
+        loop {
+            let marked: Vec<u32> = (0..bisection.n_cells())
+                .filter(|&cell| {
+                    let (mut facet, mut n) = ([0; 4], 0);
+                    for &v in bisection.cell(cell) {
+                        if bisection.vertices()[v as usize][2] == 0.0 {
+                            (facet[n], n) = (v, n + 1);
+                        }
+                    }
+                    n == self.params.dim
+                        && longest_edge(bisection.vertices(), &facet[..n]) > allowed[cell]
+                })
+                .map(|cell| cell as u32)
+                .collect();
+            if marked.is_empty() {
+                break;
+            }
+            let info = bisection.refine_marked(&marked)?;
+            allowed = info
+                .origin
+                .iter()
+                .map(|&cell| allowed[cell as usize])
+                .collect();
+        }
+        *self = Self::from_bisection(bisection, self.params);
+        Ok(())
+    }
+
     /// Refines further, to another size field. Vertices keep their numbers.
     ///
     /// # Errors

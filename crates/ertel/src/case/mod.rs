@@ -40,7 +40,7 @@ use ertel_rheology::database::DatabaseError;
 use ertel_rheology::input::{Document, InputError, Table};
 
 use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
-use crate::params::{MeshParams, MeshPreset, OutputParams, SolverParams};
+use crate::params::{MeshParams, OutputParams, SolverParams};
 
 pub use bodies::Body;
 pub use lubricant::Lubricant;
@@ -104,13 +104,13 @@ impl Case {
         let hertz = check::hertz(&contact_table, &contact, modulus)?;
         let (lubricant, range_warnings) =
             lubricant::read(&mut root, Files::Folder(folder), hertz.pressure)?;
-        let mesh = match root.optional_table("mesh")? {
-            Some(table) => params::read_mesh(table, contact.kind)?,
-            None => MeshParams::preset(MeshPreset::default(), contact.kind),
-        };
         let solver = match root.optional_table("solver")? {
             Some(table) => params::read_solver(table)?,
             None => SolverParams::default(),
+        };
+        let mesh = match root.optional_table("mesh")? {
+            Some(table) => params::read_mesh(table, contact.kind, solver.error_estimate)?,
+            None => params::default_mesh(contact.kind, solver.error_estimate),
         };
         let output = match root.optional_table("output")? {
             Some(table) => params::read_output(table)?,

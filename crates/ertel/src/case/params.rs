@@ -6,8 +6,8 @@ use ertel_rheology::input::{Bounds, InputError, Table};
 
 use crate::contact::ContactKind;
 use crate::params::{
-    ElasticModel, Formulation, LinearSolver, MeshParams, MeshPreset, OutputParams, PenaltyScaling,
-    SolverParams,
+    DEFAULT_TARGET_ERROR, ElasticModel, Formulation, LinearSolver, MeshParams, MeshPreset,
+    OutputParams, PenaltyScaling, SolverParams,
 };
 
 /// Replaces `field` if the file says so.
@@ -20,7 +20,34 @@ fn set<T>(field: &mut T, value: Option<T>) {
 /// Largest extent of a contact area from its centre, in half-widths.
 const FARTHEST: f64 = 300.0;
 
-pub(crate) fn read_mesh(mut table: Table<'_>, kind: ContactKind) -> Result<MeshParams, InputError> {
+/// Keys that lay down a mesh, so that none is refined to a target.
+const FIXED_MESH: [&str; 6] = [
+    "preset",
+    "hertz_size",
+    "constriction_size",
+    "edge_size",
+    "growth",
+    "depth_growth",
+];
+
+/// Targets that meshes of reasonable size reach, and beyond which no film means anything.
+const TARGET_ERROR: Bounds = Bounds::closed(2e-4, 0.1);
+
+/// Mesh of a case that says nothing about it.
+pub(super) fn default_mesh(kind: ContactKind, error_estimate: bool) -> MeshParams {
+    if error_estimate {
+        MeshParams::adaptive(DEFAULT_TARGET_ERROR, kind)
+    } else {
+        MeshParams::preset(MeshPreset::default(), kind)
+    }
+}
+
+/// Reads `[mesh]`; without error estimates there is no target.
+pub(crate) fn read_mesh(
+    mut table: Table<'_>,
+    kind: ContactKind,
+    error_estimate: bool,
+) -> Result<MeshParams, InputError> {
     let preset = table.optional_choice(
         "preset",
         &[
@@ -29,7 +56,32 @@ pub(crate) fn read_mesh(mut table: Table<'_>, kind: ContactKind) -> Result<MeshP
             ("fine", MeshPreset::Fine),
         ],
     )?;
-    let mut mesh = MeshParams::preset(preset.unwrap_or_default(), kind);
+    let fixed = FIXED_MESH.into_iter().find(|key| table.contains(key));
+    let target = table.optional_number("target_error", TARGET_ERROR)?;
+    let mut mesh = match (fixed, target) {
+        (Some(key), Some(_)) => {
+            return Err(table
+                .error(
+                    "target_error",
+                    format!("`target_error` and `{key}` are both given"),
+                )
+                .with_help(
+                    "`target_error` refines the mesh until the films are that accurate; sizes and growth lay \
+                     it down: give one or the other",
+                ));
+        }
+        (None, Some(_)) if !error_estimate => {
+            return Err(table
+                .error(
+                    "target_error",
+                    "`target_error` needs error estimates, but solver.error_estimate is false",
+                )
+                .with_help("remove one of the two"));
+        }
+        (None, Some(target)) => MeshParams::adaptive(target, kind),
+        (Some(_), None) => MeshParams::preset(preset.unwrap_or_default(), kind),
+        (None, None) => default_mesh(kind, error_estimate),
+    };
     // Sizes in Hertz half-widths; below these, no memory is large enough.
     let size = match kind {
         ContactKind::Circular => Bounds::closed(0.01, 2.0),

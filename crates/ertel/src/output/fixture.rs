@@ -240,6 +240,7 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
         film_central: FILM,
         film_minimum: 0.5 * FILM,
         pressure_maximum: 1e9,
+        estimate: None,
         seconds: Timings {
             mesh: 0.2,
             operator: 1.1,
@@ -247,6 +248,7 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
             factorisation: 0.5,
             krylov: 0.3,
             other: 0.1,
+            estimate: 0.0,
         },
     }
 }

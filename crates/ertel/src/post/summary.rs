@@ -4,16 +4,10 @@ use super::balance::film_balance_error;
 use super::profile::Profile;
 use crate::contact::{ContactKind, Scales};
 use crate::solution::{Estimate, LevelStats, Located, Summary};
+use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
 use crate::solve::newton::FilmModel;
 use crate::solve::sequence::StageSolution;
-
-/// Smallest error bar claimed, relative: what interpolation, the free boundary's smoothing and
-/// the finite body leave even where two meshes agree by chance.
-const SMALLEST_ERROR: f64 = 2e-4;
-
-/// Error bar over the difference of two meshes.
-const SAFETY: f64 = 3.0;
 
 /// Reads the figures off the finest stage.
 pub fn summarise(
@@ -33,7 +27,8 @@ pub fn summarise(
     let (h_line, x_line) = profile.film_minimum();
     let (p_max, p_at) = largest_pressure(d, state);
     let p_min = state.pressure.iter().fold(0.0_f64, |m, p| m.min(*p));
-    let bars = error_bars(levels);
+    let grading = grading_errors(d.contact.kind, &solution.sizes);
+    let bars = error_bars(levels, grading).map(|b| b.bars);
     let estimate = |value: f64, figure: usize| Estimate {
         value,
         error: bars.map(|b| b[figure] * value.abs()),
@@ -55,27 +50,6 @@ pub fn summarise(
     }
 }
 
-/// Relative error bars of central and minimum film from the last two meshes, of cell sizes 2h and h.
-///
-/// With an error of order p, |v_2h − v_h| = (2^p − 1)|v_h − v|: at order one the difference is the
-/// error of the finer value. The bar is three times the difference, the safety factor of Roache's grid
-/// convergence index for two meshes (J. Fluids Eng. 116 (1994) 405-413), and at least the other figure's
-/// difference: one difference can vanish by chance, and both films see the same meshes. Smooth solutions
-/// converge faster and the bar is then wide.
-///
-/// The coarser mesh is the last one on which any stage converged; a diffusive start counts too, it
-/// only widens the bar.
-fn error_bars(levels: &[LevelStats]) -> Option<[f64; 2]> {
-    let (fine, coarser) = levels.split_last()?;
-    let other_mesh = |l: &&LevelStats| l.converged && l.n_body_cells != fine.n_body_cells;
-    let coarse = coarser.iter().rev().find(other_mesh)?;
-    let difference = |of: fn(&LevelStats) -> f64| (of(coarse) / of(fine) - 1.0).abs();
-    let central = difference(|l| l.film_central);
-    let minimum = difference(|l| l.film_minimum);
-    let bar = |own: f64, other: f64| (SAFETY * own).max(other).max(SMALLEST_ERROR);
-    Some([bar(central, minimum), bar(minimum, central)])
-}
-
 /// Change of the largest pressure from mesh to mesh, relative, up to which it counts as resolved.
 const PRESSURE_RESOLVED: f64 = 0.05;
 
@@ -89,6 +63,7 @@ pub fn warnings(
     summary: &Summary,
     solution: &StageSolution,
     levels: &[LevelStats],
+    target_error: Option<f64>,
 ) -> Vec<String> {
     let mut warnings = Vec::new();
     let minimum = summary.film_minimum;
@@ -105,14 +80,26 @@ pub fn warnings(
     }
     for (name, figure) in [("central", summary.film_central), ("minimum", minimum)] {
         let relative = figure.error.unwrap_or(0.0) / figure.value;
-        if relative > 0.05 {
-            warnings.push(format!(
+        match target_error {
+            Some(target) if relative > target => warnings.push(format!(
+                "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error: refinement \
+                 ended at {}",
+                100.0 * relative,
+                if levels.last().is_some_and(|l| !l.converged) {
+                    "a mesh on which Newton's method does not converge"
+                } else {
+                    "the largest mesh allowed"
+                }
+            )),
+            None if relative > 0.05 => warnings.push(format!(
                 "the {name} film thickness is uncertain by {:.0} %: use a finer mesh ([mesh] preset = \"fine\")",
                 100.0 * relative
-            ));
+            )),
+            _ => {}
         }
     }
-    if let [.., coarse, fine] = levels
+    let converged: Vec<&LevelStats> = levels.iter().filter(|l| l.converged).collect();
+    if let [.., coarse, fine] = converged[..]
         && (coarse.pressure_maximum / fine.pressure_maximum - 1.0).abs() > PRESSURE_RESOLVED
     {
         warnings.push(format!(

@@ -32,6 +32,18 @@ pub struct LevelSizes {
     pub depth_growth: f64,
 }
 
+impl LevelSizes {
+    /// The same with all cell sizes times a factor.
+    pub fn scaled(&self, factor: f64) -> LevelSizes {
+        LevelSizes {
+            hertz: factor * self.hertz,
+            constriction: factor * self.constriction,
+            edge: factor * self.edge,
+            ..*self
+        }
+    }
+}
+
 /// Geometry of the half-space body, in Hertz half-widths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extents {
@@ -129,6 +141,60 @@ impl ContactBody {
             size_at(kind, extents, sizes, x)
         })?;
         let mesh_seconds = start.elapsed().as_secs_f64();
+        ContactBody::on(
+            kind,
+            extents,
+            body,
+            mesh_seconds,
+            elastic_order,
+            bodies,
+            cache,
+        )
+    }
+
+    /// The same with elements halved `halvings` times in length, and the cells below as conformity demands.
+    ///
+    /// # Errors
+    /// As [`ContactBody::new`].
+    pub fn refined(
+        &self,
+        halvings: &[u32],
+        bodies: &[BodyConstants],
+    ) -> Result<ContactBody, DiscretisationError> {
+        let start = Instant::now();
+        let sizes: Vec<f64> = halvings
+            .iter()
+            .enumerate()
+            .map(|(c, n)| match n {
+                0 => f64::INFINITY,
+                // a little more, for rounding
+                n => 1.001 * self.surface.longest_edge(c) / f64::from(1u32 << n),
+            })
+            .collect();
+        let mut body = self.body.clone();
+        body.refine_contact(&sizes)?;
+        let mesh_seconds = start.elapsed().as_secs_f64();
+        ContactBody::on(
+            self.kind,
+            &self.extents,
+            body,
+            mesh_seconds,
+            self.elastic_order,
+            bodies,
+            self.cache.as_ref(),
+        )
+    }
+
+    /// Factorises the elastic response of a meshed body.
+    fn on(
+        kind: ContactKind,
+        extents: &Extents,
+        body: BodyMesh,
+        mesh_seconds: f64,
+        elastic_order: usize,
+        bodies: &[BodyConstants],
+        cache: Option<&OperatorCache>,
+    ) -> Result<ContactBody, DiscretisationError> {
         let start = Instant::now();
         let contact = body.contact_mesh();
         let surface = contact.mesh;

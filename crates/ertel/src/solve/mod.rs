@@ -1,9 +1,12 @@
 //! From a problem to its solution: meshes from coarse to fine, Newton's method on each.
 
+pub mod adapt;
+pub mod adjoint;
 pub mod cache;
 pub mod discretisation;
 pub mod elastic;
 pub mod evaluate;
+pub mod indicator;
 pub mod monolithic;
 pub mod newton;
 pub mod preconditioner;

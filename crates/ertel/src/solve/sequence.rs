@@ -4,8 +4,10 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
+use super::adapt::{AdaptParams, grading_errors, next_refinement};
 use super::cache::OperatorCache;
 use super::discretisation::{BodyConstants, ContactBody, Discretisation, Extents, LevelSizes};
+use super::indicator::{Indicator, indicator};
 use super::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, RunLabel};
 use super::system::{FilmConstants, State};
 use super::{Observer, SolveError};
@@ -20,6 +22,8 @@ use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
 pub struct Stage {
     /// Cell sizes; a stage with the sizes of the one before keeps its mesh and elastic operator.
     pub sizes: LevelSizes,
+    /// Times that the mesh of these sizes has been refined locally.
+    pub refinements: usize,
     /// Lagrange order of the pressure.
     pub pressure_order: usize,
     /// Constants of the Reynolds equation, penalty at full strength.
@@ -68,6 +72,10 @@ pub struct Problem {
     pub linear: LinearSolver,
     /// Where elastic operators are kept, if anywhere.
     pub cache: Option<OperatorCache>,
+    /// Whether errors are estimated.
+    pub error_estimate: bool,
+    /// Local refinement of the final stage, if an accuracy is asked for.
+    pub adapt: Option<AdaptParams>,
 }
 
 /// A converged stage.
@@ -78,6 +86,8 @@ pub struct StageSolution {
     pub state: State,
     /// Cell sizes of its mesh.
     pub sizes: LevelSizes,
+    /// Times that this mesh has been refined locally.
+    pub refinements: usize,
     /// Constants of the Reynolds equation it solves.
     pub constants: FilmConstants,
 }
@@ -113,14 +123,24 @@ pub fn solve_stages(
     let mut queue: VecDeque<Stage> = problem.stages.iter().copied().collect();
     let mut rescues = rescues(problem).into_iter();
     let mut first_failure = None;
+    let mut halvings: Vec<u32> = Vec::new();
+    let mut restarted = 0;
     while let Some(stage) = queue.pop_front() {
         if observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
         let clock = Instant::now();
         let level = stats.len();
+        let same_sizes = |p: &&StageSolution| p.sizes == stage.sizes;
+        let same_mesh = |p: &&StageSolution| same_sizes(p) && p.refinements == stage.refinements;
+        let fresh = previous.as_ref().filter(same_mesh).is_none();
         let contact = match &previous {
-            Some(p) if p.sizes == stage.sizes => Arc::clone(&p.discretisation.contact),
+            Some(p) if !fresh => Arc::clone(&p.discretisation.contact),
+            Some(p) if same_sizes(&p) && p.refinements + 1 == stage.refinements => Arc::new(
+                p.discretisation
+                    .contact
+                    .refined(&halvings, &problem.bodies)?,
+            ),
             _ => Arc::new(ContactBody::with_cache(
                 problem.kind,
                 &problem.extents,
@@ -138,7 +158,6 @@ pub fn solve_stages(
             Some(coarse) => interpolate(coarse, &d),
         };
         let mut effort = NewtonStats::default();
-        let fresh = previous.as_ref().is_none_or(|p| p.sizes != stage.sizes);
         if fresh {
             (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
         }
@@ -151,6 +170,18 @@ pub fn solve_stages(
             &mut effort,
             observer,
         );
+        let estimating = Instant::now();
+        let wanted = problem.error_estimate && stage.role != Role::Start && outcome.is_ok();
+        let indicator = if wanted {
+            let model = FilmModel {
+                fluid: problem.fluid.clone(),
+                constants: stage.constants,
+            };
+            indicator(&d, &model, &state).ok()
+        } else {
+            None
+        };
+        effort.seconds.estimate += estimating.elapsed().as_secs_f64();
         let mut figures = LevelStats {
             converged: outcome.is_ok(),
             n_body_cells: contact.body.mesh.n_cells(),
@@ -166,6 +197,7 @@ pub fn solve_stages(
             film_central: problem.film_scale * central_film(&d, &state),
             film_minimum: problem.film_scale * minimum_film(&d, &state).0,
             pressure_maximum: problem.pressure_scale * largest_pressure(&d, &state).0,
+            estimate: indicator.as_ref().map(Indicator::totals),
             seconds: effort.seconds,
         };
         figures.seconds.other = clock.elapsed().as_secs_f64() - figures.seconds.known();
@@ -174,11 +206,50 @@ pub fn solve_stages(
             discretisation: d,
             state,
             sizes: stage.sizes,
+            refinements: stage.refinements,
             constants: stage.constants,
         };
         match outcome {
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-            Ok(()) => previous = Some(solution),
+            Ok(()) => {
+                previous = Some(solution);
+                if let (Some(adapt), Some(indicator), Role::Final) =
+                    (&problem.adapt, &indicator, stage.role)
+                    && let Some(next) = next_refinement(
+                        adapt,
+                        &stats,
+                        grading_errors(problem.kind, &stage.sizes),
+                        stage.refinements,
+                        indicator,
+                    )
+                {
+                    halvings = next;
+                    queue.push_back(Stage {
+                        refinements: stage.refinements + 1,
+                        ..stage
+                    });
+                }
+            }
+            // The refined mesh once more, from a diffusive start; failing that, the mesh before has a
+            // solution, with an error bar that says what it is worth.
+            Err(_) if stage.refinements > 0 => {
+                let usable = stage.role == Role::Start && solution.is_usable();
+                if usable {
+                    previous = Some(solution);
+                } else if restarted < stage.refinements && stage.role == Role::Final {
+                    restarted = stage.refinements;
+                    queue.extend([
+                        Stage {
+                            sizes: stage.sizes,
+                            refinements: stage.refinements,
+                            ..problem.stages[0]
+                        },
+                        stage,
+                    ]);
+                } else {
+                    break;
+                }
+            }
             Err(e) => match stage.role {
                 Role::Start if solution.is_usable() => previous = Some(solution),
                 Role::Estimate => {}
@@ -203,12 +274,20 @@ fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
     let (Some(start), Some(last)) = (problem.stages.first(), problem.stages.last()) else {
         return Vec::new();
     };
+    // A mesh that only starts refinements may be too coarse for the film.
+    let finer = match problem.adapt {
+        Some(_) => last.sizes.scaled(0.5),
+        None => last.sizes,
+    };
     let mut rescues = vec![vec![
         Stage {
-            sizes: last.sizes,
+            sizes: finer,
             ..*start
         },
-        *last,
+        Stage {
+            sizes: finer,
+            ..*last
+        },
     ]];
     if last.constants.formulation == Formulation::Gls {
         let supg = |stage: &Stage| Stage {

@@ -216,7 +216,7 @@ impl Bordered {
 }
 
 /// Values of the unknowns at their nodes, zero on the edge.
-fn scatter(d: &Discretisation, unknowns: &[f64], nodal: &mut [f64]) {
+pub(super) fn scatter(d: &Discretisation, unknowns: &[f64], nodal: &mut [f64]) {
     for (value, dof) in nodal.iter_mut().zip(&d.pressure_dofs) {
         *value = if *dof == CONSTRAINED {
             0.0

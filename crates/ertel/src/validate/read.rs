@@ -41,6 +41,7 @@ use super::check::Subject;
 use super::{Accept, Check, Picture, PictureKind, Quantity, Reference, Run, Study, Task};
 use crate::case::{Case, read_mesh, read_solver};
 use crate::contact::ContactKind;
+use crate::params::{MeshParams, MeshPreset};
 use crate::reference::FilmFormula;
 
 /// Names of the studies in a folder, sorted.
@@ -114,11 +115,14 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<Run, InputError> {
         };
         set_groups(&mut case, m, l).map_err(|message| table.error("moes", message))?;
     }
-    if let Some(mesh) = table.optional_table("mesh")? {
-        case.mesh = read_mesh(mesh, case.contact.kind)?;
-    }
     if let Some(solver) = table.optional_table("solver")? {
         case.solver = read_solver(solver)?;
+    }
+    if let Some(mesh) = table.optional_table("mesh")? {
+        case.mesh = read_mesh(mesh, case.contact.kind, case.solver.error_estimate)?;
+    } else if case.given.get("mesh").is_none() {
+        // Reference values are compared on a mesh that stays as it is.
+        case.mesh = MeshParams::preset(MeshPreset::Normal, case.contact.kind);
     }
     case.output.body_field = false;
     let iterations = table.optional_integer("newton_iterations", 1..=10_000)?;

@@ -1,0 +1,145 @@
+//! What the central and the minimum film thickness depend on: the adjoint of the film equations.
+//!
+//! ```text
+//!   j = H0 + δ(x) + gap(x)          the film at a point; w_x the deflection shape functions there
+//!
+//!   | R_Pᵀ + Mᵀ C R_δᵀ   c | | z |   | Mᵀ C w_x |
+//!   | r_0ᵀ               0 | | s | = | 1        |
+//! ```
+//! A defect r of the film equations then changes j by −z·r, and a defect e of the deflection changes it
+//! by w·e with w = w_x − R_δᵀz; ζ = C w is the deflection under the loads w. At the place of the minimum
+//! film ∇H = 0, so that its shift does not count.
+
+use ertel_fem::assembly::CONSTRAINED;
+use ertel_fem::linear::gmres::{GmresParams, gmres};
+
+use super::SolveError;
+use super::discretisation::Discretisation;
+use super::preconditioner::{NearStiffness, Preconditioner};
+use super::step::{dot, scatter};
+use super::system::System;
+
+/// Adjoint of the film thickness at one point.
+pub struct Adjoint {
+    /// z at every pressure node, zero on the edge.
+    pub film: Vec<f64>,
+    /// ζ = C w at every deflection node.
+    pub deflection: Vec<f64>,
+}
+
+/// Relative residual at which an adjoint is good enough to weigh errors.
+const TOLERANCE: f64 = 1e-4;
+
+/// Adjoints of the film thickness at several points of the contact area.
+///
+/// # Errors
+/// When the preconditioner cannot be factorised or the Krylov iterations run out.
+pub fn adjoints(
+    d: &Discretisation,
+    system: &System,
+    points: &[[f64; 2]],
+) -> Result<Vec<Adjoint>, SolveError> {
+    let n = d.n_pressure;
+    let near = NearStiffness::new(d);
+    let mut sparse = Preconditioner::new(d, &near, system)?;
+    let mut response = d.load.clone();
+    sparse.solve_transposed(&mut response);
+    let schur = dot(&system.by_separation, &response);
+    let mut adjoints = Vec::with_capacity(points.len());
+    for point in points {
+        let mut at = vec![0.0; d.contact.deflection.n_nodes()];
+        if let Some((cell, xi)) = d.contact.locator.find(&d.contact.surface, *point) {
+            let basis = d.contact.deflection.element.evaluate(xi);
+            for (b, node) in basis.iter().zip(d.contact.deflection.nodes_of(cell)) {
+                at[*node as usize] += b.0;
+            }
+        }
+        let mut rhs = pressure_loads(d, &d.contact.elastic.deflect(&at));
+        rhs.push(1.0);
+        let apply = |x: &[f64], y: &mut [f64]| {
+            let (by_pressure, by_deflection) = multiply_transposed(d, system, &x[..n]);
+            let through = pressure_loads(d, &d.contact.elastic.deflect(&by_deflection));
+            for i in 0..n {
+                y[i] = by_pressure[i] + through[i] + d.load[i] * x[n];
+            }
+            y[n] = dot(&system.by_separation, &x[..n]);
+        };
+        let precondition = |x: &mut [f64]| {
+            let (film, load) = x.split_at_mut(n);
+            sparse.solve_transposed(film);
+            let s = (dot(&system.by_separation, film) - load[0]) / schur;
+            for (z, r) in film.iter_mut().zip(&response) {
+                *z -= s * r;
+            }
+            load[0] = s;
+        };
+        let mut x = vec![0.0; n + 1];
+        let params = GmresParams {
+            tolerance: TOLERANCE,
+            max_iterations: 200,
+        };
+        gmres(apply, precondition, &rhs, &mut x, params)?;
+        let mut film = vec![0.0; d.pressure.n_nodes()];
+        scatter(d, &x[..n], &mut film);
+        let (_, by_deflection) = multiply_transposed(d, system, &x[..n]);
+        for (w, b) in at.iter_mut().zip(&by_deflection) {
+            *w -= b;
+        }
+        adjoints.push(Adjoint {
+            film,
+            deflection: d.contact.elastic.deflect(&at),
+        });
+    }
+    Ok(adjoints)
+}
+
+/// R_Pᵀ z and R_δᵀ z.
+fn multiply_transposed(d: &Discretisation, system: &System, z: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+    let mut by_pressure = vec![0.0; d.n_pressure];
+    let mut by_deflection = vec![0.0; d.contact.deflection.n_nodes()];
+    for c in 0..d.contact.n_elements() {
+        let nodes = d.pressure.nodes_of(c);
+        let below = d.contact.deflection.nodes_of(c);
+        for (i, node) in nodes.iter().enumerate() {
+            let dof = d.pressure_dofs[*node as usize];
+            if dof == CONSTRAINED {
+                continue;
+            }
+            let weight = z[dof as usize];
+            let start = (c * n + i) * (n + m);
+            let row = &system.blocks[start..start + n + m];
+            for (v, j) in row[..n].iter().zip(nodes) {
+                let column = d.pressure_dofs[*j as usize];
+                if column != CONSTRAINED {
+                    by_pressure[column as usize] += weight * v;
+                }
+            }
+            for (v, j) in row[n..].iter().zip(below) {
+                by_deflection[*j as usize] += weight * v;
+            }
+        }
+    }
+    (by_pressure, by_deflection)
+}
+
+/// Mᵀ δ: ∫δ N of each pressure unknown.
+fn pressure_loads(d: &Discretisation, deflection: &[f64]) -> Vec<f64> {
+    let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+    let mut f = vec![0.0; d.n_pressure];
+    for c in 0..d.contact.n_elements() {
+        let block = &d.coupling[c * n * m..(c + 1) * n * m];
+        let below = d.contact.deflection.nodes_of(c);
+        for (j, node) in d.pressure.nodes_of(c).iter().enumerate() {
+            let dof = d.pressure_dofs[*node as usize];
+            if dof != CONSTRAINED {
+                f[dof as usize] += below
+                    .iter()
+                    .enumerate()
+                    .map(|(i, k)| block[i * n + j] * deflection[*k as usize])
+                    .sum::<f64>();
+            }
+        }
+    }
+    f
+}

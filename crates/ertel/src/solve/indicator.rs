@@ -1,0 +1,253 @@
+//! Estimates of the discretisation error of the two films, element by element.
+//!
+//! ```text
+//!   |h − h_h| ≲ Σ_T η_T,   η_T = c_U A_T κ_U/(2C) |e_δ| |e_ζ|  +  c_P A_T (ε κ_P² + a κ_P + 2ρ̄C) |e_P| |e_z|
+//!
+//!   C = Σ(1 − ν²)/E,  κ = π(k + 1)/h the wave number of what an element of order k misses,
+//!   a = |∂ε/∂P ∇P − ρ̄'H|
+//! ```
+//! Both parts are products of an error and of the error of its adjoint (Becker and Rannacher, Acta Numerica
+//! 10 (2001) 1-102). The first is the energy of the elastic errors, a half-space being of stiffness
+//! |k|/(2C) for the wave number k; the second the Reynolds equation's, with diffusion, convection, and
+//! the deflection that a pressure makes. The errors e are estimated from how little the polynomials of
+//! neighbouring elements continue each other.
+
+use rustc_hash::FxHashMap;
+
+use ertel_fem::locate::reference_point;
+use ertel_fem::mesh::SimplexMesh;
+use ertel_fem::quadrature::Quadrature;
+use ertel_fem::space::Space;
+
+use super::SolveError;
+use super::adjoint::adjoints;
+use super::discretisation::Discretisation;
+use super::evaluate::{central_film, fields_in, minimum_film};
+use super::newton::FilmModel;
+use super::system::{State, System};
+
+/// Estimated shares of the error in each element, relative to the film.
+pub struct Indicator {
+    /// Of the central film thickness.
+    pub central: Vec<f64>,
+    /// Of the minimum film thickness.
+    pub minimum: Vec<f64>,
+}
+
+impl Indicator {
+    /// Estimated relative errors of central and minimum film.
+    pub fn totals(&self) -> [f64; 2] {
+        [self.central.iter().sum(), self.minimum.iter().sum()]
+    }
+}
+
+/// Constants c_U and c_P of the estimate, measured on line and circular contacts.
+const ELASTIC: f64 = 8.0;
+const REYNOLDS: f64 = 1.0;
+
+/// Estimates the errors of a converged state.
+///
+/// # Errors
+/// When the adjoints cannot be solved for.
+pub fn indicator(
+    d: &Discretisation,
+    model: &FilmModel,
+    state: &State,
+) -> Result<Indicator, SolveError> {
+    let system = System::assemble(d, &model.fluid, &model.constants, state, None);
+    let (h_m, at) = minimum_film(d, state);
+    let films = [central_film(d, state), h_m];
+    let adjoint = adjoints(d, &system, &[[0.0; 2], at])?;
+    let surface = &d.contact.surface;
+    let neighbours = Neighbours::new(surface);
+    let film = neighbours.misfit(
+        surface,
+        &d.pressure,
+        &[&state.pressure, &adjoint[0].film, &adjoint[1].film],
+    );
+    let deflection = neighbours.misfit(
+        surface,
+        &d.contact.deflection,
+        &[
+            &state.deflection,
+            &adjoint[0].deflection,
+            &adjoint[1].deflection,
+        ],
+    );
+    let bodies = &d.contact.elastic.bodies;
+    let compliance: f64 = bodies
+        .iter()
+        .map(|b| (1.0 - b.poissons_ratio.powi(2)) / b.modulus)
+        .sum();
+    let reference = Quadrature::simplex(surface.dim, 1)
+        .weights
+        .iter()
+        .sum::<f64>();
+    let wave = |space: &Space| std::f64::consts::PI * (space.element.order() + 1) as f64;
+    let mut shares = [Vec::new(), Vec::new()];
+    for c in 0..d.contact.n_elements() {
+        let area = d.contact.maps[c].determinant * reference;
+        let size = d.contact.sizes[c];
+        let centroid = 1.0 / (surface.dim as f64 + 1.0);
+        let xi = [centroid, if surface.dim == 2 { centroid } else { 0.0 }, 0.0];
+        let f = fields_in(d, state, c, xi);
+        let fluid = model.fluid.at(f.pressure);
+        let [rho, rho_p, _] = fluid.density;
+        let [mu, mu_p, _] = fluid.viscosity;
+        let epsilon = rho * f.film.powi(3) / (mu * model.constants.lambda);
+        let gradient = f.pressure_gradient[0].hypot(f.pressure_gradient[1]);
+        let convection = (epsilon * (rho_p / rho - mu_p / mu) * gradient).abs() + rho_p * f.film;
+        let kappa = wave(&d.pressure) / size;
+        let reynolds = epsilon * kappa * kappa + convection * kappa + 2.0 * rho * compliance;
+        let elastic = wave(&d.contact.deflection) / (size * 2.0 * compliance);
+        for (j, share) in shares.iter_mut().enumerate() {
+            share.push(
+                area / films[j]
+                    * (ELASTIC * elastic * deflection[0][c] * deflection[j + 1][c]
+                        + REYNOLDS * reynolds * film[0][c] * film[j + 1][c]),
+            );
+        }
+    }
+    let [central, minimum] = shares;
+    Ok(Indicator { central, minimum })
+}
+
+/// Elements that share a side.
+struct Neighbours {
+    of: Vec<Vec<u32>>,
+}
+
+impl Neighbours {
+    fn new(surface: &SimplexMesh) -> Neighbours {
+        let mut sides: FxHashMap<[u32; 2], u32> = FxHashMap::default();
+        let mut of = vec![Vec::with_capacity(surface.dim + 1); surface.n_cells()];
+        for c in 0..surface.n_cells() {
+            let cell = surface.cell(c);
+            for (i, &a) in cell.iter().enumerate() {
+                for &b in &cell[i + 1..] {
+                    // a segment's sides are its ends, a triangle's its edges
+                    let keys = if surface.dim == 1 {
+                        [Some([a, a]), Some([b, b])]
+                    } else {
+                        [Some([a.min(b), a.max(b)]), None]
+                    };
+                    for key in keys.into_iter().flatten() {
+                        if let Some(other) = sides.insert(key, c as u32) {
+                            of[c].push(other);
+                            of[other as usize].push(c as u32);
+                        }
+                    }
+                }
+            }
+        }
+        Neighbours { of }
+    }
+
+    /// Root mean square error of each field in each element, estimated from how far the polynomials of
+    /// its neighbours, continued into it, are off.
+    fn misfit(&self, surface: &SimplexMesh, space: &Space, fields: &[&[f64]]) -> Vec<Vec<f64>> {
+        let rule = Quadrature::simplex(surface.dim, 2);
+        let factor = continuation_factor(space.element.order());
+        let table: Vec<_> = rule
+            .points
+            .iter()
+            .map(|xi| space.element.evaluate(*xi))
+            .collect();
+        let at = |cell: usize, basis: &[(f64, [f64; 3], [[f64; 3]; 3])], field: &[f64]| -> f64 {
+            basis
+                .iter()
+                .zip(space.nodes_of(cell))
+                .map(|(b, node)| b.0 * field[*node as usize])
+                .sum()
+        };
+        let total: f64 = rule.weights.iter().sum();
+        let mut errors = vec![vec![0.0; surface.n_cells()]; fields.len()];
+        for c in 0..surface.n_cells() {
+            let vertex = |k: usize| surface.vertices[surface.cell(c)[k] as usize];
+            let mut squares = vec![0.0; fields.len()];
+            for &other in &self.of[c] {
+                for (q, weight) in rule.weights.iter().enumerate() {
+                    let xi = rule.points[q];
+                    let point = [0, 1].map(|a: usize| {
+                        vertex(0)[a]
+                            + (1..=surface.dim)
+                                .map(|k| xi[k - 1] * (vertex(k)[a] - vertex(0)[a]))
+                                .sum::<f64>()
+                    });
+                    let there = reference_point(surface, other as usize, point);
+                    let basis = space.element.evaluate(there);
+                    for (square, field) in squares.iter_mut().zip(fields) {
+                        let gap = at(other as usize, &basis, field) - at(c, &table[q], field);
+                        *square += weight / total * gap * gap;
+                    }
+                }
+            }
+            let count = self.of[c].len().max(1) as f64;
+            for (error, square) in errors.iter_mut().zip(&squares) {
+                error[c] = factor * (square / count).sqrt();
+            }
+        }
+        errors
+    }
+}
+
+/// Interpolation error of x^(k+1) on a segment over the misfit of the interpolant on the next segment,
+/// both root mean square.
+///
+/// ```text
+///   e = Π_i (x − i/k),   misfit = Π_i (x − i/k) − Π_i (x − 1 − i/k),   0 ≤ x ≤ 1
+/// ```
+fn continuation_factor(order: usize) -> f64 {
+    let error = |x: f64| {
+        (0..=order)
+            .map(|i| x - i as f64 / order as f64)
+            .product::<f64>()
+    };
+    let rule = Quadrature::simplex(1, 2 * order + 2);
+    let rms = |f: &dyn Fn(f64) -> f64| {
+        rule.points
+            .iter()
+            .zip(&rule.weights)
+            .map(|(x, w)| w * f(x[0]).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    };
+    rms(&error) / rms(&|x| error(x) - error(x - 1.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn line(n: usize) -> SimplexMesh {
+        SimplexMesh {
+            dim: 1,
+            axes: [0, 1, 2],
+            vertices: (0..=n).map(|i| [i as f64 / n as f64, 0.0, 0.0]).collect(),
+            cells: (0..n as u32)
+                .map(|i| [i, i + 1, u32::MAX, u32::MAX])
+                .collect(),
+        }
+    }
+
+    /// By hand for k = 1: ‖x(x − 1)‖ = √(1/30), ‖2(x − 1)‖ = 2/√3; and on a mesh, x³ interpolated by
+    /// quadratics errs by h³‖t(t − ½)(t − 1)‖ = h³√(1/840).
+    #[test]
+    fn misfit_is_the_interpolation_error_of_the_next_power() {
+        assert_relative_eq!(
+            continuation_factor(1),
+            (1.0_f64 / 30.0).sqrt() / (2.0 / 3.0_f64.sqrt()),
+            max_relative = 1e-12
+        );
+        let mesh = line(8);
+        let space = Space::new(&mesh, 2);
+        let cube: Vec<f64> = space.points.iter().map(|p| p[0].powi(3)).collect();
+        let square: Vec<f64> = space.points.iter().map(|p| p[0].powi(2)).collect();
+        let found = Neighbours::new(&mesh).misfit(&mesh, &space, &[&cube, &square]);
+        for (c, s) in found[0].iter().zip(&found[1]) {
+            assert_relative_eq!(*c, (1.0_f64 / 840.0).sqrt() / 512.0, max_relative = 0.15);
+            assert!(*s < 1e-14);
+        }
+    }
+}
