@@ -106,6 +106,7 @@ pub struct LevelStats {
     /// Largest pressure reached, Pa.
     pub pressure_maximum: f64,
     /// Estimated relative errors of central and minimum film, uncalibrated; `None` where none was made.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub estimate: Option<[f64; 2]>,
     /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov, error estimate, the rest.
     pub seconds: Timings,

@@ -25,8 +25,7 @@ fn check(label: &str, figure: Estimate, exact: f64, widest: f64) {
     assert!(bar < widest, "{label}: bar {bar:.1e}");
 }
 
-/// Reference on cells of 0.4 and 0.3 of the normal preset's, growing by 0.2 instead of 0.3: its own
-/// error is near 1e-4, half of the smallest bar.
+/// Reference refined to 0.02 %; fixed presets and targets against it.
 #[test]
 fn line() {
     let kind = ContactKind::Line;
@@ -40,22 +39,23 @@ fn line() {
         (200.0, 10.0),
     ] {
         let mut case = common::moes_case(kind, m, l);
-        case.mesh = MeshParams {
-            hertz_size: 0.008,
-            constriction_size: 0.0016,
-            edge_size: 0.15,
-            growth: 0.2,
-            depth_growth: 0.2,
-            ..MeshParams::preset(MeshPreset::Fine, kind)
-        };
+        case.mesh = MeshParams::adaptive(2e-4, kind);
         let exact = solve(&case, &mut Silent).unwrap();
-        for (preset, widest) in [
-            (MeshPreset::Coarse, WIDEST_COARSE),
-            (MeshPreset::Normal, WIDEST_NORMAL),
+        for (mesh, widest) in [
+            (MeshParams::preset(MeshPreset::Coarse, kind), WIDEST_COARSE),
+            (MeshParams::preset(MeshPreset::Normal, kind), WIDEST_NORMAL),
+            (MeshParams::adaptive(1e-2, kind), 1e-2),
+            (MeshParams::adaptive(2e-3, kind), 2e-3),
         ] {
-            case.mesh = MeshParams::preset(preset, kind);
+            case.mesh = mesh;
             let s = solve(&case, &mut Silent).unwrap();
-            let label = |name| format!("M = {m}, L = {l}, {preset:?}, {name}");
+            let label = |name| {
+                let mesh = &case.mesh;
+                format!(
+                    "M = {m}, L = {l}, {:?}, {:?}, {name}",
+                    mesh.preset, mesh.target_error
+                )
+            };
             check(
                 &label("h_c"),
                 s.summary.film_central,
@@ -72,27 +72,34 @@ fn line() {
     }
 }
 
-/// Coarse preset; references H_c, H_m computed on the same contact areas with cells of 0.09 and, at
-/// the constriction, 0.032 (M = 200) or 0.1 and 0.05 (M = 50), all growing by 0.3: good to 5e-4.
+/// References H_c, H_m on the same contact areas, refined to 0.04 % with cells growing by 0.27 with depth,
+/// or fixed meshes of 120,000 (M = 200) and 260,000 (M = 50) displacement unknowns: they agree to 4e-4.
 #[test]
 fn circular() {
     let kind = ContactKind::Circular;
     for (m, l, area, exact) in [
-        (200.0, 10.0, [-4.5, 1.5, 3.0], [8.1424e-2, 3.8825e-2]),
-        (50.0, 5.0, [-6.5, 2.0, 4.5], [0.145_386, 9.1792e-2]),
+        (200.0, 10.0, [-4.5, 1.5, 3.0], [8.143e-2, 3.887e-2]),
+        (50.0, 5.0, [-6.5, 2.0, 4.5], [0.145_43, 9.191e-2]),
     ] {
-        let mut case = common::moes_case(kind, m, l);
-        let [inlet, outlet, side] = area.map(Some);
-        case.mesh = MeshParams {
-            inlet,
-            outlet,
-            side,
-            ..case.mesh
-        };
-        let s = solve(&case, &mut Silent).unwrap();
-        let label = |name| format!("M = {m}, L = {l}, {name}");
-        let [h_c, h_m] = exact.map(|h| h * s.scales.film);
-        check(&label("h_c"), s.summary.film_central, h_c, WIDEST_COARSE);
-        check(&label("h_m"), s.summary.film_minimum, h_m, WIDEST_COARSE);
+        for (mesh, widest) in [
+            (MeshParams::preset(MeshPreset::Coarse, kind), WIDEST_COARSE),
+            (MeshParams::adaptive(1e-2, kind), 1e-2),
+            (MeshParams::adaptive(2e-3, kind), 2e-3),
+        ] {
+            let mut case = common::moes_case(kind, m, l);
+            let [inlet, outlet, side] = area.map(Some);
+            case.mesh = MeshParams {
+                inlet,
+                outlet,
+                side,
+                ..mesh
+            };
+            let s = solve(&case, &mut Silent).unwrap();
+            let target = case.mesh.target_error;
+            let label = |name| format!("M = {m}, L = {l}, {target:?}, {name}");
+            let [h_c, h_m] = exact.map(|h| h * s.scales.film);
+            check(&label("h_c"), s.summary.film_central, h_c, widest);
+            check(&label("h_m"), s.summary.film_minimum, h_m, widest);
+        }
     }
 }

@@ -34,11 +34,12 @@ impl AdaptParams {
 /// the square of the growth (half the order of energies, measured), of the body's finite size and the smoothed
 /// free boundary.
 ///
-/// Measured by reducing the growth: circular contacts, M = 20 to 200, at 0.9; line contacts at 0.3.
+/// Measured by reducing the growth: circular contacts, M = 20 to 200, at 0.9; line contacts,
+/// M = 5 to 200, at 0.3.
 pub fn grading_errors(kind: ContactKind, sizes: &LevelSizes) -> [f64; 2] {
     let (errors, growth) = match kind {
-        ContactKind::Circular => ([1.5e-3, 1.3e-3], 0.9),
-        ContactKind::Line => ([1.5e-4, 2e-4], 0.3),
+        ContactKind::Circular => ([4e-3, 1.5e-3], 0.9),
+        ContactKind::Line => ([6e-4, 8e-4], 0.3),
     };
     let ratio = sizes.depth_growth / growth;
     errors.map(|e| (e * ratio * ratio).max(SMALLEST_ERROR))
@@ -52,7 +53,7 @@ const SMALLEST_ERROR: f64 = 1e-4;
 const SAFETY_OF_DIFFERENCE: f64 = 3.0;
 
 /// Error bar over the calibrated estimate.
-const SAFETY: f64 = 2.0;
+const SAFETY: f64 = 3.0;
 
 /// Least and largest factor by which the step from mesh to mesh corrects the estimate.
 const CALIBRATION: (f64, f64) = (0.5, 4.0);
@@ -72,8 +73,8 @@ pub struct ErrorBars {
 /// Relative error bars of central and minimum film from the last converged mesh and the one before.
 ///
 /// The estimate E of the last mesh is corrected by what the step from the mesh before has shown: with
-/// h_1, E_1 there and h_2, E_2 here, |h_1 − h_2| ≈ θ(E_1 − E_2), and the bar is twice θE_2. A difference
-/// can vanish by chance, so that θ does not fall below a half, and the bar not below a third of the other
+/// h_1, E_1 there and h_2, E_2 here, |h_1 − h_2| ≈ θ(E_1 − E_2), and the bar is three times θE_2. A difference
+/// can vanish by chance, so that θ does not fall below a half, and the bar not below half of the other
 /// film's. Root of the sum of squares with the errors of [`grading_errors`]; not below a fifth of the
 /// difference, since estimates can miss a part.
 ///
@@ -103,7 +104,7 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
         (None, Some(c)) => difference(c).map(|d| SAFETY_OF_DIFFERENCE * d),
         (None, None) => return None,
     };
-    let estimated = [0, 1].map(|j: usize| own[j].max(own[1 - j] / 3.0));
+    let estimated = [0, 1].map(|j: usize| own[j].max(0.5 * own[1 - j]));
     let bars = [0, 1].map(|j: usize| {
         estimated[j]
             .hypot(grading[j])
@@ -212,13 +213,18 @@ pub fn next_refinement(
         return None;
     }
     let goal = [0, 1].map(|j: usize| {
-        let needed = GOAL * params.target / estimated[j];
-        // What is not the estimate's, another mesh must confirm.
-        let confirm = if bars[j] > params.target { 0.5 } else { 1.0 };
-        needed.min(confirm)
+        if bars[j] > params.target {
+            (GOAL * params.target / estimated[j]).min(LARGEST_GOAL)
+        } else {
+            1.0
+        }
     });
     Some(halvings(indicator, goal))
 }
 
 /// Share of the target that the estimate aims at: refinement may fall short.
 const GOAL: f64 = 0.6;
+
+/// Share of its estimate that a refinement aims at, at most. With less refinement the few largest shares
+/// go, and of the error, which is a sum of shares of both signs, much more stays than of the estimate.
+const LARGEST_GOAL: f64 = 0.125;

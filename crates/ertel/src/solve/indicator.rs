@@ -43,7 +43,7 @@ impl Indicator {
 
 /// Constants c_U and c_P of the estimate, measured on line and circular contacts.
 const ELASTIC: f64 = 8.0;
-const REYNOLDS: f64 = 1.0;
+const REYNOLDS: f64 = 2.0;
 
 /// Estimates the errors of a converged state.
 ///
