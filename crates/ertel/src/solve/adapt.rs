@@ -38,7 +38,7 @@ impl AdaptParams {
 /// M = 5 to 200, at 0.3.
 pub fn grading_errors(kind: ContactKind, sizes: &LevelSizes) -> [f64; 2] {
     let (errors, growth) = match kind {
-        ContactKind::Circular => ([4e-3, 1.5e-3], 0.9),
+        ContactKind::Circular => ([5e-3, 5e-3], 0.9),
         ContactKind::Line => ([6e-4, 8e-4], 0.3),
     };
     let ratio = sizes.depth_growth / growth;
@@ -58,6 +58,9 @@ const SAFETY: f64 = 3.0;
 /// Least and largest factor by which the step from mesh to mesh corrects the estimate.
 const CALIBRATION: (f64, f64) = (0.5, 4.0);
 
+/// The factor where there is no mesh to calibrate by.
+const UNCALIBRATED: f64 = 1.5;
+
 /// Share of the difference from the mesh before that is the least bar.
 const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.2;
 
@@ -74,7 +77,7 @@ pub struct ErrorBars {
 ///
 /// The estimate E of the last mesh is corrected by what the step from the mesh before has shown: with
 /// h_1, E_1 there and h_2, E_2 here, |h_1 − h_2| ≈ θ(E_1 − E_2), and the bar is three times θE_2. A difference
-/// can vanish by chance, so that θ does not fall below a half, and the bar not below half of the other
+/// can vanish by chance, so that θ does not fall below a half; without a mesh before it is 1.5, and the bar not below half of the other
 /// film's. Root of the sum of squares with the errors of [`grading_errors`]; not below a fifth of the
 /// difference, since estimates can miss a part.
 ///
@@ -96,7 +99,7 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
                 let theta = if before[j] > e[j] {
                     gone[j] / (before[j] - e[j])
                 } else {
-                    1.0
+                    UNCALIBRATED
                 };
                 SAFETY * e[j] * theta.clamp(CALIBRATION.0, CALIBRATION.1)
             })
