@@ -38,7 +38,7 @@ impl AdaptParams {
 /// M = 5 to 200, at 0.3.
 pub fn grading_errors(kind: ContactKind, sizes: &LevelSizes) -> [f64; 2] {
     let (errors, growth) = match kind {
-        ContactKind::Circular => ([5e-3, 5e-3], 0.9),
+        ContactKind::Circular => ([5e-3, 6e-3], 0.9),
         ContactKind::Line => ([6e-4, 8e-4], 0.3),
     };
     let ratio = sizes.depth_growth / growth;

@@ -148,16 +148,14 @@ impl Neighbours {
     fn misfit(&self, surface: &SimplexMesh, space: &Space, fields: &[&[f64]]) -> Vec<Vec<f64>> {
         let rule = Quadrature::simplex(surface.dim, 2);
         let factor = continuation_factor(space.element.order());
-        let table: Vec<_> = rule
-            .points
-            .iter()
-            .map(|xi| space.element.evaluate(*xi))
-            .collect();
-        let at = |cell: usize, basis: &[(f64, [f64; 3], [[f64; 3]; 3])], field: &[f64]| -> f64 {
+        let values =
+            |xi: [f64; 3]| -> Vec<f64> { space.element.evaluate(xi).iter().map(|b| b.0).collect() };
+        let table: Vec<_> = rule.points.iter().map(|xi| values(*xi)).collect();
+        let at = |cell: usize, basis: &[f64], field: &[f64]| -> f64 {
             basis
                 .iter()
                 .zip(space.nodes_of(cell))
-                .map(|(b, node)| b.0 * field[*node as usize])
+                .map(|(b, node)| b * field[*node as usize])
                 .sum()
         };
         let total: f64 = rule.weights.iter().sum();
@@ -175,7 +173,7 @@ impl Neighbours {
                                 .sum::<f64>()
                     });
                     let there = reference_point(surface, other as usize, point);
-                    let basis = space.element.evaluate(there);
+                    let basis = values(there);
                     for (square, field) in squares.iter_mut().zip(fields) {
                         let gap = at(other as usize, &basis, field) - at(c, &table[q], field);
                         *square += weight / total * gap * gap;
