@@ -11,6 +11,9 @@
 //!                       v0--3--v1
 //! ```
 
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+
 use crate::quadrature::Quadrature;
 
 /// A Lagrange element.
@@ -150,6 +153,32 @@ impl Lagrange {
         }
         table
     }
+
+    /// What the best polynomial of a lower degree (in the L² sense) leaves of each shape function, at
+    /// the points of a rule: N − πN, `[point * n_nodes + node]`; zero if the degree, 1 or more, is not
+    /// lower. The rule must be exact for twice the order.
+    pub fn fluctuations(&self, degree: usize, rule: &Quadrature) -> Vec<f64> {
+        let n = self.n_nodes();
+        if degree >= self.order {
+            return vec![0.0; n * rule.len()];
+        }
+        let values = |element: &Lagrange| {
+            let table = element.tabulate(rule).values;
+            Mat::from_fn(rule.len(), element.n_nodes(), |q, j| {
+                table[q * element.n_nodes() + j]
+            })
+        };
+        let (high, low) = (values(self), values(&Lagrange::new(self.dim, degree)));
+        let weighted = Mat::from_fn(low.ncols(), rule.len(), |i, q| {
+            rule.weights[q] * low[(q, i)]
+        });
+        let projection = (&weighted * &low).partial_piv_lu().solve(&weighted * &high);
+        let rest = &high - &low * projection;
+        (0..rule.len())
+            .flat_map(|q| (0..n).map(move |j| (q, j)))
+            .map(|(q, j)| rest[(q, j)])
+            .collect()
+    }
 }
 
 /// φ(m, λ) and its first two derivatives.
@@ -195,6 +224,51 @@ mod tests {
                     .enumerate()
                 {
                     assert_relative_eq!(*v, if i == j { 1.0 } else { 0.0 }, epsilon = 1e-12);
+                }
+            }
+        }
+    }
+
+    /// In one dimension the rest of a cubic beside quadratics is its third Legendre polynomial, of a
+    /// quadratic beside linear ones the second (closed forms): x³ = (2P₃ + 3x)/5, x² = (2P₂ + 1)/3 on
+    /// [−1, 1]; ξ = (1 + x)/2. Lower polynomials leave nothing, in any dimension.
+    #[test]
+    fn fluctuations_are_what_projection_leaves() {
+        for (order, legendre) in [
+            (3, (|x| (5.0 * x * x * x - 3.0 * x) / 2.0) as fn(f64) -> f64),
+            (2, |x| (3.0 * x * x - 1.0) / 2.0),
+        ] {
+            let element = Lagrange::new(1, order);
+            let rule = Quadrature::simplex(1, 2 * order);
+            let rest = element.fluctuations(order - 1, &rule);
+            let leading = if order == 3 { 2.0 / 5.0 } else { 2.0 / 3.0 };
+            for (q, xi) in rule.points.iter().enumerate() {
+                let sum: f64 = element
+                    .lattice()
+                    .iter()
+                    .enumerate()
+                    .map(|(j, alpha)| {
+                        let x = 2.0 * node_point(&element, alpha)[0] - 1.0;
+                        x.powi(order as i32) * rest[q * element.n_nodes() + j]
+                    })
+                    .sum();
+                let exact = leading * legendre(2.0 * xi[0] - 1.0);
+                assert_relative_eq!(sum, exact, epsilon = 1e-13);
+            }
+        }
+        for element in family().into_iter().filter(|e| e.order() > 1) {
+            let n = element.n_nodes();
+            let rule = Quadrature::simplex(element.dim(), 2 * element.order());
+            for degree in 1..element.order() {
+                let rest = element.fluctuations(degree, &rule);
+                for q in 0..rule.len() {
+                    let sum: f64 = (0..n)
+                        .map(|j| {
+                            let p = node_point(&element, &element.lattice()[j]);
+                            (1.0 + 2.0 * p[0] - p[1] + p[2]).powi(degree as i32) * rest[q * n + j]
+                        })
+                        .sum();
+                    assert_relative_eq!(sum, 0.0, epsilon = 1e-11);
                 }
             }
         }

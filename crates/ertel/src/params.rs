@@ -19,6 +19,18 @@ pub enum MeshPreset {
     Fine,
 }
 
+impl MeshPreset {
+    /// Cell size on the rim of the Hertz zone as a share of the length H_f^⅔ over which a film of
+    /// thickness H_f builds up pressure. Newton's method stops converging at about 4.
+    pub fn rim_share(self) -> f64 {
+        match self {
+            MeshPreset::Coarse => 1.5,
+            MeshPreset::Normal => 1.0,
+            MeshPreset::Fine => 0.5,
+        }
+    }
+}
+
 /// Mesh and elements; lengths in Hertz half-widths a.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeshParams {
@@ -31,6 +43,9 @@ pub struct MeshParams {
     pub hertz_size: f64,
     /// Cell size at the outlet constriction and the side lobes.
     pub constriction_size: f64,
+    /// Cell size on the rim of the Hertz zone; `None`: the preset's share of the length over which
+    /// the film that formulas predict builds up pressure.
+    pub rim_size: Option<f64>,
     /// Cell size at the edge of the contact area (inlet and outlet regions).
     pub edge_size: f64,
     /// Growth of the cell size per distance along the surface.
@@ -74,6 +89,7 @@ impl MeshParams {
             target_error: None,
             hertz_size,
             constriction_size,
+            rim_size: None,
             edge_size: 0.5,
             growth,
             depth_growth,
@@ -169,6 +185,9 @@ pub struct SolverParams {
     pub formulation: Formulation,
     /// Isotropic diffusion coefficient ρ_id of eq. 3.18; 0 for none.
     pub isotropic_diffusion: f64,
+    /// Whether SUPG and GLS reckon with the deflection, too; without, they are as printed in Habchi
+    /// 2008, eqs. 3.15 to 3.17, and incompressible lubricants are not stabilised at all.
+    pub elastic_stabilisation: bool,
     /// Cavitation penalty ξ₀.
     pub penalty: f64,
     /// Its dependence on the element size.
@@ -191,6 +210,7 @@ impl Default for SolverParams {
         SolverParams {
             formulation: Formulation::default(),
             isotropic_diffusion: 0.0,
+            elastic_stabilisation: true,
             penalty: 1e4,
             penalty_scaling: PenaltyScaling::default(),
             elasticity: ElasticModel::default(),

@@ -36,6 +36,7 @@ pub fn problem(case: &Case) -> Problem {
         lambda: scales.lambda,
         formulation: case.solver.formulation,
         isotropic_diffusion: case.solver.isotropic_diffusion,
+        elastic_stabilisation: case.solver.elastic_stabilisation,
         penalty: case.solver.penalty,
         penalty_scaling: case.solver.penalty_scaling,
         film_scale: start_film,
@@ -151,10 +152,12 @@ fn solve_problem(
     };
     let summary = post::summary::summarise(&finest, &levels, &model, &scales);
     let mut warnings = case.warnings.clone();
-    if finest.constants.formulation != case.solver.formulation {
+    let order = finest.discretisation.pressure.element.order();
+    if order < case.mesh.pressure_order {
         warnings.push(format!(
-            "solved with the formulation {:?}: {:?} did not converge on this mesh",
-            finest.constants.formulation, case.solver.formulation
+            "solved with pressures of order {order}: those of order {} did not converge on this mesh; a \
+             finer one may carry them",
+            case.mesh.pressure_order
         ));
     }
     if let Some(cache) = &problem.cache {
@@ -286,9 +289,16 @@ fn stages(
 ) -> Vec<Stage> {
     // A film thicker than the dry contact is flat sets the length √H over which pressure varies.
     let stretch = film.sqrt().max(1.0);
+    // Outside its Hertz zone a dry contact gapes as the power 3/2 of the distance: within this
+    // distance the gap is that of the film, and pressure builds up.
+    let inlet_length = film.powf(2.0 / 3.0);
     let fine = LevelSizes {
         hertz: stretch * mesh.hertz_size,
         constriction: stretch * mesh.constriction_size,
+        rim: mesh
+            .rim_size
+            .unwrap_or(mesh.preset.rim_share() * inlet_length),
+        rim_width: inlet_length,
         edge: stretch * mesh.edge_size,
         growth: mesh.growth,
         depth_growth: mesh.depth_growth,
@@ -303,6 +313,8 @@ fn stages(
     let coarse = LevelSizes {
         hertz: 2.0 * fine.hertz,
         constriction: 2.0 * fine.constriction,
+        rim: 2.0 * fine.rim,
+        rim_width: fine.rim_width,
         edge: 2.0 * fine.edge,
         growth: doubled(fine.growth),
         depth_growth: doubled(fine.depth_growth),

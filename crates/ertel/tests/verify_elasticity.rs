@@ -278,6 +278,8 @@ fn uniform(size: f64) -> LevelSizes {
     LevelSizes {
         hertz: size,
         constriction: size,
+        rim: size,
+        rim_width: 0.0,
         edge: size,
         growth: 1.0,
         depth_growth: 1.0,
@@ -311,6 +313,8 @@ fn contact(kind: ContactKind, body: f64, size: f64, growth: f64, ratios: &[f64])
     let sizes = LevelSizes {
         hertz: size,
         constriction: size,
+        rim: size,
+        rim_width: 0.0,
         edge: 2.5 * size,
         growth,
         depth_growth: growth,

@@ -15,6 +15,8 @@ use ertel_fem::assembly::CONSTRAINED;
 const SIZES: LevelSizes = LevelSizes {
     hertz: 0.4,
     constriction: 0.2,
+    rim: 0.2,
+    rim_width: 0.0,
     edge: 0.8,
     growth: 0.9,
     depth_growth: 0.9,

@@ -107,7 +107,8 @@ fn newton_converges_quadratically() {
         };
         let order = (c / b).ln() / (b / a).ln();
         println!("{kind:?} {linear:?}: {a:.1e} -> {b:.1e} -> {c:.1e}, order {order:.2}");
-        assert!(c < 1e-5 && (1.7..2.6).contains(&order), "{updates:?}");
+        // Single steps scatter upward: an update can be small by chance.
+        assert!(c < 1e-5 && (1.7..3.5).contains(&order), "{updates:?}");
     }
 }
 
@@ -190,7 +191,7 @@ fn effort_of_a_line_contact() {
     pinned(
         ContactKind::Line,
         3e5,
-        &[[10, 102, 4], [8, 108, 1], [7, 70, 1]],
+        &[[10, 102, 4], [7, 90, 1], [6, 52, 1]],
     );
 }
 
@@ -199,6 +200,6 @@ fn effort_of_a_circular_contact() {
     pinned(
         ContactKind::Circular,
         100.0,
-        &[[18, 263, 6], [11, 221, 4], [11, 158, 4]],
+        &[[14, 205, 4], [11, 229, 4], [9, 123, 4]],
     );
 }

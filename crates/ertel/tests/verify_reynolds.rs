@@ -106,6 +106,8 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactBody> {
     let sizes = LevelSizes {
         hertz: size,
         constriction: size,
+        rim: size,
+        rim_width: 0.0,
         edge: size,
         growth: 1.0,
         depth_growth: 20.0,
@@ -217,9 +219,17 @@ fn expect(kind: ContactKind, sizes: impl Fn(usize) -> [f64; 2], formulation: For
             "{kind:?} {formulation:?} k = {order}: L2 {:.1e} -> {:.1e}, order {l2:.2}; H1 order {h1:.2}",
             coarse[1], fine[1]
         );
+        // From order 4 on the term for the unseen pressure, which falls faster than the rest, is
+        // still the larger part of the error on these meshes.
+        let excess = if order > 3 && formulation != Formulation::Galerkin {
+            1.0
+        } else {
+            0.3
+        };
         for (rate, exact) in [(l2, order + 1), (h1, order)] {
+            let surplus = rate - exact as f64;
             assert!(
-                (rate - exact as f64).abs() < 0.3,
+                -0.3 < surplus && surplus < excess,
                 "{kind:?} {formulation:?}, order {order}: rate {rate:.2} instead of {exact}"
             );
         }

@@ -120,6 +120,7 @@ pub(crate) fn read_mesh(
             .with_help("sizes must not grow towards the constriction: constriction_size <= hertz_size <= edge_size"));
         }
     }
+    mesh.rim_size = table.optional_number("rim_size", Bounds::above_to(0.0, mesh.edge_size))?;
     // The contact area must contain the dry contact and lie on the body.
     let half_width = mesh.body_width.map_or(FARTHEST, |width| 0.5 * width);
     mesh.inlet = table.optional_number("inlet", Bounds::from_to(-half_width, -1.0))?;
@@ -167,6 +168,10 @@ pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
     set(
         &mut solver.isotropic_diffusion,
         table.optional_number("isotropic_diffusion", Bounds::closed(0.0, 10.0))?,
+    );
+    set(
+        &mut solver.elastic_stabilisation,
+        table.optional_bool("elastic_stabilisation")?,
     );
     set(
         &mut solver.penalty,

@@ -162,6 +162,7 @@ fn everything_optional_is_read() {
 preset = "fine"
 hertz_size = 0.07
 constriction_size = 0.03
+rim_size = 0.02
 edge_size = 0.4
 growth = 0.3
 depth_growth = 0.4
@@ -175,6 +176,7 @@ elastic_order = 1
 [solver]
 formulation = "gls"
 isotropic_diffusion = 0.5
+elastic_stabilisation = false
 penalty = 1e7
 penalty_scaling = "inverse-element-squared"
 elasticity = "two-bodies"
@@ -202,8 +204,10 @@ body_field = true
         (Some(-4.5), Some(1.5), Some(3.0))
     );
     assert_eq!((mesh.pressure_order, mesh.elastic_order), (5, 1));
+    assert_eq!(mesh.rim_size, Some(0.02));
     let solver = &case.solver;
     assert_eq!(solver.formulation, Formulation::Gls);
+    assert!(!solver.elastic_stabilisation);
     assert_eq!((solver.isotropic_diffusion, solver.penalty), (0.5, 1e7));
     assert_eq!(
         solver.penalty_scaling,

@@ -6,10 +6,19 @@
 //!   ∫ (ε∇P − ρ̄H e_x)·∇W + (ξP⁻ − f) W                        Galerkin
 //!   + Σ_e ∫ τ (R − f) [β·∇W]                                  SUPG
 //!   + Σ_e ∫ τ (R − f) [β·∇W − ∇·(ε∇W)]                        GLS
-//!   + Σ_e ∫ ρ_id h_e|β|/(2l) ∇P·∇W                            isotropic diffusion
+//!   + Σ_e ∫ ρ_id h_e H ∂ρ̄/∂P/(2l) ∇P·∇W                       isotropic diffusion
+//!   + Σ_e ∫ (coth Pe_δ − 1/Pe_δ) ρ̄/h_e κP κW                  unseen pressure
 //!
-//!   β = (H ∂ρ̄/∂P, 0),  τ = h_e/(2l|β|) (coth Pe − 1/Pe),  Pe = |β|h_e/(2lε),  l the order
+//!   β = (H ∂ρ̄/∂P + c ρ̄ h_e, 0),  τ = h_e/(2l|β|) (coth Pe − 1/Pe),  Pe = |β|h_e/(2lε),  l the order
+//!   κ = I − π, π the L² projection onto the polynomials that the deflection sees,  Pe_δ = ρ̄h_e²/(2lε)
 //! ```
+//! The wedge ∂(ρ̄H)/∂X answers to pressure in two ways: by the density, H ∂ρ̄/∂P, which alone is the β
+//! of the source, and by the deflection, ρ̄ ∂H/∂P, which at the scale of an element is ρ̄ h_e times a
+//! number and, in thin films, a hundred times more. Where the fluid is all but solid (ε → 0), nothing
+//! else is left in the equation; then a pressure of higher order than the deflection has shapes in
+//! which it deflects nothing. Nothing holds these but the last term; on smooth pressures it vanishes
+//! with the order of the deflection. Both can be switched off (`elastic_stabilisation`).
+//!
 //! Habchi 2008, eqs. 2.29, 3.8, 3.9, 3.13 to 3.18; f = 0 but for manufactured solutions. The
 //! convection term is integrated by parts, so that the discrete equation conserves mass.
 
@@ -31,6 +40,8 @@ pub struct PointState<D> {
     pub film: D,
     /// ∇H.
     pub film_gradient: [D; 2],
+    /// κP, the share of P that the deflection does not see.
+    pub pressure_unseen: D,
 }
 
 /// Constants of the equation on one element.
@@ -48,9 +59,11 @@ pub struct ElementConstants {
     pub formulation: Formulation,
     /// ρ_id.
     pub isotropic_diffusion: f64,
+    /// Whether β and κ reckon with the deflection; only in SUPG and GLS.
+    pub elastic_stabilisation: bool,
 }
 
-/// The integrand as a linear form of the test function: a W + b·∇W + c ΔW.
+/// The integrand as a linear form of the test function: a W + b·∇W + c ΔW + d κW.
 #[derive(Clone, Copy, Debug)]
 pub struct TestCoefficients<D> {
     /// a.
@@ -59,7 +72,17 @@ pub struct TestCoefficients<D> {
     pub gradient: [D; 2],
     /// c.
     pub laplacian: D,
+    /// d.
+    pub unseen: D,
 }
+
+/// Deflection of a pressure that varies from element to element, in units of h_e times the pressure: a
+/// wave of length 4 h_e deflects by 2/π h_e. Measured: from 0.1 to 1 the films agree to 1e-4.
+const DEFLECTION_SHARE: f64 = 0.3;
+
+/// Weight of the term that holds the unseen pressure. Measured: from 1 to 10 the films agree to 1e-4;
+/// at 0.1 incompressible contacts stop converging.
+const UNSEEN_WEIGHT: f64 = 1.0;
 
 /// Integrand of the weak form at a point; `source` is f.
 pub fn reynolds_point<D: DualNum<Primitive = f64> + Copy>(
@@ -89,16 +112,23 @@ pub fn reynolds_point<D: DualNum<Primitive = f64> + Copy>(
         value: penalty - source,
         gradient: [epsilon * px - rho * h, epsilon * py],
         laplacian: zero,
+        unseen: zero,
     };
-    let beta = h * rho_p;
     let l2 = 2.0 * e.order as f64;
     if e.isotropic_diffusion != 0.0 {
-        let diffusion = beta * (e.isotropic_diffusion * e.size / l2);
+        let diffusion = h * rho_p * (e.isotropic_diffusion * e.size / l2);
         test.gradient[0] += diffusion * px;
         test.gradient[1] += diffusion * py;
     }
     if e.formulation == Formulation::Galerkin {
         return test;
+    }
+    let mut beta = h * rho_p;
+    if e.elastic_stabilisation {
+        beta += rho * (DEFLECTION_SHARE * e.size);
+        let peclet = rho * (e.size * e.size / l2) / epsilon;
+        let weight = upwind(peclet) * peclet * rho * (UNSEEN_WEIGHT / e.size);
+        test.unseen = weight * s.pressure_unseen;
     }
     // ∇ε = ε[(ρ'/ρ − μ'/μ)∇P + 3∇H/H]
     let by_p = epsilon * (rho_p / rho - mu_p / mu);
@@ -149,6 +179,7 @@ mod tests {
             penalty: 1e4,
             formulation,
             isotropic_diffusion: 0.5,
+            elastic_stabilisation: true,
         }
     }
 
@@ -178,22 +209,23 @@ mod tests {
                 viscosity: [m, 3.0 * m, 9.0 * m],
             }
         };
-        let base = |p: f64| [p, -0.7, 0.4, 2.0, 0.3, -0.2, 0.15];
-        let evaluate = |x: [f64; 7], c: &ElementConstants| {
+        let base = |p: f64| [p, -0.7, 0.4, 2.0, 0.3, -0.2, 0.15, 0.02];
+        let evaluate = |x: [f64; 8], c: &ElementConstants| {
             let s = PointState {
                 pressure: x[0],
                 pressure_gradient: [x[1], x[2]],
                 pressure_laplacian: x[3],
                 film: x[4],
                 film_gradient: [x[5], x[6]],
+                pressure_unseen: x[7],
             };
             let t = reynolds_point(&s, &fluid(x[0]), c, 0.3);
-            [t.value, t.gradient[0], t.gradient[1], t.laplacian]
+            [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen]
         };
         for formulation in [Formulation::Galerkin, Formulation::Supg, Formulation::Gls] {
             let c = constants(formulation);
             for p in [0.8, 0.1, -0.05] {
-                for k in 0..7 {
+                for k in 0..8 {
                     let d = |v: f64, i: usize| {
                         Dual64::from_re(v)
                             + if i == k {
@@ -209,6 +241,7 @@ mod tests {
                         pressure_laplacian: d(x[3], 3),
                         film: d(x[4], 4),
                         film_gradient: [d(x[5], 5), d(x[6], 6)],
+                        pressure_unseen: d(x[7], 7),
                     };
                     let t = reynolds_point(&s, &fluid(p), &c, 0.3);
                     let exact = [
@@ -216,13 +249,14 @@ mod tests {
                         t.gradient[0].eps,
                         t.gradient[1].eps,
                         t.laplacian.eps,
+                        t.unseen.eps,
                     ];
                     let step = 1e-6;
                     let (mut up, mut down) = (x, x);
                     up[k] += step;
                     down[k] -= step;
                     let (up, down) = (evaluate(up, &c), evaluate(down, &c));
-                    for i in 0..4 {
+                    for i in 0..5 {
                         let difference = (up[i] - down[i]) / (2.0 * step);
                         assert_relative_eq!(
                             exact[i],
@@ -249,6 +283,7 @@ mod tests {
             pressure_laplacian: -1.2,
             film: 0.2,
             film_gradient: [0.1, 0.05],
+            pressure_unseen: 0.0,
         };
         let mut c = constants(Formulation::Gls);
         // R = −∇ε·∇P − εΔP + ρ'P_x H + ρH_x by hand, ε = ρH³/(μλ)

@@ -59,6 +59,7 @@ fn inputs(case: &CaseEcho) -> impl Iterator<Item = (String, f64)> {
         mesh.depth_growth,
     ];
     let chosen = [
+        mesh.rim_size,
         mesh.inlet,
         mesh.outlet,
         mesh.side,

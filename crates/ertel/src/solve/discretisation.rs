@@ -24,6 +24,10 @@ pub struct LevelSizes {
     pub hertz: f64,
     /// Cell size at the outlet constriction and the side lobes.
     pub constriction: f64,
+    /// Cell size on the rim of the Hertz zone, where a thin film builds up and breaks off.
+    pub rim: f64,
+    /// Half the width of the strip along the rim.
+    pub rim_width: f64,
     /// Largest cell size within three half-widths; beyond, it grows with the distance.
     pub edge: f64,
     /// Growth per distance along the surface.
@@ -343,6 +347,8 @@ pub struct Discretisation {
     pub rule: Quadrature,
     /// Pressure shape functions at its points.
     pub pressure_table: Tabulation,
+    /// κN, the share of each pressure shape function that the deflection does not see, there.
+    pub pressure_unseen: Vec<f64>,
     /// Deflection shape functions at its points.
     pub deflection_table: Tabulation,
     /// ∫N of each pressure unknown.
@@ -373,6 +379,11 @@ impl Discretisation {
         let rule = Quadrature::simplex(surface.dim, 2 * pressure_order.max(2) + 2);
         let pressure_table = pressure.element.tabulate(&rule);
         let deflection_table = contact.deflection.element.tabulate(&rule);
+        // Of a linear pressure the deflection, linear at least, sees everything.
+        let seen = (pressure_order - 1)
+            .min(contact.deflection.element.order())
+            .max(1);
+        let pressure_unseen = pressure.element.fluctuations(seen, &rule);
         let (n, m) = (pressure_table.n_nodes, deflection_table.n_nodes);
         let mut load = vec![0.0; n_pressure];
         let mut coupling = vec![0.0; contact.n_elements() * n * m];
@@ -399,6 +410,7 @@ impl Discretisation {
             n_pressure,
             rule,
             pressure_table,
+            pressure_unseen,
             deflection_table,
             load,
             coupling,
@@ -498,6 +510,15 @@ fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {
                 },
             },
             size: s.constriction,
+        },
+        SizeZone {
+            zone: Zone::Arc {
+                center: origin,
+                radius: 1.0,
+                half_width: s.rim_width,
+                x_min: f64::NEG_INFINITY,
+            },
+            size: s.rim,
         },
     ];
     // Far from the contact the film varies on the scale of the distance; beyond the contact area

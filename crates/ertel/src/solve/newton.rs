@@ -3,7 +3,7 @@
 //! - Falling pressures are updated in the logarithm of viscosity, −ln(1 − dP m)/m with
 //!   m = d ln μ̄/dP: linearly, one step could undo many decades of viscosity.
 //! - Rising pressures are capped at a share of the Hertz pressure.
-//! - The whole step is cut so that no point loses more than half of its film.
+//! - The surfaces are lifted where a point would lose more than half of its film.
 //!
 //! Near the solution none of these acts beyond second order, and convergence is quadratic.
 
@@ -27,6 +27,8 @@ pub struct NewtonParams {
     pub residual_tolerance: f64,
     /// Iterations allowed.
     pub max_iterations: usize,
+    /// Iterations without a smaller update after which the run stops: it goes round in circles.
+    pub patience: usize,
     /// Largest rise of a pressure in one step, in p_h.
     pub rise_limit: f64,
     /// Largest share of its film that a point may lose in one step.
@@ -44,6 +46,7 @@ impl Default for NewtonParams {
             update_tolerance: 1e-8,
             residual_tolerance: 1e-8,
             max_iterations: 60,
+            patience: 20,
             rise_limit: 0.2,
             film_loss_limit: 0.5,
             growth_limit: 1.5,
@@ -129,6 +132,7 @@ impl<'a> NewtonLevel<'a> {
         let mut solver = StepSolver::new(self, params, stats);
         let mut system = solver.assemble(model, state);
         let mut step = solver.newton_step(&system, state)?;
+        let mut smallest_update = (0, f64::INFINITY);
         for iteration in 1..=params.max_iterations {
             if observer.cancelled() {
                 return Err(SolveError::Interrupted);
@@ -146,11 +150,16 @@ impl<'a> NewtonLevel<'a> {
             if !(residual.is_finite() && update.is_finite()) {
                 return Err(stopped("the residual is not finite"));
             }
+            if update < 0.9 * smallest_update.1 {
+                smallest_update = (iteration, update);
+            } else if iteration >= smallest_update.0 + params.patience {
+                return Err(stopped("the updates no longer shrink"));
+            }
             let converged =
                 update < params.update_tolerance && residual < params.residual_tolerance;
             let mut share = 1.0;
             let (next_state, next_system) = loop {
-                let trial = self.advance(model, params, state, &step, &mut share);
+                let trial = self.advance(model, params, state, &step, share);
                 let trial_system = solver.assemble(model, &trial);
                 if converged || update < SAFE_UPDATE {
                     break (trial, trial_system);
@@ -198,26 +207,23 @@ impl<'a> NewtonLevel<'a> {
         unreachable!("the last iteration returns")
     }
 
-    /// State after a share of the step, kept within the physical limits; `share` is cut when a
-    /// point would lose too much film.
+    /// State after a share of the step, kept within the physical limits.
     fn advance(
         &self,
         model: &FilmModel,
         params: &NewtonParams,
         state: &State,
         step: &Step,
-        share: &mut f64,
+        share: f64,
     ) -> State {
-        let mut pressure: Vec<f64> = step.pressure.iter().map(|v| *share * v).collect();
+        let mut pressure: Vec<f64> = step.pressure.iter().map(|v| share * v).collect();
         self.limit_pressures(&model.fluid, state, params, &mut pressure);
         let deflection = self.discretisation.deflect(&pressure);
-        let separation = *share * step.separation;
-        let cut = self.film_share(state, &deflection, separation, params);
-        *share *= cut;
+        let separation = share * step.separation;
         let mut next = state.clone();
-        add(&mut next.pressure, cut, &pressure);
-        add(&mut next.deflection, cut, &deflection);
-        next.rigid_separation += cut * separation;
+        add(&mut next.pressure, &pressure);
+        add(&mut next.deflection, &deflection);
+        next.rigid_separation += separation + self.lift(state, &deflection, separation, params);
         next
     }
 
@@ -242,8 +248,11 @@ impl<'a> NewtonLevel<'a> {
         }
     }
 
-    /// Largest share of the step, at most 1, that leaves every point enough film.
-    fn film_share(
+    /// By how much to lift the surfaces after a step so that no point loses too much of its film.
+    ///
+    /// Cutting the step instead would let one point hold up all others: its film halves and halves
+    /// while the steps shrink to nothing. The next step takes back of the lift what the load demands.
+    fn lift(
         &self,
         state: &State,
         deflection_step: &[f64],
@@ -252,7 +261,7 @@ impl<'a> NewtonLevel<'a> {
     ) -> f64 {
         let d = self.discretisation;
         let m = d.deflection_table.n_nodes;
-        let mut share: f64 = 1.0;
+        let mut lift: f64 = 0.0;
         for c in 0..d.contact.n_elements() {
             let nodes = d.contact.deflection.nodes_of(c);
             for q in 0..d.rule.len() {
@@ -271,21 +280,21 @@ impl<'a> NewtonLevel<'a> {
                 }
                 h += d.contact.undeformed_gap(point);
                 // A start may lack film at a point: let the step mend it.
-                if dh < 0.0 && h > 0.0 {
-                    share = share.min(params.film_loss_limit * h / -dh);
+                if h > 0.0 {
+                    lift = lift.max(-dh - params.film_loss_limit * h);
                 }
             }
         }
-        share
+        lift
     }
 }
 
 /// Update, in p_h, below which steps are no longer tested for monotonicity.
 const SAFE_UPDATE: f64 = 0.02;
 
-fn add(x: &mut [f64], factor: f64, dx: &[f64]) {
+fn add(x: &mut [f64], dx: &[f64]) {
     for (a, b) in x.iter_mut().zip(dx) {
-        *a += factor * b;
+        *a += b;
     }
 }
 

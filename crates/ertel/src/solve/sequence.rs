@@ -13,7 +13,7 @@ use super::system::{FilmConstants, State};
 use super::{Observer, SolveError};
 use crate::contact::{ContactKind, hertz};
 use crate::film::FilmFluid;
-use crate::params::{Formulation, LinearSolver};
+use crate::params::LinearSolver;
 use crate::solution::LevelStats;
 use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
 
@@ -268,8 +268,8 @@ pub fn solve_stages(
 }
 
 /// What is tried, in turn, when the final stage does not converge: the start once more, on the fine
-/// mesh, which may carry what the coarse one could not; then SUPG in place of GLS, which converges
-/// on some meshes too coarse for GLS (and the other way round).
+/// mesh, which may carry what the coarse one could not; then pressures of lower order, which overshoot
+/// less at a spike that the mesh does not resolve.
 fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
     let (Some(start), Some(last)) = (problem.stages.first(), problem.stages.last()) else {
         return Vec::new();
@@ -289,23 +289,13 @@ fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
             ..*last
         },
     ]];
-    if last.constants.formulation == Formulation::Gls {
-        let supg = |stage: &Stage| Stage {
-            constants: FilmConstants {
-                formulation: Formulation::Supg,
-                ..stage.constants
-            },
+    rescues.extend((1..last.pressure_order).rev().map(|pressure_order| {
+        let lower = |stage: &Stage| Stage {
+            pressure_order,
             ..*stage
         };
-        rescues.push(
-            problem
-                .stages
-                .iter()
-                .filter(|s| s.role != Role::Start)
-                .map(supg)
-                .collect(),
-        );
-    }
+        problem.stages.iter().map(lower).collect()
+    }));
     rescues
 }
 
@@ -335,6 +325,7 @@ fn run_stage(
             params.update_tolerance = START_TOLERANCE;
             params.residual_tolerance = f64::INFINITY;
             params.max_iterations = START_ITERATIONS;
+            params.patience = START_ITERATIONS;
         }
         let label = RunLabel {
             level,

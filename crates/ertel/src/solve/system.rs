@@ -19,7 +19,7 @@ use crate::film::FilmFluid;
 use crate::forms::reynolds::{ElementConstants, PointState, reynolds_point};
 use crate::params::{Formulation, PenaltyScaling};
 
-type Dual = DualSVec64<7>;
+type Dual = DualSVec64<8>;
 
 /// Coefficients of the Reynolds equation that do not vary over a level.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +30,8 @@ pub struct FilmConstants {
     pub formulation: Formulation,
     /// ρ_id.
     pub isotropic_diffusion: f64,
+    /// Whether the stabilisation reckons with the deflection.
+    pub elastic_stabilisation: bool,
     /// ξ₀ in force.
     pub penalty: f64,
     /// Its scaling.
@@ -55,6 +57,7 @@ impl FilmConstants {
             penalty,
             formulation: self.formulation,
             isotropic_diffusion: self.isotropic_diffusion,
+            elastic_stabilisation: self.elastic_stabilisation,
         }
     }
 }
@@ -278,14 +281,20 @@ fn element(
     let local = constants.on_element(d.contact.sizes[c], d.pressure.element.order());
     let p_nodes = d.pressure.nodes_of(c);
     let w_nodes = d.contact.deflection.nodes_of(c);
-    let mut p_basis = vec![[0.0; 4]; n]; // N, N_x, N_y, ΔN
+    let mut p_basis = vec![[0.0; 5]; n]; // N, N_x, N_y, ΔN, κN
     let mut w_basis = vec![[0.0; 3]; m]; // N, N_x, N_y
     for (q, weight) in d.rule.weights.iter().enumerate() {
-        let mut p = [0.0; 4];
+        let mut p = [0.0; 5];
         for (j, basis) in p_basis.iter_mut().enumerate() {
             let g = map.gradient(d.pressure_table.gradients[q * n + j]);
             let laplacian = map.laplacian(&d.pressure_table.hessians[q * n + j]);
-            *basis = [d.pressure_table.values[q * n + j], g[0], g[1], laplacian];
+            *basis = [
+                d.pressure_table.values[q * n + j],
+                g[0],
+                g[1],
+                laplacian,
+                d.pressure_unseen[q * n + j],
+            ];
             let value = state.pressure[p_nodes[j] as usize];
             for (a, b) in p.iter_mut().zip(*basis) {
                 *a += value * b;
@@ -317,35 +326,36 @@ fn element(
             pressure_laplacian: dual(p[3], 3),
             film: dual(h, 4),
             film_gradient: [dual(point[0] + w[1], 5), dual(point[1] + w[2], 6)],
+            pressure_unseen: dual(p[4], 7),
         };
         let fluid = fluid.at(p[0]);
         let f = source.map_or(0.0, |f| f(point));
         let t = reynolds_point(&s, &fluid, &local, f);
-        let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian];
+        let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
         let scale = weight * map.determinant;
         let value = test.map(|v| scale * v.re);
         let slopes = test.map(|v| {
             let e = v
                 .eps
-                .unwrap_generic(nalgebra::Const::<7>, nalgebra::Const::<1>);
-            std::array::from_fn::<f64, 7, _>(|k| scale * e[k])
+                .unwrap_generic(nalgebra::Const::<8>, nalgebra::Const::<1>);
+            std::array::from_fn::<f64, 8, _>(|k| scale * e[k])
         });
         let entrainment = scale * fluid.density[0] * h;
         for i in 0..n {
             let test = p_basis[i];
             let row = &mut out[i * width..(i + 1) * width];
-            let mut by: [f64; 7] = [0.0; 7];
+            let mut by: [f64; 8] = [0.0; 8];
             for (k, b) in by.iter_mut().enumerate() {
-                *b = (0..4).map(|a| test[a] * slopes[a][k]).sum();
+                *b = (0..5).map(|a| test[a] * slopes[a][k]).sum();
             }
             for (r, b) in row[..n].iter_mut().zip(&p_basis) {
-                *r += by[0] * b[0] + by[1] * b[1] + by[2] * b[2] + by[3] * b[3];
+                *r += by[0] * b[0] + by[1] * b[1] + by[2] * b[2] + by[3] * b[3] + by[7] * b[4];
             }
             for (r, b) in row[n..n + m].iter_mut().zip(&w_basis) {
                 *r += by[4] * b[0] + by[5] * b[1] + by[6] * b[2];
             }
             row[n + m] += by[4];
-            row[n + m + 1] += (0..4).map(|a| test[a] * value[a]).sum::<f64>();
+            row[n + m + 1] += (0..5).map(|a| test[a] * value[a]).sum::<f64>();
             row[n + m + 2] += test[1] * entrainment;
         }
     }
