@@ -81,7 +81,7 @@ impl Sweep {
     fn factors(self) -> (&'static [f64], &'static [f64]) {
         match self {
             Sweep::Line => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625], &[0.03125]),
-            Sweep::Circular => (&[4.0, 2.8, 2.0, 1.4, 1.0, 0.7], &[0.5, 0.4, 0.3]),
+            Sweep::Circular => (&[2.8, 2.0, 1.4, 1.0, 0.7], &[0.5, 0.4, 0.3]),
             Sweep::LineMonolithic => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125], &[0.0625]),
             Sweep::CircularMonolithic => (&[4.0, 2.8, 2.0], &[1.6, 1.2]),
         }

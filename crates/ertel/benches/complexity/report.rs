@@ -169,11 +169,12 @@ pub fn svg(points: &[Point]) -> String {
             let mut chart = Chart::new(
                 "Complexity",
                 Axis::log_around("Unknowns *n*", all().map(|p| p[0])),
-                Axis::log_around(label, all().map(|p| p[1])),
+                // Room for the legend
+                Axis::log_around(label, all().flat_map(|p| [p[1], 20.0 * p[1]])),
             );
             chart.series = series;
             chart
         })
         .collect();
-    side_by_side("Complexity", &charts, 2)
+    side_by_side("Complexity", &charts, 3)
 }
