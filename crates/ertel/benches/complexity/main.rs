@@ -26,6 +26,9 @@ struct Args {
     /// The largest meshes, too: minutes each, up to 8 GiB
     #[arg(long)]
     largest: bool,
+    /// Keep the points that the output folder has; measure only what is missing
+    #[arg(long)]
+    keep: bool,
     /// Only the first so many meshes of each kind
     #[arg(long)]
     meshes: Option<usize>,
@@ -81,7 +84,7 @@ impl Sweep {
     fn factors(self) -> (&'static [f64], &'static [f64]) {
         match self {
             Sweep::Line => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625], &[0.03125]),
-            Sweep::Circular => (&[2.8, 2.0, 1.4, 1.0, 0.7], &[0.5, 0.4, 0.3]),
+            Sweep::Circular => (&[2.8, 2.0, 1.4, 1.0, 0.7], &[0.5, 0.42]),
             Sweep::LineMonolithic => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125], &[0.0625]),
             Sweep::CircularMonolithic => (&[4.0, 2.8, 2.0], &[1.6, 1.2]),
         }
@@ -126,13 +129,22 @@ fn main() {
         println!("{}", serde_json::to_string(&point).expect("plain data"));
         return;
     }
-    let mut points = Vec::new();
+    let folder = root.join(&args.output);
+    let file = folder.join("complexity.json");
+    let mut points = if args.keep { read(&file) } else { Vec::new() };
     println!("{}", report::HEAD);
+    points.iter().for_each(|p| println!("{}", report::line(p)));
     for sweep in Sweep::ALL {
         let (usual, largest) = sweep.factors();
         let more = if args.largest { largest } else { &[] };
         let factors = usual.iter().chain(more);
         for factor in factors.take(args.meshes.unwrap_or(usize::MAX)) {
+            if points
+                .iter()
+                .any(|p| p.sweep == sweep && p.factor == *factor)
+            {
+                continue;
+            }
             match in_process_of_its_own(sweep, *factor) {
                 Ok(point) => {
                     println!("{}", report::line(&point));
@@ -142,16 +154,24 @@ fn main() {
             }
         }
     }
+    points.sort_by(|a, b| b.factor.total_cmp(&a.factor));
     let text = report::markdown(&points);
     println!("\n{text}");
-    let folder = root.join(&args.output);
+    let data = serde_json::to_string_pretty(&points).expect("plain data");
     let written = std::fs::create_dir_all(&folder)
+        .and_then(|()| std::fs::write(file, data))
         .and_then(|()| std::fs::write(folder.join("complexity.md"), text))
         .and_then(|()| std::fs::write(folder.join("complexity.svg"), report::svg(&points)));
     match written {
-        Ok(()) => println!("complexity.md and complexity.svg in {}", folder.display()),
+        Ok(()) => println!("complexity.json, .md and .svg in {}", folder.display()),
         Err(error) => println!("cannot write into {}: {error}", folder.display()),
     }
+}
+
+/// Points of an earlier run; none if there are none.
+fn read(file: &Path) -> Vec<Point> {
+    let text = std::fs::read_to_string(file).unwrap_or_default();
+    serde_json::from_str(&text).unwrap_or_default()
 }
 
 fn in_process_of_its_own(sweep: Sweep, factor: f64) -> Result<Point, String> {

@@ -62,7 +62,10 @@ pub fn markdown(points: &[Point]) -> String {
          |---|---|---|---|---|---|---|---|---|---|\n",
     );
     let shown = |v: Option<f64>| v.map_or(String::new(), |v| format!("{v:.3}"));
-    for p in points {
+    let by_sweep = Sweep::ALL
+        .into_iter()
+        .flat_map(|sweep| points.iter().filter(move |p| p.sweep == sweep));
+    for p in by_sweep {
         // Writing into a String cannot fail
         let _ = writeln!(
             text,
