@@ -330,6 +330,8 @@ fn stages(
         refinements: 0,
         pressure_order: order.min(2),
         constants: start,
+        thickening: 1.0,
+        cold: true,
         role: Role::Start,
     }];
     if mesh.target_error.is_some() {
@@ -338,6 +340,8 @@ fn stages(
             refinements: 0,
             pressure_order: order,
             constants,
+            thickening: 1.0,
+            cold: false,
             role: Role::Final,
         });
         return stages;
@@ -348,6 +352,8 @@ fn stages(
             refinements: 0,
             pressure_order: order,
             constants,
+            thickening: 1.0,
+            cold: false,
             role: Role::Estimate,
         });
     }
@@ -356,6 +362,8 @@ fn stages(
         refinements: 0,
         pressure_order: order,
         constants,
+        thickening: 1.0,
+        cold: false,
         role: Role::Final,
     });
     stages

@@ -33,6 +33,8 @@ pub struct FilmFluid {
     density_scale: f64,
     /// ln(μ_R / Pa·s).
     ln_viscosity_scale: f64,
+    /// Share of ln μ̄ in force.
+    thickening: f64,
 }
 
 impl FilmFluid {
@@ -50,6 +52,16 @@ impl FilmFluid {
             pressure_scale: scales.pressure,
             density_scale: scales.density,
             ln_viscosity_scale: scales.viscosity.ln(),
+            thickening: 1.0,
+        }
+    }
+
+    /// The same fluid with only a share of its thickening under pressure, ln μ̄ times `share`: an easier
+    /// one, on the way to the fluid itself.
+    pub fn with_thickening(&self, share: f64) -> FilmFluid {
+        FilmFluid {
+            thickening: share,
+            ..self.clone()
         }
     }
 
@@ -58,7 +70,8 @@ impl FilmFluid {
         let scale = self.pressure_scale;
         let p = Dual2_64::from_re(pressure.max(0.0) * scale).derivative();
         let t = Dual2_64::from_re(self.temperature);
-        let ln_mu = saturate(self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale);
+        let ln_mu = self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale;
+        let ln_mu = saturate(ln_mu * self.thickening);
         let mut rho = self.density.density(p, t) / self.density_scale;
         let mut mu = ln_mu.exp();
         if pressure < 0.0 {

@@ -28,6 +28,10 @@ pub struct Stage {
     pub pressure_order: usize,
     /// Constants of the Reynolds equation, penalty at full strength.
     pub constants: FilmConstants,
+    /// Share of the fluid's thickening under pressure.
+    pub thickening: f64,
+    /// Whether it starts from the Hertz pressure, whatever was reached before.
+    pub cold: bool,
     /// What it is for.
     pub role: Role,
 }
@@ -110,6 +114,9 @@ const START_TOLERANCE: f64 = 1e-2;
 /// Newton iterations that a start may take for each share of the ramp.
 const START_ITERATIONS: usize = 30;
 
+/// Iterations without a smaller update that a start may take.
+const START_PATIENCE: usize = 12;
+
 /// Solves stage by stage; returns the last and the effort on each.
 ///
 /// # Errors
@@ -154,8 +161,8 @@ pub fn solve_stages(
         let n_displacement = contact.n_displacement;
         observer.level(level, level + 1 + queue.len(), d.n_pressure, n_displacement);
         let mut state = match &previous {
-            None => cold_start(problem, &d),
-            Some(coarse) => interpolate(coarse, &d),
+            Some(coarse) if !stage.cold => interpolate(coarse, &d),
+            _ => cold_start(problem, &d),
         };
         let mut effort = NewtonStats::default();
         if fresh {
@@ -242,6 +249,7 @@ pub fn solve_stages(
                         Stage {
                             sizes: stage.sizes,
                             refinements: stage.refinements,
+                            cold: false,
                             ..problem.stages[0]
                         },
                         stage,
@@ -249,6 +257,12 @@ pub fn solve_stages(
                 } else {
                     break;
                 }
+            }
+            // The first start: no time is lost on what follows from a bad one.
+            Err(e) if stage.role == Role::Start && level == 0 => {
+                first_failure = Some(e);
+                queue = rescues.next().into_iter().flatten().collect();
+                previous = Some(solution);
             }
             Err(e) => match stage.role {
                 Role::Start if solution.is_usable() => previous = Some(solution),
@@ -267,8 +281,12 @@ pub fn solve_stages(
     Ok((previous.expect("the final stage converged"), stats))
 }
 
-/// What is tried, in turn, when the final stage does not converge: the start once more, on the fine
-/// mesh, which may carry what the coarse one could not; then pressures of lower order, which overshoot
+/// Shares of the fluid's thickening through which a contact is led that does not start otherwise.
+const THICKENING: [f64; 5] = [0.4, 0.6, 0.75, 0.88, 1.0];
+
+/// What is tried, in turn, when the start or the final stage does not converge: a start with a fluid that
+/// thickens less, made thicker step by step; then the start on the fine mesh, which may carry what the
+/// coarse one could not; then pressures of lower order, which overshoot
 /// less at a spike that the mesh does not resolve.
 fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
     let (Some(start), Some(last)) = (problem.stages.first(), problem.stages.last()) else {
@@ -279,7 +297,17 @@ fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
         Some(_) => last.sizes.scaled(0.5),
         None => last.sizes,
     };
-    let mut rescues = vec![vec![
+    let mut continuation: Vec<Stage> = THICKENING
+        .iter()
+        .enumerate()
+        .map(|(i, thickening)| Stage {
+            thickening: *thickening,
+            cold: i == 0,
+            ..*start
+        })
+        .collect();
+    continuation.extend(&problem.stages[1..]);
+    let restart = vec![
         Stage {
             sizes: finer,
             ..*start
@@ -288,7 +316,8 @@ fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
             sizes: finer,
             ..*last
         },
-    ]];
+    ];
+    let mut rescues = vec![continuation, restart];
     rescues.extend((1..last.pressure_order).rev().map(|pressure_order| {
         let lower = |stage: &Stage| Stage {
             pressure_order,
@@ -314,7 +343,7 @@ fn run_stage(
     let mut outcome = Ok(());
     for share in if start { &PENALTY_RAMP[..] } else { &[1.0] } {
         let model = FilmModel {
-            fluid: problem.fluid.clone(),
+            fluid: problem.fluid.with_thickening(stage.thickening),
             constants: FilmConstants {
                 penalty: stage.constants.penalty * share,
                 ..stage.constants
@@ -325,7 +354,7 @@ fn run_stage(
             params.update_tolerance = START_TOLERANCE;
             params.residual_tolerance = f64::INFINITY;
             params.max_iterations = START_ITERATIONS;
-            params.patience = START_ITERATIONS;
+            params.patience = START_PATIENCE;
         }
         let label = RunLabel {
             level,
