@@ -39,6 +39,8 @@ pub struct MeshParams {
     /// Relative error of central and minimum film to reach by local refinement; `None`: the mesh is as the
     /// sizes below say.
     pub target_error: Option<f64>,
+    /// Displacement unknowns that local refinement may go to, about.
+    pub max_unknowns: usize,
     /// Cell size in the Hertz zone.
     pub hertz_size: f64,
     /// Cell size at the outlet constriction and the side lobes.
@@ -87,6 +89,7 @@ impl MeshParams {
         MeshParams {
             preset,
             target_error: None,
+            max_unknowns: DEFAULT_MAX_UNKNOWNS,
             hertz_size,
             constriction_size,
             rim_size: None,
@@ -103,6 +106,10 @@ impl MeshParams {
         }
     }
 }
+
+/// Displacement unknowns that refinement may go to unless the user allows more: some seconds of
+/// factorisation.
+pub const DEFAULT_MAX_UNKNOWNS: usize = 80_000;
 
 /// Target of a user who asks for nothing.
 pub const DEFAULT_TARGET_ERROR: f64 = 0.002;

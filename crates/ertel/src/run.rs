@@ -82,7 +82,8 @@ pub fn problem(case: &Case) -> Problem {
         linear: case.solver.linear,
         cache: None,
         error_estimate: case.solver.error_estimate,
-        adapt: case.mesh.target_error.map(AdaptParams::to),
+        adapt: (case.mesh.target_error)
+            .map(|target| AdaptParams::new(target, case.mesh.max_unknowns)),
     }
 }
 

@@ -82,6 +82,11 @@ pub(crate) fn read_mesh(
         (Some(_), None) => MeshParams::preset(preset.unwrap_or_default(), kind),
         (None, None) => default_mesh(kind, error_estimate),
     };
+    let unknowns = table.optional_integer("max_unknowns", 5_000..=2_000_000)?;
+    set(
+        &mut mesh.max_unknowns,
+        unknowns.and_then(|n| usize::try_from(n).ok()),
+    );
     // Sizes in Hertz half-widths; below these, no memory is large enough.
     let size = match kind {
         ContactKind::Circular => Bounds::closed(0.01, 2.0),

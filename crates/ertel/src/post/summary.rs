@@ -88,7 +88,7 @@ pub fn warnings(
                 if levels.last().is_some_and(|l| !l.converged) {
                     "a mesh on which Newton's method does not converge"
                 } else {
-                    "the largest mesh allowed"
+                    "the largest mesh allowed ([mesh] max_unknowns)"
                 }
             )),
             None if relative > 0.05 => warnings.push(format!(

@@ -10,21 +10,22 @@ use crate::solution::LevelStats;
 pub struct AdaptParams {
     /// Largest relative error bar of central and minimum film.
     pub target: f64,
-    /// Displacement unknowns beyond which no mesh is refined further.
+    /// Displacement unknowns that a refined mesh may have, about.
     pub max_displacement_dofs: usize,
-    /// Contact unknowns beyond which no mesh is refined further.
+    /// Deflection unknowns that it may have on the contact area, about.
     pub max_contact_dofs: usize,
     /// Refinements allowed.
     pub max_refinements: usize,
 }
 
 impl AdaptParams {
-    /// Limits that fit into about 4 GiB of memory.
-    pub fn to(target: f64) -> AdaptParams {
+    /// Refinement to a relative error within a number of displacement unknowns. The dense compliance of
+    /// the contact area weighs as much as the body when the area has a twentieth of them.
+    pub fn new(target: f64, max_displacement_dofs: usize) -> AdaptParams {
         AdaptParams {
             target,
-            max_displacement_dofs: 200_000,
-            max_contact_dofs: 10_000,
+            max_displacement_dofs,
+            max_contact_dofs: max_displacement_dofs / 20,
             max_refinements: 8,
         }
     }
@@ -123,9 +124,12 @@ const LEFT_BY_HALVING: f64 = 0.125;
 /// Halvings of one element in one refinement.
 const MOST_HALVINGS: u32 = 2;
 
-/// Halvings of each element that are expected to bring both estimates down to `goal` times their
-/// present values: the largest shares first.
-pub fn halvings(indicator: &Indicator, goal: [f64; 2]) -> Vec<u32> {
+/// Halvings of each element of a `dim`-dimensional contact area that are expected to bring both estimates
+/// down to `goal` times their present values, the largest shares first, until there are about
+/// `max_growth` times as many elements.
+pub fn halvings(indicator: &Indicator, goal: [f64; 2], dim: usize, max_growth: f64) -> Vec<u32> {
+    let children = (1u64 << dim) as f64;
+    let mut room = (max_growth - 1.0) / CLOSURE * indicator.central.len() as f64;
     let mut totals = indicator.totals();
     let goals = [0, 1].map(|j: usize| goal[j] * totals[j]);
     let mut halvings = vec![0; indicator.central.len()];
@@ -144,7 +148,7 @@ pub fn halvings(indicator: &Indicator, goal: [f64; 2]) -> Vec<u32> {
             element: c,
         })
         .collect();
-    while (0..2).any(|j| totals[j] > goals[j]) {
+    while room > 0.0 && (0..2).any(|j| totals[j] > goals[j]) {
         let Some(Candidate { element, .. }) = heap.pop() else {
             break;
         };
@@ -160,6 +164,7 @@ pub fn halvings(indicator: &Indicator, goal: [f64; 2]) -> Vec<u32> {
             totals[j] -= before[j] - after[j];
         }
         halvings[element] = n + 1;
+        room -= (children - 1.0) * children.powi(n as i32);
         if n + 1 < MOST_HALVINGS {
             heap.push(Candidate {
                 weight: weigh(element, n + 1),
@@ -169,6 +174,12 @@ pub fn halvings(indicator: &Indicator, goal: [f64; 2]) -> Vec<u32> {
     }
     halvings
 }
+
+/// Elements that a refinement adds, over those asked for: conformity asks for more.
+const CLOSURE: f64 = 1.5;
+
+/// Growth of a mesh below which refining it is not worth a factorisation.
+const LEAST_GROWTH: f64 = 1.2;
 
 /// An element by the weight of its share.
 struct Candidate {
@@ -202,6 +213,7 @@ impl Eq for Candidate {}
 /// Halvings of the next refinement, or `None` when the target is reached or a limit is.
 pub fn next_refinement(
     params: &AdaptParams,
+    dim: usize,
     levels: &[LevelStats],
     grading: [f64; 2],
     n_refinements: usize,
@@ -209,9 +221,9 @@ pub fn next_refinement(
 ) -> Option<Vec<u32>> {
     let ErrorBars { bars, estimated } = error_bars(levels, grading)?;
     let level = levels.last()?;
-    let room = level.n_displacement_dofs < params.max_displacement_dofs
-        && level.n_contact_dofs < params.max_contact_dofs
-        && n_refinements < params.max_refinements;
+    let growth = (params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64)
+        .min(params.max_contact_dofs as f64 / level.n_contact_dofs as f64);
+    let room = growth > LEAST_GROWTH && n_refinements < params.max_refinements;
     if bars.iter().all(|b| *b <= params.target) || !room {
         return None;
     }
@@ -222,7 +234,7 @@ pub fn next_refinement(
             1.0
         }
     });
-    Some(halvings(indicator, goal))
+    Some(halvings(indicator, goal, dim, growth))
 }
 
 /// Share of the target that the estimate aims at: refinement may fall short.

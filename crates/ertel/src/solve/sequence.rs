@@ -224,6 +224,7 @@ pub fn solve_stages(
                     (&problem.adapt, &indicator, stage.role)
                     && let Some(next) = next_refinement(
                         adapt,
+                        problem.kind.body_dimension() - 1,
                         &stats,
                         grading_errors(problem.kind, &stage.sizes),
                         stage.refinements,
