@@ -5,10 +5,9 @@
 //! dealt to a fixed number of tasks whose sums are added in a fixed order: the result does not
 //! depend on the number of threads.
 
-use faer::linalg::matmul::matmul;
-use faer::traits::RealField;
-use faer::{Accum, ColMut, ColRef, MatRef, Par};
 use rayon::prelude::*;
+
+use crate::linear::dense::{Real, add_both, add_product, vectorised};
 
 /// A symmetric matrix in double and in single precision.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,48 +81,41 @@ impl Compliance {
 
     /// y = C x.
     pub fn apply(&self, x: &[f64], y: &mut [f64]) {
-        product(&self.double, x, y);
+        product::<f64, 8>(&self.double, x, y);
     }
 
     /// y = C x in single precision, in half of the time.
     pub fn apply_single(&self, x: &[f32], y: &mut [f32]) {
-        product(&self.single, x, y);
+        product::<f32, 16>(&self.single, x, y);
     }
 }
 
-fn product<T: RealField + Copy + std::ops::AddAssign>(tiles: &[T], x: &[T], y: &mut [T]) {
+/// y = C x; `L` numbers of a row are treated side by side.
+fn product<T: Real, const L: usize>(tiles: &[T], x: &[T], y: &mut [T]) {
     let n = x.len();
     let n_tiles = n.div_ceil(TILE);
-    let zero = T::zero_impl();
+    let zero = T::default();
     let mut padded = vec![zero; n_tiles * TILE];
     padded[..n].copy_from_slice(x);
-    let part = |b: usize| ColRef::from_slice(&padded[b * TILE..(b + 1) * TILE]);
+    let part = |b: usize| &padded[b * TILE..(b + 1) * TILE];
     let sums: Vec<Vec<T>> = (0..TASKS.min(n_tiles))
         .into_par_iter()
+        .with_max_len(1)
         .map(|task| {
             let mut sum = vec![zero; n_tiles * TILE];
-            for a in (task..n_tiles).step_by(TASKS) {
-                for b in 0..=a {
-                    let tile = &tiles[start(a, b)..start(a, b) + TILE * TILE];
-                    let tile = MatRef::from_column_major_slice(tile, TILE, TILE);
-                    let mut add = |to: usize, matrix: MatRef<T>, from: usize| {
-                        let target = &mut sum[to * TILE..(to + 1) * TILE];
-                        let target = ColMut::from_slice_mut(target);
-                        matmul(
-                            target,
-                            Accum::Add,
-                            matrix,
-                            part(from),
-                            T::one_impl(),
-                            Par::Seq,
-                        );
-                    };
-                    add(a, tile, b);
-                    if b < a {
-                        add(b, tile.transpose(), a);
+            vectorised(|| {
+                for a in (task..n_tiles).step_by(TASKS) {
+                    let (before, own) = sum.split_at_mut(a * TILE);
+                    let own = &mut own[..TILE];
+                    let row = &tiles[start(a, 0)..start(a + 1, 0)];
+                    let (row, diagonal) = row.split_at(a * TILE * TILE);
+                    for (b, tile) in row.chunks_exact(TILE * TILE).enumerate() {
+                        let below = &mut before[b * TILE..(b + 1) * TILE];
+                        add_both::<T, L>(tile, part(b), part(a), own, below);
                     }
+                    add_product(diagonal, part(a), own);
                 }
-            }
+            });
             sum
         })
         .collect();

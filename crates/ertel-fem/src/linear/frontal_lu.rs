@@ -7,13 +7,16 @@
 //! Rows are interchanged inside A only: the order is fixed by the pattern, once for all matrices
 //! that share it. Single precision is what a preconditioner needs.
 
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use faer::linalg::matmul::matmul;
 use faer::prelude::{Reborrow, ReborrowMut};
-use faer::{Accum, ColMut, ColRef, Mat, MatMut, MatRef, Par};
+use faer::{Accum, Mat, MatMut, Par};
+use rayon::prelude::*;
 
-use crate::linear::fronts::{Blocks, Fronts};
+use crate::linear::dense::{multiply, multiply_transposed, vectorised};
+use crate::linear::fronts::{Blocks, Front, Fronts};
 use crate::linear::ordering::OrderingError;
 
 /// The matrix could not be factorised in the order of its pattern.
@@ -32,6 +35,10 @@ pub struct FrontalPattern {
     scatter: Vec<Vec<(u32, u32)>>,
     /// Start of each front's A⁻¹, V, W in the storage; one more at the end.
     starts: Vec<usize>,
+    /// Roots of the subtrees that a solve deals to the cores.
+    parts: Vec<usize>,
+    /// Ranges of the fronts above these.
+    above: Vec<RangeInclusive<usize>>,
 }
 
 impl FrontalPattern {
@@ -59,10 +66,13 @@ impl FrontalPattern {
             let (n, m) = (f.n_own, f.boundary.len());
             starts.push(starts[starts.len() - 1] + n * (n + 2 * m));
         }
+        let (parts, above) = parts(&fronts, &starts);
         Ok(FrontalPattern {
             fronts,
             scatter,
             starts,
+            parts,
+            above,
         })
     }
 
@@ -170,8 +180,24 @@ pub struct FrontalLu {
     pattern: Arc<FrontalPattern>,
     storage: Vec<f32>,
     x: Vec<f32>,
+    /// Scratch of each part, and of the fronts above them.
+    scratch: Vec<Scratch>,
+}
+
+/// What a sweep through a range of fronts needs.
+#[derive(Clone, Debug, Default)]
+struct Scratch {
     outer: Vec<f32>,
     own: Vec<f32>,
+    /// Values beyond the range.
+    beyond: Vec<f32>,
+}
+
+/// Which way a solve goes: with the matrix or its transpose.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Matrix,
+    Transposed,
 }
 
 impl FrontalLu {
@@ -188,92 +214,233 @@ impl FrontalLu {
             .fronts
             .eliminate(&pattern.starts, &mut storage, &front)?;
         let fronts = &pattern.fronts.fronts;
-        let largest = |f: fn(&crate::linear::fronts::Front) -> usize| {
-            vec![0.0; fronts.iter().map(f).max().unwrap_or(0)]
+        let largest = |f: fn(&Front) -> usize| vec![0.0; fronts.iter().map(f).max().unwrap_or(0)];
+        let scratch = |n_beyond: usize| Scratch {
+            outer: largest(|f| f.boundary.len()),
+            own: largest(|f| f.n_own),
+            beyond: vec![0.0; n_beyond],
         };
+        let below = pattern.parts.iter().map(|root| {
+            let f = &fronts[*root];
+            scratch(pattern.n() - f.first - f.n_own)
+        });
         Ok(FrontalLu {
             pattern: Arc::clone(pattern),
             storage,
             x: vec![0.0; pattern.n()],
-            outer: largest(|f| f.boundary.len()),
-            own: largest(|f| f.n_own),
+            scratch: below.chain([scratch(0)]).collect(),
         })
     }
 
     /// Solves in place, approximately.
     pub fn solve(&mut self, rhs: &mut [f64]) {
-        self.sweep(rhs, |[inverse, v, w]| [inverse, v, w]);
+        self.sweep(rhs, Side::Matrix);
     }
 
     /// Solves with the transposed matrix in place, approximately.
     pub fn solve_transposed(&mut self, rhs: &mut [f64]) {
-        self.sweep(rhs, |[inverse, v, w]| {
-            [inverse.transpose(), w.transpose(), v.transpose()]
-        });
+        self.sweep(rhs, Side::Transposed);
     }
 
-    /// Down the fronts by the second part and the inverse, up again by the third.
-    fn sweep(&mut self, rhs: &mut [f64], parts: impl Fn([Part; 3]) -> [Part; 3]) {
-        let fronts = &self.pattern.fronts;
-        for (x, unknown) in self.x.iter_mut().zip(&fronts.order) {
+    /// Down the fronts and up again; the parts on all cores.
+    fn sweep(&mut self, rhs: &mut [f64], side: Side) {
+        let FrontalLu {
+            pattern,
+            storage,
+            x,
+            scratch,
+        } = self;
+        let (pattern, storage) = (&**pattern, &storage[..]);
+        let fronts = &pattern.fronts;
+        let all = &fronts.fronts;
+        for (x, unknown) in x.iter_mut().zip(&fronts.order) {
             *x = rhs[*unknown as usize] as f32;
         }
-        for (k, f) in fronts.fronts.iter().enumerate() {
-            let (n, m) = (f.n_own, f.boundary.len());
-            let [inverse, v, _] = parts(split(&self.storage[self.pattern.starts[k]..], n, m));
-            let own = &mut self.own[..n];
-            own.copy_from_slice(&self.x[f.first..f.first + n]);
-            let outer = &mut self.outer[..m];
-            product(outer, v, own);
-            for (s, value) in f.boundary.iter().zip(&*outer) {
-                self.x[*s as usize] -= value;
-            }
-            product(&mut self.x[f.first..f.first + n], inverse, own);
-        }
-        for (k, f) in fronts.fronts.iter().enumerate().rev() {
-            let (n, m) = (f.n_own, f.boundary.len());
-            let [_, _, w] = parts(split(&self.storage[self.pattern.starts[k]..], n, m));
-            let outer = &mut self.outer[..m];
-            for (s, value) in f.boundary.iter().zip(outer.iter_mut()) {
-                *value = self.x[*s as usize];
-            }
-            let own = &mut self.own[..n];
-            product(own, w, outer);
-            for (x, value) in self.x[f.first..f.first + n].iter_mut().zip(&*own) {
-                *x -= value;
+        let (parts, above) = scratch.split_at_mut(pattern.parts.len());
+        let above = &mut above[0];
+        let roots = || pattern.parts.iter().map(|k| (*k, &all[*k]));
+        let end = |f: &Front| f.first + f.n_own;
+        for (scratch, (_, root)) in parts.iter_mut().zip(roots()) {
+            for s in &root.boundary {
+                scratch.beyond[*s as usize - end(root)] = 0.0;
             }
         }
-        for (x, unknown) in self.x.iter().zip(&fronts.order) {
+        pattern.on_parts(x, parts, |root, x, scratch| {
+            let first = all[root].subtree;
+            let base = all[first].first;
+            vectorised(|| pattern.down(first..=root, base, storage, x, scratch, side));
+        });
+        for (scratch, (_, root)) in parts.iter().zip(roots()) {
+            for s in &root.boundary {
+                x[*s as usize] += scratch.beyond[*s as usize - end(root)];
+            }
+        }
+        for range in &pattern.above {
+            vectorised(|| pattern.down(range.clone(), 0, storage, x, above, side));
+        }
+        for range in pattern.above.iter().rev() {
+            vectorised(|| pattern.up(range.clone(), 0, storage, x, above, side));
+        }
+        for (scratch, (_, root)) in parts.iter_mut().zip(roots()) {
+            for s in &root.boundary {
+                scratch.beyond[*s as usize - end(root)] = x[*s as usize];
+            }
+        }
+        pattern.on_parts(x, parts, |root, x, scratch| {
+            let first = all[root].subtree;
+            let base = all[first].first;
+            vectorised(|| pattern.up(first..=root, base, storage, x, scratch, side));
+        });
+        for (x, unknown) in x.iter().zip(&fronts.order) {
             rhs[*unknown as usize] = *x as f64;
         }
     }
 }
 
-type Part<'a> = MatRef<'a, f32>;
+impl FrontalPattern {
+    /// Calls `f(root, its positions of x, scratch)` for each part, on several threads.
+    fn on_parts(
+        &self,
+        x: &mut [f32],
+        scratch: &mut [Scratch],
+        f: impl Fn(usize, &mut [f32], &mut Scratch) + Sync,
+    ) {
+        let mut rest = x;
+        let mut from = 0;
+        let mut tasks = Vec::with_capacity(scratch.len());
+        for (root, scratch) in self.parts.iter().zip(scratch) {
+            let front = &self.fronts.fronts[*root];
+            let first = self.fronts.fronts[front.subtree].first;
+            let end = front.first + front.n_own;
+            let (own, beyond) = std::mem::take(&mut rest)[first - from..].split_at_mut(end - first);
+            tasks.push((*root, own, scratch));
+            rest = beyond;
+            from = end;
+        }
+        tasks
+            .into_par_iter()
+            .with_max_len(1)
+            .for_each(|(root, own, scratch)| f(root, own, scratch));
+    }
 
-/// A⁻¹, V and W of a front.
-fn split(storage: &[f32], n: usize, m: usize) -> [Part<'_>; 3] {
+    /// Eliminates: x_own ← A⁻¹ x_own, x_boundary −= V x_own. The positions of `x` begin at `base`.
+    #[inline(always)]
+    fn down(
+        &self,
+        fronts: RangeInclusive<usize>,
+        base: usize,
+        storage: &[f32],
+        x: &mut [f32],
+        scratch: &mut Scratch,
+        side: Side,
+    ) {
+        let end = base + x.len();
+        for k in fronts {
+            let f = &self.fronts.fronts[k];
+            let (n, m) = (f.n_own, f.boundary.len());
+            let [inverse, v, w] = split(&storage[self.starts[k]..], n, m);
+            let own = &mut scratch.own[..n];
+            let outer = &mut scratch.outer[..m];
+            let target = &mut x[f.first - base..f.first - base + n];
+            own.copy_from_slice(target);
+            match side {
+                Side::Matrix => {
+                    multiply(v, own, outer);
+                    multiply(inverse, own, target);
+                }
+                Side::Transposed => {
+                    multiply_transposed::<f32, 16>(w, own, outer);
+                    multiply_transposed::<f32, 16>(inverse, own, target);
+                }
+            }
+            for (s, value) in f.boundary.iter().zip(&*outer) {
+                match *s as usize {
+                    s if s < end => x[s - base] -= value,
+                    s => scratch.beyond[s - end] -= value,
+                }
+            }
+        }
+    }
+
+    /// Substitutes back: x_own −= W x_boundary.
+    #[inline(always)]
+    fn up(
+        &self,
+        fronts: RangeInclusive<usize>,
+        base: usize,
+        storage: &[f32],
+        x: &mut [f32],
+        scratch: &mut Scratch,
+        side: Side,
+    ) {
+        let end = base + x.len();
+        for k in fronts.rev() {
+            let f = &self.fronts.fronts[k];
+            let (n, m) = (f.n_own, f.boundary.len());
+            let [_, v, w] = split(&storage[self.starts[k]..], n, m);
+            let own = &mut scratch.own[..n];
+            let outer = &mut scratch.outer[..m];
+            for (s, value) in f.boundary.iter().zip(outer.iter_mut()) {
+                *value = match *s as usize {
+                    s if s < end => x[s - base],
+                    s => scratch.beyond[s - end],
+                };
+            }
+            match side {
+                Side::Matrix => multiply(w, outer, own),
+                Side::Transposed => multiply_transposed::<f32, 16>(v, outer, own),
+            }
+            for (x, value) in x[f.first - base..].iter_mut().zip(&*own) {
+                *x -= value;
+            }
+        }
+    }
+}
+
+/// A⁻¹ (n × n), V (m × n) and W (n × m) of a front.
+#[inline(always)]
+fn split(storage: &[f32], n: usize, m: usize) -> [&[f32]; 3] {
     [
-        MatRef::from_column_major_slice(&storage[..n * n], n, n),
-        MatRef::from_column_major_slice(&storage[n * n..n * (n + m)], m, n),
-        MatRef::from_column_major_slice(&storage[n * (n + m)..n * (n + 2 * m)], n, m),
+        &storage[..n * n],
+        &storage[n * n..n * (n + m)],
+        &storage[n * (n + m)..n * (n + 2 * m)],
     ]
 }
 
-/// y = A x.
-fn product(y: &mut [f32], a: Part, x: &[f32]) {
-    if x.is_empty() {
-        y.fill(0.0);
-        return;
+/// Numbers of a factor below which a solve stays on one thread.
+const SMALL: usize = 300_000;
+
+/// Parts of a larger one, at most.
+const PARTS: usize = 8;
+
+/// Roots of disjoint subtrees of about the same cost, ascending, and the ranges of the fronts above them.
+fn parts(fronts: &Fronts, starts: &[usize]) -> (Vec<usize>, Vec<RangeInclusive<usize>>) {
+    let cost = |k: &usize| starts[k + 1] - starts[fronts.fronts[*k].subtree];
+    let total = starts[starts.len() - 1];
+    let mut parts: Vec<usize> = Vec::new();
+    if total > SMALL {
+        let mut open = fronts.roots.clone();
+        while let Some(k) = open.pop() {
+            if cost(&k) * PARTS <= total {
+                if cost(&k) * 8 * PARTS > total {
+                    parts.push(k);
+                }
+            } else {
+                open.extend_from_slice(&fronts.fronts[k].children);
+            }
+        }
     }
-    matmul(
-        ColMut::from_slice_mut(y),
-        Accum::Replace,
-        a,
-        ColRef::from_slice(x),
-        1.0,
-        Par::Seq,
-    );
+    parts.sort_unstable();
+    let mut above = Vec::new();
+    let mut from = 0;
+    for k in parts.iter().copied().chain([fronts.fronts.len()]) {
+        let first = fronts.fronts.get(k).map_or(k, |f| f.subtree);
+        if first > from {
+            above.push(from..=first - 1);
+        }
+        from = k + 1;
+    }
+    (parts, above)
 }
 
 #[cfg(test)]

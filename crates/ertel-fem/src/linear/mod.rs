@@ -2,6 +2,7 @@
 
 pub mod compliance;
 pub mod condensed;
+pub mod dense;
 pub mod frontal_lu;
 pub mod fronts;
 pub mod gmres;

@@ -12,6 +12,7 @@
 
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::gmres::{GmresParams, gmres};
+use rayon::prelude::*;
 
 use super::SolveError;
 use super::discretisation::Discretisation;
@@ -28,7 +29,7 @@ pub struct Adjoint {
 }
 
 /// Relative residual at which an adjoint is good enough to weigh errors.
-const TOLERANCE: f64 = 1e-4;
+const TOLERANCE: f64 = 1e-3;
 
 /// Adjoints of the film thickness at several points of the contact area.
 ///
@@ -37,16 +38,16 @@ const TOLERANCE: f64 = 1e-4;
 pub fn adjoints(
     d: &Discretisation,
     system: &System,
+    near: &NearStiffness,
     points: &[[f64; 2]],
 ) -> Result<Vec<Adjoint>, SolveError> {
     let n = d.n_pressure;
-    let near = NearStiffness::new(d);
-    let mut sparse = Preconditioner::new(d, &near, system)?;
+    let mut preconditioner = Preconditioner::new(d, near, system)?;
     let mut response = d.load.clone();
-    sparse.solve_transposed(&mut response);
+    preconditioner.solve_transposed(&mut response);
     let schur = dot(&system.by_separation, &response);
-    let mut adjoints = Vec::with_capacity(points.len());
-    for point in points {
+    let adjoint = |point: &[f64; 2]| -> Result<Adjoint, SolveError> {
+        let mut sparse = preconditioner.clone();
         let mut at = vec![0.0; d.contact.deflection.n_nodes()];
         if let Some((cell, xi)) = d.contact.locator.find(&d.contact.surface, *point) {
             let basis = d.contact.deflection.element.evaluate(xi);
@@ -56,9 +57,10 @@ pub fn adjoints(
         }
         let mut rhs = pressure_loads(d, &d.contact.elastic.deflect(&at));
         rhs.push(1.0);
+        let mut single = SingleDeflection::new(at.len());
         let apply = |x: &[f64], y: &mut [f64]| {
             let (by_pressure, by_deflection) = multiply_transposed(d, system, &x[..n]);
-            let through = pressure_loads(d, &d.contact.elastic.deflect(&by_deflection));
+            let through = pressure_loads(d, &single.deflect(d, &by_deflection));
             for i in 0..n {
                 y[i] = by_pressure[i] + through[i] + d.load[i] * x[n];
             }
@@ -85,12 +87,38 @@ pub fn adjoints(
         for (w, b) in at.iter_mut().zip(&by_deflection) {
             *w -= b;
         }
-        adjoints.push(Adjoint {
+        Ok(Adjoint {
             film,
             deflection: d.contact.elastic.deflect(&at),
-        });
+        })
+    };
+    points.par_iter().with_max_len(1).map(adjoint).collect()
+}
+
+/// Deflections in single precision: enough to weigh errors.
+struct SingleDeflection {
+    loads: Vec<f32>,
+    deflection: Vec<f32>,
+    part: Vec<f32>,
+}
+
+impl SingleDeflection {
+    fn new(n: usize) -> SingleDeflection {
+        SingleDeflection {
+            loads: vec![0.0; n],
+            deflection: vec![0.0; n],
+            part: vec![0.0; n],
+        }
     }
-    Ok(adjoints)
+
+    fn deflect(&mut self, d: &Discretisation, loads: &[f64]) -> Vec<f64> {
+        for (single, load) in self.loads.iter_mut().zip(loads) {
+            *single = *load as f32;
+        }
+        let elastic = &d.contact.elastic;
+        elastic.deflect_single(&self.loads, &mut self.deflection, &mut self.part);
+        self.deflection.iter().map(|v| f64::from(*v)).collect()
+    }
 }
 
 /// R_Pᵀ z and R_δᵀ z.

@@ -24,6 +24,7 @@ use super::adjoint::adjoints;
 use super::discretisation::Discretisation;
 use super::evaluate::{central_film, fields_in, minimum_film};
 use super::newton::FilmModel;
+use super::preconditioner::NearStiffness;
 use super::system::{State, System};
 
 /// Estimated shares of the error in each element, relative to the film.
@@ -45,7 +46,7 @@ impl Indicator {
 const ELASTIC: f64 = 8.0;
 const REYNOLDS: f64 = 2.0;
 
-/// Estimates the errors of a converged state.
+/// Estimates the errors of a converged state; `near` is what its level has for preconditioners, if anything.
 ///
 /// # Errors
 /// When the adjoints cannot be solved for.
@@ -53,11 +54,20 @@ pub fn indicator(
     d: &Discretisation,
     model: &FilmModel,
     state: &State,
+    near: Option<&NearStiffness>,
 ) -> Result<Indicator, SolveError> {
+    let own;
+    let near = match near {
+        Some(near) => near,
+        None => {
+            own = NearStiffness::new(d);
+            &own
+        }
+    };
     let system = System::assemble(d, &model.fluid, &model.constants, state, None);
     let (h_m, at) = minimum_film(d, state);
     let films = [central_film(d, state), h_m];
-    let adjoint = adjoints(d, &system, &[[0.0; 2], at])?;
+    let adjoint = adjoints(d, &system, near, &[[0.0; 2], at])?;
     let surface = &d.contact.surface;
     let neighbours = Neighbours::new(surface);
     let film = neighbours.misfit(

@@ -163,6 +163,7 @@ impl Groups {
 }
 
 /// Factorised approximation of the coupled system without the load equation.
+#[derive(Clone)]
 pub struct Preconditioner {
     lu: FrontalLu,
     n_pressure: usize,

@@ -111,6 +111,10 @@ const PENALTY_RAMP: [f64; 3] = [1e-4, 1e-2, 1.0];
 /// Update, in p_h, at which a start is good enough.
 const START_TOLERANCE: f64 = 1e-2;
 
+/// Update, in p_h, and residual at which a solution is good enough to be measured and refined: error
+/// bars are ten times as large.
+const ROUGH_TOLERANCE: f64 = 1e-4;
+
 /// Newton iterations that a start may take for each share of the ramp.
 const START_ITERATIONS: usize = 30;
 
@@ -168,15 +172,17 @@ pub fn solve_stages(
         if fresh {
             (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
         }
-        let outcome = run_stage(
-            problem,
-            &stage,
-            level,
-            &d,
-            &mut state,
-            &mut effort,
-            observer,
-        );
+        let newton = NewtonLevel::new(&d, problem.load, problem.linear);
+        // What is measured only, or refined further, need not be exact.
+        let rough = stage.role == Role::Estimate
+            || stage.role == Role::Final && problem.adapt.is_some() && stage.refinements == 0;
+        let tolerance = if rough { ROUGH_TOLERANCE } else { 0.0 };
+        let mut run = |tolerance: f64, state: &mut State, effort: &mut NewtonStats| {
+            run_stage(
+                problem, &newton, &stage, level, tolerance, state, effort, observer,
+            )
+        };
+        let mut outcome = run(tolerance, &mut state, &mut effort);
         let estimating = Instant::now();
         let wanted = problem.error_estimate && stage.role != Role::Start && outcome.is_ok();
         let indicator = if wanted {
@@ -184,31 +190,51 @@ pub fn solve_stages(
                 fluid: problem.fluid.clone(),
                 constants: stage.constants,
             };
-            indicator(&d, &model, &state).ok()
+            indicator(&d, &model, &state, newton.near()).ok()
         } else {
             None
         };
         effort.seconds.estimate += estimating.elapsed().as_secs_f64();
-        let mut figures = LevelStats {
-            converged: outcome.is_ok(),
-            n_body_cells: contact.body.mesh.n_cells(),
-            n_contact_elements: contact.n_elements(),
-            n_pressure_dofs: d.n_pressure,
-            n_displacement_dofs: n_displacement,
-            n_contact_dofs: contact.deflection.n_nodes(),
-            operator_cached: contact.from_cache,
-            pressure_order: stage.pressure_order,
-            newton_iterations: effort.iterations,
-            krylov_iterations: effort.krylov_iterations,
-            factorisations: effort.factorisations,
-            film_central: problem.film_scale * central_film(&d, &state),
-            film_minimum: problem.film_scale * minimum_film(&d, &state).0,
-            pressure_maximum: problem.pressure_scale * largest_pressure(&d, &state).0,
-            estimate: indicator.as_ref().map(Indicator::totals),
-            seconds: effort.seconds,
+        let figures = |outcome: &Result<(), SolveError>, state: &State, effort: &NewtonStats| {
+            let mut figures = LevelStats {
+                converged: outcome.is_ok(),
+                n_body_cells: contact.body.mesh.n_cells(),
+                n_contact_elements: contact.n_elements(),
+                n_pressure_dofs: d.n_pressure,
+                n_displacement_dofs: n_displacement,
+                n_contact_dofs: contact.deflection.n_nodes(),
+                operator_cached: contact.from_cache,
+                pressure_order: stage.pressure_order,
+                newton_iterations: effort.iterations,
+                krylov_iterations: effort.krylov_iterations,
+                factorisations: effort.factorisations,
+                film_central: problem.film_scale * central_film(&d, state),
+                film_minimum: problem.film_scale * minimum_film(&d, state).0,
+                pressure_maximum: problem.pressure_scale * largest_pressure(&d, state).0,
+                estimate: indicator.as_ref().map(Indicator::totals),
+                seconds: effort.seconds,
+            };
+            figures.seconds.other = clock.elapsed().as_secs_f64() - figures.seconds.known();
+            figures
         };
-        figures.seconds.other = clock.elapsed().as_secs_f64() - figures.seconds.known();
-        stats.push(figures);
+        stats.push(figures(&outcome, &state, &effort));
+        let next = match (&problem.adapt, &indicator, stage.role, &outcome) {
+            (Some(adapt), Some(indicator), Role::Final, Ok(())) => next_refinement(
+                adapt,
+                problem.kind.body_dimension() - 1,
+                &stats,
+                grading_errors(problem.kind, &stage.sizes),
+                stage.refinements,
+                indicator,
+            ),
+            _ => None,
+        };
+        if rough && stage.role == Role::Final && outcome.is_ok() && next.is_none() {
+            // Measured, and already accurate enough: the solution itself, to the end.
+            outcome = run(0.0, &mut state, &mut effort);
+            stats.pop();
+            stats.push(figures(&outcome, &state, &effort));
+        }
         let solution = StageSolution {
             discretisation: d,
             state,
@@ -220,17 +246,7 @@ pub fn solve_stages(
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
             Ok(()) => {
                 previous = Some(solution);
-                if let (Some(adapt), Some(indicator), Role::Final) =
-                    (&problem.adapt, &indicator, stage.role)
-                    && let Some(next) = next_refinement(
-                        adapt,
-                        problem.kind.body_dimension() - 1,
-                        &stats,
-                        grading_errors(problem.kind, &stage.sizes),
-                        stage.refinements,
-                        indicator,
-                    )
-                {
+                if let Some(next) = next {
                     halvings = next;
                     queue.push_back(Stage {
                         refinements: stage.refinements + 1,
@@ -256,6 +272,19 @@ pub fn solve_stages(
                         stage,
                     ]);
                 } else {
+                    if let Some(p) = previous.as_mut().filter(|p| p.refinements == 0) {
+                        // Only measured so far.
+                        let newton =
+                            NewtonLevel::new(&p.discretisation, problem.load, problem.linear);
+                        let unrefined = Stage {
+                            refinements: 0,
+                            ..stage
+                        };
+                        let (state, mut effort) = (&mut p.state, NewtonStats::default());
+                        run_stage(
+                            problem, &newton, &unrefined, level, 0.0, state, &mut effort, observer,
+                        )?;
+                    }
                     break;
                 }
             }
@@ -330,16 +359,17 @@ fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
 }
 
 /// Newton's method on one stage, through the penalty ramp if it is a start.
+#[allow(clippy::too_many_arguments)]
 fn run_stage(
     problem: &Problem,
+    newton: &NewtonLevel,
     stage: &Stage,
     level: usize,
-    d: &Discretisation,
+    tolerance: f64,
     state: &mut State,
     effort: &mut NewtonStats,
     observer: &mut dyn Observer,
 ) -> Result<(), SolveError> {
-    let newton = NewtonLevel::new(d, problem.load, problem.linear);
     let start = stage.role == Role::Start;
     let mut outcome = Ok(());
     for share in if start { &PENALTY_RAMP[..] } else { &[1.0] } {
@@ -351,6 +381,8 @@ fn run_stage(
             },
         };
         let mut params = problem.newton;
+        params.update_tolerance = params.update_tolerance.max(tolerance);
+        params.residual_tolerance = params.residual_tolerance.max(tolerance);
         if start {
             params.update_tolerance = START_TOLERANCE;
             params.residual_tolerance = f64::INFINITY;
