@@ -98,7 +98,9 @@ fn newton_converges_quadratically() {
         let mut case = small_case(kind);
         case.solver.linear = linear;
         let mut last = LastLevel::default();
-        solve_stages(&one_mesh(&case), &mut last).unwrap();
+        let mut problem = one_mesh(&case);
+        problem.newton.foresight = false; // to the last update
+        solve_stages(&problem, &mut last).unwrap();
         let updates: Vec<f64> = (last.0.iter().map(|r| r.update))
             .filter(|u| *u > 1e-12)
             .collect();
@@ -191,7 +193,7 @@ fn effort_of_a_line_contact() {
     pinned(
         ContactKind::Line,
         3e5,
-        &[[10, 102, 4], [7, 90, 1], [6, 52, 1]],
+        &[[10, 102, 4], [5, 63, 1], [5, 45, 1]],
     );
 }
 
@@ -200,6 +202,6 @@ fn effort_of_a_circular_contact() {
     pinned(
         ContactKind::Circular,
         100.0,
-        &[[14, 205, 4], [11, 229, 4], [9, 123, 4]],
+        &[[11, 166, 4], [9, 176, 4], [8, 119, 4]],
     );
 }

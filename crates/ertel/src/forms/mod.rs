@@ -1,4 +1,5 @@
 //! Weak forms, one per file; the loops over elements live in `solve`.
 
+pub mod dual;
 pub mod elasticity;
 pub mod reynolds;

@@ -5,6 +5,7 @@ pub mod adjoint;
 pub mod cache;
 pub mod discretisation;
 pub mod elastic;
+mod element;
 pub mod evaluate;
 pub mod indicator;
 pub mod monolithic;

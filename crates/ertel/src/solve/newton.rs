@@ -38,6 +38,8 @@ pub struct NewtonParams {
     pub growth_limit: f64,
     /// Share of the step below which it is taken as it is.
     pub smallest_share: f64,
+    /// Whether a run ends where the next update is foreseen to be below the tolerance.
+    pub foresight: bool,
 }
 
 impl Default for NewtonParams {
@@ -51,6 +53,7 @@ impl Default for NewtonParams {
             film_loss_limit: 0.5,
             growth_limit: 1.5,
             smallest_share: 0.01,
+            foresight: true,
         }
     }
 }
@@ -214,7 +217,8 @@ impl<'a> NewtonLevel<'a> {
                 }
                 _ => f64::INFINITY,
             };
-            let done = foreseen < params.update_tolerance
+            let done = params.foresight
+                && foreseen < params.update_tolerance
                 && next_system.relative_residual() < params.residual_tolerance;
             if converged || done {
                 return Ok(());

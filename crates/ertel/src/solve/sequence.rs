@@ -112,8 +112,8 @@ const PENALTY_RAMP: [f64; 3] = [1e-4, 1e-2, 1.0];
 const START_TOLERANCE: f64 = 1e-2;
 
 /// Update, in p_h, and residual at which a solution is good enough to be measured and refined: error
-/// bars are ten times as large.
-const ROUGH_TOLERANCE: f64 = 1e-4;
+/// bars are a hundred times as large.
+const ROUGH_TOLERANCE: f64 = 1e-5;
 
 /// Newton iterations that a start may take for each share of the ramp.
 const START_ITERATIONS: usize = 30;

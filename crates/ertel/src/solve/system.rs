@@ -10,16 +10,14 @@
 //! equations are linear, so eliminating U from each step changes nothing but the cost.
 
 use ertel_fem::assembly::CONSTRAINED;
-use nalgebra::SVector;
-use num_dual::{Derivative, DualSVec64};
+use ertel_fem::linear::dense::vectorised;
 use rayon::prelude::*;
 
 use super::discretisation::Discretisation;
+use super::element::{Assembler, Element, N_SUMS};
 use crate::film::FilmFluid;
-use crate::forms::reynolds::{ElementConstants, PointState, reynolds_point};
+use crate::forms::reynolds::ElementConstants;
 use crate::params::{Formulation, PenaltyScaling};
-
-type Dual = DualSVec64<8>;
 
 /// Coefficients of the Reynolds equation that do not vary over a level.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +39,7 @@ pub struct FilmConstants {
 }
 
 impl FilmConstants {
-    fn on_element(&self, size: f64, order: usize) -> ElementConstants {
+    pub(super) fn on_element(&self, size: f64, order: usize) -> ElementConstants {
         let penalty = match self.penalty_scaling {
             PenaltyScaling::ElementSquared => self.penalty * size * size,
             PenaltyScaling::Constant => self.penalty,
@@ -84,7 +82,8 @@ pub struct System {
     /// Share of the residual that the edge of the contact area takes up, at each pressure node:
     /// the mass flux through the edge, −∮ m·n N (zero at free nodes).
     pub edge_flux: Vec<f64>,
-    /// Element blocks, row-major: pressure node by (pressure nodes, then deflection nodes).
+    /// Element blocks, row-major: pressure node by (pressure nodes, then deflection nodes), rows of edge
+    /// nodes included.
     pub blocks: Vec<f64>,
 }
 
@@ -98,34 +97,38 @@ impl System {
         source: Option<&(dyn Fn([f64; 3]) -> f64 + Sync)>,
     ) -> System {
         let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
-        let width = n + m + 3; // pressure, deflection | H0, residual, entrainment
-        let mut local = vec![0.0; d.contact.n_elements() * n * width];
-        local
-            .par_chunks_mut(n * width)
-            .enumerate()
-            .for_each(|(c, out)| {
-                element(d, fluid, constants, state, source, c, out);
-            });
+        let n_elements = d.contact.n_elements();
         let mut system = System {
             residual: vec![0.0; d.n_pressure],
             residual_scale: 0.0,
             by_separation: vec![0.0; d.n_pressure],
             edge_flux: vec![0.0; d.pressure.n_nodes()],
-            blocks: vec![0.0; d.contact.n_elements() * n * (n + m)],
+            blocks: vec![0.0; n_elements * n * (n + m)],
         };
+        let mut sums = vec![[0.0; N_SUMS]; n_elements * n];
+        let assembler = Assembler::new(d, fluid, constants, state, source);
+        system
+            .blocks
+            .par_chunks_mut(BATCH * n * (n + m))
+            .zip(sums.par_chunks_mut(BATCH * n))
+            .enumerate()
+            .for_each(|(batch, (blocks, sums))| {
+                let mut element = Element::default();
+                let blocks = blocks.chunks_exact_mut(n * (n + m));
+                for (k, (block, sums)) in blocks.zip(sums.chunks_exact_mut(n)).enumerate() {
+                    assembler.element(BATCH * batch + k, &mut element, block, sums);
+                }
+            });
         let mut entrainment = vec![0.0; d.n_pressure];
-        for c in 0..d.contact.n_elements() {
-            for (i, node) in d.pressure.nodes_of(c).iter().enumerate() {
-                let row = &local[(c * n + i) * width..(c * n + i + 1) * width];
+        for c in 0..n_elements {
+            for (node, sums) in d.pressure.nodes_of(c).iter().zip(&sums[c * n..]) {
                 let dof = d.pressure_dofs[*node as usize];
                 if dof == CONSTRAINED {
-                    system.edge_flux[*node as usize] += row[n + m + 1];
+                    system.edge_flux[*node as usize] += sums[1];
                 } else {
-                    system.by_separation[dof as usize] += row[n + m];
-                    system.residual[dof as usize] += row[n + m + 1];
-                    entrainment[dof as usize] += row[n + m + 2];
-                    let start = (c * n + i) * (n + m);
-                    system.blocks[start..start + n + m].copy_from_slice(&row[..n + m]);
+                    system.by_separation[dof as usize] += sums[0];
+                    system.residual[dof as usize] += sums[1];
+                    entrainment[dof as usize] += sums[2];
                 }
             }
         }
@@ -210,6 +213,11 @@ pub struct Products<'a> {
 impl Products<'_> {
     /// y = (R_P + R_δ C M) x for the pressure unknowns.
     pub fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
+        vectorised(|| self.multiply_here(x, y));
+    }
+
+    #[inline(always)]
+    fn multiply_here(&mut self, x: &[f64], y: &mut [f64]) {
         let d = self.d;
         for (value, dof) in self.pressure.iter_mut().zip(&d.pressure_dofs) {
             *value = x.get(*dof as usize).copied().unwrap_or(0.0);
@@ -258,6 +266,7 @@ impl Products<'_> {
 }
 
 /// Σ row_j values[nodes_j].
+#[inline(always)]
 fn dot_at(row: &[f64], nodes: &[u32], values: &[f64]) -> f64 {
     row.iter()
         .zip(nodes)
@@ -265,101 +274,8 @@ fn dot_at(row: &[f64], nodes: &[u32], values: &[f64]) -> f64 {
         .sum()
 }
 
-/// Adds one element's rows: [∂R/∂P | ∂R/∂δ | ∂R/∂H0 | R | entrainment] for each pressure node.
-fn element(
-    d: &Discretisation,
-    fluid: &FilmFluid,
-    constants: &FilmConstants,
-    state: &State,
-    source: Option<&(dyn Fn([f64; 3]) -> f64 + Sync)>,
-    c: usize,
-    out: &mut [f64],
-) {
-    let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
-    let width = n + m + 3;
-    let map = &d.contact.maps[c];
-    let local = constants.on_element(d.contact.sizes[c], d.pressure.element.order());
-    let p_nodes = d.pressure.nodes_of(c);
-    let w_nodes = d.contact.deflection.nodes_of(c);
-    let mut p_basis = vec![[0.0; 5]; n]; // N, N_x, N_y, ΔN, κN
-    let mut w_basis = vec![[0.0; 3]; m]; // N, N_x, N_y
-    for (q, weight) in d.rule.weights.iter().enumerate() {
-        let mut p = [0.0; 5];
-        for (j, basis) in p_basis.iter_mut().enumerate() {
-            let g = map.gradient(d.pressure_table.gradients[q * n + j]);
-            let laplacian = map.laplacian(&d.pressure_table.hessians[q * n + j]);
-            *basis = [
-                d.pressure_table.values[q * n + j],
-                g[0],
-                g[1],
-                laplacian,
-                d.pressure_unseen[q * n + j],
-            ];
-            let value = state.pressure[p_nodes[j] as usize];
-            for (a, b) in p.iter_mut().zip(*basis) {
-                *a += value * b;
-            }
-        }
-        let mut point = [0.0; 3];
-        let mut w = [0.0; 3];
-        for (j, basis) in w_basis.iter_mut().enumerate() {
-            let node = w_nodes[j] as usize;
-            let g = map.gradient(d.deflection_table.gradients[q * m + j]);
-            *basis = [d.deflection_table.values[q * m + j], g[0], g[1]];
-            for (a, b) in w.iter_mut().zip(*basis) {
-                *a += state.deflection[node] * b;
-            }
-            for (x, px) in point.iter_mut().zip(d.contact.deflection.points[node]) {
-                *x += basis[0] * px;
-            }
-        }
-        let dual = |value: f64, k: usize| {
-            Dual::new(
-                value,
-                Derivative::some(SVector::from_fn(|i, _| if i == k { 1.0 } else { 0.0 })),
-            )
-        };
-        let h = state.rigid_separation + d.contact.undeformed_gap(point) + w[0];
-        let s = PointState {
-            pressure: dual(p[0], 0),
-            pressure_gradient: [dual(p[1], 1), dual(p[2], 2)],
-            pressure_laplacian: dual(p[3], 3),
-            film: dual(h, 4),
-            film_gradient: [dual(point[0] + w[1], 5), dual(point[1] + w[2], 6)],
-            pressure_unseen: dual(p[4], 7),
-        };
-        let fluid = fluid.at(p[0]);
-        let f = source.map_or(0.0, |f| f(point));
-        let t = reynolds_point(&s, &fluid, &local, f);
-        let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
-        let scale = weight * map.determinant;
-        let value = test.map(|v| scale * v.re);
-        let slopes = test.map(|v| {
-            let e = v
-                .eps
-                .unwrap_generic(nalgebra::Const::<8>, nalgebra::Const::<1>);
-            std::array::from_fn::<f64, 8, _>(|k| scale * e[k])
-        });
-        let entrainment = scale * fluid.density[0] * h;
-        for i in 0..n {
-            let test = p_basis[i];
-            let row = &mut out[i * width..(i + 1) * width];
-            let mut by: [f64; 8] = [0.0; 8];
-            for (k, b) in by.iter_mut().enumerate() {
-                *b = (0..5).map(|a| test[a] * slopes[a][k]).sum();
-            }
-            for (r, b) in row[..n].iter_mut().zip(&p_basis) {
-                *r += by[0] * b[0] + by[1] * b[1] + by[2] * b[2] + by[3] * b[3] + by[7] * b[4];
-            }
-            for (r, b) in row[n..n + m].iter_mut().zip(&w_basis) {
-                *r += by[4] * b[0] + by[5] * b[1] + by[6] * b[2];
-            }
-            row[n + m] += by[4];
-            row[n + m + 1] += (0..5).map(|a| test[a] * value[a]).sum::<f64>();
-            row[n + m + 2] += test[1] * entrainment;
-        }
-    }
-}
+/// Elements that a thread takes at a time.
+const BATCH: usize = 16;
 
 fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()

@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use rustc_hash::FxHashSet;
+
 /// Corner of a region: a node, or the cut of the level through the edge between two nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Corner {
@@ -18,66 +20,87 @@ pub(super) struct Region {
     pub level_lines: Vec<Vec<[f64; 2]>>,
 }
 
-/// Region {f ≥ level}; triangles in any orientation.
-///
-/// Each triangle contributes the directed edges of its clipped polygon; an edge shared by two
-/// neighbours appears in both directions and drops out, what is left is the boundary.
-pub(super) fn region(
-    points: &[[f64; 2]],
-    values: &[f64],
-    triangles: &[[u32; 3]],
-    level: f64,
-) -> Region {
-    let mut edges: BTreeMap<(Corner, Corner), usize> = BTreeMap::new();
-    for triangle in triangles {
-        let polygon = clip(points, values, triangle, level);
-        for i in 0..polygon.len() {
-            let (from, to) = (polygon[i], polygon[(i + 1) % polygon.len()]);
-            match edges.get_mut(&(to, from)) {
-                Some(n) if *n > 0 => *n -= 1,
-                _ => *edges.entry((from, to)).or_default() += 1,
-            }
-        }
-    }
-    let boundary = edges
-        .iter()
-        .flat_map(|(edge, n)| std::iter::repeat_n(*edge, *n));
-    let is_level = |e: &(Corner, Corner)| matches!(e, (Corner::Cut(..), Corner::Cut(..)));
-    let place = |chain: Vec<Corner>| -> Vec<[f64; 2]> {
-        chain
-            .into_iter()
-            .map(|c| position(points, values, level, c))
-            .collect()
-    };
-    Region {
-        loops: chains(boundary.clone()).into_iter().map(place).collect(),
-        level_lines: chains(boundary.filter(is_level))
-            .into_iter()
-            .map(place)
-            .collect(),
-    }
+/// Triangles with their common boundary, for any number of levels.
+pub(super) struct Triangulation<'a> {
+    points: &'a [[f64; 2]],
+    /// Counter-clockwise.
+    triangles: Vec<[u32; 3]>,
+    /// Edges of one triangle only, with the domain on their left.
+    boundary: Vec<[u32; 2]>,
 }
 
-/// Corners of the triangle's part with f ≥ level, counter-clockwise.
-fn clip(points: &[[f64; 2]], values: &[f64], triangle: &[u32; 3], level: f64) -> Vec<Corner> {
-    let [a, b, c] = triangle.map(|i| points[i as usize]);
-    let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-    let mut nodes = *triangle;
-    if area < 0.0 {
-        nodes.swap(1, 2);
+impl<'a> Triangulation<'a> {
+    /// Of triangles in any orientation.
+    pub fn new(points: &'a [[f64; 2]], triangles: &[[u32; 3]]) -> Triangulation<'a> {
+        let mut triangles = triangles.to_vec();
+        let mut edges: FxHashSet<[u32; 2]> = FxHashSet::default();
+        for triangle in &mut triangles {
+            let [a, b, c] = triangle.map(|i| points[i as usize]);
+            let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+            if area < 0.0 {
+                triangle.swap(1, 2);
+            }
+            for i in 0..3 {
+                let (from, to) = (triangle[i], triangle[(i + 1) % 3]);
+                // Neighbours run through a common edge in opposite directions.
+                if !edges.remove(&[to, from]) {
+                    edges.insert([from, to]);
+                }
+            }
+        }
+        let mut boundary: Vec<[u32; 2]> = edges.into_iter().collect();
+        boundary.sort_unstable();
+        Triangulation {
+            points,
+            triangles,
+            boundary,
+        }
     }
-    let mut polygon = Vec::with_capacity(4);
-    for i in 0..3 {
-        let (from, to) = (nodes[i], nodes[(i + 1) % 3]);
+
+    /// Region {f ≥ level}: bounded by the level line through the triangles that it crosses, and by those
+    /// parts of the domain's boundary where f ≥ level.
+    pub fn region(&self, values: &[f64], level: f64) -> Region {
         let inside = |n: u32| values[n as usize] >= level;
-        if inside(from) {
-            polygon.push(Corner::Node(from));
+        let cut = |i: u32, j: u32| Corner::Cut(i.min(j), i.max(j));
+        let mut level_line: Vec<(Corner, Corner)> = Vec::new();
+        for &[a, b, c] in &self.triangles {
+            // The line enters through the edge that leaves the region, the region on its left.
+            let line = match (inside(a), inside(b), inside(c)) {
+                (true, false, false) => (cut(a, b), cut(c, a)),
+                (false, true, false) => (cut(b, c), cut(a, b)),
+                (false, false, true) => (cut(c, a), cut(b, c)),
+                (true, true, false) => (cut(b, c), cut(c, a)),
+                (false, true, true) => (cut(c, a), cut(a, b)),
+                (true, false, true) => (cut(a, b), cut(b, c)),
+                _ => continue,
+            };
+            level_line.push(line);
         }
-        if inside(from) != inside(to) {
-            polygon.push(Corner::Cut(from.min(to), from.max(to)));
+        let mut edges = level_line.clone();
+        for &[from, to] in &self.boundary {
+            let start = match inside(from) {
+                true => Corner::Node(from),
+                false => cut(from, to),
+            };
+            let end = match inside(to) {
+                true => Corner::Node(to),
+                false => cut(from, to),
+            };
+            if start != end {
+                edges.push((start, end));
+            }
+        }
+        let place = |chain: Vec<Corner>| -> Vec<[f64; 2]> {
+            chain
+                .into_iter()
+                .map(|c| position(self.points, values, level, c))
+                .collect()
+        };
+        Region {
+            loops: chains(edges).into_iter().map(place).collect(),
+            level_lines: chains(level_line).into_iter().map(place).collect(),
         }
     }
-    polygon
 }
 
 fn position(points: &[[f64; 2]], values: &[f64], level: f64, corner: Corner) -> [f64; 2] {
@@ -93,7 +116,8 @@ fn position(points: &[[f64; 2]], values: &[f64], level: f64, corner: Corner) -> 
 }
 
 /// Joins directed edges to chains; closed ones repeat their first corner.
-fn chains(edges: impl Iterator<Item = (Corner, Corner)>) -> Vec<Vec<Corner>> {
+fn chains(mut edges: Vec<(Corner, Corner)>) -> Vec<Vec<Corner>> {
+    edges.sort_unstable();
     let mut next: BTreeMap<Corner, Vec<Corner>> = BTreeMap::new();
     let mut arrivals: BTreeMap<Corner, usize> = BTreeMap::new();
     for (from, to) in edges {
@@ -164,7 +188,7 @@ mod tests {
     fn plane_field_gives_a_rectangle() {
         let (points, cells) = square(7);
         let values: Vec<f64> = points.iter().map(|p| p[0]).collect();
-        let region = region(&points, &values, &cells, 0.3);
+        let region = Triangulation::new(&points, &cells).region(&values, 0.3);
         assert_eq!((region.loops.len(), region.level_lines.len()), (1, 1));
         assert!((area(&region.loops[0]) - 1.4).abs() < 1e-12);
         let line = &region.level_lines[0];
@@ -177,7 +201,7 @@ mod tests {
     fn hole_is_a_loop_of_its_own() {
         let (points, cells) = square(80);
         let values: Vec<f64> = points.iter().map(|p| p[0].hypot(p[1])).collect();
-        let region = region(&points, &values, &cells, 0.5);
+        let region = Triangulation::new(&points, &cells).region(&values, 0.5);
         assert_eq!((region.loops.len(), region.level_lines.len()), (2, 1));
         let total: f64 = region.loops.iter().map(|l| area(l)).sum();
         assert!((total - (4.0 - std::f64::consts::PI / 4.0)).abs() < 1e-3);
@@ -187,8 +211,9 @@ mod tests {
     fn level_outside_of_the_range_gives_all_or_nothing() {
         let (points, cells) = square(3);
         let values: Vec<f64> = points.iter().map(|p| p[0]).collect();
-        assert!(region(&points, &values, &cells, 2.0).loops.is_empty());
-        let all = region(&points, &values, &cells, -2.0);
+        let mesh = Triangulation::new(&points, &cells);
+        assert!(mesh.region(&values, 2.0).loops.is_empty());
+        let all = mesh.region(&values, -2.0);
         assert!((area(&all.loops[0]) - 4.0).abs() < 1e-12 && all.level_lines.is_empty());
     }
 }

@@ -2,9 +2,11 @@
 
 use std::fmt::Write;
 
+use rayon::prelude::*;
+
 use super::axis::{Axis, tick_label};
 use super::chart::Side;
-use super::contour;
+use super::contour::Triangulation;
 use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
 use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
 
@@ -93,15 +95,22 @@ impl FieldMap<'_> {
             .filter(|t| in_window(t.map(|i| pixels[i as usize]), frame))
             .copied()
             .collect();
-        let whole = contour::region(&pixels, self.values, &seen, f64::NEG_INFINITY);
+        let mesh = Triangulation::new(&pixels, &seen);
+        let whole = mesh.region(self.values, f64::NEG_INFINITY);
         svg.fill(&closed(&whole.loops), &self.colours[0]);
         let mut lines = String::new();
-        for (level, colour) in self.levels.iter().zip(&self.colours[1..]) {
-            let region = contour::region(&pixels, self.values, &seen, *level);
-            svg.fill(&closed(&region.loops), colour);
-            for line in &region.level_lines {
-                lines.push_str(&polyline(line));
-            }
+        let drawn: Vec<(String, String)> = self
+            .levels
+            .par_iter()
+            .map(|level| {
+                let region = mesh.region(self.values, *level);
+                let lines = region.level_lines.iter().map(|line| polyline(line));
+                (closed(&region.loops), lines.collect())
+            })
+            .collect();
+        for ((region, level_lines), colour) in drawn.iter().zip(&self.colours[1..]) {
+            svg.fill(region, colour);
+            lines.push_str(level_lines);
         }
         if matches!(self.bar, Bar::Steps) {
             svg.stroke(&lines, Stroke::solid("#262626", 0.45));

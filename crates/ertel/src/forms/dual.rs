@@ -1,0 +1,241 @@
+//! Numbers that carry their derivatives by the eight quantities that the Reynolds equation sees at a point.
+
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
+
+/// Number of quantities to differentiate by.
+pub const N_SLOPES: usize = 8;
+
+/// What an integrand is written for: `f64`, or [`Dual`] for its derivatives.
+pub trait Number:
+    Copy
+    + From<f64>
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+    + AddAssign
+    + SubAssign
+{
+    /// The value alone.
+    fn re(&self) -> f64;
+    /// 1/x.
+    fn recip(self) -> Self;
+    /// tanh x.
+    fn tanh(self) -> Self;
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn re(&self) -> f64 {
+        *self
+    }
+    #[inline(always)]
+    fn recip(self) -> f64 {
+        f64::recip(self)
+    }
+    #[inline(always)]
+    fn tanh(self) -> f64 {
+        f64::tanh(self)
+    }
+}
+
+/// A value and its derivatives, of fixed number: arithmetic in whole vectors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dual {
+    /// Value.
+    pub re: f64,
+    /// Derivatives.
+    pub slopes: [f64; N_SLOPES],
+}
+
+impl Dual {
+    /// The k-th variable.
+    #[inline(always)]
+    pub fn variable(re: f64, k: usize) -> Dual {
+        let mut slopes = [0.0; N_SLOPES];
+        slopes[k] = 1.0;
+        Dual { re, slopes }
+    }
+
+    /// A function of x by its value and its derivative.
+    #[inline(always)]
+    fn chain(self, re: f64, derivative: f64) -> Dual {
+        Dual {
+            re,
+            slopes: self.slopes.map(|s| derivative * s),
+        }
+    }
+
+    /// A function of two numbers by its value and its derivatives.
+    #[inline(always)]
+    fn combine(self, other: Dual, re: f64, by_self: f64, by_other: f64) -> Dual {
+        let mut slopes = [0.0; N_SLOPES];
+        for k in 0..N_SLOPES {
+            slopes[k] = by_self * self.slopes[k] + by_other * other.slopes[k];
+        }
+        Dual { re, slopes }
+    }
+}
+
+impl Number for Dual {
+    #[inline(always)]
+    fn re(&self) -> f64 {
+        self.re
+    }
+    #[inline(always)]
+    fn recip(self) -> Dual {
+        let r = self.re.recip();
+        self.chain(r, -r * r)
+    }
+    #[inline(always)]
+    fn tanh(self) -> Dual {
+        let t = self.re.tanh();
+        self.chain(t, 1.0 - t * t)
+    }
+}
+
+impl From<f64> for Dual {
+    #[inline(always)]
+    fn from(re: f64) -> Dual {
+        Dual {
+            re,
+            slopes: [0.0; N_SLOPES],
+        }
+    }
+}
+
+impl Neg for Dual {
+    type Output = Dual;
+    #[inline(always)]
+    fn neg(self) -> Dual {
+        self.chain(-self.re, -1.0)
+    }
+}
+
+impl Add for Dual {
+    type Output = Dual;
+    #[inline(always)]
+    fn add(self, other: Dual) -> Dual {
+        self.combine(other, self.re + other.re, 1.0, 1.0)
+    }
+}
+
+impl Sub for Dual {
+    type Output = Dual;
+    #[inline(always)]
+    fn sub(self, other: Dual) -> Dual {
+        self.combine(other, self.re - other.re, 1.0, -1.0)
+    }
+}
+
+impl Mul for Dual {
+    type Output = Dual;
+    #[inline(always)]
+    fn mul(self, other: Dual) -> Dual {
+        self.combine(other, self.re * other.re, other.re, self.re)
+    }
+}
+
+impl Div for Dual {
+    type Output = Dual;
+    #[inline(always)]
+    fn div(self, other: Dual) -> Dual {
+        let r = other.re.recip();
+        let q = self.re * r;
+        self.combine(other, q, r, -q * r)
+    }
+}
+
+impl Add<f64> for Dual {
+    type Output = Dual;
+    #[inline(always)]
+    fn add(self, other: f64) -> Dual {
+        Dual {
+            re: self.re + other,
+            ..self
+        }
+    }
+}
+
+impl Sub<f64> for Dual {
+    type Output = Dual;
+    #[inline(always)]
+    fn sub(self, other: f64) -> Dual {
+        Dual {
+            re: self.re - other,
+            ..self
+        }
+    }
+}
+
+impl Mul<f64> for Dual {
+    type Output = Dual;
+    #[inline(always)]
+    fn mul(self, other: f64) -> Dual {
+        self.chain(self.re * other, other)
+    }
+}
+
+impl Div<f64> for Dual {
+    type Output = Dual;
+    #[inline(always)]
+    fn div(self, other: f64) -> Dual {
+        let r = other.recip();
+        self.chain(self.re * r, r)
+    }
+}
+
+impl AddAssign for Dual {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Dual) {
+        *self = *self + other;
+    }
+}
+
+impl SubAssign for Dual {
+    #[inline(always)]
+    fn sub_assign(&mut self, other: Dual) {
+        *self = *self - other;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Every operation against central differences, by x and by y.
+    #[test]
+    fn slopes_match_differences() {
+        fn all<D: Number>(x: D, y: D) -> [D; 5] {
+            let mut sum = x * 3.0 - 0.5;
+            sum += y / 4.0;
+            sum -= x;
+            [
+                sum,
+                x / y + 0.2,
+                (x * y).tanh(),
+                y.recip() - x * x,
+                -(x * y) + D::from(1.0),
+            ]
+        }
+        let (x, y, step) = (0.7, 1.3, 1e-6);
+        let dual = all(Dual::variable(x, 2), Dual::variable(y, 6));
+        let value = all(x, y);
+        let by_x = [all(x + step, y), all(x - step, y)];
+        let by_y = [all(x, y + step), all(x, y - step)];
+        for i in 0..5 {
+            assert_relative_eq!(dual[i].re, value[i], max_relative = 1e-14);
+            for (slope, d) in [(dual[i].slopes[2], by_x), (dual[i].slopes[6], by_y)] {
+                let difference = (d[0][i] - d[1][i]) / (2.0 * step);
+                assert_relative_eq!(slope, difference, epsilon = 1e-8);
+            }
+            assert_eq!(dual[i].slopes[0], 0.0);
+        }
+    }
+}

@@ -1,0 +1,295 @@
+//! Residual and Jacobian of the film equations on one element.
+
+use ertel_fem::linear::dense::vectorised;
+use ertel_fem::space::Affine;
+
+use super::discretisation::Discretisation;
+use super::system::{FilmConstants, State};
+use crate::film::FilmFluid;
+use crate::forms::dual::{Dual, N_SLOPES};
+use crate::forms::reynolds::{ElementConstants, PointState, reynolds_point};
+
+/// Sums for each pressure node beside the blocks: ∂R/∂H0, R, entrainment.
+pub const N_SUMS: usize = 3;
+
+/// Coefficients of a test function: W, W_x, W_y, ΔW, κW.
+const N_TEST: usize = 5;
+
+/// Source term of the manufactured solutions.
+type Source<'a> = Option<&'a (dyn Fn([f64; 3]) -> f64 + Sync)>;
+
+/// Everything that the elements of one assembly share.
+pub struct Assembler<'a> {
+    d: &'a Discretisation,
+    fluid: &'a FilmFluid,
+    constants: &'a FilmConstants,
+    state: &'a State,
+    source: Source<'a>,
+    kernel: fn(&Assembler<'a>, usize, &mut Element, &mut [f64], &mut [[f64; N_SUMS]]),
+}
+
+/// Scratch memory of one element, by quadrature point.
+#[derive(Default)]
+pub struct Element {
+    points: Vec<Point>,
+    /// W, W_x, W_y, ΔW, κW of each pressure node, lists padded with zeros.
+    pressure: Vec<f64>,
+    /// N, N_x, N_y of each deflection node, alike.
+    deflection: Vec<f64>,
+}
+
+/// What the equation sees at a point, and then its integrand.
+#[derive(Clone, Copy)]
+struct Point {
+    /// (X, Y).
+    place: [f64; 3],
+    /// P, P_x, P_y, ΔP, H, H_x, H_y, κP.
+    state: [f64; N_SLOPES],
+    /// Coefficients of the test function.
+    value: [f64; N_TEST],
+    /// Their derivatives by the state.
+    slopes: [[f64; N_SLOPES]; N_TEST],
+    /// ρ̄H.
+    entrainment: f64,
+}
+
+impl<'a> Assembler<'a> {
+    /// Assembles at a state.
+    pub fn new(
+        d: &'a Discretisation,
+        fluid: &'a FilmFluid,
+        constants: &'a FilmConstants,
+        state: &'a State,
+        source: Source<'a>,
+    ) -> Assembler<'a> {
+        // Loops of known length: nodes of an element, rounded up to whole vectors.
+        let kernel = match (d.pressure_table.n_nodes, d.deflection_table.n_nodes) {
+            (0..=4, 0..=4) => Assembler::padded::<4, 4>,
+            (0..=4, _) => Assembler::padded::<4, 8>,
+            (5..=8, _) => Assembler::padded::<8, 8>,
+            (9..=12, _) => Assembler::padded::<12, 8>,
+            (13..=16, _) => Assembler::padded::<16, 8>,
+            _ => Assembler::padded::<24, 8>,
+        };
+        Assembler {
+            d,
+            fluid,
+            constants,
+            state,
+            source,
+            kernel,
+        }
+    }
+
+    /// One element: `block` is overwritten with [∂R/∂P | ∂R/∂δ], `sums` with the rest, for each pressure node.
+    pub fn element(
+        &self,
+        c: usize,
+        element: &mut Element,
+        block: &mut [f64],
+        sums: &mut [[f64; N_SUMS]],
+    ) {
+        (self.kernel)(self, c, element, block, sums);
+    }
+
+    /// The same with lists of nodes padded to `N` and `M`.
+    fn padded<const N: usize, const M: usize>(
+        &self,
+        c: usize,
+        element: &mut Element,
+        block: &mut [f64],
+        sums: &mut [[f64; N_SUMS]],
+    ) {
+        let d = self.d;
+        let order = d.pressure.element.order();
+        let local = self.constants.on_element(d.contact.sizes[c], order);
+        element.points.clear();
+        element.pressure.resize(d.rule.len() * N_TEST * N, 0.0);
+        element.deflection.resize(d.rule.len() * 3 * M, 0.0);
+        vectorised(|| self.interpolate::<N, M>(c, element));
+        for point in &mut element.points {
+            let source = self.source.map_or(0.0, |f| f(point.place));
+            vectorised(|| integrand(point, self.fluid, &local, source));
+        }
+        vectorised(|| self.integrate::<N, M>(c, element, block, sums));
+    }
+
+    /// Shape functions and state at the quadrature points.
+    #[inline(always)]
+    fn interpolate<const N: usize, const M: usize>(&self, c: usize, element: &mut Element) {
+        let (d, state) = (self.d, self.state);
+        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+        let map = &d.contact.maps[c];
+        let metric = Metric::new(map);
+        let mut pressures = [0.0; N];
+        for (p, node) in pressures.iter_mut().zip(d.pressure.nodes_of(c)) {
+            *p = state.pressure[*node as usize];
+        }
+        let mut deflections = [0.0; M];
+        let mut places = [[0.0; M]; 2];
+        for (j, node) in d.contact.deflection.nodes_of(c).iter().enumerate() {
+            deflections[j] = state.deflection[*node as usize];
+            for a in 0..2 {
+                places[a][j] = d.contact.deflection.points[*node as usize][a];
+            }
+        }
+        let p_lists = element.pressure.chunks_exact_mut(N_TEST * N);
+        let w_lists = element.deflection.chunks_exact_mut(3 * M);
+        for (q, (p_list, w_list)) in p_lists.zip(w_lists).enumerate() {
+            let table = &d.pressure_table;
+            for j in 0..n {
+                let k = q * n + j;
+                let [gx, gy] = metric.gradient(&table.gradients[k]);
+                p_list[j] = table.values[k];
+                p_list[N + j] = gx;
+                p_list[2 * N + j] = gy;
+                p_list[3 * N + j] = metric.laplacian(&table.hessians[k]);
+                p_list[4 * N + j] = d.pressure_unseen[k];
+            }
+            let table = &d.deflection_table;
+            for j in 0..m {
+                let k = q * m + j;
+                let [gx, gy] = metric.gradient(&table.gradients[k]);
+                w_list[j] = table.values[k];
+                w_list[M + j] = gx;
+                w_list[2 * M + j] = gy;
+            }
+            let p: [f64; N_TEST] =
+                std::array::from_fn(|a| dot::<N>(&p_list[a * N..(a + 1) * N], &pressures));
+            let w: [f64; 3] =
+                std::array::from_fn(|a| dot::<M>(&w_list[a * M..(a + 1) * M], &deflections));
+            let [x, y] = places.map(|x| dot::<M>(&w_list[..M], &x));
+            let place = [x, y, 0.0];
+            let h = state.rigid_separation + d.contact.undeformed_gap(place) + w[0];
+            element.points.push(Point {
+                place,
+                state: [p[0], p[1], p[2], p[3], h, x + w[1], y + w[2], p[4]],
+                value: [0.0; N_TEST],
+                slopes: [[0.0; N_SLOPES]; N_TEST],
+                entrainment: 0.0,
+            });
+        }
+    }
+
+    /// Sums over the quadrature points.
+    #[inline(always)]
+    fn integrate<const N: usize, const M: usize>(
+        &self,
+        c: usize,
+        element: &Element,
+        block: &mut [f64],
+        sums: &mut [[f64; N_SUMS]],
+    ) {
+        let d = self.d;
+        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+        let determinant = d.contact.maps[c].determinant;
+        let mut by_pressure = [[0.0; N]; N];
+        let mut by_deflection = [[0.0; M]; N];
+        sums.fill([0.0; N_SUMS]);
+        let p_lists = element.pressure.chunks_exact(N_TEST * N);
+        let w_lists = element.deflection.chunks_exact(3 * M);
+        let points = element.points.iter().zip(&d.rule.weights);
+        for (((point, weight), p_list), w_list) in points.zip(p_lists).zip(w_lists) {
+            let scale = weight * determinant;
+            let p: [&[f64; N]; N_TEST] = std::array::from_fn(|a| list(p_list, a));
+            let w: [&[f64; M]; 3] = std::array::from_fn(|a| list(w_list, a));
+            for i in 0..n {
+                let test: [f64; N_TEST] = std::array::from_fn(|a| scale * p[a][i]);
+                let mut by = [0.0; N_SLOPES];
+                for (t, slopes) in test.iter().zip(&point.slopes) {
+                    for k in 0..N_SLOPES {
+                        by[k] += t * slopes[k];
+                    }
+                }
+                let row = &mut by_pressure[i];
+                for j in 0..N {
+                    row[j] += (by[0] * p[0][j] + by[1] * p[1][j])
+                        + (by[2] * p[2][j] + by[3] * p[3][j])
+                        + by[7] * p[4][j];
+                }
+                let row = &mut by_deflection[i];
+                for j in 0..M {
+                    row[j] += by[4] * w[0][j] + by[5] * w[1][j] + by[6] * w[2][j];
+                }
+                let value: f64 = test.iter().zip(&point.value).map(|(t, v)| t * v).sum();
+                let sums = &mut sums[i];
+                sums[0] += by[4];
+                sums[1] += value;
+                sums[2] += test[1] * point.entrainment;
+            }
+        }
+        for (i, row) in block.chunks_exact_mut(n + m).enumerate() {
+            row[..n].copy_from_slice(&by_pressure[i][..n]);
+            row[n..].copy_from_slice(&by_deflection[i][..m]);
+        }
+    }
+}
+
+/// The integrand and its derivatives at a point.
+#[inline(always)]
+fn integrand(point: &mut Point, fluid: &FilmFluid, local: &ElementConstants, source: f64) {
+    let x = |k: usize| Dual::variable(point.state[k], k);
+    let s = PointState {
+        pressure: x(0),
+        pressure_gradient: [x(1), x(2)],
+        pressure_laplacian: x(3),
+        film: x(4),
+        film_gradient: [x(5), x(6)],
+        pressure_unseen: x(7),
+    };
+    let fluid = fluid.at(point.state[0]);
+    let t = reynolds_point(&s, &fluid, local, source);
+    let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
+    point.value = test.map(|t| t.re);
+    point.slopes = test.map(|t| t.slopes);
+    point.entrainment = fluid.density[0] * point.state[4];
+}
+
+/// Derivatives by (X, Y) from those by reference coordinates.
+struct Metric {
+    inverse: [[f64; 2]; 2],
+    /// Σ_m ∂ξ_a/∂x_m ∂ξ_b/∂x_m: 11, 12 twice, 22.
+    products: [f64; 3],
+}
+
+impl Metric {
+    #[inline(always)]
+    fn new(map: &Affine) -> Metric {
+        let i = &map.inverse;
+        let product = |a: usize, b: usize| i[a][0] * i[b][0] + i[a][1] * i[b][1];
+        Metric {
+            inverse: [[i[0][0], i[0][1]], [i[1][0], i[1][1]]],
+            products: [product(0, 0), 2.0 * product(0, 1), product(1, 1)],
+        }
+    }
+
+    #[inline(always)]
+    fn gradient(&self, reference: &[f64; 3]) -> [f64; 2] {
+        let i = &self.inverse;
+        [0, 1].map(|m: usize| i[0][m] * reference[0] + i[1][m] * reference[1])
+    }
+
+    #[inline(always)]
+    fn laplacian(&self, reference: &[[f64; 3]; 3]) -> f64 {
+        let [p11, p12, p22] = self.products;
+        p11 * reference[0][0] + p12 * reference[0][1] + p22 * reference[1][1]
+    }
+}
+
+/// The a-th list of `N` numbers.
+#[inline(always)]
+fn list<const N: usize>(lists: &[f64], a: usize) -> &[f64; N] {
+    lists[a * N..(a + 1) * N].try_into().expect("N numbers")
+}
+
+/// Σ a_j b_j, four sums side by side; `N` is a multiple of four.
+#[inline(always)]
+fn dot<const N: usize>(a: &[f64], b: &[f64; N]) -> f64 {
+    let mut sums = [0.0; 4];
+    for (a, b) in a.chunks_exact(4).zip(b.chunks_exact(4)) {
+        for l in 0..4 {
+            sums[l] += a[l] * b[l];
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3])
+}
