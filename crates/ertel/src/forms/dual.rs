@@ -185,8 +185,7 @@ impl Div<f64> for Dual {
     type Output = Dual;
     #[inline(always)]
     fn div(self, other: f64) -> Dual {
-        let r = other.recip();
-        self.chain(self.re * r, r)
+        self.chain(self.re / other, other.recip())
     }
 }
 

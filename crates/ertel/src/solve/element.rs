@@ -18,6 +18,9 @@ const N_TEST: usize = 5;
 /// Source term of the manufactured solutions.
 type Source<'a> = Option<&'a (dyn Fn([f64; 3]) -> f64 + Sync)>;
 
+/// [`Assembler::element`] for one size of lists.
+type Kernel<'a> = fn(&Assembler<'a>, usize, &mut Element, &mut [f64], &mut [[f64; N_SUMS]]);
+
 /// Everything that the elements of one assembly share.
 pub struct Assembler<'a> {
     d: &'a Discretisation,
@@ -25,7 +28,7 @@ pub struct Assembler<'a> {
     constants: &'a FilmConstants,
     state: &'a State,
     source: Source<'a>,
-    kernel: fn(&Assembler<'a>, usize, &mut Element, &mut [f64], &mut [[f64; N_SUMS]]),
+    kernel: Kernel<'a>,
 }
 
 /// Scratch memory of one element, by quadrature point.

@@ -282,7 +282,14 @@ pub fn solve_stages(
                         };
                         let (state, mut effort) = (&mut p.state, NewtonStats::default());
                         run_stage(
-                            problem, &newton, &unrefined, level, 0.0, state, &mut effort, observer,
+                            problem,
+                            &newton,
+                            &unrefined,
+                            level,
+                            0.0,
+                            state,
+                            &mut effort,
+                            observer,
                         )?;
                     }
                     break;

@@ -29,7 +29,7 @@ pub(super) enum Method {
 /// What is kept from one linear solve to the next.
 enum Factors {
     Bordered(Bordered),
-    Monolithic(Monolithic),
+    Monolithic(Box<Monolithic>),
 }
 
 /// Solves the linear systems of a run; keeps the factors while they serve.
@@ -91,7 +91,9 @@ impl<'a, 'b> StepSolver<'a, 'b> {
                     schur,
                 })
             }
-            Method::Monolithic(bodies) => Factors::Monolithic(Monolithic::new(d, bodies, system)?),
+            Method::Monolithic(bodies) => {
+                Factors::Monolithic(Box::new(Monolithic::new(d, bodies, system)?))
+            }
         });
         self.stats.factorisations += 1;
         self.stats.seconds.factorisation += clock.elapsed().as_secs_f64();
