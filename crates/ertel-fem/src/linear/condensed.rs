@@ -78,7 +78,7 @@ impl CondensedStiffness {
         keep: Keep,
         element_matrix: impl Fn(usize, &mut [f64]) + Sync,
     ) -> Result<CondensedStiffness, CholeskyError> {
-        let fronts = elimination(graph, dofs, condensed)?;
+        let fronts = elimination(space, graph, dofs, condensed)?;
         let elements = elements_of_fronts(space, dofs, &fronts);
         let mut starts = vec![0];
         for (k, f) in fronts.fronts.iter().enumerate() {
@@ -273,6 +273,7 @@ fn is_last(fronts: &Fronts, condensed: &[usize], k: usize) -> bool {
 
 /// Fronts of the body: its nodes by nested dissection, then the condensed unknowns.
 fn elimination(
+    space: &Space,
     graph: &NodeGraph,
     dofs: &DofMap,
     condensed: &[usize],
@@ -315,6 +316,7 @@ fn elimination(
         graph: &extended,
         unknowns,
         n_inner: n,
+        carriers: Some(space.carriers()),
     })
 }
 

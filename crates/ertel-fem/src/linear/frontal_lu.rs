@@ -499,6 +499,7 @@ mod tests {
             graph: &graph,
             unknowns,
             n_inner: nx * ny,
+            carriers: None,
         };
         let pattern = Arc::new(FrontalPattern::new(&blocks, &entries).unwrap());
         assert!(pattern.fronts.fronts.len() > 10);
@@ -532,6 +533,7 @@ mod tests {
             graph: &graph,
             unknowns: vec![vec![0, 1]],
             n_inner: 1,
+            carriers: None,
         };
         let entries = [(0, 0), (0, 1), (1, 0), (1, 1)];
         let pattern = Arc::new(FrontalPattern::new(&blocks, &entries).unwrap());

@@ -75,6 +75,7 @@ impl NearStiffness {
         let blocks = Blocks {
             graph: &graph,
             n_inner: groups.unknowns.len(),
+            carriers: None,
             unknowns: groups.unknowns,
         };
         let pattern = FrontalPattern::new(&blocks, &self.entries).map_err(|e| LuError {
