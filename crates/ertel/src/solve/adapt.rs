@@ -57,7 +57,7 @@ const SAFETY_OF_DIFFERENCE: f64 = 3.0;
 const SAFETY: f64 = 3.0;
 
 /// Least and largest factor by which the step from mesh to mesh corrects the estimate.
-const CALIBRATION: (f64, f64) = (0.5, 4.0);
+const CALIBRATION: (f64, f64) = (0.75, 4.0);
 
 /// The factor where there is no mesh to calibrate by.
 const UNCALIBRATED: f64 = 1.5;
@@ -78,13 +78,15 @@ pub struct ErrorBars {
 ///
 /// The estimate E of the last mesh is corrected by what the step from the mesh before has shown: with
 /// h_1, E_1 there and h_2, E_2 here, |h_1 − h_2| ≈ θ(E_1 − E_2), and the bar is three times θE_2. A difference
-/// can vanish by chance, so that θ does not fall below a half; without a mesh before it is 1.5, and the bar not below half of the other
+/// can vanish by chance, so that θ does not fall below three quarters; without a mesh before it is 1.5, and the bar not below half of the other
 /// film's. Root of the sum of squares with the errors of [`grading_errors`]; not below a fifth of the
 /// difference, since estimates can miss a part.
 ///
 /// Without estimates the bar is three times the difference of two meshes.
 pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars> {
-    let last = levels.iter().rposition(|l| l.converged)?;
+    // Diffusive starts on a refined mesh have no estimate and do not count.
+    let estimated = levels.iter().any(|l| l.estimate.is_some());
+    let last = (levels.iter()).rposition(|l| l.converged && l.estimate.is_some() == estimated)?;
     let fine = &levels[last];
     let other_mesh = |l: &&LevelStats| l.converged && l.n_body_cells != fine.n_body_cells;
     let coarse = levels[..last].iter().rev().find(other_mesh);

@@ -130,6 +130,8 @@ pub fn solve_stages(
     observer: &mut dyn Observer,
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
     let mut previous: Option<StageSolution> = None;
+    // The last solution of a final stage, while a finer one is being tried.
+    let mut solved: Option<StageSolution> = None;
     let mut stats: Vec<LevelStats> = Vec::new();
     let mut queue: VecDeque<Stage> = problem.stages.iter().copied().collect();
     let mut rescues = rescues(problem).into_iter();
@@ -244,8 +246,11 @@ pub fn solve_stages(
         };
         match outcome {
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+            Ok(()) if stage.role == Role::Start && stage.refinements > 0 => {
+                solved = solved.or(previous.replace(solution));
+            }
             Ok(()) => {
-                previous = Some(solution);
+                (previous, solved) = (Some(solution), None);
                 if let Some(next) = next {
                     halvings = next;
                     queue.push_back(Stage {
@@ -259,7 +264,7 @@ pub fn solve_stages(
             Err(_) if stage.refinements > 0 => {
                 let usable = stage.role == Role::Start && solution.is_usable();
                 if usable {
-                    previous = Some(solution);
+                    solved = solved.or(previous.replace(solution));
                 } else if restarted < stage.refinements && stage.role == Role::Final {
                     restarted = stage.refinements;
                     queue.extend([
@@ -272,6 +277,7 @@ pub fn solve_stages(
                         stage,
                     ]);
                 } else {
+                    previous = solved.take().or(previous);
                     if let Some(p) = previous.as_mut().filter(|p| p.refinements == 0) {
                         // Only measured so far.
                         let newton =
@@ -301,21 +307,33 @@ pub fn solve_stages(
                 queue = rescues.next().into_iter().flatten().collect();
                 previous = Some(solution);
             }
-            Err(e) => match stage.role {
-                Role::Start if solution.is_usable() => previous = Some(solution),
-                Role::Estimate => {}
-                Role::Final => {
-                    let failure = first_failure.get_or_insert(e);
-                    match rescues.next() {
-                        Some(stages) => queue.extend(stages),
-                        None => return Err(std::mem::replace(failure, SolveError::Interrupted)),
-                    }
+            Err(_) if stage.role == Role::Start && solution.is_usable() => {
+                previous = Some(solution);
+            }
+            Err(_) if stage.role == Role::Estimate => {}
+            Err(e) => {
+                let failure = first_failure.get_or_insert(e);
+                match rescues.next() {
+                    Some(stages) => queue = stages.into(),
+                    None => return Err(std::mem::replace(failure, SolveError::Interrupted)),
                 }
-                Role::Start => return Err(e),
-            },
+            }
         }
     }
-    Ok((previous.expect("the final stage converged"), stats))
+    let solution = previous.expect("the final stage converged");
+    let (film, _) = minimum_film(&solution.discretisation, &solution.state);
+    if film <= 0.0 {
+        // A root of the discrete equations, but no contact.
+        return Err(SolveError::NotConverged {
+            level: stats.len() - 1,
+            iterations: stats.last().map_or(0, |l| l.newton_iterations),
+            residual: 0.0,
+            update: 0.0,
+            penalty_share: 1.0,
+            reason: "the mesh is too coarse for the film, which comes out negative at a point",
+        });
+    }
+    Ok((solution, stats))
 }
 
 /// Shares of the fluid's thickening through which a contact is led that does not start otherwise.
