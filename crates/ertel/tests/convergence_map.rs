@@ -90,6 +90,32 @@ fn line_contacts_of_the_database() {
     }
 }
 
+/// Contacts that do not start at once: the lubricant is made thicker step by step, which shows as stages
+/// on one mesh, and the end is the lubricant itself (its film keeps to the formula).
+#[test]
+fn extreme_lubricants_are_reached_step_by_step() {
+    for name in ["line-roelands-M200-L20", "line-roelands-tait-M200-L20"] {
+        let solution = solved(name, None);
+        let starts = solution.stats.levels.iter();
+        let starts = starts
+            .filter(|l| l.converged && l.pressure_order == 2)
+            .count();
+        assert!(starts >= 5, "{name}: {starts} starts");
+        let formula = solution.formulas.iter().find(|f| f.name.contains("Moes"));
+        let ratio = solution.summary.film_central.value / formula.unwrap().central.unwrap();
+        assert!((0.65..1.1).contains(&ratio), "{name}: {ratio} of Moes");
+    }
+}
+
+/// Incompressible at 3 GPa and M = 10,000 at 3.3 GPa: without the terms that reckon with the deflection
+/// the first has no solution on these meshes, without cells that follow the film at the rim neither has.
+#[test]
+fn heavy_line_contacts() {
+    for name in ["line-roelands-inc-M100-L20", "line-roelands-M10000-L2.5"] {
+        solved(name, None);
+    }
+}
+
 #[test]
 fn circular_contact() {
     solved("circular-roelands-M50-L5", Some(MeshPreset::Coarse));
