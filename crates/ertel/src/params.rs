@@ -21,7 +21,8 @@ pub enum MeshPreset {
 
 impl MeshPreset {
     /// Cell size on the rim of the Hertz zone as a share of the length H_f^⅔ over which a film of
-    /// thickness H_f builds up pressure. Newton's method stops converging at about 4.
+    /// thickness H_f builds up pressure. Newton's method stops converging between 2 and 4, and the
+    /// coarse mesh that it starts on has twice these.
     pub fn rim_share(self) -> f64 {
         match self {
             MeshPreset::Coarse => 1.5,

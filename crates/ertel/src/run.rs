@@ -326,39 +326,7 @@ fn stages(
         ..constants
     };
     let order = mesh.pressure_order;
-    let mut stages = vec![Stage {
-        sizes: coarse,
-        refinements: 0,
-        pressure_order: order.min(2),
-        constants: start,
-        thickening: 1.0,
-        cold: true,
-        role: Role::Start,
-    }];
-    if mesh.target_error.is_some() {
-        stages.push(Stage {
-            sizes: coarse,
-            refinements: 0,
-            pressure_order: order,
-            constants,
-            thickening: 1.0,
-            cold: false,
-            role: Role::Final,
-        });
-        return stages;
-    }
-    if error_estimate {
-        stages.push(Stage {
-            sizes: coarse,
-            refinements: 0,
-            pressure_order: order,
-            constants,
-            thickening: 1.0,
-            cold: false,
-            role: Role::Estimate,
-        });
-    }
-    stages.push(Stage {
+    let solution = Stage {
         sizes: fine,
         refinements: 0,
         pressure_order: order,
@@ -366,7 +334,31 @@ fn stages(
         thickening: 1.0,
         cold: false,
         role: Role::Final,
-    });
+    };
+    let start = Stage {
+        sizes: coarse,
+        pressure_order: order.min(2),
+        constants: start,
+        cold: true,
+        role: Role::Start,
+        ..solution
+    };
+    if mesh.target_error.is_some() {
+        // Refinement starts from the coarse mesh.
+        let first = Stage {
+            sizes: coarse,
+            ..solution
+        };
+        return vec![start, first];
+    }
+    let estimate = Stage {
+        sizes: coarse,
+        role: Role::Estimate,
+        ..solution
+    };
+    let mut stages = vec![start];
+    stages.extend(error_estimate.then_some(estimate));
+    stages.push(solution);
     stages
 }
 

@@ -107,8 +107,8 @@ fn extreme_lubricants_are_reached_step_by_step() {
     }
 }
 
-/// Incompressible at 3 GPa and M = 10,000 at 3.3 GPa: without the terms that reckon with the deflection
-/// the first has no solution on these meshes, without cells that follow the film at the rim neither has.
+/// Incompressible at 3 GPa, and M = 10,000 at 3.3 GPa: without the terms that reckon with the deflection the
+/// first does not converge.
 #[test]
 fn heavy_line_contacts() {
     for name in ["line-roelands-inc-M100-L20", "line-roelands-M10000-L2.5"] {
