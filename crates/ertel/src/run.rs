@@ -149,7 +149,7 @@ fn solve_problem(
     );
     let model = FilmModel {
         fluid: problem.fluid.clone(),
-        constants: finest.constants,
+        constants: finest.stage.constants,
     };
     let summary = post::summary::summarise(&finest, &levels, &model, &scales);
     let mut warnings = case.warnings.clone();

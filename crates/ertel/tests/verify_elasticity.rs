@@ -17,6 +17,7 @@ use ertel::solve::elastic::BodySpace;
 use ertel::solve::evaluate::fields_at;
 use ertel::solve::system::State;
 use ertel_fem::assembly::{CONSTRAINED, DofMap, NodeGraph};
+use ertel_fem::linear::NEVER;
 use ertel_fem::linear::condensed::Keep;
 use ertel_fem::mesh::{BodyMesh, BodyParams, body_mesh};
 use ertel_fem::quadrature::Quadrature;
@@ -118,7 +119,7 @@ fn error(body: &BodyMesh, order: usize, exact: &Exact) -> f64 {
         }
     }
     interior
-        .factorise(body, POISSONS_RATIO, Keep::Factor)
+        .factorise(body, POISSONS_RATIO, Keep::Factor, NEVER)
         .unwrap()
         .solve_full(&mut load)
         .unwrap();
@@ -441,7 +442,7 @@ fn condensed_response_equals_full_solution() {
             }
             let mut u = f.clone();
             c.space()
-                .factorise(&c.body, body.poissons_ratio, Keep::Factor)
+                .factorise(&c.body, body.poissons_ratio, Keep::Factor, NEVER)
                 .unwrap()
                 .solve_full(&mut u)
                 .unwrap();

@@ -19,6 +19,7 @@ use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, ColMut, Mat, MatMut, MatRef, Par};
 
 use crate::assembly::{CONSTRAINED, DofMap, NodeGraph};
+use crate::linear::Stop;
 use crate::linear::compliance::Compliance;
 use crate::linear::fronts::{Blocks, Front, Fronts};
 use crate::linear::ordering::OrderingError;
@@ -38,6 +39,9 @@ pub enum CholeskyError {
         /// What the library said.
         reason: String,
     },
+    /// Told to stop.
+    #[error("interrupted")]
+    Interrupted,
 }
 
 /// Factorised stiffness with its condensed part.
@@ -68,8 +72,10 @@ impl CondensedStiffness {
     /// `element_matrix(cell, out)` fills a row-major square matrix whose index is
     /// `local_node * n_components + component`; it is symmetric.
     ///
+    /// `stop` is asked before each front.
+    ///
     /// # Errors
-    /// When the ordering fails or the matrix is not positive definite.
+    /// When the ordering fails, the matrix is not positive definite, or `stop` says so.
     pub fn new(
         space: &Space,
         graph: &NodeGraph,
@@ -77,6 +83,7 @@ impl CondensedStiffness {
         condensed: &[usize],
         keep: Keep,
         element_matrix: impl Fn(usize, &mut [f64]) + Sync,
+        stop: Stop,
     ) -> Result<CondensedStiffness, CholeskyError> {
         let fronts = elimination(space, graph, dofs, condensed)?;
         let elements = elements_of_fronts(space, dofs, &fronts);
@@ -89,6 +96,9 @@ impl CondensedStiffness {
         let mut columns = vec![0.0; starts[fronts.fronts.len()]];
         let size = space.element.n_nodes() * dofs.n_components;
         let front = |k: usize, kept: &mut [f64], left: Vec<Left>| {
+            if stop() {
+                return Err(CholeskyError::Interrupted);
+            }
             let front = &fronts.fronts[k];
             let mut matrix = Mat::<f64>::zeros(front.size(), front.size());
             let mut block = vec![0.0; size * size];
@@ -134,7 +144,7 @@ impl CondensedStiffness {
                     }
                 }
             }
-            Ok::<Left, CholeskyError>(Left { matrix, n_own: n })
+            Ok(Left { matrix, n_own: n })
         };
         let left = fronts.eliminate(&starts, &mut columns, &front)?;
         let stiffness = match left.into_iter().next() {
@@ -394,6 +404,7 @@ fn cholesky(matrix: MatMut<f64>, par: Par) -> Result<(), String> {
 mod tests {
     use super::*;
     use crate::assembly::assemble_symmetric;
+    use crate::linear::NEVER;
     use crate::mesh::SimplexMesh;
     use crate::space::Space;
     use approx::assert_relative_eq;
@@ -427,7 +438,7 @@ mod tests {
         let n = matrix.n;
         let condensed: Vec<usize> = (0..n).filter(|d| d % 3 == 0).collect();
         let factorise =
-            |keep| CondensedStiffness::new(&space, &graph, &dofs, &condensed, keep, element);
+            |keep| CondensedStiffness::new(&space, &graph, &dofs, &condensed, keep, element, NEVER);
         let stiffness = factorise(Keep::Factor).unwrap();
 
         let mut dense = Mat::<f64>::zeros(n, n);
@@ -482,7 +493,7 @@ mod tests {
             out.copy_from_slice(&[1.0, -2.0, 0.0, -2.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
         };
         assert!(matches!(
-            CondensedStiffness::new(&space, &graph, &dofs, &[2], Keep::Condensed, element),
+            CondensedStiffness::new(&space, &graph, &dofs, &[2], Keep::Condensed, element, NEVER),
             Err(CholeskyError::NotPositiveDefinite { .. })
         ));
     }

@@ -8,3 +8,9 @@ pub mod fronts;
 pub mod gmres;
 pub mod lu;
 pub mod ordering;
+
+/// Asked now and then during long work, from any thread: whether to give up.
+pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// Never gives up.
+pub const NEVER: Stop<'static> = &|| false;

@@ -1,5 +1,6 @@
 //! Fields for output, in SI.
 
+use ertel_fem::linear::NEVER;
 use ertel_fem::linear::condensed::Keep;
 
 use crate::contact::{Scales, hertz};
@@ -115,7 +116,7 @@ pub fn body(solution: &StageSolution, scales: &Scales) -> Result<BodyField, Disc
         load[*dof] = -f / body.modulus;
     }
     c.space()
-        .factorise(&c.body, body.poissons_ratio, Keep::Factor)
+        .factorise(&c.body, body.poissons_ratio, Keep::Factor, NEVER)
         .and_then(|k| k.solve_full(&mut load))
         .map_err(DiscretisationError::from)?;
     let space = &c.space().space;

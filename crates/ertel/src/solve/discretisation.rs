@@ -6,6 +6,7 @@ use std::time::Instant;
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::element::Tabulation;
 use ertel_fem::linear::condensed::CholeskyError;
+use ertel_fem::linear::{NEVER, Stop};
 use ertel_fem::locate::Locator;
 use ertel_fem::mesh::{
     BodyMesh, BodyParams, MeshError, SimplexMesh, SizeField, SizeZone, Zone, body_mesh,
@@ -110,6 +111,24 @@ pub struct ContactBody {
     pub seconds: (f64, f64),
 }
 
+/// By what means elastic responses are come by.
+#[derive(Clone, Copy)]
+pub struct Means<'a> {
+    /// Where they are kept, if anywhere.
+    pub cache: Option<&'a OperatorCache>,
+    /// Whether the user wants to stop.
+    pub stop: Stop<'a>,
+}
+
+impl Default for Means<'_> {
+    fn default() -> Self {
+        Means {
+            cache: None,
+            stop: NEVER,
+        }
+    }
+}
+
 /// Dimensionless elastic constants of one body: E/(R p_h/a) and ν.
 pub type BodyConstants = (f64, f64);
 
@@ -125,20 +144,27 @@ impl ContactBody {
         elastic_order: usize,
         bodies: &[BodyConstants],
     ) -> Result<ContactBody, DiscretisationError> {
-        ContactBody::with_cache(kind, extents, sizes, elastic_order, bodies, None)
+        ContactBody::with_cache(
+            kind,
+            extents,
+            sizes,
+            elastic_order,
+            bodies,
+            Means::default(),
+        )
     }
 
     /// The same with responses from a cache where it has them.
     ///
     /// # Errors
-    /// When meshing or factorisation fails.
+    /// When meshing or factorisation fails, or the caller wants to stop.
     pub fn with_cache(
         kind: ContactKind,
         extents: &Extents,
         sizes: &LevelSizes,
         elastic_order: usize,
         bodies: &[BodyConstants],
-        cache: Option<&OperatorCache>,
+        means: Means,
     ) -> Result<ContactBody, DiscretisationError> {
         let start = Instant::now();
         let body = body_mesh(&body_params(kind, extents), &|x| {
@@ -152,18 +178,19 @@ impl ContactBody {
             mesh_seconds,
             elastic_order,
             bodies,
-            cache,
+            means,
         )
     }
 
     /// The same with elements halved `halvings` times in length, and the cells below as conformity demands.
     ///
     /// # Errors
-    /// As [`ContactBody::new`].
+    /// As [`ContactBody::with_cache`].
     pub fn refined(
         &self,
         halvings: &[u32],
         bodies: &[BodyConstants],
+        means: Means,
     ) -> Result<ContactBody, DiscretisationError> {
         let start = Instant::now();
         let sizes: Vec<f64> = halvings
@@ -185,7 +212,7 @@ impl ContactBody {
             mesh_seconds,
             self.elastic_order,
             bodies,
-            self.cache.as_ref(),
+            means,
         )
     }
 
@@ -197,7 +224,7 @@ impl ContactBody {
         mesh_seconds: f64,
         elastic_order: usize,
         bodies: &[BodyConstants],
-        cache: Option<&OperatorCache>,
+        means: Means,
     ) -> Result<ContactBody, DiscretisationError> {
         let start = Instant::now();
         let contact = body.contact_mesh();
@@ -210,7 +237,8 @@ impl ContactBody {
             n: deflection.n_nodes(),
             new_space: || BodySpace::new(&body, &surface, &contact.body_vertices, &deflection),
             space: OnceLock::new(),
-            cache: cache.filter(|_| body.mesh.n_cells() > SMALLEST),
+            cache: means.cache.filter(|_| body.mesh.n_cells() > SMALLEST),
+            stop: means.stop,
             elastic_order,
             n_displacement: 0,
         };
@@ -251,7 +279,7 @@ impl ContactBody {
             n_displacement,
             space,
             body_vertices: contact.body_vertices,
-            cache: cache.cloned(),
+            cache: means.cache.cloned(),
             from_cache,
             locator: Locator::new(&surface),
             surface,
@@ -305,6 +333,7 @@ struct ResponseBuilder<'a, F> {
     new_space: F,
     space: OnceLock<BodySpace>,
     cache: Option<&'a OperatorCache>,
+    stop: Stop<'a>,
     elastic_order: usize,
     n_displacement: usize,
 }
@@ -325,7 +354,8 @@ impl<F: Fn() -> BodySpace> ResponseBuilder<'_, F> {
         }
         let space = self.space.get_or_init(&self.new_space);
         self.n_displacement = space.dofs.n_dofs;
-        let response = SurfaceResponse::new(space, self.body, poissons_ratio, self.near_pairs)?;
+        let response =
+            SurfaceResponse::new(space, self.body, poissons_ratio, self.near_pairs, self.stop)?;
         if let Some((cache, key)) = key {
             cache.put(key, &response, self.n_displacement);
         }

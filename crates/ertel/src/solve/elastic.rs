@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use ertel_fem::assembly::{CONSTRAINED, DofMap, NodeGraph, assemble_symmetric};
+use ertel_fem::linear::Stop;
 use ertel_fem::linear::compliance::Compliance;
 use ertel_fem::linear::condensed::{CholeskyError, CondensedStiffness, Keep};
 use ertel_fem::mesh::{BodyMesh, SimplexMesh};
@@ -59,12 +60,13 @@ impl BodySpace {
     /// Factorised stiffness of the body with unit Young's modulus.
     ///
     /// # Errors
-    /// When the factorisation fails.
+    /// When the factorisation fails, or `stop` says so.
     pub fn factorise(
         &self,
         body: &BodyMesh,
         poissons_ratio: f64,
         keep: Keep,
+        stop: Stop,
     ) -> Result<CondensedStiffness, CholeskyError> {
         CondensedStiffness::new(
             &self.space,
@@ -73,6 +75,7 @@ impl BodySpace {
             &self.normal_dofs,
             keep,
             self.element_stiffness(body, poissons_ratio),
+            stop,
         )
     }
 
@@ -143,14 +146,18 @@ impl SurfaceResponse {
     /// Factorises a body and condenses it.
     ///
     /// # Errors
-    /// When the factorisation fails.
+    /// When the factorisation fails, or `stop` says so.
     pub fn new(
         space: &BodySpace,
         body: &BodyMesh,
         poissons_ratio: f64,
         near_pairs: &[(u32, u32)],
+        stop: Stop,
     ) -> Result<SurfaceResponse, CholeskyError> {
-        let stiffness = space.factorise(body, poissons_ratio, Keep::Condensed)?;
+        let stiffness = space.factorise(body, poissons_ratio, Keep::Condensed, stop)?;
+        if stop() {
+            return Err(CholeskyError::Interrupted);
+        }
         let near = near_pairs.iter();
         Ok(SurfaceResponse {
             near: near

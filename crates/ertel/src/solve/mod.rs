@@ -15,6 +15,7 @@ pub mod sequence;
 mod step;
 pub mod system;
 
+use ertel_fem::linear::condensed::CholeskyError;
 use ertel_fem::linear::gmres::GmresError;
 use ertel_fem::linear::lu::LuError;
 
@@ -23,7 +24,9 @@ pub use discretisation::DiscretisationError;
 use crate::solution::IterationRecord;
 
 /// Follows a solve; every method has a default that does nothing.
-pub trait Observer {
+///
+/// Threads of the solver ask it whether to stop.
+pub trait Observer: Sync {
     /// A new stage begins.
     fn level(
         &mut self,
@@ -37,7 +40,8 @@ pub trait Observer {
     /// A Newton iteration ended.
     fn iteration(&mut self, _record: &IterationRecord) {}
 
-    /// Whether the user wants to stop; asked before each Newton iteration.
+    /// Whether the user wants to stop; asked before each stage, between the fronts of a factorisation of the
+    /// bodies, and before each linear solve.
     fn cancelled(&self) -> bool {
         false
     }
@@ -82,8 +86,17 @@ pub enum SolveError {
     Factorisation(#[from] LuError),
     /// Mesh or elastic operator failed.
     #[error(transparent)]
-    Discretisation(#[from] DiscretisationError),
+    Discretisation(DiscretisationError),
     /// The observer asked to stop.
     #[error("interrupted")]
     Interrupted,
+}
+
+impl From<DiscretisationError> for SolveError {
+    fn from(error: DiscretisationError) -> SolveError {
+        match error {
+            DiscretisationError::Elastic(CholeskyError::Interrupted) => SolveError::Interrupted,
+            error => SolveError::Discretisation(error),
+        }
+    }
 }

@@ -71,6 +71,15 @@ pub struct NewtonStats {
     pub seconds: Timings,
 }
 
+/// Where a run ended.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Reached {
+    /// Relative residual of the state.
+    pub residual: f64,
+    /// Largest pressure update of the last iteration, in p_h.
+    pub update: f64,
+}
+
 /// The film equations of a run.
 #[derive(Clone, Debug)]
 pub struct FilmModel {
@@ -127,7 +136,8 @@ impl<'a> NewtonLevel<'a> {
         }
     }
 
-    /// Iterates until both tolerances hold, or are foreseen to hold after the step just taken. `state` is the start, then the solution.
+    /// Iterates until both tolerances hold, or are foreseen to hold after the step just taken. `state` is the start,
+    /// then the solution.
     ///
     /// # Errors
     /// When the iterations run out, the linear solver fails, or the user interrupts.
@@ -139,7 +149,12 @@ impl<'a> NewtonLevel<'a> {
         state: &mut State,
         stats: &mut NewtonStats,
         observer: &mut dyn Observer,
-    ) -> Result<(), SolveError> {
+    ) -> Result<Reached, SolveError> {
+        let go_on = |observer: &dyn Observer| match observer.cancelled() {
+            true => Err(SolveError::Interrupted),
+            false => Ok(()),
+        };
+        go_on(observer)?;
         let mut solver = StepSolver::new(self, params, stats);
         let mut system = solver.assemble(model, state);
         let mut step = solver.newton_step(&system, state)?;
@@ -147,9 +162,6 @@ impl<'a> NewtonLevel<'a> {
         // Update of the iteration before, if its step was taken whole.
         let mut update_before = None;
         for iteration in 1..=params.max_iterations {
-            if observer.cancelled() {
-                return Err(SolveError::Interrupted);
-            }
             let residual = system.relative_residual();
             let update = max_abs(&step.pressure);
             let stopped = |reason| SolveError::NotConverged {
@@ -172,6 +184,7 @@ impl<'a> NewtonLevel<'a> {
                 update < params.update_tolerance && residual < params.residual_tolerance;
             let mut share = 1.0;
             let (next_state, next_system) = loop {
+                go_on(observer)?;
                 let trial = self.advance(model, params, state, &step, share);
                 let trial_system = solver.assemble(model, &trial);
                 if converged || update < SAFE_UPDATE {
@@ -221,12 +234,16 @@ impl<'a> NewtonLevel<'a> {
                 && foreseen < params.update_tolerance
                 && next_system.relative_residual() < params.residual_tolerance;
             if converged || done {
-                return Ok(());
+                return Ok(Reached {
+                    residual: next_system.relative_residual(),
+                    update,
+                });
             }
             update_before = whole.then_some(update);
             if iteration == params.max_iterations {
                 return Err(stopped("the iterations ran out"));
             }
+            go_on(observer)?;
             system = next_system;
             step = solver.newton_step(&system, state)?;
         }

@@ -1,0 +1,116 @@
+//! Stage after stage from the dry contact to the solution: meshes from coarse to fine, a diffusive start before
+//! the case's own equations, other ways where one fails.
+//!
+//! - `run`: which stage comes next;
+//! - `stage`: Newton's method on one of them;
+//! - `start`: from which pressures;
+//! - `rescue`: what is tried when that fails.
+
+mod rescue;
+mod run;
+mod stage;
+mod start;
+
+use super::adapt::AdaptParams;
+use super::cache::OperatorCache;
+use super::discretisation::{BodyConstants, Discretisation, Extents, LevelSizes};
+use super::evaluate::minimum_film;
+use super::newton::{NewtonParams, Reached};
+use super::system::{FilmConstants, State};
+use crate::contact::ContactKind;
+use crate::film::FilmFluid;
+use crate::params::LinearSolver;
+
+pub use run::solve_stages;
+
+/// One stage of a solve: a mesh, a pressure order, a formulation.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage {
+    /// Cell sizes; a stage with the sizes of the one before keeps its mesh and elastic operator.
+    pub sizes: LevelSizes,
+    /// Times that the mesh of these sizes has been refined locally.
+    pub refinements: usize,
+    /// Lagrange order of the pressure.
+    pub pressure_order: usize,
+    /// Constants of the Reynolds equation, penalty at full strength.
+    pub constants: FilmConstants,
+    /// Share of the fluid's thickening under pressure.
+    pub thickening: f64,
+    /// Whether it starts from the Hertz pressure, whatever was reached before.
+    pub cold: bool,
+    /// What it is for.
+    pub role: Role,
+}
+
+/// What a stage is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// Only starts the next one: loose tolerance, penalty ramp, and what it reaches is good
+    /// enough even when it does not converge.
+    Start,
+    /// Its figures bound the discretisation error; skipped when it does not converge.
+    Estimate,
+    /// The solution.
+    Final,
+}
+
+/// Everything a solve needs, dimensionless.
+pub struct Problem {
+    /// Line or circular.
+    pub kind: ContactKind,
+    /// Contact area and body.
+    pub extents: Extents,
+    /// Stages, coarse to fine.
+    pub stages: Vec<Stage>,
+    /// Order of the displacement.
+    pub elastic_order: usize,
+    /// Elastic bodies: the equivalent one, or plane and ball.
+    pub bodies: Vec<BodyConstants>,
+    /// Fluid.
+    pub fluid: FilmFluid,
+    /// Target of ∫P over the (half) contact area.
+    pub load: f64,
+    /// Central film of the start.
+    pub start_film: f64,
+    /// Film scale a²/R, m.
+    pub film_scale: f64,
+    /// Pressure scale p_h, Pa.
+    pub pressure_scale: f64,
+    /// Newton tolerances and limits.
+    pub newton: NewtonParams,
+    /// Condensed or monolithic.
+    pub linear: LinearSolver,
+    /// Where elastic operators are kept, if anywhere.
+    pub cache: Option<OperatorCache>,
+    /// Whether errors are estimated.
+    pub error_estimate: bool,
+    /// Local refinement of the final stage, if an accuracy is asked for.
+    pub adapt: Option<AdaptParams>,
+}
+
+/// A converged stage.
+pub struct StageSolution {
+    /// The discretisation.
+    pub discretisation: Discretisation,
+    /// The state on it.
+    pub state: State,
+    /// The stage it solves.
+    pub stage: Stage,
+    /// How far Newton's method came.
+    pub reached: Reached,
+}
+
+impl Stage {
+    /// Whether it stands on the mesh of another stage.
+    fn is_on_mesh_of(&self, other: &Stage) -> bool {
+        self.sizes == other.sizes && self.refinements == other.refinements
+    }
+}
+
+impl StageSolution {
+    /// Whether an unconverged state is still near a contact: finite, with film everywhere.
+    fn is_usable(&self) -> bool {
+        let (film, _) = minimum_film(&self.discretisation, &self.state);
+        film.is_finite() && film > 0.0 && self.state.pressure.iter().all(|p| p.is_finite())
+    }
+}

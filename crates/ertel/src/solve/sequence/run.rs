@@ -1,0 +1,297 @@
+//! Which stage comes next, until the last has converged.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::rescue::rescues;
+use super::stage::{Finish, StageRun};
+use super::start::{cold_start, interpolate};
+use super::{Problem, Role, Stage, StageSolution};
+use crate::solution::LevelStats;
+use crate::solve::adapt::{grading_errors, next_refinement};
+use crate::solve::discretisation::{ContactBody, Discretisation, Means};
+use crate::solve::evaluate::minimum_film;
+use crate::solve::newton::{NewtonStats, Reached};
+use crate::solve::{Observer, SolveError};
+
+/// Solves stage by stage; returns the last and the effort on each.
+///
+/// # Errors
+/// When a stage does not converge or cannot be built.
+pub fn solve_stages(
+    problem: &Problem,
+    observer: &mut dyn Observer,
+) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
+    let mut sequence = Sequence::new(problem);
+    while let Some(stage) = sequence.queue.pop_front() {
+        if observer.cancelled() {
+            return Err(SolveError::Interrupted);
+        }
+        let end = sequence.run(&stage, observer)?;
+        sequence.proceed(&stage, end, observer)?;
+    }
+    let solution = sequence.previous.expect("the final stage converged");
+    let stats = sequence.stats;
+    let (film, _) = minimum_film(&solution.discretisation, &solution.state);
+    if film <= 0.0 {
+        // A root of the discrete equations, but no contact.
+        return Err(SolveError::NotConverged {
+            level: stats.len() - 1,
+            iterations: stats.last().map_or(0, |l| l.newton_iterations),
+            residual: solution.reached.residual,
+            update: solution.reached.update,
+            penalty_share: 1.0,
+            reason: "the mesh is too coarse for the film, which comes out negative at a point",
+        });
+    }
+    Ok((solution, stats))
+}
+
+/// Where a solve stands.
+struct Sequence<'a> {
+    problem: &'a Problem,
+    /// Stages to come.
+    queue: VecDeque<Stage>,
+    /// What to try if these fail.
+    rescues: std::vec::IntoIter<Vec<Stage>>,
+    /// Why the first way failed: the error to report when all do.
+    first_failure: Option<SolveError>,
+    stats: Vec<LevelStats>,
+    /// Where the next stage starts.
+    previous: Option<StageSolution>,
+    /// The last solution of a final stage, while a refined mesh is being tried.
+    solved: Option<StageSolution>,
+    /// The last mesh made, and for which stage.
+    mesh: Option<(Stage, Arc<ContactBody>)>,
+    /// Halvings of each element that make the next mesh.
+    halvings: Vec<u32>,
+    /// Refinements of the mesh that has been tried once more.
+    restarted: usize,
+}
+
+/// How a stage ended.
+struct StageEnd {
+    outcome: Result<(), SolveError>,
+    solution: StageSolution,
+    /// How to refine its mesh, if errors are too large.
+    refinement: Option<Vec<u32>>,
+}
+
+impl<'a> Sequence<'a> {
+    fn new(problem: &'a Problem) -> Sequence<'a> {
+        Sequence {
+            problem,
+            queue: problem.stages.iter().copied().collect(),
+            rescues: rescues(problem).into_iter(),
+            first_failure: None,
+            stats: Vec::new(),
+            previous: None,
+            solved: None,
+            mesh: None,
+            halvings: Vec::new(),
+            restarted: 0,
+        }
+    }
+
+    /// The mesh of a stage with its elastic operator, and whether it had to be made.
+    fn mesh(
+        &mut self,
+        stage: &Stage,
+        observer: &dyn Observer,
+    ) -> Result<(Arc<ContactBody>, bool), SolveError> {
+        let previous = self.previous.as_ref();
+        let known = previous
+            .map(|p| (&p.stage, &p.discretisation.contact))
+            .into_iter()
+            .chain(self.mesh.iter().map(|(of, mesh)| (of, mesh)))
+            .find(|(of, _)| stage.is_on_mesh_of(of));
+        if let Some((_, mesh)) = known {
+            return Ok((Arc::clone(mesh), false));
+        }
+        let problem = self.problem;
+        let refined = previous.filter(|p| {
+            p.stage.sizes == stage.sizes && p.stage.refinements + 1 == stage.refinements
+        });
+        let stop = || observer.cancelled();
+        let means = Means {
+            cache: problem.cache.as_ref(),
+            stop: &stop,
+        };
+        // Not both at a time
+        self.mesh = None;
+        let mesh = Arc::new(match refined {
+            Some(p) => {
+                (p.discretisation.contact).refined(&self.halvings, &problem.bodies, means)?
+            }
+            None => ContactBody::with_cache(
+                problem.kind,
+                &problem.extents,
+                &stage.sizes,
+                problem.elastic_order,
+                &problem.bodies,
+                means,
+            )?,
+        });
+        self.mesh = Some((*stage, Arc::clone(&mesh)));
+        Ok((mesh, true))
+    }
+
+    /// Solves a stage and measures it.
+    fn run(&mut self, stage: &Stage, observer: &mut dyn Observer) -> Result<StageEnd, SolveError> {
+        let clock = Instant::now();
+        let problem = self.problem;
+        let level = self.stats.len();
+        let (contact, fresh) = self.mesh(stage, observer)?;
+        let mut effort = NewtonStats::default();
+        if fresh {
+            (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
+        }
+        let d = Discretisation::new(&contact, stage.pressure_order);
+        observer.level(
+            level,
+            level + 1 + self.queue.len(),
+            d.n_pressure,
+            contact.n_displacement,
+        );
+        let mut state = match &self.previous {
+            Some(coarse) if !stage.cold => interpolate(coarse, &d),
+            _ => cold_start(problem, &d),
+        };
+        let run = StageRun::new(problem, stage, level, &d);
+        // What is measured only, or refined further, need not be exact.
+        let last = stage.role == Role::Final;
+        let rough = stage.role == Role::Estimate
+            || last && problem.adapt.is_some() && stage.refinements == 0;
+        let finish = if rough { Finish::Rough } else { Finish::Exact };
+        let mut outcome = run.solve(finish, &mut state, &mut effort, observer);
+        let wanted = problem.error_estimate && stage.role != Role::Start && outcome.is_ok();
+        if wanted && observer.cancelled() {
+            return Err(SolveError::Interrupted);
+        }
+        let indicator = if wanted {
+            run.measure(&state, &mut effort)
+        } else {
+            None
+        };
+        let figures = run.figures(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
+        self.stats.push(figures);
+        let refinement = match (&problem.adapt, &indicator) {
+            (Some(adapt), Some(indicator)) if last => next_refinement(
+                adapt,
+                problem.kind.body_dimension() - 1,
+                &self.stats,
+                grading_errors(problem.kind, &stage.sizes),
+                stage.refinements,
+                indicator,
+            ),
+            _ => None,
+        };
+        if rough && last && outcome.is_ok() && refinement.is_none() {
+            // Measured, and already accurate enough: the solution itself, to the end.
+            outcome = run.solve(Finish::Exact, &mut state, &mut effort, observer);
+            let figures = run.figures(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
+            self.stats[level] = figures;
+        }
+        let (outcome, reached) = match outcome {
+            Ok(reached) => (Ok(()), reached),
+            Err(e) => (Err(e), Reached::default()),
+        };
+        let solution = StageSolution {
+            discretisation: d,
+            state,
+            stage: *stage,
+            reached,
+        };
+        Ok(StageEnd {
+            outcome,
+            solution,
+            refinement,
+        })
+    }
+
+    /// Draws the conclusions of a stage: what the next one starts from, and which comes next.
+    fn proceed(
+        &mut self,
+        stage: &Stage,
+        end: StageEnd,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SolveError> {
+        let StageEnd {
+            outcome,
+            solution,
+            refinement,
+        } = end;
+        let start = stage.role == Role::Start;
+        match outcome {
+            Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+            _ if stage.refinements > 0 && start => {
+                // Good enough, or the way ends here.
+                if outcome.is_ok() || solution.is_usable() {
+                    let before = self.previous.replace(solution);
+                    self.solved = self.solved.take().or(before);
+                } else {
+                    return self.stop_refining(observer);
+                }
+            }
+            Ok(()) => {
+                self.previous = Some(solution);
+                self.solved = None;
+                if let Some(halvings) = refinement {
+                    self.halvings = halvings;
+                    self.queue.push_back(Stage {
+                        refinements: stage.refinements + 1,
+                        ..*stage
+                    });
+                }
+            }
+            // The refined mesh once more, from a diffusive start; failing that, the mesh before has a
+            // solution, with an error bar that says what it is worth.
+            Err(_) if stage.refinements > 0 => {
+                if self.restarted == stage.refinements {
+                    return self.stop_refining(observer);
+                }
+                self.restarted = stage.refinements;
+                let restart = Stage {
+                    sizes: stage.sizes,
+                    refinements: stage.refinements,
+                    cold: false,
+                    ..self.problem.stages[0]
+                };
+                self.queue.extend([restart, *stage]);
+            }
+            // The first start: no time is lost on what follows from a bad one.
+            Err(e) if start && self.stats.len() == 1 => {
+                self.first_failure = Some(e);
+                self.queue = self.rescues.next().into_iter().flatten().collect();
+                self.previous = Some(solution);
+            }
+            Err(_) if start && solution.is_usable() => self.previous = Some(solution),
+            Err(_) if stage.role == Role::Estimate => {}
+            Err(e) => {
+                let failure = self.first_failure.get_or_insert(e);
+                match self.rescues.next() {
+                    Some(stages) => self.queue = stages.into(),
+                    None => return Err(std::mem::replace(failure, SolveError::Interrupted)),
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Gives the refined mesh of a stage up: the solution on the mesh before stands.
+    fn stop_refining(&mut self, observer: &mut dyn Observer) -> Result<(), SolveError> {
+        self.queue.clear();
+        if let Some(solved) = self.solved.take() {
+            self.previous = Some(solved);
+        }
+        if let Some(p) = (self.previous.as_mut()).filter(|p| p.stage.refinements == 0) {
+            // Only measured so far.
+            let level = self.stats.len() - 1;
+            let run = StageRun::new(self.problem, &p.stage, level, &p.discretisation);
+            let mut effort = NewtonStats::default();
+            p.reached = run.solve(Finish::Exact, &mut p.state, &mut effort, observer)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,158 @@
+//! Newton's method on one stage.
+
+use std::time::Instant;
+
+use super::{Problem, Role, Stage};
+use crate::solution::LevelStats;
+use crate::solve::discretisation::Discretisation;
+use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
+use crate::solve::indicator::{Indicator, indicator};
+use crate::solve::newton::{FilmModel, NewtonLevel, NewtonStats, Reached, RunLabel};
+use crate::solve::system::{FilmConstants, State};
+use crate::solve::{Observer, SolveError};
+
+/// Shares of the full cavitation penalty in a start, where the free boundary is still
+/// far from its place.
+const PENALTY_RAMP: [f64; 3] = [1e-4, 1e-2, 1.0];
+
+/// Update, in p_h, at which a start is good enough.
+const START_TOLERANCE: f64 = 1e-2;
+
+/// Update, in p_h, and residual at which a solution is good enough to be measured and refined: error
+/// bars are a hundred times as large.
+const ROUGH_TOLERANCE: f64 = 1e-5;
+
+/// Newton iterations that a start may take for each share of the ramp.
+const START_ITERATIONS: usize = 30;
+
+/// Iterations without a smaller update that a start may take.
+const START_PATIENCE: usize = 12;
+
+/// To which end Newton's method is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Finish {
+    /// To the tolerance of the case.
+    Exact,
+    /// As exactly as measuring or refining needs.
+    Rough,
+}
+
+/// A stage on its mesh.
+pub(super) struct StageRun<'a> {
+    problem: &'a Problem,
+    stage: Stage,
+    /// Number of the stage.
+    level: usize,
+    discretisation: &'a Discretisation,
+    newton: NewtonLevel<'a>,
+}
+
+impl<'a> StageRun<'a> {
+    /// Prepares a stage.
+    pub fn new(
+        problem: &'a Problem,
+        stage: &Stage,
+        level: usize,
+        discretisation: &'a Discretisation,
+    ) -> StageRun<'a> {
+        StageRun {
+            problem,
+            stage: *stage,
+            level,
+            discretisation,
+            newton: NewtonLevel::new(discretisation, problem.load, problem.linear),
+        }
+    }
+
+    /// Newton's method, through the penalty ramp if the stage is a start.
+    pub fn solve(
+        &self,
+        finish: Finish,
+        state: &mut State,
+        effort: &mut NewtonStats,
+        observer: &mut dyn Observer,
+    ) -> Result<Reached, SolveError> {
+        let start = self.stage.role == Role::Start;
+        let mut params = self.problem.newton;
+        if finish == Finish::Rough {
+            params.update_tolerance = params.update_tolerance.max(ROUGH_TOLERANCE);
+            params.residual_tolerance = params.residual_tolerance.max(ROUGH_TOLERANCE);
+        }
+        if start {
+            params.update_tolerance = START_TOLERANCE;
+            params.residual_tolerance = f64::INFINITY;
+            params.max_iterations = START_ITERATIONS;
+            params.patience = START_PATIENCE;
+        }
+        let ramp = if start { &PENALTY_RAMP[..] } else { &[1.0] };
+        let mut outcome = Ok(Reached::default());
+        for share in ramp {
+            let label = RunLabel {
+                level: self.level,
+                penalty_share: *share,
+                film_scale: self.problem.film_scale,
+            };
+            let model = self.model(*share);
+            outcome = (self.newton).run(&model, &params, &label, state, effort, observer);
+            let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
+            if outcome.is_err() && !(start && stalled) {
+                return outcome;
+            }
+        }
+        outcome
+    }
+
+    /// The film equations with a share of the cavitation penalty.
+    fn model(&self, penalty_share: f64) -> FilmModel {
+        let constants = self.stage.constants;
+        FilmModel {
+            fluid: self.problem.fluid.with_thickening(self.stage.thickening),
+            constants: FilmConstants {
+                penalty: constants.penalty * penalty_share,
+                ..constants
+            },
+        }
+    }
+
+    /// Errors of a solution, cell by cell; `None` where they cannot be computed.
+    pub fn measure(&self, state: &State, effort: &mut NewtonStats) -> Option<Indicator> {
+        let clock = Instant::now();
+        let near = self.newton.near();
+        let indicator = indicator(self.discretisation, &self.model(1.0), state, near).ok();
+        effort.seconds.estimate += clock.elapsed().as_secs_f64();
+        indicator
+    }
+
+    /// What goes into the report.
+    pub fn figures(
+        &self,
+        converged: bool,
+        state: &State,
+        effort: &NewtonStats,
+        indicator: Option<&Indicator>,
+        clock: Instant,
+    ) -> LevelStats {
+        let (problem, d) = (self.problem, self.discretisation);
+        let contact = &d.contact;
+        let mut figures = LevelStats {
+            converged,
+            n_body_cells: contact.body.mesh.n_cells(),
+            n_contact_elements: contact.n_elements(),
+            n_pressure_dofs: d.n_pressure,
+            n_displacement_dofs: contact.n_displacement,
+            n_contact_dofs: contact.deflection.n_nodes(),
+            operator_cached: contact.from_cache,
+            pressure_order: self.stage.pressure_order,
+            newton_iterations: effort.iterations,
+            krylov_iterations: effort.krylov_iterations,
+            factorisations: effort.factorisations,
+            film_central: problem.film_scale * central_film(d, state),
+            film_minimum: problem.film_scale * minimum_film(d, state).0,
+            pressure_maximum: problem.pressure_scale * largest_pressure(d, state).0,
+            estimate: indicator.map(Indicator::totals),
+            seconds: effort.seconds,
+        };
+        figures.seconds.other = clock.elapsed().as_secs_f64() - figures.seconds.known();
+        figures
+    }
+}

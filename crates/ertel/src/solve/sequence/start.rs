@@ -1,0 +1,74 @@
+//! Where a stage starts: from the dry contact, or from the solution on another mesh.
+
+use super::{Problem, StageSolution};
+use crate::contact::hertz;
+use crate::solve::discretisation::Discretisation;
+use crate::solve::evaluate::{central_film, minimum_film};
+use crate::solve::system::State;
+
+/// Hertz pressure, and H0 such that the central film is the problem's start film.
+pub(super) fn cold_start(problem: &Problem, d: &Discretisation) -> State {
+    let pressure: Vec<f64> = d
+        .pressure
+        .points
+        .iter()
+        .map(|p| hertz::pressure_profile(p[0].hypot(p[1])))
+        .collect();
+    let deflection = d.deflect(&pressure);
+    let mut state = State {
+        pressure,
+        deflection,
+        rigid_separation: 0.0,
+    };
+    state.rigid_separation = problem.start_film - central_film(d, &state);
+    state
+}
+
+/// Pressures of a coarser level, without new extrema; same central film.
+pub(super) fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
+    let (from, old) = (&coarse.discretisation, &coarse.state);
+    let pressure: Vec<f64> = d
+        .pressure
+        .points
+        .iter()
+        .zip(&d.pressure_dofs)
+        .map(|(p, dof)| {
+            if *dof == ertel_fem::assembly::CONSTRAINED {
+                return 0.0;
+            }
+            let Some((cell, xi)) = from
+                .contact
+                .locator
+                .find(&from.contact.surface, [p[0], p[1]])
+            else {
+                return 0.0;
+            };
+            let nodes = from.pressure.nodes_of(cell);
+            let values = nodes.iter().map(|n| old.pressure[*n as usize]);
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+                (l.min(v), h.max(v))
+            });
+            let value: f64 = from
+                .pressure
+                .element
+                .evaluate(xi)
+                .iter()
+                .zip(nodes)
+                .map(|(b, n)| b.0 * old.pressure[*n as usize])
+                .sum();
+            value.clamp(low, high)
+        })
+        .collect();
+    let deflection = d.deflect(&pressure);
+    let mut state = State {
+        pressure,
+        deflection,
+        rigid_separation: 0.0,
+    };
+    state.rigid_separation = central_film(from, old) - central_film(d, &state);
+    // Deflections of two meshes differ by more than the thinnest film has to give.
+    let (thinnest, _) = minimum_film(d, &state);
+    let floor = 0.5 * minimum_film(from, old).0;
+    state.rigid_separation += (floor - thinnest).max(0.0);
+    state
+}
