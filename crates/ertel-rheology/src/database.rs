@@ -79,8 +79,6 @@ pub fn fluid(name: &str) -> Result<Fluid, DatabaseError> {
     let document = Document::parse(format!("data/fluids/{name}.toml"), text)?;
     let mut table = document.root();
     let entry = Entry::read(&mut table)?;
-    // Data for later models: shown with their sources, not yet read.
-    table.optional_table("shear_thinning")?;
     let mut fluid = Fluid::from_table(&mut table, name, Files::Embedded(TABLES))?;
     table.finish()?;
     fluid.provenance = entry.provenance(text);

@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::provenance::{Datum, RangeWarning, ValidityRange};
 use crate::viscosity::NoAsymptote;
-use crate::{DensityLaw, Scalar, ViscosityLaw};
+use crate::{DensityLaw, Scalar, ShearThinning, ViscosityLaw};
 
 /// A lubricant.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,8 +13,10 @@ pub struct Fluid {
     pub name: String,
     /// Description in a few words.
     pub title: String,
-    /// Viscosity law.
+    /// Law of the viscosity, at low shear where the fluid thins.
     pub viscosity: ViscosityLaw,
+    /// Shear thinning; `None` for a Newtonian lubricant, or where the source of the fluid says nothing about it.
+    pub shear_thinning: Option<ShearThinning>,
     /// Density law; `None` where the source of the fluid gives none.
     pub density: Option<DensityLaw>,
     /// Temperature at which the reference viscosity and density hold (K).
@@ -68,7 +70,7 @@ impl Fluid {
         Ok(self.density_law()?.density(pressure, temperature))
     }
 
-    /// Viscosity (Pa·s) at `pressure` (Pa above ambient) and `temperature` (K).
+    /// Viscosity (Pa·s), at low shear where the fluid thins, at `pressure` (Pa above ambient) and `temperature` (K).
     pub fn viscosity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
         self.viscosity.viscosity(pressure, temperature)
     }

@@ -26,6 +26,7 @@ pub mod provenance;
 pub mod quantity;
 mod read;
 mod scalar;
+pub mod shear;
 mod solid;
 pub mod viscosity;
 
@@ -34,5 +35,6 @@ pub use error::LawError;
 pub use fluid::{Fluid, FluidError};
 pub use read::Files;
 pub use scalar::Scalar;
+pub use shear::ShearThinning;
 pub use solid::Solid;
 pub use viscosity::ViscosityLaw;

@@ -211,6 +211,8 @@ pub struct SolverParams {
     pub max_iterations: usize,
     /// Solve on a second, coarser mesh to bound the discretisation error.
     pub error_estimate: bool,
+    /// Leave out the shear thinning of the lubricant: its low-shear viscosity alone.
+    pub newtonian: bool,
 }
 
 impl Default for SolverParams {
@@ -226,6 +228,7 @@ impl Default for SolverParams {
             tolerance: 1e-8,
             max_iterations: 60,
             error_estimate: true,
+            newtonian: false,
         }
     }
 }

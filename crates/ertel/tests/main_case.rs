@@ -34,6 +34,7 @@ fn main_case(kind: ContactKind, load: f64) -> Case {
             temperature: 313.15,
             density: DensityLaw::dowson_higginson(870.0).unwrap(),
             viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
+            shear_thinning: None,
         },
         mesh: MeshParams::preset(MeshPreset::Normal, kind),
         solver: SolverParams::default(),

@@ -4,21 +4,22 @@ use super::Files;
 use crate::input::{Bounds, InputError, Table};
 use crate::provenance::{Datum, Status, ValidityRange};
 use crate::quantity::Dimension;
-use crate::{DensityLaw, Fluid, ViscosityLaw};
+use crate::{DensityLaw, Fluid, ShearThinning, ViscosityLaw};
 
 impl Fluid {
     /// Keys that [`Fluid::from_table`] and [`Fluid::override_from`] read.
-    pub const KEYS: [&'static str; 6] = [
+    pub const KEYS: [&'static str; 7] = [
         "viscosity",
         "density",
+        "shear_thinning",
         "reference_temperature",
         "thermal_conductivity",
         "heat_capacity",
         "validity",
     ];
 
-    /// Reads a fluid from a table: `viscosity`, and where given `density`, `reference_temperature`,
-    /// `thermal_conductivity`, `heat_capacity` and `validity = { pressure = [..], temperature = [..], source = ".." }`.
+    /// Reads a fluid from a table: `viscosity`, and where given `density`, `shear_thinning`,
+    /// `reference_temperature`, `thermal_conductivity`, `heat_capacity` and `validity = { pressure = [..], temperature = [..], source = ".." }`.
     ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the fluid is called in
     /// messages.
@@ -38,6 +39,7 @@ impl Fluid {
             name: name.to_owned(),
             title: name.to_owned(),
             viscosity,
+            shear_thinning: None,
             density,
             reference_temperature: None,
             thermal_conductivity: None,
@@ -47,6 +49,7 @@ impl Fluid {
             provenance: Vec::new(),
         };
         fluid.read_numbers(table)?;
+        fluid.read_shear_thinning(table)?;
         for key in Self::KEYS {
             if table.contains(key) {
                 fluid.record_override(table, key);
@@ -72,6 +75,7 @@ impl Fluid {
             self.viscosity = ViscosityLaw::from_table(viscosity, self.density.as_ref(), files)?;
         }
         self.read_numbers(table)?;
+        self.read_shear_thinning(table)?;
         for key in Self::KEYS {
             if table.contains(key) {
                 let prefix = format!("{key}.");
@@ -79,6 +83,16 @@ impl Fluid {
                     .retain(|datum| datum.key != key && !datum.key.starts_with(&prefix));
                 self.record_override(table, key);
             }
+        }
+        Ok(())
+    }
+
+    /// After the viscosity and the reference temperature, which the second plateau refers to.
+    fn read_shear_thinning(&mut self, table: &mut Table<'_>) -> Result<(), InputError> {
+        if let Some(table) = table.optional_table("shear_thinning")? {
+            let law =
+                ShearThinning::from_table(table, &self.viscosity, self.reference_temperature)?;
+            self.shear_thinning = Some(law);
         }
         Ok(())
     }
@@ -123,6 +137,12 @@ impl Fluid {
                     .to_owned(),
                 String::new(),
             ),
+            "shear_thinning" => (
+                self.shear_thinning
+                    .as_ref()
+                    .map_or(String::new(), ShearThinning::describe),
+                String::new(),
+            ),
             "reference_temperature" => (si(self.reference_temperature), "K".to_owned()),
             "thermal_conductivity" => (si(self.thermal_conductivity), "W/(m.K)".to_owned()),
             "heat_capacity" => (si(self.heat_capacity), "J/(kg.K)".to_owned()),
@@ -133,7 +153,7 @@ impl Fluid {
         } else {
             format!("given in [{}]", table.path())
         };
-        let law = matches!(key, "viscosity" | "density");
+        let law = matches!(key, "viscosity" | "density" | "shear_thinning");
         self.provenance.push(Datum {
             key: if law {
                 format!("{key}.law")

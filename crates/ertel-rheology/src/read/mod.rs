@@ -2,6 +2,7 @@
 
 mod density;
 mod fluid;
+mod shear;
 mod solid;
 mod table;
 mod viscosity;

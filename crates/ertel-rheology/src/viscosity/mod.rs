@@ -104,6 +104,16 @@ impl ViscosityLaw {
         }
     }
 
+    /// Temperature (K) at which the reference viscosity of the law holds; `None` if no constant of the law is one.
+    pub fn reference_temperature(&self) -> Option<f64> {
+        match self {
+            Self::Cheng(law) => Some(law.reference_temperature),
+            Self::Roelands(law) => law.thermal.as_ref().map(|t| t.reference_temperature),
+            Self::Doolittle(law) => law.thermal.as_ref().map(|t| t.reference_temperature),
+            Self::Constant(_) | Self::Barus(_) | Self::ModifiedWlf(_) | Self::Table(_) => None,
+        }
+    }
+
     /// Range `(min, max)` of pressure (Pa) and of temperature (K) covered by tabulated data; `None` for a formula.
     pub fn tabulated_range(&self) -> Option<[(f64, f64); 2]> {
         match self {

@@ -1,5 +1,6 @@
 //! The case as the output shows it.
 
+use ertel_rheology::ShearThinning;
 use ertel_rheology::input::tree::{Node, Value};
 use serde_json::{Map, json};
 
@@ -25,6 +26,10 @@ impl Case {
                     .clone()
                     .unwrap_or_else(|| "given by its laws".to_owned()),
                 viscosity_law: lubricant.viscosity.name().to_owned(),
+                shear_thinning: lubricant
+                    .shear_thinning
+                    .as_ref()
+                    .map(ShearThinning::describe),
                 density_law: lubricant.density.name().to_owned(),
                 viscosity: lubricant.ambient_viscosity(),
                 density: lubricant.ambient_density(),

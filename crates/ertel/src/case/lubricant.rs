@@ -2,7 +2,7 @@
 
 use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
 use ertel_rheology::quantity::Dimension;
-use ertel_rheology::{DensityLaw, Files, Fluid, ViscosityLaw, database};
+use ertel_rheology::{DensityLaw, Files, Fluid, ShearThinning, ViscosityLaw, database};
 
 /// Temperatures of lubricants, K: outside, a unit was mistaken.
 const TEMPERATURE: Bounds = Bounds::closed(100.0, 1000.0);
@@ -20,12 +20,14 @@ pub struct Lubricant {
     pub temperature: f64,
     /// Density law.
     pub density: DensityLaw,
-    /// Viscosity law.
+    /// Law of the viscosity at low shear.
     pub viscosity: ViscosityLaw,
+    /// Shear thinning; `None` for a Newtonian lubricant.
+    pub shear_thinning: Option<ShearThinning>,
 }
 
 impl Lubricant {
-    /// Viscosity at ambient pressure, Pa·s.
+    /// Viscosity at ambient pressure and low shear, Pa·s.
     pub fn ambient_viscosity(&self) -> f64 {
         self.viscosity.viscosity(0.0, self.temperature)
     }
@@ -106,6 +108,7 @@ fn check(
         temperature,
         density,
         viscosity: fluid.viscosity,
+        shear_thinning: fluid.shear_thinning,
     };
     let must_lie = |what: &str, value: f64, bounds: Bounds, unit: &str| {
         if bounds.contains(value) {

@@ -35,9 +35,9 @@ mod params;
 
 use std::path::Path;
 
-use ertel_rheology::Files;
 use ertel_rheology::database::DatabaseError;
 use ertel_rheology::input::{Document, InputError, Table};
+use ertel_rheology::{Files, ShearThinning};
 
 use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
 use crate::params::{MeshParams, OutputParams, SolverParams};
@@ -136,6 +136,12 @@ impl Case {
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);
         Ok(case)
+    }
+
+    /// The shear thinning to reckon with: none for a Newtonian lubricant, and none with `solver.newtonian`.
+    pub fn shear_thinning(&self) -> Option<&ShearThinning> {
+        let thinning = self.lubricant.shear_thinning.as_ref();
+        thinning.filter(|_| !self.solver.newtonian)
     }
 
     /// Reduced modulus E' of both bodies, Pa.

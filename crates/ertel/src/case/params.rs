@@ -224,6 +224,7 @@ pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
         &mut solver.error_estimate,
         table.optional_bool("error_estimate")?,
     );
+    set(&mut solver.newtonian, table.optional_bool("newtonian")?);
     table.finish()?;
     Ok(solver)
 }

@@ -22,6 +22,8 @@ pub struct FluidEcho {
     pub name: String,
     /// Name of the viscosity law.
     pub viscosity_law: String,
+    /// Name of the shear-thinning law; `None` for a Newtonian lubricant.
+    pub shear_thinning: Option<String>,
     /// Name of the density law.
     pub density_law: String,
     /// Viscosity, Pa·s.

@@ -51,6 +51,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
         fluid: FluidEcho {
             name: "thesis oil".into(),
             viscosity_law: "Roelands".into(),
+            shear_thinning: None,
             density_law: "Dowson-Higginson".into(),
             viscosity: 0.04,
             density: 870.0,

@@ -97,6 +97,14 @@ fn write_case(out: &mut Lines, case: &CaseEcho) {
             fluid.name, fluid.viscosity_law, fluid.density_law
         ),
     );
+    if let Some(law) = &fluid.shear_thinning {
+        let left_out = if case.solver.newtonian {
+            " (left out: solver.newtonian)"
+        } else {
+            " (not yet reckoned with: the film is that of the low-shear viscosity)"
+        };
+        out.row("shear thinning", format!("{law}{left_out}"));
+    }
     out.row(
         "temperature",
         format!(

@@ -43,6 +43,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
             temperature: 313.15,
             density: DensityLaw::dowson_higginson(870.0).unwrap(),
             viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
+            shear_thinning: None,
         },
         mesh: MeshParams::preset(MeshPreset::Coarse, kind),
         solver: SolverParams::default(),

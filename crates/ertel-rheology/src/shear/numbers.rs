@@ -1,0 +1,94 @@
+//! Functions that the laws share: powers smooth at zero, an exponential that does not overflow, a root finder.
+
+use crate::Scalar;
+
+/// Squares of relative stresses below this are too small to matter; a power of them is smoothed here.
+const SMALLEST_SQUARE: f64 = 1e-12;
+
+/// `|r|^k` of `square = r²`, smooth at zero: `r² (r² + 1e-12)^(k/2 - 1)`.
+///
+/// Second derivatives of the power itself are infinite at zero for `k < 4` other than 2. The relative difference is
+/// `(1 - k/2) 1e-12/r²`.
+#[inline]
+pub(super) fn smooth_power<D: Scalar>(square: D, k: f64) -> D {
+    square * (square + SMALLEST_SQUARE).powf(0.5 * k - 1.0)
+}
+
+/// Logarithm of [`smooth_power`] from `ln r²`, for `r ≥ 1`, where the power may overflow.
+#[inline]
+pub(super) fn ln_smooth_power<D: Scalar>(ln_square: D, k: f64) -> D {
+    ln_square * (0.5 * k) + (-ln_square).exp() * (SMALLEST_SQUARE * (0.5 * k - 1.0))
+}
+
+/// `ln(1 + |r|^k)` of `square = r²`, smooth at zero, and finite where the power overflows.
+#[inline]
+pub(super) fn ln_one_plus_power<D: Scalar>(square: D, k: f64) -> D {
+    if square.re() < 1.0 {
+        smooth_power(square, k).ln_1p()
+    } else {
+        ln_one_plus_large(ln_smooth_power(square.ln(), k))
+    }
+}
+
+/// The same of `square = r² exp(ln_factor)`.
+#[inline]
+pub(super) fn ln_one_plus_scaled_power<D: Scalar>(square: D, ln_factor: D, k: f64) -> D {
+    if square.re().ln() + ln_factor.re() < 0.0 {
+        smooth_power(square * ln_factor.exp(), k).ln_1p()
+    } else {
+        ln_one_plus_large(ln_smooth_power(square.ln() + ln_factor, k))
+    }
+}
+
+/// `ln(1 + x)` from `ln x ≥ 0`.
+#[inline]
+fn ln_one_plus_large<D: Scalar>(ln_x: D) -> D {
+    ln_x + (-ln_x).exp().ln_1p()
+}
+
+/// Exponent from which [`bounded_exp`] is a parabola. The product of two such numbers and of their derivatives is still
+/// far from the end of floating point.
+pub(super) const LARGEST_EXPONENT: f64 = 150.0;
+
+/// `exp(x)`; above `x = 150`, where nothing physical is left, its Taylor parabola: value and two derivatives match.
+#[inline]
+pub(super) fn bounded_exp<D: Scalar>(x: D) -> D {
+    if x.re() <= LARGEST_EXPONENT {
+        x.exp()
+    } else {
+        let e = x - LARGEST_EXPONENT;
+        (e * e * 0.5 + e + 1.0) * LARGEST_EXPONENT.exp()
+    }
+}
+
+/// Root of an increasing function between `low` and `high` by Newton's method from `start`, to round-off; a step that
+/// leaves the bracket is replaced by bisection. `f` returns value and slope.
+pub(super) fn increasing_root(
+    f: impl Fn(f64) -> (f64, f64),
+    mut low: f64,
+    mut high: f64,
+    start: f64,
+) -> f64 {
+    const MAX_ITERATIONS: usize = 200;
+    let mut x = start.clamp(low, high);
+    for _ in 0..MAX_ITERATIONS {
+        let (value, slope) = f(x);
+        if value > 0.0 {
+            high = x;
+        } else {
+            low = x;
+        }
+        let newton = x - value / slope;
+        let next = if newton >= low && newton <= high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        let step = (next - x).abs();
+        x = next;
+        if step <= 2.0 * f64::EPSILON * x.abs().max(1.0) {
+            break;
+        }
+    }
+    x
+}

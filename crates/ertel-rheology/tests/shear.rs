@@ -1,0 +1,514 @@
+//! Shear-thinning laws against numbers computed elsewhere, their limits, and their derivatives.
+//!
+//! Numbers with ten and more digits: mpmath with 40 digits from the formulas as printed, the Carreau-Yasuda shear rate
+//! by bracketing (Anderson-Björck) of `G η(γ̇) λγ̇/μ₁ = τ_e`.
+
+use approx::assert_relative_eq;
+use ertel_rheology::shear::{
+    Carreau, CarreauYasuda, Rabinowitsch, ReeEyring, ShearLaw, StressLimit,
+};
+use ertel_rheology::{ShearThinning, database};
+use num_dual::{DualNum as _, HyperDual64};
+use proptest::prelude::*;
+
+const MPA: f64 = 1e6;
+
+fn carreau(critical_stress: f64, n: f64, beta: f64, ratio: f64) -> ShearThinning {
+    let law = Carreau::new(critical_stress, n, beta, ratio).unwrap();
+    ShearThinning::of(ShearLaw::Carreau(law))
+}
+
+fn carreau_yasuda(shear_modulus: f64, n: f64, a: f64, ratio: f64) -> ShearThinning {
+    let law = CarreauYasuda::new(shear_modulus, n, a, ratio).unwrap();
+    ShearThinning::of(ShearLaw::CarreauYasuda(law))
+}
+
+fn eyring(stress: f64) -> ShearThinning {
+    ShearThinning::of(ShearLaw::ReeEyring(ReeEyring::new(stress).unwrap()))
+}
+
+fn rabinowitsch(stress: f64, n: f64) -> ShearThinning {
+    ShearThinning::of(ShearLaw::Rabinowitsch(
+        Rabinowitsch::new(stress, n).unwrap(),
+    ))
+}
+
+/// 5 MPa + 0.05 p: 30 MPa at 500 MPa.
+fn limit() -> StressLimit {
+    StressLimit::new(5.0 * MPA, 0.05).unwrap()
+}
+
+fn squalane() -> ShearThinning {
+    carreau(1e4, 0.8, 2.198, 0.0157 / 0.0705)
+}
+
+/// μ₁/η at a stress (Pa), 500 MPa and 313 K.
+fn fluidity(law: &ShearThinning, stress: f64) -> f64 {
+    law.relative_fluidity(stress * stress, 82.0, 500.0 * MPA, 313.0)
+}
+
+/// Every law, every kind of limit, with and without second plateau.
+fn laws() -> Vec<ShearThinning> {
+    let limited = |law: ShearThinning| ShearThinning {
+        limit: Some(limit()),
+        ..law
+    };
+    vec![
+        squalane(),
+        carreau(3.1e4, 0.74, 2.0, 0.0),
+        carreau(1e5, 0.3, 1.2, 1e-3),
+        carreau(1e5, 0.5, 6.0, 0.0),
+        carreau(1e5, 1.0, 2.0, 0.3),
+        carreau(1e5, 0.5, 2.0, 1.0),
+        carreau_yasuda(1e5, 0.5, 2.0, 0.01),
+        carreau_yasuda(1e6, 0.3, 0.7, 0.0),
+        carreau_yasuda(1e6, 0.8, 5.0, 0.4),
+        carreau_yasuda(1e6, 1.0, 2.0, 0.4),
+        eyring(5.0 * MPA),
+        rabinowitsch(MPA, 1.0 / 3.0),
+        rabinowitsch(MPA, 0.7),
+        ShearThinning::limited(limit()),
+        ShearThinning::limited(StressLimit::new(5.0 * MPA, 0.0).unwrap()),
+        limited(squalane()),
+        limited(eyring(5.0 * MPA)),
+        limited(carreau_yasuda(1e6, 0.4, 2.0, 0.0)),
+    ]
+}
+
+#[test]
+fn carreau_values() {
+    for (stress, expected) in [
+        (1e1, 1.0000000225166465),
+        (1e3, 1.0005587499481574),
+        (1e4, 1.0626180193284312),
+        (1e5, 1.5163192956456176),
+        (1e6, 2.1344747952858492),
+        (1e8, 3.3286118981751329),
+    ] {
+        assert_relative_eq!(
+            fluidity(&squalane(), stress),
+            expected,
+            max_relative = 1e-13
+        );
+    }
+    for (stress, expected) in [
+        (1e1, 1.0000000182805066),
+        (1e3, 1.0001827267200664),
+        (3.1e4, 1.1294932708675139),
+        (1e6, 3.3894980768761573),
+        (1e8, 17.090895455042477),
+        (1e12, 434.68055778636696),
+    ] {
+        let pao = carreau(3.1e4, 0.74, 2.0, 0.0);
+        assert_relative_eq!(fluidity(&pao, stress), expected, max_relative = 1e-13);
+    }
+}
+
+/// Habchi 2008, section 4.5.1.2 states what the lubricants of Tables 4.1 and 4.2 keep of their viscosity at 1 MPa.
+#[test]
+fn the_database_has_the_laws_of_the_thesis() {
+    let at_1_mpa = |name: &str| {
+        let fluid = database::fluid(name).unwrap();
+        let temperature = fluid.reference_temperature.unwrap();
+        let viscosity = fluid.viscosity(0.0, temperature);
+        let law = fluid.shear_thinning.unwrap();
+        assert_eq!(law.name(), "carreau");
+        law.relative_fluidity(MPA * MPA, viscosity, 0.0, temperature)
+            .recip()
+    };
+    assert_relative_eq!(
+        at_1_mpa("squalane-pip"),
+        0.4684993246153932,
+        max_relative = 1e-12
+    );
+    assert_relative_eq!(
+        at_1_mpa("pao-650"),
+        1.0 / 3.3894980768761573,
+        max_relative = 1e-12
+    );
+    let newtonian = database::fluid("glycerol").unwrap();
+    assert_eq!(newtonian.shear_thinning, None);
+}
+
+#[test]
+fn carreau_yasuda_values() {
+    let second = carreau_yasuda(1e5, 0.5, 2.0, 0.01);
+    for (stress, expected) in [
+        (1e3, 1.0000247502908042),
+        (1e5, 1.267060026809313),
+        (1e7, 38.540119165198965),
+        (1e9, 90.577928683024209),
+    ] {
+        assert_relative_eq!(fluidity(&second, stress), expected, max_relative = 1e-13);
+    }
+    for (law, stress, expected) in [
+        (carreau_yasuda(1e5, 0.8, 0.7, 0.0), 2e4, 1.0881114011187511),
+        (carreau_yasuda(1e5, 0.3, 2.0, 0.0), 1e7, 46415.888336130302),
+        (carreau_yasuda(1e5, 0.3, 2.0, 0.5), 1e7, 1.9513484749791304),
+    ] {
+        // The smoothing at zero stress changes the first of them by 1e-12.
+        assert_relative_eq!(fluidity(&law, stress), expected, max_relative = 2e-12);
+    }
+}
+
+#[test]
+fn eyring_values() {
+    let law = eyring(5.0 * MPA);
+    for (stress, expected) in [
+        (1e3, 1.0000000066666667),
+        (1e6, 1.0066800127054699),
+        (4.9e6, 1.1679311954479682),
+        (5.1e6, 1.1826469724466763),
+        (5e7, 1101.3232874703393),
+        (5e8, 1.3440585709080677e41),
+    ] {
+        assert_relative_eq!(fluidity(&law, stress), expected, max_relative = 1e-13);
+    }
+}
+
+#[test]
+fn rabinowitsch_values() {
+    let cubic = rabinowitsch(MPA, 1.0 / 3.0);
+    assert_relative_eq!(fluidity(&cubic, 0.1 * MPA), 1.01, max_relative = 1e-14);
+    assert_relative_eq!(fluidity(&cubic, 10.0 * MPA), 101.0, max_relative = 1e-14);
+    let law = rabinowitsch(MPA, 0.7);
+    assert_relative_eq!(
+        fluidity(&law, 10.0 * MPA),
+        3.6826957952797257,
+        max_relative = 1e-12
+    );
+}
+
+#[test]
+fn limiting_stress_values() {
+    let law = ShearThinning::limited(limit());
+    for (stress, expected) in [
+        (1e5, 1.0000037037283953),
+        (2.9e6, 1.0031323959603672),
+        (3.1e6, 1.0035822376220506),
+        (1e7, 1.039720770839918),
+        (2.5e7, 1.4387371636790223),
+        (2.99e7, 3.2083252164458776),
+    ] {
+        assert_relative_eq!(fluidity(&law, stress), expected, max_relative = 1e-12);
+    }
+    // The fluidities of a law and of the limit multiply.
+    let both = ShearThinning {
+        limit: Some(limit()),
+        ..eyring(5.0 * MPA)
+    };
+    assert_relative_eq!(
+        fluidity(&both, 1e7),
+        1.039720770839918 * f64::sinh(2.0) / 2.0,
+        max_relative = 1e-12
+    );
+}
+
+/// Near the limit the exponential takes over with the value and two derivatives of the inverse hyperbolic tangent,
+/// and keeps the stress within a few per cent of the limit.
+#[test]
+fn the_limit_goes_on_smoothly() {
+    let limit = StressLimit::new(1.0, 0.0).unwrap();
+    // r A(r) = atanh r by r² is smooth; derivatives of the factor at r² on both sides of 0.999².
+    let at = |square: f64| {
+        let dual = limit.factor(HyperDual64::new(square, 1.0, 1.0, 0.0), 0.0.into());
+        [dual.re, dual.eps1, dual.eps1eps2]
+    };
+    let square = 0.999 * 0.999;
+    let (below, above) = (at(square * (1.0 - 1e-12)), at(square * (1.0 + 1e-12)));
+    for (a, b) in below.into_iter().zip(above) {
+        assert_relative_eq!(a, b, max_relative = 1e-8);
+    }
+    let flow = |r: f64| r * limit.factor(r * r, 0.0);
+    assert_relative_eq!(flow(0.999), 0.5 * 1999.0_f64.ln(), max_relative = 1e-12);
+    for (target, most) in [(1e3, 1.0067), (1e6, 1.0136), (1e12, 1.028)] {
+        assert!(flow(most) > target, "{}", flow(most));
+    }
+    assert!(flow(1.0066) < 1e3 && flow(1.0135) < 1e6);
+}
+
+#[test]
+fn the_limiting_stress_follows_the_pressure() {
+    let limit = limit();
+    assert_eq!(limit.limiting_stress(0.0), 5.0 * MPA);
+    assert_eq!(limit.limiting_stress(500.0 * MPA), 30.0 * MPA);
+    // Below ambient: the straight line up to the third order, and never zero.
+    assert_relative_eq!(
+        limit.limiting_stress(-1.0 * MPA),
+        4.95 * MPA,
+        max_relative = 2e-6
+    );
+    for p in [-50.0, -100.0, -1e4] {
+        assert!(limit.limiting_stress(p * MPA) > 0.0);
+    }
+}
+
+/// Newtonian at zero stress, as at equal plateaus, and at exponent 1.
+#[test]
+fn newtonian_limits_of_the_laws() {
+    for law in laws() {
+        assert_eq!(fluidity(&law, 0.0), 1.0, "{law:?}");
+    }
+    for law in [
+        carreau(1e4, 0.5, 2.2, 1.0),
+        carreau(1e4, 1.0, 2.2, 0.2),
+        carreau_yasuda(1e4, 0.5, 2.2, 1.0),
+        carreau_yasuda(1e4, 1.0, 2.2, 0.2),
+    ] {
+        for stress in [1.0, 1e4, 1e9] {
+            assert_relative_eq!(fluidity(&law, stress), 1.0, max_relative = 1e-14);
+        }
+        assert_eq!(law.newtonian_limits(0.1, 0.0, 300.0), [None, None]);
+    }
+}
+
+/// Far beyond the knee: the second plateau, or the power of the exponent.
+#[test]
+fn closed_limits_at_high_stress() {
+    for law in [
+        carreau(1e4, 0.2, 2.198, 0.01),
+        carreau_yasuda(1e4, 0.2, 2.0, 0.01),
+    ] {
+        assert_relative_eq!(fluidity(&law, 1e20), 100.0, max_relative = 1e-11);
+    }
+    // η/μ₁ = (τ/G)^(1 - 1/n) in all power laws.
+    for law in [
+        carreau(1e4, 0.4, 2.198, 0.0),
+        carreau_yasuda(1e4, 0.4, 1.3, 0.0),
+        rabinowitsch(1e4, 0.4),
+    ] {
+        let power = f64::powf(1e10, 1.5);
+        assert_relative_eq!(fluidity(&law, 1e14), power, max_relative = 1e-9);
+    }
+}
+
+#[test]
+fn stresses_at_the_newtonian_limits() {
+    let limits = |law: &ShearThinning| law.newtonian_limits(82.0, 500.0 * MPA, 313.0);
+    let close = |found: Option<f64>, expected: f64| {
+        assert_relative_eq!(found.unwrap(), expected, max_relative = 1e-11);
+    };
+    let [first, second] = limits(&squalane());
+    close(first, 9004.7008867048985);
+    close(second, 237489059142.35673);
+    let [first, second] = limits(&carreau_yasuda(1e5, 0.5, 2.0, 0.01));
+    close(first, 45595.245387694574);
+    // Closed form: 1.05 μ₂ at λγ̇ = (0.99/0.0005)² to eight digits.
+    assert_relative_eq!(second.unwrap(), 4.1164199999998661e9, max_relative = 1e-11);
+    for (law, expected) in [
+        (carreau(3.1e4, 0.74, 2.0, 0.0), 18051.279116685625),
+        (eyring(5.0 * MPA), 2788009.9310314872),
+        (rabinowitsch(MPA, 1.0 / 3.0), 229415.73387056177),
+        (ShearThinning::limited(limit()), 11384556.200342695),
+    ] {
+        let [first, second] = limits(&law);
+        close(first, expected);
+        assert_eq!(second, None);
+    }
+    // 237 GPa is beyond the limiting stress of 30 MPa.
+    let cut = ShearThinning {
+        limit: Some(limit()),
+        ..squalane()
+    };
+    let [first, second] = limits(&cut);
+    assert_relative_eq!(first.unwrap(), 9004.7, max_relative = 1e-4);
+    assert_eq!(second, None);
+}
+
+#[test]
+fn scales_and_dependence() {
+    let scales = |law: &ShearThinning| law.scales(82.0, 500.0 * MPA, 313.0);
+    assert_eq!(scales(&squalane()).knee, Some(1e4));
+    assert_eq!(scales(&carreau_yasuda(1e5, 0.5, 2.0, 0.0)).knee, Some(1e5));
+    assert_eq!(scales(&rabinowitsch(1e6, 0.5)).knee, Some(1e6));
+    assert_eq!(scales(&eyring(5e6)).growth, Some(5e6));
+    let limited = ShearThinning::limited(limit());
+    assert_eq!(scales(&limited).limit, Some(30.0 * MPA));
+    assert!(limited.depends_on_state());
+    assert!(!squalane().depends_on_state());
+    let constant = ShearThinning::limited(StressLimit::new(5.0 * MPA, 0.0).unwrap());
+    assert!(!constant.depends_on_state());
+}
+
+#[test]
+fn impossible_constants_are_rejected() {
+    let key = |error: ertel_rheology::LawError| error.key();
+    assert_eq!(key(Carreau::new(0.0, 0.8, 2.0, 0.1).unwrap_err()), "g_c");
+    assert_eq!(key(Carreau::new(1e4, 0.0, 2.0, 0.1).unwrap_err()), "n");
+    assert_eq!(key(Carreau::new(1e4, 1.1, 2.0, 0.1).unwrap_err()), "n");
+    assert_eq!(key(Carreau::new(1e4, 0.8, 0.0, 0.1).unwrap_err()), "beta_c");
+    assert_eq!(key(Carreau::new(1e4, 0.8, 2.0, 1.1).unwrap_err()), "mu_2");
+    assert_eq!(
+        key(CarreauYasuda::new(f64::NAN, 0.8, 2.0, 0.1).unwrap_err()),
+        "g"
+    );
+    assert_eq!(
+        key(CarreauYasuda::new(1e5, 0.8, -2.0, 0.1).unwrap_err()),
+        "a"
+    );
+    assert_eq!(key(ReeEyring::new(-1.0).unwrap_err()), "tau_0");
+    assert_eq!(key(Rabinowitsch::new(1e6, 1.0).unwrap_err()), "n");
+    assert_eq!(key(StressLimit::new(0.0, 0.05).unwrap_err()), "tau_l0");
+    assert_eq!(key(StressLimit::new(5e6, -0.1).unwrap_err()), "lambda");
+}
+
+/// Smoothing at zero stress, from the documented formula: `u = r² (r² + δ)^(k/2 - 1)`, `δ = 1e-12`, has at zero the
+/// derivatives `δ^(k/2 - 1)` and `(k - 2) δ^(k/2 - 2)` by r², and the fluidity is `1 + c u` there.
+#[test]
+fn derivatives_at_zero_stress_are_finite() {
+    let at_zero = |law: &ShearThinning, scale: f64| {
+        let square = HyperDual64::new(0.0, 1.0, 1.0, 0.0) * (scale * scale);
+        let phi = law.relative_fluidity(square, 1.0.into(), 0.0.into(), 300.0.into());
+        [phi.re, phi.eps1, phi.eps1eps2]
+    };
+    for (law, scale, k, c) in [
+        (
+            carreau(1e4, 0.8, 2.198, 0.25),
+            1e4,
+            2.198,
+            0.75 * 0.25 / 2.198,
+        ),
+        (carreau(1e4, 0.5, 1.5, 0.0), 1e4, 1.5, 1.0 / 1.5),
+        (
+            carreau_yasuda(1e5, 0.5, 2.7, 0.2),
+            1e5,
+            2.7,
+            0.8 * 0.5 / 2.7,
+        ),
+        (rabinowitsch(1e6, 0.25), 1e6, 3.0, 1.0),
+        (rabinowitsch(1e6, 0.5), 1e6, 1.0, 1.0),
+    ] {
+        let delta: f64 = 1e-12;
+        let [value, first, second] = at_zero(&law, scale);
+        assert_eq!(value, 1.0);
+        assert_relative_eq!(first, c * delta.powf(0.5 * k - 1.0), max_relative = 1e-10);
+        assert_relative_eq!(
+            second,
+            c * (k - 2.0) * delta.powf(0.5 * k - 2.0),
+            max_relative = 1e-4
+        );
+    }
+    // sinh y/y = 1 + y²/6 + y⁴/120; atanh r/r = 1 + r²/3 + r⁴/5.
+    let [_, first, second] = at_zero(&eyring(5e6), 5e6);
+    assert_relative_eq!(first, 1.0 / 6.0, max_relative = 1e-14);
+    assert_relative_eq!(second, 1.0 / 60.0, max_relative = 1e-14);
+    let [_, first, second] = at_zero(&ShearThinning::limited(limit()), 5e6);
+    assert_relative_eq!(first, 1.0 / 3.0, max_relative = 1e-14);
+    assert_relative_eq!(second, 2.0 / 5.0, max_relative = 1e-14);
+}
+
+/// No stress that a Newton iterate can have makes a number that is none.
+#[test]
+fn absurd_stresses_stay_finite() {
+    for law in laws() {
+        let mut last = 0.0;
+        for decade in -30..=30 {
+            let stress = f64::powi(10.0, decade);
+            let square = HyperDual64::new(stress * stress, stress * stress, 0.3, 0.0);
+            let pressure = HyperDual64::new(1e9, 0.0, 1e9, 0.0);
+            let phi = law.relative_fluidity(square, 1e5.into(), pressure, 300.0.into());
+            for number in [phi.re, phi.eps1, phi.eps2, phi.eps1eps2] {
+                assert!(number.is_finite(), "{law:?} at {stress}: {phi}");
+            }
+            assert!(phi.re >= last * (1.0 - 1e-14), "{law:?} at {stress}");
+            assert!(phi.re >= 1.0 - 1e-14);
+            last = phi.re;
+        }
+    }
+}
+
+/// Exact derivatives of `ln(μ₁/η)` by `ln τ_e²`, `ln μ₁`, pressure (100 MPa) and temperature (100 K), against central
+/// differences. The step leaves a truncation error of about 1e-11 third derivatives, which near a limiting stress
+/// are 1e3 times the second.
+fn check_derivatives(law: &ShearThinning, x: [f64; 4]) -> Result<(), TestCaseError> {
+    const STEP: f64 = 1e-5;
+    let f = |x: [HyperDual64; 4]| {
+        let phi = law.relative_fluidity(x[0].exp(), x[1].exp(), x[2] * 1e8, x[3] * 100.0);
+        phi.ln()
+    };
+    let seeded = |i: usize, j: usize, x: [f64; 4]| {
+        let mut dual = x.map(HyperDual64::from);
+        dual[i].eps1 = 1.0;
+        dual[j].eps2 = 1.0;
+        f(dual)
+    };
+    for i in 0..4 {
+        for j in 0..4 {
+            let moved = |by: f64| {
+                let mut at = x;
+                at[j] += by;
+                seeded(i, j, at)
+            };
+            let (plus, minus, exact) = (moved(STEP), moved(-STEP), seeded(i, j, x));
+            let first = (plus.re - minus.re) / (2.0 * STEP);
+            let second = (plus.eps1 - minus.eps1) / (2.0 * STEP);
+            let size = exact.re.abs().max(exact.eps2.abs()).max(1.0);
+            prop_assert!(
+                (exact.eps2 - first).abs() < 1e-5 * size,
+                "{law:?} at {x:?}: first by {j}: {} and {first}",
+                exact.eps2
+            );
+            let size = size.max(exact.eps1.abs()).max(exact.eps1eps2.abs());
+            prop_assert!(
+                (exact.eps1eps2 - second).abs() < 1e-5 * size,
+                "{law:?} at {x:?}: second by {i} and {j}: {} and {second}",
+                exact.eps1eps2
+            );
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    /// From far below the first plateau's end to far beyond any limit; not across the join at 0.999 of the limit,
+    /// where the third derivative jumps.
+    #[test]
+    fn derivatives_are_exact(
+        ln_stress in -5.0..25.0_f64,
+        ln_viscosity in -7.0..20.0_f64,
+        pressure in -0.5..20.0_f64,
+        temperature in 2.6..4.0_f64,
+    ) {
+        for law in laws() {
+            check_derivatives(&law, [2.0 * ln_stress, ln_viscosity, pressure, temperature])?;
+        }
+    }
+
+    /// As above, within a few per cent of a limiting stress.
+    #[test]
+    fn derivatives_are_exact_near_the_limit(
+        share in 0.9..1.05_f64,
+        pressure in 0.0..20.0_f64,
+    ) {
+        prop_assume!((share - 0.999).abs() > 1e-4);
+        let ln_stress = (share * limit().limiting_stress(pressure * 1e8)).ln();
+        for law in laws() {
+            check_derivatives(&law, [2.0 * ln_stress, 1.0, pressure, 3.0])?;
+        }
+    }
+
+    /// Carreau-Yasuda: the fluidity gives back the stress through the law as it is written, in shear rate.
+    #[test]
+    fn carreau_yasuda_is_inverted_to_round_off(
+        ln_stress in -12.0..18.0_f64,
+        n in 0.05..1.0_f64,
+        a in 0.3..6.0_f64,
+        ratio in prop_oneof![Just(0.0), 1e-6..1.0_f64],
+    ) {
+        let law = carreau_yasuda(1.0, n, a, ratio);
+        let stress = ln_stress.exp();
+        let phi = law.relative_fluidity(stress * stress, 1.0, 0.0, 300.0);
+        let rate = phi * stress;
+        // The power by its logarithm, which does not overflow.
+        let ln_power = a * rate.ln();
+        let bracket = if ln_power > 0.0 {
+            ln_power + (-ln_power).exp().ln_1p()
+        } else {
+            ln_power.exp().ln_1p()
+        };
+        let eta = ratio + (1.0 - ratio) * ((n - 1.0) / a * bracket).exp();
+        // Smoothing at zero stress moves the power by (1 - a/2) 1e-12/rate².
+        let smoothing = 1e-11 / (rate * rate) * rate.powf(a).min(1.0);
+        prop_assert!((eta * rate / stress - 1.0).abs() < 1e-12 + smoothing);
+    }
+}
