@@ -80,10 +80,10 @@ fn carreau_values() {
     for (stress, expected) in [
         (1e1, 1.0000000225166465),
         (1e3, 1.0005587499481574),
-        (1e4, 1.0626180193284312),
-        (1e5, 1.5163192956456176),
-        (1e6, 2.1344747952858492),
-        (1e8, 3.3286118981751329),
+        (1e4, 1.0626180193284311),
+        (1e5, 1.5163192956456175),
+        (1e6, 2.134474795285849),
+        (1e8, 3.328611898175133),
     ] {
         assert_relative_eq!(
             fluidity(&squalane(), stress),
@@ -92,12 +92,12 @@ fn carreau_values() {
         );
     }
     for (stress, expected) in [
-        (1e1, 1.0000000182805066),
-        (1e3, 1.0001827267200664),
-        (3.1e4, 1.1294932708675139),
-        (1e6, 3.3894980768761573),
-        (1e8, 17.090895455042477),
-        (1e12, 434.68055778636696),
+        (1e1, 1.0000000182805067),
+        (1e3, 1.0001827267200665),
+        (3.1e4, 1.1294932708675138),
+        (1e6, 3.389498076876157),
+        (1e8, 17.090895455042478),
+        (1e12, 434.68055778636693),
     ] {
         let pao = carreau(3.1e4, 0.74, 2.0, 0.0);
         assert_relative_eq!(fluidity(&pao, stress), expected, max_relative = 1e-13);
@@ -123,7 +123,7 @@ fn the_database_has_the_laws_of_the_thesis() {
     );
     assert_relative_eq!(
         at_1_mpa("pao-650"),
-        1.0 / 3.3894980768761573,
+        1.0 / 3.389498076876157,
         max_relative = 1e-12
     );
     let newtonian = database::fluid("glycerol").unwrap();
@@ -136,15 +136,15 @@ fn carreau_yasuda_values() {
     for (stress, expected) in [
         (1e3, 1.0000247502908042),
         (1e5, 1.267060026809313),
-        (1e7, 38.540119165198965),
-        (1e9, 90.577928683024209),
+        (1e7, 38.540119165198966),
+        (1e9, 90.57792868302421),
     ] {
         assert_relative_eq!(fluidity(&second, stress), expected, max_relative = 1e-13);
     }
     for (law, stress, expected) in [
-        (carreau_yasuda(1e5, 0.8, 0.7, 0.0), 2e4, 1.0881114011187511),
-        (carreau_yasuda(1e5, 0.3, 2.0, 0.0), 1e7, 46415.888336130302),
-        (carreau_yasuda(1e5, 0.3, 2.0, 0.5), 1e7, 1.9513484749791304),
+        (carreau_yasuda(1e5, 0.8, 0.7, 0.0), 2e4, 1.0881114011187512),
+        (carreau_yasuda(1e5, 0.3, 2.0, 0.0), 1e7, 46415.8883361303),
+        (carreau_yasuda(1e5, 0.3, 2.0, 0.5), 1e7, 1.9513484749791303),
     ] {
         // The smoothing at zero stress changes the first of them by 1e-12.
         assert_relative_eq!(fluidity(&law, stress), expected, max_relative = 2e-12);
@@ -155,11 +155,11 @@ fn carreau_yasuda_values() {
 fn eyring_values() {
     let law = eyring(5.0 * MPA);
     for (stress, expected) in [
-        (1e3, 1.0000000066666667),
-        (1e6, 1.0066800127054699),
-        (4.9e6, 1.1679311954479682),
-        (5.1e6, 1.1826469724466763),
-        (5e7, 1101.3232874703393),
+        (1e3, 1.0000000066666668),
+        (1e6, 1.0066800127054698),
+        (4.9e6, 1.1679311954479683),
+        (5.1e6, 1.1826469724466764),
+        (5e7, 1101.3232874703392),
         (5e8, 1.3440585709080677e41),
     ] {
         assert_relative_eq!(fluidity(&law, stress), expected, max_relative = 1e-13);
@@ -174,7 +174,7 @@ fn rabinowitsch_values() {
     let law = rabinowitsch(MPA, 0.7);
     assert_relative_eq!(
         fluidity(&law, 10.0 * MPA),
-        3.6826957952797257,
+        3.682695795279726,
         max_relative = 1e-12
     );
 }
@@ -184,11 +184,11 @@ fn limiting_stress_values() {
     let law = ShearThinning::limited(limit());
     for (stress, expected) in [
         (1e5, 1.0000037037283953),
-        (2.9e6, 1.0031323959603672),
-        (3.1e6, 1.0035822376220506),
+        (2.9e6, 1.0031323959603673),
+        (3.1e6, 1.0035822376220507),
         (1e7, 1.039720770839918),
         (2.5e7, 1.4387371636790223),
-        (2.99e7, 3.2083252164458776),
+        (2.99e7, 3.2083252164458775),
     ] {
         assert_relative_eq!(fluidity(&law, stress), expected, max_relative = 1e-12);
     }
@@ -233,11 +233,7 @@ fn the_limiting_stress_follows_the_pressure() {
     assert_eq!(limit.limiting_stress(0.0), 5.0 * MPA);
     assert_eq!(limit.limiting_stress(500.0 * MPA), 30.0 * MPA);
     // Below ambient: the straight line up to the third order, and never zero.
-    assert_relative_eq!(
-        limit.limiting_stress(-1.0 * MPA),
-        4.95 * MPA,
-        max_relative = 2e-6
-    );
+    assert_relative_eq!(limit.limiting_stress(-MPA), 4.95 * MPA, max_relative = 2e-6);
     for p in [-50.0, -100.0, -1e4] {
         assert!(limit.limiting_stress(p * MPA) > 0.0);
     }
@@ -289,17 +285,17 @@ fn stresses_at_the_newtonian_limits() {
         assert_relative_eq!(found.unwrap(), expected, max_relative = 1e-11);
     };
     let [first, second] = limits(&squalane());
-    close(first, 9004.7008867048985);
+    close(first, 9004.700886704899);
     close(second, 237489059142.35673);
     let [first, second] = limits(&carreau_yasuda(1e5, 0.5, 2.0, 0.01));
-    close(first, 45595.245387694574);
+    close(first, 45595.24538769457);
     // Closed form: 1.05 μ₂ at λγ̇ = (0.99/0.0005)² to eight digits.
-    assert_relative_eq!(second.unwrap(), 4.1164199999998661e9, max_relative = 1e-11);
+    assert_relative_eq!(second.unwrap(), 4116419999.999866, max_relative = 1e-11);
     for (law, expected) in [
-        (carreau(3.1e4, 0.74, 2.0, 0.0), 18051.279116685625),
-        (eyring(5.0 * MPA), 2788009.9310314872),
-        (rabinowitsch(MPA, 1.0 / 3.0), 229415.73387056177),
-        (ShearThinning::limited(limit()), 11384556.200342695),
+        (carreau(3.1e4, 0.74, 2.0, 0.0), 18051.279116685626),
+        (eyring(5.0 * MPA), 2788009.9310314874),
+        (rabinowitsch(MPA, 1.0 / 3.0), 229415.73387056176),
+        (ShearThinning::limited(limit()), 11384556.200342694),
     ] {
         let [first, second] = limits(&law);
         close(first, expected);
