@@ -5,7 +5,8 @@ use std::path::Path;
 use ertel::output::plot::{ViscosityCurve, viscosity_chart};
 use ertel::output::{digits, pressure};
 use ertel_rheology::quantity::{self, Dimension};
-use ertel_rheology::{DensityLaw, Fluid, database};
+use ertel_rheology::shear::ShearLaw;
+use ertel_rheology::{DensityLaw, Fluid, ShearThinning, database};
 
 use crate::args::{FluidsArgs, FluidsCommand};
 use crate::failure::Failure;
@@ -17,6 +18,8 @@ use crate::table::{columns, paragraph};
 const PRESSURES: [f64; 10] = [
     0.0, 0.05e9, 0.1e9, 0.2e9, 0.3e9, 0.4e9, 0.5e9, 0.6e9, 0.8e9, 1e9,
 ];
+/// Shear stresses of the table, Pa.
+const STRESSES: [f64; 7] = [0.0, 1e4, 1e5, 0.3e6, 1e6, 3e6, 1e7];
 /// Points of the curve in the picture.
 const N_POINTS: usize = 201;
 
@@ -51,10 +54,15 @@ fn list() -> Result<String, Failure> {
             .density
             .as_ref()
             .map_or("no density law", DensityLaw::name);
+        let thinning = fluid
+            .shear_thinning
+            .as_ref()
+            .map_or_else(|| "no thinning law".to_owned(), ShearThinning::describe);
         rows.push(vec![
             name.to_owned(),
             fluid.viscosity.name().to_owned(),
             density.to_owned(),
+            thinning,
             fluid.title,
         ]);
     }
@@ -127,7 +135,54 @@ fn show(fluid: &Fluid, temperature: f64) -> String {
         ),
     ]);
     text.push('\n');
-    text + &states(fluid, temperature)
+    text += &states(fluid, temperature);
+    if let Some(law) = &fluid.shear_thinning {
+        text += &thinning(law, fluid, temperature);
+    }
+    text
+}
+
+/// Share of the viscosity left under shear stress, and the ends of the Newtonian plateaus, at ambient pressure.
+fn thinning(law: &ShearThinning, fluid: &Fluid, temperature: f64) -> String {
+    let mu_1 = fluid.viscosity(0.0, temperature);
+    let [first, second] = law.newtonian_limits(mu_1, 0.0, temperature);
+    let stress = |stress: Option<f64>| stress.map_or_else(|| "none".to_owned(), pressure);
+    let plateau = law.law.as_ref().and_then(ShearLaw::plateau_ratio);
+    let mut rows = vec![
+        vec![
+            "end of the first Newtonian plateau, η = 0.95 µ₁".to_owned(),
+            stress(first),
+        ],
+        vec![
+            "start of the second, η = 1.05 µ₂".to_owned(),
+            stress(second),
+        ],
+    ];
+    if let Some(ratio) = plateau.filter(|ratio| *ratio > 0.0) {
+        rows.push(vec![
+            "second plateau over first, µ₂/µ₁".to_owned(),
+            digits(ratio, 4),
+        ]);
+    }
+    let mut states = vec![
+        ["shear stress τ", "viscosity η", "η/µ₁"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    for tau in STRESSES {
+        let share = 1.0 / law.relative_fluidity(tau * tau, mu_1, 0.0, temperature);
+        states.push(vec![
+            pressure(tau),
+            viscosity(share * mu_1),
+            digits(share, 4),
+        ]);
+    }
+    format!(
+        "\nShear thinning at ambient pressure ({})\n{}\n{}",
+        law.describe(),
+        columns(&rows),
+        columns(&states)
+    )
 }
 
 /// Pressures and temperatures for which the data hold.

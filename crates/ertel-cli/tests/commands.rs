@@ -108,6 +108,32 @@ fn a_fluid_is_shown_with_data_sources_and_states() {
 }
 
 #[test]
+fn shear_thinning_is_shown_with_its_limits() {
+    let output = ertel(&["fluids", "show", "squalane-pip"]);
+    let text = stdout(&output);
+    // Eq. 4.3 with Table 4.1, by mpmath: plateaus end at 9.0047 kPa and 237.49 GPa; 33.029 mPa.s at 1 MPa.
+    for words in [
+        "Shear thinning at ambient pressure (carreau)",
+        "9.005 kPa",
+        "237.5 GPa",
+        "0.2227",
+        "33.03 mPa.s  0.4685",
+    ] {
+        assert!(text.contains(words), "{words} is not in\n{text}");
+    }
+    // PAO 650 has no second plateau; glycerol does not thin.
+    let output = ertel(&["fluids", "show", "pao-650"]);
+    let text = stdout(&output);
+    assert!(
+        text.contains("18.05 kPa") && text.contains("none"),
+        "{text}"
+    );
+    let output = ertel(&["fluids", "show", "glycerol"]);
+    let text = stdout(&output);
+    assert!(!text.contains("Shear thinning"), "{text}");
+}
+
+#[test]
 fn unknown_names_exit_with_2_and_the_choices() {
     let output = ertel(&["fluids", "show", "squalene-pip"]);
     assert_eq!(output.status.code(), Some(2));

@@ -89,7 +89,11 @@ impl Fluid {
 
     /// After the viscosity and the reference temperature, which the second plateau refers to.
     fn read_shear_thinning(&mut self, table: &mut Table<'_>) -> Result<(), InputError> {
-        if let Some(table) = table.optional_table("shear_thinning")? {
+        let thinning = table.optional_table("shear_thinning").map_err(|error| {
+            error
+                .with_help("`newtonian = true` in the [solver] of a case leaves shear thinning out")
+        })?;
+        if let Some(table) = thinning {
             let law =
                 ShearThinning::from_table(table, &self.viscosity, self.reference_temperature)?;
             self.shear_thinning = Some(law);

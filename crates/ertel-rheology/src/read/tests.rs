@@ -5,7 +5,7 @@ use approx::assert_relative_eq;
 use super::Files;
 use crate::input::{Document, InputError};
 use crate::provenance::Status;
-use crate::{DensityLaw, Fluid, Solid, ViscosityLaw, database};
+use crate::{DensityLaw, Fluid, ShearThinning, Solid, ViscosityLaw, database};
 
 const NO_FILES: Files<'_> = Files::Embedded(&[]);
 
@@ -373,4 +373,135 @@ fn solids_are_read_and_checked() {
             .line(),
         Some(1)
     );
+}
+
+fn shear_thinning(law: &str) -> Result<ShearThinning, InputError> {
+    let viscosity = "viscosity = { law = 'roelands', mu_0 = '40 mPa.s', alpha = '22 1/GPa' }";
+    let fluid = fluid(&format!("{viscosity}\nshear_thinning = {{ {law} }}"))?;
+    Ok(fluid.shear_thinning.expect("the text gives shear thinning"))
+}
+
+/// Closed forms at stresses where they are simple: what is read is what is written, in SI.
+#[test]
+fn every_shear_thinning_law_is_read_in_si() {
+    let at = |law: &str, stress: f64, p: f64| {
+        shear_thinning(law)
+            .unwrap()
+            .relative_fluidity(stress * stress, 0.04, p, 300.0)
+    };
+    let close =
+        |value: f64, expected: f64| assert_relative_eq!(value, expected, max_relative = 1e-11);
+    // τ = G_c, μ₂ = μ₁/4: η/μ₁ = 1/4 + 3/4 2^(-1/2) with n = 1/2, β = 2.
+    let expected = (0.25 + 0.75 / f64::sqrt(2.0)).recip();
+    close(
+        at(
+            "law = 'carreau', g_c = '10 kPa', n = 0.5, beta_c = 2, mu_2 = '10 mPa.s'",
+            1e4,
+            0.0,
+        ),
+        expected,
+    );
+    // λγ̇ = 1, a = 2, n = 1/2: η/μ₁ = 1/4 + 3/4 2^(-1/4), τ = G η/μ₁.
+    let share = 0.25 + 0.75 * 2.0_f64.powf(-0.25);
+    close(
+        at(
+            "law = 'carreau-yasuda', g = '0.1 MPa', n = 0.5, a = 2, mu_2 = '10 mPa.s'",
+            1e5 * share,
+            0.0,
+        ),
+        share.recip(),
+    );
+    let sinh = "law = 'ree-eyring', tau_0 = '5 MPa'";
+    close(at(sinh, 1e7, 0.0), 2.0_f64.sinh() / 2.0);
+    close(
+        at("law = 'rabinowitsch', tau_0 = '1 MPa', n = 0.5", 3e6, 0.0),
+        4.0,
+    );
+    // τ_L = 5 + 0.05·500 = 30 MPa; atanh(1/2) = ln(3)/2.
+    let limit = "tau_l0 = '5 MPa', lambda = 0.05";
+    let factor = 3.0_f64.ln();
+    close(
+        at(&format!("law = 'limiting-stress', {limit}"), 15e6, 0.5e9),
+        factor,
+    );
+    close(
+        at(&format!("{sinh}, limit = {{ {limit} }}"), 15e6, 0.5e9),
+        factor * 3.0_f64.sinh() / 3.0,
+    );
+}
+
+/// `mu_2` is a viscosity at a temperature, the share of it in the first plateau holds at all.
+#[test]
+fn the_second_plateau_is_that_of_the_reference_temperature() {
+    let roelands = |more: &str| {
+        format!(
+            "viscosity = {{ law = 'roelands', mu_0 = '40 mPa.s', alpha = '22 1/GPa', \
+             reference_temperature = '313 K', beta = '0.04 1/K' }}\n\
+             shear_thinning = {{ law = 'carreau', g_c = '10 kPa', n = 0.5, beta_c = 2, mu_2 = '10 mPa.s' {more} }}"
+        )
+    };
+    let ratio = |text: &str| {
+        let law = fluid(text).unwrap().shear_thinning.unwrap().law.unwrap();
+        law.plateau_ratio().unwrap()
+    };
+    assert_relative_eq!(ratio(&roelands("")), 0.25, max_relative = 1e-12);
+    // The temperature of the law goes before that of the fluid, the one beside `mu_2` before both.
+    let fluid_too = format!("reference_temperature = '353 K'\n{}", roelands(""));
+    assert_relative_eq!(ratio(&fluid_too), 0.25, max_relative = 1e-12);
+    let own = roelands(", reference_temperature = '333 K'");
+    let expected = 0.010
+        / viscosity(
+            "law = 'roelands', mu_0 = '40 mPa.s', alpha = '22 1/GPa', \
+                                      reference_temperature = '313 K', beta = '0.04 1/K'",
+        )
+        .unwrap()
+        .viscosity(0.0, 333.0);
+    assert!(expected > 0.4);
+    assert_relative_eq!(ratio(&own), expected, max_relative = 1e-12);
+
+    // A law without such a constant takes that of the fluid: 14.74 mPa.s at 40 °C.
+    let wlf = "viscosity = { law = 'wlf', mu_g = '1e12 Pa.s', t_g0 = '-73.86 degC', a_1 = '19.17 K', \
+               a_2 = '4.07e-3 1/MPa', b_1 = 0.23, b_2 = '0.0249 1/MPa', c_1 = 16.04, c_2 = '18.18 K' }\n\
+               shear_thinning = { law = 'carreau', g_c = '10 kPa', n = 0.5, beta_c = 2, mu_2 = '10 mPa.s' }";
+    let error = fluid(wlf).unwrap_err().to_string();
+    assert!(error.contains("`mu_2` belongs to a temperature"), "{error}");
+    let with_temperature = format!("reference_temperature = '40 degC'\n{wlf}");
+    assert_relative_eq!(
+        ratio(&with_temperature),
+        0.010 / 0.0147392783087,
+        max_relative = 1e-10
+    );
+    // Equal plateaus: Newtonian, to round-off.
+    for viscosity in ["70.5 mPa.s", "40 mPa.s", "0.3 mPa.s", "1.42 Pa.s"] {
+        let text = roelands("").replace("10 mPa.s", viscosity);
+        let text = text.replace("40 mPa.s", viscosity);
+        assert_relative_eq!(ratio(&text), 1.0, max_relative = 1e-12);
+    }
+    // No second plateau needs no temperature.
+    let none = wlf.replace("10 mPa.s", "0 Pa.s");
+    assert_eq!(ratio(&none), 0.0);
+}
+
+#[test]
+fn shear_thinning_of_the_database_can_be_replaced() {
+    let squalane = database::fluid("squalane-pip").unwrap();
+    let document = Document::parse(
+        "case.toml",
+        "shear_thinning = { law = 'ree-eyring', tau_0 = '5 MPa', limit = { tau_l0 = '5 MPa', lambda = 0.05 } }",
+    )
+    .unwrap();
+    let mut root = document.root();
+    let mut replaced = squalane.clone();
+    replaced.override_from(&mut root, NO_FILES).unwrap();
+    let law = replaced.shear_thinning.as_ref().unwrap();
+    assert_eq!(law.describe(), "ree-eyring with limiting stress");
+    let records: Vec<_> = replaced
+        .provenance
+        .iter()
+        .filter(|datum| datum.key.starts_with("shear_thinning"))
+        .collect();
+    assert_eq!(records.len(), 1);
+    assert_eq!(records[0].value, "ree-eyring with limiting stress");
+    assert_eq!(records[0].status, Status::User);
+    assert_eq!(replaced.viscosity, squalane.viscosity);
 }

@@ -244,3 +244,26 @@ fn a_contact_as_large_as_its_body_is_refused() {
     let soft = soft.replace("210 GPa", "1 MPa").replace("100 N", "5 kN");
     assert!(message(read(&soft)).contains("exceeds the radius"));
 }
+
+#[test]
+fn shear_thinning_comes_with_the_fluid_and_can_be_left_out() {
+    let head = &STEEL[..STEEL.find("[lubricant]").unwrap()];
+    let squalane = format!("{head}[lubricant]\nname = \"squalane-pip\"\ntemperature = \"313 K\"\n");
+    let case = read(&squalane).unwrap();
+    // Habchi 2008, eq. 4.3 with Table 4.1 at 1 MPa: 0.46850, by an independent script.
+    let law = case.shear_thinning().unwrap();
+    let share = 1.0 / law.relative_fluidity(1e12, 0.0705, 0.0, 313.0);
+    assert_relative_eq!(share, 0.4684993, max_relative = 1e-6);
+    assert_eq!(case.echo().fluid.shear_thinning.as_deref(), Some("carreau"));
+
+    let left_out = read(&format!("{squalane}[solver]\nnewtonian = true\n")).unwrap();
+    assert!(left_out.lubricant.shear_thinning.is_some());
+    assert_eq!(left_out.shear_thinning(), None);
+
+    let eyring = "shear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }";
+    let replaced = read(&format!("{squalane}{eyring}\n")).unwrap();
+    assert_eq!(replaced.shear_thinning().unwrap().name(), "ree-eyring");
+    let added = read(&format!("{STEEL}{eyring}\n")).unwrap();
+    assert_eq!(added.shear_thinning().unwrap().name(), "ree-eyring");
+    assert_eq!(read(STEEL).unwrap().shear_thinning(), None);
+}
