@@ -1,6 +1,6 @@
 //! The modified Carreau law in shear stress.
 
-use super::numbers::{bounded_exp, ln_one_plus_power};
+use super::numbers::{bounded_exp, ln_one_plus_power, smooth_power};
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
@@ -24,6 +24,10 @@ pub struct Carreau {
     /// Second plateau over first, `μ₂/μ₁` (-).
     pub plateau_ratio: f64,
 }
+
+/// `(τ_e/G_c)²` and power-law slope `1/n_c - 1` below which the powers are far from overflow and need no logarithms.
+const LARGEST_SQUARE: f64 = 1e12;
+const LARGEST_SLOPE: f64 = 10.0;
 
 impl Carreau {
     /// `critical_stress` G_c in Pa; `exponent` n_c in (0, 1], `transition` β_c > 0 and `plateau_ratio` `μ₂/μ₁` in
@@ -51,8 +55,15 @@ impl Carreau {
     #[inline]
     pub fn relative_fluidity<D: Scalar>(&self, stress_squared: D) -> D {
         let square = stress_squared / (self.critical_stress * self.critical_stress);
-        let ln_bracket = ln_one_plus_power(square, self.transition);
-        let thinning = bounded_exp(ln_bracket * ((self.exponent.recip() - 1.0) / self.transition));
+        let slope = self.exponent.recip() - 1.0;
+        let outer = slope / self.transition;
+        let moderate =
+            square.re() < LARGEST_SQUARE && self.transition < 20.0 && slope < LARGEST_SLOPE;
+        let thinning = if moderate {
+            (smooth_power(square, self.transition) + 1.0).powf(outer)
+        } else {
+            bounded_exp(ln_one_plus_power(square, self.transition) * outer)
+        };
         // 1/[r + (1 - r)/thinning], r = μ₂/μ₁
         thinning / ((thinning - 1.0) * self.plateau_ratio + 1.0)
     }

@@ -1,9 +1,10 @@
 //! The Carreau-Yasuda law in shear rate.
 
-use num_dual::Dual64;
-
 use super::carreau::{check_exponent, check_plateaus};
-use super::numbers::{bounded_exp, increasing_root, ln_one_plus_power, ln_one_plus_scaled_power};
+use super::numbers::{
+    bounded_exp, increasing_root, ln_one_plus_power, ln_one_plus_power_and_slope,
+    ln_one_plus_scaled_power,
+};
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
@@ -32,9 +33,6 @@ pub struct CarreauYasuda {
     pub plateau_ratio: f64,
 }
 
-/// Newton steps that carry the derivatives along; each makes one more order exact.
-const N_DERIVATIVES: usize = 3;
-
 impl CarreauYasuda {
     /// `shear_modulus` G in Pa; `exponent` n in (0, 1], `transition` a > 0 and `plateau_ratio` `μ₂/μ₁` in \[0, 1\]
     /// without dimension.
@@ -62,11 +60,10 @@ impl CarreauYasuda {
     pub fn relative_fluidity<D: Scalar>(&self, stress_squared: D) -> D {
         let square = stress_squared / (self.shear_modulus * self.shear_modulus);
         let root = self.ln_fluidity(square.re());
-        let slope = self
-            .residual(Dual64::from(square.re()), Dual64::new(root, 1.0))
-            .eps;
+        let (_, slope) = self.residual_and_slope(square.re().ln(), root);
+        // Newton steps that carry the derivatives along; each makes one more order exact.
         let mut ln_fluidity = D::from(root);
-        for _ in 0..N_DERIVATIVES {
+        for _ in 0..D::NDERIV {
             ln_fluidity -= self.residual(square, ln_fluidity) / slope;
         }
         bounded_exp(ln_fluidity)
@@ -74,19 +71,41 @@ impl CarreauYasuda {
 
     /// `ln φ` at `square = (τ_e/G)²`.
     fn ln_fluidity(&self, square: f64) -> f64 {
+        let ln_square = square.ln();
         // The left side is below zero at ln φ = 0 by what it must gain at a rate between n and 1.
-        let gain = -self.residual(square, 0.0);
+        let gain = -self.residual_and_slope(ln_square, 0.0).0;
         if gain <= 0.0 {
             return 0.0;
         }
-        // The root of the law in shear stress with the same exponents is close.
-        let start = ln_one_plus_power(square, self.transition)
+        // The law in shear stress with the same exponents is close.
+        let thinning = ln_one_plus_power(square, self.transition)
             * ((self.exponent.recip() - 1.0) / self.transition);
-        let function = |ln_fluidity: f64| {
-            let residual = self.residual(Dual64::from(square), Dual64::new(ln_fluidity, 1.0));
-            (residual.re, residual.eps)
+        let start = if self.plateau_ratio == 0.0 {
+            thinning
+        } else {
+            -(self.plateau_ratio + (1.0 - self.plateau_ratio) * (-thinning).exp()).ln()
         };
-        increasing_root(function, gain, gain / self.exponent * (1.0 + 1e-9), start)
+        increasing_root(
+            |ln_fluidity| self.residual_and_slope(ln_square, ln_fluidity),
+            gain,
+            gain / self.exponent * (1.0 + 1e-9),
+            start,
+        )
+    }
+
+    /// [`Self::residual`] and its slope by `ln φ` at `ln_square = ln (τ_e/G)²`.
+    fn residual_and_slope(&self, ln_square: f64, ln_fluidity: f64) -> (f64, f64) {
+        let (ln_bracket, slope) =
+            ln_one_plus_power_and_slope(ln_square + 2.0 * ln_fluidity, self.transition);
+        let outer = (self.exponent - 1.0) / self.transition;
+        // d/d ln φ is twice that by the logarithm of the square.
+        let (ln_power, slope) = (outer * ln_bracket, 2.0 * outer * slope);
+        if self.plateau_ratio == 0.0 {
+            return (ln_fluidity + ln_power, 1.0 + slope);
+        }
+        let thinned = (1.0 - self.plateau_ratio) * ln_power.exp();
+        let share = self.plateau_ratio + thinned;
+        (ln_fluidity + share.ln(), 1.0 + slope * thinned / share)
     }
 
     /// Left side of the equation for `ln φ`.

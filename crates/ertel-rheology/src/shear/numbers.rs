@@ -40,6 +40,21 @@ pub(super) fn ln_one_plus_scaled_power<D: Scalar>(square: D, ln_factor: D, k: f6
     }
 }
 
+/// `ln(1 + |r|^k)` and its slope by `ln r²`, from `ln_square = ln r²`.
+pub(super) fn ln_one_plus_power_and_slope(ln_square: f64, k: f64) -> (f64, f64) {
+    if ln_square < 0.0 {
+        let square = ln_square.exp();
+        let power = smooth_power(square, k);
+        // d ln u/d ln r², u the smooth power.
+        let slope = 1.0 + (0.5 * k - 1.0) * square / (square + SMALLEST_SQUARE);
+        (power.ln_1p(), slope * power / (1.0 + power))
+    } else {
+        let ln_power = ln_smooth_power(ln_square, k);
+        let reciprocal = (-ln_power).exp();
+        (ln_power + reciprocal.ln_1p(), 0.5 * k / (1.0 + reciprocal))
+    }
+}
+
 /// `ln(1 + x)` from `ln x ≥ 0`.
 #[inline]
 fn ln_one_plus_large<D: Scalar>(ln_x: D) -> D {
@@ -62,7 +77,8 @@ pub(super) fn bounded_exp<D: Scalar>(x: D) -> D {
 }
 
 /// Root of an increasing function between `low` and `high` by Newton's method from `start`, to round-off; a step that
-/// leaves the bracket is replaced by bisection. `f` returns value and slope.
+/// leaves the bracket is replaced by bisection. `f` returns value and slope, and both are smooth: an error of 1e-9 is
+/// squared by the next step.
 pub(super) fn increasing_root(
     f: impl Fn(f64) -> (f64, f64),
     mut low: f64,
@@ -79,16 +95,14 @@ pub(super) fn increasing_root(
             low = x;
         }
         let newton = x - value / slope;
-        let next = if newton >= low && newton <= high {
+        if (newton - x).abs() <= 1e-9 * x.abs().max(1.0) {
+            return newton;
+        }
+        x = if newton > low && newton < high {
             newton
         } else {
             0.5 * (low + high)
         };
-        let step = (next - x).abs();
-        x = next;
-        if step <= 2.0 * f64::EPSILON * x.abs().max(1.0) {
-            break;
-        }
     }
     x
 }
