@@ -48,6 +48,8 @@ pub enum Role {
     /// Only starts the next one: loose tolerance, penalty ramp, and what it reaches is good
     /// enough even when it does not converge.
     Start,
+    /// A step on the way from a start to the case's own equations: loose tolerance, but the penalty in full.
+    Path,
     /// Its figures bound the discretisation error; skipped when it does not converge.
     Estimate,
     /// The solution.
@@ -98,6 +100,13 @@ pub struct StageSolution {
     pub stage: Stage,
     /// How far Newton's method came.
     pub reached: Reached,
+}
+
+impl Role {
+    /// Whether it only leads to other stages.
+    fn leads(self) -> bool {
+        matches!(self, Role::Start | Role::Path)
+    }
 }
 
 impl Stage {

@@ -1,11 +1,34 @@
 //! What is tried when a contact does not converge at once.
 
-use super::{Problem, Stage};
+use super::{Problem, Role, Stage};
+use crate::solve::system::FilmConstants;
 
 /// Shares of the fluid's thickening through which a contact is led that does not start otherwise.
 const THICKENING: [f64; 5] = [0.4, 0.6, 0.75, 0.88, 1.0];
 
-/// What is tried, in turn, when the start or the final stage does not converge: a start with a fluid that
+/// Diffusion between that of a start and none.
+const DIFFUSION: [f64; 4] = [1.0, 0.25, 0.06, 0.015];
+
+/// Steps from a diffusive start towards the stage `end`.
+pub(super) fn diffusion_path(start: &Stage, end: &Stage) -> impl Iterator<Item = Stage> + use<> {
+    let (start, end) = (*start, end.constants.isotropic_diffusion);
+    let between = move |d: &f64| (end..start.constants.isotropic_diffusion).contains(d);
+    DIFFUSION
+        .into_iter()
+        .filter(between)
+        .map(move |isotropic_diffusion| Stage {
+            constants: FilmConstants {
+                isotropic_diffusion,
+                ..start.constants
+            },
+            cold: false,
+            role: Role::Path,
+            ..start
+        })
+}
+
+/// What is tried, in turn, when the start or the final stage does not converge: the way from the start to
+/// the case in steps of diminishing diffusion, if the start converged; a start with a fluid that
 /// thickens less, made thicker step by step; then the start on the fine mesh, which may carry what the
 /// coarse one could not; then pressures of lower order, which overshoot
 /// less at a spike that the mesh does not resolve.
@@ -27,18 +50,17 @@ pub(super) fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
             ..*start
         })
         .collect();
-    continuation.extend(&problem.stages[1..]);
-    let restart = vec![
-        Stage {
-            sizes: finer,
-            ..*start
-        },
-        Stage {
-            sizes: finer,
-            ..*last
-        },
-    ];
-    let mut rescues = vec![continuation, restart];
+    let mut path: Vec<Stage> = diffusion_path(start, last).collect();
+    path.extend(&problem.stages[1..]);
+    continuation.extend(&path);
+    let on_finer = |stage: &Stage| Stage {
+        sizes: finer,
+        ..*stage
+    };
+    let mut restart = vec![on_finer(start)];
+    restart.extend(diffusion_path(&restart[0], last));
+    restart.push(on_finer(last));
+    let mut rescues = vec![path, continuation, restart];
     rescues.extend((1..last.pressure_order).rev().map(|pressure_order| {
         let lower = |stage: &Stage| Stage {
             pressure_order,

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::rescue::rescues;
+use super::rescue::{diffusion_path, rescues};
 use super::stage::{Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::{Problem, Role, Stage, StageSolution};
@@ -165,7 +165,7 @@ impl<'a> Sequence<'a> {
             || last && problem.adapt.is_some() && stage.refinements == 0;
         let finish = if rough { Finish::Rough } else { Finish::Exact };
         let mut outcome = run.solve(finish, &mut state, &mut effort, observer);
-        let wanted = problem.error_estimate && stage.role != Role::Start && outcome.is_ok();
+        let wanted = problem.error_estimate && !stage.role.leads() && outcome.is_ok();
         if wanted && observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
@@ -222,10 +222,10 @@ impl<'a> Sequence<'a> {
             solution,
             refinement,
         } = end;
-        let start = stage.role == Role::Start;
+        let leads = stage.role.leads();
         match outcome {
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-            _ if stage.refinements > 0 && start => {
+            _ if stage.refinements > 0 && leads => {
                 // Good enough, or the way ends here.
                 if outcome.is_ok() || solution.is_usable() {
                     let before = self.previous.replace(solution);
@@ -258,15 +258,18 @@ impl<'a> Sequence<'a> {
                     cold: false,
                     ..self.problem.stages[0]
                 };
-                self.queue.extend([restart, *stage]);
+                self.queue.push_back(restart);
+                self.queue.extend(diffusion_path(&restart, stage));
+                self.queue.push_back(*stage);
             }
-            // The first start: no time is lost on what follows from a bad one.
-            Err(e) if start && self.stats.len() == 1 => {
+            // The first start: no time is lost on what follows from a bad one, and the first rescue is one.
+            Err(e) if leads && self.stats.len() == 1 => {
                 self.first_failure = Some(e);
+                self.rescues.next();
                 self.queue = self.rescues.next().into_iter().flatten().collect();
                 self.previous = Some(solution);
             }
-            Err(_) if start && solution.is_usable() => self.previous = Some(solution),
+            Err(_) if leads && solution.is_usable() => self.previous = Some(solution),
             Err(_) if stage.role == Role::Estimate => {}
             Err(e) => {
                 let failure = self.first_failure.get_or_insert(e);

@@ -72,19 +72,23 @@ impl<'a> StageRun<'a> {
         effort: &mut NewtonStats,
         observer: &mut dyn Observer,
     ) -> Result<Reached, SolveError> {
-        let start = self.stage.role == Role::Start;
+        let leads = self.stage.role.leads();
         let mut params = self.problem.newton;
         if finish == Finish::Rough {
             params.update_tolerance = params.update_tolerance.max(ROUGH_TOLERANCE);
             params.residual_tolerance = params.residual_tolerance.max(ROUGH_TOLERANCE);
         }
-        if start {
+        if leads {
             params.update_tolerance = START_TOLERANCE;
             params.residual_tolerance = f64::INFINITY;
             params.max_iterations = START_ITERATIONS;
             params.patience = START_PATIENCE;
         }
-        let ramp = if start { &PENALTY_RAMP[..] } else { &[1.0] };
+        let ramp = if self.stage.role == Role::Start {
+            &PENALTY_RAMP[..]
+        } else {
+            &[1.0]
+        };
         let mut outcome = Ok(Reached::default());
         for share in ramp {
             let label = RunLabel {
@@ -95,7 +99,7 @@ impl<'a> StageRun<'a> {
             let model = self.model(*share);
             outcome = (self.newton).run(&model, &params, &label, state, effort, observer);
             let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
-            if outcome.is_err() && !(start && stalled) {
+            if outcome.is_err() && !(leads && stalled) {
                 return outcome;
             }
         }
