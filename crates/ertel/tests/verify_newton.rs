@@ -193,7 +193,7 @@ fn effort_of_a_line_contact() {
     pinned(
         ContactKind::Line,
         3e5,
-        &[[10, 102, 4], [5, 63, 1], [5, 45, 1]],
+        &[[10, 132, 3], [5, 47, 1], [5, 42, 1]],
     );
 }
 
@@ -202,6 +202,6 @@ fn effort_of_a_circular_contact() {
     pinned(
         ContactKind::Circular,
         100.0,
-        &[[11, 166, 4], [9, 176, 4], [8, 119, 4]],
+        &[[12, 175, 4], [9, 143, 3], [8, 122, 3]],
     );
 }
