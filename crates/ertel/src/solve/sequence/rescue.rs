@@ -27,6 +27,22 @@ pub(super) fn diffusion_path(start: &Stage, end: &Stage) -> impl Iterator<Item =
         })
 }
 
+/// Between a stage and the one before on a way, if they differ enough.
+pub(super) fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {
+    let diffusion = |s: &Stage| s.constants.isotropic_diffusion;
+    let thickening = 0.5 * (from.thickening + to.thickening);
+    let isotropic_diffusion = (diffusion(from) * diffusion(to)).sqrt();
+    let near = to.thickening - thickening < 0.02 && isotropic_diffusion < 1.4 * diffusion(to);
+    (to.role == Role::Path && !near).then_some(Stage {
+        thickening,
+        constants: FilmConstants {
+            isotropic_diffusion,
+            ..to.constants
+        },
+        ..*to
+    })
+}
+
 /// What is tried, in turn, when the start or the final stage does not converge: the way from the start to
 /// the case in steps of diminishing diffusion, if the start converged; a start with a fluid that
 /// thickens less, made thicker step by step; then the start on the fine mesh, which may carry what the
@@ -47,6 +63,7 @@ pub(super) fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
         .map(|(i, thickening)| Stage {
             thickening: *thickening,
             cold: i == 0,
+            role: if i == 0 { Role::Start } else { Role::Path },
             ..*start
         })
         .collect();

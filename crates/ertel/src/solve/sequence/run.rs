@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::rescue::{diffusion_path, rescues};
+use super::rescue::{diffusion_path, halfway, rescues};
 use super::stage::{Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::{Problem, Role, Stage, StageSolution};
@@ -48,6 +48,9 @@ pub fn solve_stages(
     Ok((solution, stats))
 }
 
+/// Steps that may be halved on one way to a contact.
+const MAX_DETOURS: usize = 6;
+
 /// Where a solve stands.
 struct Sequence<'a> {
     problem: &'a Problem,
@@ -66,6 +69,8 @@ struct Sequence<'a> {
     mesh: Option<(Stage, Arc<ContactBody>)>,
     /// Halvings of each element that make the next mesh.
     halvings: Vec<u32>,
+    /// Steps halved on the present way.
+    detours: usize,
     /// Refinements of the mesh that has been tried once more.
     restarted: usize,
 }
@@ -90,6 +95,7 @@ impl<'a> Sequence<'a> {
             solved: None,
             mesh: None,
             halvings: Vec::new(),
+            detours: 0,
             restarted: 0,
         }
     }
@@ -269,10 +275,17 @@ impl<'a> Sequence<'a> {
                 self.queue = self.rescues.next().into_iter().flatten().collect();
                 self.previous = Some(solution);
             }
+            // A step of a way was too long.
+            Err(_) if let Some(halfway) = self.halfway(stage) => {
+                self.detours += 1;
+                self.queue.push_front(*stage);
+                self.queue.push_front(halfway);
+            }
             Err(_) if leads && solution.is_usable() => self.previous = Some(solution),
             Err(_) if stage.role == Role::Estimate => {}
             Err(e) => {
                 let failure = self.first_failure.get_or_insert(e);
+                self.detours = 0;
                 match self.rescues.next() {
                     Some(stages) => self.queue = stages.into(),
                     None => return Err(std::mem::replace(failure, SolveError::Interrupted)),
@@ -280,6 +293,15 @@ impl<'a> Sequence<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Half of the step to a stage.
+    fn halfway(&self, stage: &Stage) -> Option<Stage> {
+        let from = self
+            .previous
+            .as_ref()
+            .filter(|_| self.detours < MAX_DETOURS)?;
+        halfway(&from.stage, stage)
     }
 
     /// Gives the refined mesh of a stage up: the solution on the mesh before stands.
