@@ -121,6 +121,24 @@ fn circular_contact() {
     solved("circular-roelands-M50-L5", Some(MeshPreset::Coarse));
 }
 
+/// A wide, thick film with a sharp spike: with linear solves whose residual is small, but not their error as a
+/// pressure, steps are cut to nothing. The film is that of two other ways to it: in steps of diminishing
+/// diffusion, with quadratic (4502.5 nm) and cubic pressures (4514.5 nm).
+#[test]
+fn circular_contact_with_a_sharp_spike() {
+    let solution = solved("circular-barus-M10-L15", None);
+    let film = solution.summary.film_central.value;
+    assert!((film / 4514.5e-9 - 1.0).abs() < 3e-3, "{film}");
+    assert!(solution.history.len() < 100, "{}", solution.history.len());
+}
+
+/// Incompressible, and sharper still: the lubricant is made thicker step by step, in smaller steps where
+/// one is too long.
+#[test]
+fn way_with_halved_steps() {
+    solved("line-roelands-inc-M5-L20", None);
+}
+
 /// Where the film is no continuum any more, the result says so.
 #[test]
 fn films_below_a_nanometre_are_called_so() {
