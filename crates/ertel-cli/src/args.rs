@@ -8,7 +8,7 @@ use clap::{Args, Parser, Subcommand};
 #[derive(Debug, Parser)]
 #[command(name = "ertel", version, arg_required_else_help = true)]
 #[command(after_help = "\
-Exit codes: 0 solved, 1 results could not be written or a validation does not hold, 2 bad input or usage, 3 not converged, 130 interrupted.")]
+Exit codes: 0 solved, 1 results could not be written or a validation does not hold, 2 bad input or usage, 3 not converged (a point of a curve, too), 130 interrupted.")]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]

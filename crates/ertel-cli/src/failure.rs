@@ -22,6 +22,9 @@ pub enum Failure {
     /// Ctrl-C.
     #[error("interrupted; nothing was written")]
     Interrupted,
+    /// Ctrl-C in a curve of which some points were solved.
+    #[error("{0}")]
+    InterruptedCurve(String),
     /// Results cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
@@ -37,7 +40,7 @@ impl Failure {
             Self::Output(_) | Self::Other(_) => 1,
             Self::Input(_) | Self::Argument(_) => 2,
             Self::NotConverged(_) => 3,
-            Self::Interrupted => 130,
+            Self::Interrupted | Self::InterruptedCurve(_) => 130,
         })
     }
 }

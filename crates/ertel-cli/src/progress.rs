@@ -6,12 +6,15 @@ use std::time::Duration;
 use ertel::output::length;
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
+use ertel::study::CurveObserver;
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Shows the iterations and passes on that the user wants to stop.
 pub struct Progress<'a> {
     display: Display,
     cancelled: &'a AtomicBool,
+    /// Which point of a curve is being solved; empty outside of curves.
+    point: String,
     level: String,
 }
 
@@ -40,6 +43,7 @@ impl<'a> Progress<'a> {
         Self {
             display,
             cancelled,
+            point: String::new(),
             level: String::new(),
         }
     }
@@ -63,7 +67,7 @@ impl Drop for Progress<'_> {
 
 impl Observer for Progress<'_> {
     fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, n_displacement: usize) {
-        self.level = format!("stage {}/{n_levels}", level + 1);
+        self.level = format!("{}stage {}/{n_levels}", self.point, level + 1);
         self.show(format!(
             "{}: {n_pressure} pressure and {n_displacement} displacement unknowns",
             self.level
@@ -84,6 +88,12 @@ impl Observer for Progress<'_> {
 
     fn cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+impl CurveObserver for Progress<'_> {
+    fn point(&mut self, index: usize, n_points: usize, value: &str) {
+        self.point = format!("point {}/{n_points} ({value}), ", index + 1);
     }
 }
 

@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use ertel::case::Case;
+use ertel::case::{Case, Curve};
 use ertel::output;
 use ertel::run::Session;
 use ertel::solve::{DiscretisationError, SolveError};
+use ertel::study::{CurveSolution, solve_curve};
 
 use crate::args::SolveArgs;
 use crate::cache::user_cache;
@@ -33,7 +34,7 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     case.output.png |= arguments.png;
     let folder = folder(arguments, &case);
     if arguments.check || arguments.quiet {
-        warn(&case.warnings);
+        warn(&input_warnings(&case));
     }
     if case.output.png {
         output::check_png().map_err(|error| Failure::Argument(error.to_string()))?;
@@ -53,6 +54,11 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     listen_for_interrupts();
 
     let mut progress = Progress::new(arguments.quiet, &CANCELLED);
+    if let Some(curve) = &case.curve {
+        let solution = solve_curve(&session, curve, &mut progress);
+        drop(progress);
+        return write_curve(&case, curve, &solution, &folder, arguments.quiet);
+    }
     let solution = session.solve(&case, &mut progress);
     drop(progress);
     let solution = solution?;
@@ -69,6 +75,58 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
         return Ok(());
     }
     print::stdout(&output::report(&echo, &solution, Some(&folder)))
+}
+
+/// Writes what was solved of a curve; says what was not.
+fn write_curve(
+    case: &Case,
+    curve: &Curve,
+    solution: &CurveSolution,
+    folder: &Path,
+    quiet: bool,
+) -> Result<(), Failure> {
+    if solution.points.is_empty() {
+        return Err(Failure::Interrupted);
+    }
+    WRITING.store(true, Ordering::SeqCst);
+    let echo = case.echo();
+    output::write_curve(&echo, solution, folder, &case.output, curve.folders)?;
+    WRITING.store(false, Ordering::SeqCst);
+    if !quiet {
+        print::stdout(&output::curve_report(&echo, solution, Some(folder)))?;
+    }
+    let (n, all, failed) = (
+        solution.points.len(),
+        solution.n_points,
+        solution.n_failed(),
+    );
+    if solution.is_partial() {
+        return Err(Failure::InterruptedCurve(format!(
+            "interrupted after {n} of {all} points; these are in {}",
+            folder.display()
+        )));
+    }
+    if failed > 0 {
+        return Err(Failure::NotConverged(format!(
+            "{failed} of {all} points failed; the reasons stand in {}",
+            folder.join("curve.csv").display()
+        )));
+    }
+    Ok(())
+}
+
+/// What to know about the input: of a case, or of the points of its curve.
+fn input_warnings(case: &Case) -> Vec<String> {
+    let Some(curve) = &case.curve else {
+        return case.warnings.clone();
+    };
+    let mut warnings: Vec<String> = Vec::new();
+    for warning in curve.points.iter().flat_map(|p| &p.case.warnings) {
+        if !warnings.contains(warning) {
+            warnings.push(warning.clone());
+        }
+    }
+    warnings
 }
 
 fn warn<'a>(warnings: impl IntoIterator<Item = &'a String>) {

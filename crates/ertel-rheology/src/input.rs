@@ -32,7 +32,7 @@ pub use table::{StrOrTable, Table};
 use tree::Node;
 
 /// The name and text of a file, kept for error messages.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Source {
     file: String,
     text: String,
@@ -96,6 +96,18 @@ impl Document {
     #[must_use]
     pub fn tree(&self) -> &Node {
         &self.root
+    }
+
+    /// The document with another value at the key path `path`, such as `contact.load`; `None` if there is no such key.
+    /// Errors about the value point to the place of `node`.
+    #[must_use]
+    pub fn with_value(&self, path: &str, node: Node) -> Option<Self> {
+        let mut root = self.root.clone();
+        root.entry_mut(path)?.node = node;
+        Some(Self {
+            source: self.source.clone(),
+            root,
+        })
     }
 
     /// The top-level table.

@@ -13,4 +13,5 @@ pub mod reference;
 pub mod run;
 pub mod solution;
 pub mod solve;
+pub mod study;
 pub mod validate;

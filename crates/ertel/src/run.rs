@@ -8,12 +8,13 @@ use crate::film::FilmFluid;
 use crate::params::{ElasticModel, Formulation, MeshParams};
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
-use crate::solution::{Solution, Stats};
+use crate::solution::{IterationRecord, Solution, Stats};
 use crate::solve::adapt::AdaptParams;
 use crate::solve::cache::OperatorCache;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::newton::{FilmModel, NewtonParams};
-use crate::solve::sequence::{Problem, Role, Stage, solve_stages};
+pub use crate::solve::sequence::Start;
+use crate::solve::sequence::{Problem, Role, Stage, StageSolution, solve_stages, solve_warm};
 use crate::solve::system::FilmConstants;
 use crate::solve::{Observer, SolveError};
 
@@ -100,11 +101,57 @@ impl Session {
     /// # Errors
     /// When no mesh level converges, the mesh cannot be built, or the observer cancels.
     pub fn solve(&self, case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
-        let problem = Problem {
+        let (solution, _) = self.solve_from(case, None, &[], observer)?;
+        Ok(solution)
+    }
+
+    /// Solves a case from the solution of a similar one, where that leads to its own; else from the dry contact,
+    /// on a mesh that suits those of the cases `ahead` that are similar, too. Returns with the solution what the
+    /// next case can start from.
+    ///
+    /// # Errors
+    /// As [`Session::solve`].
+    pub fn solve_from(
+        &self,
+        case: &Case,
+        start: Option<&Start>,
+        ahead: &[&Case],
+        observer: &mut dyn Observer,
+    ) -> Result<(Solution, Start), SolveError> {
+        let clock = Instant::now();
+        let mut problem = Problem {
             cache: self.cache.clone(),
             ..problem(case)
         };
-        solve_problem(case, &problem, observer)
+        let mut recorder = Recorder {
+            observer,
+            history: Vec::new(),
+        };
+        let warm = match start.filter(|start| start.suits(&problem)) {
+            Some(start) => solve_warm(&problem, start, &mut recorder)?,
+            None => None,
+        };
+        let is_warm = warm.is_some();
+        let (finest, levels) = match warm {
+            Some(end) => end,
+            None => {
+                recorder.history.clear();
+                let others: Vec<Problem> = ahead.iter().map(|c| self::problem(c)).collect();
+                problem.make_room_for(&others);
+                solve_stages(&problem, &mut recorder)?
+            }
+        };
+        let stats = Stats {
+            warm: is_warm,
+            levels,
+            wall_seconds: 0.0,
+            peak_memory: None,
+        };
+        let mut solution = describe(case, &problem, &finest, stats, recorder.history)?;
+        let start = Start::new(&problem, finest, &solution.stats.levels);
+        solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
+        solution.stats.peak_memory = peak_memory();
+        Ok((solution, start))
     }
 }
 
@@ -116,18 +163,16 @@ pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, Solve
     Session::default().solve(case, observer)
 }
 
-fn solve_problem(
+/// The figures and fields of a solved problem.
+fn describe(
     case: &Case,
     problem: &Problem,
-    observer: &mut dyn Observer,
+    finest: &StageSolution,
+    stats: Stats,
+    history: Vec<IterationRecord>,
 ) -> Result<Solution, SolveError> {
-    let clock = Instant::now();
-    let mut recorder = Recorder {
-        observer,
-        history: Vec::new(),
-    };
-    let (finest, levels) = solve_stages(problem, &mut recorder)?;
-    let history = recorder.history;
+    let levels = &stats.levels;
+    let extents = finest.discretisation.contact.extents;
     let hertz = case.hertz();
     let slope = case
         .lubricant
@@ -151,7 +196,7 @@ fn solve_problem(
         fluid: problem.fluid.clone(),
         constants: finest.stage.constants,
     };
-    let summary = post::summary::summarise(&finest, &levels, &model, &scales);
+    let summary = post::summary::summarise(finest, levels, &model, &scales);
     let mut warnings = case.warnings.clone();
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {
@@ -167,8 +212,8 @@ fn solve_problem(
     warnings.extend(post::summary::warnings(
         case.contact.kind,
         &summary,
-        &finest,
-        &levels,
+        finest,
+        levels,
         case.mesh.target_error,
     ));
     Ok(Solution {
@@ -179,23 +224,15 @@ fn solve_problem(
         groups,
         groups_asymptotic,
         scales,
-        extents: [
-            problem.extents.inlet,
-            problem.extents.outlet,
-            problem.extents.side,
-        ],
-        centreline: post::fields::centreline(&finest, &problem.fluid, &scales),
-        surface: post::fields::surface(&finest, &problem.fluid, &scales),
+        extents: [extents.inlet, extents.outlet, extents.side],
+        centreline: post::fields::centreline(finest, &problem.fluid, &scales),
+        surface: post::fields::surface(finest, &problem.fluid, &scales),
         body: (case.output.body_field)
-            .then(|| post::fields::body(&finest, &scales))
+            .then(|| post::fields::body(finest, &scales))
             .transpose()?,
         summary,
         history,
-        stats: Stats {
-            levels,
-            wall_seconds: clock.elapsed().as_secs_f64(),
-            peak_memory: peak_memory(),
-        },
+        stats,
         warnings,
     })
 }
@@ -333,6 +370,7 @@ fn stages(
         constants,
         thickening: 1.0,
         cold: false,
+        near: false,
         role: Role::Final,
     };
     let start = Stage {
@@ -372,7 +410,7 @@ const START_DIFFUSION: f64 = 4.0;
 /// Passes everything on and keeps the iterations.
 struct Recorder<'a> {
     observer: &'a mut dyn Observer,
-    history: Vec<crate::solution::IterationRecord>,
+    history: Vec<IterationRecord>,
 }
 
 impl Observer for Recorder<'_> {
@@ -381,7 +419,7 @@ impl Observer for Recorder<'_> {
             .level(level, n_levels, n_pressure, n_displacement);
     }
 
-    fn iteration(&mut self, record: &crate::solution::IterationRecord) {
+    fn iteration(&mut self, record: &IterationRecord) {
         self.history.push(record.clone());
         self.observer.iteration(record);
     }

@@ -141,6 +141,8 @@ impl Timings {
 /// Solver statistics of the whole run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stats {
+    /// Whether it started from the solution of another case; else from the dry contact.
+    pub warm: bool,
     /// One entry per mesh level, coarse to fine.
     pub levels: Vec<LevelStats>,
     /// Wall time of the solve, s.

@@ -42,6 +42,7 @@ fn main_case(kind: ContactKind, load: f64) -> Case {
         warnings: Vec::new(),
         source: String::new(),
         given: serde_json::Value::Null,
+        curve: None,
     }
 }
 

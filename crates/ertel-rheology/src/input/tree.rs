@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 use super::{InputError, Source};
 
 /// A value and where it stands.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Node {
     /// Bytes of the text it takes.
     pub span: Range<usize>,
@@ -17,7 +17,7 @@ pub struct Node {
 }
 
 /// The TOML types.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Value {
     /// A string.
     Str(String),
@@ -36,7 +36,7 @@ pub enum Value {
 }
 
 /// A key with its value.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Entry {
     /// The key, quotes removed.
     pub key: String,
@@ -47,6 +47,35 @@ pub struct Entry {
 }
 
 impl Node {
+    /// The entry at a key path such as `contact.load`, if it is there.
+    #[must_use]
+    pub fn entry(&self, path: &str) -> Option<&Entry> {
+        let Value::Table(entries) = &self.value else {
+            return None;
+        };
+        let (key, rest) = path.split_once('.').unwrap_or((path, ""));
+        let entry = entries.iter().find(|entry| entry.key == key)?;
+        if rest.is_empty() {
+            Some(entry)
+        } else {
+            entry.node.entry(rest)
+        }
+    }
+
+    /// The same, to be changed.
+    pub(super) fn entry_mut(&mut self, path: &str) -> Option<&mut Entry> {
+        let Value::Table(entries) = &mut self.value else {
+            return None;
+        };
+        let (key, rest) = path.split_once('.').unwrap_or((path, ""));
+        let entry = entries.iter_mut().find(|entry| entry.key == key)?;
+        if rest.is_empty() {
+            Some(entry)
+        } else {
+            entry.node.entry_mut(rest)
+        }
+    }
+
     /// The kind of value with its article, for messages.
     pub(super) fn kind(&self) -> &'static str {
         match self.value {

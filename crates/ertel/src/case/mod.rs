@@ -24,11 +24,12 @@
 //!
 //! `lubricant = "squalane-pip"` with a top-level `temperature = "40 degC"` is short for a `[lubricant]`
 //! table with `name` and `temperature`. `[mesh]`, `[solver]` and `[output]` are optional; everything
-//! physical is required. Numbers carry units. Unknown keys are errors.
+//! physical is required. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
 
 mod bodies;
 mod check;
 mod contact;
+pub mod curve;
 mod echo;
 mod lubricant;
 mod params;
@@ -43,6 +44,7 @@ use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
 use crate::params::{MeshParams, OutputParams, SolverParams};
 
 pub use bodies::Body;
+pub use curve::Curve;
 pub use lubricant::Lubricant;
 pub(crate) use params::{read_mesh, read_solver};
 
@@ -73,6 +75,8 @@ pub struct Case {
     pub source: String,
     /// Its keys and values as given, quantities with their units; null for a case made in code.
     pub given: serde_json::Value,
+    /// The points of `[curve]`, each a case of its own; [`crate::run`] solves the case without them.
+    pub curve: Option<Curve>,
 }
 
 impl Case {
@@ -93,6 +97,12 @@ impl Case {
     ///
     /// As [`Case::read`].
     pub fn from_document(document: &Document, folder: &Path) -> Result<Self, InputError> {
+        let mut case = Self::without_curve(document, folder)?;
+        case.curve = curve::read(document, folder, &case)?;
+        Ok(case)
+    }
+
+    fn without_curve(document: &Document, folder: &Path) -> Result<Self, InputError> {
         let mut root = document.root();
         let title = root.optional_str("title")?.unwrap_or_default().to_owned();
         let mut contact_table = root.required_table("contact")?;
@@ -116,6 +126,7 @@ impl Case {
             Some(table) => params::read_output(table)?,
             None => OutputParams::default(),
         };
+        root.contains("curve");
         contact_table.finish()?;
         motion_table.finish()?;
         root.finish()?;
@@ -132,6 +143,7 @@ impl Case {
             warnings: Vec::new(),
             source: document.text().to_owned(),
             given: echo::json_of(document.tree()),
+            curve: None,
         };
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);

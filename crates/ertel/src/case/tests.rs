@@ -267,3 +267,64 @@ fn shear_thinning_comes_with_the_fluid_and_can_be_left_out() {
     assert_eq!(added.shear_thinning().unwrap().name(), "ree-eyring");
     assert_eq!(read(STEEL).unwrap().shear_thinning(), None);
 }
+
+const SPEEDS: &str = "
+[curve]
+quantity = \"motion.entrainment_speed\"
+";
+
+fn curve(lines: &str) -> Result<Case, InputError> {
+    read(&format!("{STEEL}{SPEEDS}{lines}"))
+}
+
+#[test]
+fn a_curve_is_one_case_for_each_value() {
+    let case = curve("values = [\"100 mm/s\", \"2 m/s\",\n  \"0.3 m/s\"]").unwrap();
+    let curve = case.curve.unwrap();
+    assert_eq!(curve.quantity.key(), "entrainment_speed");
+    assert_eq!(curve.quantity.unit(), "m/s");
+    assert!(!curve.folders);
+    let values: Vec<f64> = curve.points.iter().map(|p| p.value).collect();
+    assert_eq!(values, [0.1, 2.0, 0.3]);
+    for point in &curve.points {
+        assert_eq!(point.case.motion.entrainment_speed, point.value);
+        assert_eq!(point.case.contact, case.contact);
+        // The kept text is a case file of this point alone.
+        let again = read(&point.case.source).unwrap();
+        assert!(again.curve.is_none());
+        assert_eq!(again.motion, point.case.motion);
+        assert_eq!(again.lubricant, point.case.lubricant);
+    }
+}
+
+#[test]
+fn ranges_are_spaced_evenly_in_differences_or_ratios() {
+    let values = |lines: &str| -> Vec<f64> {
+        let points = curve(lines).unwrap().curve.unwrap().points;
+        points.iter().map(|p| p.value).collect()
+    };
+    let range = "from = \"10 mm/s\"\nto = \"1 m/s\"\npoints = 3\n";
+    assert_eq!(values(range), [0.01, 0.505, 1.0]);
+    assert_eq!(
+        values(&format!("{range}spacing = \"log\"")),
+        [0.01, 0.1, 1.0]
+    );
+    let falling = "from = \"1 m/s\"\nto = \"0.8 m/s\"\npoints = 2";
+    assert_eq!(values(falling), [1.0, 0.8]);
+}
+
+#[test]
+fn temperatures_and_line_loads_vary_in_their_units() {
+    let text = STEEL.replace("load = \"100 N\"", "load = \"100 kN/m\"");
+    let text = text.replace("circular", "line");
+    let lines = "[curve]\nquantity = \"contact.load\"\nvalues = [\"50 N/mm\", \"80 kN/m\"]";
+    let points = read(&format!("{text}{lines}")).unwrap().curve.unwrap();
+    assert_eq!(points.quantity.unit(), "N/m");
+    assert_relative_eq!(points.points[0].case.contact.load, 5e4);
+    let lines = "[curve]\nquantity = \"lubricant.temperature\"\nfrom = \"20 degC\"\nto = \"333.15 K\"\npoints = 3";
+    let points = read(&format!("{STEEL}{lines}")).unwrap().curve.unwrap();
+    let temperatures: Vec<f64> = (points.points.iter())
+        .map(|p| p.case.lubricant.temperature)
+        .collect();
+    assert_eq!(temperatures, [293.15, 313.15, 333.15]);
+}

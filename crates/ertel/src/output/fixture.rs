@@ -205,6 +205,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         body: Some(body(kind, a)),
         history: history(),
         stats: Stats {
+            warm: false,
             levels: vec![level(300, 7), level(2500, 4)],
             wall_seconds: 8.4,
             peak_memory: Some(412 << 20),

@@ -1,5 +1,6 @@
 //! Result folders that appear as a whole or not at all.
 
+use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -7,11 +8,16 @@ use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 use super::OutputError;
+use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-const OWN_FILES: [&str; 14] = [
+const OWN_FILES: [&str; 18] = [
     "result.json",
+    "curve.json",
+    "curve.csv",
+    "film-curve.svg",
+    "film-curve.png",
     "report.txt",
     "case.toml",
     "centreline.csv",
@@ -27,11 +33,23 @@ const OWN_FILES: [&str; 14] = [
     "convergence.png",
 ];
 
+/// Folder within the results of a curve, with a folder for each of its points.
+pub(super) const POINTS: &str = "points";
+
 /// A folder in the making beside its target; dropped unfinished, it vanishes.
 pub(super) struct NewFolder {
     target: PathBuf,
     parent: PathBuf,
     temporary: TempDir,
+    root: Part,
+}
+
+/// The folder in the making or a folder within.
+pub(super) struct Part {
+    /// Where it is while in the making.
+    path: PathBuf,
+    /// Where it will be.
+    target: PathBuf,
 }
 
 impl NewFolder {
@@ -53,26 +71,31 @@ impl NewFolder {
             .prefix(".ertel-")
             .tempdir_in(&parent)
             .map_err(|e| OutputError::io(&parent, e))?;
+        let root = Part {
+            path: temporary.path().to_owned(),
+            target: target.clone(),
+        };
         Ok(NewFolder {
             target,
             parent,
             temporary,
+            root,
         })
     }
 
-    /// Writes one file and brings it to the disk; errors name the file in the target.
-    pub fn file(
-        &self,
-        name: &str,
-        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    ) -> Result<(), OutputError> {
-        debug_assert!(OWN_FILES.contains(&name), "{name} is not listed");
-        let save = || -> io::Result<()> {
-            let mut out = io::BufWriter::new(File::create(self.temporary.path().join(name))?);
-            write(&mut out)?;
-            out.into_inner()?.sync_all()
+    /// The folder itself.
+    pub fn root(&self) -> &Part {
+        &self.root
+    }
+
+    /// Makes the folder of one point within.
+    pub fn point(&self, name: &str) -> Result<Part, OutputError> {
+        let part = Part {
+            path: self.root.path.join(POINTS).join(name),
+            target: self.target.join(POINTS).join(name),
         };
-        save().map_err(|e| OutputError::io(&self.target.join(name), e))
+        fs::create_dir_all(&part.path).map_err(|e| OutputError::io(&part.target, e))?;
+        Ok(part)
     }
 
     /// Puts the folder in its place, instead of a former result.
@@ -81,6 +104,7 @@ impl NewFolder {
             target,
             parent,
             temporary,
+            ..
         } = self;
         let failed = |e| OutputError::io(&target, e);
         share(temporary.path()).map_err(failed)?;
@@ -114,6 +138,28 @@ impl NewFolder {
     }
 }
 
+impl Part {
+    /// Where a file of this folder will be.
+    pub fn shown(&self, name: &str) -> PathBuf {
+        self.target.join(name)
+    }
+
+    /// Writes one file and brings it to the disk; errors name the file in the target.
+    pub fn file(
+        &self,
+        name: &str,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), OutputError> {
+        debug_assert!(OWN_FILES.contains(&name), "{name} is not listed");
+        let save = || -> io::Result<()> {
+            let mut out = io::BufWriter::new(File::create(self.path.join(name))?);
+            write(&mut out)?;
+            out.into_inner()?.sync_all()
+        };
+        save().map_err(|e| OutputError::io(&self.shown(name), e))
+    }
+}
+
 /// Whether a result may be written here: nothing yet, an empty folder, or a former result.
 ///
 /// # Errors
@@ -135,10 +181,7 @@ pub fn check_target(target: &Path) -> Result<(), OutputError> {
         }
         Ok(_) => {}
     }
-    let mut names = Vec::new();
-    for entry in fs::read_dir(target).map_err(failed)? {
-        names.push(entry.map_err(failed)?.file_name());
-    }
+    let names = names(target).map_err(failed)?;
     if names.is_empty() {
         return Ok(());
     }
@@ -146,24 +189,53 @@ pub fn check_target(target: &Path) -> Result<(), OutputError> {
         path: target.to_owned(),
         reason,
     };
-    if !is_result(&target.join("result.json")) {
+    let known = [("result.json", FORMAT), ("curve.json", CURVE_FORMAT)];
+    if !(known.iter()).any(|(name, format)| has_format(&target.join(name), format)) {
         return Err(foreign("it holds files, but no result of ertel".into()));
     }
-    let stray = names.iter().find(|n| !OWN_FILES.iter().any(|own| n == own));
-    match stray {
+    match stray(target, &names).map_err(failed)? {
         Some(name) => Err(foreign(format!(
             "beside a former result it holds {}",
-            name.to_string_lossy()
+            name.display()
         ))),
         None => Ok(()),
     }
 }
 
-fn is_result(path: &Path) -> bool {
+fn names(folder: &Path) -> io::Result<Vec<OsString>> {
+    fs::read_dir(folder)?.map(|e| Ok(e?.file_name())).collect()
+}
+
+/// The first thing in a result folder, or in those of its points, that no result holds.
+fn stray(target: &Path, found: &[OsString]) -> io::Result<Option<PathBuf>> {
+    let own = |name: &&OsString| OWN_FILES.iter().any(|own| name == own);
+    if let Some(name) = found.iter().find(|n| !own(n) && *n != POINTS) {
+        return Ok(Some(name.into()));
+    }
+    if !found.iter().any(|n| n == POINTS) {
+        return Ok(None);
+    }
+    if !target.join(POINTS).is_dir() {
+        return Ok(Some(POINTS.into()));
+    }
+    for point in names(&target.join(POINTS))? {
+        let path = Path::new(POINTS).join(point);
+        if !target.join(&path).is_dir() {
+            return Ok(Some(path));
+        }
+        let files = names(&target.join(&path))?;
+        if let Some(name) = files.iter().find(|n| !own(n)) {
+            return Ok(Some(path.join(name)));
+        }
+    }
+    Ok(None)
+}
+
+fn has_format(path: &Path, format: &str) -> bool {
     fs::read(path)
         .ok()
         .and_then(|bytes| serde_json::from_slice::<serde_json::Value>(&bytes).ok())
-        .is_some_and(|json| json["format"] == FORMAT)
+        .is_some_and(|json| json["format"] == format)
 }
 
 /// Temporary folders are private; results have the permissions of any new folder.

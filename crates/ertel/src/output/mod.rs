@@ -3,6 +3,7 @@
 //! [`write()`] puts everything into one folder that appears as a whole or not at all.
 
 pub mod centreline;
+pub mod curve;
 mod echo;
 mod finite;
 mod folder;
@@ -17,6 +18,7 @@ mod fixture;
 #[cfg(test)]
 mod tests;
 
+pub use curve::{curve_report, write_curve};
 pub use echo::{BodyEcho, CaseEcho, FluidEcho};
 pub use folder::check_target;
 pub use plot::png::{PngError, check as check_png};
@@ -26,7 +28,7 @@ pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use folder::NewFolder;
+use folder::{NewFolder, Part};
 
 use crate::params::OutputParams;
 use crate::solution::Solution;
@@ -103,9 +105,20 @@ pub fn write(
         return Err(OutputError::NotFinite { what });
     }
     let folder = NewFolder::beside(target)?;
+    write_files(folder.root(), case, solution, params)?;
+    folder.finish()
+}
+
+/// The files of one solution.
+fn write_files(
+    folder: &Part,
+    case: &CaseEcho,
+    solution: &Solution,
+    params: &OutputParams,
+) -> Result<(), OutputError> {
     let json = result_json(case, solution)
         .and_then(|json| serde_json::to_string_pretty(&json))
-        .map_err(|e| OutputError::io(&target.join("result.json"), e.into()))?;
+        .map_err(|e| OutputError::io(&folder.shown("result.json"), e.into()))?;
     folder.file("result.json", |out| writeln!(out, "{json}"))?;
     folder.file("report.txt", |out| {
         out.write_all(report(case, solution, None).as_bytes())
@@ -124,14 +137,19 @@ pub fn write(
         folder.file("body.vtu", |out| vtu::write_body(out, solution.kind, body))?;
     }
     for picture in plot::pictures(&case.title, solution, Some(case.solver.tolerance)) {
-        let svg = picture.svg;
-        folder.file(&format!("{}.svg", picture.name), |out| {
-            out.write_all(svg.as_bytes())
-        })?;
-        if params.png {
-            let png = plot::png::from_svg(&svg, PNG_SCALE)?;
-            folder.file(&format!("{}.png", picture.name), |out| out.write_all(&png))?;
-        }
+        write_picture(folder, &picture, params.png)?;
     }
-    folder.finish()
+    Ok(())
+}
+
+/// A picture as SVG and, if asked for, as PNG.
+fn write_picture(folder: &Part, picture: &plot::Picture, png: bool) -> Result<(), OutputError> {
+    folder.file(&format!("{}.svg", picture.name), |out| {
+        out.write_all(picture.svg.as_bytes())
+    })?;
+    if png {
+        let png = plot::png::from_svg(&picture.svg, PNG_SCALE)?;
+        folder.file(&format!("{}.png", picture.name), |out| out.write_all(&png))?;
+    }
+    Ok(())
 }

@@ -267,7 +267,7 @@ fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
 }
 
 /// Value with its error bar in the same unit, as many digits as the error bar leaves certain.
-fn estimate(e: &Estimate) -> String {
+pub(super) fn estimate(e: &Estimate) -> String {
     let (factor, unit) = length_unit(e.value);
     match e.error {
         Some(error) => {

@@ -55,7 +55,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
 }
 
 /// Unit of each key that has one, wherever it occurs; all others are dimensionless.
-fn units() -> Value {
+pub(super) fn units() -> Value {
     const UNITS: [(&str, &[&str]); 11] = [
         (
             "m",

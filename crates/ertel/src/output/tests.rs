@@ -139,8 +139,12 @@ fn failure_half_way_leaves_the_former_result() {
     let before = fs::read(target.join("result.json")).unwrap();
     let attempt = || -> Result<(), OutputError> {
         let folder = NewFolder::beside(&target)?;
-        folder.file("result.json", |out| out.write_all(b"new"))?;
-        folder.file("report.txt", |_| Err(io::ErrorKind::StorageFull.into()))?;
+        folder
+            .root()
+            .file("result.json", |out| out.write_all(b"new"))?;
+        folder
+            .root()
+            .file("report.txt", |_| Err(io::ErrorKind::StorageFull.into()))?;
         folder.finish()
     };
     let error = attempt().unwrap_err();

@@ -364,6 +364,7 @@ impl<F: Fn() -> BodySpace> ResponseBuilder<'_, F> {
 }
 
 /// Pressure space on a contact body, and everything that Newton's method reuses.
+#[derive(Clone)]
 pub struct Discretisation {
     /// Mesh and elastic response.
     pub contact: Arc<ContactBody>,

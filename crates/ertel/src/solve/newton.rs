@@ -36,6 +36,8 @@ pub struct NewtonParams {
     /// Growth of the natural level (the next simplified step over this one) beyond which a step
     /// is halved.
     pub growth_limit: f64,
+    /// Update, in p_h, below which steps are no longer tested for that: each test costs a linear solve.
+    pub safe_update: f64,
     /// Share of the step below which it is taken as it is.
     pub smallest_share: f64,
     /// Whether a run ends where the next update is foreseen to be below the tolerance.
@@ -52,6 +54,7 @@ impl Default for NewtonParams {
             rise_limit: 0.2,
             film_loss_limit: 0.5,
             growth_limit: 1.5,
+            safe_update: 0.02,
             smallest_share: 0.01,
             foresight: true,
         }
@@ -187,7 +190,7 @@ impl<'a> NewtonLevel<'a> {
                 go_on(observer)?;
                 let trial = self.advance(model, params, state, &step, share);
                 let trial_system = solver.assemble(model, &trial);
-                if converged || update < SAFE_UPDATE {
+                if converged || update < params.safe_update {
                     break (trial, trial_system);
                 }
                 // Natural monotonicity (Deuflhard 2004, section 3.3): the next step, were it
@@ -331,9 +334,6 @@ impl<'a> NewtonLevel<'a> {
         lift
     }
 }
-
-/// Update, in p_h, below which steps are no longer tested for monotonicity.
-const SAFE_UPDATE: f64 = 0.02;
 
 /// Order of convergence by which the next update is foreseen: below 2, for linear systems are solved
 /// inexactly.

@@ -54,6 +54,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         warnings: Vec::new(),
         source: String::new(),
         given: serde_json::Value::Null,
+        curve: None,
     }
 }
 

@@ -67,6 +67,28 @@ impl Axis {
         )
     }
 
+    /// Logarithmic axis over the positive values, rounded outwards to 1, 2 or 5 times a power of ten.
+    pub fn log_close_around(label: &str, values: impl IntoIterator<Item = f64>) -> Axis {
+        let (low, high) = range(values.into_iter().filter(|v| *v > 0.0));
+        let wide = Axis::log_around(label, [low, high]);
+        let ends = || {
+            let powers = (-300..300).map(|e| 10f64.powi(e));
+            let ends = powers.flat_map(|p| [p, 2.0 * p, 5.0 * p]);
+            ends.filter(|v| (0.999 * wide.low..=1.001 * wide.high).contains(v))
+        };
+        let lower = ends()
+            .filter(|v| *v <= 1.001 * low)
+            .fold(wide.low, f64::max);
+        let upper = ends()
+            .filter(|v| *v >= 0.999 * high)
+            .fold(wide.high, f64::min);
+        Axis {
+            low: lower,
+            high: upper,
+            ..wide
+        }
+    }
+
     /// Logarithmic axis over the decades that cover the positive values.
     pub fn log_around(label: &str, values: impl IntoIterator<Item = f64>) -> Axis {
         let (low, high) = range(values.into_iter().filter(|v| *v > 0.0).map(f64::log10));
@@ -99,6 +121,12 @@ impl Axis {
             }
             AxisScale::Log => {
                 let (low, high) = self.decades();
+                if self.high / self.low < LABELS_WITHIN {
+                    return self
+                        .within_decades(&[1.0, 2.0, 5.0])
+                        .map(|v| (v, plain_label(v)))
+                        .collect();
+                }
                 // At most about eight labels
                 let every = ((high - low) as usize).div_ceil(8).max(1);
                 (low..=high)
@@ -128,15 +156,23 @@ impl Axis {
             }
             AxisScale::Log => {
                 let (low, high) = self.decades();
-                let inner: &[i32] = match high - low {
-                    0..=6 => &[2, 3, 4, 5, 6, 7, 8, 9],
-                    _ => &[1],
+                let inner: &[f64] = match high - low {
+                    ..=6 => &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
+                    _ => &[1.0],
                 };
-                (low..high)
-                    .flat_map(|e| inner.iter().map(move |m| f64::from(*m) * 10f64.powi(e)))
-                    .collect()
+                self.within_decades(inner).collect()
             }
         }
+    }
+
+    /// These multiples of the powers of ten, as far as they lie on the axis.
+    fn within_decades(&self, multiples: &[f64]) -> impl Iterator<Item = f64> {
+        let first = (self.low.log10() + 1e-9).floor() as i32;
+        let last = (self.high.log10() + 1e-9).floor() as i32;
+        let ends = 0.999 * self.low..=1.001 * self.high;
+        (first..=last)
+            .flat_map(move |e| multiples.iter().map(move |m| m * 10f64.powi(e)))
+            .filter(move |v| ends.contains(v))
     }
 
     /// Distance of labelled ticks.
@@ -153,6 +189,23 @@ impl Axis {
             (self.low.log10() - 1e-9).ceil() as i32,
             (self.high.log10() + 1e-9).floor() as i32,
         )
+    }
+}
+
+/// Ratio of the ends of a logarithmic axis up to which it has labels between its powers of ten.
+const LABELS_WITHIN: f64 = 50.0;
+
+/// Label of a number that is 1, 2 or 5 times a power of ten.
+fn plain_label(value: f64) -> String {
+    if (1e-3..1e5).contains(&value) {
+        let decimals = (-(value.log10() + 1e-9).floor()).max(0.0) as usize;
+        return format!("{value:.decimals$}");
+    }
+    let exponent = (value.log10() + 1e-9).floor() as i32;
+    let multiple = (value / 10f64.powi(exponent)).round();
+    match multiple as i32 {
+        1 => power_label(exponent),
+        m => format!("{m}·{}", power_label(exponent)),
     }
 }
 
@@ -248,6 +301,21 @@ mod tests {
         );
         assert!((axis.position(0.1) - 0.5).abs() < 1e-12);
         assert!(axis.position(0.0).is_nan());
+    }
+
+    #[test]
+    fn a_short_log_axis_has_labels_between_powers_of_ten() {
+        let axis = Axis::log_close_around("", [0.3, 3.0]);
+        assert_eq!((axis.low, axis.high), (0.2, 5.0));
+        assert_eq!(labels(&axis), ["0.2", "0.5", "1", "2", "5"]);
+        let minor = axis.minor_ticks();
+        assert!(
+            minor.iter().any(|v| (v - 0.3).abs() < 1e-12) && minor.len() == 12,
+            "{minor:?}"
+        );
+        let axis = Axis::log_close_around("", [12.0, 1800.0]);
+        assert_eq!((axis.low, axis.high), (10.0, 2000.0));
+        assert_eq!(labels(&axis), ["10", "10^{2}", "10^{3}"]);
     }
 
     #[test]

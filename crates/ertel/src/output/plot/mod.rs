@@ -55,7 +55,7 @@ pub fn pictures(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec
 }
 
 /// Factor and unit in which lengths of this size (m) are shown.
-fn film_unit(size: f64) -> (f64, &'static str) {
+pub(super) fn film_unit(size: f64) -> (f64, &'static str) {
     if size < NANOMETRES_BELOW {
         (1e9, "nm")
     } else {
@@ -64,7 +64,7 @@ fn film_unit(size: f64) -> (f64, &'static str) {
 }
 
 /// Factor and unit in which pressures of this size (Pa) are shown.
-fn pressure_unit(size: f64) -> (f64, &'static str) {
+pub(super) fn pressure_unit(size: f64) -> (f64, &'static str) {
     if size < 0.1e9 {
         (1e-6, "MPa")
     } else {

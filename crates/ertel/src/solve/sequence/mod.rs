@@ -4,12 +4,14 @@
 //! - `run`: which stage comes next;
 //! - `stage`: Newton's method on one of them;
 //! - `start`: from which pressures;
-//! - `rescue`: what is tried when that fails.
+//! - `rescue`: what is tried when that fails;
+//! - `warm`: from the solution of a similar problem instead.
 
 mod rescue;
 mod run;
 mod stage;
 mod start;
+mod warm;
 
 use super::adapt::AdaptParams;
 use super::cache::OperatorCache;
@@ -22,6 +24,7 @@ use crate::film::FilmFluid;
 use crate::params::LinearSolver;
 
 pub use run::solve_stages;
+pub use warm::{Start, solve_warm};
 
 /// One stage of a solve: a mesh, a pressure order, a formulation.
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +41,8 @@ pub struct Stage {
     pub thickening: f64,
     /// Whether it starts from the Hertz pressure, whatever was reached before.
     pub cold: bool,
+    /// Whether it starts near enough to the solution that Newton's steps need no damping.
+    pub near: bool,
     /// What it is for.
     pub role: Role,
 }
@@ -91,6 +96,7 @@ pub struct Problem {
 }
 
 /// A converged stage.
+#[derive(Clone)]
 pub struct StageSolution {
     /// The discretisation.
     pub discretisation: Discretisation,

@@ -23,36 +23,14 @@ pub fn solve_stages(
     problem: &Problem,
     observer: &mut dyn Observer,
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
-    let mut sequence = Sequence::new(problem);
-    while let Some(stage) = sequence.queue.pop_front() {
-        if observer.cancelled() {
-            return Err(SolveError::Interrupted);
-        }
-        let end = sequence.run(&stage, observer)?;
-        sequence.proceed(&stage, end, observer)?;
-    }
-    let solution = sequence.previous.expect("the final stage converged");
-    let stats = sequence.stats;
-    let (film, _) = minimum_film(&solution.discretisation, &solution.state);
-    if film <= 0.0 {
-        // A root of the discrete equations, but no contact.
-        return Err(SolveError::NotConverged {
-            level: stats.len() - 1,
-            iterations: stats.last().map_or(0, |l| l.newton_iterations),
-            residual: solution.reached.residual,
-            update: solution.reached.update,
-            penalty_share: 1.0,
-            reason: "the mesh is too coarse for the film, which comes out negative at a point",
-        });
-    }
-    Ok((solution, stats))
+    Sequence::new(problem).solve(observer)
 }
 
 /// Steps that may be halved on one way to a contact.
 const MAX_DETOURS: usize = 6;
 
 /// Where a solve stands.
-struct Sequence<'a> {
+pub(super) struct Sequence<'a> {
     problem: &'a Problem,
     /// Stages to come.
     queue: VecDeque<Stage>,
@@ -73,6 +51,8 @@ struct Sequence<'a> {
     detours: usize,
     /// Refinements of the mesh that has been tried once more.
     restarted: usize,
+    /// Refinements of the mesh that it starts on, if it starts from the solution of another problem.
+    inherited: Option<usize>,
 }
 
 /// How a stage ended.
@@ -97,7 +77,52 @@ impl<'a> Sequence<'a> {
             halvings: Vec::new(),
             detours: 0,
             restarted: 0,
+            inherited: None,
         }
+    }
+
+    /// One stage that starts from a solution on its mesh, and refinements after it.
+    pub fn from(problem: &'a Problem, previous: StageSolution, stage: Stage) -> Sequence<'a> {
+        Sequence {
+            queue: VecDeque::from([stage]),
+            rescues: Vec::new().into_iter(),
+            previous: Some(previous),
+            inherited: Some(stage.refinements),
+            ..Sequence::new(problem)
+        }
+    }
+
+    /// Runs the stages to the end.
+    pub fn solve(
+        mut self,
+        observer: &mut dyn Observer,
+    ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
+        while let Some(stage) = self.queue.pop_front() {
+            if observer.cancelled() {
+                return Err(SolveError::Interrupted);
+            }
+            let mut end = self.run(&stage, observer)?;
+            if self.inherited.is_some() && self.stats.len() == 1 {
+                // What it started from solves another problem: there is nothing to go back to.
+                std::mem::replace(&mut end.outcome, Ok(()))?;
+            }
+            self.proceed(&stage, end, observer)?;
+        }
+        let solution = self.previous.expect("the final stage converged");
+        let stats = self.stats;
+        let (film, _) = minimum_film(&solution.discretisation, &solution.state);
+        if film <= 0.0 {
+            // A root of the discrete equations, but no contact.
+            return Err(SolveError::NotConverged {
+                level: stats.len() - 1,
+                iterations: stats.last().map_or(0, |l| l.newton_iterations),
+                residual: solution.reached.residual,
+                update: solution.reached.update,
+                penalty_share: 1.0,
+                reason: "the mesh is too coarse for the film, which comes out negative at a point",
+            });
+        }
+        Ok((solution, stats))
     }
 
     /// The mesh of a stage with its elastic operator, and whether it had to be made.
@@ -188,7 +213,7 @@ impl<'a> Sequence<'a> {
                 problem.kind.body_dimension() - 1,
                 &self.stats,
                 grading_errors(problem.kind, &stage.sizes),
-                stage.refinements,
+                stage.refinements - self.inherited.unwrap_or(0),
                 indicator,
             ),
             _ => None,
@@ -247,6 +272,7 @@ impl<'a> Sequence<'a> {
                     self.halvings = halvings;
                     self.queue.push_back(Stage {
                         refinements: stage.refinements + 1,
+                        near: false,
                         ..*stage
                     });
                 }

@@ -28,6 +28,9 @@ const START_ITERATIONS: usize = 30;
 /// Iterations without a smaller update that a start may take.
 const START_PATIENCE: usize = 12;
 
+/// Iterations without a smaller update from a start that was thought to be near.
+const NEAR_PATIENCE: usize = 5;
+
 /// To which end Newton's method is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Finish {
@@ -77,6 +80,10 @@ impl<'a> StageRun<'a> {
         if finish == Finish::Rough {
             params.update_tolerance = params.update_tolerance.max(ROUGH_TOLERANCE);
             params.residual_tolerance = params.residual_tolerance.max(ROUGH_TOLERANCE);
+        }
+        if self.stage.near {
+            params.safe_update = f64::INFINITY;
+            params.patience = NEAR_PATIENCE;
         }
         if leads {
             params.update_tolerance = START_TOLERANCE;

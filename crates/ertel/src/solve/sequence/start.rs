@@ -24,6 +24,24 @@ pub(super) fn cold_start(problem: &Problem, d: &Discretisation) -> State {
     state
 }
 
+/// Pressure at a point, within the nodal values of its element; zero outside of the contact area.
+pub(super) fn pressure_at(d: &Discretisation, state: &State, point: [f64; 2]) -> f64 {
+    let contact = &d.contact;
+    let Some((cell, xi)) = contact.locator.find(&contact.surface, point) else {
+        return 0.0;
+    };
+    let nodes = d.pressure.nodes_of(cell);
+    let values = nodes.iter().map(|n| state.pressure[*n as usize]);
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+        (l.min(v), h.max(v))
+    });
+    let basis = d.pressure.element.evaluate(xi);
+    let value: f64 = (basis.iter().zip(nodes))
+        .map(|(b, n)| b.0 * state.pressure[*n as usize])
+        .sum();
+    value.clamp(low, high)
+}
+
 /// Pressures of a coarser level, without new extrema; same central film.
 pub(super) fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
     let (from, old) = (&coarse.discretisation, &coarse.state);
@@ -36,27 +54,7 @@ pub(super) fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
             if *dof == ertel_fem::assembly::CONSTRAINED {
                 return 0.0;
             }
-            let Some((cell, xi)) = from
-                .contact
-                .locator
-                .find(&from.contact.surface, [p[0], p[1]])
-            else {
-                return 0.0;
-            };
-            let nodes = from.pressure.nodes_of(cell);
-            let values = nodes.iter().map(|n| old.pressure[*n as usize]);
-            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
-                (l.min(v), h.max(v))
-            });
-            let value: f64 = from
-                .pressure
-                .element
-                .evaluate(xi)
-                .iter()
-                .zip(nodes)
-                .map(|(b, n)| b.0 * old.pressure[*n as usize])
-                .sum();
-            value.clamp(low, high)
+            pressure_at(from, old, [p[0], p[1]])
         })
         .collect();
     let deflection = d.deflect(&pressure);

@@ -1,0 +1,136 @@
+//! `ertel solve` of a case with a `[curve]`, end to end.
+
+use std::collections::HashMap;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use tempfile::TempDir;
+
+const SPEEDS: &str = r#"
+[curve]
+quantity = "motion.entrainment_speed"
+values = ["1 m/s", "1.3 m/s", "900 mm/s"]
+"#;
+
+/// A folder with `tests/good/quick.toml`, changed, and a curve.
+fn workspace(change: impl Fn(&str) -> String, curve: &str) -> TempDir {
+    let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good/quick.toml");
+    let folder = tempfile::tempdir().unwrap();
+    let text = change(&std::fs::read_to_string(good).unwrap()) + curve;
+    std::fs::write(folder.path().join("case.toml"), text).unwrap();
+    folder
+}
+
+fn command(folder: &TempDir, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
+    command.arg("solve").args(arguments).current_dir(folder);
+    command.env("ERTEL_CACHE", "");
+    command
+}
+
+fn solve(folder: &TempDir, arguments: &[&str]) -> Output {
+    command(folder, arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+/// The table, a map from column to field for each line. No field here has quotes with a comma.
+fn table(folder: &TempDir) -> Vec<HashMap<String, String>> {
+    let csv = std::fs::read_to_string(folder.path().join("results/case/curve.csv")).unwrap();
+    let mut lines = csv.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    lines
+        .map(|line| {
+            let fields = line.splitn(names.len(), ',');
+            let pairs = names.iter().zip(fields);
+            pairs
+                .map(|(n, f)| ((*n).to_owned(), f.to_owned()))
+                .collect()
+        })
+        .collect()
+}
+
+#[test]
+fn a_curve_is_solved_and_written() {
+    let folder = workspace(str::to_owned, &format!("{SPEEDS}folders = true\n"));
+    let output = solve(&folder, &["case.toml"]);
+    let (report, progress) = (text(&output.stdout), text(&output.stderr));
+    assert_eq!(output.status.code(), Some(0), "{progress}");
+    assert!(report.contains("3 of 3 points solved"), "{report}");
+    assert!(progress.contains("point 2/3 (1.3 m/s)"), "{progress}");
+    let rows = table(&folder);
+    let speeds: Vec<f64> = (rows.iter())
+        .map(|r| r["entrainment_speed_m_per_s"].parse().unwrap())
+        .collect();
+    assert_eq!(speeds, [1.0, 1.3, 0.9]);
+    let starts: Vec<&str> = rows.iter().map(|r| r["start"].as_str()).collect();
+    assert_eq!(starts, ["cold", "warm", "warm"]);
+
+    let results = folder.path().join("results/case");
+    for name in ["curve.json", "case.toml", "report.txt", "film-curve.svg"] {
+        assert!(results.join(name).exists(), "{name}");
+    }
+    // A point's own case file is a case.
+    let point = results.join("points/3");
+    assert!(point.join("centreline.csv").exists());
+    std::fs::copy(point.join("case.toml"), folder.path().join("point.toml")).unwrap();
+    let output = solve(&folder, &["point.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    // Its folder is replaced by a former result of any kind, but not with something else in it.
+    assert_eq!(solve(&folder, &["case.toml", "-q"]).status.code(), Some(0));
+    std::fs::write(point.join("notes.txt"), "mine").unwrap();
+    let output = solve(&folder, &["case.toml"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("notes.txt"));
+    assert!(point.join("notes.txt").exists());
+}
+
+#[test]
+fn a_failed_point_leaves_the_others_standing() {
+    // So few iterations that the heavy point does not converge.
+    let few = |case: &str| format!("{case}\n[solver]\nmax_iterations = 4\n");
+    let loads = "[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"2000 kN/m\", \"22 kN/m\"]\n";
+    let folder = workspace(few, loads);
+    let output = solve(&folder, &["case.toml"]);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(3), "{message}");
+    assert!(message.contains("1 of 3 points failed"), "{message}");
+    assert!(text(&output.stdout).contains("point 2 failed"));
+    let rows = table(&folder);
+    let converged: Vec<&str> = rows.iter().map(|r| r["converged"].as_str()).collect();
+    assert_eq!(converged, ["true", "false", "true"]);
+    assert_eq!(rows[1]["film_central_m"], "");
+    assert!(rows[1]["reason"].contains("no convergence"), "{rows:?}");
+    let film: f64 = rows[2]["film_central_m"].parse().unwrap();
+    assert!(film > 0.0);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_curve_keeps_its_points() {
+    let range = "[curve]\nquantity = \"contact.load\"\nfrom = \"20 kN/m\"\nto = \"40 kN/m\"\npoints = 1000\n";
+    let folder = workspace(str::to_owned, range);
+    let mut child = command(&folder, &["case.toml"])
+        .stderr(Stdio::piped())
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut lines = BufReader::new(child.stderr.take().unwrap()).lines();
+    let third = lines
+        .by_ref()
+        .find(|l| l.as_ref().unwrap().contains("point 3/1000"));
+    assert!(third.is_some());
+    let kill = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(kill.unwrap().success());
+    let rest: Vec<String> = lines.map(Result::unwrap).collect();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{rest:?}");
+    assert!(rest.last().unwrap().contains("of 1000 points"), "{rest:?}");
+    let rows = table(&folder);
+    assert!((2..1000).contains(&rows.len()));
+    assert!(rows.iter().all(|r| r["converged"] == "true"));
+}

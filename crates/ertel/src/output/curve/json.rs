@@ -1,0 +1,59 @@
+//! `curve.json`: the points for programs.
+
+use serde_json::{Value, json};
+
+use super::super::CaseEcho;
+use super::super::result_json::{FORMAT_VERSION, units};
+use crate::study::{CurveSolution, Outcome};
+
+/// Value of the key `format` by which the results of a curve are recognised.
+pub const CURVE_FORMAT: &str = "ertel-curve";
+
+/// The document; SI throughout.
+pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<Value> {
+    let points = (curve.points.iter().enumerate())
+        .map(|(i, point)| {
+            let formulas: Vec<Value> = point
+                .formulas
+                .iter()
+                .map(|f| json!({ "name": f.name, "film_central": f.central, "film_minimum": f.minimum }))
+                .collect();
+            let mut json = json!({
+                "point": i + 1,
+                "value": point.value,
+                "converged": point.outcome.solution().is_some(),
+                "seconds": point.seconds,
+                "formulas": formulas,
+            });
+            match &point.outcome {
+                Outcome::Solved(s) => {
+                    json["summary"] = serde_json::to_value(&s.summary)?;
+                    json["hertz"] = serde_json::to_value(s.hertz)?;
+                    json["groups"] = serde_json::to_value(s.groups)?;
+                    json["stats"] = serde_json::to_value(&s.stats)?;
+                    json["warnings"] = json!(s.warnings);
+                }
+                Outcome::Failed(reason) => json["reason"] = json!(reason),
+            }
+            Ok(json)
+        })
+        .collect::<serde_json::Result<Vec<Value>>>()?;
+    Ok(json!({
+        "format": CURVE_FORMAT,
+        "format_version": FORMAT_VERSION,
+        "ertel_version": env!("CARGO_PKG_VERSION"),
+        "title": case.title,
+        "quantity": {
+            "path": curve.quantity.path,
+            "name": curve.quantity.name,
+            "unit": curve.quantity.unit(),
+        },
+        "n_points": curve.n_points,
+        "n_failed": curve.n_failed(),
+        "complete": !curve.is_partial(),
+        "wall_seconds": curve.wall_seconds,
+        "points": points,
+        "case": { "given": case.given, "si": serde_json::to_value(case)? },
+        "units": units(),
+    }))
+}

@@ -1,0 +1,80 @@
+//! Results of a curve: `curve.csv`, `curve.json`, the pictures, a report, and folders of points.
+
+mod json;
+mod picture;
+mod report;
+mod table;
+
+pub use json::{CURVE_FORMAT, curve_json};
+pub use picture::film_chart;
+pub use report::curve_report;
+pub use table::{COLUMNS, Cell, Column, curve_table};
+
+use std::path::Path;
+
+use super::folder::NewFolder;
+use super::plot::Picture;
+use super::{CaseEcho, OutputError, check_png, finite, write_files, write_picture};
+use crate::params::OutputParams;
+use crate::study::{CurveSolution, Outcome};
+
+/// Writes the results of a curve into one folder, as [`super::write`] does; `folders` adds the results of each
+/// solved point in a folder of its own, `points/01`.
+///
+/// # Errors
+/// [`OutputError`]; the target is then as it was before.
+pub fn write_curve(
+    case: &CaseEcho,
+    curve: &CurveSolution,
+    target: &Path,
+    params: &OutputParams,
+    folders: bool,
+) -> Result<(), OutputError> {
+    if params.png {
+        check_png()?;
+    }
+    for (i, point) in curve.points.iter().enumerate() {
+        if let Outcome::Solved(solution) = &point.outcome
+            && let Some(what) = finite::first_not_finite(&point.case, solution)
+        {
+            let what = format!("{what}, in point {}", i + 1);
+            return Err(OutputError::NotFinite { what });
+        }
+    }
+    let folder = NewFolder::beside(target)?;
+    let root = folder.root();
+    let json = curve_json(case, curve)
+        .and_then(|json| serde_json::to_string_pretty(&json))
+        .map_err(|e| OutputError::io(&target.join("curve.json"), e.into()))?;
+    root.file("curve.json", |out| writeln!(out, "{json}"))?;
+    root.file("curve.csv", |out| {
+        out.write_all(curve_table(curve).as_bytes())
+    })?;
+    root.file("report.txt", |out| {
+        out.write_all(curve_report(case, curve, None).as_bytes())
+    })?;
+    if let Some(text) = &case.case_file {
+        root.file("case.toml", |out| out.write_all(text.as_bytes()))?;
+    }
+    for picture in pictures(&case.title, curve) {
+        write_picture(root, &picture, params.png)?;
+    }
+    if folders {
+        let width = curve.n_points.to_string().len();
+        for (i, point) in curve.points.iter().enumerate() {
+            if let Outcome::Solved(solution) = &point.outcome {
+                let part = folder.point(&format!("{:0width$}", i + 1))?;
+                write_files(&part, &point.case, solution, params)?;
+            }
+        }
+    }
+    folder.finish()
+}
+
+/// Every picture of a curve.
+fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
+    vec![Picture {
+        name: "film-curve",
+        svg: film_chart(title, curve).svg(),
+    }]
+}

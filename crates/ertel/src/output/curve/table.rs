@@ -1,0 +1,130 @@
+//! `curve.csv`: one line for each point.
+
+use std::fmt::Write;
+
+use crate::study::{CurveSolution, PointSolution};
+
+/// A column of the table: its name with the unit, and its value.
+pub struct Column {
+    /// Name in the header, with the unit.
+    pub name: &'static str,
+    /// Value in a line.
+    pub value: fn(&PointSolution) -> Cell,
+}
+
+/// A value of the table.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// There is none: an empty field.
+    Empty,
+    /// A number.
+    Number(f64),
+    /// A count.
+    Count(usize),
+    /// A text.
+    Text(String),
+}
+
+impl From<Option<f64>> for Cell {
+    fn from(value: Option<f64>) -> Cell {
+        value.map_or(Cell::Empty, Cell::Number)
+    }
+}
+
+impl From<Option<usize>> for Cell {
+    fn from(value: Option<usize>) -> Cell {
+        value.map_or(Cell::Empty, Cell::Count)
+    }
+}
+
+/// Figure of a solution, empty where there is none.
+macro_rules! figure {
+    ($name:literal, $solution:ident => $value:expr) => {
+        Column {
+            name: $name,
+            value: |point| point.outcome.solution().map(|$solution| $value).into(),
+        }
+    };
+    ($name:literal, $solution:ident =>? $value:expr) => {
+        Column {
+            name: $name,
+            value: |point| point.outcome.solution().and_then(|$solution| $value).into(),
+        }
+    };
+}
+
+/// The columns, after the point's number and the quantity.
+pub const COLUMNS: &[Column] = &[
+    Column {
+        name: "converged",
+        value: |point| Cell::Text(point.outcome.solution().is_some().to_string()),
+    },
+    figure!("film_central_m", s => s.summary.film_central.value),
+    figure!("film_central_error_m", s =>? s.summary.film_central.error),
+    figure!("film_minimum_m", s => s.summary.film_minimum.value),
+    figure!("film_minimum_error_m", s =>? s.summary.film_minimum.error),
+    figure!("pressure_maximum_Pa", s => s.summary.pressure_maximum.value),
+    figure!("hertz_pressure_Pa", s => s.hertz.pressure),
+    figure!("moes_load", s => s.groups.moes_load),
+    figure!("moes_material", s => s.groups.moes_material),
+    figure!("newton_iterations", s => s.stats.levels.iter().map(|l| l.newton_iterations).sum::<usize>()),
+    figure!("krylov_iterations", s => s.stats.levels.iter().map(|l| l.krylov_iterations).sum::<usize>()),
+    figure!("pressure_unknowns", s =>? s.stats.levels.last().map(|l| l.n_pressure_dofs)),
+    Column {
+        name: "start",
+        value: |point| match point.outcome.solution() {
+            Some(s) if s.stats.warm => Cell::Text("warm".to_owned()),
+            Some(_) => Cell::Text("cold".to_owned()),
+            None => Cell::Empty,
+        },
+    },
+    Column {
+        name: "seconds",
+        value: |point| Cell::Number(point.seconds),
+    },
+    Column {
+        name: "reason",
+        value: |point| Cell::Text(point.outcome.reason().unwrap_or_default().to_owned()),
+    },
+];
+
+/// The table as text, SI.
+pub fn curve_table(curve: &CurveSolution) -> String {
+    let mut text = format!("point,{}", quantity_column(curve));
+    for column in COLUMNS {
+        text.push(',');
+        text.push_str(column.name);
+    }
+    text.push('\n');
+    for (i, point) in curve.points.iter().enumerate() {
+        let _ = write!(text, "{},{:e}", i + 1, point.value);
+        for column in COLUMNS {
+            text.push(',');
+            text.push_str(&field((column.value)(point)));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// `entrainment_speed_m_per_s`, `load_N`, `slide_to_roll_ratio`.
+fn quantity_column(curve: &CurveSolution) -> String {
+    let unit = curve.quantity.unit().replace('/', "_per_");
+    match unit.as_str() {
+        "" => curve.quantity.key().to_owned(),
+        unit => format!("{}_{unit}", curve.quantity.key()),
+    }
+}
+
+/// A field, quoted where it must be (RFC 4180).
+fn field(cell: Cell) -> String {
+    match cell {
+        Cell::Empty => String::new(),
+        Cell::Number(value) => format!("{value:e}"),
+        Cell::Count(value) => value.to_string(),
+        Cell::Text(text) if text.contains([',', '"', '\n', '\r']) => {
+            format!("\"{}\"", text.replace('"', "\"\""))
+        }
+        Cell::Text(text) => text,
+    }
+}

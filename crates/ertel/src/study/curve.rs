@@ -1,0 +1,144 @@
+//! A curve: point by point, each from the solution of the last.
+
+use std::time::Instant;
+
+use crate::case::curve::Quantity;
+use crate::case::{Case, Curve};
+use crate::output::{CaseEcho, digits};
+use crate::reference::film_formulas;
+use crate::run::{Session, Start, groups};
+use crate::solution::{Centreline, FormulaFilm, Solution, SurfaceField};
+use crate::solve::{Observer, SolveError};
+
+/// Follows a curve.
+pub trait CurveObserver: Observer {
+    /// The next point begins: its index from 0, how many there are, and the quantity's value with its unit.
+    fn point(&mut self, _index: usize, _n_points: usize, _value: &str) {}
+}
+
+impl CurveObserver for crate::solve::Silent {}
+
+/// What became of a curve.
+#[derive(Clone, Debug)]
+pub struct CurveSolution {
+    /// What varies.
+    pub quantity: Quantity,
+    /// Every point that was begun, in the order of the case file.
+    pub points: Vec<PointSolution>,
+    /// Points that the curve has.
+    pub n_points: usize,
+    /// Wall time, s.
+    pub wall_seconds: f64,
+}
+
+/// One point of a curve.
+#[derive(Clone, Debug)]
+pub struct PointSolution {
+    /// The quantity's value, SI.
+    pub value: f64,
+    /// The point's case.
+    pub case: CaseEcho,
+    /// Film-thickness formulas.
+    pub formulas: Vec<FormulaFilm>,
+    /// Its solution, or why there is none.
+    pub outcome: Outcome,
+    /// Wall time, s.
+    pub seconds: f64,
+}
+
+/// What became of a point.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// Solved.
+    Solved(Box<Solution>),
+    /// Not solved; the reason in one sentence.
+    Failed(String),
+}
+
+impl Outcome {
+    /// The solution, if there is one.
+    pub fn solution(&self) -> Option<&Solution> {
+        match self {
+            Outcome::Solved(solution) => Some(solution),
+            Outcome::Failed(_) => None,
+        }
+    }
+
+    /// The reason of a failure.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Outcome::Solved(_) => None,
+            Outcome::Failed(reason) => Some(reason),
+        }
+    }
+}
+
+impl CurveSolution {
+    /// Points without solution.
+    pub fn n_failed(&self) -> usize {
+        let failed = |p: &&PointSolution| p.outcome.solution().is_none();
+        self.points.iter().filter(failed).count()
+    }
+
+    /// Whether the user stopped it before the last point.
+    pub fn is_partial(&self) -> bool {
+        self.points.len() < self.n_points
+    }
+}
+
+/// Solves the points of a curve in their order, each from the last one that was solved. A point that fails
+/// is kept with its reason. When the observer cancels, the points until then are returned.
+///
+/// Fields and iterations of the solutions are kept only where the curve asks for folders.
+pub fn solve_curve(
+    session: &Session,
+    curve: &Curve,
+    observer: &mut dyn CurveObserver,
+) -> CurveSolution {
+    let clock = Instant::now();
+    let mut points = Vec::new();
+    let mut start: Option<Start> = None;
+    for (index, point) in curve.points.iter().enumerate() {
+        let clock = Instant::now();
+        let value = format!("{} {}", digits(point.value, 6), curve.quantity.unit());
+        observer.point(index, curve.points.len(), value.trim_end());
+        let ahead: Vec<&Case> = curve.points[index + 1..].iter().map(|p| &p.case).collect();
+        let outcome = match session.solve_from(&point.case, start.as_ref(), &ahead, observer) {
+            Ok((mut solution, end)) => {
+                start = Some(end);
+                if !curve.folders {
+                    drop_fields(&mut solution);
+                }
+                Outcome::Solved(Box::new(solution))
+            }
+            Err(SolveError::Interrupted) => break,
+            Err(error) => Outcome::Failed(error.to_string()),
+        };
+        let case = &point.case;
+        let lubricant = &case.lubricant;
+        let slope = lubricant
+            .viscosity
+            .pressure_viscosity_slope(lubricant.temperature);
+        points.push(PointSolution {
+            value: point.value,
+            case: case.echo(),
+            formulas: film_formulas(case.contact.kind, case.contact.radius, &groups(case, slope)),
+            outcome,
+            seconds: clock.elapsed().as_secs_f64(),
+        });
+    }
+    CurveSolution {
+        quantity: curve.quantity,
+        points,
+        n_points: curve.points.len(),
+        wall_seconds: clock.elapsed().as_secs_f64(),
+    }
+}
+
+/// A long curve keeps figures only.
+fn drop_fields(solution: &mut Solution) {
+    solution.centreline = Centreline::default();
+    solution.surface = SurfaceField::default();
+    solution.body = None;
+    solution.history = Vec::new();
+}
