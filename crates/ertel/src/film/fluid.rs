@@ -1,9 +1,13 @@
 //! Density and viscosity of the film as the dimensionless equations need them.
 
+use ertel_rheology::Scalar;
 use ertel_rheology::density::DensityLaw;
+use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
 use num_dual::{Dual2_64, DualNum};
 
+use super::closure::{self, Closure, Fluidity, Workspace};
+use super::cross_film::StressScales;
 use crate::contact::Scales;
 
 /// Fluid at a point: value, first and second derivative by P.
@@ -35,6 +39,12 @@ pub struct FilmFluid {
     ln_viscosity_scale: f64,
     /// Share of ln μ̄ in force.
     thickening: f64,
+    /// a p_h/R, Pa.
+    stress_scale: f64,
+    /// How stress thins the fluid.
+    shear_thinning: Option<ShearThinning>,
+    /// σ = λ SRR/12.
+    slide: f64,
 }
 
 impl FilmFluid {
@@ -53,6 +63,65 @@ impl FilmFluid {
             density_scale: scales.density,
             ln_viscosity_scale: scales.viscosity.ln(),
             thickening: 1.0,
+            stress_scale: scales.pressure * scales.film / scales.length,
+            shear_thinning: None,
+            slide: 0.0,
+        }
+    }
+
+    /// The same fluid thinned by stress, between surfaces of a slide-to-roll ratio. `None` leaves it
+    /// Newtonian; then sliding makes stress only.
+    pub fn with_shear(
+        self,
+        shear_thinning: Option<ShearThinning>,
+        slide_to_roll_ratio: f64,
+        scales: &Scales,
+    ) -> FilmFluid {
+        FilmFluid {
+            shear_thinning,
+            slide: scales.lambda * slide_to_roll_ratio / 12.0,
+            ..self
+        }
+    }
+
+    /// The same fluid at its low-shear viscosity.
+    pub fn newtonian(&self) -> FilmFluid {
+        FilmFluid {
+            shear_thinning: None,
+            ..self.clone()
+        }
+    }
+
+    /// Whether stress leaves the viscosity alone.
+    pub fn is_newtonian(&self) -> bool {
+        self.shear_thinning.is_none()
+    }
+
+    /// σ, by which Ω = σμ̄/H.
+    pub fn slide(&self) -> f64 {
+        self.slide
+    }
+
+    /// Flow across the film at P, for G = H∇P and Ω.
+    pub fn close(
+        &self,
+        pressure: f64,
+        pressure_stress: [f64; 2],
+        sliding_stress: f64,
+        workspace: &mut Workspace,
+    ) -> Closure {
+        match &self.shear_thinning {
+            None => Closure::newtonian(pressure_stress, sliding_stress),
+            Some(law) => {
+                let thinning = PointThinning { law, fluid: self };
+                closure::close(
+                    &thinning,
+                    pressure,
+                    pressure_stress,
+                    sliding_stress,
+                    workspace,
+                )
+            }
         }
     }
 
@@ -83,6 +152,51 @@ impl FilmFluid {
         PointFluid {
             density: by_p(rho),
             viscosity: by_p(mu),
+        }
+    }
+}
+
+/// The law in the scales of a contact.
+struct PointThinning<'a> {
+    law: &'a ShearThinning,
+    fluid: &'a FilmFluid,
+}
+
+impl PointThinning<'_> {
+    /// Pressure in Pa; below ambient it levels off, for the reason given at [`FilmFluid`].
+    fn pressure<D: Scalar>(&self, pressure: D) -> D {
+        let scale = self.fluid.pressure_scale;
+        if pressure.re() < 0.0 {
+            pressure * scale / (-pressure / SHALLOW + 1.0)
+        } else {
+            pressure * scale
+        }
+    }
+}
+
+/// How far below ambient stress limits go on falling, in p_h.
+const SHALLOW: f64 = 1e-4;
+
+impl Fluidity for PointThinning<'_> {
+    #[inline]
+    fn fluidity<D: Scalar>(&self, stress_squared: D, pressure: D) -> D {
+        let stress = self.fluid.stress_scale;
+        let x = stress_squared * (stress * stress);
+        self.law
+            .relative_fluidity(x, D::from(1.0), self.pressure(pressure), D::from(1.0))
+    }
+
+    fn depends_on_pressure(&self) -> bool {
+        self.law.depends_on_state()
+    }
+
+    fn scales(&self, pressure: f64) -> StressScales {
+        let scales = self.law.scales(1.0, self.pressure(pressure), 1.0);
+        let scaled = |stress: Option<f64>| stress.map(|s| s / self.fluid.stress_scale);
+        StressScales {
+            knee: scaled(scales.knee),
+            growth: scaled(scales.growth),
+            limit: scaled(scales.limit),
         }
     }
 }

@@ -1,5 +1,8 @@
-//! The lubricant film: its fluid in dimensionless variables.
+//! The lubricant film: its fluid in dimensionless variables, and its flow across the film thickness.
 
+pub mod closure;
+pub mod cross_film;
 pub mod fluid;
 
+pub use closure::Closure;
 pub use fluid::{FilmFluid, PointFluid};

@@ -1,9 +1,6 @@
-//! Numbers that carry their derivatives by the eight quantities that the Reynolds equation sees at a point.
+//! Numbers that carry their derivatives by the quantities that the Reynolds equation sees at a point.
 
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
-
-/// Number of quantities to differentiate by.
-pub const N_SLOPES: usize = 8;
 
 /// What an integrand is written for: `f64`, or [`Dual`] for its derivatives.
 pub trait Number:
@@ -44,27 +41,27 @@ impl Number for f64 {
     }
 }
 
-/// A value and its derivatives, of fixed number: arithmetic in whole vectors.
+/// A value and its derivatives by `N` quantities: arithmetic in whole vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dual {
+pub struct Dual<const N: usize> {
     /// Value.
     pub re: f64,
     /// Derivatives.
-    pub slopes: [f64; N_SLOPES],
+    pub slopes: [f64; N],
 }
 
-impl Dual {
+impl<const N: usize> Dual<N> {
     /// The k-th variable.
     #[inline(always)]
-    pub fn variable(re: f64, k: usize) -> Dual {
-        let mut slopes = [0.0; N_SLOPES];
+    pub fn variable(re: f64, k: usize) -> Self {
+        let mut slopes = [0.0; N];
         slopes[k] = 1.0;
         Dual { re, slopes }
     }
 
     /// A function of x by its value and its derivative.
     #[inline(always)]
-    fn chain(self, re: f64, derivative: f64) -> Dual {
+    fn chain(self, re: f64, derivative: f64) -> Self {
         Dual {
             re,
             slopes: self.slopes.map(|s| derivative * s),
@@ -73,88 +70,88 @@ impl Dual {
 
     /// A function of two numbers by its value and its derivatives.
     #[inline(always)]
-    fn combine(self, other: Dual, re: f64, by_self: f64, by_other: f64) -> Dual {
-        let mut slopes = [0.0; N_SLOPES];
-        for k in 0..N_SLOPES {
+    fn combine(self, other: Self, re: f64, by_self: f64, by_other: f64) -> Self {
+        let mut slopes = [0.0; N];
+        for k in 0..N {
             slopes[k] = by_self * self.slopes[k] + by_other * other.slopes[k];
         }
         Dual { re, slopes }
     }
 }
 
-impl Number for Dual {
+impl<const N: usize> Number for Dual<N> {
     #[inline(always)]
     fn re(&self) -> f64 {
         self.re
     }
     #[inline(always)]
-    fn recip(self) -> Dual {
+    fn recip(self) -> Self {
         let r = self.re.recip();
         self.chain(r, -r * r)
     }
     #[inline(always)]
-    fn tanh(self) -> Dual {
+    fn tanh(self) -> Self {
         let t = self.re.tanh();
         self.chain(t, 1.0 - t * t)
     }
 }
 
-impl From<f64> for Dual {
+impl<const N: usize> From<f64> for Dual<N> {
     #[inline(always)]
-    fn from(re: f64) -> Dual {
+    fn from(re: f64) -> Self {
         Dual {
             re,
-            slopes: [0.0; N_SLOPES],
+            slopes: [0.0; N],
         }
     }
 }
 
-impl Neg for Dual {
-    type Output = Dual;
+impl<const N: usize> Neg for Dual<N> {
+    type Output = Self;
     #[inline(always)]
-    fn neg(self) -> Dual {
+    fn neg(self) -> Self {
         self.chain(-self.re, -1.0)
     }
 }
 
-impl Add for Dual {
-    type Output = Dual;
+impl<const N: usize> Add for Dual<N> {
+    type Output = Self;
     #[inline(always)]
-    fn add(self, other: Dual) -> Dual {
+    fn add(self, other: Self) -> Self {
         self.combine(other, self.re + other.re, 1.0, 1.0)
     }
 }
 
-impl Sub for Dual {
-    type Output = Dual;
+impl<const N: usize> Sub for Dual<N> {
+    type Output = Self;
     #[inline(always)]
-    fn sub(self, other: Dual) -> Dual {
+    fn sub(self, other: Self) -> Self {
         self.combine(other, self.re - other.re, 1.0, -1.0)
     }
 }
 
-impl Mul for Dual {
-    type Output = Dual;
+impl<const N: usize> Mul for Dual<N> {
+    type Output = Self;
     #[inline(always)]
-    fn mul(self, other: Dual) -> Dual {
+    fn mul(self, other: Self) -> Self {
         self.combine(other, self.re * other.re, other.re, self.re)
     }
 }
 
-impl Div for Dual {
-    type Output = Dual;
+impl<const N: usize> Div for Dual<N> {
+    type Output = Self;
     #[inline(always)]
-    fn div(self, other: Dual) -> Dual {
+    fn div(self, other: Self) -> Self {
         let r = other.re.recip();
         let q = self.re * r;
         self.combine(other, q, r, -q * r)
     }
 }
 
-impl Add<f64> for Dual {
-    type Output = Dual;
+impl<const N: usize> Add<f64> for Dual<N> {
+    type Output = Self;
     #[inline(always)]
-    fn add(self, other: f64) -> Dual {
+    fn add(self, other: f64) -> Self {
         Dual {
             re: self.re + other,
             ..self
@@ -162,10 +159,10 @@ impl Add<f64> for Dual {
     }
 }
 
-impl Sub<f64> for Dual {
-    type Output = Dual;
+impl<const N: usize> Sub<f64> for Dual<N> {
+    type Output = Self;
     #[inline(always)]
-    fn sub(self, other: f64) -> Dual {
+    fn sub(self, other: f64) -> Self {
         Dual {
             re: self.re - other,
             ..self
@@ -173,32 +170,32 @@ impl Sub<f64> for Dual {
     }
 }
 
-impl Mul<f64> for Dual {
-    type Output = Dual;
+impl<const N: usize> Mul<f64> for Dual<N> {
+    type Output = Self;
     #[inline(always)]
-    fn mul(self, other: f64) -> Dual {
+    fn mul(self, other: f64) -> Self {
         self.chain(self.re * other, other)
     }
 }
 
-impl Div<f64> for Dual {
-    type Output = Dual;
+impl<const N: usize> Div<f64> for Dual<N> {
+    type Output = Self;
     #[inline(always)]
-    fn div(self, other: f64) -> Dual {
+    fn div(self, other: f64) -> Self {
         self.chain(self.re / other, other.recip())
     }
 }
 
-impl AddAssign for Dual {
+impl<const N: usize> AddAssign for Dual<N> {
     #[inline(always)]
-    fn add_assign(&mut self, other: Dual) {
+    fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl SubAssign for Dual {
+impl<const N: usize> SubAssign for Dual<N> {
     #[inline(always)]
-    fn sub_assign(&mut self, other: Dual) {
+    fn sub_assign(&mut self, other: Self) {
         *self = *self - other;
     }
 }
@@ -224,7 +221,7 @@ mod tests {
             ]
         }
         let (x, y, step) = (0.7, 1.3, 1e-6);
-        let dual = all(Dual::variable(x, 2), Dual::variable(y, 6));
+        let dual = all(Dual::<8>::variable(x, 2), Dual::<8>::variable(y, 6));
         let value = all(x, y);
         let by_x = [all(x + step, y), all(x - step, y)];
         let by_y = [all(x, y + step), all(x, y - step)];

@@ -2,4 +2,5 @@
 
 pub mod dual;
 pub mod elasticity;
+pub mod flow;
 pub mod reynolds;

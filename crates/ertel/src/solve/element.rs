@@ -6,14 +6,26 @@ use ertel_fem::space::Affine;
 use super::discretisation::Discretisation;
 use super::system::{FilmConstants, State};
 use crate::film::FilmFluid;
-use crate::forms::dual::{Dual, N_SLOPES};
-use crate::forms::reynolds::{ElementConstants, PointState, reynolds_point};
+use crate::film::closure::Workspace;
+use crate::forms::dual::Dual;
+use crate::forms::flow::{
+    PointState, Properties, generalized, newtonian, pressure_stress, sliding_stress,
+};
+use crate::forms::reynolds::{ElementConstants, reynolds_point};
 
 /// Sums for each pressure node beside the blocks: ∂R/∂H0, R, entrainment.
 pub const N_SUMS: usize = 3;
 
 /// Coefficients of a test function: W, W_x, W_y, ΔW, κW.
 const N_TEST: usize = 5;
+
+/// Lists of the pressure shape functions: those five and, where the flow sees them, W_xx, W_xy, W_yy.
+const N_LISTS: usize = 8;
+
+/// Quantities that the equation sees at a point: P, P_x, P_y, κP, H, H_x, H_y, and then ΔP in
+/// Newtonian films, P_xx, P_xy, P_yy in others.
+const NEWTONIAN: usize = 8;
+const GENERALIZED: usize = 10;
 
 /// Source term of the manufactured solutions.
 type Source<'a> = Option<&'a (dyn Fn([f64; 3]) -> f64 + Sync)>;
@@ -35,7 +47,8 @@ pub struct Assembler<'a> {
 #[derive(Default)]
 pub struct Element {
     points: Vec<Point>,
-    /// W, W_x, W_y, ΔW, κW of each pressure node, lists padded with zeros.
+    closure: Workspace,
+    /// [`N_LISTS`] of each pressure node, lists padded with zeros.
     pressure: Vec<f64>,
     /// N, N_x, N_y of each deflection node, alike.
     deflection: Vec<f64>,
@@ -46,12 +59,12 @@ pub struct Element {
 struct Point {
     /// (X, Y).
     place: [f64; 3],
-    /// P, P_x, P_y, ΔP, H, H_x, H_y, κP.
-    state: [f64; N_SLOPES],
+    /// P, P_x, P_y, κP, H, H_x, H_y, P_xx or ΔP, P_xy, P_yy.
+    state: [f64; GENERALIZED],
     /// Coefficients of the test function.
     value: [f64; N_TEST],
     /// Their derivatives by the state.
-    slopes: [[f64; N_SLOPES]; N_TEST],
+    slopes: [[f64; GENERALIZED]; N_TEST],
     /// ρ̄H.
     entrainment: f64,
 }
@@ -66,13 +79,10 @@ impl<'a> Assembler<'a> {
         source: Source<'a>,
     ) -> Assembler<'a> {
         // Loops of known length: nodes of an element, rounded up to whole vectors.
-        let kernel = match (d.pressure_table.n_nodes, d.deflection_table.n_nodes) {
-            (0..=4, 0..=4) => Assembler::padded::<4, 4>,
-            (0..=4, _) => Assembler::padded::<4, 8>,
-            (5..=8, _) => Assembler::padded::<8, 8>,
-            (9..=12, _) => Assembler::padded::<12, 8>,
-            (13..=16, _) => Assembler::padded::<16, 8>,
-            _ => Assembler::padded::<24, 8>,
+        let kernel = if fluid.is_newtonian() {
+            kernel::<NEWTONIAN>(d)
+        } else {
+            kernel::<GENERALIZED>(d)
         };
         Assembler {
             d,
@@ -95,8 +105,8 @@ impl<'a> Assembler<'a> {
         (self.kernel)(self, c, element, block, sums);
     }
 
-    /// The same with lists of nodes padded to `N` and `M`.
-    fn padded<const N: usize, const M: usize>(
+    /// The same with lists of nodes padded to `N` and `M`, and `S` quantities at a point.
+    fn padded<const N: usize, const M: usize, const S: usize>(
         &self,
         c: usize,
         element: &mut Element,
@@ -107,19 +117,23 @@ impl<'a> Assembler<'a> {
         let order = d.pressure.element.order();
         let local = self.constants.on_element(d.contact.sizes[c], order);
         element.points.clear();
-        element.pressure.resize(d.rule.len() * N_TEST * N, 0.0);
+        element.pressure.resize(d.rule.len() * N_LISTS * N, 0.0);
         element.deflection.resize(d.rule.len() * 3 * M, 0.0);
-        vectorised(|| self.interpolate::<N, M>(c, element));
+        vectorised(|| self.interpolate::<N, M, S>(c, element));
         for point in &mut element.points {
             let source = self.source.map_or(0.0, |f| f(point.place));
-            vectorised(|| integrand(point, self.fluid, &local, source));
+            vectorised(|| integrand::<S>(point, self.fluid, &local, source, &mut element.closure));
         }
-        vectorised(|| self.integrate::<N, M>(c, element, block, sums));
+        vectorised(|| self.integrate::<N, M, S>(c, element, block, sums));
     }
 
     /// Shape functions and state at the quadrature points.
     #[inline(always)]
-    fn interpolate<const N: usize, const M: usize>(&self, c: usize, element: &mut Element) {
+    fn interpolate<const N: usize, const M: usize, const S: usize>(
+        &self,
+        c: usize,
+        element: &mut Element,
+    ) {
         let (d, state) = (self.d, self.state);
         let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
         let map = &d.contact.maps[c];
@@ -136,7 +150,7 @@ impl<'a> Assembler<'a> {
                 places[a][j] = d.contact.deflection.points[*node as usize][a];
             }
         }
-        let p_lists = element.pressure.chunks_exact_mut(N_TEST * N);
+        let p_lists = element.pressure.chunks_exact_mut(N_LISTS * N);
         let w_lists = element.deflection.chunks_exact_mut(3 * M);
         for (q, (p_list, w_list)) in p_lists.zip(w_lists).enumerate() {
             let table = &d.pressure_table;
@@ -148,6 +162,12 @@ impl<'a> Assembler<'a> {
                 p_list[2 * N + j] = gy;
                 p_list[3 * N + j] = metric.laplacian(&table.hessians[k]);
                 p_list[4 * N + j] = d.pressure_unseen[k];
+                if S == GENERALIZED {
+                    let second = metric.second(&table.hessians[k]);
+                    for (l, value) in second.into_iter().enumerate() {
+                        p_list[(5 + l) * N + j] = value;
+                    }
+                }
             }
             let table = &d.deflection_table;
             for j in 0..m {
@@ -157,8 +177,18 @@ impl<'a> Assembler<'a> {
                 w_list[M + j] = gx;
                 w_list[2 * M + j] = gy;
             }
-            let p: [f64; N_TEST] =
-                std::array::from_fn(|a| dot::<N>(&p_list[a * N..(a + 1) * N], &pressures));
+            let p: [f64; N_LISTS] = std::array::from_fn(|a| {
+                if a < N_TEST || S == GENERALIZED {
+                    dot::<N>(&p_list[a * N..(a + 1) * N], &pressures)
+                } else {
+                    0.0
+                }
+            });
+            let curvature = if S == GENERALIZED {
+                [p[5], p[6], p[7]]
+            } else {
+                [p[3], 0.0, 0.0]
+            };
             let w: [f64; 3] =
                 std::array::from_fn(|a| dot::<M>(&w_list[a * M..(a + 1) * M], &deflections));
             let [x, y] = places.map(|x| dot::<M>(&w_list[..M], &x));
@@ -166,9 +196,20 @@ impl<'a> Assembler<'a> {
             let h = state.rigid_separation + d.contact.undeformed_gap(place) + w[0];
             element.points.push(Point {
                 place,
-                state: [p[0], p[1], p[2], p[3], h, x + w[1], y + w[2], p[4]],
+                state: [
+                    p[0],
+                    p[1],
+                    p[2],
+                    p[4],
+                    h,
+                    x + w[1],
+                    y + w[2],
+                    curvature[0],
+                    curvature[1],
+                    curvature[2],
+                ],
                 value: [0.0; N_TEST],
-                slopes: [[0.0; N_SLOPES]; N_TEST],
+                slopes: [[0.0; GENERALIZED]; N_TEST],
                 entrainment: 0.0,
             });
         }
@@ -176,7 +217,7 @@ impl<'a> Assembler<'a> {
 
     /// Sums over the quadrature points.
     #[inline(always)]
-    fn integrate<const N: usize, const M: usize>(
+    fn integrate<const N: usize, const M: usize, const S: usize>(
         &self,
         c: usize,
         element: &Element,
@@ -189,26 +230,30 @@ impl<'a> Assembler<'a> {
         let mut by_pressure = [[0.0; N]; N];
         let mut by_deflection = [[0.0; M]; N];
         sums.fill([0.0; N_SUMS]);
-        let p_lists = element.pressure.chunks_exact(N_TEST * N);
+        let p_lists = element.pressure.chunks_exact(N_LISTS * N);
         let w_lists = element.deflection.chunks_exact(3 * M);
         let points = element.points.iter().zip(&d.rule.weights);
         for (((point, weight), p_list), w_list) in points.zip(p_lists).zip(w_lists) {
             let scale = weight * determinant;
-            let p: [&[f64; N]; N_TEST] = std::array::from_fn(|a| list(p_list, a));
+            let p: [&[f64; N]; N_LISTS] = std::array::from_fn(|a| list(p_list, a));
             let w: [&[f64; M]; 3] = std::array::from_fn(|a| list(w_list, a));
             for i in 0..n {
                 let test: [f64; N_TEST] = std::array::from_fn(|a| scale * p[a][i]);
-                let mut by = [0.0; N_SLOPES];
+                let mut by = [0.0; S];
                 for (t, slopes) in test.iter().zip(&point.slopes) {
-                    for k in 0..N_SLOPES {
+                    for k in 0..S {
                         by[k] += t * slopes[k];
                     }
                 }
                 let row = &mut by_pressure[i];
                 for j in 0..N {
                     row[j] += (by[0] * p[0][j] + by[1] * p[1][j])
-                        + (by[2] * p[2][j] + by[3] * p[3][j])
-                        + by[7] * p[4][j];
+                        + (by[2] * p[2][j] + by[3] * p[4][j])
+                        + if S == GENERALIZED {
+                            by[7] * p[5][j] + by[8] * p[6][j] + by[9] * p[7][j]
+                        } else {
+                            by[7] * p[3][j]
+                        };
                 }
                 let row = &mut by_deflection[i];
                 for j in 0..M {
@@ -228,24 +273,60 @@ impl<'a> Assembler<'a> {
     }
 }
 
+/// Kernel for the lists of a discretisation: loops of known length, nodes rounded up to whole vectors.
+fn kernel<'a, const S: usize>(d: &Discretisation) -> Kernel<'a> {
+    match (d.pressure_table.n_nodes, d.deflection_table.n_nodes) {
+        (0..=4, 0..=4) => Assembler::padded::<4, 4, S>,
+        (0..=4, _) => Assembler::padded::<4, 8, S>,
+        (5..=8, _) => Assembler::padded::<8, 8, S>,
+        (9..=12, _) => Assembler::padded::<12, 8, S>,
+        (13..=16, _) => Assembler::padded::<16, 8, S>,
+        _ => Assembler::padded::<24, 8, S>,
+    }
+}
+
 /// The integrand and its derivatives at a point.
 #[inline(always)]
-fn integrand(point: &mut Point, fluid: &FilmFluid, local: &ElementConstants, source: f64) {
-    let x = |k: usize| Dual::variable(point.state[k], k);
+fn integrand<const S: usize>(
+    point: &mut Point,
+    fluid: &FilmFluid,
+    local: &ElementConstants,
+    source: f64,
+    workspace: &mut Workspace,
+) {
+    let x = |k: usize| Dual::<S>::variable(point.state[k], k);
+    let zero = Dual::from(0.0);
+    let curvature = if S == GENERALIZED {
+        [x(7), x(8), x(9)]
+    } else {
+        [x(7), zero, zero]
+    };
     let s = PointState {
         pressure: x(0),
         pressure_gradient: [x(1), x(2)],
-        pressure_laplacian: x(3),
+        pressure_unseen: x(3),
         film: x(4),
         film_gradient: [x(5), x(6)],
-        pressure_unseen: x(7),
+        pressure_curvature: curvature,
     };
-    let fluid = fluid.at(point.state[0]);
-    let t = reynolds_point(&s, &fluid, local, source);
+    let properties = fluid.at(point.state[0]);
+    let m = Properties::around(s.pressure, &properties);
+    let flow = if S == GENERALIZED {
+        let slide = fluid.slide();
+        let g = pressure_stress(&s).map(|g| g.re);
+        let omega = sliding_stress(&s, &m, slide).re;
+        let closure = fluid.close(point.state[0], g, omega, workspace);
+        generalized(&s, &m, local.lambda, slide, &closure)
+    } else {
+        newtonian(&s, &m, local.lambda)
+    };
+    let t = reynolds_point(&s, &m, &flow, local, source);
     let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
     point.value = test.map(|t| t.re);
-    point.slopes = test.map(|t| t.slopes);
-    point.entrainment = fluid.density[0] * point.state[4];
+    for (slopes, t) in point.slopes.iter_mut().zip(&test) {
+        slopes[..S].copy_from_slice(&t.slopes);
+    }
+    point.entrainment = properties.density[0] * point.state[4];
 }
 
 /// Derivatives by (X, Y) from those by reference coordinates.
@@ -270,6 +351,22 @@ impl Metric {
     fn gradient(&self, reference: &[f64; 3]) -> [f64; 2] {
         let i = &self.inverse;
         [0, 1].map(|m: usize| i[0][m] * reference[0] + i[1][m] * reference[1])
+    }
+
+    /// xx, xy, yy.
+    #[inline(always)]
+    fn second(&self, reference: &[[f64; 3]; 3]) -> [f64; 3] {
+        let i = &self.inverse;
+        let entry = |a: usize, b: usize| {
+            let mut sum = 0.0;
+            for (k, row) in i.iter().enumerate() {
+                for (l, other) in i.iter().enumerate() {
+                    sum += row[a] * other[b] * reference[k][l];
+                }
+            }
+            sum
+        };
+        [entry(0, 0), entry(0, 1), entry(1, 1)]
     }
 
     #[inline(always)]

@@ -1,0 +1,287 @@
+//! The local problem against closed forms, integration by brute force, and differences.
+
+use approx::assert_relative_eq;
+
+use super::*;
+
+/// Fluidities with closed-form flows, and those with everything at once.
+enum Law {
+    Newtonian,
+    /// γ̇ = τ(1 + (τ/κ)^m)
+    Power {
+        knee: f64,
+        m: f64,
+    },
+    /// γ̇ = τ₀ sinh(τ/τ₀)
+    Eyring {
+        stress: f64,
+    },
+    /// Two plateaus, 1/f = r + (1 − r)/[1 + (τ/κ)^β]^((1/n − 1)/β), κ = κ₀ e^{P}
+    Carreau {
+        knee: f64,
+        n: f64,
+        beta: f64,
+        r: f64,
+    },
+}
+
+impl Fluidity for Law {
+    fn fluidity<D: Scalar>(&self, x: D, p: D) -> D {
+        match *self {
+            Law::Newtonian => D::from(1.0),
+            Law::Power { knee, m } => (x / (knee * knee) + 1e-30).powf(0.5 * m) + 1.0,
+            Law::Eyring { stress } => {
+                let t = (x + 1e-24).sqrt() / stress;
+                t.sinh() / t
+            }
+            Law::Carreau { knee, n, beta, r } => {
+                let k = p.exp() * knee;
+                let thinned =
+                    ((x / (k * k) + 1e-14).powf(0.5 * beta) + 1.0).powf((1.0 / n - 1.0) / beta);
+                (thinned.recip() * (1.0 - r) + r).recip()
+            }
+        }
+    }
+
+    fn depends_on_pressure(&self) -> bool {
+        matches!(self, Law::Carreau { .. })
+    }
+
+    fn scales(&self, p: f64) -> StressScales {
+        let mut scales = StressScales::default();
+        match *self {
+            Law::Newtonian => {}
+            Law::Power { knee, .. } => scales.knee = Some(knee),
+            Law::Eyring { stress } => scales.growth = Some(stress),
+            Law::Carreau { knee, .. } => scales.knee = Some(knee * p.exp()),
+        }
+        scales
+    }
+}
+
+const CARREAU: Law = Law::Carreau {
+    knee: 0.01,
+    n: 0.4,
+    beta: 2.198,
+    r: 0.05,
+};
+
+fn flow(law: &Law, p: f64, g: [f64; 2], slide: f64) -> Closure {
+    close(law, p, g, slide, &mut Workspace::default())
+}
+
+/// q = G/12, τ = Ω, whatever the state.
+#[test]
+fn newtonian() {
+    for (g, slide) in [([0.0, 0.0], 0.0), ([3.0, -1.0], 0.5), ([1e-8, 2.0], -1e6)] {
+        let c = flow(&Law::Newtonian, 0.3, g, slide);
+        let exact = Closure::newtonian(g, slide);
+        for i in 0..2 {
+            assert_relative_eq!(
+                c.mid_stress[i],
+                exact.mid_stress[i],
+                epsilon = 1e-9 * slide.abs()
+            );
+            assert_relative_eq!(
+                c.flow[i],
+                exact.flow[i],
+                max_relative = 1e-12,
+                epsilon = 1e-9
+            );
+            for y in 0..2 {
+                assert_relative_eq!(c.slopes[i][y], exact.slopes[i][y], epsilon = 1e-13);
+            }
+        }
+    }
+}
+
+/// Rabinowitsch's cubic along one line, by hand: ∫tf = τ + (τ³ + τG²/4)/κ²,
+/// ∫stf = G/12 + (3τ²G/12 + G³/80)/κ².
+#[test]
+fn rabinowitsch_line_flow() {
+    let knee = 0.2;
+    let law = Law::Power { knee, m: 2.0 };
+    for g in [0.01, 0.3, 5.0] {
+        for tau in [0.0, 0.02, 1.0, 40.0_f64] {
+            let slide = tau + (tau.powi(3) + tau * g * g / 4.0) / (knee * knee);
+            let c = flow(&law, 0.0, [g, 0.0], slide);
+            assert_relative_eq!(c.mid_stress[0], tau, max_relative = 1e-12);
+            let q = g / 12.0 + (tau * tau * g / 4.0 + g.powi(3) / 80.0) / (knee * knee);
+            // q is the small difference of stresses of order Ω
+            assert_relative_eq!(c.flow[0], q, max_relative = 1e-12, epsilon = 1e-15 * slide);
+        }
+    }
+}
+
+/// Pure rolling of a power law: ∫|sG|^{m+2} ds/(Gκ^m) = G^{m+1}/[κ^m 2^{m+2}(m + 3)], beside the plateau's G/12.
+#[test]
+fn power_law_in_pure_rolling() {
+    let knee = 1e-3;
+    for m in [0.25, 1.0, 1.5, 3.0_f64] {
+        let law = Law::Power { knee, m };
+        for g in [0.1, 2.0_f64] {
+            let c = flow(&law, 0.0, [g, 0.0], 0.0);
+            let thinned = g.powf(m + 1.0) / (knee.powf(m) * 2.0_f64.powf(m + 2.0) * (m + 3.0));
+            // |s|^m has a corner in the middle of the film
+            assert_relative_eq!(c.flow[0], g / 12.0 + thinned, max_relative = 2e-9);
+        }
+    }
+}
+
+/// Ree-Eyring along one line, τ₀ = 1: Ω = sinh τ · S, S = sinh(G/2)/(G/2);
+/// q = cosh τ [cosh(G/2) − S]/G.
+#[test]
+fn eyring_line_flow() {
+    let law = Law::Eyring { stress: 1.0 };
+    for g in [0.1, 2.0, 12.0_f64] {
+        let s = (0.5 * g).sinh() / (0.5 * g);
+        for tau in [0.0, 0.3, 8.0_f64] {
+            let c = flow(&law, 0.0, [g, 0.0], tau.sinh() * s);
+            assert_relative_eq!(c.mid_stress[0], tau, max_relative = 1e-10, epsilon = 1e-12);
+            let q = tau.cosh() * ((0.5 * g).cosh() - s) / g;
+            assert_relative_eq!(c.flow[0], q, max_relative = 1e-10);
+        }
+    }
+}
+
+/// States at random: stresses over ten decades around the knee, both signs of sliding.
+fn states() -> Vec<([f64; 2], f64, f64)> {
+    let mut seed = 12345_u64;
+    let mut random = move || {
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    (0..60)
+        .map(|_| {
+            let size = 10.0_f64.powf(-5.0 + 7.0 * random());
+            let angle = 6.3 * random();
+            let slide =
+                10.0_f64.powf(-6.0 + 10.0 * random()) * if random() < 0.5 { 1.0 } else { -1.0 };
+            (
+                [size * angle.cos(), size * angle.sin()],
+                slide,
+                random() - 0.5,
+            )
+        })
+        .collect()
+}
+
+/// Mean shear rate, flow, and mean size of the shear rate by a midpoint rule with Richardson's extrapolation, in the variable in which
+/// the stress passes its smallest value smoothly; independent of the rule under test.
+fn brute_force(law: &Law, p: f64, tau: [f64; 2], g: [f64; 2]) -> [f64; 5] {
+    let n = 1 << 15;
+    let gg = dot(g, g);
+    let centre = -dot(tau, g) / gg;
+    let width = 1e-3 * 0.01 / gg.sqrt() + 1e-9;
+    let far = dot(tau, tau) > 4.0 * gg;
+    let ends = [-0.5, 0.5].map(|s: f64| {
+        if far {
+            s
+        } else {
+            ((s - centre) / width).asinh()
+        }
+    });
+    let sum = |n: usize| {
+        let du = (ends[1] - ends[0]) / n as f64;
+        let mut sums = [0.0; 5];
+        for k in 0..n {
+            let u = ends[0] + (k as f64 + 0.5) * du;
+            let (s, slope) = if far {
+                (u, 1.0)
+            } else {
+                (centre + width * u.sinh(), width * u.cosh())
+            };
+            let t = [tau[0] + s * g[0], tau[1] + s * g[1]];
+            let f = law.fluidity(dot(t, t), p) * slope * du;
+            for i in 0..2 {
+                sums[i] += f * t[i];
+                sums[2 + i] += f * t[i] * s;
+            }
+            sums[4] += f * dot(t, t).sqrt();
+        }
+        sums
+    };
+    let (coarse, fine) = (sum(n), sum(2 * n));
+    std::array::from_fn(|i| (4.0 * fine[i] - coarse[i]) / 3.0)
+}
+
+/// The surfaces slide as asked, and the flow is right, to 1e-10 of the mean shear rate in the film.
+#[test]
+fn matches_brute_force() {
+    for (g, slide, p) in states() {
+        let c = flow(&CARREAU, p, g, slide);
+        let [ax, ay, bx, by, mean] = brute_force(&CARREAU, p, c.mid_stress, g);
+        for (ours, exact) in [(slide, ax), (0.0, ay), (c.flow[0], bx), (c.flow[1], by)] {
+            assert_relative_eq!(ours, exact, epsilon = 1e-10 * mean);
+        }
+    }
+}
+
+/// Slopes against differences of the flow, curvatures against differences of the slopes.
+#[test]
+fn derivatives_match_differences() {
+    let laws = [
+        CARREAU,
+        Law::Eyring { stress: 5.0 },
+        Law::Power { knee: 0.5, m: 2.0 },
+    ];
+    for law in &laws {
+        for (g, slide, p) in states() {
+            let slide = slide.clamp(-1e3, 1e3);
+            let g = g.map(|v| v.clamp(-10.0, 10.0));
+            let y = [g[0], g[1], slide, p];
+            let at = |y: [f64; 4]| flow(law, y[3], [y[0], y[1]], y[2]);
+            let c = at(y);
+            let size = [g[0].hypot(g[1]), g[0].hypot(g[1]), slide.abs(), 1.0];
+            for k in 0..4 {
+                let step = 1e-3 * size[k];
+                let moved = [-2.0, -1.0, 1.0, 2.0].map(|m| {
+                    let mut z = y;
+                    z[k] += m * step;
+                    at(z)
+                });
+                let difference = |f: &dyn Fn(&Closure) -> f64| {
+                    let v = moved.each_ref().map(f);
+                    (v[0] - 8.0 * v[1] + 8.0 * v[2] - v[3]) / (12.0 * step)
+                };
+                let scale = c.flow[0].hypot(c.flow[1]);
+                // round-off of order 1e-16 Ω in q, over the step
+                let round_off = 1e-12 * slide.abs();
+                for i in 0..2 {
+                    assert_relative_eq!(
+                        c.slopes[i][k] * size[k],
+                        difference(&|c| c.flow[i]) * size[k],
+                        max_relative = 1e-6,
+                        epsilon = 1e-7 * scale + round_off
+                    );
+                    for l in 0..4 {
+                        assert_relative_eq!(
+                            c.curvatures[i][l][k] * size[k] * size[l],
+                            difference(&|c| c.slopes[i][l]) * size[k] * size[l],
+                            max_relative = 1e-5,
+                            epsilon = 1e-6 * scale + round_off
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Shear in the other direction gives the mirror image; a film that does not slide has no mid-plane stress.
+#[test]
+fn sliding_is_symmetric() {
+    let (g, p) = ([0.3, -0.1], 0.2);
+    let (plus, minus) = (flow(&CARREAU, p, g, 2.0), flow(&CARREAU, p, g, -2.0));
+    for i in 0..2 {
+        assert_relative_eq!(
+            plus.mid_stress[i],
+            -minus.mid_stress[i],
+            max_relative = 1e-12
+        );
+        assert_relative_eq!(plus.flow[i], minus.flow[i], max_relative = 1e-12);
+    }
+    assert_eq!(flow(&CARREAU, p, g, 0.0).mid_stress, [0.0; 2]);
+}

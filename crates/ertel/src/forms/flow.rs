@@ -1,0 +1,152 @@
+//! The flow that the pressure drives through the film, dimensionless, and its divergence.
+//!
+//! ```text
+//!   Newtonian:            Q = ε∇P,  ε = ρ̄H³/(μ̄λ)
+//!   generalized:          Q = 12ρ̄H²/(μ̄λ) q(G, Ω, P),  G = H∇P,  Ω = σμ̄/H      q from the closure
+//! ```
+//! Mass flows by ρ̄H e_x − Q. A generalized-Newtonian film has one viscosity at each height; its Q,
+//! from the stress across the film, contains what sliding does to the flow (Habchi 2008, eqs. 4.9 and
+//! 4.11, where the same is written with integrals of 1/η). With q = G/12 it is the Newtonian one.
+
+use crate::film::{Closure, PointFluid};
+use crate::forms::dual::Number;
+
+/// What the equation sees at a point; derivatives are taken by these numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct PointState<D> {
+    /// Pressure P.
+    pub pressure: D,
+    /// ∇P.
+    pub pressure_gradient: [D; 2],
+    /// P_xx, P_xy, P_yy inside the element; where only their sum counts, P_xx may stand for ΔP.
+    pub pressure_curvature: [D; 3],
+    /// Film thickness H.
+    pub film: D,
+    /// ∇H.
+    pub film_gradient: [D; 2],
+    /// κP, the share of P that the deflection does not see.
+    pub pressure_unseen: D,
+}
+
+/// Density and low-shear viscosity around a point, exact to first order in P.
+#[derive(Clone, Copy, Debug)]
+pub struct Properties<D> {
+    /// ρ̄.
+    pub density: D,
+    /// ρ̄'.
+    pub density_slope: D,
+    /// μ̄.
+    pub viscosity: D,
+    /// μ̄'.
+    pub viscosity_slope: D,
+}
+
+impl<D: Number> Properties<D> {
+    /// Properties at the pressure of a point.
+    #[inline(always)]
+    pub fn around(pressure: D, fluid: &PointFluid) -> Properties<D> {
+        let dp = pressure - pressure.re();
+        Properties {
+            density: dp * fluid.density[1] + fluid.density[0],
+            density_slope: dp * fluid.density[2] + fluid.density[1],
+            viscosity: dp * fluid.viscosity[1] + fluid.viscosity[0],
+            viscosity_slope: dp * fluid.viscosity[2] + fluid.viscosity[1],
+        }
+    }
+
+    /// (ln ρ̄/μ̄)'.
+    #[inline(always)]
+    pub fn log_slope(&self) -> D {
+        self.density_slope / self.density - self.viscosity_slope / self.viscosity
+    }
+}
+
+/// Pressure-driven flow at a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Flow<D> {
+    /// Q.
+    pub flux: [D; 2],
+    /// ∇·Q, inside the element.
+    pub divergence: D,
+    /// ∂Q_x/∂P_x, by which the stabilisation measures diffusion.
+    pub diffusivity: D,
+}
+
+/// Flow of a Newtonian film.
+#[inline(always)]
+pub fn newtonian<D: Number>(s: &PointState<D>, m: &Properties<D>, lambda: f64) -> Flow<D> {
+    let [px, py] = s.pressure_gradient;
+    let [hx, hy] = s.film_gradient;
+    let [pxx, _, pyy] = s.pressure_curvature;
+    let h = s.film;
+    let epsilon = m.density * h * h * h / (m.viscosity * lambda);
+    // ∇ε = ε[(ρ'/ρ − μ'/μ)∇P + 3∇H/H]
+    let along = m.log_slope() * (px * px + py * py) + (hx * px + hy * py) * 3.0 / h;
+    Flow {
+        flux: [epsilon * px, epsilon * py],
+        divergence: epsilon * (along + pxx + pyy),
+        diffusivity: epsilon,
+    }
+}
+
+/// Stress G = H∇P that the pressure puts on the film, in units of a p_h/R.
+#[inline(always)]
+pub fn pressure_stress<D: Number>(s: &PointState<D>) -> [D; 2] {
+    s.pressure_gradient.map(|g| s.film * g)
+}
+
+/// Ω = σμ̄/H, σ = λ SRR/12: mean Newtonian stress of the sliding, likewise.
+#[inline(always)]
+pub fn sliding_stress<D: Number>(s: &PointState<D>, m: &Properties<D>, slide: f64) -> D {
+    m.viscosity * slide / s.film
+}
+
+/// Flow of a generalized-Newtonian film; `closure` holds at the values of the point, `slide` is σ.
+#[inline(always)]
+pub fn generalized<D: Number>(
+    s: &PointState<D>,
+    m: &Properties<D>,
+    lambda: f64,
+    slide: f64,
+    closure: &Closure,
+) -> Flow<D> {
+    let (h, grad_p, grad_h) = (s.film, s.pressure_gradient, s.film_gradient);
+    let [gx, gy] = pressure_stress(s);
+    let omega = sliding_stress(s, m, slide);
+    let changes = [gx, gy, omega, s.pressure].map(|y| y - y.re());
+    // Flow and its slopes, exact to first order around the point.
+    let expand = |value: f64, slopes: &[f64; 4]| {
+        let mut sum = D::from(value);
+        for (change, slope) in changes.iter().zip(slopes) {
+            sum += *change * *slope;
+        }
+        sum
+    };
+    let factor = m.density * h * h * 12.0 / (m.viscosity * lambda);
+    let mut flow = Flow {
+        flux: [D::from(0.0); 2],
+        divergence: D::from(0.0),
+        diffusivity: D::from(0.0),
+    };
+    let [pxx, pxy, pyy] = s.pressure_curvature;
+    let curvature = [[pxx, pxy], [pxy, pyy]];
+    let viscosity_slope = m.viscosity_slope / m.viscosity;
+    for i in 0..2 {
+        let q = expand(closure.flow[i], &closure.slopes[i]);
+        let [by_gx, by_gy, by_omega, by_p] =
+            [0, 1, 2, 3].map(|y| expand(closure.slopes[i][y], &closure.curvatures[i][y]));
+        // ∂_iG = ∂_iH ∇P + H ∂_i∇P,  ∂_iΩ = Ω(μ'/μ ∂_iP − ∂_iH/H)
+        let moved = |j: usize| grad_h[i] * grad_p[j] + h * curvature[i][j];
+        flow.divergence += q * (m.log_slope() * grad_p[i] + grad_h[i] * 2.0 / h)
+            + by_gx * moved(0)
+            + by_gy * moved(1)
+            + by_omega * omega * (viscosity_slope * grad_p[i] - grad_h[i] / h)
+            + by_p * grad_p[i];
+        flow.flux[i] = factor * q;
+        if i == 0 {
+            flow.diffusivity = factor * h * by_gx;
+        }
+    }
+    flow.divergence = factor * flow.divergence;
+    flow
+}
