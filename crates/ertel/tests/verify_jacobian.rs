@@ -5,12 +5,13 @@ mod common;
 use std::sync::Arc;
 
 use common::noise;
-use ertel::contact::{ContactKind, hertz};
+use ertel::contact::{ContactKind, Scales, hertz};
 use ertel::params::{ElasticModel, Formulation};
 use ertel::run::problem;
 use ertel::solve::discretisation::{ContactBody, Discretisation, LevelSizes};
 use ertel::solve::system::{FilmConstants, Precision, State, System};
 use ertel_fem::assembly::CONSTRAINED;
+use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning, StressLimit};
 
 const SIZES: LevelSizes = LevelSizes {
     hertz: 0.4,
@@ -49,7 +50,12 @@ fn signs_and_film(d: &Discretisation, s: &State) -> (Vec<bool>, f64) {
 /// included; no quadrature point changes the sign of its pressure on the way, so that the residual
 /// is smooth there. With a step of
 /// 1e-5 and α p_h ≈ 20 the formula's own error is below 1e-13, round-off about 1e-9 of the largest row.
-fn check(kind: ContactKind, elasticity: ElasticModel, order: usize) {
+fn check(
+    kind: ContactKind,
+    elasticity: ElasticModel,
+    order: usize,
+    thinned: Option<ShearThinning>,
+) {
     let mut case = common::case(
         kind,
         if kind == ContactKind::Line {
@@ -60,7 +66,12 @@ fn check(kind: ContactKind, elasticity: ElasticModel, order: usize) {
     );
     case.solver.elasticity = elasticity;
     case.plane.elasticity = common::GLASS;
-    let problem = problem(&case);
+    case.motion.slide_to_roll_ratio = 0.3;
+    let mut problem = problem(&case);
+    let hertz = case.hertz();
+    let scales = Scales::new(&case.contact, &hertz, 0.8, 0.04, 870.0);
+    let thins = thinned.is_some();
+    problem.fluid = problem.fluid.with_shear(thinned, 0.3, &scales);
     let contact =
         ContactBody::new(kind, &problem.extents, &SIZES, 2, &problem.bodies).expect("mesh");
     let d = Discretisation::new(&Arc::new(contact), order);
@@ -134,11 +145,11 @@ fn check(kind: ContactKind, elasticity: ElasticModel, order: usize) {
                 .map(|(p, d)| (p - d).abs() / (d.abs() + 1e-9 * largest))
                 .fold(0.0, f64::max);
             println!(
-                "{kind:?} {elasticity:?} {formulation:?} diffusion {diffusion}: {relative:.1e}"
+                "{kind:?} {elasticity:?} thins: {thins} {formulation:?} diffusion {diffusion}: {relative:.1e}"
             );
             assert!(
                 relative < 1e-6,
-                "{kind:?} {elasticity:?} {formulation:?} diffusion {diffusion}: {relative:.1e}"
+                "{kind:?} {elasticity:?} thins: {thins} {formulation:?} diffusion {diffusion}: {relative:.1e}"
             );
         }
     }
@@ -146,12 +157,43 @@ fn check(kind: ContactKind, elasticity: ElasticModel, order: usize) {
 
 #[test]
 fn line() {
-    check(ContactKind::Line, ElasticModel::Equivalent, 3);
-    check(ContactKind::Line, ElasticModel::TwoBodies, 2);
+    check(ContactKind::Line, ElasticModel::Equivalent, 3, None);
+    check(ContactKind::Line, ElasticModel::TwoBodies, 2, None);
 }
 
 #[test]
 fn circular() {
-    check(ContactKind::Circular, ElasticModel::Equivalent, 2);
-    check(ContactKind::Circular, ElasticModel::TwoBodies, 3);
+    check(ContactKind::Circular, ElasticModel::Equivalent, 2, None);
+    check(ContactKind::Circular, ElasticModel::TwoBodies, 3, None);
+}
+
+/// Laws of which every part acts in these states: two plateaus, and a limit that moves with the pressure.
+fn thinning() -> [ShearThinning; 2] {
+    let carreau = Carreau::new(1e6, 0.5, 2.198, 0.2).unwrap();
+    [
+        ShearThinning::of(ShearLaw::Carreau(carreau.clone())),
+        ShearThinning {
+            law: Some(ShearLaw::Carreau(carreau)),
+            limit: Some(StressLimit::new(2e8, 0.1).unwrap()),
+        },
+    ]
+}
+
+#[test]
+fn line_shear_thinning() {
+    for law in thinning() {
+        check(ContactKind::Line, ElasticModel::Equivalent, 3, Some(law));
+    }
+}
+
+#[test]
+fn circular_shear_thinning() {
+    for law in thinning() {
+        check(
+            ContactKind::Circular,
+            ElasticModel::Equivalent,
+            2,
+            Some(law),
+        );
+    }
 }
