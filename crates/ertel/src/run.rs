@@ -60,6 +60,7 @@ pub fn problem(case: &Case) -> Problem {
             start_film,
             constants,
             case.solver.error_estimate,
+            case.shear_thinning().is_some(),
         ),
         elastic_order: case.mesh.elastic_order,
         bodies,
@@ -67,6 +68,11 @@ pub fn problem(case: &Case) -> Problem {
             &lubricant.density,
             &lubricant.viscosity,
             lubricant.temperature,
+            &scales,
+        )
+        .with_shear(
+            case.shear_thinning(),
+            case.motion.slide_to_roll_ratio,
             &scales,
         ),
         load: scales.load,
@@ -196,6 +202,8 @@ fn describe(
         fluid: problem.fluid.clone(),
         constants: finest.stage.constants,
     };
+    let traction = post::shear::traction(finest, &problem.fluid, &scales);
+    let film_reduction = post::summary::film_reduction(levels);
     let summary = post::summary::summarise(finest, levels, &model, &scales);
     let mut warnings = case.warnings.clone();
     let order = finest.discretisation.pressure.element.order();
@@ -231,6 +239,8 @@ fn describe(
             .then(|| post::fields::body(finest, &scales))
             .transpose()?,
         summary,
+        traction,
+        film_reduction,
         history,
         stats,
         warnings,
@@ -318,12 +328,14 @@ impl CeilHalf for f64 {
 }
 
 /// A diffusive quadratic start on the coarse mesh, then the case's own discretisation on the
-/// coarse mesh (for the error estimate) and on the fine one.
+/// coarse mesh (for the error estimate) and on the fine one. A fluid that stress thins starts as if it did
+/// not, and its Newtonian film on the coarse mesh is kept for comparison.
 fn stages(
     mesh: &MeshParams,
     film: f64,
     constants: FilmConstants,
     error_estimate: bool,
+    thins: bool,
 ) -> Vec<Stage> {
     // A film thicker than the dry contact is flat sets the length √H over which pressure varies.
     let stretch = film.sqrt().max(1.0);
@@ -369,6 +381,7 @@ fn stages(
         pressure_order: order,
         constants,
         thickening: 1.0,
+        newtonian: false,
         cold: false,
         near: false,
         role: Role::Final,
@@ -377,24 +390,32 @@ fn stages(
         sizes: coarse,
         pressure_order: order.min(2),
         constants: start,
+        newtonian: thins,
         cold: true,
         role: Role::Start,
         ..solution
     };
+    let mut stages = vec![start];
+    stages.extend(thins.then_some(Stage {
+        sizes: coarse,
+        newtonian: true,
+        role: Role::Comparison,
+        ..solution
+    }));
     if mesh.target_error.is_some() {
         // Refinement starts from the coarse mesh.
         let first = Stage {
             sizes: coarse,
             ..solution
         };
-        return vec![start, first];
+        stages.push(first);
+        return stages;
     }
     let estimate = Stage {
         sizes: coarse,
         role: Role::Estimate,
         ..solution
     };
-    let mut stages = vec![start];
     stages.extend(error_estimate.then_some(estimate));
     stages.push(solution);
     stages

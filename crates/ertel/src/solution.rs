@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::contact::{ContactKind, Groups, Hertz, Scales};
+use crate::solve::sequence::Role;
 
 /// A figure with its discretisation error bar.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -93,6 +94,8 @@ pub struct LevelStats {
     pub operator_cached: bool,
     /// Lagrange order of the pressure.
     pub pressure_order: usize,
+    /// What it was for.
+    pub role: Role,
     /// Newton iterations.
     pub newton_iterations: usize,
     /// Krylov iterations, all Newton iterations together.
@@ -164,6 +167,79 @@ pub struct FormulaFilm {
     pub source: &'static str,
 }
 
+/// Traction and friction.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Traction {
+    /// Traction coefficient from the stress at mid-film; positive where the ball is the faster surface.
+    pub coefficient: f64,
+    /// The same from the stress at the plane.
+    pub coefficient_plane: f64,
+    /// The same from the stress at the ball.
+    pub coefficient_ball: f64,
+    /// Traction force at mid-film: N (circular), N/m (line).
+    pub force: f64,
+    /// Heat of friction in the film: W (circular), W/m (line).
+    pub friction_power: f64,
+    /// Largest shear stress anywhere in the film, Pa.
+    pub shear_stress_maximum: f64,
+    /// Share of the Hertz zone where the stress, at its largest across the film, thins the fluid by more than
+    /// 5 %; `None` for Newtonian fluids.
+    pub beyond_first_limit: Option<f64>,
+    /// Share where it brings the fluid within 5 % of its second plateau; `None` without one.
+    pub beyond_second_limit: Option<f64>,
+}
+
+/// What shear thinning does to the film: both films on one and the same mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FilmReduction {
+    /// 1 − h_c/(h_c of the Newtonian fluid).
+    pub central: f64,
+    /// 1 − h_min/(h_min of the Newtonian fluid).
+    pub minimum: f64,
+}
+
+/// Shear of the film at the points of a profile or a surface, SI. Stresses are those along the motion,
+/// positive where the ball drags the film.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct ShearFields {
+    /// Shear stress at mid-film, Pa.
+    pub stress_mid: Vec<f64>,
+    /// Shear stress at the plane, Pa.
+    pub stress_plane: Vec<f64>,
+    /// Shear stress at the ball, Pa.
+    pub stress_ball: Vec<f64>,
+    /// Shear rate at mid-film, its size, 1/s.
+    pub rate_mid: Vec<f64>,
+    /// Generalized viscosity at mid-film, Pa·s.
+    pub generalized_viscosity: Vec<f64>,
+}
+
+impl ShearFields {
+    /// Name with unit, and values, of each field.
+    pub fn columns(&self) -> [(&'static str, &[f64]); 5] {
+        [
+            ("shear_stress_mid_Pa", &self.stress_mid),
+            ("shear_stress_plane_Pa", &self.stress_plane),
+            ("shear_stress_ball_Pa", &self.stress_ball),
+            ("shear_rate_mid_per_s", &self.rate_mid),
+            ("generalized_viscosity_mid_Pa_s", &self.generalized_viscosity),
+        ]
+    }
+
+    /// Adds a copy of the values of point `i` at the end.
+    pub fn repeat(&mut self, i: usize) {
+        for field in [
+            &mut self.stress_mid,
+            &mut self.stress_plane,
+            &mut self.stress_ball,
+            &mut self.rate_mid,
+            &mut self.generalized_viscosity,
+        ] {
+            field.push(field[i]);
+        }
+    }
+}
+
 /// Profiles along y = 0, SI.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Centreline {
@@ -181,6 +257,8 @@ pub struct Centreline {
     pub density: Vec<f64>,
     /// Hertz pressure of the dry contact, Pa.
     pub hertz_pressure: Vec<f64>,
+    /// Shear of the film.
+    pub shear: ShearFields,
 }
 
 /// Fields on the contact area (half domain y ≤ 0 for circular contacts), SI.
@@ -200,6 +278,8 @@ pub struct SurfaceField {
     pub viscosity: Vec<f64>,
     /// Density, kg/m³.
     pub density: Vec<f64>,
+    /// Shear of the film.
+    pub shear: ShearFields,
 }
 
 /// Displacement of the equivalent body, SI.
@@ -233,6 +313,11 @@ pub struct Solution {
     pub extents: [f64; 3],
     /// The figures.
     pub summary: Summary,
+    /// Traction and friction.
+    pub traction: Traction,
+    /// Effect of shear thinning on the film; `None` for Newtonian fluids, or where the film of the
+    /// Newtonian fluid was not found.
+    pub film_reduction: Option<FilmReduction>,
     /// Film-thickness formulas for the same case.
     pub formulas: Vec<FormulaFilm>,
     /// Profiles along the centreline.

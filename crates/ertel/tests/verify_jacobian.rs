@@ -71,7 +71,7 @@ fn check(
     let hertz = case.hertz();
     let scales = Scales::new(&case.contact, &hertz, 0.8, 0.04, 870.0);
     let thins = thinned.is_some();
-    problem.fluid = problem.fluid.with_shear(thinned, 0.3, &scales);
+    problem.fluid = problem.fluid.with_shear(thinned.as_ref(), 0.3, &scales);
     let contact =
         ContactBody::new(kind, &problem.extents, &SIZES, 2, &problem.bodies).expect("mesh");
     let d = Discretisation::new(&Arc::new(contact), order);

@@ -134,6 +134,8 @@ fn source(kind: ContactKind, film: Film, point: [f64; 3]) -> f64 {
 }
 
 fn fluid(film: Film) -> FilmFluid {
+    let cubic = Rabinowitsch::new(KNEE * P_H, 1.0 / 3.0).unwrap();
+    let thinning = ShearThinning::of(ShearLaw::Rabinowitsch(cubic));
     let scales = Scales {
         length: 1.0,
         pressure: P_H,
@@ -151,10 +153,7 @@ fn fluid(film: Film) -> FilmFluid {
         &scales,
     )
     .with_shear(
-        (film == Film::Rabinowitsch).then(|| {
-            let law = Rabinowitsch::new(KNEE * P_H, 1.0 / 3.0).unwrap();
-            ShearThinning::of(ShearLaw::Rabinowitsch(law))
-        }),
+        (film == Film::Rabinowitsch).then_some(&thinning),
         12.0 * SLIDE / LAMBDA,
         &scales,
     )

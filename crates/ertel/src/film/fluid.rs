@@ -73,12 +73,12 @@ impl FilmFluid {
     /// Newtonian; then sliding makes stress only.
     pub fn with_shear(
         self,
-        shear_thinning: Option<ShearThinning>,
+        shear_thinning: Option<&ShearThinning>,
         slide_to_roll_ratio: f64,
         scales: &Scales,
     ) -> FilmFluid {
         FilmFluid {
-            shear_thinning,
+            shear_thinning: shear_thinning.cloned(),
             slide: scales.lambda * slide_to_roll_ratio / 12.0,
             ..self
         }
@@ -95,6 +95,31 @@ impl FilmFluid {
     /// Whether stress leaves the viscosity alone.
     pub fn is_newtonian(&self) -> bool {
         self.shear_thinning.is_none()
+    }
+
+    /// a p_h/R, Pa: the unit of the stresses in the film.
+    pub fn stress_scale(&self) -> f64 {
+        self.stress_scale
+    }
+
+    /// μ₁/η at the square of a stress, in that unit, and P.
+    pub fn relative_fluidity(&self, stress_squared: f64, pressure: f64) -> f64 {
+        self.shear_thinning.as_ref().map_or(1.0, |law| {
+            PointThinning { law, fluid: self }.fluidity(stress_squared, pressure)
+        })
+    }
+
+    /// Stresses, Pa, at which the fluid leaves its first and reaches its second Newtonian plateau at P.
+    pub fn newtonian_limits(&self, pressure: f64) -> [Option<f64>; 2] {
+        self.shear_thinning.as_ref().map_or([None; 2], |law| {
+            let pressure = PointThinning { law, fluid: self }.pressure(pressure);
+            law.newtonian_limits(1.0, pressure, 1.0)
+        })
+    }
+
+    /// Whether these limits differ from pressure to pressure.
+    pub fn limits_depend_on_pressure(&self) -> bool {
+        (self.shear_thinning.as_ref()).is_some_and(ShearThinning::depends_on_state)
     }
 
     /// σ, by which Ω = σμ̄/H.

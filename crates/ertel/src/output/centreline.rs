@@ -4,29 +4,36 @@ use std::io::{self, Write};
 
 use crate::solution::Centreline;
 
-/// Header line of the file: names with units.
-pub const HEADER: &str = "x_m,x_over_a,pressure_Pa,hertz_pressure_Pa,film_thickness_m,deflection_m,\
-     viscosity_Pa_s,density_kg_per_m3";
+/// The columns: names with units, values point by point.
+pub fn columns(line: &Centreline, half_width: f64) -> Vec<(&'static str, Vec<f64>)> {
+    let mut columns = vec![
+        ("x_m", line.x.clone()),
+        ("x_over_a", line.x.iter().map(|x| x / half_width).collect()),
+        ("pressure_Pa", line.pressure.clone()),
+        ("hertz_pressure_Pa", line.hertz_pressure.clone()),
+        ("film_thickness_m", line.film_thickness.clone()),
+        ("deflection_m", line.deflection.clone()),
+        ("viscosity_Pa_s", line.viscosity.clone()),
+        ("density_kg_per_m3", line.density.clone()),
+    ];
+    let shear = line.shear.columns();
+    columns.extend(shear.map(|(name, values)| (name, values.to_vec())));
+    columns
+}
 
 /// Writes the profiles, one line per point, SI; `half_width` a in m.
 ///
 /// # Errors
 /// Those of the writer.
 pub fn write_centreline(mut out: impl Write, line: &Centreline, half_width: f64) -> io::Result<()> {
-    writeln!(out, "{HEADER}")?;
-    for (i, x) in line.x.iter().enumerate() {
-        writeln!(
-            out,
-            "{:e},{:e},{:e},{:e},{:e},{:e},{:e},{:e}",
-            x,
-            x / half_width,
-            line.pressure[i],
-            line.hertz_pressure[i],
-            line.film_thickness[i],
-            line.deflection[i],
-            line.viscosity[i],
-            line.density[i]
-        )?;
+    let columns = columns(line, half_width);
+    let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
+    writeln!(out, "{}", names.join(","))?;
+    for i in 0..line.x.len() {
+        let row: Vec<String> = (columns.iter())
+            .map(|(_, values)| format!("{:e}", values[i]))
+            .collect();
+        writeln!(out, "{}", row.join(","))?;
     }
     Ok(())
 }
@@ -34,6 +41,7 @@ pub fn write_centreline(mut out: impl Write, line: &Centreline, half_width: f64)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solution::ShearFields;
 
     #[test]
     fn one_line_per_point_under_a_header_with_units() {
@@ -45,6 +53,13 @@ mod tests {
             viscosity: vec![0.04, 1e3],
             density: vec![870.0, 1000.5],
             hertz_pressure: vec![0.0, 9.5e8],
+            shear: ShearFields {
+                stress_mid: vec![0.0, 1e6],
+                stress_plane: vec![0.0, 2e6],
+                stress_ball: vec![0.0, 3e6],
+                rate_mid: vec![0.0, 4e6],
+                generalized_viscosity: vec![0.04, 5.0],
+            },
         };
         let mut out = Vec::new();
         write_centreline(&mut out, &line, 2e-4).unwrap();
@@ -52,6 +67,9 @@ mod tests {
         let rows: Vec<&str> = text.lines().collect();
         assert_eq!(rows.len(), 3);
         assert_eq!(rows[0].split(',').count(), rows[1].split(',').count());
-        assert_eq!(rows[2], "1e-4,5e-1,1e9,9.5e8,2.5e-7,2e-6,1e3,1.0005e3");
+        assert_eq!(
+            rows[2],
+            "1e-4,5e-1,1e9,9.5e8,2.5e-7,2e-6,1e3,1.0005e3,1e6,2e6,3e6,4e6,5e0"
+        );
     }
 }

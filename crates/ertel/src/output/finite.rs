@@ -1,7 +1,7 @@
 //! Guard: no result with a number that is not finite leaves the program.
 
 use super::CaseEcho;
-use crate::solution::{Located, Solution};
+use crate::solution::{Located, ShearFields, Solution};
 
 /// Name of the first number that is not finite, or `None` if all are.
 pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<String> {
@@ -110,6 +110,21 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
     if let Some(spike) = &s.spike {
         located("pressure spike", spike);
     }
+    let t = &solution.traction;
+    let traction = [
+        t.coefficient,
+        t.coefficient_plane,
+        t.coefficient_ball,
+        t.force,
+        t.friction_power,
+        t.shear_stress_maximum,
+        t.beyond_first_limit.unwrap_or(0.0),
+        t.beyond_second_limit.unwrap_or(0.0),
+    ];
+    list.extend(traction.map(|v| ("traction", v)));
+    if let Some(r) = solution.film_reduction {
+        list.extend([r.central, r.minimum].map(|v| ("film reduction", v)));
+    }
     for groups in std::iter::once(&solution.groups).chain(&solution.groups_asymptotic) {
         let values = [
             groups.load,
@@ -192,9 +207,12 @@ fn fields(solution: &Solution) -> Option<String> {
         ("deflection on the contact area", &surface.deflection),
         ("viscosity on the contact area", &surface.viscosity),
         ("density on the contact area", &surface.density),
-    ];
+    ]
+    .map(|(name, values)| (name, values.as_slice()));
+    let shear = [&line.shear, &surface.shear].map(ShearFields::columns);
     let scalar = arrays
         .into_iter()
+        .chain(shear.into_iter().flatten())
         .find(|(_, values)| values.iter().any(|v| !v.is_finite()))
         .map(|(name, _)| name.to_owned());
     let points_ok = surface.points.as_flattened().iter().all(|v| v.is_finite());

@@ -9,6 +9,7 @@ use crate::contact::{Contact, ContactKind, Elasticity, Groups, Hertz, Motion, Sc
 use crate::params::{MeshParams, MeshPreset, SolverParams};
 use crate::reference::film_formulas;
 use crate::solution::*;
+use crate::solve::sequence::Role;
 
 pub(super) const MODULUS: f64 = 230.769_230_77e9;
 pub(super) const FILM: f64 = 245e-9;
@@ -156,6 +157,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         viscosity: viscosities[middle..].to_vec(),
         density: densities[middle..].to_vec(),
         hertz_pressure: xs.iter().map(|x| p_h * pressure_profile(*x)).collect(),
+        shear: shear(xs.len()),
     };
     let located = |value: f64, x: f64, y: f64| Located {
         value,
@@ -191,6 +193,20 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             load_balance_error: 3e-12,
             rigid_separation: -1.4e-6,
         },
+        traction: Traction {
+            coefficient: 0.035,
+            coefficient_plane: 0.034,
+            coefficient_ball: 0.036,
+            force: 3.5,
+            friction_power: 0.28,
+            shear_stress_maximum: 2.2e7,
+            beyond_first_limit: Some(0.93),
+            beyond_second_limit: None,
+        },
+        film_reduction: Some(FilmReduction {
+            central: 0.31,
+            minimum: 0.28,
+        }),
         formulas: film_formulas(kind, contact.radius, &groups),
         centreline,
         surface: SurfaceField {
@@ -201,6 +217,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             deflection: deflections,
             viscosity: viscosities,
             density: densities,
+            shear: shear(nodes.len()),
         },
         body: Some(body(kind, a)),
         history: history(),
@@ -226,6 +243,16 @@ fn body(kind: ContactKind, a: f64) -> BodyField {
     }
 }
 
+fn shear(n: usize) -> ShearFields {
+    ShearFields {
+        stress_mid: vec![1e6; n],
+        stress_plane: vec![0.9e6; n],
+        stress_ball: vec![1.1e6; n],
+        rate_mid: vec![1e5; n],
+        generalized_viscosity: vec![10.0; n],
+    }
+}
+
 fn level(n: usize, newton_iterations: usize) -> LevelStats {
     LevelStats {
         converged: true,
@@ -236,6 +263,7 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
         n_contact_dofs: 2 * n,
         operator_cached: false,
         pressure_order: 3,
+        role: Role::Final,
         newton_iterations,
         krylov_iterations: 9 * newton_iterations,
         factorisations: newton_iterations,

@@ -101,7 +101,7 @@ fn write_case(out: &mut Lines, case: &CaseEcho) {
         let left_out = if case.solver.newtonian {
             " (left out: solver.newtonian)"
         } else {
-            " (not yet reckoned with: the film is that of the low-shear viscosity)"
+            ""
         };
         out.row("shear thinning", format!("{law}{left_out}"));
     }
@@ -187,8 +187,46 @@ fn write_results(out: &mut Lines, solution: &Solution) {
         "film ends (centreline)",
         format!("at x/a {:.3}", s.outlet_position / a),
     );
+    write_traction(out, solution);
     out.row("mass balance error", percent_or_power(s.film_balance_error));
     out.row("load balance error", percent_or_power(s.load_balance_error));
+}
+
+fn write_traction(out: &mut Lines, solution: &Solution) {
+    let t = &solution.traction;
+    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+    if let Some(r) = &solution.film_reduction {
+        out.row(
+            "film reduction by shear thinning",
+            format!("h_c {}, h_min {}", percent(r.central), percent(r.minimum)),
+        );
+    }
+    out.row("traction coefficient", digits(t.coefficient, 4));
+    out.row(
+        "  at the plane, at the ball",
+        format!(
+            "{}, {}",
+            digits(t.coefficient_plane, 4),
+            digits(t.coefficient_ball, 4)
+        ),
+    );
+    let (force, power) = match solution.kind {
+        ContactKind::Circular => ("N", "W"),
+        ContactKind::Line => ("N/m", "W/m"),
+    };
+    out.row("traction force", format!("{} {force}", digits(t.force, 4)));
+    out.row(
+        "friction power",
+        format!("{} {power}", digits(t.friction_power, 4)),
+    );
+    out.row("largest shear stress", pressure(t.shear_stress_maximum));
+    if let Some(share) = t.beyond_first_limit {
+        let mut text = format!("{} of the Hertz zone", percent(share));
+        if let Some(second) = t.beyond_second_limit {
+            text.push_str(&format!(", on its second plateau {}", percent(second)));
+        }
+        out.row("lubricant thinned by shear", text);
+    }
 }
 
 fn write_formulas(out: &mut Lines, solution: &Solution) {

@@ -37,6 +37,8 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "title": case.title,
         "kind": solution.kind,
         "summary": s,
+        "traction": solution.traction,
+        "film_reduction": solution.film_reduction,
         "hertz": solution.hertz,
         "reduced_modulus": solution.reduced_modulus,
         "groups": solution.groups,
@@ -81,7 +83,10 @@ pub(super) fn units() -> Value {
             "Pa",
             &["pressure", "pressure_maximum", "pressure_minimum", "spike"],
         ),
-        ("Pa", &["reduced_modulus", "youngs_modulus"]),
+        (
+            "Pa",
+            &["reduced_modulus", "youngs_modulus", "shear_stress_maximum"],
+        ),
         ("Pa s", &["viscosity"]),
         ("kg/m^3", &["density"]),
         (

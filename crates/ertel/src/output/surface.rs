@@ -24,6 +24,7 @@ pub(super) fn full_surface(kind: ContactKind, half: &SurfaceField) -> SurfaceFie
         full.deflection.push(half.deflection[i]);
         full.viscosity.push(half.viscosity[i]);
         full.density.push(half.density[i]);
+        full.shear.repeat(i);
     }
     // A mirror turns the orientation round; exchanging two corners turns it back
     full.cells.extend(
@@ -37,6 +38,7 @@ pub(super) fn full_surface(kind: ContactKind, half: &SurfaceField) -> SurfaceFie
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solution::ShearFields;
 
     /// One triangle with an edge on y = 0: four nodes, two triangles of the same orientation.
     #[test]
@@ -49,12 +51,22 @@ mod tests {
             film_thickness: values.clone(),
             deflection: values.clone(),
             viscosity: values.clone(),
-            density: values,
+            density: values.clone(),
+            shear: ShearFields {
+                stress_mid: values.clone(),
+                stress_plane: values.clone(),
+                stress_ball: values.clone(),
+                rate_mid: values.clone(),
+                generalized_viscosity: values,
+            },
         };
         let full = full_surface(ContactKind::Circular, &half);
         assert_eq!(full.points[3], [0.0, 1.0]);
         assert_eq!(full.cells, [[0, 1, 2], [0, 2, 3]]);
         assert_eq!(full.density, [1.0, 2.0, 3.0, 2.0]);
+        for (_, values) in full.shear.columns() {
+            assert_eq!(values, [1.0, 2.0, 3.0, 2.0]);
+        }
         assert_eq!(full_surface(ContactKind::Line, &half), half);
     }
 }

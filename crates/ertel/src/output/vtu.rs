@@ -68,13 +68,15 @@ pub fn write_surface(out: impl Write, kind: ContactKind, half: &SurfaceField) ->
         n_components: 1,
         data: Data::Float64(values),
     };
-    let fields = [
+    let shear = field.shear.columns();
+    let mut fields = vec![
         scalar("pressure_Pa", field.pressure),
         scalar("film_thickness_m", field.film_thickness),
         scalar("deflection_m", field.deflection),
         scalar("viscosity_Pa_s", field.viscosity),
         scalar("density_kg_per_m3", field.density),
     ];
+    fields.extend(shear.map(|(name, values)| scalar(name, values.to_vec())));
     write_grid(out, &points, &cells, 2, &fields)
 }
 
@@ -197,6 +199,7 @@ fn section(out: &mut impl Write, name: &str, arrays: &[Array]) -> io::Result<()>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solution::ShearFields;
 
     fn text(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
         let mut out = Vec::new();
@@ -221,6 +224,7 @@ mod tests {
             deflection: vec![1.0; 3],
             viscosity: vec![1.0; 3],
             density: vec![1.0; 3],
+            shear: ShearFields::default(),
         };
         let file = text(|out| write_surface(out, ContactKind::Line, &field));
         assert!(file.contains("NumberOfPoints=\"3\" NumberOfCells=\"2\""));

@@ -8,7 +8,7 @@ use crate::film::FilmFluid;
 use crate::post::profile::Profile;
 use crate::solution::{BodyField, Centreline, SurfaceField};
 use crate::solve::discretisation::DiscretisationError;
-use crate::solve::evaluate::fields_in;
+use crate::solve::evaluate::{PointFields, fields_in};
 use crate::solve::sequence::StageSolution;
 
 /// Profiles along y = 0, four samples per element edge.
@@ -27,6 +27,7 @@ pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) 
         line.hertz_pressure
             .push(hertz::pressure_profile(*x) * scales.pressure);
     }
+    line.shear = super::shear::fields(fluid, scales, &profile.fields);
     line
 }
 
@@ -45,6 +46,7 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
         deflection: vec![0.0; n],
         ..SurfaceField::default()
     };
+    let mut at_nodes = vec![PointFields::default(); n];
     for p in &solution.state.pressure {
         let properties = fluid.at(*p);
         field.pressure.push(p * scales.pressure);
@@ -73,6 +75,7 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
             let f = fields_in(d, &solution.state, c, xi);
             field.film_thickness[*node as usize] = f.film * scales.film;
             field.deflection[*node as usize] = f.deflection * scales.film;
+            at_nodes[*node as usize] = f;
         }
         for i in 0..order {
             if d.contact.surface.dim == 1 {
@@ -94,6 +97,7 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
             }
         }
     }
+    field.shear = super::shear::fields(fluid, scales, &at_nodes);
     field
 }
 

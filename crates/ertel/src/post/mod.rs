@@ -3,4 +3,5 @@
 pub mod balance;
 pub mod fields;
 pub mod profile;
+pub mod shear;
 pub mod summary;

@@ -3,11 +3,11 @@
 use super::balance::film_balance_error;
 use super::profile::Profile;
 use crate::contact::{ContactKind, Scales};
-use crate::solution::{Estimate, LevelStats, Located, Summary};
+use crate::solution::{Estimate, FilmReduction, LevelStats, Located, Summary};
 use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
 use crate::solve::newton::FilmModel;
-use crate::solve::sequence::StageSolution;
+use crate::solve::sequence::{Role, StageSolution};
 
 /// Reads the figures off the finest stage.
 pub fn summarise(
@@ -48,6 +48,21 @@ pub fn summarise(
         load_balance_error: (d.integral(&state.pressure) / scales.load - 1.0).abs(),
         rigid_separation: state.rigid_separation * scales.film,
     }
+}
+
+/// Films with and without shear thinning, where both were found on the same mesh.
+pub fn film_reduction(levels: &[LevelStats]) -> Option<FilmReduction> {
+    let at = levels
+        .iter()
+        .rposition(|l| l.role == Role::Comparison && l.converged)?;
+    let newtonian = &levels[at];
+    let thinned = levels[at + 1..].iter().find(|l| {
+        l.converged && l.role != Role::Start && l.n_body_cells == newtonian.n_body_cells
+    })?;
+    Some(FilmReduction {
+        central: 1.0 - thinned.film_central / newtonian.film_central,
+        minimum: 1.0 - thinned.film_minimum / newtonian.film_minimum,
+    })
 }
 
 /// Change of the largest pressure from mesh to mesh, relative, up to which it counts as resolved.

@@ -6,7 +6,7 @@ use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
 /// Fields at a point of the contact area.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct PointFields {
     /// P.
     pub pressure: f64,

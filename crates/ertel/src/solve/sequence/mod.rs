@@ -13,6 +13,8 @@ mod stage;
 mod start;
 mod warm;
 
+use serde::Serialize;
+
 use super::adapt::AdaptParams;
 use super::cache::OperatorCache;
 use super::discretisation::{BodyConstants, Discretisation, Extents, LevelSizes};
@@ -39,6 +41,8 @@ pub struct Stage {
     pub constants: FilmConstants,
     /// Share of the fluid's thickening under pressure.
     pub thickening: f64,
+    /// Whether the fluid keeps its low-shear viscosity.
+    pub newtonian: bool,
     /// Whether it starts from the Hertz pressure, whatever was reached before.
     pub cold: bool,
     /// Whether it starts near enough to the solution that Newton's steps need no damping.
@@ -48,7 +52,8 @@ pub struct Stage {
 }
 
 /// What a stage is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Role {
     /// Only starts the next one: loose tolerance, penalty ramp, and what it reaches is good
     /// enough even when it does not converge.
@@ -57,6 +62,8 @@ pub enum Role {
     Path,
     /// Its figures bound the discretisation error; skipped when it does not converge.
     Estimate,
+    /// A film to compare the solution with; likewise.
+    Comparison,
     /// The solution.
     Final,
 }

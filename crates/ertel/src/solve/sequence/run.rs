@@ -192,11 +192,12 @@ impl<'a> Sequence<'a> {
         let run = StageRun::new(problem, stage, level, &d);
         // What is measured only, or refined further, need not be exact.
         let last = stage.role == Role::Final;
-        let rough = stage.role == Role::Estimate
+        let measured = matches!(stage.role, Role::Estimate | Role::Final);
+        let rough = matches!(stage.role, Role::Estimate | Role::Comparison)
             || last && problem.adapt.is_some() && stage.refinements == 0;
         let finish = if rough { Finish::Rough } else { Finish::Exact };
         let mut outcome = run.solve(finish, &mut state, &mut effort, observer);
-        let wanted = problem.error_estimate && !stage.role.leads() && outcome.is_ok();
+        let wanted = problem.error_estimate && measured && outcome.is_ok();
         if wanted && observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
@@ -287,6 +288,7 @@ impl<'a> Sequence<'a> {
                 let restart = Stage {
                     sizes: stage.sizes,
                     refinements: stage.refinements,
+                    newtonian: stage.newtonian,
                     cold: false,
                     ..self.problem.stages[0]
                 };
@@ -308,7 +310,7 @@ impl<'a> Sequence<'a> {
                 self.queue.push_front(halfway);
             }
             Err(_) if leads && solution.is_usable() => self.previous = Some(solution),
-            Err(_) if stage.role == Role::Estimate => {}
+            Err(_) if matches!(stage.role, Role::Estimate | Role::Comparison) => {}
             Err(e) => {
                 let failure = self.first_failure.get_or_insert(e);
                 self.detours = 0;

@@ -116,8 +116,13 @@ impl<'a> StageRun<'a> {
     /// The film equations with a share of the cavitation penalty.
     fn model(&self, penalty_share: f64) -> FilmModel {
         let constants = self.stage.constants;
+        let fluid = self.problem.fluid.with_thickening(self.stage.thickening);
         FilmModel {
-            fluid: self.problem.fluid.with_thickening(self.stage.thickening),
+            fluid: if self.stage.newtonian {
+                fluid.newtonian()
+            } else {
+                fluid
+            },
             constants: FilmConstants {
                 penalty: constants.penalty * penalty_share,
                 ..constants
@@ -154,6 +159,7 @@ impl<'a> StageRun<'a> {
             n_contact_dofs: contact.deflection.n_nodes(),
             operator_cached: contact.from_cache,
             pressure_order: self.stage.pressure_order,
+            role: self.stage.role,
             newton_iterations: effort.iterations,
             krylov_iterations: effort.krylov_iterations,
             factorisations: effort.factorisations,
