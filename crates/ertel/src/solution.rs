@@ -222,7 +222,10 @@ impl ShearFields {
             ("shear_stress_plane_Pa", &self.stress_plane),
             ("shear_stress_ball_Pa", &self.stress_ball),
             ("shear_rate_mid_per_s", &self.rate_mid),
-            ("generalized_viscosity_mid_Pa_s", &self.generalized_viscosity),
+            (
+                "generalized_viscosity_mid_Pa_s",
+                &self.generalized_viscosity,
+            ),
         ]
     }
 

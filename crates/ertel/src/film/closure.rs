@@ -12,21 +12,8 @@
 //! to round-off. It is convex: τ is the minimum of ∫ W(|t|²) ds − Ωτ_x, W' = f/2. First and second
 //! derivatives of q by y = (G_x, G_y, Ω, P) follow by implicit differentiation.
 
-use ertel_rheology::Scalar;
-use nalgebra::SVector;
-use num_dual::{Dual2_64, Dual2SVec64, Dual64, hessian};
-
 use super::cross_film::{CrossFilm, StressScales};
-
-/// Relative fluidity of a fluid that stress thins.
-pub trait Fluidity {
-    /// f = μ₁/η at the square of the stress, in units of (a p_h/R)², and P.
-    fn fluidity<D: Scalar>(&self, stress_squared: D, pressure: D) -> D;
-    /// Whether f depends on P.
-    fn depends_on_pressure(&self) -> bool;
-    /// What the quadrature across the film must resolve at P.
-    fn scales(&self, pressure: f64) -> StressScales;
-}
+use super::fluidity::{Fluidity, Jet};
 
 /// Number of quantities that the flow depends on: G_x, G_y, Ω, P.
 pub const N_DEMANDS: usize = 4;
@@ -63,76 +50,36 @@ pub struct Workspace {
     fluidities: Vec<Jet>,
 }
 
-/// f and its derivatives by x = |t|² and P.
-#[derive(Clone, Copy, Debug, Default)]
-struct Jet {
-    f: f64,
-    x: f64,
-    p: f64,
-    xx: f64,
-    xp: f64,
-    pp: f64,
-}
-
-impl Jet {
-    fn new(law: &impl Fluidity, x: f64, pressure: f64) -> Jet {
-        if !law.depends_on_pressure() {
-            let f = law.fluidity(
-                Dual2_64::from_re(x).derivative(),
-                Dual2_64::from_re(pressure),
-            );
-            return Jet {
-                f: f.re,
-                x: f.v1,
-                xx: f.v2,
-                ..Jet::default()
-            };
-        }
-        let (f, by, second) = hessian(
-            |v: SVector<Dual2SVec64<2>, 2>| law.fluidity(v[0], v[1]),
-            &SVector::from([x, pressure]),
-        );
-        Jet {
-            f,
-            x: by[0],
-            p: by[1],
-            xx: second[(0, 0)],
-            xp: second[(0, 1)],
-            pp: second[(1, 1)],
-        }
-    }
-}
-
 /// Mid-plane stress at which the surfaces slide by Ω; the points across the film are left in `rule`.
 pub fn mid_stress(
     law: &impl Fluidity,
-    pressure: f64,
     pressure_stress: [f64; 2],
     slide: f64,
     rule: &mut CrossFilm,
 ) -> [f64; 2] {
-    let scales = law.scales(pressure);
+    let scales = law.scales();
     let g = pressure_stress;
     if slide == 0.0 {
         // Odd in s: no stress at mid-plane.
         rule.lay(&scales, [0.0; 2], g);
         return [0.0; 2];
     }
-    let p = Dual64::from_re(pressure);
-    let fluidity = |x: f64| law.fluidity(Dual64::from_re(x).derivative(), p);
-    let mut tau = [without_pressure(&fluidity, &scales, slide), 0.0];
+    let mut tau = [without_pressure(law, &scales, slide), 0.0];
     rule.lay(&scales, tau, g);
-    let mut now = rate(&fluidity, rule, tau, g, slide);
+    let mut now = rate(law, rule, tau, g, slide);
     for _ in 0..MOST_ITERATIONS {
         let step = solve(now.slopes, now.excess).map(|v| -v);
         let slope = dot(step, now.excess);
         let size = dot(tau, tau).sqrt() + NEGLIGIBLE * dot(g, g).sqrt();
         let small = dot(step, step).sqrt() < CLOSE * size;
+        let near = dot(step, step).sqrt() < NEAR * size;
         let mut share = 1.0;
         loop {
             let next = [0, 1].map(|i| tau[i] + share * step[i]);
-            rule.lay(&scales, next, g);
-            let there = rate(&fluidity, rule, next, g, slide);
+            if !near {
+                rule.lay(&scales, next, g);
+            }
+            let there = rate(law, rule, next, g, slide);
             // The potential is convex: no further than where it has risen again as steeply.
             if small || dot(step, there.excess) < -0.5 * slope || share < 1e-6 {
                 (tau, now) = (next, there);
@@ -151,11 +98,13 @@ pub fn mid_stress(
 const MOST_ITERATIONS: usize = 60;
 /// Step, over the stress, after which the next would be below round-off.
 const CLOSE: f64 = 1e-8;
+/// Step, likewise, after which the points across the film may stay where they are.
+const NEAR: f64 = 0.05;
 /// Mid-plane stress, over the stress of the pressure, that no longer matters.
 const NEGLIGIBLE: f64 = 1e-6;
 
 /// Stress with τf(τ²) = Ω: what the pressure gradient then changes is small where sliding counts.
-fn without_pressure(fluidity: &impl Fn(f64) -> Dual64, scales: &StressScales, slide: f64) -> f64 {
+fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f64 {
     let goal = slide.abs();
     let mut tau = goal;
     if let Some(growth) = scales.growth {
@@ -166,9 +115,9 @@ fn without_pressure(fluidity: &impl Fn(f64) -> Dual64, scales: &StressScales, sl
     }
     // Newton's method for ln τ + ln f = ln Ω, of slope at least one.
     for _ in 0..MOST_ITERATIONS {
-        let f = fluidity(tau * tau);
-        let slope = 1.0 + 2.0 * tau * tau * f.eps / f.re;
-        let step = ((tau / goal).ln() + f.re.ln()) / slope;
+        let [f, by_square] = law.slope(tau * tau);
+        let slope = 1.0 + 2.0 * tau * tau * by_square / f;
+        let step = (tau * f / goal).ln() / slope;
         tau *= (-step).exp();
         if step.abs() < 1e-3 {
             break;
@@ -183,19 +132,13 @@ struct Rate {
     slopes: [f64; 3],
 }
 
-fn rate(
-    fluidity: &impl Fn(f64) -> Dual64,
-    rule: &CrossFilm,
-    tau: [f64; 2],
-    g: [f64; 2],
-    slide: f64,
-) -> Rate {
+fn rate(law: &impl Fluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2], slide: f64) -> Rate {
     let mut excess = [-slide, 0.0];
     let mut slopes = [0.0; 3];
     for [s, w] in rule.points() {
         let [x, y] = [tau[0] + s * g[0], tau[1] + s * g[1]];
-        let f = fluidity(x * x + y * y);
-        let (value, slope) = (w * f.re, 2.0 * w * f.eps);
+        let [f, by_square] = law.slope(x * x + y * y);
+        let (value, slope) = (w * f, 2.0 * w * by_square);
         excess[0] += value * x;
         excess[1] += value * y;
         slopes[0] += value + slope * x * x;
@@ -208,14 +151,13 @@ fn rate(
 /// Solves the local problem and differentiates it.
 pub fn close(
     law: &impl Fluidity,
-    pressure: f64,
     pressure_stress: [f64; 2],
     slide: f64,
     workspace: &mut Workspace,
 ) -> Closure {
     let Workspace { rule, fluidities } = workspace;
     let g = pressure_stress;
-    let tau = mid_stress(law, pressure, g, slide, rule);
+    let tau = mid_stress(law, g, slide, rule);
     fluidities.clear();
     // Moments of ∂(tf)/∂t = f I + 2f' t tᵀ and of ∂(tf)/∂P.
     let mut k = [[0.0; 3]; 3];
@@ -223,7 +165,7 @@ pub fn close(
     let mut flow = [0.0; 2];
     for [s, w] in rule.points() {
         let t = [tau[0] + s * g[0], tau[1] + s * g[1]];
-        let f = Jet::new(law, dot(t, t), pressure);
+        let f = law.jet(dot(t, t));
         let slope = 2.0 * f.x;
         let rows = [
             f.f + slope * t[0] * t[0],

@@ -77,7 +77,12 @@ impl CrossFilm {
         let centre = -(tx * gx + ty * gy) / (g * g);
         let width = ((tx * gy - ty * gx) / (g * g)).hypot(knee / g);
         let ends = [-0.5, 0.5].map(|s: f64| ((s - centre) / width).asinh());
-        let map = |u: f64| (centre + width * u.sinh(), width * u.cosh());
+        // sinh and cosh: absolute errors, not relative ones, matter here
+        let map = |u: f64| {
+            let grown = 0.5 * u.exp();
+            let shrunk = 0.25 / grown;
+            (centre + width * (grown - shrunk), width * (grown + shrunk))
+        };
         let mut lay = |n: usize, from: f64, to: f64| {
             let points = n + (3.2 * (to - from)) as usize;
             self.interval(points.min(LONGEST), from, to, map);

@@ -1,13 +1,14 @@
 //! Density and viscosity of the film as the dimensionless equations need them.
 
-use ertel_rheology::Scalar;
+use std::sync::Arc;
+
 use ertel_rheology::density::DensityLaw;
 use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
 use num_dual::{Dual2_64, DualNum};
 
-use super::closure::{self, Closure, Fluidity, Workspace};
-use super::cross_film::StressScales;
+use super::closure::{self, Closure, Workspace};
+use super::fluidity::{Fluidity, PointThinning, Thinning};
 use crate::contact::Scales;
 
 /// Fluid at a point: value, first and second derivative by P.
@@ -42,7 +43,7 @@ pub struct FilmFluid {
     /// a p_h/R, Pa.
     stress_scale: f64,
     /// How stress thins the fluid.
-    shear_thinning: Option<ShearThinning>,
+    shear_thinning: Option<Arc<Thinning>>,
     /// σ = λ SRR/12.
     slide: f64,
 }
@@ -78,7 +79,7 @@ impl FilmFluid {
         scales: &Scales,
     ) -> FilmFluid {
         FilmFluid {
-            shear_thinning: shear_thinning.cloned(),
+            shear_thinning: shear_thinning.map(|law| Arc::new(Thinning::new(law))),
             slide: scales.lambda * slide_to_roll_ratio / 12.0,
             ..self
         }
@@ -104,22 +105,26 @@ impl FilmFluid {
 
     /// μ₁/η at the square of a stress, in that unit, and P.
     pub fn relative_fluidity(&self, stress_squared: f64, pressure: f64) -> f64 {
-        self.shear_thinning.as_ref().map_or(1.0, |law| {
-            PointThinning { law, fluid: self }.fluidity(stress_squared, pressure)
-        })
+        self.thinning_at(pressure)
+            .map_or(1.0, |law| law.slope(stress_squared)[0])
     }
 
     /// Stresses, Pa, at which the fluid leaves its first and reaches its second Newtonian plateau at P.
     pub fn newtonian_limits(&self, pressure: f64) -> [Option<f64>; 2] {
-        self.shear_thinning.as_ref().map_or([None; 2], |law| {
-            let pressure = PointThinning { law, fluid: self }.pressure(pressure);
-            law.newtonian_limits(1.0, pressure, 1.0)
-        })
+        let pressure = pressure * self.pressure_scale;
+        (self.shear_thinning.as_ref())
+            .map_or([None; 2], |t| t.law.newtonian_limits(1.0, pressure, 1.0))
     }
 
     /// Whether these limits differ from pressure to pressure.
     pub fn limits_depend_on_pressure(&self) -> bool {
-        (self.shear_thinning.as_ref()).is_some_and(ShearThinning::depends_on_state)
+        (self.shear_thinning.as_ref()).is_some_and(|t| t.law.depends_on_state())
+    }
+
+    /// The law at P.
+    fn thinning_at(&self, pressure: f64) -> Option<PointThinning<'_>> {
+        let thinning = self.shear_thinning.as_ref()?;
+        Some(thinning.at(pressure, self.stress_scale, self.pressure_scale))
     }
 
     /// σ, by which Ω = σμ̄/H.
@@ -135,18 +140,9 @@ impl FilmFluid {
         sliding_stress: f64,
         workspace: &mut Workspace,
     ) -> Closure {
-        match &self.shear_thinning {
+        match self.thinning_at(pressure) {
             None => Closure::newtonian(pressure_stress, sliding_stress),
-            Some(law) => {
-                let thinning = PointThinning { law, fluid: self };
-                closure::close(
-                    &thinning,
-                    pressure,
-                    pressure_stress,
-                    sliding_stress,
-                    workspace,
-                )
-            }
+            Some(law) => closure::close(&law, pressure_stress, sliding_stress, workspace),
         }
     }
 
@@ -177,51 +173,6 @@ impl FilmFluid {
         PointFluid {
             density: by_p(rho),
             viscosity: by_p(mu),
-        }
-    }
-}
-
-/// The law in the scales of a contact.
-struct PointThinning<'a> {
-    law: &'a ShearThinning,
-    fluid: &'a FilmFluid,
-}
-
-impl PointThinning<'_> {
-    /// Pressure in Pa; below ambient it levels off, for the reason given at [`FilmFluid`].
-    fn pressure<D: Scalar>(&self, pressure: D) -> D {
-        let scale = self.fluid.pressure_scale;
-        if pressure.re() < 0.0 {
-            pressure * scale / (-pressure / SHALLOW + 1.0)
-        } else {
-            pressure * scale
-        }
-    }
-}
-
-/// How far below ambient stress limits go on falling, in p_h.
-const SHALLOW: f64 = 1e-4;
-
-impl Fluidity for PointThinning<'_> {
-    #[inline]
-    fn fluidity<D: Scalar>(&self, stress_squared: D, pressure: D) -> D {
-        let stress = self.fluid.stress_scale;
-        let x = stress_squared * (stress * stress);
-        self.law
-            .relative_fluidity(x, D::from(1.0), self.pressure(pressure), D::from(1.0))
-    }
-
-    fn depends_on_pressure(&self) -> bool {
-        self.law.depends_on_state()
-    }
-
-    fn scales(&self, pressure: f64) -> StressScales {
-        let scales = self.law.scales(1.0, self.pressure(pressure), 1.0);
-        let scaled = |stress: Option<f64>| stress.map(|s| s / self.fluid.stress_scale);
-        StressScales {
-            knee: scaled(scales.knee),
-            growth: scaled(scales.growth),
-            limit: scaled(scales.limit),
         }
     }
 }

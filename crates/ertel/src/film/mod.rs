@@ -3,6 +3,7 @@
 pub mod closure;
 pub mod cross_film;
 pub mod fluid;
+pub mod fluidity;
 
 pub use closure::Closure;
 pub use fluid::{FilmFluid, PointFluid};

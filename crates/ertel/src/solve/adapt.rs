@@ -91,7 +91,9 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
         l.converged && l.role != Role::Comparison && l.estimate.is_some() == estimated
     })?;
     let fine = &levels[last];
-    let other_mesh = |l: &&LevelStats| l.converged && l.role != Role::Comparison && l.n_body_cells != fine.n_body_cells;
+    let other_mesh = |l: &&LevelStats| {
+        l.converged && l.role != Role::Comparison && l.n_body_cells != fine.n_body_cells
+    };
     let coarse = levels[..last].iter().rev().find(other_mesh);
     let films = |l: &LevelStats| [l.film_central, l.film_minimum];
     let difference =

@@ -2,6 +2,10 @@
 
 use approx::assert_relative_eq;
 
+use ertel_rheology::Scalar;
+use nalgebra::SVector;
+use num_dual::{Dual2SVec64, hessian};
+
 use super::*;
 
 /// Fluidities with closed-form flows, and those with everything at once.
@@ -25,7 +29,7 @@ enum Law {
     },
 }
 
-impl Fluidity for Law {
+impl Law {
     fn fluidity<D: Scalar>(&self, x: D, p: D) -> D {
         match *self {
             Law::Newtonian => D::from(1.0),
@@ -43,10 +47,6 @@ impl Fluidity for Law {
         }
     }
 
-    fn depends_on_pressure(&self) -> bool {
-        matches!(self, Law::Carreau { .. })
-    }
-
     fn scales(&self, p: f64) -> StressScales {
         let mut scales = StressScales::default();
         match *self {
@@ -59,6 +59,36 @@ impl Fluidity for Law {
     }
 }
 
+/// A law at P.
+struct At<'a>(&'a Law, f64);
+
+impl Fluidity for At<'_> {
+    fn jet(&self, x: f64) -> Jet {
+        let At(law, p) = self;
+        let (f, by, second) = hessian(
+            |v: SVector<Dual2SVec64<2>, 2>| law.fluidity(v[0], v[1]),
+            &SVector::from([x, *p]),
+        );
+        Jet {
+            f,
+            x: by[0],
+            p: by[1],
+            xx: second[(0, 0)],
+            xp: second[(0, 1)],
+            pp: second[(1, 1)],
+        }
+    }
+
+    fn slope(&self, x: f64) -> [f64; 2] {
+        let jet = self.jet(x);
+        [jet.f, jet.x]
+    }
+
+    fn scales(&self) -> StressScales {
+        self.0.scales(self.1)
+    }
+}
+
 const CARREAU: Law = Law::Carreau {
     knee: 0.01,
     n: 0.4,
@@ -67,7 +97,7 @@ const CARREAU: Law = Law::Carreau {
 };
 
 fn flow(law: &Law, p: f64, g: [f64; 2], slide: f64) -> Closure {
-    close(law, p, g, slide, &mut Workspace::default())
+    close(&At(law, p), g, slide, &mut Workspace::default())
 }
 
 /// q = G/12, τ = Ω, whatever the state.

@@ -1,0 +1,256 @@
+//! The fluidity of a fluid that stress thins, at one pressure, with its derivatives.
+//!
+//! ```text
+//!   f(x, P) = A(S²x) B(k(P) x),  k = S²/τ_L²        x = |t|², stresses in units of S
+//! ```
+//! A is the thinning law, a function of stress alone, and B the limiting stress. A closure asks for A
+//! hundreds of times; where A varies by powers it is read from a table.
+
+use ertel_rheology::shear::{ShearLaw, ShearThinning, StressLimit};
+use num_dual::{Dual2_64, DualNum};
+
+use super::cross_film::StressScales;
+
+/// f and its derivatives by x and P.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Jet {
+    /// f.
+    pub f: f64,
+    /// ∂f/∂x.
+    pub x: f64,
+    /// ∂f/∂P.
+    pub p: f64,
+    /// ∂²f/∂x².
+    pub xx: f64,
+    /// ∂²f/∂x∂P.
+    pub xp: f64,
+    /// ∂²f/∂P².
+    pub pp: f64,
+}
+
+/// Relative fluidity f = μ₁/η at one pressure.
+pub trait Fluidity {
+    /// f and its derivatives at the square of the stress.
+    fn jet(&self, stress_squared: f64) -> Jet;
+    /// f and ∂f/∂x alone.
+    fn slope(&self, stress_squared: f64) -> [f64; 2];
+    /// What a quadrature across the film must resolve.
+    fn scales(&self) -> StressScales;
+}
+
+/// A shear-thinning law prepared for many evaluations.
+#[derive(Debug)]
+pub struct Thinning {
+    /// The law.
+    pub law: ShearThinning,
+    table: Option<FluidityTable>,
+}
+
+impl Thinning {
+    /// Prepares a law.
+    pub fn new(law: &ShearThinning) -> Thinning {
+        let scales = law.scales(1.0, 0.0, 1.0);
+        let table = match (&law.law, scales.knee) {
+            (Some(thinning), Some(knee)) => Some(FluidityTable::new(thinning, knee)),
+            _ => None,
+        };
+        Thinning {
+            law: law.clone(),
+            table,
+        }
+    }
+
+    /// The law at P, in units of a stress and a pressure, both in Pa.
+    pub fn at(&self, pressure: f64, stress_unit: f64, pressure_unit: f64) -> PointThinning<'_> {
+        let p = Dual2_64::from_re(pressure).derivative() * pressure_unit;
+        let limit = self.law.limit.as_ref().map(|limit| {
+            let relative = limit.limiting_stress(p) / stress_unit;
+            let unit = Dual2_64::from_re(limit.ambient_limit).powi(2);
+            (limit, (relative * relative).recip(), unit.re)
+        });
+        let scales = self.law.scales(1.0, p.re, 1.0);
+        let scaled = |stress: Option<f64>| stress.map(|s| s / stress_unit);
+        PointThinning {
+            thinning: self,
+            square: stress_unit * stress_unit,
+            limit,
+            scales: StressScales {
+                knee: scaled(scales.knee),
+                growth: scaled(scales.growth),
+                limit: scaled(scales.limit),
+            },
+        }
+    }
+
+    /// A, A', A'' at the square of a stress, Pa².
+    #[inline(always)]
+    fn law(&self, square: f64) -> [f64; 3] {
+        if let Some(table) = &self.table
+            && let Some(jet) = table.at(square)
+        {
+            return jet;
+        }
+        self.law
+            .law
+            .as_ref()
+            .map_or([1.0, 0.0, 0.0], |law| exact(law, square))
+    }
+}
+
+fn exact(law: &ShearLaw, square: f64) -> [f64; 3] {
+    let a = law.relative_fluidity(Dual2_64::from_re(square).derivative());
+    [a.re, a.v1, a.v2]
+}
+
+/// A law at one pressure.
+pub struct PointThinning<'a> {
+    thinning: &'a Thinning,
+    /// S², Pa².
+    square: f64,
+    /// The limit, k by P, τ_L0².
+    limit: Option<(&'a StressLimit, Dual2_64, f64)>,
+    scales: StressScales,
+}
+
+impl Fluidity for PointThinning<'_> {
+    #[inline(always)]
+    fn jet(&self, x: f64) -> Jet {
+        let [a, a1, a2] = self.thinning.law(self.square * x);
+        let (a1, a2) = (a1 * self.square, a2 * self.square * self.square);
+        let Some((limit, k, unit)) = &self.limit else {
+            return Jet {
+                f: a,
+                x: a1,
+                xx: a2,
+                ..Jet::default()
+            };
+        };
+        let b = limit.factor(
+            Dual2_64::from_re(k.re * x).derivative() * *unit,
+            Dual2_64::from_re(0.0),
+        );
+        Jet {
+            f: a * b.re,
+            x: a1 * b.re + a * b.v1 * k.re,
+            p: a * b.v1 * k.v1 * x,
+            xx: a2 * b.re + 2.0 * a1 * b.v1 * k.re + a * b.v2 * k.re * k.re,
+            xp: a1 * b.v1 * k.v1 * x + a * (b.v2 * k.re * k.v1 * x + b.v1 * k.v1),
+            pp: a * (b.v2 * k.v1 * k.v1 * x * x + b.v1 * k.v2 * x),
+        }
+    }
+
+    #[inline(always)]
+    fn slope(&self, x: f64) -> [f64; 2] {
+        if self.limit.is_some() {
+            let jet = self.jet(x);
+            return [jet.f, jet.x];
+        }
+        let [a, a1, _] = self.thinning.law(self.square * x);
+        [a, a1 * self.square]
+    }
+
+    fn scales(&self) -> StressScales {
+        self.scales
+    }
+}
+
+/// Quintic Hermite interpolation of a law in x, on cells that grow with x: [`PER_BINADE`] between each
+/// power of two and the next. Twice continuously differentiable.
+#[derive(Debug)]
+struct FluidityTable {
+    /// Square of the knee's stress.
+    unit: f64,
+    /// Coefficients in the local coordinate, then its slope.
+    cells: Vec<[f64; 8]>,
+}
+
+/// Cells to each power of two: 2⁵.
+const PER_BINADE_LOG2: u32 = 5;
+/// Powers of two of the stress's square, over the knee's, between which the table holds.
+const LOWEST: i32 = -50;
+const HIGHEST: i32 = 50;
+/// Bits of a double's mantissa below the cell.
+const LOCAL_BITS: u32 = 52 - PER_BINADE_LOG2;
+
+impl FluidityTable {
+    fn new(law: &ShearLaw, knee: f64) -> FluidityTable {
+        let unit = knee * knee;
+        let first = 2.0_f64.powi(LOWEST).to_bits() >> LOCAL_BITS;
+        let n = ((HIGHEST - LOWEST) as u64) << PER_BINADE_LOG2;
+        let node = |i: u64| f64::from_bits((first + i) << LOCAL_BITS);
+        let at = |x: f64| {
+            let [a, a1, a2] = exact(law, x * unit);
+            [a, a1 * unit, a2 * unit * unit]
+        };
+        let cells = (0..n).map(|i| {
+            let (low, high) = (node(i), node(i + 1));
+            let w = high - low;
+            let [y0, d0, s0] = at(low);
+            let [y1, d1, s1] = at(high);
+            let (d0, d1, s0, s1) = (d0 * w, d1 * w, s0 * w * w, s1 * w * w);
+            let rise = y1 - y0;
+            [
+                y0,
+                d0,
+                0.5 * s0,
+                10.0 * rise - 6.0 * d0 - 4.0 * d1 - 1.5 * s0 + 0.5 * s1,
+                -15.0 * rise + 8.0 * d0 + 7.0 * d1 + 1.5 * s0 - s1,
+                6.0 * rise - 3.0 * (d0 + d1) - 0.5 * (s0 - s1),
+                1.0 / w,
+                0.0,
+            ]
+        });
+        FluidityTable {
+            unit,
+            cells: cells.collect(),
+        }
+    }
+
+    /// A and its derivatives at the square of a stress, Pa²; `None` outside the table.
+    #[inline(always)]
+    fn at(&self, square: f64) -> Option<[f64; 3]> {
+        let bits = (square / self.unit).to_bits();
+        let first = 2.0_f64.powi(LOWEST).to_bits() >> LOCAL_BITS;
+        let cell = (bits >> LOCAL_BITS).wrapping_sub(first);
+        let [c0, c1, c2, c3, c4, c5, slope, _] = *self.cells.get(cell as usize)?;
+        let local = bits & ((1 << LOCAL_BITS) - 1);
+        let t = local as f64 * (1.0 / (1_u64 << LOCAL_BITS) as f64);
+        let value = ((((c5 * t + c4) * t + c3) * t + c2) * t + c1) * t + c0;
+        let first = (((5.0 * c5 * t + 4.0 * c4) * t + 3.0 * c3) * t + 2.0 * c2) * t + c1;
+        let second = ((20.0 * c5 * t + 12.0 * c4) * t + 6.0 * c3) * t + 2.0 * c2;
+        let scale = slope / self.unit;
+        Some([value, first * scale, second * scale * scale])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+    use ertel_rheology::shear::{Carreau, CarreauYasuda, Rabinowitsch};
+
+    /// The table against the law between its nodes, over sixteen decades of stress.
+    #[test]
+    fn table_matches_the_law() {
+        let laws = [
+            ShearLaw::Carreau(Carreau::new(1e4, 0.8, 2.198, 0.22).unwrap()),
+            ShearLaw::Carreau(Carreau::new(3e6, 0.2, 2.0, 0.0).unwrap()),
+            ShearLaw::CarreauYasuda(CarreauYasuda::new(1e5, 0.5, 2.0, 0.1).unwrap()),
+            ShearLaw::Rabinowitsch(Rabinowitsch::new(1e6, 1.0 / 3.0).unwrap()),
+        ];
+        for law in laws {
+            let thinning = Thinning::new(&ShearThinning::of(law.clone()));
+            let knee = thinning.law.scales(1.0, 0.0, 1.0).knee.unwrap();
+            for i in -3000..3000 {
+                let square = knee * knee * (i as f64 * 0.01137).exp2();
+                let [a, a1, a2] = thinning.law(square);
+                let [e, e1, e2] = exact(&law, square);
+                assert_relative_eq!(a, e, max_relative = 2e-12);
+                // slopes as shares of a/x
+                assert_relative_eq!(a1 * square, e1 * square, epsilon = 1e-9 * e);
+                let square2 = square * square;
+                assert_relative_eq!(a2 * square2, e2 * square2, epsilon = 3e-7 * e);
+            }
+        }
+    }
+}
