@@ -72,13 +72,10 @@ pub fn mid_stress(
         let slope = dot(step, now.excess);
         let size = dot(tau, tau).sqrt() + NEGLIGIBLE * dot(g, g).sqrt();
         let small = dot(step, step).sqrt() < CLOSE * size;
-        let near = dot(step, step).sqrt() < NEAR * size;
         let mut share = 1.0;
         loop {
             let next = [0, 1].map(|i| tau[i] + share * step[i]);
-            if !near {
-                rule.lay(&scales, next, g);
-            }
+            rule.move_to(&scales, next, g);
             let there = rate(law, rule, next, g, slide);
             // The potential is convex: no further than where it has risen again as steeply.
             if small || dot(step, there.excess) < -0.5 * slope || share < 1e-6 {
@@ -98,8 +95,6 @@ pub fn mid_stress(
 const MOST_ITERATIONS: usize = 60;
 /// Step, over the stress, after which the next would be below round-off.
 const CLOSE: f64 = 1e-8;
-/// Step, likewise, after which the points across the film may stay where they are.
-const NEAR: f64 = 0.05;
 /// Mid-plane stress, over the stress of the pressure, that no longer matters.
 const NEGLIGIBLE: f64 = 1e-6;
 

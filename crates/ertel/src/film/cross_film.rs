@@ -29,6 +29,8 @@ pub struct StressScales {
 pub struct CrossFilm {
     points: [[f64; 2]; CAPACITY],
     n: usize,
+    /// s₀ and w of the points laid, if they were laid around a knee.
+    around: Option<[f64; 2]>,
 }
 
 /// Most points of one Gauss rule.
@@ -41,9 +43,13 @@ impl Default for CrossFilm {
         CrossFilm {
             points: [[0.0; 2]; CAPACITY],
             n: 0,
+            around: None,
         }
     }
 }
+
+/// Shift of s₀, in w, and change of w, relative, up to which points may stay where they are.
+const STALE: f64 = 0.1;
 
 impl CrossFilm {
     /// (s, weight) of each point.
@@ -53,7 +59,21 @@ impl CrossFilm {
 
     /// Lays the points for mid-plane stress τ and pressure stress G.
     pub fn lay(&mut self, scales: &StressScales, mid_stress: [f64; 2], pressure_stress: [f64; 2]) {
-        self.n = 0;
+        self.around = None;
+        self.place(scales, mid_stress, pressure_stress);
+    }
+
+    /// The same for another mid-plane stress: points that still serve stay.
+    pub fn move_to(
+        &mut self,
+        scales: &StressScales,
+        mid_stress: [f64; 2],
+        pressure_stress: [f64; 2],
+    ) {
+        self.place(scales, mid_stress, pressure_stress);
+    }
+
+    fn place(&mut self, scales: &StressScales, mid_stress: [f64; 2], pressure_stress: [f64; 2]) {
         let [tx, ty] = mid_stress;
         let [gx, gy] = pressure_stress;
         let g = gx.hypot(gy);
@@ -71,11 +91,20 @@ impl CrossFilm {
         let n = n.min(LONGEST);
         let matters = |k: &f64| g > 0.2 * k.hypot(t) || (t < 0.5 * g && g > 1e-3 * k);
         let Some(knee) = scales.knee.filter(matters) else {
+            self.n = 0;
+            self.around = None;
             self.interval(n, -0.5, 0.5, |s| (s, 1.0));
             return;
         };
         let centre = -(tx * gx + ty * gy) / (g * g);
         let width = ((tx * gy - ty * gx) / (g * g)).hypot(knee / g);
+        let serves =
+            |[c, w]: [f64; 2]| (centre - c).abs() < STALE * w && (width - w).abs() < STALE * w;
+        if self.around.is_some_and(serves) {
+            return;
+        }
+        self.n = 0;
+        self.around = Some([centre, width]);
         let ends = [-0.5, 0.5].map(|s: f64| ((s - centre) / width).asinh());
         // sinh and cosh: absolute errors, not relative ones, matter here
         let map = |u: f64| {
@@ -83,16 +112,18 @@ impl CrossFilm {
             let shrunk = 0.25 / grown;
             (centre + width * (grown - shrunk), width * (grown + shrunk))
         };
-        let mut lay = |n: usize, from: f64, to: f64| {
-            let points = n + (3.2 * (to - from)) as usize;
-            self.interval(points.min(LONGEST), from, to, map);
-        };
+        let points = |n: usize, length: f64| (n + (3.2 * length) as usize).min(LONGEST);
         if ends[0] < 0.0 && ends[1] > 0.0 {
-            // Powers of |t| have a corner where the stress passes zero.
-            lay(n + 2, ends[0], 0.0);
-            lay(n + 2, 0.0, ends[1]);
+            // Powers of |t| have a corner where the stress passes zero: points crowd there, u = Uv².
+            for end in ends {
+                self.interval(points(n + 2, end.abs()), 0.0, 1.0, |v| {
+                    let (s, slope) = map(end * v * v);
+                    (s, slope * 2.0 * end.abs() * v)
+                });
+            }
         } else {
-            lay(n, ends[0], ends[1]);
+            let length = ends[1] - ends[0];
+            self.interval(points(n, length), ends[0], ends[1], map);
         }
     }
 

