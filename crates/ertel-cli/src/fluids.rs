@@ -145,7 +145,7 @@ fn show(fluid: &Fluid, temperature: f64) -> String {
 /// Share of the viscosity left under shear stress, and the ends of the Newtonian plateaus, at ambient pressure.
 fn thinning(law: &ShearThinning, fluid: &Fluid, temperature: f64) -> String {
     let mu_1 = fluid.viscosity(0.0, temperature);
-    let [first, second] = law.newtonian_limits(mu_1, 0.0, temperature);
+    let [first, second] = law.newtonian_limits(0.0);
     let stress = |stress: Option<f64>| stress.map_or_else(|| "none".to_owned(), pressure);
     let plateau = law.law.as_ref().and_then(ShearLaw::plateau_ratio);
     let mut rows = vec![
@@ -170,7 +170,7 @@ fn thinning(law: &ShearThinning, fluid: &Fluid, temperature: f64) -> String {
             .to_vec(),
     ];
     for tau in STRESSES {
-        let share = 1.0 / law.relative_fluidity(tau * tau, mu_1, 0.0, temperature);
+        let share = 1.0 / law.relative_fluidity(tau * tau, 0.0);
         states.push(vec![
             pressure(tau),
             viscosity(share * mu_1),

@@ -387,7 +387,7 @@ fn every_shear_thinning_law_is_read_in_si() {
     let at = |law: &str, stress: f64, p: f64| {
         shear_thinning(law)
             .unwrap()
-            .relative_fluidity(stress * stress, 0.04, p, 300.0)
+            .relative_fluidity(stress * stress, p)
     };
     let close =
         |value: f64, expected: f64| assert_relative_eq!(value, expected, max_relative = 1e-11);

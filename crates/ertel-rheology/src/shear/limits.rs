@@ -14,17 +14,12 @@ const LN_BELOW: f64 = 60.0;
 
 impl ShearThinning {
     /// Newtonian limits: the equivalent stresses (Pa) at which the viscosity η has fallen to `0.95 μ₁`, and at which it
-    /// has come down to `1.05 μ₂`, at `viscosity` μ₁ (Pa·s), `pressure` (Pa above ambient) and `temperature` (K).
+    /// has come down to `1.05 μ₂`, at `pressure` (Pa above ambient).
     ///
     /// The second is `None` without a second plateau, or where a limiting stress is reached before it. Both are `None`
     /// where the law does not thin by as much.
-    pub fn newtonian_limits(
-        &self,
-        viscosity: f64,
-        pressure: f64,
-        temperature: f64,
-    ) -> [Option<f64>; 2] {
-        let scales = self.scales(viscosity, pressure, temperature);
+    pub fn newtonian_limits(&self, pressure: f64) -> [Option<f64>; 2] {
+        let scales = self.scales(pressure);
         let stresses = [scales.knee, scales.growth, scales.limit];
         let smallest = stresses.into_iter().flatten().fold(f64::INFINITY, f64::min);
         if !smallest.is_finite() {
@@ -32,12 +27,7 @@ impl ShearThinning {
         }
         let from = smallest.ln() - LN_BELOW;
         let first = stress_at(from, 1.0 - DEVIATION, |stress_squared: Dual64| {
-            self.relative_fluidity(
-                stress_squared,
-                viscosity.into(),
-                pressure.into(),
-                temperature.into(),
-            )
+            self.relative_fluidity(stress_squared, pressure.into())
         });
         let second = self.law.as_ref().and_then(|law| {
             let share = law.plateau_ratio().filter(|ratio| *ratio > 0.0)? * (1.0 + DEVIATION);

@@ -84,23 +84,14 @@ impl ShearThinning {
         }
     }
 
-    /// Low-shear over generalized viscosity, `μ₁/η`, at the square of the equivalent stress, `stress_squared` (Pa²).
+    /// Low-shear over generalized viscosity, `μ₁/η`, at the square of the equivalent stress, `stress_squared` (Pa²),
+    /// and `pressure` (Pa above ambient). The shear rate is `γ̇ = τ/μ₁` times the result.
     ///
-    /// `viscosity` is the low-shear viscosity μ₁ (Pa·s) at this `pressure` (Pa above ambient) and `temperature` (K). The
-    /// shear rate is `γ̇ = τ/μ₁` times the result.
-    ///
-    /// Derivatives up to the second by every argument are finite, at zero stress too. Where the result passes 1e65 it
+    /// The constants of the laws are stresses and ratios of viscosities: only the limit changes with the pressure.
+    /// Derivatives up to the second by both arguments are finite, at zero stress too. Where the result passes 1e65 it
     /// goes on as a parabola of its logarithm, so that no stress up to 1e30 Pa makes it overflow.
     #[inline]
-    pub fn relative_fluidity<D: Scalar>(
-        &self,
-        stress_squared: D,
-        viscosity: D,
-        pressure: D,
-        temperature: D,
-    ) -> D {
-        // The constants of the laws are stresses and ratios of viscosities: only the limit changes with the state.
-        let _ = (viscosity, temperature);
+    pub fn relative_fluidity<D: Scalar>(&self, stress_squared: D, pressure: D) -> D {
         match (&self.law, &self.limit) {
             (None, None) => D::from(1.0),
             (Some(law), None) => law.relative_fluidity(stress_squared),
@@ -111,17 +102,15 @@ impl ShearThinning {
         }
     }
 
-    /// Whether [`ShearThinning::relative_fluidity`] depends on anything but the stress.
-    pub fn depends_on_state(&self) -> bool {
+    /// Whether [`ShearThinning::relative_fluidity`] depends on the pressure.
+    pub fn depends_on_pressure(&self) -> bool {
         self.limit
             .as_ref()
             .is_some_and(|limit| limit.pressure_coefficient > 0.0)
     }
 
-    /// Stresses that a quadrature across the film must resolve, at `viscosity` μ₁ (Pa·s), `pressure` (Pa above ambient)
-    /// and `temperature` (K).
-    pub fn scales(&self, viscosity: f64, pressure: f64, temperature: f64) -> StressScales {
-        let _ = (viscosity, temperature);
+    /// Stresses that a quadrature across the film must resolve at `pressure` (Pa above ambient).
+    pub fn scales(&self, pressure: f64) -> StressScales {
         let mut scales = StressScales::default();
         match &self.law {
             Some(ShearLaw::Carreau(law)) => scales.knee = Some(law.critical_stress),

@@ -116,7 +116,7 @@ impl CrossFilm {
         if ends[0] < 0.0 && ends[1] > 0.0 {
             // Powers of |t| have a corner where the stress passes zero: points crowd there, u = Uv².
             for end in ends {
-                self.interval(points(n + 2, end.abs()), 0.0, 1.0, |v| {
+                self.interval(points(n + 4, end.abs()), 0.0, 1.0, |v| {
                     let (s, slope) = map(end * v * v);
                     (s, slope * 2.0 * end.abs() * v)
                 });

@@ -112,13 +112,12 @@ impl FilmFluid {
     /// Stresses, Pa, at which the fluid leaves its first and reaches its second Newtonian plateau at P.
     pub fn newtonian_limits(&self, pressure: f64) -> [Option<f64>; 2] {
         let pressure = pressure * self.pressure_scale;
-        (self.shear_thinning.as_ref())
-            .map_or([None; 2], |t| t.law.newtonian_limits(1.0, pressure, 1.0))
+        (self.shear_thinning.as_ref()).map_or([None; 2], |t| t.law.newtonian_limits(pressure))
     }
 
     /// Whether these limits differ from pressure to pressure.
     pub fn limits_depend_on_pressure(&self) -> bool {
-        (self.shear_thinning.as_ref()).is_some_and(|t| t.law.depends_on_state())
+        (self.shear_thinning.as_ref()).is_some_and(|t| t.law.depends_on_pressure())
     }
 
     /// The law at P.

@@ -49,7 +49,7 @@ pub struct Thinning {
 impl Thinning {
     /// Prepares a law.
     pub fn new(law: &ShearThinning) -> Thinning {
-        let scales = law.scales(1.0, 0.0, 1.0);
+        let scales = law.scales(0.0);
         let table = match (&law.law, scales.knee) {
             (Some(thinning), Some(knee)) => Some(FluidityTable::new(thinning, knee)),
             _ => None,
@@ -68,7 +68,7 @@ impl Thinning {
             let unit = Dual2_64::from_re(limit.ambient_limit).powi(2);
             (limit, (relative * relative).recip(), unit.re)
         });
-        let scales = self.law.scales(1.0, p.re, 1.0);
+        let scales = self.law.scales(p.re);
         let scaled = |stress: Option<f64>| stress.map(|s| s / stress_unit);
         PointThinning {
             thinning: self,
@@ -240,7 +240,7 @@ mod tests {
         ];
         for law in laws {
             let thinning = Thinning::new(&ShearThinning::of(law.clone()));
-            let knee = thinning.law.scales(1.0, 0.0, 1.0).knee.unwrap();
+            let knee = thinning.law.scales(0.0).knee.unwrap();
             for i in -3000..3000 {
                 let square = knee * knee * (i as f64 * 0.01137).exp2();
                 let [a, a1, a2] = thinning.law(square);

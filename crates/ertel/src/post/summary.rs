@@ -56,9 +56,9 @@ pub fn film_reduction(levels: &[LevelStats]) -> Option<FilmReduction> {
         .iter()
         .rposition(|l| l.role == Role::Comparison && l.converged)?;
     let newtonian = &levels[at];
-    let thinned = levels[at + 1..].iter().find(|l| {
-        l.converged && l.role != Role::Start && l.n_body_cells == newtonian.n_body_cells
-    })?;
+    let thinned = levels[at + 1..]
+        .iter()
+        .find(|l| l.converged && !l.role.leads() && l.n_body_cells == newtonian.n_body_cells)?;
     Some(FilmReduction {
         central: 1.0 - thinned.film_central / newtonian.film_central,
         minimum: 1.0 - thinned.film_minimum / newtonian.film_minimum,

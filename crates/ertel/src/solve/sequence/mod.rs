@@ -117,7 +117,7 @@ pub struct StageSolution {
 
 impl Role {
     /// Whether it only leads to other stages.
-    fn leads(self) -> bool {
+    pub(crate) fn leads(self) -> bool {
         matches!(self, Role::Start | Role::Path)
     }
 }
