@@ -3,7 +3,7 @@
 
 mod common;
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;
@@ -12,7 +12,7 @@ use ertel::run::{problem, solve};
 use ertel::solution::{IterationRecord, Solution};
 use ertel::solve::discretisation::ContactBody;
 use ertel::solve::sequence::{Problem, Role, StageSolution, solve_stages};
-use ertel::solve::{Observer, Silent};
+use ertel::solve::{Observer, Silent, SolveError};
 
 /// A contact that a small mesh resolves: M = 90 (line), M = 20 (circular).
 fn small_case(kind: ContactKind) -> Case {
@@ -204,4 +204,31 @@ fn effort_of_a_circular_contact() {
         100.0,
         &[[12, 175, 4], [9, 143, 3], [8, 122, 3]],
     );
+}
+
+/// Wants to stop when asked for the second time, and sees whether a mesh was finished.
+#[derive(Default)]
+struct Impatient {
+    asked: AtomicUsize,
+    meshed: bool,
+}
+
+impl Observer for Impatient {
+    fn level(&mut self, _: usize, _: usize, _: usize, _: usize) {
+        self.meshed = true;
+    }
+    fn cancelled(&self) -> bool {
+        self.asked.fetch_add(1, Ordering::Relaxed) > 0
+    }
+}
+
+/// The user need not wait for the elastic operator: asked once before the stage, then between fronts.
+#[test]
+fn a_wish_to_stop_is_heard_inside_the_factorisation() {
+    for kind in [ContactKind::Line, ContactKind::Circular] {
+        let mut observer = Impatient::default();
+        let outcome = solve(&small_case(kind), &mut observer);
+        assert!(matches!(outcome, Err(SolveError::Interrupted)));
+        assert!(!observer.meshed, "the operator was finished first");
+    }
 }

@@ -185,12 +185,16 @@ impl<'a> NewtonLevel<'a> {
             }
             let converged =
                 update < params.update_tolerance && residual < params.residual_tolerance;
+            // Small steps are not tested, unless they go round in circles: a point of the free boundary can
+            // go to and fro between film and cavity.
+            let circling = iteration > smallest_update.0 + 2;
+            let tested = update >= params.safe_update || circling;
             let mut share = 1.0;
             let (next_state, next_system) = loop {
                 go_on(observer)?;
                 let trial = self.advance(model, params, state, &step, share);
                 let trial_system = solver.assemble(model, &trial);
-                if converged || update < params.safe_update {
+                if converged || !tested {
                     break (trial, trial_system);
                 }
                 // Natural monotonicity (Deuflhard 2004, section 3.3): the next step, were it
@@ -203,7 +207,11 @@ impl<'a> NewtonLevel<'a> {
                 } else {
                     f64::INFINITY
                 };
-                if growth < params.growth_limit || (finite && share < params.smallest_share) {
+                let growth_limit = match update < params.safe_update {
+                    true => 1.0 - 0.25 * share,
+                    false => params.growth_limit,
+                };
+                if growth < growth_limit || (finite && share < params.smallest_share) {
                     break (trial, trial_system);
                 }
                 if share < params.smallest_share {
