@@ -185,8 +185,7 @@ impl<'a> NewtonLevel<'a> {
             }
             let converged =
                 update < params.update_tolerance && residual < params.residual_tolerance;
-            // Small steps are not tested, unless they go round in circles: a point of the free boundary can
-            // go to and fro between film and cavity.
+            // Small steps are not tested, unless they go round in circles.
             let circling = iteration > smallest_update.0 + 2;
             let tested = update >= params.safe_update || circling;
             let mut share = 1.0;
