@@ -426,7 +426,7 @@ fn stages(
 const LARGEST_GROWTH: f64 = 0.9;
 
 /// Isotropic diffusion of the first stage: it only has to start the next one.
-const START_DIFFUSION: f64 = 4.0;
+const START_DIFFUSION: f64 = 2.0;
 
 /// Passes everything on and keeps the iterations.
 struct Recorder<'a> {

@@ -8,6 +8,8 @@
 //! assembles the elements where they are first needed: the factor itself need not be kept, and the
 //! matrix is never formed.
 
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt;
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -16,7 +18,7 @@ use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
 use faer::prelude::{Reborrow, ReborrowMut};
-use faer::{Accum, ColMut, Mat, MatMut, MatRef, Par};
+use faer::{Accum, ColMut, MatMut, MatRef, Par};
 
 use crate::assembly::{CONSTRAINED, DofMap, NodeGraph};
 use crate::linear::Stop;
@@ -50,8 +52,9 @@ pub struct CondensedStiffness {
     /// Columns of the factor, front by front; empty when they were not kept.
     columns: Vec<f64>,
     starts: Vec<usize>,
-    /// Condensed stiffness S, lower triangle.
-    stiffness: Mat<f64>,
+    /// Condensed stiffness S, column by column, of which the lower triangle counts.
+    stiffness: Vec<f64>,
+    n_condensed: usize,
 }
 
 /// Operations in one front above which all cores work on it together.
@@ -95,12 +98,24 @@ impl CondensedStiffness {
         }
         let mut columns = vec![0.0; starts[fronts.fronts.len()]];
         let size = space.element.n_nodes() * dofs.n_components;
-        let front = |k: usize, kept: &mut [f64], left: Vec<Left>| {
+        let work = Workspace::default();
+        let front = |k: usize, kept: &mut [f64], left: Vec<Left>| -> Result<Left, CholeskyError> {
             if stop() {
                 return Err(CholeskyError::Interrupted);
             }
             let front = &fronts.fronts[k];
-            let mut matrix = Mat::<f64>::zeros(front.size(), front.size());
+            let order = front.size();
+            let last = is_last(&fronts, condensed, k);
+            // what stays with the caller has memory of its own
+            let mut room = if last { Vec::new() } else { work.take() };
+            if room.len() < order * order {
+                room.clear();
+                room.resize(order * order, 0.0);
+            }
+            let entries = &mut room[..order * order];
+            for j in 0..order {
+                entries[j * order + j..(j + 1) * order].fill(0.0);
+            }
             let mut block = vec![0.0; size * size];
             for cell in &elements[k] {
                 element_matrix(*cell as usize, &mut block);
@@ -108,7 +123,7 @@ impl CondensedStiffness {
                 for (b, j) in places.iter().enumerate() {
                     for (a, i) in places.iter().enumerate() {
                         if *j != NOWHERE && *i != NOWHERE && i >= j {
-                            matrix[(*i, *j)] += block[a * size + b];
+                            entries[*j * order + *i] += block[a * size + b];
                         }
                     }
                 }
@@ -116,84 +131,85 @@ impl CondensedStiffness {
             for (child, left) in front.children.iter().zip(&left) {
                 let map = &fronts.fronts[*child].in_parent;
                 for (j, column) in map.iter().enumerate() {
-                    let target = matrix.col_as_slice_mut(*column as usize);
-                    let source = &left.matrix.col_as_slice(left.n_own + j)[left.n_own..];
-                    for (row, v) in map[j..].iter().zip(&source[j..]) {
+                    let target = &mut entries[*column as usize * order..][..order];
+                    let start = j * map.len() - j * j.saturating_sub(1) / 2;
+                    for (row, v) in map[j..].iter().zip(&left[start..]) {
                         target[*row as usize] += v;
                     }
                 }
             }
             drop(left);
             let n = front.n_own;
-            if !is_last(&fronts, condensed, k) {
-                let work = n as f64 * (front.size() as f64).powi(2);
-                let par = if work > LARGE {
-                    Par::rayon(0)
-                } else {
-                    Par::Seq
-                };
-                eliminate(matrix.as_mut(), n, par).map_err(|reason| {
-                    CholeskyError::NotPositiveDefinite {
-                        n: dofs.n_dofs,
-                        reason,
-                    }
-                })?;
-                if !kept.is_empty() {
-                    for (column, j) in kept.chunks_exact_mut(front.size()).zip(0..) {
-                        column[j..].copy_from_slice(&matrix.col_as_slice(j)[j..]);
-                    }
+            if last {
+                return Ok(room);
+            }
+            let operations = n as f64 * (order as f64).powi(2);
+            let par = if operations > LARGE {
+                Par::rayon(0)
+            } else {
+                Par::Seq
+            };
+            let matrix = MatMut::from_column_major_slice_mut(entries, order, order);
+            eliminate(matrix, n, par).map_err(|reason| CholeskyError::NotPositiveDefinite {
+                n: dofs.n_dofs,
+                reason,
+            })?;
+            if !kept.is_empty() {
+                for (j, column) in kept.chunks_exact_mut(order).enumerate() {
+                    column[j..].copy_from_slice(&entries[j * order + j..(j + 1) * order]);
                 }
             }
-            Ok(Left { matrix, n_own: n })
+            let mut left = Vec::with_capacity((order - n) * (order - n + 1) / 2);
+            for j in n..order {
+                left.extend_from_slice(&entries[j * order + j..(j + 1) * order]);
+            }
+            work.give(room);
+            Ok(left)
         };
         let left = fronts.eliminate(&starts, &mut columns, &front)?;
         let stiffness = match left.into_iter().next() {
-            Some(left) if !condensed.is_empty() => left.matrix,
-            _ => Mat::zeros(0, 0),
+            Some(left) if !condensed.is_empty() => left,
+            _ => Vec::new(),
         };
         Ok(CondensedStiffness {
             fronts,
             columns,
             starts,
             stiffness,
+            n_condensed: condensed.len(),
         })
     }
 
     /// Number of condensed unknowns.
     pub fn n_condensed(&self) -> usize {
-        self.stiffness.nrows()
+        self.n_condensed
     }
 
     /// Entry S_ij of the condensed stiffness.
     pub fn condensed_entry(&self, i: usize, j: usize) -> f64 {
-        self.stiffness[(i.max(j), i.min(j))]
+        self.stiffness[i.min(j) * self.n_condensed + i.max(j)]
     }
 
     /// Condensed compliance S⁻¹.
     ///
     /// # Errors
     /// When the condensed stiffness is not positive definite.
-    pub fn compliance(&self) -> Result<Compliance, CholeskyError> {
-        let factor = self.factor()?;
+    pub fn into_compliance(self) -> Result<Compliance, CholeskyError> {
         let n = self.n_condensed();
-        let mut inverse = Mat::<f64>::zeros(n, n);
+        let factor = factor(self.stiffness, n)?;
+        let mut entries = vec![0.0; n * n];
+        let mut inverse = MatMut::from_column_major_slice_mut(&mut entries, n, n);
         let mut memory = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(n, Par::rayon(0)));
         llt::inverse::inverse(
-            inverse.as_mut(),
-            factor.as_ref(),
+            inverse.rb_mut(),
+            MatRef::from_column_major_slice(&factor, n, n),
             Par::rayon(0),
             MemStack::new(&mut memory),
         );
-        Ok(Compliance::from_lower(n, |j| &inverse.col_as_slice(j)[j..]))
-    }
-
-    /// Lower factor of S.
-    fn factor(&self) -> Result<Mat<f64>, CholeskyError> {
-        let mut factor = self.stiffness.clone();
-        let n = factor.nrows();
-        cholesky(factor.as_mut(), Par::rayon(0))
-            .map_err(|reason| CholeskyError::NotPositiveDefinite { n, reason })?;
-        Ok(factor)
+        drop(factor);
+        Ok(Compliance::from_lower(n, |j| {
+            &entries[j * n + j..(j + 1) * n]
+        }))
     }
 
     /// Solves with the whole matrix: K u = f, in place.
@@ -234,9 +250,11 @@ impl CondensedStiffness {
                 }
             }
         }
-        let factor = self.factor()?;
+        let n = self.n_condensed();
+        let factor = factor(self.stiffness.clone(), n)?;
+        let factor = MatRef::from_column_major_slice(&factor, n, n);
         let mut end = ColMut::from_slice_mut(last).as_mat_mut();
-        solve_lower_triangular_in_place(factor.as_ref(), end.rb_mut(), Par::Seq);
+        solve_lower_triangular_in_place(factor, end.rb_mut(), Par::Seq);
         solve_upper_triangular_in_place(factor.transpose(), end, Par::Seq);
         let inner: Vec<_> = inner().collect();
         for (k, f) in inner.into_iter().rev() {
@@ -269,11 +287,36 @@ impl CondensedStiffness {
     }
 }
 
-/// Matrix of a front after its elimination, lower triangle: what goes to the parent begins at
-/// (n_own, n_own).
-struct Left {
-    matrix: Mat<f64>,
-    n_own: usize,
+/// What a front leaves to its parent: the lower triangle over its boundary, column by column. The last front
+/// leaves its whole square.
+type Left = Vec<f64>;
+
+/// Memory in which fronts are eliminated, used again and again: asking the system for each would take
+/// a good part of the time.
+#[derive(Default)]
+struct Workspace(Mutex<Vec<Vec<f64>>>);
+
+impl Workspace {
+    fn rooms(&self) -> MutexGuard<'_, Vec<Vec<f64>>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// A room, of whatever size and content.
+    fn take(&self) -> Vec<f64> {
+        self.rooms().pop().unwrap_or_default()
+    }
+
+    fn give(&self, room: Vec<f64>) {
+        self.rooms().push(room);
+    }
+}
+
+/// Lower factor of a dense matrix, in its place.
+fn factor(mut entries: Vec<f64>, n: usize) -> Result<Vec<f64>, CholeskyError> {
+    let matrix = MatMut::from_column_major_slice_mut(&mut entries, n, n);
+    cholesky(matrix, Par::rayon(0))
+        .map_err(|reason| CholeskyError::NotPositiveDefinite { n, reason })?;
+    Ok(entries)
 }
 
 /// Whether a front holds the condensed unknowns.
@@ -408,6 +451,7 @@ mod tests {
     use crate::mesh::SimplexMesh;
     use crate::space::Space;
     use approx::assert_relative_eq;
+    use faer::Mat;
     use faer::linalg::solvers::Solve;
 
     /// A strip of triangles with a symmetric positive definite element matrix, against dense
@@ -455,11 +499,9 @@ mod tests {
         let schur = compliance
             .partial_piv_lu()
             .solve(Mat::<f64>::identity(m, m));
-        let ours = stiffness.compliance().unwrap();
-        assert_eq!(
-            ours,
-            factorise(Keep::Condensed).unwrap().compliance().unwrap()
-        );
+        let ours = factorise(Keep::Factor).unwrap().into_compliance().unwrap();
+        let condensed_only = factorise(Keep::Condensed).unwrap();
+        assert_eq!(ours, condensed_only.into_compliance().unwrap());
         for i in 0..m {
             for j in 0..m {
                 assert_relative_eq!(ours.get(j, i), compliance[(j, i)], epsilon = 1e-13);

@@ -63,13 +63,14 @@ pub fn gmres(
     let mut columns: Vec<Vec<f64>> = Vec::new(); // R of the QR factorisation of H
     let mut rotations: Vec<(f64, f64)> = Vec::new();
     let mut g = vec![norm_b];
-    let mut z = vec![0.0; n];
+    let mut preconditioned: Vec<Vec<f64>> = Vec::new();
     let mut residual = 1.0;
     for k in 0..params.max_iterations {
-        z.copy_from_slice(&basis[k]);
+        let mut z = basis[k].clone();
         precondition(&mut z);
         let mut w = vec![0.0; n];
         apply(&z, &mut w);
+        preconditioned.push(z);
         // Modified Gram-Schmidt, twice: round-off must not stall tight tolerances.
         let mut h = vec![0.0; k + 2];
         for _ in 0..2 {
@@ -118,12 +119,11 @@ pub fn gmres(
             0.0
         };
     }
-    for (yi, v) in y.iter().zip(&basis) {
-        for (xi, vi) in x.iter_mut().zip(v) {
-            *xi += yi * vi;
+    for (yi, z) in y.iter().zip(&preconditioned) {
+        for (xi, zi) in x.iter_mut().zip(z) {
+            *xi += yi * zi;
         }
     }
-    precondition(x);
     if residual <= params.tolerance {
         Ok(GmresInfo {
             iterations: m,

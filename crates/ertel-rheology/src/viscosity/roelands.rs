@@ -22,6 +22,8 @@ pub struct Roelands {
     pub p_0: f64,
     /// Temperature dependence; without it the viscosity depends on pressure only.
     pub thermal: Option<TemperatureSlope>,
+    /// ln μ₀, worked out once.
+    ln_mu_0: f64,
 }
 
 /// Temperature dependence of Roelands' law.
@@ -86,13 +88,14 @@ impl Roelands {
             pressure_index,
             p_0,
             thermal,
+            ln_mu_0: mu_0.ln(),
         })
     }
 
     /// `ln μ`, μ in Pa·s, at `pressure` (Pa above ambient) and `temperature` (K, above 138).
     #[inline]
     pub fn ln_viscosity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
-        let ln_mu_0 = self.mu_0.ln();
+        let ln_mu_0 = self.ln_mu_0;
         let height = ln_mu_0 + POLE_LN_VISCOSITY; // ln(μ₀/μ∞)
         // ln[(1 + p/p₀)^Z ((T - 138)/(T_R - 138))^(-S₀)]
         let mut exponent = (pressure / self.p_0).ln_1p() * self.pressure_index;

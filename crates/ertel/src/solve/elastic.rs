@@ -163,7 +163,7 @@ impl SurfaceResponse {
             near: near
                 .map(|(i, j)| stiffness.condensed_entry(*i as usize, *j as usize))
                 .collect(),
-            compliance: stiffness.compliance()?,
+            compliance: stiffness.into_compliance()?,
         })
     }
 }

@@ -13,14 +13,14 @@ use crate::solve::{Observer, SolveError};
 
 /// Shares of the full cavitation penalty in a start, where the free boundary is still
 /// far from its place.
-const PENALTY_RAMP: [f64; 3] = [1e-4, 1e-2, 1.0];
+const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
 
 /// Update, in p_h, at which a start is good enough.
-const START_TOLERANCE: f64 = 1e-2;
+const START_TOLERANCE: f64 = 3e-2;
 
-/// Update, in p_h, and residual at which a solution is good enough to be measured and refined: error
-/// bars are a hundred times as large.
-const ROUGH_TOLERANCE: f64 = 1e-5;
+/// Update, in p_h, and residual at which a solution is good enough to be measured and refined: what an
+/// update of this size leaves of the error, its square or so, is far below any error bar.
+const ROUGH_TOLERANCE: f64 = 1e-3;
 
 /// Newton iterations that a start may take for each share of the ramp.
 const START_ITERATIONS: usize = 30;
