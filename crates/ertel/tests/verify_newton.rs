@@ -85,7 +85,7 @@ impl Observer for LastLevel {
 }
 
 /// Updates u_k of the last iterations: order ln(u_(k+1)/u_k)/ln(u_k/u_(k−1)) is 2 while the updates
-/// lie between the nonlinear start and round-off; a Jacobian that is wrong by a per cent has
+/// lie between the nonlinear start and what linear solves leave; a Jacobian that is wrong by a per cent has
 /// order 1.
 #[test]
 fn newton_converges_quadratically() {
@@ -102,7 +102,7 @@ fn newton_converges_quadratically() {
         problem.newton.foresight = false; // to the last update
         solve_stages(&problem, &mut last).unwrap();
         let updates: Vec<f64> = (last.0.iter().map(|r| r.update))
-            .filter(|u| *u > 1e-12)
+            .filter(|u| *u > 1e-10)
             .collect();
         let [.., a, b, c] = updates[..] else {
             panic!("too few iterations")
@@ -110,7 +110,7 @@ fn newton_converges_quadratically() {
         let order = (c / b).ln() / (b / a).ln();
         println!("{kind:?} {linear:?}: {a:.1e} -> {b:.1e} -> {c:.1e}, order {order:.2}");
         // Single steps scatter upward: an update can be small by chance.
-        assert!(c < 1e-5 && (1.7..3.5).contains(&order), "{updates:?}");
+        assert!(c < 1e-5 && order > 1.7, "{updates:?}");
     }
 }
 
@@ -193,7 +193,7 @@ fn effort_of_a_line_contact() {
     pinned(
         ContactKind::Line,
         3e5,
-        &[[10, 132, 3], [5, 47, 1], [5, 42, 1]],
+        &[[5, 58, 2], [5, 46, 1], [5, 42, 1]],
     );
 }
 
@@ -202,7 +202,7 @@ fn effort_of_a_circular_contact() {
     pinned(
         ContactKind::Circular,
         100.0,
-        &[[12, 175, 4], [9, 143, 3], [8, 122, 3]],
+        &[[8, 123, 3], [6, 128, 3], [8, 116, 3]],
     );
 }
 
