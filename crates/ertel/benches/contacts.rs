@@ -18,6 +18,7 @@ use ertel::run::{Session, solve};
 use ertel::solution::{Estimate, Solution, Timings};
 use ertel::solve::Silent;
 use ertel::solve::cache::OperatorCache;
+use ertel::study::solve_curve;
 use ertel_rheology::input::Document;
 
 /// What contacts cost.
@@ -32,6 +33,9 @@ struct Args {
     /// A whole circular contact by the monolithic path, too: minutes
     #[arg(long)]
     monolithic: bool,
+    /// Only the curves
+    #[arg(long)]
+    curves: bool,
     /// Given by cargo
     #[arg(long, hide = true)]
     bench: bool,
@@ -40,6 +44,11 @@ struct Args {
 fn main() {
     let args = Args::parse();
     let [few, many] = if args.once { [1, 1] } else { [3, 9] };
+    if args.curves {
+        curve("slide-to-roll ratio, 0 to 0.45", SLIDING);
+        curve("entrainment speed, 0.4 to 1.6 m/s", SPEEDS);
+        return;
+    }
     println!("{HEAD}");
     if !args.targets {
         cold_and_warm("squalane-on-glass", &read("squalane-on-glass", ""), few);
@@ -58,9 +67,46 @@ fn main() {
     if args.monolithic {
         monolithic_case("ball-on-disc at 10 N", &small());
     }
+    curve("slide-to-roll ratio, 0 to 0.45", SLIDING);
+    curve("entrainment speed, 0.4 to 1.6 m/s", SPEEDS);
     for name in ["roller", "ball-on-disc"] {
         monolithic_iteration(name);
     }
+}
+
+const SLIDING: &str =
+    "[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nfrom = 0\nto = 0.45\npoints = 10";
+const SPEEDS: &str = "[curve]\nquantity = \"motion.entrainment_speed\"\nfrom = \"0.4 m/s\"\nto = \"1.6 m/s\"\npoints = 10\nspacing = \"log\"";
+
+/// A curve of ten points through the main contact over that contact alone, cold, both without a cache.
+fn curve(name: &str, table: &str) {
+    let session = Session::default();
+    let case = read("ball-on-disc", table);
+    let points = case.curve.as_ref().expect("a case with a curve");
+    let clock = Clock::start();
+    session
+        .solve(&case, &mut Silent)
+        .expect("a shipped case converges");
+    let cold = clock.seconds();
+    let clock = Clock::start();
+    let curve = solve_curve(&session, points, &mut Silent);
+    let time = clock.seconds();
+    let solved = || curve.points.iter().filter_map(|p| p.outcome.solution());
+    println!(
+        "(d) {name}: {} of {} points, {} warm, {} Newton iterations; {:.3} s wall, {:.3} s CPU; of one cold case {:.2} wall, {:.2} CPU, of the curve's first point {:.2} wall; at most 4",
+        solved().count(),
+        curve.n_points,
+        solved().filter(|s| s.stats.warm).count(),
+        solved()
+            .flat_map(|s| &s.stats.levels)
+            .map(|l| l.newton_iterations)
+            .sum::<usize>(),
+        time.wall,
+        time.cpu,
+        time.wall / cold.wall,
+        time.cpu / cold.cpu,
+        time.wall / curve.points[0].seconds,
+    );
 }
 
 /// A circular contact that a small mesh resolves.

@@ -137,7 +137,7 @@ impl Session {
             Some(start) => solve_warm(&problem, start, &mut recorder)?,
             None => None,
         };
-        let is_warm = warm.is_some();
+        let warm_start = start.filter(|_| warm.is_some());
         let (finest, levels) = match warm {
             Some(end) => end,
             None => {
@@ -148,13 +148,17 @@ impl Session {
             }
         };
         let stats = Stats {
-            warm: is_warm,
+            warm: warm_start.is_some(),
             levels,
             wall_seconds: 0.0,
             peak_memory: None,
         };
         let mut solution = describe(case, &problem, &finest, stats, recorder.history)?;
-        let start = Start::new(&problem, finest, &solution.stats.levels);
+        let levels = &solution.stats.levels;
+        let start = match warm_start {
+            Some(start) => start.followed_by(&problem, finest, levels),
+            None => Start::new(&problem, finest, levels),
+        };
         solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
         solution.stats.peak_memory = peak_memory();
         Ok((solution, start))

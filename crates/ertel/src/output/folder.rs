@@ -12,12 +12,14 @@ use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-const OWN_FILES: [&str; 18] = [
+const OWN_FILES: [&str; 20] = [
     "result.json",
     "curve.json",
     "curve.csv",
     "film-curve.svg",
     "film-curve.png",
+    "traction-curve.svg",
+    "traction-curve.png",
     "report.txt",
     "case.toml",
     "centreline.csv",

@@ -30,6 +30,7 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
                     json["summary"] = serde_json::to_value(&s.summary)?;
                     json["hertz"] = serde_json::to_value(s.hertz)?;
                     json["groups"] = serde_json::to_value(s.groups)?;
+                    json["traction"] = serde_json::to_value(&s.traction)?;
                     json["stats"] = serde_json::to_value(&s.stats)?;
                     json["warnings"] = json!(s.warnings);
                 }

@@ -6,7 +6,7 @@ mod report;
 mod table;
 
 pub use json::{CURVE_FORMAT, curve_json};
-pub use picture::film_chart;
+pub use picture::{film_chart, traction_chart};
 pub use report::curve_report;
 pub use table::{COLUMNS, Cell, Column, curve_table};
 
@@ -73,8 +73,16 @@ pub fn write_curve(
 
 /// Every picture of a curve.
 fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
-    vec![Picture {
+    let mut pictures = vec![Picture {
         name: "film-curve",
         svg: film_chart(title, curve).svg(),
-    }]
+    }];
+    let mut solved = curve.points.iter().filter_map(|p| p.outcome.solution());
+    if solved.any(|s| s.traction.coefficient != 0.0) {
+        pictures.push(Picture {
+            name: "traction-curve",
+            svg: traction_chart(title, curve).svg(),
+        });
+    }
+    pictures
 }

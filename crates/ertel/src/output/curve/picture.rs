@@ -67,6 +67,19 @@ pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
     chart
 }
 
+/// Traction coefficient over the quantity.
+pub fn traction_chart(title: &str, curve: &CurveSolution) -> Chart {
+    let mut chart = curve_chart(title, curve, "Traction coefficient");
+    chart.series = vec![Series {
+        points: points_over(curve, |p| Some(p.outcome.solution()?.traction.coefficient)),
+        look: Look::LineAndDots,
+        colour: PALETTE[0].into(),
+        ..Series::default()
+    }];
+    fit_y(&mut chart);
+    chart
+}
+
 /// Diagram over the quantity of a curve without series; call [`fit_y`] once they are there.
 fn curve_chart(title: &str, curve: &CurveSolution, y_label: &str) -> Chart {
     let values = || curve.points.iter().map(|p| p.value);
@@ -166,8 +179,7 @@ fn axis_label(quantity: &Quantity, unit: &str) -> String {
     };
     let unit = match unit {
         "" => String::new(),
-        // A blank after a subscript is lost
-        unit => format!("\u{a0}({unit})"),
+        unit => format!(" ({unit})"),
     };
     format!("{name}{symbol}{unit}")
 }

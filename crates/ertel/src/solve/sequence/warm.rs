@@ -18,8 +18,8 @@ pub struct Start {
     elastic_order: usize,
     /// Start film of its problem: the measure by which the film of the next one is foreseen.
     film: f64,
-    /// Whether its error bars are within the target of its problem.
-    on_target: bool,
+    /// Largest error bar over the target, of the last solution that did not start from another.
+    miss: f64,
 }
 
 /// Ratio by which the contact area of a mesh or its cells are changed for the sake of a later problem.
@@ -84,19 +84,39 @@ const COARSEST_REFINED: f64 = 3.0;
 /// And how much finer they may be: a mesh that is too fine costs time.
 const FINEST: f64 = 0.25;
 
+/// Largest error bar, in targets, that is taken where the mesh of a start cannot be refined further: a mesh of
+/// its own might do better, for several times the time.
+const LARGEST_MISS: f64 = 2.0;
+
+/// The same over what the start's own mesh came to.
+const WORSE: f64 = 1.5;
+
 /// Share of the predicted new minimum film that the rescaled start has left at the least.
 const LEAST_FILM: f64 = 0.5;
 
 impl Start {
     /// A start from the solution of a problem and the figures of its stages.
     pub fn new(problem: &Problem, solution: StageSolution, stats: &[LevelStats]) -> Start {
-        let on_target = is_on_target(problem, &solution, stats);
+        let miss = miss(problem, &solution, stats);
         Start {
             solution,
             bodies: problem.bodies.clone(),
             elastic_order: problem.elastic_order,
             film: problem.start_film,
-            on_target,
+            miss,
+        }
+    }
+
+    /// The same for a problem that was solved from this start.
+    pub fn followed_by(
+        &self,
+        problem: &Problem,
+        solution: StageSolution,
+        stats: &[LevelStats],
+    ) -> Start {
+        Start {
+            miss: self.miss,
+            ..Start::new(problem, solution, stats)
         }
     }
 
@@ -208,17 +228,22 @@ pub fn solve_warm(
         Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
         Err(_) => Ok(None),
         Ok((solution, stats)) => {
-            // A former point may have met the target where this one has to do without.
-            let good = !start.on_target || is_on_target(problem, &solution, &stats);
+            let allowed = LARGEST_MISS.max(WORSE * start.miss);
+            let good = miss(problem, &solution, &stats) <= allowed;
             Ok(good.then_some((solution, stats)))
         }
     }
 }
 
-fn is_on_target(problem: &Problem, solution: &StageSolution, stats: &[LevelStats]) -> bool {
+/// Largest error bar over the target; zero where there is none.
+fn miss(problem: &Problem, solution: &StageSolution, stats: &[LevelStats]) -> f64 {
     let Some(adapt) = &problem.adapt else {
-        return true;
+        return 0.0;
     };
     let grading = grading_errors(problem.kind, &solution.stage.sizes);
-    error_bars(stats, grading).is_some_and(|b| b.bars.iter().all(|bar| *bar <= adapt.target))
+    error_bars(stats, grading).map_or(f64::INFINITY, |b| {
+        b.bars
+            .iter()
+            .fold(0.0, |m: f64, bar| m.max(bar / adapt.target))
+    })
 }
