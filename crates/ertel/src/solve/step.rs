@@ -61,7 +61,7 @@ enum Accuracy {
 impl Accuracy {
     /// Relative error of a step of about the size `update` (Eisenstat and Walker 1996): quadratic convergence
     /// takes an update u to about u², so a share of u is small enough; and what is far below the end of the run
-    /// is wasted. Never beyond 1e-3: Newton's method takes more iterations with 1e-2.
+    /// is wasted. At most 1e-3; 1e-2 takes about as many iterations.
     fn tolerance(self, update: f64) -> f64 {
         match self {
             Accuracy::Step { end } => (0.03 * update).max(0.1 * end / update).clamp(1e-9, 1e-3),
