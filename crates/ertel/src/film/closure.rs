@@ -51,6 +51,7 @@ pub struct Workspace {
 }
 
 /// Mid-plane stress at which the surfaces slide by Ω; the points across the film are left in `rule`.
+#[inline(always)]
 pub fn mid_stress(
     law: &impl Fluidity,
     pressure_stress: [f64; 2],
@@ -127,6 +128,7 @@ struct Rate {
     slopes: [f64; 3],
 }
 
+#[inline(always)]
 fn rate(law: &impl Fluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2], slide: f64) -> Rate {
     let mut excess = [-slide, 0.0];
     let mut slopes = [0.0; 3];
@@ -144,6 +146,7 @@ fn rate(law: &impl Fluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2], slide
 }
 
 /// Solves the local problem and differentiates it.
+#[inline(always)]
 pub fn close(
     law: &impl Fluidity,
     pressure_stress: [f64; 2],

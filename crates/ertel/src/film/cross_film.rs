@@ -58,12 +58,14 @@ impl CrossFilm {
     }
 
     /// Lays the points for mid-plane stress τ and pressure stress G.
+    #[inline(always)]
     pub fn lay(&mut self, scales: &StressScales, mid_stress: [f64; 2], pressure_stress: [f64; 2]) {
         self.around = None;
         self.place(scales, mid_stress, pressure_stress);
     }
 
     /// The same for another mid-plane stress: points that still serve stay.
+    #[inline(always)]
     pub fn move_to(
         &mut self,
         scales: &StressScales,
@@ -73,6 +75,7 @@ impl CrossFilm {
         self.place(scales, mid_stress, pressure_stress);
     }
 
+    #[inline(always)]
     fn place(&mut self, scales: &StressScales, mid_stress: [f64; 2], pressure_stress: [f64; 2]) {
         let [tx, ty] = mid_stress;
         let [gx, gy] = pressure_stress;
@@ -122,6 +125,7 @@ impl CrossFilm {
     }
 
     /// Points from s₀ + `share`·`end` to s₀ + `end`, crowding towards s₀.
+    #[inline(always)]
     fn fan(&mut self, centre: f64, end: f64, share: f64, width: f64, extra: usize) {
         // Numbers of points for 1e-10, measured on laws with exponents 0.3 to 1.
         let length = end.abs() / width;
@@ -142,6 +146,7 @@ impl CrossFilm {
     }
 
     /// Gauss points between two ends, mapped to s with the slope of the map.
+    #[inline(always)]
     fn interval(&mut self, n: usize, from: f64, to: f64, map: impl Fn(f64) -> (f64, f64)) {
         for [x, w] in gauss(n.min(LONGEST)) {
             let (s, slope) = map(from + (to - from) * x);

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use ertel_fem::linear::dense::vectorised;
 use ertel_rheology::density::DensityLaw;
 use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
@@ -141,7 +142,9 @@ impl FilmFluid {
     ) -> Closure {
         match self.thinning_at(pressure) {
             None => Closure::newtonian(pressure_stress, sliding_stress),
-            Some(law) => closure::close(&law, pressure_stress, sliding_stress, workspace),
+            Some(law) => {
+                vectorised(|| closure::close(&law, pressure_stress, sliding_stress, workspace))
+            }
         }
     }
 
