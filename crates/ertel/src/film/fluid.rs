@@ -10,6 +10,7 @@ use num_dual::{Dual2_64, DualNum};
 
 use super::closure::{self, Closure, Workspace};
 use super::fluidity::{Fluidity, PointThinning, Thinning};
+use super::properties::Properties;
 use crate::contact::Scales;
 
 /// Fluid at a point: value, first and second derivative by P.
@@ -29,16 +30,7 @@ pub struct PointFluid {
 /// the jump does not exist: Newton's method would step from one side to the other for ever.
 #[derive(Clone, Debug)]
 pub struct FilmFluid {
-    density: DensityLaw,
-    viscosity: ViscosityLaw,
-    /// K.
-    temperature: f64,
-    /// p_h, Pa.
-    pressure_scale: f64,
-    /// ρ_R, kg/m³.
-    density_scale: f64,
-    /// ln(μ_R / Pa·s).
-    ln_viscosity_scale: f64,
+    properties: Arc<Properties>,
     /// Share of ln μ̄ in force.
     thickening: f64,
     /// a p_h/R, Pa.
@@ -58,12 +50,12 @@ impl FilmFluid {
         scales: &Scales,
     ) -> FilmFluid {
         FilmFluid {
-            density: density.clone(),
-            viscosity: viscosity.clone(),
-            temperature,
-            pressure_scale: scales.pressure,
-            density_scale: scales.density,
-            ln_viscosity_scale: scales.viscosity.ln(),
+            properties: Arc::new(Properties::new(
+                density,
+                viscosity,
+                temperature,
+                [scales.pressure, scales.density, scales.viscosity],
+            )),
             thickening: 1.0,
             stress_scale: scales.pressure * scales.film / scales.length,
             shear_thinning: None,
@@ -112,7 +104,7 @@ impl FilmFluid {
 
     /// Stresses, Pa, at which the fluid leaves its first and reaches its second Newtonian plateau at P.
     pub fn newtonian_limits(&self, pressure: f64) -> [Option<f64>; 2] {
-        let pressure = pressure * self.pressure_scale;
+        let pressure = pressure * self.properties.pressure_scale;
         (self.shear_thinning.as_ref()).map_or([None; 2], |t| t.law.newtonian_limits(pressure))
     }
 
@@ -124,7 +116,7 @@ impl FilmFluid {
     /// The law at P.
     fn thinning_at(&self, pressure: f64) -> Option<PointThinning<'_>> {
         let thinning = self.shear_thinning.as_ref()?;
-        Some(thinning.at(pressure, self.stress_scale, self.pressure_scale))
+        Some(thinning.at(pressure, self.stress_scale, self.properties.pressure_scale))
     }
 
     /// σ, by which Ω = σμ̄/H.
@@ -157,26 +149,29 @@ impl FilmFluid {
         }
     }
 
-    /// ρ̄, μ̄ and their first two derivatives by P, exact.
+    /// ρ̄, μ̄ and their first two derivatives by P.
     pub fn at(&self, pressure: f64) -> PointFluid {
-        let scale = self.pressure_scale;
-        let p = Dual2_64::from_re(pressure.max(0.0) * scale).derivative();
-        let t = Dual2_64::from_re(self.temperature);
-        let ln_mu = self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale;
-        let ln_mu = saturate(ln_mu * self.thickening);
-        let mut rho = self.density.density(p, t) / self.density_scale;
+        let [mut rho, ln_mu] = self.properties.at(pressure.max(0.0));
+        let ln_mu = saturate(dual(ln_mu) * self.thickening);
         let mut mu = ln_mu.exp();
         if pressure < 0.0 {
-            let p = Dual2_64::from_re(pressure * scale).derivative();
-            rho = level_off(p, rho.re, rho.v1);
+            let p = Dual2_64::from_re(pressure).derivative();
+            rho = jet(level_off(p, rho[0], rho[1]));
             mu = level_off(p, 0.0, ln_mu.v1).exp() * mu.re;
         }
-        let by_p = |v: Dual2_64| [v.re, v.v1 * scale, v.v2 * scale * scale];
         PointFluid {
-            density: by_p(rho),
-            viscosity: by_p(mu),
+            density: rho,
+            viscosity: jet(mu),
         }
     }
+}
+
+fn dual([re, v1, v2]: [f64; 3]) -> Dual2_64 {
+    Dual2_64::new(re, v1, v2)
+}
+
+fn jet(v: Dual2_64) -> [f64; 3] {
+    [v.re, v.v1, v.v2]
 }
 
 /// ln μ̄ above which the lubricant is a solid for every purpose, and laws would overflow: e²⁰⁰ times

@@ -10,6 +10,7 @@ use ertel_rheology::shear::{ShearLaw, ShearThinning, StressLimit};
 use num_dual::{Dual2_64, DualNum};
 
 use super::cross_film::StressScales;
+use super::quintic::Quintic;
 
 /// f and its derivatives by x and P.
 #[derive(Clone, Copy, Debug, Default)]
@@ -160,8 +161,8 @@ impl Fluidity for PointThinning<'_> {
 struct FluidityTable {
     /// Square of the knee's stress.
     unit: f64,
-    /// Coefficients in the local coordinate, then its slope.
-    cells: Vec<[f64; 8]>,
+    /// Interpolants in the local coordinate, and its slope.
+    cells: Vec<(Quintic, f64)>,
 }
 
 /// Cells to each power of two: 2⁵.
@@ -185,20 +186,11 @@ impl FluidityTable {
         let cells = (0..n).map(|i| {
             let (low, high) = (node(i), node(i + 1));
             let w = high - low;
-            let [y0, d0, s0] = at(low);
-            let [y1, d1, s1] = at(high);
-            let (d0, d1, s0, s1) = (d0 * w, d1 * w, s0 * w * w, s1 * w * w);
-            let rise = y1 - y0;
-            [
-                y0,
-                d0,
-                0.5 * s0,
-                10.0 * rise - 6.0 * d0 - 4.0 * d1 - 1.5 * s0 + 0.5 * s1,
-                -15.0 * rise + 8.0 * d0 + 7.0 * d1 + 1.5 * s0 - s1,
-                6.0 * rise - 3.0 * (d0 + d1) - 0.5 * (s0 - s1),
-                1.0 / w,
-                0.0,
-            ]
+            let end = |x: f64| {
+                let [a, a1, a2] = at(x);
+                [a, a1 * w, a2 * w * w]
+            };
+            (Quintic::new(end(low), end(high)), 1.0 / w)
         });
         FluidityTable {
             unit,
@@ -212,12 +204,10 @@ impl FluidityTable {
         let bits = (square / self.unit).to_bits();
         let first = 2.0_f64.powi(LOWEST).to_bits() >> LOCAL_BITS;
         let cell = (bits >> LOCAL_BITS).wrapping_sub(first);
-        let [c0, c1, c2, c3, c4, c5, slope, _] = *self.cells.get(cell as usize)?;
+        let (quintic, slope) = self.cells.get(cell as usize)?;
         let local = bits & ((1 << LOCAL_BITS) - 1);
         let t = local as f64 * (1.0 / (1_u64 << LOCAL_BITS) as f64);
-        let value = ((((c5 * t + c4) * t + c3) * t + c2) * t + c1) * t + c0;
-        let first = (((5.0 * c5 * t + 4.0 * c4) * t + 3.0 * c3) * t + 2.0 * c2) * t + c1;
-        let second = ((20.0 * c5 * t + 12.0 * c4) * t + 6.0 * c3) * t + 2.0 * c2;
+        let [value, first, second] = quintic.at(t);
         let scale = slope / self.unit;
         Some([value, first * scale, second * scale * scale])
     }

@@ -4,6 +4,8 @@ pub mod closure;
 pub mod cross_film;
 pub mod fluid;
 pub mod fluidity;
+mod properties;
+mod quintic;
 
 pub use closure::Closure;
 pub use fluid::{FilmFluid, PointFluid};

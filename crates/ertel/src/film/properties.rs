@@ -1,0 +1,126 @@
+//! Density and low-shear viscosity over pressure, prepared for many evaluations.
+
+use ertel_rheology::density::DensityLaw;
+use ertel_rheology::viscosity::ViscosityLaw;
+use num_dual::Dual2_64;
+
+use super::quintic::Quintic;
+
+/// ρ̄ and ln μ̄ at P ≥ 0, each with two derivatives by P. Smooth laws are read from a table.
+#[derive(Clone, Debug)]
+pub(super) struct Properties {
+    pub density: DensityLaw,
+    pub viscosity: ViscosityLaw,
+    /// K.
+    pub temperature: f64,
+    /// p_h, Pa.
+    pub pressure_scale: f64,
+    /// ρ_R, kg/m³.
+    pub density_scale: f64,
+    /// ln(μ_R / Pa·s).
+    pub ln_viscosity_scale: f64,
+    table: Vec<Option<[Quintic; 2]>>,
+}
+
+/// Cells to each p_h, and how far the table reaches, in p_h.
+const PER_UNIT: f64 = 512.0;
+const REACH: f64 = 1.5;
+
+/// Error of a cell at its middle from which the law itself is asked instead.
+const INTERPOLATION_ERROR: f64 = 1e-13;
+
+impl Properties {
+    pub fn new(
+        density: &DensityLaw,
+        viscosity: &ViscosityLaw,
+        temperature: f64,
+        [pressure_scale, density_scale, viscosity_scale]: [f64; 3],
+    ) -> Properties {
+        let mut properties = Properties {
+            density: density.clone(),
+            viscosity: viscosity.clone(),
+            temperature,
+            pressure_scale,
+            density_scale,
+            ln_viscosity_scale: viscosity_scale.ln(),
+            table: Vec::new(),
+        };
+        // Tables of data have corners of their own.
+        if density.tabulated_range().is_none() && viscosity.tabulated_range().is_none() {
+            properties.table = properties.tabulate();
+        }
+        properties
+    }
+
+    fn tabulate(&self) -> Vec<Option<[Quintic; 2]>> {
+        let width = 1.0 / PER_UNIT;
+        let node = |i: usize| {
+            let jets = self.exact(i as f64 * width);
+            jets.map(|[v, v1, v2]| [v, v1 * width, v2 * width * width])
+        };
+        let n = (REACH * PER_UNIT) as usize;
+        let nodes: Vec<_> = (0..=n).map(node).collect();
+        let cell = |i: usize| {
+            let cells = [0, 1].map(|k: usize| Quintic::new(nodes[i][k], nodes[i + 1][k]));
+            let middle = self.exact((i as f64 + 0.5) * width);
+            let good = (0..2).all(|k| {
+                let error = (cells[k].at(0.5)[0] - middle[k][0]).abs();
+                error < INTERPOLATION_ERROR * (1.0 + middle[k][0].abs())
+            });
+            good.then_some(cells)
+        };
+        (0..n).map(cell).collect()
+    }
+
+    /// ρ̄ and ln μ̄ at P ≥ 0.
+    #[inline]
+    pub fn at(&self, pressure: f64) -> [[f64; 3]; 2] {
+        let x = pressure * PER_UNIT;
+        if let Some(Some(cells)) = self.table.get(x as usize) {
+            let t = x - x.floor();
+            return cells.each_ref().map(|cell| {
+                let [v, v1, v2] = cell.at(t);
+                [v, v1 * PER_UNIT, v2 * PER_UNIT * PER_UNIT]
+            });
+        }
+        self.exact(pressure)
+    }
+
+    /// The same from the laws.
+    pub fn exact(&self, pressure: f64) -> [[f64; 3]; 2] {
+        let scale = self.pressure_scale;
+        let p = Dual2_64::from_re(pressure * scale).derivative();
+        let t = Dual2_64::from_re(self.temperature);
+        let rho = self.density.density(p, t) / self.density_scale;
+        let ln_mu = self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale;
+        [rho, ln_mu].map(|v| [v.re, v.v1 * scale, v.v2 * scale * scale])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// Table and laws between the nodes, and beyond the table's end.
+    #[test]
+    fn table_matches_the_laws() {
+        let density = DensityLaw::dowson_higginson(870.0).unwrap();
+        for viscosity in [
+            ViscosityLaw::barus(0.04, 2.2e-8).unwrap(),
+            ViscosityLaw::roelands(0.04, 2.2e-8).unwrap(),
+        ] {
+            let properties = Properties::new(&density, &viscosity, 313.0, [1e9, 870.0, 0.04]);
+            assert!(properties.table.iter().all(Option::is_some));
+            for i in 0..997 {
+                let p = i as f64 * 0.0017;
+                let (ours, exact) = (properties.at(p), properties.exact(p));
+                for (ours, exact) in ours.into_iter().zip(exact) {
+                    assert_relative_eq!(ours[0], exact[0], max_relative = 1e-13, epsilon = 1e-13);
+                    assert_relative_eq!(ours[1], exact[1], max_relative = 1e-10);
+                    assert_relative_eq!(ours[2], exact[2], max_relative = 1e-6, epsilon = 1e-7);
+                }
+            }
+        }
+    }
+}
