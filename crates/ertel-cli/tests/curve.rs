@@ -88,6 +88,49 @@ fn a_curve_is_solved_and_written() {
     assert!(point.join("notes.txt").exists());
 }
 
+/// Traction against sliding, beside the Newtonian curve.
+#[test]
+fn a_sliding_curve_shows_its_traction() {
+    let thins = |case: &str| {
+        let law = "shear_thinning = { law = \"ree-eyring\", tau_0 = \"2 MPa\" }\n\n[mesh]";
+        case.replace("[mesh]", law)
+    };
+    let ratios = "[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nvalues = [0.0, 0.1, 0.2]\nnewtonian = true\n";
+    let folder = workspace(thins, ratios);
+    let output = solve(&folder, &["case.toml"]);
+    let progress = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{progress}");
+    assert!(
+        progress.contains("point 2/3 (0.1, Newtonian)"),
+        "{progress}"
+    );
+    assert!(
+        folder
+            .path()
+            .join("results/case/traction-curve.svg")
+            .exists()
+    );
+    let rows = table(&folder);
+    let column =
+        |name: &str| -> Vec<f64> { rows.iter().map(|r| r[name].parse().unwrap()).collect() };
+    let (traction, newtonian) = (
+        column("traction_coefficient"),
+        column("newtonian_traction_coefficient"),
+    );
+    assert_eq!(traction[0], 0.0);
+    assert!(traction[2] > traction[1] && traction[1] > 0.0);
+    assert!(newtonian[2] > 2.0 * traction[2]);
+    // Newtonian stress goes with the sliding speed, and its film stays.
+    assert!((newtonian[2] / newtonian[1] - 2.0).abs() < 1e-4);
+    let (film, thick) = (column("film_central_m"), column("newtonian_film_central_m"));
+    assert!((thick[2] / thick[0] - 1.0).abs() < 1e-5);
+    for (i, reduction) in column("film_reduction_central").into_iter().enumerate() {
+        assert!((reduction - (1.0 - film[i] / thick[i])).abs() < 1e-12);
+        assert!(reduction > 0.0);
+    }
+    assert!(column("friction_power_W_per_m").iter().all(|p| *p > 0.0));
+}
+
 #[test]
 fn a_failed_point_leaves_the_others_standing() {
     // So few iterations that the heavy point does not converge.

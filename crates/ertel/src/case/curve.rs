@@ -31,6 +31,8 @@ pub struct Curve {
     pub points: Vec<Point>,
     /// Whether each point's results are written into a folder of its own, too.
     pub folders: bool,
+    /// Whether each point is solved without shear thinning, too.
+    pub newtonian: bool,
 }
 
 /// One point of a curve.
@@ -152,6 +154,15 @@ pub(super) fn read(
         ));
     };
     let folders = table.optional_bool("folders")?.unwrap_or(false);
+    let newtonian = table.optional_bool("newtonian")?.unwrap_or(false);
+    if newtonian && base.shear_thinning().is_none() {
+        let reason = if base.solver.newtonian {
+            "`newtonian` of [curve] compares with a curve that [solver] already asks for alone"
+        } else {
+            "this lubricant does not thin in shear: its curve is the Newtonian one"
+        };
+        return Err(table.error("newtonian", reason));
+    }
     table.finish()?;
     let points = values
         .into_iter()
@@ -161,6 +172,7 @@ pub(super) fn read(
         quantity,
         points,
         folders,
+        newtonian,
     }))
 }
 

@@ -7,7 +7,7 @@ use crate::case::{Case, Curve};
 use crate::output::{CaseEcho, digits};
 use crate::reference::film_formulas;
 use crate::run::{Session, Start, groups};
-use crate::solution::{Centreline, FormulaFilm, Solution, SurfaceField};
+use crate::solution::{Centreline, FilmReduction, FormulaFilm, Solution, SurfaceField};
 use crate::solve::{Observer, SolveError};
 
 /// Follows a curve.
@@ -42,8 +42,30 @@ pub struct PointSolution {
     pub formulas: Vec<FormulaFilm>,
     /// Its solution, or why there is none.
     pub outcome: Outcome,
+    /// The same point without shear thinning, where the curve asks for it.
+    pub newtonian: Option<Outcome>,
     /// Wall time, s.
     pub seconds: f64,
+}
+
+impl PointSolution {
+    /// The Newtonian solution, if there is one.
+    pub fn newtonian_solution(&self) -> Option<&Solution> {
+        self.newtonian.as_ref().and_then(Outcome::solution)
+    }
+
+    /// What shear thinning does to the film: beside the point's Newtonian solution, else as its own stages tell.
+    pub fn film_reduction(&self) -> Option<FilmReduction> {
+        let thinned = self.outcome.solution()?;
+        let Some(newtonian) = self.newtonian_solution() else {
+            return thinned.film_reduction;
+        };
+        let (with, without) = (&thinned.summary, &newtonian.summary);
+        Some(FilmReduction {
+            central: 1.0 - with.film_central.value / without.film_central.value,
+            minimum: 1.0 - with.film_minimum.value / without.film_minimum.value,
+        })
+    }
 }
 
 /// What became of a point.
@@ -87,7 +109,8 @@ impl CurveSolution {
 }
 
 /// Solves the points of a curve in their order, each from the last one that was solved. A point that fails
-/// is kept with its reason. When the observer cancels, the points until then are returned.
+/// is kept with its reason. When the observer cancels, the points until then are returned. Newtonian solutions, where
+/// the curve asks for them, start from one another, the first one from its own point.
 ///
 /// Fields and iterations of the solutions are kept only where the curve asks for folders.
 pub fn solve_curve(
@@ -98,10 +121,12 @@ pub fn solve_curve(
     let clock = Instant::now();
     let mut points = Vec::new();
     let mut start: Option<Start> = None;
+    let mut newtonian_start: Option<Start> = None;
     for (index, point) in curve.points.iter().enumerate() {
         let clock = Instant::now();
         let value = format!("{} {}", digits(point.value, 6), curve.quantity.unit());
-        observer.point(index, curve.points.len(), value.trim_end());
+        let value = value.trim_end();
+        observer.point(index, curve.points.len(), value);
         let ahead: Vec<&Case> = curve.points[index + 1..].iter().map(|p| &p.case).collect();
         let outcome = match session.solve_from(&point.case, start.as_ref(), &ahead, observer) {
             Ok((mut solution, end)) => {
@@ -114,6 +139,23 @@ pub fn solve_curve(
             Err(SolveError::Interrupted) => break,
             Err(error) => Outcome::Failed(error.to_string()),
         };
+        let newtonian = if curve.newtonian {
+            observer.point(index, curve.points.len(), &format!("{value}, Newtonian"));
+            let ahead: Vec<Case> = ahead.into_iter().map(newtonian_case).collect();
+            let from = newtonian_start.as_ref().or(start.as_ref());
+            let case = newtonian_case(&point.case);
+            match session.solve_from(&case, from, &ahead.iter().collect::<Vec<_>>(), observer) {
+                Ok((mut solution, end)) => {
+                    newtonian_start = Some(end);
+                    drop_fields(&mut solution);
+                    Some(Outcome::Solved(Box::new(solution)))
+                }
+                Err(SolveError::Interrupted) => break,
+                Err(error) => Some(Outcome::Failed(error.to_string())),
+            }
+        } else {
+            None
+        };
         let case = &point.case;
         let lubricant = &case.lubricant;
         let slope = lubricant
@@ -124,6 +166,7 @@ pub fn solve_curve(
             case: case.echo(),
             formulas: film_formulas(case.contact.kind, case.contact.radius, &groups(case, slope)),
             outcome,
+            newtonian,
             seconds: clock.elapsed().as_secs_f64(),
         });
     }
@@ -133,6 +176,13 @@ pub fn solve_curve(
         n_points: curve.points.len(),
         wall_seconds: clock.elapsed().as_secs_f64(),
     }
+}
+
+/// The case with the lubricant's low-shear viscosity alone.
+fn newtonian_case(case: &Case) -> Case {
+    let mut case = case.clone();
+    case.solver.newtonian = true;
+    case
 }
 
 /// A long curve keeps figures only.

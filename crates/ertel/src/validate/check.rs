@@ -187,10 +187,7 @@ impl Check {
                         _ => None,
                     };
                     let mut row = row(&runs[*i].name, label, reference, ours);
-                    row.is_share = matches!(
-                        self.quantity,
-                        Quantity::DeflectionError | Quantity::DeflectionShapeError
-                    );
+                    row.is_share = self.quantity.is_share();
                     Some(row)
                 })
                 .collect(),

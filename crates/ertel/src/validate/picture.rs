@@ -3,10 +3,12 @@
 use super::run::Outcome;
 use super::{Quantity, Study, profiles};
 use crate::contact::{ContactKind, hertz};
+use crate::output::curve;
 use crate::output::plot::{self, Axis, Chart, Look, PALETTE, Series};
 use crate::params::PenaltyScaling;
 use crate::reference::FilmFormula;
 use crate::solution::Solution;
+use crate::study::CurveSolution;
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +26,10 @@ pub enum PictureKind {
     Profiles(Vec<usize>, usize),
     /// Pressure on the centreline of these runs, and again within this range of X.
     Pressures(Vec<usize>, [f64; 2]),
+    /// Films of the curves of these runs, dashed those without shear thinning.
+    FilmCurves(Vec<usize>),
+    /// Traction coefficients of the curves of these runs, likewise.
+    TractionCurves(Vec<usize>),
     /// A quantity over the penalty, one colour per scaling, one look per mesh.
     Penalty(Quantity),
 }
@@ -76,6 +82,12 @@ impl Picture {
                 self.film_over_load(study, outcomes, *formula, runs)
             }
             PictureKind::Penalty(quantity) => self.penalty(study, outcomes, *quantity),
+            PictureKind::FilmCurves(runs) => {
+                curve::films_chart(&self.caption, &curves(study, outcomes, runs))
+            }
+            PictureKind::TractionCurves(runs) => {
+                curve::tractions_chart(&self.caption, &curves(study, outcomes, runs))
+            }
         }
     }
 
@@ -253,6 +265,19 @@ impl Picture {
         chart.series = series;
         Some(chart)
     }
+}
+
+/// The curves among the outcomes of runs, with the names of the runs.
+fn curves<'a>(
+    study: &'a Study,
+    outcomes: &'a [Outcome],
+    runs: &[usize],
+) -> Vec<(&'a str, &'a CurveSolution)> {
+    let curve = |i: &usize| match &outcomes[*i] {
+        Outcome::Curve(curve) => Some((study.runs[*i].name.as_str(), curve)),
+        _ => None,
+    };
+    runs.iter().filter_map(curve).collect()
 }
 
 /// Marks on the curve of the theory.

@@ -1,6 +1,7 @@
 //! Quantities that are compared.
 
 use super::run::{Outcome, Run};
+use crate::study::{CurveSolution, PointSolution};
 
 /// A figure of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,11 +32,35 @@ pub enum Quantity {
     DeflectionDifference,
     /// Unknowns: displacements, and pressures where they are solved for.
     Unknowns,
+    /// Hertz pressure, GPa.
+    HertzPressure,
+    /// M.
+    MoesLoad,
+    /// L with the initial slope of ln μ(p).
+    MoesMaterial,
+    /// L with the reciprocal asymptotic coefficient α*.
+    MoesMaterialAsymptotic,
+    /// Traction coefficient at mid-film.
+    Traction,
+    /// Of a curve: smallest reduction of the central film by shear thinning.
+    LeastFilmReduction,
+    /// Of a curve: largest.
+    MostFilmReduction,
+    /// Of a curve: share of the central film lost from the first point to the last.
+    FilmFall,
+    /// Of a curve: largest relative rise of the central film from a point to the next; negative where it always falls.
+    FilmRise,
+    /// Of a curve: largest traction coefficient at mid-film.
+    MostTraction,
+    /// Of a curve: largest ratio of the traction to that without shear thinning, where surfaces slide.
+    MostTractionRatio,
+    /// Of a curve: largest relative change of the largest pressure from the first point.
+    PressureChange,
 }
 
 impl Quantity {
     /// Every quantity.
-    pub const ALL: [Quantity; 13] = [
+    pub const ALL: [Quantity; 25] = [
         Quantity::CentralFilm,
         Quantity::MinimumFilm,
         Quantity::Outlet,
@@ -49,6 +74,18 @@ impl Quantity {
         Quantity::DeflectionShapeError,
         Quantity::DeflectionDifference,
         Quantity::Unknowns,
+        Quantity::HertzPressure,
+        Quantity::MoesLoad,
+        Quantity::MoesMaterial,
+        Quantity::MoesMaterialAsymptotic,
+        Quantity::Traction,
+        Quantity::LeastFilmReduction,
+        Quantity::MostFilmReduction,
+        Quantity::FilmFall,
+        Quantity::FilmRise,
+        Quantity::MostTraction,
+        Quantity::MostTractionRatio,
+        Quantity::PressureChange,
     ];
 
     /// Name in `reference.toml`.
@@ -67,6 +104,18 @@ impl Quantity {
             Quantity::DeflectionShapeError => "deflection-shape-error",
             Quantity::DeflectionDifference => "deflection-difference",
             Quantity::Unknowns => "unknowns",
+            Quantity::HertzPressure => "hertz-pressure",
+            Quantity::MoesLoad => "moes-load",
+            Quantity::MoesMaterial => "moes-material",
+            Quantity::MoesMaterialAsymptotic => "moes-material-asymptotic",
+            Quantity::Traction => "traction",
+            Quantity::LeastFilmReduction => "least-film-reduction",
+            Quantity::MostFilmReduction => "most-film-reduction",
+            Quantity::FilmFall => "film-fall",
+            Quantity::FilmRise => "film-rise",
+            Quantity::MostTraction => "most-traction",
+            Quantity::MostTractionRatio => "most-traction-ratio",
+            Quantity::PressureChange => "pressure-change",
         }
     }
 
@@ -86,7 +135,34 @@ impl Quantity {
             Quantity::DeflectionShapeError => "shape error",
             Quantity::DeflectionDifference => "deflection difference",
             Quantity::Unknowns => "unknowns",
+            Quantity::HertzPressure => "p_h, GPa",
+            Quantity::MoesLoad => "M",
+            Quantity::MoesMaterial => "L",
+            Quantity::MoesMaterialAsymptotic => "L with α*",
+            Quantity::Traction => "traction coefficient",
+            Quantity::LeastFilmReduction => "smallest film reduction",
+            Quantity::MostFilmReduction => "largest film reduction",
+            Quantity::FilmFall => "fall of h_c, first to last point",
+            Quantity::FilmRise => "largest rise of h_c, point to point",
+            Quantity::MostTraction => "largest traction coefficient",
+            Quantity::MostTractionRatio => "largest traction/Newtonian",
+            Quantity::PressureChange => "largest change of max p",
         }
+    }
+
+    /// Whether it is a share, shown in per cent.
+    pub fn is_share(self) -> bool {
+        matches!(
+            self,
+            Quantity::DeflectionError
+                | Quantity::DeflectionShapeError
+                | Quantity::LeastFilmReduction
+                | Quantity::MostFilmReduction
+                | Quantity::FilmFall
+                | Quantity::FilmRise
+                | Quantity::MostTractionRatio
+                | Quantity::PressureChange
+        )
     }
 
     /// Whether it counts something.
@@ -129,9 +205,14 @@ impl Quantity {
                     Quantity::Unknowns => {
                         last.map(|l| (l.n_displacement_dofs + l.n_pressure_dofs) as f64)
                     }
-                    Quantity::DeflectionError
-                    | Quantity::DeflectionShapeError
-                    | Quantity::DeflectionDifference => None,
+                    Quantity::HertzPressure => Some(1e-9 * s.hertz.pressure),
+                    Quantity::MoesLoad => Some(s.groups.moes_load),
+                    Quantity::MoesMaterial => Some(s.groups.moes_material),
+                    Quantity::MoesMaterialAsymptotic => {
+                        s.groups_asymptotic.map(|g| g.moes_material)
+                    }
+                    Quantity::Traction => Some(s.traction.coefficient),
+                    _ => None,
                 }
             }
             Outcome::Deflected(d) => {
@@ -146,7 +227,57 @@ impl Quantity {
                     _ => None,
                 }
             }
+            Outcome::Curve(curve) => self.of_curve(curve),
             Outcome::Failed(_) | Outcome::Skipped => None,
+        }
+    }
+}
+
+impl Quantity {
+    /// Value of a curve; `None` where a point that it needs has no solution.
+    fn of_curve(self, curve: &CurveSolution) -> Option<f64> {
+        /// A figure of every point that has it, `None` if one that should does not.
+        fn of_points(
+            curve: &CurveSolution,
+            figure: impl Fn(&PointSolution) -> Option<f64>,
+        ) -> Option<Vec<f64>> {
+            curve.points.iter().map(figure).collect()
+        }
+        let largest = |list: Vec<f64>| list.into_iter().reduce(f64::max);
+        let slides = |p: &&PointSolution| p.case.motion.slide_to_roll_ratio != 0.0;
+        let film = |p: &PointSolution| Some(p.outcome.solution()?.summary.film_central.value);
+        let pressure =
+            |p: &PointSolution| Some(p.outcome.solution()?.summary.pressure_maximum.value);
+        let traction = |p: &PointSolution| Some(p.outcome.solution()?.traction.coefficient);
+        let reductions = || of_points(curve, |p| Some(p.film_reduction()?.central));
+        match self {
+            Quantity::HertzPressure => {
+                let solved = curve.points.iter().find_map(|p| p.outcome.solution());
+                Some(1e-9 * solved?.hertz.pressure)
+            }
+            Quantity::LeastFilmReduction => reductions()?.into_iter().reduce(f64::min),
+            Quantity::MostFilmReduction => largest(reductions()?),
+            Quantity::FilmFall => {
+                let films = of_points(curve, film)?;
+                Some(1.0 - films.last()? / films.first()?)
+            }
+            Quantity::FilmRise => {
+                let films = of_points(curve, film)?;
+                largest(films.windows(2).map(|w| w[1] / w[0] - 1.0).collect())
+            }
+            Quantity::MostTraction => largest(of_points(curve, traction)?),
+            Quantity::MostTractionRatio => {
+                let ratio = |p| Some(traction(p)? / p.newtonian_solution()?.traction.coefficient);
+                let ratios: Option<Vec<f64>> =
+                    curve.points.iter().filter(slides).map(ratio).collect();
+                largest(ratios?)
+            }
+            Quantity::PressureChange => {
+                let pressures = of_points(curve, pressure)?;
+                let first = *pressures.first()?;
+                largest(pressures.iter().map(|p| (p / first - 1.0).abs()).collect())
+            }
+            _ => None,
         }
     }
 }

@@ -7,10 +7,11 @@
 //! [[run]]
 //! name = "normal"                 # within the study
 //! case = "case.toml"              # beside this file
-//! task = "solve"                  # or "deflect": deflection under the Hertz pressure
+//! task = "solve"                  # or "deflect": deflection under the Hertz pressure; "curve": the case's [curve]
 //! quick = true                    # takes seconds
 //! newton_iterations = 31          # of a cold start, all levels together
 //! moes = [200.0, 10.0]            # sets load and alpha (Barus, Roelands) for these groups
+//! entrainment_speed = "1.47 m/s"  # in place of the case's, if it has one; likewise slide_to_roll_ratio
 //! [run.mesh]                      # replaces the case's [mesh]; likewise [run.solver]
 //! preset = "normal"
 //!
@@ -25,7 +26,8 @@
 //! [[picture]]
 //! name = "centreline"
 //! kind = "centreline"             # of a `run`; deflection, deflection-error, film-over-load, penalty; of
-//!                                 # several `runs`: profiles (panels in `columns`), pressures (with `zoom`)
+//!                                 # several `runs`: profiles (panels in `columns`), pressures (with `zoom`);
+//!                                 # of curves: film-curves, traction-curves
 //! run = "normal"
 //! caption = "What it shows."
 //! ```
@@ -36,6 +38,7 @@ use std::path::Path;
 
 use ertel_rheology::ViscosityLaw;
 use ertel_rheology::input::{Bounds, Document, InputError, Table};
+use ertel_rheology::quantity::Dimension;
 
 use super::check::Subject;
 use super::{Accept, Check, Picture, PictureKind, Quantity, Reference, Run, Study, Task};
@@ -106,23 +109,47 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<Run, InputError> {
     let task = table
         .optional_choice(
             "task",
-            &[("solve", Task::Solve), ("deflect", Task::Deflect)],
+            &[
+                ("solve", Task::Solve),
+                ("deflect", Task::Deflect),
+                ("curve", Task::Curve),
+            ],
         )?
         .unwrap_or(Task::Solve);
+    if task == Task::Curve && case.curve.is_none() {
+        return Err(table.error("task", "the case has no [curve]"));
+    }
     if let Some(groups) = table.optional_numbers("moes", Bounds::closed(0.0, 1e5))? {
         let [m, l] = groups[..] else {
             return Err(table.error("moes", "`moes` is [M, L]"));
         };
         set_groups(&mut case, m, l).map_err(|message| table.error("moes", message))?;
     }
-    if let Some(solver) = table.optional_table("solver")? {
-        case.solver = read_solver(solver)?;
+    let speed = table.optional_quantity("entrainment_speed", Dimension::SPEED, Bounds::POSITIVE)?;
+    if let Some(speed) = speed {
+        change(&mut case, |case| case.motion.entrainment_speed = speed);
     }
-    if let Some(mesh) = table.optional_table("mesh")? {
-        case.mesh = read_mesh(mesh, case.contact.kind, case.solver.error_estimate)?;
+    if let Some(ratio) = table.optional_number("slide_to_roll_ratio", Bounds::ANY)? {
+        change(&mut case, |case| case.motion.slide_to_roll_ratio = ratio);
+    }
+    if let Some(solver) = table.optional_table("solver")? {
+        let solver = read_solver(solver)?;
+        change(&mut case, |case| case.solver = solver.clone());
+    }
+    let mesh = if let Some(mesh) = table.optional_table("mesh")? {
+        Some(read_mesh(
+            mesh,
+            case.contact.kind,
+            case.solver.error_estimate,
+        )?)
     } else if case.given.get("mesh").is_none() {
         // Reference values are compared on a mesh that stays as it is.
-        case.mesh = MeshParams::preset(MeshPreset::Normal, case.contact.kind);
+        Some(MeshParams::preset(MeshPreset::Normal, case.contact.kind))
+    } else {
+        None
+    };
+    if let Some(mesh) = mesh {
+        change(&mut case, |case| case.mesh = mesh.clone());
     }
     case.output.body_field = false;
     let iterations = table.optional_integer("newton_iterations", 1..=10_000)?;
@@ -135,6 +162,14 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<Run, InputError> {
     };
     table.finish()?;
     Ok(run)
+}
+
+/// Changes a case and the points of its curve.
+fn change(case: &mut Case, change: impl Fn(&mut Case)) {
+    change(case);
+    for point in case.curve.iter_mut().flat_map(|curve| &mut curve.points) {
+        change(&mut point.case);
+    }
 }
 
 /// Sets load and pressure-viscosity coefficient so that the groups are M and L.
@@ -260,6 +295,8 @@ fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputErr
         "penalty",
         "profiles",
         "pressures",
+        "film-curves",
+        "traction-curves",
     ]
     .map(|k| (k, k));
     let kind = match table.required_choice("kind", &kinds)? {
@@ -290,6 +327,8 @@ fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputErr
             };
             PictureKind::Pressures(runs, [low, high])
         }
+        "film-curves" => PictureKind::FilmCurves(picture_runs(&mut table, study)?),
+        "traction-curves" => PictureKind::TractionCurves(picture_runs(&mut table, study)?),
         _ => {
             let quantities = Quantity::ALL.map(|q| (q.key(), q));
             PictureKind::Penalty(table.required_choice("quantity", &quantities)?)

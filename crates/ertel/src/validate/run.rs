@@ -3,9 +3,10 @@
 use super::check::{Reference, Row, Verdict};
 use super::{Accept, Deflection, Quantity, Study, deflect};
 use crate::case::Case;
-use crate::run::solve;
+use crate::run::{Session, solve};
 use crate::solution::Solution;
-use crate::solve::{Observer, SolveError};
+use crate::solve::SolveError;
+use crate::study::{CurveObserver, CurveSolution, solve_curve};
 
 /// What is computed from a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +15,8 @@ pub enum Task {
     Solve,
     /// Deflection under the Hertz pressure.
     Deflect,
+    /// The points of the case's curve, each from the last.
+    Curve,
 }
 
 /// One computation of a study.
@@ -47,6 +50,8 @@ pub enum Outcome {
     Solved(Box<Solution>),
     /// A deflection.
     Deflected(Deflection),
+    /// The points of a curve; those that failed show in the rows.
+    Curve(CurveSolution),
     /// An error, as told.
     Failed(String),
     /// Not selected.
@@ -83,7 +88,7 @@ impl Study {
     pub fn run(
         &self,
         selection: Selection,
-        observer: &mut dyn Observer,
+        observer: &mut dyn CurveObserver,
         begin: &mut dyn FnMut(&Run),
     ) -> Result<StudyResult, SolveError> {
         let mut outcomes = Vec::new();
@@ -96,6 +101,7 @@ impl Study {
             let outcome = match run.task {
                 Task::Solve => solve(&run.case, observer).map(|s| Outcome::Solved(Box::new(s))),
                 Task::Deflect => deflect(&run.case).map(Outcome::Deflected),
+                Task::Curve => follow(run, observer),
             };
             outcomes.push(match outcome {
                 Ok(outcome) => outcome,
@@ -107,6 +113,12 @@ impl Study {
         for (run, outcome) in self.runs.iter().zip(&outcomes) {
             if let Outcome::Failed(message) = outcome {
                 rows.push(Row::failure(&run.name, message));
+            }
+            if let Outcome::Curve(curve) = outcome {
+                let failures = (curve.points.iter())
+                    .flat_map(|p| [Some(&p.outcome), p.newtonian.as_ref()])
+                    .filter_map(|outcome| outcome?.reason());
+                rows.extend(failures.map(|message| Row::failure(&run.name, message)));
             }
         }
         for check in &self.checks {
@@ -129,6 +141,18 @@ impl Study {
             })
             .collect()
     }
+}
+
+/// Solves the curve of a run.
+fn follow(run: &Run, observer: &mut dyn CurveObserver) -> Result<Outcome, SolveError> {
+    let Some(curve) = &run.case.curve else {
+        return Ok(Outcome::Failed("the case has no curve".to_owned()));
+    };
+    let solution = solve_curve(&Session::default(), curve, observer);
+    if solution.is_partial() {
+        return Err(SolveError::Interrupted);
+    }
+    Ok(Outcome::Curve(solution))
 }
 
 impl Run {

@@ -31,10 +31,25 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
                     json["hertz"] = serde_json::to_value(s.hertz)?;
                     json["groups"] = serde_json::to_value(s.groups)?;
                     json["traction"] = serde_json::to_value(&s.traction)?;
+                    json["film_reduction"] = serde_json::to_value(point.film_reduction())?;
                     json["stats"] = serde_json::to_value(&s.stats)?;
                     json["warnings"] = json!(s.warnings);
                 }
                 Outcome::Failed(reason) => json["reason"] = json!(reason),
+            }
+            match &point.newtonian {
+                Some(Outcome::Solved(s)) => {
+                    json["newtonian"] = json!({
+                        "converged": true,
+                        "summary": serde_json::to_value(&s.summary)?,
+                        "traction": serde_json::to_value(&s.traction)?,
+                        "warnings": s.warnings,
+                    });
+                }
+                Some(Outcome::Failed(reason)) => {
+                    json["newtonian"] = json!({ "converged": false, "reason": reason });
+                }
+                None => {}
             }
             Ok(json)
         })

@@ -6,7 +6,7 @@ mod report;
 mod table;
 
 pub use json::{CURVE_FORMAT, curve_json};
-pub use picture::{film_chart, traction_chart};
+pub use picture::{film_chart, films_chart, traction_chart, tractions_chart};
 pub use report::curve_report;
 pub use table::{COLUMNS, Cell, Column, curve_table};
 
@@ -34,11 +34,12 @@ pub fn write_curve(
         check_png()?;
     }
     for (i, point) in curve.points.iter().enumerate() {
-        if let Outcome::Solved(solution) = &point.outcome
-            && let Some(what) = finite::first_not_finite(&point.case, solution)
-        {
-            let what = format!("{what}, in point {}", i + 1);
-            return Err(OutputError::NotFinite { what });
+        for outcome in [Some(&point.outcome), point.newtonian.as_ref()] {
+            let solution = outcome.and_then(Outcome::solution);
+            if let Some(what) = solution.and_then(|s| finite::first_not_finite(&point.case, s)) {
+                let what = format!("{what}, in point {}", i + 1);
+                return Err(OutputError::NotFinite { what });
+            }
         }
     }
     let folder = NewFolder::beside(target)?;
@@ -73,16 +74,13 @@ pub fn write_curve(
 
 /// Every picture of a curve.
 fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
-    let mut pictures = vec![Picture {
+    let film = Picture {
         name: "film-curve",
         svg: film_chart(title, curve).svg(),
-    }];
-    let mut solved = curve.points.iter().filter_map(|p| p.outcome.solution());
-    if solved.any(|s| s.traction.coefficient != 0.0) {
-        pictures.push(Picture {
-            name: "traction-curve",
-            svg: traction_chart(title, curve).svg(),
-        });
-    }
-    pictures
+    };
+    let traction = traction_chart(title, curve).map(|chart| Picture {
+        name: "traction-curve",
+        svg: chart.svg(),
+    });
+    [Some(film), traction].into_iter().flatten().collect()
 }

@@ -1,4 +1,4 @@
-//! Film thickness over the quantity of a curve.
+//! Film thickness and traction over the quantity of a curve.
 
 use ertel_rheology::quantity::Dimension;
 
@@ -15,7 +15,8 @@ const LOG_FROM: f64 = 5.0;
 /// One of the films of a formula.
 type Film = fn(&FormulaFilm) -> Option<f64>;
 
-/// Central and minimum film over the quantity, the formulas' dashed; failed points are marked.
+/// Central and minimum film over the quantity; dashed those without shear thinning or, where the curve does not ask
+/// for these, the formulas'. Failed points are marked.
 pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
     let size = largest(
         curve
@@ -25,25 +26,149 @@ pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
     );
     let (factor, unit) = film_unit(size);
     let mut chart = curve_chart(title, curve, &format!("Film thickness *h* ({unit})"));
-    let shown = |value: fn(&Solution) -> f64| {
-        points_over(curve, |p| Some(factor * value(p.outcome.solution()?)))
-    };
-    chart.series = vec![
-        Series {
-            label: "central film".into(),
-            points: shown(|s| s.summary.film_central.value),
-            look: Look::LineAndDots,
-            colour: PALETTE[0].into(),
-            side: Side::Left,
-        },
-        Series {
-            label: "minimum film".into(),
-            points: shown(|s| s.summary.film_minimum.value),
-            look: Look::LineAndDots,
-            colour: PALETTE[1].into(),
-            side: Side::Left,
-        },
+    let values: [(&str, fn(&Solution) -> f64); 2] = [
+        ("central film", |s| s.summary.film_central.value),
+        ("minimum film", |s| s.summary.film_minimum.value),
     ];
+    for ((label, value), colour) in values.into_iter().zip(PALETTE) {
+        chart.series.push(Series {
+            label: label.into(),
+            points: points_over(curve, |p| Some(factor * value(p.outcome.solution()?))),
+            look: Look::LineAndDots,
+            colour: colour.into(),
+            side: Side::Left,
+        });
+    }
+    if curve
+        .points
+        .iter()
+        .any(|p| p.newtonian_solution().is_some())
+    {
+        for ((label, value), colour) in values.into_iter().zip(PALETTE) {
+            chart
+                .series
+                .push(newtonian_series(curve, label, colour, |s| {
+                    factor * value(s)
+                }));
+        }
+    } else {
+        add_formulas(&mut chart, curve, factor);
+    }
+    fit_y(&mut chart);
+    chart
+}
+
+/// Traction coefficient at mid-film over the quantity, dashed that without shear thinning; `None` where nothing
+/// slides. Failed points are marked.
+pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
+    let slides = |p: &PointSolution| p.case.motion.slide_to_roll_ratio != 0.0;
+    let solved = |p: &&PointSolution| p.outcome.solution().is_some();
+    if !curve.points.iter().filter(solved).any(slides) {
+        return None;
+    }
+    let mut chart = curve_chart(title, curve, "Traction coefficient");
+    let value = |s: &Solution| s.traction.coefficient;
+    let label = "traction coefficient";
+    chart.series = vec![Series {
+        label: label.into(),
+        points: points_over(curve, |p| p.outcome.solution().map(value)),
+        look: Look::LineAndDots,
+        colour: PALETTE[0].into(),
+        side: Side::Left,
+    }];
+    let newtonian = newtonian_series(curve, label, PALETTE[0], value);
+    add_newtonian_tractions(&mut chart, vec![newtonian]);
+    Some(chart)
+}
+
+/// Films of several curves over the same quantity: central with dots, minimum without, dashed the central ones without
+/// shear thinning. `None` without curves.
+pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Chart> {
+    let size = largest(curves.iter().flat_map(|(_, curve)| {
+        let films = curve.points.iter().flat_map(films);
+        films.flatten()
+    }));
+    let (factor, unit) = film_unit(size);
+    let label = format!("Film thickness *h* ({unit})");
+    let mut chart = curve_chart(title, curves.first()?.1, &label);
+    for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
+        let part = |label: String, look, film: fn(&Solution) -> f64| Series {
+            label,
+            points: points_over(curve, |p| Some(factor * film(p.outcome.solution()?))),
+            look,
+            colour: (*colour).into(),
+            side: Side::Left,
+        };
+        let central = |s: &Solution| s.summary.film_central.value;
+        let minimum = |s: &Solution| s.summary.film_minimum.value;
+        chart.series.extend([
+            part(format!("{name}: central"), Look::LineAndDots, central),
+            part(format!("{name}: minimum"), Look::Line, minimum),
+            newtonian_series(curve, &format!("{name}: central"), colour, |s| {
+                factor * central(s)
+            }),
+        ]);
+    }
+    fit_y(&mut chart);
+    Some(chart)
+}
+
+/// Traction coefficients of several curves over the same quantity, dashed those without shear thinning, which may
+/// leave the picture. `None` without curves.
+pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Chart> {
+    let value = |s: &Solution| s.traction.coefficient;
+    let mut chart = curve_chart(title, curves.first()?.1, "Traction coefficient");
+    let mut newtonian = Vec::new();
+    for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
+        chart.series.push(Series {
+            label: (*name).to_owned(),
+            points: points_over(curve, |p| p.outcome.solution().map(value)),
+            look: Look::LineAndDots,
+            colour: (*colour).into(),
+            side: Side::Left,
+        });
+        newtonian.push(newtonian_series(curve, name, colour, value));
+    }
+    add_newtonian_tractions(&mut chart, newtonian);
+    Some(chart)
+}
+
+/// Fits the axis to the tractions, and to Newtonian ones unless they are tens of times larger: these leave the frame.
+fn add_newtonian_tractions(chart: &mut Chart, newtonian: Vec<Series>) {
+    let size = |list: &[Series]| {
+        let points = list.iter().flat_map(|s| &s.points);
+        largest(points.map(|p| p[1].abs()).filter(|v| v.is_finite()))
+    };
+    fit_y(chart);
+    let fits = size(&newtonian) <= LARGEST_NEWTONIAN * size(&chart.series);
+    let found = |s: &Series| s.points.iter().any(|p| p[1].is_finite());
+    chart.series.extend(newtonian.into_iter().filter(found));
+    if fits {
+        fit_y(chart);
+    }
+}
+
+/// A Newtonian traction coefficient of so many times the largest other one is not shown to its end.
+const LARGEST_NEWTONIAN: f64 = 3.0;
+
+/// A figure of the solutions without shear thinning.
+fn newtonian_series(
+    curve: &CurveSolution,
+    label: &str,
+    colour: &str,
+    value: impl Fn(&Solution) -> f64,
+) -> Series {
+    Series {
+        label: format!("{label}, Newtonian"),
+        points: points_over(curve, |p| p.newtonian_solution().map(&value)),
+        look: Look::Dashed,
+        colour: colour.into(),
+        side: Side::Left,
+    }
+}
+
+/// The films of the formulas, dashed.
+fn add_formulas(chart: &mut Chart, curve: &CurveSolution, factor: f64) {
     let mut colours = PALETTE[2..].iter().cycle();
     for formula in curve.points.first().map_or(&[][..], |p| &p.formulas) {
         let parts: [(&str, Film); 2] = [("", |f| f.central), (", minimum", |f| f.minimum)];
@@ -63,21 +188,6 @@ pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
             }
         }
     }
-    fit_y(&mut chart);
-    chart
-}
-
-/// Traction coefficient over the quantity.
-pub fn traction_chart(title: &str, curve: &CurveSolution) -> Chart {
-    let mut chart = curve_chart(title, curve, "Traction coefficient");
-    chart.series = vec![Series {
-        points: points_over(curve, |p| Some(p.outcome.solution()?.traction.coefficient)),
-        look: Look::LineAndDots,
-        colour: PALETTE[0].into(),
-        ..Series::default()
-    }];
-    fit_y(&mut chart);
-    chart
 }
 
 /// Diagram over the quantity of a curve without series; call [`fit_y`] once they are there.
@@ -85,10 +195,13 @@ fn curve_chart(title: &str, curve: &CurveSolution, y_label: &str) -> Chart {
     let values = || curve.points.iter().map(|p| p.value);
     let (shown, unit) = shown_unit(&curve.quantity, largest(values().map(f64::abs)));
     let label = axis_label(&curve.quantity, unit);
-    let x = if is_wide(values()) {
+    // Sliding is shown from rolling onwards, as traction curves are.
+    let is_ratio = curve.quantity.dimension == Dimension::DIMENSIONLESS;
+    let x = if !is_ratio && is_wide(values()) {
         Axis::log_close_around(&label, values().map(shown))
     } else {
-        Axis::linear_around(&label, values().map(shown))
+        let origin = is_ratio.then_some(0.0);
+        Axis::linear_around(&label, values().map(shown).chain(origin))
     };
     let mut chart = Chart::new(title, x, Axis::linear(y_label, 0.0, 1.0));
     let failed = curve

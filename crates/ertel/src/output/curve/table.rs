@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::study::{CurveSolution, PointSolution};
+use crate::contact::ContactKind;
+use crate::study::{CurveSolution, Outcome, PointSolution};
 
 /// A column of the table: its name with the unit, and its value.
 pub struct Column {
@@ -10,6 +11,25 @@ pub struct Column {
     pub name: &'static str,
     /// Value in a line.
     pub value: fn(&PointSolution) -> Cell,
+    /// Whether a line contact has it per metre of its length, which the unit then says.
+    pub per_length: bool,
+}
+
+impl Column {
+    const fn new(name: &'static str, value: fn(&PointSolution) -> Cell) -> Column {
+        Column {
+            name,
+            value,
+            per_length: false,
+        }
+    }
+
+    const fn per_length(self) -> Column {
+        Column {
+            per_length: true,
+            ..self
+        }
+    }
 }
 
 /// A value of the table.
@@ -40,25 +60,31 @@ impl From<Option<usize>> for Cell {
 /// Figure of a solution, empty where there is none.
 macro_rules! figure {
     ($name:literal, $solution:ident => $value:expr) => {
-        Column {
-            name: $name,
-            value: |point| point.outcome.solution().map(|$solution| $value).into(),
-        }
+        Column::new($name, |point| {
+            point.outcome.solution().map(|$solution| $value).into()
+        })
     };
     ($name:literal, $solution:ident =>? $value:expr) => {
-        Column {
-            name: $name,
-            value: |point| point.outcome.solution().and_then(|$solution| $value).into(),
-        }
+        Column::new($name, |point| {
+            point.outcome.solution().and_then(|$solution| $value).into()
+        })
+    };
+}
+
+/// Figure of the Newtonian solution of a point, likewise.
+macro_rules! newtonian {
+    ($name:literal, $solution:ident => $value:expr) => {
+        Column::new($name, |point| {
+            point.newtonian_solution().map(|$solution| $value).into()
+        })
     };
 }
 
 /// The columns, after the point's number and the quantity.
 pub const COLUMNS: &[Column] = &[
-    Column {
-        name: "converged",
-        value: |point| Cell::Text(point.outcome.solution().is_some().to_string()),
-    },
+    Column::new("converged", |point| {
+        Cell::Text(point.outcome.solution().is_some().to_string())
+    }),
     figure!("film_central_m", s => s.summary.film_central.value),
     figure!("film_central_error_m", s =>? s.summary.film_central.error),
     figure!("film_minimum_m", s => s.summary.film_minimum.value),
@@ -66,36 +92,51 @@ pub const COLUMNS: &[Column] = &[
     figure!("pressure_maximum_Pa", s => s.summary.pressure_maximum.value),
     figure!("hertz_pressure_Pa", s => s.hertz.pressure),
     figure!("traction_coefficient", s => s.traction.coefficient),
-    figure!("friction_power_W_or_W_per_m", s => s.traction.friction_power),
+    figure!("traction_coefficient_plane", s => s.traction.coefficient_plane),
+    figure!("traction_coefficient_ball", s => s.traction.coefficient_ball),
+    figure!("friction_power_W", s => s.traction.friction_power).per_length(),
+    figure!("shear_stress_maximum_Pa", s => s.traction.shear_stress_maximum),
+    Column::new("film_reduction_central", |point| {
+        point.film_reduction().map(|r| r.central).into()
+    }),
+    Column::new("film_reduction_minimum", |point| {
+        point.film_reduction().map(|r| r.minimum).into()
+    }),
+    newtonian!("newtonian_film_central_m", s => s.summary.film_central.value),
+    newtonian!("newtonian_film_minimum_m", s => s.summary.film_minimum.value),
+    newtonian!("newtonian_traction_coefficient", s => s.traction.coefficient),
     figure!("moes_load", s => s.groups.moes_load),
     figure!("moes_material", s => s.groups.moes_material),
     figure!("newton_iterations", s => s.stats.levels.iter().map(|l| l.newton_iterations).sum::<usize>()),
     figure!("krylov_iterations", s => s.stats.levels.iter().map(|l| l.krylov_iterations).sum::<usize>()),
     figure!("pressure_unknowns", s =>? s.stats.levels.last().map(|l| l.n_pressure_dofs)),
-    Column {
-        name: "start",
-        value: |point| match point.outcome.solution() {
-            Some(s) if s.stats.warm => Cell::Text("warm".to_owned()),
-            Some(_) => Cell::Text("cold".to_owned()),
-            None => Cell::Empty,
-        },
-    },
-    Column {
-        name: "seconds",
-        value: |point| Cell::Number(point.seconds),
-    },
-    Column {
-        name: "reason",
-        value: |point| Cell::Text(point.outcome.reason().unwrap_or_default().to_owned()),
-    },
+    Column::new("start", |point| match point.outcome.solution() {
+        Some(s) if s.stats.warm => Cell::Text("warm".to_owned()),
+        Some(_) => Cell::Text("cold".to_owned()),
+        None => Cell::Empty,
+    }),
+    Column::new("seconds", |point| Cell::Number(point.seconds)),
+    Column::new("reason", |point| {
+        let reasons = [Some(&point.outcome), point.newtonian.as_ref()]
+            .map(|outcome| outcome.and_then(Outcome::reason));
+        Cell::Text(match reasons {
+            [Some(reason), _] => reason.to_owned(),
+            [None, Some(reason)] => format!("Newtonian: {reason}"),
+            [None, None] => String::new(),
+        })
+    }),
 ];
 
 /// The table as text, SI.
 pub fn curve_table(curve: &CurveSolution) -> String {
     let mut text = format!("point,{}", quantity_column(curve));
+    let is_line = (curve.points.first()).is_some_and(|p| p.case.contact.kind == ContactKind::Line);
     for column in COLUMNS {
         text.push(',');
         text.push_str(column.name);
+        if column.per_length && is_line {
+            text.push_str("_per_m");
+        }
     }
     text.push('\n');
     for (i, point) in curve.points.iter().enumerate() {
