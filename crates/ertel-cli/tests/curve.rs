@@ -92,7 +92,7 @@ fn a_curve_is_solved_and_written() {
 #[test]
 fn a_sliding_curve_shows_its_traction() {
     let thins = |case: &str| {
-        let law = "shear_thinning = { law = \"ree-eyring\", tau_0 = \"2 MPa\" }\n\n[mesh]";
+        let law = "shear_thinning = { law = \"ree-eyring\", tau_0 = \"0.2 MPa\" }\n\n[mesh]";
         case.replace("[mesh]", law)
     };
     let ratios = "[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nvalues = [0.0, 0.1, 0.2]\nnewtonian = true\n";
@@ -119,7 +119,7 @@ fn a_sliding_curve_shows_its_traction() {
     );
     assert_eq!(traction[0], 0.0);
     assert!(traction[2] > traction[1] && traction[1] > 0.0);
-    assert!(newtonian[2] > 2.0 * traction[2]);
+    assert!(newtonian[2] > 1.5 * traction[2]);
     // Newtonian stress goes with the sliding speed, and its film stays.
     assert!((newtonian[2] / newtonian[1] - 2.0).abs() < 1e-4);
     let (film, thick) = (column("film_central_m"), column("newtonian_film_central_m"));

@@ -5,6 +5,7 @@ mod common;
 use approx::assert_relative_eq;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::{Centreline, Solution};
 use ertel::solve::Silent;
@@ -173,7 +174,8 @@ fn sliding_in_eyrings_fluid_has_the_traction_of_its_closed_form() {
 /// What the surfaces put in becomes heat: power = F_ball u_ball − F_plane u_plane.
 ///
 /// The rest of the balance, −∫∇p·(ṁ/ρ) dA, vanishes: ∇p/ρ(p) is a gradient, ṁ is free of sources, and
-/// the pressure is zero around the contact area. Discretised, mass is conserved to a thousandth on this mesh.
+/// the pressure is zero around the contact area. What is left is the error of the mesh, which counts most where
+/// nothing slides and all power goes into the pressure's work: lines take the finer one.
 #[test]
 fn friction_is_what_the_surfaces_put_in() {
     for (kind, law, srr) in [
@@ -182,7 +184,10 @@ fn friction_is_what_the_surfaces_put_in() {
         (ContactKind::Line, eyring(5e6), -0.8),
         (ContactKind::Circular, carreau(0.2), 0.1),
     ] {
-        let case = case(kind, law, srr);
+        let mut case = case(kind, law, srr);
+        if kind == ContactKind::Line {
+            case.mesh = MeshParams::preset(MeshPreset::Normal, kind);
+        }
         let t = solved(&case).traction;
         let power = case.contact.load
             * (t.coefficient_ball * case.motion.ball_speed()
