@@ -15,6 +15,9 @@ const LOG_FROM: f64 = 5.0;
 /// One of the films of a formula.
 type Film = fn(&FormulaFilm) -> Option<f64>;
 
+/// A figure of a solution.
+type Figure = fn(&Solution) -> f64;
+
 /// Central and minimum film over the quantity; dashed those without shear thinning or, where the curve does not ask
 /// for these, the formulas'. Failed points are marked.
 pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
@@ -26,7 +29,7 @@ pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
     );
     let (factor, unit) = film_unit(size);
     let mut chart = curve_chart(title, curve, &format!("Film thickness *h* ({unit})"));
-    let values: [(&str, fn(&Solution) -> f64); 2] = [
+    let values: [(&str, Figure); 2] = [
         ("central film", |s| s.summary.film_central.value),
         ("minimum film", |s| s.summary.film_minimum.value),
     ];
