@@ -33,6 +33,9 @@ struct Args {
     /// A whole circular contact by the monolithic path, too: minutes
     #[arg(long)]
     monolithic: bool,
+    /// Only shear thinning
+    #[arg(long)]
+    shear: bool,
     /// Only the curves
     #[arg(long)]
     curves: bool,
@@ -44,6 +47,11 @@ struct Args {
 fn main() {
     let args = Args::parse();
     let [few, many] = if args.once { [1, 1] } else { [3, 9] };
+    if args.shear {
+        println!("{HEAD}");
+        shear_thinning(few);
+        return;
+    }
     if args.curves {
         curve("slide-to-roll ratio, 0 to 0.45", SLIDING);
         curve("entrainment speed, 0.4 to 1.6 m/s", SPEEDS);
@@ -67,6 +75,7 @@ fn main() {
     if args.monolithic {
         monolithic_case("ball-on-disc at 10 N", &small());
     }
+    shear_thinning(few);
     curve("slide-to-roll ratio, 0 to 0.45", SLIDING);
     curve("entrainment speed, 0.4 to 1.6 m/s", SPEEDS);
     for name in ["roller", "ball-on-disc"] {
@@ -77,6 +86,26 @@ fn main() {
 const SLIDING: &str =
     "[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nfrom = 0\nto = 0.45\npoints = 10";
 const SPEEDS: &str = "[curve]\nquantity = \"motion.entrainment_speed\"\nfrom = \"0.4 m/s\"\nto = \"1.6 m/s\"\npoints = 10\nspacing = \"log\"";
+
+/// A sliding shear-thinning contact over the same contact at its low-shear viscosity, on the same mesh.
+fn shear_thinning(runs: usize) {
+    let mut case = read("squalane-on-glass", "[mesh]\npreset = \"normal\"\n");
+    case.motion.slide_to_roll_ratio = 0.3;
+    let mut newtonian = case.clone();
+    newtonian.solver.newtonian = true;
+    let thinned = cold_and_warm("squalane, SRR 0.3, normal", &case, runs);
+    let plain = cold_and_warm("  Newtonian", &newtonian, runs);
+    for (state, (thinned, plain)) in ["cold", "operator at hand"]
+        .iter()
+        .zip(thinned.iter().zip(&plain))
+    {
+        println!(
+            "(e) shear-thinning/Newtonian, {state}: {:.2} wall, {:.2} CPU; at most 2",
+            thinned.wall / plain.wall,
+            thinned.cpu / plain.cpu
+        );
+    }
+}
 
 /// A curve of ten points through the main contact over that contact alone, cold, both without a cache.
 fn curve(name: &str, table: &str) {
