@@ -10,7 +10,7 @@ use crate::contact::{ContactKind, Scales};
 use crate::film::FilmFluid;
 use crate::film::closure::Workspace;
 use crate::solution::{ShearFields, Traction};
-use crate::solve::evaluate::{PointFields, fields_in};
+use crate::solve::evaluate::{PointFields, fields_at_quadrature};
 use crate::solve::sequence::StageSolution;
 
 /// Shear of the film at one point, SI.
@@ -93,9 +93,9 @@ pub fn traction(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) ->
     let mut beyond = [0.0; 2];
     let constant = fluid.newtonian_limits(0.0);
     for c in 0..d.contact.n_elements() {
-        for (xi, weight) in d.rule.points.iter().zip(&d.rule.weights) {
+        for (q, weight) in d.rule.weights.iter().enumerate() {
             let area = weight * d.contact.maps[c].determinant;
-            let f = fields_in(d, state, c, *xi);
+            let ([x, y, _], f) = fields_at_quadrature(d, state, c, q);
             let s = shear.at(&f);
             for (sum, stress) in force.iter_mut().zip(s.stress) {
                 *sum += area * stress;
@@ -103,7 +103,6 @@ pub fn traction(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) ->
             power += area * s.power;
             let largest = s.equivalent.into_iter().fold(0.0, f64::max);
             stress_maximum = stress_maximum.max(largest);
-            let [x, y] = d.contact.point(c, *xi);
             if x.hypot(y) < 1.0 {
                 zone += area;
                 let limits = if fluid.limits_depend_on_pressure() {

@@ -55,6 +55,42 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
     fields
 }
 
+/// The same at the `q`-th quadrature point of an element, from tables, with the place of the point.
+pub fn fields_at_quadrature(
+    d: &Discretisation,
+    state: &State,
+    cell: usize,
+    q: usize,
+) -> ([f64; 3], PointFields) {
+    let mut fields = PointFields {
+        film: state.rigid_separation,
+        ..PointFields::default()
+    };
+    let table = &d.pressure_table;
+    let mut reference = [0.0; 3];
+    for (j, node) in d.pressure.nodes_of(cell).iter().enumerate() {
+        let (k, p) = (q * table.n_nodes + j, state.pressure[*node as usize]);
+        fields.pressure += p * table.values[k];
+        for (sum, gradient) in reference.iter_mut().zip(table.gradients[k]) {
+            *sum += p * gradient;
+        }
+    }
+    let gradient = d.contact.maps[cell].gradient(reference);
+    fields.pressure_gradient = [gradient[0], gradient[1]];
+    let table = &d.deflection_table;
+    let mut point = [0.0; 3];
+    for (j, node) in d.contact.deflection.nodes_of(cell).iter().enumerate() {
+        let value = table.values[q * table.n_nodes + j];
+        fields.deflection += value * state.deflection[*node as usize];
+        let place = d.contact.deflection.points[*node as usize];
+        for (x, px) in point.iter_mut().zip(place) {
+            *x += value * px;
+        }
+    }
+    fields.film += fields.deflection + d.contact.undeformed_gap(point);
+    (point, fields)
+}
+
 /// Film thickness at the centre of the contact.
 pub fn central_film(d: &Discretisation, state: &State) -> f64 {
     fields_at(d, state, [0.0, 0.0]).map_or(f64::NAN, |f| f.film)
