@@ -22,6 +22,8 @@ pub enum Command {
     Solve(SolveArgs),
     /// Compute published cases and compare
     Validate(ValidateArgs),
+    /// Fit the constants of a law to measured states
+    Fit(FitArgs),
     /// Show or clear the elastic operators kept from earlier solves
     Cache(CacheArgs),
     /// List the lubricants of the database, or show one of them
@@ -85,6 +87,67 @@ pub struct ValidateArgs {
     /// Write the page `validation.md` and its pictures into this folder
     #[arg(long, value_name = "DIR")]
     pub write: Option<PathBuf>,
+}
+
+/// `ertel fit`.
+#[derive(Debug, Args)]
+pub struct FitArgs {
+    /// What to fit.
+    #[command(subcommand)]
+    pub command: FitCommand,
+}
+
+/// The subcommands of `ertel fit`.
+#[derive(Debug, Subcommand)]
+pub enum FitCommand {
+    /// A viscosity law: cheng, roelands, wlf, doolittle, barus
+    Viscosity(FitLawArgs),
+    /// A density law: tait, dowson-higginson
+    Density(FitLawArgs),
+}
+
+/// `ertel fit viscosity` and `ertel fit density`.
+#[derive(Debug, Args)]
+pub struct FitLawArgs {
+    /// Table with columns such as pressure_MPa, temperature_degC, viscosity_mPa_s (or density_kg_per_m3)
+    #[arg(value_name = "DATA.csv")]
+    pub data: PathBuf,
+    /// The law
+    #[arg(long, value_name = "LAW")]
+    pub law: String,
+    /// Where the data come from, for the entry (default: the name of the file)
+    #[arg(long, value_name = "TEXT")]
+    pub source: Option<String>,
+    /// Title of the entry (default: the name of the file)
+    #[arg(long, value_name = "TEXT")]
+    pub title: Option<String>,
+    /// Keep a constant at a value, such as "mu_0=0.465 mPa.s" (may be repeated)
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub hold: Vec<String>,
+    /// Fit a constant that is held by default, such as p_0 or mu_g (may be repeated)
+    #[arg(long, value_name = "KEY")]
+    pub free: Vec<String>,
+    /// Reference temperature of the law (default: the isotherm in the middle of the data)
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub reference_temperature: Option<String>,
+    /// Minimise absolute deviations, not relative ones
+    #[arg(long)]
+    pub absolute: bool,
+    /// Confidence of the intervals
+    #[arg(long, value_name = "P", default_value_t = 0.95)]
+    pub confidence: f64,
+    /// Fluid of the database or entry whose Tait equation gives the volume to Doolittle's law
+    #[arg(long, value_name = "NAME|FILE.toml")]
+    pub density: Option<String>,
+    /// Write the entry into this file, and the picture beside it
+    #[arg(short, long, value_name = "ENTRY.toml")]
+    pub output: Option<PathBuf>,
+    /// Write the picture of the law over the data into this file
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
+    /// List every state with the law beside
+    #[arg(short, long)]
+    pub verbose: bool,
 }
 
 /// `ertel fluids`.

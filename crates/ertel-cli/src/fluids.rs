@@ -10,6 +10,7 @@ use ertel_rheology::{DensityLaw, Fluid, ShearThinning, database};
 
 use crate::args::{FluidsArgs, FluidsCommand};
 use crate::failure::Failure;
+use crate::file::write_whole;
 use crate::print;
 use crate::provenance::{data, notes};
 use crate::table::{columns, paragraph};
@@ -267,26 +268,4 @@ fn write_plot(path: &Path, fluid: &Fluid, temperature: f64) -> Result<(), Failur
     let svg = viscosity_chart(&fluid.title, &[curve], valid.map(Into::into)).svg();
     write_whole(path, svg.as_bytes())
         .map_err(|error| Failure::Other(format!("cannot write {}: {error}", path.display())))
-}
-
-/// Writes a file so that it is whole or absent.
-fn write_whole(path: &Path, content: &[u8]) -> std::io::Result<()> {
-    use std::io::Write;
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".ertel-");
-    #[cfg(unix)]
-    {
-        // The usual rights of a new file; the umask is taken off.
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(content)?;
-    file.as_file().sync_all()?;
-    file.persist(path)?;
-    Ok(())
 }

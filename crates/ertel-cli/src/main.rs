@@ -3,6 +3,8 @@
 mod args;
 mod cache;
 mod failure;
+mod file;
+mod fit;
 mod fluids;
 mod print;
 mod progress;
@@ -23,6 +25,7 @@ fn main() -> ExitCode {
     let result = match cli.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
+        Command::Fit(arguments) => fit::run(&arguments),
         Command::Cache(arguments) => cache::run(&arguments),
         Command::Fluids(arguments) => fluids::run(&arguments),
         Command::Solids(arguments) => solids::run(&arguments),

@@ -5,6 +5,7 @@
 pub mod case;
 pub mod contact;
 pub mod film;
+pub mod fit;
 pub mod forms;
 pub mod output;
 pub mod params;

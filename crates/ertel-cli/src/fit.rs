@@ -1,0 +1,267 @@
+//! `ertel fit`.
+
+use std::path::{Path, PathBuf};
+
+use ertel::fit::{self, Data, Fit, FittedLaw, Heading, LawName, Params, Property, Residual};
+use ertel::output::{digits, pressure};
+use ertel_rheology::density::TaitVolume;
+use ertel_rheology::input::Document;
+use ertel_rheology::quantity::{self, Dimension, Unit};
+use ertel_rheology::{DensityLaw, Files, database};
+
+use crate::args::{FitArgs, FitCommand, FitLawArgs};
+use crate::failure::Failure;
+use crate::file::write_whole;
+use crate::print;
+use crate::table::{columns, paragraph};
+
+/// Runs the command.
+///
+/// # Errors
+///
+/// Data that cannot be read, a fit that does not exist, files that cannot be written.
+pub fn run(arguments: &FitArgs) -> Result<(), Failure> {
+    let (property, arguments) = match &arguments.command {
+        FitCommand::Viscosity(arguments) => (Property::Viscosity, arguments),
+        FitCommand::Density(arguments) => (Property::Density, arguments),
+    };
+    let law = LawName::ALL
+        .into_iter()
+        .find(|law| law.name() == arguments.law && law.property() == property)
+        .ok_or_else(|| {
+            Failure::Argument(format!(
+                "--law {}: the laws for the {} are {}",
+                arguments.law,
+                property.name(),
+                LawName::choices(property)
+            ))
+        })?;
+    let plot = plot_path(arguments)?;
+    let params = params(arguments, law)?;
+    let data = read(&arguments.data, property)?;
+    let fit = fit::fit(&data, law, &params).map_err(|error| {
+        let help = match error {
+            fit::FitError::NoEquationOfState => " (--density NAME of a fluid, or FILE.toml)",
+            fit::FitError::Undetermined { .. } | fit::FitError::TooFew { .. } => {
+                " (--hold KEY=VALUE)"
+            }
+            _ => "",
+        };
+        Failure::Argument(format!("{}: {error}{help}", data.file))
+    })?;
+    for warning in &fit.warnings {
+        eprintln!("warning: {warning}");
+    }
+    let stem = arguments
+        .data
+        .file_stem()
+        .map_or_else(|| data.file.clone(), |s| s.to_string_lossy().into_owned());
+    let heading = Heading {
+        title: arguments.title.clone().unwrap_or(stem),
+        source: arguments
+            .source
+            .clone()
+            .unwrap_or_else(|| data.file.clone()),
+    };
+    let entry = fit::entry(&fit, &data, &heading);
+    let cannot_write = |path: &Path, error: std::io::Error| {
+        Failure::Other(format!("cannot write {}: {error}", path.display()))
+    };
+    if let Some(path) = &plot {
+        let svg = fit::picture(&fit, &data, &heading.title).svg();
+        write_whole(path, svg.as_bytes()).map_err(|error| cannot_write(path, error))?;
+    }
+    let mut text = report(&fit, &data, arguments.verbose);
+    match &arguments.output {
+        Some(path) => {
+            write_whole(path, entry.as_bytes()).map_err(|error| cannot_write(path, error))?;
+            text += &format!("\nEntry written to {}\n", path.display());
+        }
+        None => text += &format!("\nEntry\n\n{entry}"),
+    }
+    print::stdout(&text)
+}
+
+/// Where the picture goes: as asked, or beside the entry.
+fn plot_path(arguments: &FitLawArgs) -> Result<Option<PathBuf>, Failure> {
+    if let Some(path) = &arguments.plot {
+        let is_svg = path
+            .extension()
+            .is_some_and(|extension| extension.eq_ignore_ascii_case("svg"));
+        if !is_svg {
+            return Err(Failure::Argument(format!(
+                "the picture is SVG; its name must end in .svg, not {}",
+                path.display()
+            )));
+        }
+        return Ok(Some(path.clone()));
+    }
+    Ok(arguments
+        .output
+        .as_ref()
+        .map(|path| path.with_extension("svg")))
+}
+
+fn read(path: &Path, property: Property) -> Result<Data, Failure> {
+    let text = std::fs::read_to_string(path).map_err(|error| {
+        Failure::Argument(format!("{} cannot be read: {error}", path.display()))
+    })?;
+    Data::parse(&path.display().to_string(), &text, property)
+        .map_err(|error| Failure::Argument(error.to_string()))
+}
+
+fn params(arguments: &FitLawArgs, law: LawName) -> Result<Params, Failure> {
+    let mut held = Vec::new();
+    for text in &arguments.hold {
+        let (key, value) = text.split_once('=').ok_or_else(|| {
+            Failure::Argument(format!(
+                "--hold {text}: write KEY=VALUE, such as --hold \"mu_0=0.465 mPa.s\""
+            ))
+        })?;
+        let value = fit::parse_constant(law, key.trim(), value)
+            .map_err(|error| Failure::Argument(format!("--hold {text}: {error}")))?;
+        held.push((key.trim().to_owned(), value));
+    }
+    let reference_temperature = arguments
+        .reference_temperature
+        .as_ref()
+        .map(|text| quantity::parse(text, Dimension::TEMPERATURE))
+        .transpose()?;
+    let equation_of_state = arguments.density.as_deref().map(volume).transpose()?;
+    Ok(Params {
+        held,
+        freed: arguments.free.clone(),
+        reference_temperature,
+        residual: if arguments.absolute {
+            Residual::Absolute
+        } else {
+            Residual::Relative
+        },
+        confidence: arguments.confidence,
+        equation_of_state,
+    })
+}
+
+/// The Tait equation of a fluid of the database, or of an entry in a file.
+fn volume(name: &str) -> Result<TaitVolume, Failure> {
+    let density = if name.ends_with(".toml") {
+        let path = Path::new(name);
+        let document = Document::read(path)?;
+        let folder = path.parent().unwrap_or(Path::new("."));
+        let table = document.root().required_table("density")?;
+        Some(DensityLaw::from_table(table, Files::Folder(folder))?)
+    } else {
+        database::fluid(name)?.density
+    };
+    match density {
+        Some(DensityLaw::Tait(tait)) => Ok(tait.volume),
+        other => Err(Failure::Argument(format!(
+            "--density {name}: its density law is {}, but `tait` is needed",
+            other.map_or("missing", |law| law.name())
+        ))),
+    }
+}
+
+fn report(fit: &Fit, data: &Data, verbose: bool) -> String {
+    let [p_low, p_high] = data.pressure_range();
+    let [t_low, t_high] = data.temperature_range();
+    let mut text = paragraph(
+        "",
+        &format!(
+            "Law {} fitted to {} states of {}, {} to {}, {} to {} K, by least squares of {} deviations",
+            fit.name.name(),
+            data.states.len(),
+            data.file,
+            pressure(p_low),
+            pressure(p_high),
+            digits(t_low, 6),
+            digits(t_high, 6),
+            match fit.residual {
+                Residual::Relative => "relative",
+                Residual::Absolute => "absolute",
+            }
+        ),
+    );
+    let percent = format!("{} % interval", digits(100.0 * fit.confidence, 4));
+    let mut rows = vec![
+        ["constant", "value", percent.as_str()]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    for constant in &fit.constants {
+        let interval = constant.interval.map_or_else(
+            || "held".to_owned(),
+            |[low, high]| {
+                format!(
+                    "{} to {}",
+                    number(low, constant.unit),
+                    number(high, constant.unit)
+                )
+            },
+        );
+        rows.push(vec![
+            constant.key.to_owned(),
+            format!(
+                "{} {}",
+                number(constant.value, constant.unit),
+                constant.unit
+            ),
+            interval,
+        ]);
+    }
+    if let Some(t_r) = fit.reference_temperature {
+        rows.push(vec![
+            "reference_temperature".to_owned(),
+            format!("{} K", digits(t_r, 6)),
+            "held".to_owned(),
+        ]);
+    }
+    text += &format!("\n{}\n", columns(&rows));
+    let (worst, deviation) = fit.worst();
+    let state = data.states[worst];
+    text += &format!(
+        "Deviation of the law from the data: rms {} %, largest {} % at {} and {} K\n",
+        digits(100.0 * fit.rms(), 3),
+        digits(100.0 * deviation, 3),
+        pressure(state.pressure),
+        digits(state.temperature, 6)
+    );
+    if verbose {
+        text += &format!("\n{}", states(fit, data));
+    }
+    text
+}
+
+/// Every state with the law beside.
+fn states(fit: &Fit, data: &Data) -> String {
+    let unit = match (&fit.law, data.property) {
+        (FittedLaw::Viscosity(_), _) | (_, Property::Viscosity) => "mPa.s",
+        _ => "kg/m^3",
+    };
+    let mut rows = vec![vec![
+        "pressure".to_owned(),
+        "temperature".to_owned(),
+        format!("{} ({unit})", data.property.name()),
+        "law".to_owned(),
+        "deviation".to_owned(),
+    ]];
+    for (state, deviation) in data.states.iter().zip(&fit.deviations) {
+        let law = fit.law.ln_value(state.pressure, state.temperature).exp();
+        rows.push(vec![
+            pressure(state.pressure),
+            format!("{} K", digits(state.temperature, 6)),
+            number(state.value, unit),
+            number(law, unit),
+            format!("{:+.2} %", 100.0 * deviation),
+        ]);
+    }
+    columns(&rows)
+}
+
+/// A value (SI) in a unit, without it.
+fn number(value: f64, unit: &str) -> String {
+    digits(
+        Unit::parse(unit).map_or(value, |unit| unit.from_si(value)),
+        5,
+    )
+}

@@ -1,0 +1,112 @@
+//! `ertel fit` end to end: report, entry, picture, and exit codes.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn ertel(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+fn published(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../validation/appendix-c")
+        .join(name)
+}
+
+/// The entry goes into a case file's lubricant and passes the check.
+#[test]
+fn an_entry_serves_in_a_case_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let entry = folder.path().join("a.toml");
+    let data = published("fluid-a.csv");
+    let output = ertel(&[
+        "fit",
+        "viscosity",
+        data.to_str().unwrap(),
+        "--law",
+        "cheng",
+        "--hold",
+        "mu_0=0.465 mPa.s",
+        "--reference-temperature",
+        "24.5 degC",
+        "--absolute",
+        "--source",
+        "habchi2008",
+        "-v",
+        "-o",
+        entry.to_str().unwrap(),
+    ]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let report = text(&output.stdout);
+    // 23 states, and what Gauss-Newton steps in another program give: β = 1397.93 K
+    assert!(
+        report.contains("23 states") && report.contains("1397.9 K"),
+        "{report}"
+    );
+    let svg = std::fs::read_to_string(folder.path().join("a.svg")).unwrap();
+    assert!(svg.contains("<svg") && svg.contains("24.5"));
+
+    let written = std::fs::read_to_string(&entry).unwrap();
+    assert!(written.contains("source = \"habchi2008\""), "{written}");
+    assert!(written.contains("temperature = [\"257.15 K\", \"297.65 K\"]"));
+    let section = written.split("[viscosity]").nth(1).unwrap();
+    let quick = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good/quick.toml");
+    let case = std::fs::read_to_string(quick).unwrap();
+    let lines = case.lines().filter(|line| !line.starts_with("viscosity"));
+    let case = lines.collect::<Vec<_>>().join("\n") + "\n[lubricant.viscosity]" + section;
+    let path = folder.path().join("case.toml");
+    std::fs::write(&path, case).unwrap();
+    let output = ertel(&["solve", "--check", path.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+}
+
+#[test]
+fn bad_data_and_usage_exit_with_2() {
+    let folder = tempfile::tempdir().unwrap();
+    let bad = folder.path().join("bad.csv");
+    std::fs::write(
+        &bad,
+        "pressure_MPa,temperature_K,viscosity_mPa_s\n1,300,x\n",
+    )
+    .unwrap();
+    let good = published("fluid-a.csv");
+    let (bad, good) = (bad.to_str().unwrap(), good.to_str().unwrap());
+    for (arguments, part) in [
+        (&[bad, "--law", "cheng"][..], "bad.csv:2:3"),
+        (&["none.csv", "--law", "cheng"], "cannot be read"),
+        (
+            &[good, "--law", "tait"],
+            "cheng, roelands, wlf, doolittle, barus",
+        ),
+        (&[good, "--law", "doolittle"], "--density"),
+        (
+            &[good, "--law", "doolittle", "--density", "r123"],
+            "`tait` is needed",
+        ),
+        (
+            &[good, "--law", "cheng", "--hold", "delta=1"],
+            "mu_0, alpha, beta, gamma",
+        ),
+        (
+            &[good, "--law", "cheng", "--hold", "beta=1 MPa"],
+            "temperature",
+        ),
+        (
+            &[good, "--law", "cheng", "--confidence", "1.5"],
+            "confidence",
+        ),
+        (&[good, "--law", "cheng", "--plot", "x.png"], ".svg"),
+    ] {
+        let output = ertel(&[&["fit", "viscosity"], arguments].concat());
+        let error = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+        assert!(error.contains(part), "{arguments:?}: {error}");
+    }
+}

@@ -1,0 +1,185 @@
+//! A fitted law as an entry of the database.
+
+use std::fmt::Write;
+
+use ertel_rheology::density::TaitVolume;
+use ertel_rheology::viscosity::Doolittle;
+use ertel_rheology::{DensityLaw, ViscosityLaw};
+
+use super::law::written;
+use super::{Data, Fit, FittedLaw, Residual};
+use crate::output::digits;
+
+/// What stands above the numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Heading {
+    /// Title of the fluid.
+    pub title: String,
+    /// Where the data come from: a key of the bibliography, or words.
+    pub source: String,
+}
+
+/// TOML text of the fitted law in the format of the database: head, range, the law with its constants, and in notes the
+/// scatter and the intervals.
+///
+/// An entry for the viscosity is complete without density; one for the density is completed by a viscosity.
+pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
+    let mut text = String::new();
+    let mut line = |s: &str| {
+        text.push_str(s);
+        text.push('\n');
+    };
+    let residual = match fit.residual {
+        Residual::Relative => "relative",
+        Residual::Absolute => "absolute",
+    };
+    let n_states = data.states.len();
+    line(&format!("title = {}", quoted(&heading.title)));
+    line(&format!("source = {}", quoted(&heading.source)));
+    line(&format!(
+        "locator = {}",
+        quoted(&format!(
+            "fit of the law {} to {n_states} states of {}, least squares of {residual} deviations",
+            fit.name.name(),
+            data.file
+        ))
+    ));
+    line("status = \"computed\"");
+    let (_, worst) = fit.worst();
+    line("notes = [");
+    let scatter = format!(
+        "The {} fits within {} % (rms), {} % at most.",
+        data.property.name(),
+        digits(100.0 * fit.rms(), 2),
+        digits(100.0 * worst.abs(), 2)
+    );
+    line(&format!("    {},", quoted(&scatter)));
+    line(&format!("    {},", quoted(&intervals(fit))));
+    for warning in &fit.warnings {
+        line(&format!("    {},", quoted(&format!("Warning: {warning}."))));
+    }
+    line("]\n");
+
+    if let Some(t_r) = fit.reference_temperature {
+        line(&format!(
+            "reference_temperature = \"{}\"\n",
+            written(t_r, "K")
+        ));
+    }
+    let [p_low, p_high] = data.pressure_range();
+    let [t_low, t_high] = data.temperature_range();
+    line("[validity]");
+    line(&format!(
+        "pressure = [\"{}\", \"{}\"]",
+        // Data taken at ambient pressure begin there
+        written(p_low.max(0.0), "MPa"),
+        written(p_high, "MPa")
+    ));
+    line(&format!(
+        "temperature = [\"{}\", \"{}\"]",
+        written(t_low, "K"),
+        written(t_high, "K")
+    ));
+    line(&format!(
+        "source = {}\n",
+        quoted(&format!("range of the states in {}", data.file))
+    ));
+
+    line(&format!("[{}]", data.property.name()));
+    line(&format!("law = \"{}\"", fit.name.name()));
+    for constant in &fit.constants {
+        line(&format!(
+            "{} = {}",
+            constant.key,
+            value(constant.value, constant.unit)
+        ));
+    }
+    if let Some(t_r) = law_reference(fit) {
+        line(&format!(
+            "reference_temperature = \"{}\"",
+            written(t_r, "K")
+        ));
+    }
+    if let FittedLaw::Viscosity(ViscosityLaw::Doolittle(Doolittle { volume, .. })) = &fit.law {
+        line(&format!("equation_of_state = {}", equation(volume)));
+    }
+    text
+}
+
+/// Reference temperature among the constants of the law.
+fn law_reference(fit: &Fit) -> Option<f64> {
+    match &fit.law {
+        FittedLaw::Viscosity(law) => law.reference_temperature(),
+        FittedLaw::Density(DensityLaw::Tait(law)) => {
+            Some(law.volume.thermal.as_ref()?.reference_temperature)
+        }
+        FittedLaw::Density(DensityLaw::DowsonHigginson(law)) => {
+            Some(law.thermal.as_ref()?.reference_temperature)
+        }
+        FittedLaw::Density(_) => None,
+    }
+}
+
+/// The intervals in a sentence.
+fn intervals(fit: &Fit) -> String {
+    let mut text = format!("{} % intervals:", digits(100.0 * fit.confidence, 4));
+    for (i, constant) in fit.constants.iter().enumerate() {
+        text += if i > 0 { ", " } else { " " };
+        let _ = match constant.interval {
+            Some([low, high]) => write!(
+                text,
+                "{} {} to {}",
+                constant.key,
+                written(low, constant.unit),
+                written(high, constant.unit)
+            ),
+            None => write!(text, "{} held", constant.key),
+        };
+    }
+    text + "."
+}
+
+fn value(value: f64, unit: &str) -> String {
+    let text = written(value, unit);
+    if unit.is_empty() {
+        text
+    } else {
+        format!("\"{text}\"")
+    }
+}
+
+fn equation(volume: &TaitVolume) -> String {
+    let mut text = format!(
+        "{{ k_0r = \"{}\", k_0r_prime = {}",
+        written(volume.bulk_modulus, "GPa"),
+        written(volume.bulk_modulus_slope, "")
+    );
+    if let Some(thermal) = &volume.thermal {
+        let _ = write!(
+            text,
+            ", reference_temperature = \"{}\", beta_k = \"{}\", beta_k_prime = \"{}\", a_v = \"{}\"",
+            written(thermal.reference_temperature, "K"),
+            written(thermal.bulk_modulus_coefficient, "1/K"),
+            written(thermal.bulk_modulus_slope_coefficient, "1/K"),
+            written(thermal.expansivity, "1/K")
+        );
+    }
+    text + " }"
+}
+
+/// A TOML string.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => quoted.push_str("\\\""),
+            '\\' => quoted.push_str("\\\\"),
+            c if c.is_control() => {
+                let _ = write!(quoted, "\\u{:04X}", c as u32);
+            }
+            c => quoted.push(c),
+        }
+    }
+    quoted.push('"');
+    quoted
+}

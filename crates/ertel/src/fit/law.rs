@@ -1,0 +1,478 @@
+//! The laws with their constants, starting values and scales.
+
+use ertel_rheology::density::{
+    BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
+};
+use ertel_rheology::quantity::{self, Dimension, Unit};
+use ertel_rheology::viscosity::{
+    Barus, Cheng, Doolittle, ModifiedWlf, OccupiedVolume, Roelands, TemperatureSlope,
+};
+use ertel_rheology::{DensityLaw, LawError, ViscosityLaw};
+
+use super::{Data, FitError, Params, Property};
+
+/// Spread of temperatures (K) below which the data count as one isotherm: thermostats hold less.
+pub(super) const ISOTHERM: f64 = 0.5;
+
+/// A law that can be fitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LawName {
+    /// Viscosity, one isotherm.
+    Barus,
+    /// Viscosity.
+    Cheng,
+    /// Viscosity.
+    Roelands,
+    /// Viscosity, modified WLF.
+    Wlf,
+    /// Viscosity, with a Tait equation of state.
+    Doolittle,
+    /// Density.
+    Tait,
+    /// Density.
+    DowsonHigginson,
+}
+
+impl LawName {
+    /// All laws.
+    pub const ALL: [Self; 7] = [
+        Self::Cheng,
+        Self::Roelands,
+        Self::Wlf,
+        Self::Doolittle,
+        Self::Barus,
+        Self::Tait,
+        Self::DowsonHigginson,
+    ];
+
+    /// Name as written in data files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Barus => "barus",
+            Self::Cheng => "cheng",
+            Self::Roelands => "roelands",
+            Self::Wlf => "wlf",
+            Self::Doolittle => "doolittle",
+            Self::Tait => "tait",
+            Self::DowsonHigginson => "dowson-higginson",
+        }
+    }
+
+    /// What it describes.
+    pub fn property(self) -> Property {
+        match self {
+            Self::Tait | Self::DowsonHigginson => Property::Density,
+            _ => Property::Viscosity,
+        }
+    }
+
+    /// The laws for a property, as a list.
+    pub fn choices(property: Property) -> String {
+        let names = Self::ALL.iter().filter(|law| law.property() == property);
+        names.map(|law| law.name()).collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A law with fitted constants.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FittedLaw {
+    /// Of the viscosity.
+    Viscosity(ViscosityLaw),
+    /// Of the density.
+    Density(DensityLaw),
+}
+
+impl FittedLaw {
+    /// Logarithm of the viscosity (Pa·s) or density (kg/m³) at `pressure` (Pa above ambient) and `temperature` (K).
+    pub fn ln_value(&self, pressure: f64, temperature: f64) -> f64 {
+        match self {
+            Self::Viscosity(law) => law.ln_viscosity(pressure, temperature),
+            Self::Density(law) => law.density(pressure, temperature).ln(),
+        }
+    }
+}
+
+/// A constant before the fit.
+pub(super) struct Constant {
+    pub(super) key: &'static str,
+    pub(super) unit: &'static str,
+    dimension: Dimension,
+    /// Starting value, or the value held (SI).
+    pub(super) start: f64,
+    scale: Scale,
+    pub(super) held: bool,
+}
+
+/// The unknown that stands for a constant.
+#[derive(Clone, Copy)]
+enum Scale {
+    /// Its logarithm: the constant is positive.
+    Logarithm,
+    /// Its multiple of a typical size (SI): any sign.
+    Multiple(f64),
+}
+
+impl Constant {
+    fn new(
+        key: &'static str,
+        unit: &'static str,
+        dimension: Dimension,
+        start: f64,
+        scale: Scale,
+    ) -> Self {
+        Self {
+            key,
+            unit,
+            dimension,
+            start,
+            scale,
+            held: false,
+        }
+    }
+
+    fn hold(self) -> Self {
+        Self { held: true, ..self }
+    }
+
+    pub(super) fn is_positive(&self) -> bool {
+        matches!(self.scale, Scale::Logarithm)
+    }
+
+    pub(super) fn to_scaled(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Logarithm => (value / self.start).ln(),
+            Scale::Multiple(size) => value / size,
+        }
+    }
+
+    pub(super) fn from_scaled(&self, x: f64) -> f64 {
+        match self.scale {
+            Scale::Logarithm => self.start * x.exp(),
+            Scale::Multiple(size) => size * x,
+        }
+    }
+}
+
+/// What the starting values rest on.
+struct Start {
+    /// Reference temperature, K.
+    t_r: f64,
+    /// Viscosity or density near ambient pressure and T_R.
+    value: f64,
+    /// Slope of its logarithm over pressure there, 1/Pa.
+    slope: f64,
+    /// Whether there is more than one temperature.
+    thermal: bool,
+}
+
+impl Start {
+    fn of(data: &Data, reference_temperature: Option<f64>) -> Self {
+        let [low, high] = data.temperature_range();
+        let nearest = |to: f64| {
+            let distance = |s: &super::State| (s.temperature - to).abs();
+            let states = data.states.iter();
+            states
+                .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+                .map_or(to, |s| s.temperature)
+        };
+        let t_r = reference_temperature.unwrap_or_else(|| nearest(0.5 * (low + high)));
+        let t = nearest(t_r);
+        let isotherm = data
+            .states
+            .iter()
+            .filter(|s| (s.temperature - t).abs() <= ISOTHERM);
+        let first = isotherm
+            .clone()
+            .min_by(|a, b| a.pressure.total_cmp(&b.pressure));
+        let last = isotherm.max_by(|a, b| a.pressure.total_cmp(&b.pressure));
+        let (mut value, mut slope) = (1.0, 1e-9);
+        if let (Some(first), Some(last)) = (first, last) {
+            value = first.value;
+            let rise = (last.value / first.value).ln() / (last.pressure - first.pressure);
+            if rise.is_finite() && rise > 0.0 {
+                slope = rise;
+            }
+        }
+        Self {
+            t_r,
+            value,
+            slope,
+            thermal: high - low > ISOTHERM,
+        }
+    }
+}
+
+fn constants(law: LawName, start: &Start) -> Vec<Constant> {
+    use Scale::{Logarithm, Multiple};
+    let per_pressure = Dimension::INVERSE_PRESSURE;
+    let per_kelvin = Dimension::INVERSE_TEMPERATURE;
+    let kelvin = Dimension::TEMPERATURE_DIFFERENCE;
+    let number = |key, value| Constant::new(key, "", Dimension::DIMENSIONLESS, value, Logarithm);
+    let positive =
+        |key, unit, dimension, value| Constant::new(key, unit, dimension, value, Logarithm);
+    let any = |key, unit, dimension, value: f64, size: f64| {
+        Constant::new(key, unit, dimension, value, Multiple(size))
+    };
+    let mu_0 = || positive("mu_0", "mPa.s", Dimension::VISCOSITY, start.value);
+    let rho_0 = || positive("rho_0", "kg/m^3", Dimension::DENSITY, start.value);
+    let mut list = match law {
+        LawName::Barus => vec![
+            mu_0(),
+            positive("alpha", "1/GPa", per_pressure, start.slope),
+        ],
+        LawName::Cheng => vec![
+            mu_0(),
+            any("alpha", "1/GPa", per_pressure, start.slope, 1e-9),
+            any("beta", "K", kelvin, 1e3, 1e3),
+            any(
+                "gamma",
+                "K/GPa",
+                Dimension::TEMPERATURE_PER_PRESSURE,
+                0.0,
+                1e-6,
+            ),
+        ],
+        LawName::Roelands => vec![
+            mu_0(),
+            positive("alpha", "1/GPa", per_pressure, start.slope),
+            positive(
+                "p_0",
+                "MPa",
+                Dimension::PRESSURE,
+                Roelands::PRESSURE_CONSTANT,
+            )
+            .hold(),
+        ],
+        LawName::Wlf => {
+            // Glass viscosity, C₁ and C₂ as usual (Yasutomi, Bair and Winer 1984); T_g0 then follows from μ at T_R:
+            // lg(μ_g/μ) = C₁ x/(C₂ + x),  x = T_R - T_g0
+            let (mu_g, c_1, c_2) = (1e12, 16.0, 20.0);
+            let decades = (mu_g / start.value).log10().clamp(1.0, c_1 - 0.8);
+            let x = c_2 * decades / (c_1 - decades);
+            vec![
+                positive("mu_g", "Pa.s", Dimension::VISCOSITY, mu_g).hold(),
+                positive(
+                    "t_g0",
+                    "K",
+                    Dimension::TEMPERATURE,
+                    (start.t_r - x).max(50.0),
+                ),
+                positive("a_1", "K", kelvin, 20.0),
+                positive("a_2", "1/GPa", per_pressure, 4e-9),
+                number("b_1", 0.2),
+                positive("b_2", "1/GPa", per_pressure, 20e-9),
+                number("c_1", c_1),
+                positive("c_2", "K", kelvin, c_2),
+            ]
+        }
+        LawName::Doolittle => vec![mu_0(), number("b", 4.0), number("r_0", 0.65)],
+        LawName::Tait => {
+            // The secant modulus over the data is about twice that at ambient pressure; exp(-β_K T_R) belongs to it.
+            let k_0 = 0.5 / start.slope;
+            let factor = if start.thermal {
+                (0.006 * start.t_r).exp()
+            } else {
+                1.0
+            };
+            vec![
+                rho_0(),
+                positive("k_0r", "GPa", Dimension::PRESSURE, k_0 * factor),
+                number("k_0r_prime", 10.0),
+            ]
+        }
+        LawName::DowsonHigginson => vec![
+            rho_0(),
+            positive("c_1", "1/GPa", per_pressure, 2.0 * start.slope),
+            positive("c_2", "1/GPa", per_pressure, DowsonHigginson::SATURATION),
+        ],
+    };
+    if start.thermal {
+        match law {
+            LawName::Roelands => list.push(positive("beta", "1/K", per_kelvin, 0.03)),
+            LawName::Doolittle => list.push(any("epsilon", "1/K", per_kelvin, -1e-3, 1e-3)),
+            LawName::Tait => list.extend([
+                any("beta_k", "1/K", per_kelvin, 6e-3, 1e-3),
+                any("beta_k_prime", "1/K", per_kelvin, 0.0, 1e-3).hold(),
+                positive("a_v", "1/K", per_kelvin, 7e-4),
+            ]),
+            LawName::DowsonHigginson => list.push(positive("beta", "1/K", per_kelvin, 7e-4)),
+            LawName::Barus | LawName::Cheng | LawName::Wlf => {}
+        }
+    }
+    list
+}
+
+pub(super) fn parse_constant(law: LawName, key: &str, text: &str) -> Result<f64, FitError> {
+    let start = Start {
+        t_r: 300.0,
+        value: 1.0,
+        slope: 1e-9,
+        thermal: true,
+    };
+    let constants = constants(law, &start);
+    let constant = constants
+        .iter()
+        .find(|c| c.key == key)
+        .ok_or_else(|| unknown(law, key, &constants))?;
+    quantity::parse(text, constant.dimension).map_err(|source| FitError::Value {
+        key: key.to_owned(),
+        source,
+    })
+}
+
+fn unknown(law: LawName, key: &str, constants: &[Constant]) -> FitError {
+    FitError::UnknownConstant {
+        law,
+        key: key.to_owned(),
+        choices: constants
+            .iter()
+            .map(|c| c.key)
+            .collect::<Vec<_>>()
+            .join(", "),
+    }
+}
+
+/// Text of a value (SI) in a unit, as a data file has it: `40 mPa.s`, or a bare number.
+pub(super) fn written(value: f64, unit: &str) -> String {
+    // The units are those of the table above, which parse.
+    let shown = Unit::parse(unit).map_or(value, |unit| unit.from_si(value));
+    let number = crate::output::digits(shown, 6);
+    if unit.is_empty() {
+        number
+    } else {
+        format!("{number} {unit}")
+    }
+}
+
+/// A law and what the fit may change in it.
+pub(super) struct Model {
+    law: LawName,
+    pub(super) constants: Vec<Constant>,
+    t_r: f64,
+    thermal: bool,
+    equation_of_state: Option<TaitVolume>,
+}
+
+impl Model {
+    pub(super) fn new(data: &Data, law: LawName, params: &Params) -> Result<Self, FitError> {
+        if law == LawName::Doolittle && params.equation_of_state.is_none() {
+            return Err(FitError::NoEquationOfState);
+        }
+        // The volume of Doolittle's law is relative to that at its own reference temperature.
+        let of_volume = params.equation_of_state.as_ref().and_then(|volume| {
+            let thermal = volume.thermal.as_ref()?;
+            (law == LawName::Doolittle).then_some(thermal.reference_temperature)
+        });
+        let start = Start::of(data, params.reference_temperature.or(of_volume));
+        let mut constants = constants(law, &start);
+        let place = |constants: &[Constant], key: &str| {
+            constants
+                .iter()
+                .position(|c| c.key == key)
+                .ok_or_else(|| unknown(law, key, constants))
+        };
+        for key in &params.freed {
+            let i = place(&constants, key)?;
+            constants[i].held = false;
+        }
+        for (key, value) in &params.held {
+            let i = place(&constants, key)?;
+            constants[i].held = true;
+            constants[i].start = *value;
+        }
+        Ok(Self {
+            law,
+            constants,
+            t_r: start.t_r,
+            thermal: start.thermal,
+            equation_of_state: params.equation_of_state.clone(),
+        })
+    }
+
+    /// Reference temperature (K) where the law has one.
+    pub(super) fn reference_temperature(&self) -> Option<f64> {
+        match self.law {
+            LawName::Cheng => Some(self.t_r),
+            LawName::Barus | LawName::Wlf => None,
+            _ => self.thermal.then_some(self.t_r),
+        }
+    }
+
+    /// The law with these constants (SI, in the order of [`Model::constants`]); on the way of the search, constants of
+    /// Cheng's law may be such that the viscosity falls with pressure.
+    pub(super) fn build(&self, values: &[f64]) -> Result<FittedLaw, LawError> {
+        if self.law == LawName::Cheng {
+            return Ok(FittedLaw::Viscosity(ViscosityLaw::Cheng(Cheng {
+                mu_0: values[0],
+                alpha: values[1],
+                beta: values[2],
+                gamma: values[3],
+                reference_temperature: self.t_r,
+            })));
+        }
+        self.build_checked(values)
+    }
+
+    /// The law with these constants, checked.
+    pub(super) fn build_checked(&self, v: &[f64]) -> Result<FittedLaw, LawError> {
+        let viscosity = |law| Ok(FittedLaw::Viscosity(law));
+        let density = |law| Ok(FittedLaw::Density(law));
+        let (t_r, thermal) = (self.t_r, self.thermal);
+        match self.law {
+            LawName::Barus => viscosity(ViscosityLaw::Barus(Barus::new(v[0], v[1])?)),
+            LawName::Cheng => viscosity(ViscosityLaw::Cheng(Cheng::new(
+                v[0], v[1], v[2], v[3], t_r,
+            )?)),
+            LawName::Roelands => {
+                let slope = thermal.then(|| TemperatureSlope {
+                    reference_temperature: t_r,
+                    beta: v[3],
+                });
+                let law = Roelands::from_alpha(v[0], v[1], v[2], slope)?;
+                viscosity(ViscosityLaw::Roelands(law))
+            }
+            LawName::Wlf => viscosity(ViscosityLaw::ModifiedWlf(ModifiedWlf::new(ModifiedWlf {
+                glass_viscosity: v[0],
+                glass_temperature: v[1],
+                a_1: v[2],
+                a_2: v[3],
+                b_1: v[4],
+                b_2: v[5],
+                c_1: v[6],
+                c_2: v[7],
+            })?)),
+            LawName::Doolittle => {
+                let occupied = thermal.then(|| OccupiedVolume {
+                    reference_temperature: t_r,
+                    expansivity: v[3],
+                });
+                // `new` has seen to it that there is a volume.
+                let volume = self.equation_of_state.clone().ok_or(LawError::NotFinite {
+                    law: "doolittle",
+                    key: "equation_of_state",
+                    value: f64::NAN,
+                })?;
+                let law = Doolittle::new(v[0], v[1], v[2], occupied, volume)?;
+                viscosity(ViscosityLaw::Doolittle(law))
+            }
+            LawName::Tait => {
+                let softening = thermal.then(|| BulkModulusSoftening {
+                    reference_temperature: t_r,
+                    bulk_modulus_coefficient: v[3],
+                    bulk_modulus_slope_coefficient: v[4],
+                    expansivity: v[5],
+                });
+                let volume = TaitVolume::new(v[1], v[2], softening)?;
+                density(DensityLaw::Tait(Tait::new(v[0], volume)?))
+            }
+            LawName::DowsonHigginson => {
+                let expansion = thermal.then(|| ThermalExpansion {
+                    reference_temperature: t_r,
+                    temperature_coefficient: v[3],
+                });
+                let law = DowsonHigginson::with_constants(v[0], v[1], v[2], expansion)?;
+                density(DensityLaw::DowsonHigginson(law))
+            }
+        }
+    }
+}

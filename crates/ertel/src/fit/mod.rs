@@ -1,0 +1,351 @@
+//! Constants of viscosity and density laws from measured states, by least squares.
+//!
+//! ```
+//! use ertel::fit::{Data, LawName, Params, Property, fit};
+//!
+//! let csv = "pressure_MPa, temperature_degC, viscosity_mPa_s\n0, 40, 10\n100, 40, 49.5\n200, 40, 221\n";
+//! let data = Data::parse("oil.csv", csv, Property::Viscosity)?;
+//! let result = fit(&data, LawName::Barus, &Params::default())?;
+//! let alpha = result.constants.iter().find(|c| c.key == "alpha").unwrap();
+//! assert!((alpha.value - 15.5e-9).abs() < 0.2e-9); // 1/Pa
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod data;
+mod entry;
+mod law;
+mod least_squares;
+mod picture;
+
+pub use data::{Data, DataError, Property, State};
+pub use entry::{Heading, entry};
+pub use law::{FittedLaw, LawName};
+pub use least_squares::{Minimum, MinimumError, minimise};
+pub use picture::picture;
+
+use ertel_rheology::LawError;
+use ertel_rheology::density::TaitVolume;
+use ertel_rheology::quantity::QuantityError;
+
+use law::{Constant, Model};
+
+/// Condition number of the scaled Jacobian above which a combination of constants is called undetermined. The
+/// standard errors are larger by about this factor than those of constants that do not trade off.
+const LARGEST_CONDITION: f64 = 1e3;
+
+/// What is squared and summed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Residual {
+    /// `ln(law/measured)`: each state counts by its relative deviation.
+    #[default]
+    Relative,
+    /// `law - measured`: large values count most.
+    Absolute,
+}
+
+/// How to fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Params {
+    /// Constants that keep a value (SI), by key.
+    pub held: Vec<(String, f64)>,
+    /// Constants to fit that are held by default, by key.
+    pub freed: Vec<String>,
+    /// Reference temperature of the law (K); without it the isotherm nearest to the middle of the data.
+    pub reference_temperature: Option<f64>,
+    /// What is squared and summed.
+    pub residual: Residual,
+    /// Confidence of the intervals, between 0 and 1.
+    pub confidence: f64,
+    /// Volume for Doolittle's law.
+    pub equation_of_state: Option<TaitVolume>,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Self {
+            held: Vec::new(),
+            freed: Vec::new(),
+            reference_temperature: None,
+            residual: Residual::Relative,
+            confidence: 0.95,
+            equation_of_state: None,
+        }
+    }
+}
+
+/// Why there is no fit.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FitError {
+    /// The law is one for another property.
+    #[error("`{}` is not a law for the {}; choose one of {}", law.name(), property.name(), LawName::choices(*property))]
+    WrongProperty {
+        /// The law.
+        law: LawName,
+        /// Property of the data.
+        property: Property,
+    },
+    /// No such constant, or not one in use.
+    #[error("the law `{}` has no constant `{key}` to hold or free here; it has {choices}", law.name())]
+    UnknownConstant {
+        /// The law.
+        law: LawName,
+        /// The key asked for.
+        key: String,
+        /// Its constants.
+        choices: String,
+    },
+    /// A value of a constant cannot be read.
+    #[error("{key}: {source}")]
+    Value {
+        /// The constant.
+        key: String,
+        /// What is wrong.
+        source: QuantityError,
+    },
+    /// Doolittle's law without volume.
+    #[error("Doolittle's law needs the volume of the fluid: give a Tait equation of state")]
+    NoEquationOfState,
+    /// The confidence is no probability.
+    #[error("the confidence {0} is not between 0 and 1")]
+    Confidence(f64),
+    /// Fewer states than constants, or none left for an estimate of the scatter.
+    #[error("{n_states} states cannot determine {n_constants} constants with their intervals; at least {} are needed, or hold some constants", n_constants + 1)]
+    TooFew {
+        /// Number of states.
+        n_states: usize,
+        /// Number of constants to fit.
+        n_constants: usize,
+    },
+    /// A constant has no influence on any state.
+    #[error("the data do not depend on `{key}` of the law `{}`: they do not vary in what it describes; hold it", law.name())]
+    Undetermined {
+        /// The law.
+        law: LawName,
+        /// The constant.
+        key: &'static str,
+    },
+    /// The search did not end.
+    #[error("the fit of the law `{}` did not converge: {reason}", law.name())]
+    NotConverged {
+        /// The law.
+        law: LawName,
+        /// Why.
+        reason: String,
+    },
+    /// The best constants are none that the law allows.
+    #[error("the best constants are not allowed: {0}")]
+    Law(#[from] LawError),
+}
+
+/// A constant of the fitted law.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FittedConstant {
+    /// Key as in data files.
+    pub key: &'static str,
+    /// Unit in which it is shown and written; empty for a pure number.
+    pub unit: &'static str,
+    /// Value (SI).
+    pub value: f64,
+    /// Confidence interval (SI); `None` where the constant was held.
+    pub interval: Option<[f64; 2]>,
+}
+
+/// A fitted law.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    /// Which law.
+    pub name: LawName,
+    /// The law with its constants.
+    pub law: FittedLaw,
+    /// Its constants, in the order of data files.
+    pub constants: Vec<FittedConstant>,
+    /// Reference temperature (K) where the law has one.
+    pub reference_temperature: Option<f64>,
+    /// `law/measured - 1` of every state, in the order of the data.
+    pub deviations: Vec<f64>,
+    /// Condition number of the Jacobian with columns of unit length.
+    pub condition: f64,
+    /// What the data leave open.
+    pub warnings: Vec<String>,
+    /// Confidence of the intervals.
+    pub confidence: f64,
+    /// What was squared and summed.
+    pub residual: Residual,
+}
+
+impl Fit {
+    /// Root mean square of the relative deviations.
+    pub fn rms(&self) -> f64 {
+        let n = self.deviations.len() as f64;
+        (self.deviations.iter().map(|d| d * d).sum::<f64>() / n).sqrt()
+    }
+
+    /// Place and value of the largest relative deviation.
+    pub fn worst(&self) -> (usize, f64) {
+        let worst = self.deviations.iter().copied().enumerate();
+        worst
+            .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
+            .unwrap_or((0, 0.0))
+    }
+}
+
+/// Value (SI) of the constant `key` of a law from text such as `"0.465 mPa.s"`.
+///
+/// # Errors
+///
+/// [`FitError::UnknownConstant`] and [`FitError::Value`].
+pub fn parse_constant(law: LawName, key: &str, text: &str) -> Result<f64, FitError> {
+    law::parse_constant(law, key, text)
+}
+
+/// Fits the constants of `law` to the data.
+///
+/// Constants that must be positive are fitted by their logarithm; their intervals are symmetric on that scale.
+/// Intervals are those of the linearised problem, with Student's t and the scatter of the residuals.
+///
+/// # Errors
+///
+/// [`FitError`]: unusable requests, too few states, constants without influence, no convergence, forbidden values.
+pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> {
+    if law.property() != data.property {
+        return Err(FitError::WrongProperty {
+            law,
+            property: data.property,
+        });
+    }
+    if !(params.confidence > 0.0 && params.confidence < 1.0) {
+        return Err(FitError::Confidence(params.confidence));
+    }
+    let model = Model::new(data, law, params)?;
+    let free: Vec<usize> = (0..model.constants.len())
+        .filter(|i| !model.constants[*i].held)
+        .collect();
+    if data.states.len() <= free.len() {
+        return Err(FitError::TooFew {
+            n_states: data.states.len(),
+            n_constants: free.len(),
+        });
+    }
+    let values = |x: &[f64]| -> Vec<f64> {
+        let mut values: Vec<f64> = model.constants.iter().map(|c| c.start).collect();
+        for (i, x) in free.iter().zip(x) {
+            values[*i] = model.constants[*i].from_scaled(*x);
+        }
+        values
+    };
+    let measured = data.states.iter().map(|s| s.value);
+    let mean = measured.sum::<f64>() / data.states.len() as f64;
+    let residuals = |x: &[f64], r: &mut [f64]| {
+        let law = model.build(&values(x)).ok();
+        for (r, state) in r.iter_mut().zip(&data.states) {
+            // A forbidden constant or an overflow counts as very bad: the step is refused.
+            *r = law.as_ref().map_or(f64::INFINITY, |law| {
+                let ln = law.ln_value(state.pressure, state.temperature);
+                match params.residual {
+                    Residual::Relative => ln - state.value.ln(),
+                    Residual::Absolute => (ln.exp() - state.value) / mean,
+                }
+            });
+            *r = if r.is_finite() {
+                r.clamp(-1e6, 1e6)
+            } else {
+                1e6
+            };
+        }
+    };
+    let start: Vec<f64> = free
+        .iter()
+        .map(|i| model.constants[*i].to_scaled(model.constants[*i].start))
+        .collect();
+    let minimum =
+        minimise(data.states.len(), &start, params.confidence, residuals).map_err(|error| {
+            match error {
+                MinimumError::NoInfluence(i) => FitError::Undetermined {
+                    law,
+                    key: model.constants[free[i]].key,
+                },
+                MinimumError::NotConverged(reason) => FitError::NotConverged { law, reason },
+            }
+        })?;
+
+    let best = values(&minimum.x);
+    let fitted = model.build_checked(&best)?;
+    let mut constants: Vec<FittedConstant> = model
+        .constants
+        .iter()
+        .zip(&best)
+        .map(|(constant, value)| FittedConstant {
+            key: constant.key,
+            unit: constant.unit,
+            value: *value,
+            interval: None,
+        })
+        .collect();
+    for (j, i) in free.iter().enumerate() {
+        let half = minimum.half_widths[j];
+        let ends = [minimum.x[j] - half, minimum.x[j] + half];
+        constants[*i].interval = Some(ends.map(|x| model.constants[*i].from_scaled(x)));
+    }
+    let deviations = data
+        .states
+        .iter()
+        .map(|s| (fitted.ln_value(s.pressure, s.temperature) - s.value.ln()).exp_m1())
+        .collect();
+    let mut warnings = warnings(&minimum, &free, &model.constants, &constants);
+    let [low, high] = data.temperature_range();
+    if law == LawName::Barus && high - low > law::ISOTHERM {
+        warnings.push(format!(
+            "the law `barus` knows no temperature, but the data go from {low:.1} K to {high:.1} K: fit one isotherm, or `cheng`"
+        ));
+    }
+    Ok(Fit {
+        name: law,
+        law: fitted,
+        warnings,
+        constants,
+        reference_temperature: model.reference_temperature(),
+        deviations,
+        condition: minimum.condition,
+        confidence: params.confidence,
+        residual: params.residual,
+    })
+}
+
+/// What the data leave open.
+fn warnings(
+    minimum: &Minimum,
+    free: &[usize],
+    constants: &[Constant],
+    fitted: &[FittedConstant],
+) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if minimum.condition > LARGEST_CONDITION {
+        let keys: Vec<&str> = minimum
+            .weakest
+            .iter()
+            .zip(free)
+            .filter(|(share, _)| share.abs() > 0.2)
+            .map(|(_, i)| constants[*i].key)
+            .collect();
+        warnings.push(format!(
+            "the data hardly determine {} separately (condition number {:.0e}): a change of one is made up for by the others; \
+             hold some, or measure over a wider range",
+            keys.join(", "),
+            minimum.condition
+        ));
+    }
+    for i in free {
+        let constant = &fitted[*i];
+        if let Some([low, high]) = constant.interval
+            && constants[*i].is_positive()
+            && high > 10.0 * low
+        {
+            warnings.push(format!(
+                "the data do not determine {}: its interval spans a factor of {}",
+                constant.key,
+                crate::output::digits(high / low, 2)
+            ));
+        }
+    }
+    warnings
+}
