@@ -3,7 +3,7 @@
 use ertel_rheology::quantity::Dimension;
 
 use super::super::plot::{
-    Axis, Chart, Look, Marker, PALETTE, Series, Side, film_unit, pressure_unit,
+    Axis, AxisScale, Chart, Look, Marker, PALETTE, Series, Side, film_unit, pressure_unit,
 };
 use crate::case::curve::Quantity;
 use crate::solution::{FormulaFilm, Solution};
@@ -94,27 +94,59 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
     let (factor, unit) = film_unit(size);
     let label = format!("Film thickness *h* ({unit})");
     let mut chart = curve_chart(title, curves.first()?.1, &label);
+    let single = curves.len() == 1;
     for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
-        let part = |label: String, look, film: fn(&Solution) -> f64| Series {
-            label,
+        let part = |look, film: Figure| Series {
             points: points_over(curve, |p| Some(factor * film(p.outcome.solution()?))),
             look,
             colour: (*colour).into(),
-            side: Side::Left,
+            ..Series::default()
         };
         let central = |s: &Solution| s.summary.film_central.value;
-        let minimum = |s: &Solution| s.summary.film_minimum.value;
-        chart.series.extend([
-            part(format!("{name}: central"), Look::LineAndDots, central),
-            part(format!("{name}: minimum"), Look::Line, minimum),
-            newtonian_series(curve, &format!("{name}: central"), colour, |s| {
-                factor * central(s)
-            }),
-        ]);
+        let mut series = [
+            part(Look::LineAndDots, central),
+            part(Look::Line, |s| s.summary.film_minimum.value),
+            newtonian_series(curve, "", colour, |s| factor * central(s)),
+        ];
+        for (series, label) in series.iter_mut().zip(FILM_LABELS) {
+            series.label = if single {
+                label.to_owned()
+            } else {
+                String::new()
+            };
+        }
+        if !single {
+            series[0].label = (*name).to_owned();
+        }
+        chart.series.extend(series);
     }
     fit_y(&mut chart);
+    if !single {
+        // Colours tell the curves, looks what they show: both stand in the legend, which needs room above.
+        let looks = [Look::LineAndDots, Look::Line, Look::Dashed];
+        for (look, label) in looks.into_iter().zip(FILM_LABELS) {
+            chart.series.push(Series {
+                label: label.into(),
+                look,
+                colour: LEGEND_GREY.into(),
+                ..Series::default()
+            });
+        }
+        if chart.y.scale == AxisScale::Linear {
+            chart.y = Axis::linear_around(&label, [chart.y.low, LEGEND_ROOM * chart.y.high]);
+        }
+    }
     Some(chart)
 }
+
+/// What the looks of [`films_chart`] show.
+const FILM_LABELS: [&str; 3] = ["central film", "minimum film", "central film, Newtonian"];
+
+/// Colour of legend entries that hold for curves of all colours.
+const LEGEND_GREY: &str = "#404040";
+
+/// By how much an axis grows to make room for a long legend.
+const LEGEND_ROOM: f64 = 1.5;
 
 /// Traction coefficients of several curves over the same quantity, dashed those without shear thinning, which may
 /// leave the picture. `None` without curves.
@@ -130,8 +162,18 @@ pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option
             colour: (*colour).into(),
             side: Side::Left,
         });
-        newtonian.push(newtonian_series(curve, name, colour, value));
+        let series = newtonian_series(curve, "", colour, value);
+        newtonian.push(Series {
+            label: String::new(),
+            ..series
+        });
     }
+    newtonian.push(Series {
+        label: "Newtonian".into(),
+        look: Look::Dashed,
+        colour: LEGEND_GREY.into(),
+        ..Series::default()
+    });
     add_newtonian_tractions(&mut chart, newtonian);
     Some(chart)
 }
@@ -145,7 +187,9 @@ fn add_newtonian_tractions(chart: &mut Chart, newtonian: Vec<Series>) {
     fit_y(chart);
     let fits = size(&newtonian) <= LARGEST_NEWTONIAN * size(&chart.series);
     let found = |s: &Series| s.points.iter().any(|p| p[1].is_finite());
-    chart.series.extend(newtonian.into_iter().filter(found));
+    if newtonian.iter().any(found) {
+        chart.series.extend(newtonian);
+    }
     if fits {
         fit_y(chart);
     }
@@ -227,7 +271,7 @@ fn fit_y(chart: &mut Chart) {
         points.map(|p| p[1]).filter(|h| h.is_finite())
     };
     let label = chart.y.label.clone();
-    let y = if chart.x.scale == super::super::plot::AxisScale::Log && is_wide(heights()) {
+    let y = if chart.x.scale == AxisScale::Log && is_wide(heights()) {
         Axis::log_close_around(&label, heights())
     } else {
         Axis::linear_around(&label, heights().chain([0.0]))
