@@ -20,6 +20,8 @@ pub struct Cli {
 pub enum Command {
     /// Solve a case file and write the results into a folder
     Solve(SolveArgs),
+    /// Estimate a case file by formulas, without solving it
+    Estimate(EstimateArgs),
     /// Compute published cases and compare
     Validate(ValidateArgs),
     /// Fit the constants of a law to measured states
@@ -53,6 +55,17 @@ pub struct SolveArgs {
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// `ertel estimate`.
+#[derive(Debug, Args)]
+pub struct EstimateArgs {
+    /// The case file (TOML)
+    #[arg(value_name = "CASE.toml")]
+    pub case: PathBuf,
+    /// Print JSON in place of text
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `ertel cache`.

@@ -2,6 +2,7 @@
 
 mod args;
 mod cache;
+mod estimate;
 mod failure;
 mod file;
 mod fit;
@@ -24,6 +25,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let result = match cli.command {
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Estimate(arguments) => estimate::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Cache(arguments) => cache::run(&arguments),

@@ -228,6 +228,10 @@ fn describe(
         levels,
         case.mesh.target_error,
     ));
+    warnings.extend(case.roughness.and_then(|sigma| {
+        let minimum = summary.film_minimum.value;
+        post::limits::roughness_warning("the minimum film thickness", minimum, sigma)
+    }));
     Ok(Solution {
         kind: case.contact.kind,
         hertz,
@@ -263,7 +267,7 @@ pub fn groups(case: &Case, pressure_viscosity_coefficient: f64) -> Groups {
 }
 
 /// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular) predict.
-fn predicted_film(case: &Case) -> f64 {
+pub(crate) fn predicted_film(case: &Case) -> f64 {
     let slope = case
         .lubricant
         .viscosity

@@ -25,6 +25,7 @@ fn main_case(kind: ContactKind, load: f64) -> Case {
         },
         plane: steel.clone(),
         ball: steel,
+        roughness: None,
         motion: Motion {
             entrainment_speed: 0.8,
             slide_to_roll_ratio: 0.0,
@@ -35,6 +36,7 @@ fn main_case(kind: ContactKind, load: f64) -> Case {
             density: DensityLaw::dowson_higginson(870.0).unwrap(),
             viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
             shear_thinning: None,
+            thermal_conductivity: None,
         },
         mesh: MeshParams::preset(MeshPreset::Normal, kind),
         solver: SolverParams::default(),

@@ -2,7 +2,8 @@
 
 use ertel_rheology::Solid;
 use ertel_rheology::database;
-use ertel_rheology::input::{InputError, StrOrTable, Table};
+use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
+use ertel_rheology::quantity::Dimension;
 
 use crate::contact::Elasticity;
 
@@ -15,12 +16,28 @@ pub struct Body {
     pub elasticity: Elasticity,
 }
 
-/// Reads the plane and the ball.
-pub(super) fn read(mut table: Table<'_>) -> Result<(Body, Body), InputError> {
+/// Roughnesses from atoms to castings, m: beyond these a unit was mistaken.
+const ROUGHNESS: Bounds = Bounds::closed(1e-11, 1e-3);
+
+/// What `[bodies]` says.
+pub(super) struct Bodies {
+    pub plane: Body,
+    pub ball: Body,
+    /// Composite rms roughness, m.
+    pub roughness: Option<f64>,
+}
+
+/// Reads the plane, the ball, and their roughness where given.
+pub(super) fn read(mut table: Table<'_>) -> Result<Bodies, InputError> {
     let plane = read_body(&mut table, "plane")?;
     let ball = read_body(&mut table, "ball")?;
+    let roughness = table.optional_quantity("roughness", Dimension::LENGTH, ROUGHNESS)?;
     table.finish()?;
-    Ok((plane, ball))
+    Ok(Bodies {
+        plane,
+        ball,
+        roughness,
+    })
 }
 
 /// A name from the database, a table with the constants, or a table with a name and what differs.

@@ -20,6 +20,7 @@ impl Case {
             motion: self.motion,
             plane: body(&self.plane),
             ball: body(&self.ball),
+            roughness: self.roughness,
             fluid: FluidEcho {
                 name: lubricant
                     .name

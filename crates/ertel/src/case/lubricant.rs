@@ -24,6 +24,8 @@ pub struct Lubricant {
     pub viscosity: ViscosityLaw,
     /// Shear thinning; `None` for a Newtonian lubricant.
     pub shear_thinning: Option<ShearThinning>,
+    /// Thermal conductivity, W/(m·K), if known.
+    pub thermal_conductivity: Option<f64>,
 }
 
 impl Lubricant {
@@ -109,6 +111,7 @@ fn check(
         density,
         viscosity: fluid.viscosity,
         shear_thinning: fluid.shear_thinning,
+        thermal_conductivity: fluid.thermal_conductivity,
     };
     let must_lie = |what: &str, value: f64, bounds: Bounds, unit: &str| {
         if bounds.contains(value) {

@@ -43,6 +43,7 @@ use ertel_rheology::{Files, ShearThinning};
 use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
 use crate::params::{MeshParams, OutputParams, SolverParams};
 
+use bodies::Bodies;
 pub use bodies::Body;
 pub use curve::Curve;
 pub use lubricant::Lubricant;
@@ -59,6 +60,8 @@ pub struct Case {
     pub plane: Body,
     /// The ball (or cylinder).
     pub ball: Body,
+    /// Composite rms roughness of both surfaces σ = √(σ_plane² + σ_ball²), m, if given.
+    pub roughness: Option<f64>,
     /// Speeds.
     pub motion: Motion,
     /// Lubricant and its temperature.
@@ -106,7 +109,11 @@ impl Case {
         let mut root = document.root();
         let title = root.optional_str("title")?.unwrap_or_default().to_owned();
         let mut contact_table = root.required_table("contact")?;
-        let (plane, ball) = bodies::read(root.required_table("bodies")?)?;
+        let Bodies {
+            plane,
+            ball,
+            roughness,
+        } = bodies::read(root.required_table("bodies")?)?;
         let modulus = reduced_modulus(plane.elasticity, ball.elasticity);
         let contact = contact::read_contact(&mut contact_table, modulus)?;
         let mut motion_table = root.required_table("motion")?;
@@ -135,6 +142,7 @@ impl Case {
             contact,
             plane,
             ball,
+            roughness,
             motion,
             lubricant,
             mesh,

@@ -56,6 +56,9 @@ pub struct CaseEcho {
     pub plane: BodyEcho,
     /// The ball or cylinder.
     pub ball: BodyEcho,
+    /// Composite rms roughness, m, if given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub roughness: Option<f64>,
     /// Lubricant.
     pub fluid: FluidEcho,
     /// Temperature, K.

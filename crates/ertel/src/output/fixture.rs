@@ -49,6 +49,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
         },
         plane: steel("plane"),
         ball: steel("ball"),
+        roughness: None,
         fluid: FluidEcho {
             name: "thesis oil".into(),
             viscosity_law: "Roelands".into(),

@@ -5,6 +5,7 @@
 pub mod centreline;
 pub mod curve;
 mod echo;
+mod estimate;
 mod finite;
 mod folder;
 pub mod plot;
@@ -20,6 +21,7 @@ mod tests;
 
 pub use curve::{curve_report, write_curve};
 pub use echo::{BodyEcho, CaseEcho, FluidEcho};
+pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use folder::check_target;
 pub use plot::png::{PngError, check as check_png};
 pub use report::{digits, length, pressure, report};

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::CaseEcho;
-use crate::contact::{ContactKind, Groups};
+use crate::contact::{ContactKind, Groups, Hertz};
 use crate::solution::{Estimate, Located, Solution, Timings};
 
 /// Width of the column of names.
@@ -16,20 +16,26 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
     let mut out = Lines::default();
     out.title(&case.title);
     write_case(&mut out, case);
-    write_contact(&mut out, solution);
-    write_results(&mut out, solution);
+    write_contact(
+        &mut out,
+        &solution.hertz,
+        solution.reduced_modulus,
+        &solution.groups,
+        solution.groups_asymptotic.as_ref(),
+    );
+    write_results(&mut out, case, solution);
     write_formulas(&mut out, solution);
     write_effort(&mut out, solution, folder);
     out.text
 }
 
 #[derive(Default)]
-struct Lines {
-    text: String,
+pub(super) struct Lines {
+    pub text: String,
 }
 
 impl Lines {
-    fn title(&mut self, title: &str) {
+    pub fn title(&mut self, title: &str) {
         // Control characters of a title stay out of the terminal
         let mut clean: String = title.chars().filter(|c| !c.is_control()).collect();
         if clean.trim().is_empty() {
@@ -39,17 +45,28 @@ impl Lines {
         let _ = writeln!(self.text, "{clean}\n{rule}");
     }
 
-    fn heading(&mut self, heading: &str) {
+    pub fn heading(&mut self, heading: &str) {
         let _ = writeln!(self.text, "\n{heading}");
     }
 
-    fn row(&mut self, name: &str, value: impl AsRef<str>) {
+    pub fn row(&mut self, name: &str, value: impl AsRef<str>) {
         let value = value.as_ref();
         let _ = writeln!(self.text, "  {name:<NAME_WIDTH$}{value}");
     }
+
+    /// Under a heading of their own, if there are any.
+    pub fn warnings(&mut self, warnings: &[String]) {
+        if warnings.is_empty() {
+            return;
+        }
+        self.heading("Warnings");
+        for warning in warnings {
+            let _ = writeln!(self.text, "  ! {warning}");
+        }
+    }
 }
 
-fn write_case(out: &mut Lines, case: &CaseEcho) {
+pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     let (load_unit, shape) = match case.contact.kind {
         ContactKind::Circular => ("N", "circular (ball on plane)"),
         ContactKind::Line => ("N/m", "line (cylinder on plane)"),
@@ -74,6 +91,9 @@ fn write_case(out: &mut Lines, case: &CaseEcho) {
             digits(e.poissons_ratio, 4)
         );
         out.row(role, text);
+    }
+    if let Some(sigma) = case.roughness {
+        out.row("composite roughness σ (rms)", length(sigma));
     }
     let motion = &case.motion;
     out.row(
@@ -128,17 +148,23 @@ fn write_case(out: &mut Lines, case: &CaseEcho) {
     }
 }
 
-fn write_contact(out: &mut Lines, solution: &Solution) {
+/// The dry contact and its groups; `groups_asymptotic` are those with α*, the modulus in Pa.
+pub(super) fn write_contact(
+    out: &mut Lines,
+    hertz: &Hertz,
+    reduced_modulus: f64,
+    g: &Groups,
+    groups_asymptotic: Option<&Groups>,
+) {
     out.heading("Dry contact (Hertz)");
-    out.row("half-width a", length(solution.hertz.half_width));
-    out.row("largest pressure p_h", pressure(solution.hertz.pressure));
-    out.row("reduced modulus E'", pressure(solution.reduced_modulus));
+    out.row("half-width a", length(hertz.half_width));
+    out.row("largest pressure p_h", pressure(hertz.pressure));
+    out.row("reduced modulus E'", pressure(reduced_modulus));
     out.heading("Dimensionless groups");
-    out.row("Moes", moes(&solution.groups));
-    if let Some(groups) = &solution.groups_asymptotic {
+    out.row("Moes", moes(g));
+    if let Some(groups) = groups_asymptotic {
         out.row("  with α*", moes(groups));
     }
-    let g = &solution.groups;
     out.row(
         "Hamrock-Dowson",
         format!(
@@ -158,7 +184,7 @@ fn moes(groups: &Groups) -> String {
     )
 }
 
-fn write_results(out: &mut Lines, solution: &Solution) {
+fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
     let s = &solution.summary;
     let a = solution.hertz.half_width;
     let place = |at: &Located| match solution.kind {
@@ -176,6 +202,10 @@ fn write_results(out: &mut Lines, solution: &Solution) {
     if solution.kind == ContactKind::Circular {
         let line = &s.film_centreline_minimum;
         out.row("  on the centreline", at(length(line.value), place(line)));
+    }
+    if let Some(sigma) = case.roughness {
+        let lambda = s.film_minimum.value / sigma;
+        out.row("lambda ratio h_min/σ", digits(lambda, 3));
     }
     let p = &s.pressure_maximum;
     out.row("largest pressure", at(pressure(p.value), place(p)));
@@ -292,12 +322,7 @@ fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
             format!("{} MB", digits(bytes as f64 / 1e6, 3)),
         );
     }
-    if !solution.warnings.is_empty() {
-        out.heading("Warnings");
-        for warning in &solution.warnings {
-            let _ = writeln!(out.text, "  ! {warning}");
-        }
-    }
+    out.warnings(&solution.warnings);
     if let Some(folder) = folder {
         out.heading("Files");
         let _ = writeln!(out.text, "  {}", folder.display());
@@ -360,7 +385,7 @@ fn viscosity(value: f64) -> String {
     }
 }
 
-fn power(value: f64) -> String {
+pub(super) fn power(value: f64) -> String {
     format!("{value:.3e}")
 }
 

@@ -77,6 +77,7 @@ pub(super) fn units() -> Value {
                 "rigid_separation",
                 "half_width",
                 "radius",
+                "roughness",
             ],
         ),
         (

@@ -2,6 +2,7 @@
 
 pub mod balance;
 pub mod fields;
+pub mod limits;
 pub mod profile;
 pub mod shear;
 pub mod summary;

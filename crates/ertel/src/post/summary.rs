@@ -1,6 +1,7 @@
 //! The figures of a solution, and what the user should know about them.
 
 use super::balance::film_balance_error;
+use super::limits::thin_film_warning;
 use super::profile::Profile;
 use crate::contact::{ContactKind, Scales};
 use crate::solution::{Estimate, FilmReduction, LevelStats, Located, Summary};
@@ -68,9 +69,6 @@ pub fn film_reduction(levels: &[LevelStats]) -> Option<FilmReduction> {
 /// Change of the largest pressure from mesh to mesh, relative, up to which it counts as resolved.
 const PRESSURE_RESOLVED: f64 = 0.05;
 
-/// Film thickness below which a continuum film is doubtful, m.
-const THINNEST_FILM: f64 = 1e-9;
-
 /// Warnings about a solution: film too thin for a continuum, error bars too wide, contact area
 /// too small.
 pub fn warnings(
@@ -82,12 +80,10 @@ pub fn warnings(
 ) -> Vec<String> {
     let mut warnings = Vec::new();
     let minimum = summary.film_minimum;
-    if minimum.value < THINNEST_FILM {
-        warnings.push(format!(
-            "the minimum film thickness, {:.2} nm, is below a nanometre: no continuum film exists there",
-            minimum.value * 1e9
-        ));
-    }
+    warnings.extend(thin_film_warning(
+        "the minimum film thickness",
+        minimum.value,
+    ));
     if minimum.error.is_none() {
         warnings.push(
             "no error bar: no coarser mesh converged (or solver.error_estimate is off)".to_owned(),

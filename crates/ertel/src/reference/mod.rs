@@ -8,17 +8,36 @@ mod dowson_toyoda;
 mod hamrock_dowson;
 mod moes_line;
 mod nijenbanning_venner_moes;
+pub mod thermal;
 mod venner_isoviscous;
 
-pub use dowson_higginson::dowson_higginson_line_minimum;
+pub use dowson_higginson::{dowson_higginson_1966_line_minimum, dowson_higginson_line_minimum};
 pub use dowson_toyoda::dowson_toyoda_line_central;
 pub use hamrock_dowson::{hamrock_dowson_central, hamrock_dowson_minimum};
-pub use moes_line::moes_line_film;
-pub use nijenbanning_venner_moes::nijenbanning_venner_moes_film;
+pub use moes_line::{moes_line_asymptotes, moes_line_film};
+pub use nijenbanning_venner_moes::{
+    nijenbanning_venner_moes_asymptotes, nijenbanning_venner_moes_film,
+};
 pub use venner_isoviscous::venner_isoviscous_film;
+
+use serde::Serialize;
 
 use crate::contact::{ContactKind, Groups};
 use crate::solution::FormulaFilm;
+
+/// Central film of a contact in the four lubrication regimes, in the unit of whoever fills it: H = h/(R √(2U))
+/// from the formulas.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Asymptotes {
+    /// Neither viscosity nor bodies feel the pressure.
+    pub isoviscous_rigid: f64,
+    /// The bodies deflect, the viscosity stays.
+    pub isoviscous_elastic: f64,
+    /// The viscosity grows with pressure, the bodies stay.
+    pub piezoviscous_rigid: f64,
+    /// Both.
+    pub piezoviscous_elastic: f64,
+}
 
 /// Largest material group L for which the isoviscous limit is listed.
 const ISOVISCOUS_L: f64 = 1.0;
@@ -36,18 +55,21 @@ pub enum FilmFormula {
     MoesLine,
     /// Dowson and Higginson 1977, line, minimum film.
     DowsonHigginson,
+    /// Dowson and Higginson 1966, line, minimum film.
+    DowsonHigginson1966,
     /// Dowson and Toyoda 1978, line, central film.
     DowsonToyoda,
 }
 
 impl FilmFormula {
     /// Every formula, in the order of the report.
-    pub const ALL: [FilmFormula; 6] = [
+    pub const ALL: [FilmFormula; 7] = [
         FilmFormula::HamrockDowson,
         FilmFormula::NijenbanningVennerMoes,
         FilmFormula::VennerIsoviscous,
         FilmFormula::DowsonToyoda,
         FilmFormula::DowsonHigginson,
+        FilmFormula::DowsonHigginson1966,
         FilmFormula::MoesLine,
     ];
 
@@ -57,9 +79,10 @@ impl FilmFormula {
             FilmFormula::HamrockDowson
             | FilmFormula::NijenbanningVennerMoes
             | FilmFormula::VennerIsoviscous => ContactKind::Circular,
-            FilmFormula::MoesLine | FilmFormula::DowsonHigginson | FilmFormula::DowsonToyoda => {
-                ContactKind::Line
-            }
+            FilmFormula::MoesLine
+            | FilmFormula::DowsonHigginson
+            | FilmFormula::DowsonHigginson1966
+            | FilmFormula::DowsonToyoda => ContactKind::Line,
         }
     }
 
@@ -71,6 +94,7 @@ impl FilmFormula {
             FilmFormula::VennerIsoviscous => "Venner isoviscous-elastic",
             FilmFormula::MoesLine => "Moes (line)",
             FilmFormula::DowsonHigginson => "Dowson-Higginson 1977",
+            FilmFormula::DowsonHigginson1966 => "Dowson-Higginson 1966",
             FilmFormula::DowsonToyoda => "Dowson-Toyoda 1978",
         }
     }
@@ -83,6 +107,7 @@ impl FilmFormula {
             FilmFormula::VennerIsoviscous => venner_isoviscous::SOURCE,
             FilmFormula::MoesLine => moes_line::SOURCE,
             FilmFormula::DowsonHigginson => dowson_higginson::SOURCE,
+            FilmFormula::DowsonHigginson1966 => dowson_higginson::SOURCE_1966,
             FilmFormula::DowsonToyoda => dowson_toyoda::SOURCE,
         }
     }
@@ -111,6 +136,10 @@ impl FilmFormula {
             FilmFormula::DowsonHigginson => {
                 (None, Some(radius * dowson_higginson_line_minimum(groups)))
             }
+            FilmFormula::DowsonHigginson1966 => (
+                None,
+                Some(radius * dowson_higginson_1966_line_minimum(groups)),
+            ),
             FilmFormula::DowsonToyoda => (Some(radius * dowson_toyoda_line_central(groups)), None),
         };
         let usable = |h: f64| h.is_finite() && h > 0.0;

@@ -1,5 +1,7 @@
 //! Central film of circular contacts over all lubrication regimes.
 
+use super::Asymptotes;
+
 pub(super) const SOURCE: &str = "Nijenbanning, Venner & Moes 1994, Wear 176, 217-229; incompressible fluid (constants \
      verified; exponent of the blend recalled, the two forms in use differ by up to 5 %)";
 
@@ -8,23 +10,39 @@ pub(super) const SOURCE: &str = "Nijenbanning, Venner & Moes 1994, Wear 176, 217
 ///
 /// H = {[H_RI^(3/2) + (H_EI^(−4) + H_00^(−4))^(−3/8)]^(2s/3) + (H_RP^(−8) + H_EP^(−8))^(−s/8)}^(1/s)
 ///
+/// H_00 = 1.8 D^(−1), s = 1.5 (1 + exp(−1.2 H_EI/H_RI)), the others as in
+/// [`nijenbanning_venner_moes_asymptotes`].
+pub fn nijenbanning_venner_moes_film(load: f64, material: f64) -> f64 {
+    let Asymptotes {
+        isoviscous_rigid,
+        isoviscous_elastic,
+        piezoviscous_rigid,
+        piezoviscous_elastic,
+    } = nijenbanning_venner_moes_asymptotes(load, material);
+    let light_load = 1.8_f64;
+    let s = 1.5 * (1.0 + (-1.2 * isoviscous_elastic / isoviscous_rigid).exp());
+    let isoviscous = isoviscous_rigid.powf(1.5)
+        + (isoviscous_elastic.powi(-4) + light_load.powi(-4)).powf(-0.375);
+    // L = 0 makes the second term ∞^(−s/8) = 0, as it should
+    let piezoviscous = (piezoviscous_rigid.powi(-8) + piezoviscous_elastic.powi(-8)).powf(-s / 8.0);
+    (isoviscous.powf(2.0 * s / 3.0) + piezoviscous).powf(1.0 / s)
+}
+
+/// The four asymptotes of [`nijenbanning_venner_moes_film`].
+///
 /// H_RI = 145 (1 + 0.796 D^(14/15))^(−15/7) D^(−1) M^(−2)
 /// H_EI = 3.18 (1 + 0.006 ln D + 0.63 D^(4/7))^(−14/25) D^(−1/15) M^(−2/15)
 /// H_RP = 1.29 (1 + 0.691 D)^(−2/3) L^(2/3)
 /// H_EP = 1.48 (1 + 0.006 ln D + 0.63 D^(4/7))^(−7/20) D^(−1/24) M^(−1/12) L^(3/4)
-/// H_00 = 1.8 D^(−1), s = 1.5 (1 + exp(−1.2 H_EI/H_RI))
-pub fn nijenbanning_venner_moes_film(load: f64, material: f64) -> f64 {
+pub fn nijenbanning_venner_moes_asymptotes(load: f64, material: f64) -> Asymptotes {
     let (m, l) = (load, material);
-    let rigid_isoviscous = 145.0 * 1.796_f64.powf(-15.0 / 7.0) * m.powi(-2);
-    let elastic_isoviscous = 3.18 * 1.63_f64.powf(-14.0 / 25.0) * m.powf(-2.0 / 15.0);
-    let rigid_piezoviscous = 1.29 * 1.691_f64.powf(-2.0 / 3.0) * l.powf(2.0 / 3.0);
-    let elastic_piezoviscous =
-        1.48 * 1.63_f64.powf(-7.0 / 20.0) * m.powf(-1.0 / 12.0) * l.powf(0.75);
-    let light_load = 1.8_f64;
-    let s = 1.5 * (1.0 + (-1.2 * elastic_isoviscous / rigid_isoviscous).exp());
-    let isoviscous = rigid_isoviscous.powf(1.5)
-        + (elastic_isoviscous.powi(-4) + light_load.powi(-4)).powf(-0.375);
-    // L = 0 makes the second term ∞^(−s/8) = 0, as it should
-    let piezoviscous = (rigid_piezoviscous.powi(-8) + elastic_piezoviscous.powi(-8)).powf(-s / 8.0);
-    (isoviscous.powf(2.0 * s / 3.0) + piezoviscous).powf(1.0 / s)
+    Asymptotes {
+        isoviscous_rigid: 145.0 * 1.796_f64.powf(-15.0 / 7.0) * m.powi(-2),
+        isoviscous_elastic: 3.18 * 1.63_f64.powf(-14.0 / 25.0) * m.powf(-2.0 / 15.0),
+        piezoviscous_rigid: 1.29 * 1.691_f64.powf(-2.0 / 3.0) * l.powf(2.0 / 3.0),
+        piezoviscous_elastic: 1.48
+            * 1.63_f64.powf(-7.0 / 20.0)
+            * m.powf(-1.0 / 12.0)
+            * l.powf(0.75),
+    }
 }

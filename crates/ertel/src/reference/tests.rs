@@ -150,8 +150,53 @@ fn line_power_laws_match_independent_values() {
         .collect();
     assert_eq!(
         names,
-        ["Dowson-Toyoda 1978", "Dowson-Higginson 1977", "Moes (line)"]
+        [
+            "Dowson-Toyoda 1978",
+            "Dowson-Higginson 1977",
+            "Dowson-Higginson 1966",
+            "Moes (line)"
+        ]
     );
+    // 1.6 U^0.7 G^0.6 W^(-0.13), Python
+    let (_, minimum) = FilmFormula::DowsonHigginson1966.film(0.01, &groups);
+    assert_relative_eq!(minimum.unwrap(), 167.68332e-9, max_relative = 1e-6);
+}
+
+/// Values of the printed formulas by Python; slide-to-roll ratios by their size.
+#[test]
+fn thermal_reductions_match_independent_values() {
+    use super::thermal::{ThermalReduction, thermal_loading};
+    for (loading, ratio, slide_to_roll, expected) in [
+        (
+            0.5,
+            0.004,
+            0.0,
+            [0.845_032_792_510, 0.866_061_193_556, 0.858_169_903_378],
+        ),
+        (
+            0.5,
+            0.004,
+            -0.3,
+            [0.769_108_071_450, 0.500_683_485_000, f64::NAN],
+        ),
+        (
+            3.0,
+            0.005,
+            1.0,
+            [0.374_641_363_112, 0.115_050_088_625, f64::NAN],
+        ),
+    ] {
+        for (formula, value) in ThermalReduction::ALL.into_iter().zip(expected) {
+            match formula.factor(loading, ratio, slide_to_roll) {
+                Some(factor) => assert_relative_eq!(factor, value, max_relative = 1e-10),
+                None => assert!(value.is_nan(), "{formula:?}"),
+            }
+        }
+    }
+    // Beyond its range the first factor turns negative
+    assert_eq!(ThermalReduction::GuptaCheng.factor(300.0, 0.01, 0.0), None);
+    // 0.1 Pa.s 0.04 1/K (5 m/s)² / 0.125 W/(m.K) = 0.8
+    assert_relative_eq!(thermal_loading(0.1, 0.04, 5.0, 0.125), 0.8);
 }
 
 /// An isoviscous fluid (G = 0) has no power law in G, and gains the isoviscous limit:

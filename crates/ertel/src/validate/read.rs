@@ -372,6 +372,7 @@ fn formula_key(formula: FilmFormula) -> &'static str {
         FilmFormula::VennerIsoviscous => "venner-isoviscous",
         FilmFormula::MoesLine => "moes-line",
         FilmFormula::DowsonHigginson => "dowson-higginson",
+        FilmFormula::DowsonHigginson1966 => "dowson-higginson-1966",
         FilmFormula::DowsonToyoda => "dowson-toyoda",
     }
 }

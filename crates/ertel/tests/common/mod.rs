@@ -34,6 +34,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         },
         plane: steel.clone(),
         ball: steel,
+        roughness: None,
         motion: Motion {
             entrainment_speed: 0.8,
             slide_to_roll_ratio: 0.0,
@@ -44,6 +45,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
             density: DensityLaw::dowson_higginson(870.0).unwrap(),
             viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
             shear_thinning: None,
+            thermal_conductivity: None,
         },
         mesh: MeshParams::preset(MeshPreset::Coarse, kind),
         solver: SolverParams::default(),

@@ -1,0 +1,26 @@
+//! `ertel estimate`.
+
+use ertel::case::Case;
+use ertel::estimate;
+use ertel::output;
+
+use crate::args::EstimateArgs;
+use crate::failure::Failure;
+use crate::print;
+
+/// Runs the command.
+///
+/// # Errors
+///
+/// A bad case, or an output that cannot be written.
+pub fn run(arguments: &EstimateArgs) -> Result<(), Failure> {
+    let case = Case::read(&arguments.case)?;
+    let (echo, figures) = (case.echo(), estimate::estimate(&case));
+    if !arguments.json {
+        return print::stdout(&output::estimate_report(&echo, &figures));
+    }
+    let text = output::estimate_json(&echo, &figures)
+        .map(|json| format!("{json:#}\n"))
+        .map_err(|error| Failure::Other(format!("cannot write the estimates: {error}")))?;
+    print::stdout(&text)
+}

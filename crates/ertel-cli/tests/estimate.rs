@@ -1,0 +1,114 @@
+//! `ertel estimate` end to end.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Runs `ertel estimate` in an empty folder, which must stay so.
+fn estimate(case: &Path, options: &[&str]) -> Output {
+    let folder = tempfile::tempdir().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .arg("estimate")
+        .arg(case)
+        .args(options)
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert!(folder.path().read_dir().unwrap().next().is_none());
+    output
+}
+
+fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../cases")
+        .join(name)
+}
+
+fn stdout(output: &Output) -> &str {
+    std::str::from_utf8(&output.stdout).unwrap()
+}
+
+fn stderr(output: &Output) -> &str {
+    std::str::from_utf8(&output.stderr).unwrap()
+}
+
+/// Figures of an independent script for the case (Habchi 2008, Tables 3.3 and 3.4).
+#[test]
+fn text_has_the_figures() {
+    let output = estimate(&shipped("ball-on-disc.toml"), &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    for words in [
+        "218.3 µm",
+        "1.002 GPa",
+        "M 199.3   L 10.36",
+        "264.1 nm",
+        "148.6 nm",
+        "298.1 nm",
+        "piezoviscous-rigid, close to piezoviscous-elastic",
+        "0.00519",
+        "inertia is negligible",
+    ] {
+        assert!(
+            stdout(&output).contains(words),
+            "{words}: {}",
+            stdout(&output)
+        );
+    }
+    assert_eq!(stderr(&output), "");
+}
+
+#[test]
+fn json_has_the_figures_with_units() {
+    let output = estimate(&shipped("ball-on-disc.toml"), &["--json"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let json: serde_json::Value = serde_json::from_str(stdout(&output)).unwrap();
+    assert_eq!(json["format"], "ertel-estimate");
+    let near = |path: &str, value: f64| {
+        let found = json.pointer(path).and_then(serde_json::Value::as_f64);
+        let found = found.unwrap_or_else(|| panic!("{path}: {json:#}"));
+        assert!((found / value - 1.0).abs() < 2e-5, "{path}: {found}");
+    };
+    near("/hertz/half_width", 218.279e-6);
+    near("/groups/moes_load", 199.26);
+    near("/formulas/0/central", 264.066e-9);
+    near("/formulas/0/minimum", 148.596e-9);
+    near("/film/central", 298.135e-9);
+    assert_eq!(json["regime"]["regime"], "piezoviscous-rigid");
+    assert_eq!(json["units"]["central"], "m");
+    assert_eq!(json["reynolds"]["inertia_matters"], false);
+}
+
+/// What is said of roughness and shear thinning, and that bad input has code 2.
+#[test]
+fn warnings_and_errors() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(shipped("squalane-on-glass.toml")).unwrap();
+    let path = folder.path().join("rough.toml");
+    let rough = text.replace("[bodies]", "[bodies]\nroughness = \"1 um\"");
+    std::fs::write(&path, rough).unwrap();
+    let output = estimate(&path, &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    for words in [
+        "composite roughness σ (rms)",
+        "boundary lubrication",
+        "thins by shear",
+        "Wilson-Sheu",
+    ] {
+        assert!(
+            stdout(&output).contains(words),
+            "{words}: {}",
+            stdout(&output)
+        );
+    }
+
+    std::fs::write(&path, text.replace("[bodies]", "[bodies]\nroughness = 3")).unwrap();
+    let output = estimate(&path, &[]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        stderr(&output).contains("`roughness` has no unit"),
+        "{}",
+        stderr(&output)
+    );
+    assert_eq!(stdout(&output), "");
+    let output = estimate(Path::new("no/such/case.toml"), &[]);
+    assert_eq!(output.status.code(), Some(2));
+}

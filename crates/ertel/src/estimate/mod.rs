@@ -1,0 +1,258 @@
+//! What can be said about a case without solving it.
+
+mod inertia;
+mod regime;
+
+use num_dual::first_derivative;
+use serde::Serialize;
+
+pub use inertia::{CRITICAL_REYNOLDS, FilmReynolds, NEGLIGIBLE_INERTIA, film_reynolds};
+pub use regime::{Regime, RegimeEstimate, regime};
+
+use crate::case::Case;
+use crate::contact::{ContactKind, Groups, Hertz};
+use crate::post::limits::{Separation, roughness_warning, thin_film_warning};
+use crate::reference::thermal::{ThermalReduction, thermal_loading};
+use crate::reference::{FilmFormula, film_formulas};
+use crate::run::{groups, predicted_film};
+use crate::solution::FormulaFilm;
+
+/// Estimates of a case, SI.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct CaseEstimate {
+    /// Line or circular.
+    pub kind: ContactKind,
+    /// The dry contact.
+    pub hertz: Hertz,
+    /// Reduced modulus E', Pa.
+    pub reduced_modulus: f64,
+    /// Groups with the initial slope of ln μ(p) as pressure-viscosity coefficient.
+    pub groups: Groups,
+    /// Groups with the reciprocal asymptotic isoviscous coefficient α*, where it exists.
+    pub groups_asymptotic: Option<Groups>,
+    /// Parameters of regime charts.
+    pub chart: ChartParameters,
+    /// Lubrication regime.
+    pub regime: RegimeEstimate,
+    /// Film-thickness formulas.
+    pub formulas: Vec<FormulaFilm>,
+    /// The same with α*, where it exists.
+    pub formulas_asymptotic: Option<Vec<FormulaFilm>>,
+    /// Whether the lubricant thins by shear, which no formula here knows.
+    pub newtonian_only: bool,
+    /// Film that the other estimates reckon with.
+    pub film: FilmEstimate,
+    /// Reynolds numbers.
+    pub reynolds: FilmReynolds,
+    /// Heating of the inlet.
+    pub thermal: ThermalEstimate,
+    /// Film over roughness, if a roughness is given.
+    pub lambda: Option<LambdaRatio>,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+}
+
+/// Hamrock and Dowson's parameters of regime charts: g_V = G W³/U² and, for circular contacts, g_E = W^(8/3)/U².
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ChartParameters {
+    /// g_V, `None` for line contacts, whose parameters are defined otherwise.
+    pub viscosity_parameter: Option<f64>,
+    /// g_E, likewise.
+    pub elasticity_parameter: Option<f64>,
+}
+
+/// Film of one central and one minimum formula.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FilmEstimate {
+    /// Central film, m, of the formula that holds in all regimes.
+    pub central: f64,
+    /// Which.
+    pub central_formula: &'static str,
+    /// Minimum film, m, where a formula for it applies.
+    pub minimum: Option<f64>,
+    /// Which.
+    pub minimum_formula: Option<&'static str>,
+}
+
+/// Reduction of the film by the heat of shear in the inlet.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ThermalEstimate {
+    /// β = −d ln μ/dT at ambient pressure, 1/K.
+    pub temperature_coefficient: f64,
+    /// L_T = μ₀ β u_m²/k; `None` without conductivity k or with a viscosity that does not fall with temperature.
+    pub loading: Option<f64>,
+    /// Factors by which to multiply the isothermal films.
+    pub factors: Vec<ThermalFactor>,
+    /// Why there are none.
+    pub missing: Option<&'static str>,
+}
+
+/// One published reduction.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ThermalFactor {
+    /// Name.
+    pub name: &'static str,
+    /// Thermal film over isothermal film.
+    pub factor: f64,
+    /// Source and status.
+    pub source: &'static str,
+}
+
+/// Film over composite rms roughness.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct LambdaRatio {
+    /// h_c/σ.
+    pub of_central: f64,
+    /// h_min/σ.
+    pub of_minimum: Option<f64>,
+    /// By the minimum film, or the central one where there is no other.
+    pub separation: Separation,
+}
+
+/// Estimates from formulas; calls no solver.
+pub fn estimate(case: &Case) -> CaseEstimate {
+    let (contact, lubricant, motion) = (&case.contact, &case.lubricant, &case.motion);
+    let (hertz, modulus) = (case.hertz(), case.reduced_modulus());
+    let temperature = lubricant.temperature;
+    let slope = lubricant.viscosity.pressure_viscosity_slope(temperature);
+    let asymptotic = (lubricant.viscosity)
+        .pressure_viscosity_reciprocal_asymptotic(temperature)
+        .ok();
+    let g = groups(case, slope);
+    let groups_asymptotic = asymptotic.map(|alpha| groups(case, alpha));
+    let formulas = |g: &Groups| film_formulas(contact.kind, contact.radius, g);
+    let film = film(case, &g);
+    let mut estimate = CaseEstimate {
+        kind: contact.kind,
+        hertz,
+        reduced_modulus: modulus,
+        chart: chart(contact.kind, &g),
+        regime: regime(contact.kind, contact.radius, &g),
+        formulas: formulas(&g),
+        formulas_asymptotic: groups_asymptotic.as_ref().map(formulas),
+        groups: g,
+        groups_asymptotic,
+        newtonian_only: case.shear_thinning().is_some(),
+        film,
+        reynolds: film_reynolds(
+            lubricant.ambient_density(),
+            motion.entrainment_speed,
+            film.central,
+            lubricant.ambient_viscosity(),
+            hertz.half_width,
+        ),
+        thermal: thermal(case, hertz.pressure / modulus),
+        lambda: case.roughness.map(|sigma| LambdaRatio {
+            of_central: film.central / sigma,
+            of_minimum: film.minimum.map(|h| h / sigma),
+            separation: Separation::of(film.minimum.unwrap_or(film.central) / sigma),
+        }),
+        warnings: case.warnings.clone(),
+    };
+    let new = warnings(case, &estimate);
+    estimate.warnings.extend(new);
+    estimate
+}
+
+fn chart(kind: ContactKind, groups: &Groups) -> ChartParameters {
+    let (w, u, g) = (groups.load, groups.speed, groups.material);
+    let circular = |value: f64| (kind == ContactKind::Circular).then_some(value);
+    ChartParameters {
+        viscosity_parameter: circular(g * w.powi(3) / (u * u)),
+        elasticity_parameter: circular(w.powf(8.0 / 3.0) / (u * u)),
+    }
+}
+
+/// Films of the formula that holds in all regimes, and of the usual one for the minimum. A lubricant that thins
+/// with pressure counts as isoviscous in the first.
+fn film(case: &Case, groups: &Groups) -> FilmEstimate {
+    let (central, minimum) = match case.contact.kind {
+        ContactKind::Circular => (
+            FilmFormula::NijenbanningVennerMoes,
+            FilmFormula::HamrockDowson,
+        ),
+        ContactKind::Line => (FilmFormula::MoesLine, FilmFormula::DowsonHigginson),
+    };
+    let minimum_film = minimum.film(case.contact.radius, groups).1;
+    FilmEstimate {
+        central: predicted_film(case),
+        central_formula: central.name(),
+        minimum: minimum_film,
+        minimum_formula: minimum_film.map(|_| minimum.name()),
+    }
+}
+
+fn thermal(case: &Case, pressure_over_modulus: f64) -> ThermalEstimate {
+    let lubricant = &case.lubricant;
+    let logarithm = |t| lubricant.viscosity.ln_viscosity(0.0.into(), t);
+    let beta = -first_derivative(logarithm, lubricant.temperature).1;
+    let mut estimate = ThermalEstimate {
+        // no −0 in reports
+        temperature_coefficient: beta + 0.0,
+        loading: None,
+        factors: Vec::new(),
+        missing: None,
+    };
+    if !(beta > 0.0) {
+        estimate.missing = Some("the viscosity law does not fall with temperature");
+        return estimate;
+    }
+    let Some(conductivity) = lubricant.thermal_conductivity else {
+        estimate.missing = Some("the lubricant has no thermal_conductivity");
+        return estimate;
+    };
+    let loading = thermal_loading(
+        lubricant.ambient_viscosity(),
+        beta,
+        case.motion.entrainment_speed,
+        conductivity,
+    );
+    estimate.loading = Some(loading);
+    let ratio = case.motion.slide_to_roll_ratio;
+    estimate.factors = ThermalReduction::ALL
+        .into_iter()
+        .filter_map(|formula| {
+            Some(ThermalFactor {
+                name: formula.name(),
+                factor: formula.factor(loading, pressure_over_modulus, ratio)?,
+                source: formula.source(),
+            })
+        })
+        .collect();
+    estimate
+}
+
+fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<String> {
+    let mut warnings = Vec::new();
+    if case.curve.is_some() {
+        warnings.push(
+            "the estimates are of the case itself, not of the points of its [curve]".to_owned(),
+        );
+    }
+    if estimate.newtonian_only {
+        warnings.push(
+            "the lubricant thins by shear; all film formulas and estimates are those of a Newtonian lubricant of its \
+             low-shear viscosity, and films may be thinner"
+                .to_owned(),
+        );
+    }
+    if estimate.reynolds.inertia_matters {
+        warnings.push(format!(
+            "inertia may matter (Reynolds number of the film {:.3e}, reduced {:.3e}): Reynolds' equation has none",
+            estimate.reynolds.reynolds, estimate.reynolds.reduced
+        ));
+    }
+    let (name, thickness) = match estimate.film.minimum {
+        Some(minimum) => ("the estimated minimum film thickness", minimum),
+        None => (
+            "the estimated central film thickness",
+            estimate.film.central,
+        ),
+    };
+    warnings.extend(thin_film_warning(name, thickness));
+    warnings.extend((case.roughness).and_then(|sigma| roughness_warning(name, thickness, sigma)));
+    warnings
+}
+
+#[cfg(test)]
+mod tests;

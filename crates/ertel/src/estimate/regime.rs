@@ -1,0 +1,93 @@
+//! Lubrication regime by Moes' asymptotes.
+
+use serde::Serialize;
+
+use crate::contact::{ContactKind, Groups};
+use crate::reference::{Asymptotes, moes_line_asymptotes, nijenbanning_venner_moes_asymptotes};
+
+/// What the film thickness depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Regime {
+    /// Neither viscosity nor bodies feel the pressure.
+    IsoviscousRigid,
+    /// The bodies deflect, the viscosity stays ("soft EHL").
+    IsoviscousElastic,
+    /// The viscosity grows with pressure, the bodies stay.
+    PiezoviscousRigid,
+    /// Both ("hard EHL").
+    PiezoviscousElastic,
+}
+
+impl Regime {
+    /// For reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Regime::IsoviscousRigid => "isoviscous-rigid",
+            Regime::IsoviscousElastic => "isoviscous-elastic",
+            Regime::PiezoviscousRigid => "piezoviscous-rigid",
+            Regime::PiezoviscousElastic => "piezoviscous-elastic",
+        }
+    }
+}
+
+/// Ratio of two asymptotes from which the regime counts as shared.
+const SHARED: f64 = 0.8;
+
+/// A regime with the films that decide it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RegimeEstimate {
+    /// The regime.
+    pub regime: Regime,
+    /// The regime that is nearly as near: its asymptote is within 20 %.
+    pub neighbour: Option<Regime>,
+    /// Central film of each asymptote, m.
+    pub films: Asymptotes,
+}
+
+/// The regime of a contact of radius R, m.
+///
+/// A film formula over all regimes blends four asymptotes: of the isoviscous ones the thicker film holds, of the
+/// piezoviscous ones the thinner, and of these two the thicker. Asymptotes of Nijenbanning, Venner and Moes 1994
+/// (circular) and Moes (line). A lubricant that thins with pressure (L < 0) counts as isoviscous.
+pub fn regime(kind: ContactKind, radius: f64, groups: &Groups) -> RegimeEstimate {
+    let (m, l) = (groups.moes_load, groups.moes_material.max(0.0));
+    let a = match kind {
+        ContactKind::Circular => nijenbanning_venner_moes_asymptotes(m, l),
+        ContactKind::Line => moes_line_asymptotes(m, l),
+    };
+    let rigid = (a.isoviscous_rigid, Regime::IsoviscousRigid);
+    let elastic = (a.isoviscous_elastic, Regime::IsoviscousElastic);
+    let (isoviscous, isoviscous_other) = order(rigid, elastic);
+    let rigid = (a.piezoviscous_rigid, Regime::PiezoviscousRigid);
+    let elastic = (a.piezoviscous_elastic, Regime::PiezoviscousElastic);
+    let (piezoviscous_other, piezoviscous) = order(rigid, elastic);
+    let (holds, across) = order(isoviscous, piezoviscous);
+    let beside = if holds == isoviscous {
+        isoviscous_other
+    } else {
+        piezoviscous_other
+    };
+    let closeness = |other: (f64, Regime)| f64::min(other.0 / holds.0, holds.0 / other.0);
+    let near = if closeness(beside) > closeness(across) {
+        beside
+    } else {
+        across
+    };
+    let scale = radius * (2.0 * groups.speed).sqrt();
+    RegimeEstimate {
+        regime: holds.1,
+        neighbour: (closeness(near) > SHARED).then_some(near.1),
+        films: Asymptotes {
+            isoviscous_rigid: scale * a.isoviscous_rigid,
+            isoviscous_elastic: scale * a.isoviscous_elastic,
+            piezoviscous_rigid: scale * a.piezoviscous_rigid,
+            piezoviscous_elastic: scale * a.piezoviscous_elastic,
+        },
+    }
+}
+
+/// The thicker film first.
+fn order(a: (f64, Regime), b: (f64, Regime)) -> ((f64, Regime), (f64, Regime)) {
+    if a.0 >= b.0 { (a, b) } else { (b, a) }
+}
