@@ -193,7 +193,7 @@ fn thermal(case: &Case, pressure_over_modulus: f64) -> ThermalEstimate {
         factors: Vec::new(),
         missing: None,
     };
-    if !(beta > 0.0) {
+    if beta.is_nan() || beta <= 0.0 {
         estimate.missing = Some("the viscosity law does not fall with temperature");
         return estimate;
     }

@@ -67,8 +67,7 @@ impl ThermalReduction {
         slide_to_roll_ratio: f64,
     ) -> Option<f64> {
         let (l, s) = (loading, slide_to_roll_ratio.abs());
-        // not `l <= 0`: a NaN has no factor either
-        if !(l > 0.0) {
+        if l.is_nan() || l <= 0.0 {
             return None;
         }
         let factor = match self {
