@@ -53,8 +53,7 @@ fn main() {
         return;
     }
     if args.curves {
-        curve("slide-to-roll ratio, 0 to 0.45", SLIDING);
-        curve("entrainment speed, 0.4 to 1.6 m/s", SPEEDS);
+        curves();
         return;
     }
     println!("{HEAD}");
@@ -76,15 +75,12 @@ fn main() {
         monolithic_case("ball-on-disc at 10 N", &small());
     }
     shear_thinning(few);
-    curve("slide-to-roll ratio, 0 to 0.45", SLIDING);
-    curve("entrainment speed, 0.4 to 1.6 m/s", SPEEDS);
+    curves();
     for name in ["roller", "ball-on-disc"] {
         monolithic_iteration(name);
     }
 }
 
-const SLIDING: &str =
-    "[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nfrom = 0\nto = 0.45\npoints = 10";
 const SPEEDS: &str = "[curve]\nquantity = \"motion.entrainment_speed\"\nfrom = \"0.4 m/s\"\nto = \"1.6 m/s\"\npoints = 10\nspacing = \"log\"";
 
 /// A sliding shear-thinning contact over the same contact at its low-shear viscosity, on the same mesh.
@@ -107,18 +103,31 @@ fn shear_thinning(runs: usize) {
     }
 }
 
-/// A curve of ten points through the main contact over that contact alone, cold, both without a cache.
-fn curve(name: &str, table: &str) {
+/// Curves of ten points: traction of a shear-thinning oil, and film over speed.
+fn curves() {
+    curve(
+        "squalane, slide-to-roll ratio to 0.6",
+        &read("squalane-traction", ""),
+    );
+    curve(
+        "entrainment speed, 0.4 to 1.6 m/s",
+        &read("ball-on-disc", SPEEDS),
+    );
+}
+
+/// A curve over its contact alone, cold, both without a cache.
+fn curve(name: &str, case: &Case) {
     let session = Session::default();
-    let case = read("ball-on-disc", table);
-    let points = case.curve.as_ref().expect("a case with a curve");
+    let mut points = case.curve.clone().expect("a case with a curve");
+    // The Newtonian curve beside is a second curve.
+    points.newtonian = false;
     let clock = Clock::start();
     session
-        .solve(&case, &mut Silent)
+        .solve(case, &mut Silent)
         .expect("a shipped case converges");
     let cold = clock.seconds();
     let clock = Clock::start();
-    let curve = solve_curve(&session, points, &mut Silent);
+    let curve = solve_curve(&session, &points, &mut Silent);
     let time = clock.seconds();
     let solved = || curve.points.iter().filter_map(|p| p.outcome.solution());
     println!(

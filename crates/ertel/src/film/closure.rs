@@ -13,7 +13,7 @@
 //! derivatives of q by y = (G_x, G_y, Ω, P) follow by implicit differentiation.
 
 use super::cross_film::{CrossFilm, StressScales};
-use super::fluidity::{Fluidity, Jet};
+use super::fluidity::Fluidity;
 
 /// Number of quantities that the flow depends on: G_x, G_y, Ω, P.
 pub const N_DEMANDS: usize = 4;
@@ -41,13 +41,6 @@ impl Closure {
             ..Closure::default()
         }
     }
-}
-
-/// Scratch memory of the local problem.
-#[derive(Clone, Debug, Default)]
-pub struct Workspace {
-    rule: CrossFilm,
-    fluidities: Vec<Jet>,
 }
 
 /// Mid-plane stress at which the surfaces slide by Ω; the points across the film are left in `rule`.
@@ -145,113 +138,149 @@ fn rate(law: &impl Fluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2], slide
     Rate { excess, slopes }
 }
 
+/// Integrals over the film of Kⁿ = ∫sⁿ ∂(tf)/∂t ds and their like; symmetric tensors by xx, xy, yy and xxx, xxy, xyy, yyy.
+#[derive(Default)]
+struct Moments {
+    /// ∂(tf)/∂t = f I + 2f' t tᵀ; n = 0, 1, 2.
+    first: [[f64; 3]; 3],
+    /// ∂²(tf)/∂t²; n = 0 to 3.
+    second: [[f64; 4]; 4],
+    /// tf; n = 1.
+    flow: [f64; 2],
+    /// ∂(tf)/∂P; n = 0, 1.
+    by_p: [[f64; 2]; 2],
+    /// ∂²(tf)/∂t∂P; n = 0, 1, 2.
+    mixed: [[f64; 3]; 3],
+    /// ∂²(tf)/∂P²; n = 0, 1.
+    second_by_p: [[f64; 2]; 2],
+}
+
+impl Moments {
+    #[inline(always)]
+    fn new(law: &impl Fluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2]) -> Moments {
+        let mut m = Moments::default();
+        let with_pressure = law.depends_on_pressure();
+        for &[s, w] in rule.points() {
+            let [x, y] = [tau[0] + s * g[0], tau[1] + s * g[1]];
+            let f = law.jet(x * x + y * y);
+            let powers = [w, w * s, w * s * s, w * s * s * s];
+            let (d, dd) = (2.0 * f.x, 4.0 * f.xx);
+            let first = [f.f + d * x * x, d * x * y, f.f + d * y * y];
+            let second = [
+                x * (3.0 * d + dd * x * x),
+                y * (d + dd * x * x),
+                x * (d + dd * y * y),
+                y * (3.0 * d + dd * y * y),
+            ];
+            add(&mut m.first, &powers, &first);
+            add(&mut m.second, &powers, &second);
+            m.flow[0] += powers[1] * f.f * x;
+            m.flow[1] += powers[1] * f.f * y;
+            if with_pressure {
+                let d = 2.0 * f.xp;
+                let mixed = [f.p + d * x * x, d * x * y, f.p + d * y * y];
+                add(&mut m.mixed, &powers, &mixed);
+                add(&mut m.by_p, &powers, &[f.p * x, f.p * y]);
+                add(&mut m.second_by_p, &powers, &[f.pp * x, f.pp * y]);
+            }
+        }
+        m
+    }
+}
+
+/// Adds a tensor times each of the powers.
+#[inline(always)]
+fn add<const C: usize, const N: usize>(sums: &mut [[f64; C]; N], powers: &[f64; 4], v: &[f64; C]) {
+    for (sum, power) in sums.iter_mut().zip(powers) {
+        for (sum, v) in sum.iter_mut().zip(v) {
+            *sum += power * v;
+        }
+    }
+}
+
 /// Solves the local problem and differentiates it.
 #[inline(always)]
 pub fn close(
     law: &impl Fluidity,
     pressure_stress: [f64; 2],
     slide: f64,
-    workspace: &mut Workspace,
+    rule: &mut CrossFilm,
 ) -> Closure {
-    let Workspace { rule, fluidities } = workspace;
-    let g = pressure_stress;
-    let tau = mid_stress(law, g, slide, rule);
-    fluidities.clear();
-    // Moments of ∂(tf)/∂t = f I + 2f' t tᵀ and of ∂(tf)/∂P.
-    let mut k = [[0.0; 3]; 3];
-    let mut by_p = [[0.0; 2]; 2];
-    let mut flow = [0.0; 2];
-    for [s, w] in rule.points() {
-        let t = [tau[0] + s * g[0], tau[1] + s * g[1]];
-        let f = law.jet(dot(t, t));
-        let slope = 2.0 * f.x;
-        let rows = [
-            f.f + slope * t[0] * t[0],
-            slope * t[0] * t[1],
-            f.f + slope * t[1] * t[1],
-        ];
-        let mut weight = *w;
-        for (power, k) in k.iter_mut().enumerate() {
-            for i in 0..3 {
-                k[i] += weight * rows[i];
-            }
-            if power < 2 {
-                by_p[power][0] += weight * f.p * t[0];
-                by_p[power][1] += weight * f.p * t[1];
-            }
-            weight *= s;
-        }
-        flow[0] += w * s * f.f * t[0];
-        flow[1] += w * s * f.f * t[1];
-        fluidities.push(f);
-    }
-    let [k0, k1, k2] = k;
-    // Columns ∂τ/∂y: K₀ τ_y = (−K₁, e_x, −a_P).
+    let tau = mid_stress(law, pressure_stress, slide, rule);
+    let m = Moments::new(law, rule, tau, pressure_stress);
+    let [k0, k1, k2] = m.first;
+    let inverse = |b: [f64; 2]| solve(k0, b);
+    // Columns ∂τ/∂y: K⁰ τ_y = (−K¹, e_x, −a_P).
     let mid_by = [
-        solve(k0, [-k1[0], -k1[1]]),
-        solve(k0, [-k1[1], -k1[2]]),
-        solve(k0, [1.0, 0.0]),
-        solve(k0, by_p[0].map(|v| -v)),
+        inverse([-k1[0], -k1[1]]),
+        inverse([-k1[1], -k1[2]]),
+        inverse([1.0, 0.0]),
+        inverse(m.by_p[0].map(|v| -v)),
     ];
     let mut closure = Closure {
         mid_stress: tau,
-        flow,
+        flow: m.flow,
         ..Closure::default()
     };
-    // q_y = K₁ τ_y + (K₂, 0, q_P).
-    let direct = [[k2[0], k2[1]], [k2[1], k2[2]], [0.0; 2], by_p[1]];
+    // q_y = K¹ τ_y + (K², 0, q_P).
+    let direct = [[k2[0], k2[1]], [k2[1], k2[2]], [0.0; 2], m.by_p[1]];
     for (y, (mid, direct)) in mid_by.iter().zip(&direct).enumerate() {
         let through = multiply(k1, *mid);
         for i in 0..2 {
             closure.slopes[i][y] = through[i] + direct[i];
         }
     }
-    // q_yy' = ∫ (s − K₁K₀⁻¹) d²(tf)[y, y'] ds, with t moving by t_y = τ_y + s G_y.
-    let lever = [solve(k0, [k1[0], k1[1]]), solve(k0, [k1[1], k1[2]])];
-    for ([s, w], f) in rule.points().iter().zip(&*fluidities) {
-        let t = [tau[0] + s * g[0], tau[1] + s * g[1]];
-        let mut moves = mid_by;
-        moves[0][0] += s;
-        moves[1][1] += s;
-        let along = moves.map(|m| dot(t, m));
-        // The test direction of each component: row i of s − K₁K₀⁻¹, by symmetry of both.
-        let tests = [
-            [s - lever[0][0], -lever[0][1]],
-            [-lever[1][0], s - lever[1][1]],
-        ];
-        for (i, test) in tests.iter().enumerate() {
-            let test_along = dot(*test, t);
-            let across = moves.map(|m| dot(*test, m));
-            for y in 0..N_DEMANDS {
-                for z in 0..=y {
-                    // c·T[a, b] for T = ∂²(tf)/∂t²
-                    let mut second = 2.0
-                        * f.x
-                        * (test_along * dot(moves[y], moves[z])
-                            + across[y] * along[z]
-                            + across[z] * along[y])
-                        + 4.0 * f.xx * test_along * along[y] * along[z];
-                    if y == 3 {
-                        second += f.p * across[z] + 2.0 * f.xp * test_along * along[z];
-                        if z == 3 {
-                            second += f.p * across[3]
-                                + 2.0 * f.xp * test_along * along[3]
-                                + f.pp * test_along;
-                        }
+    // q_yz = ∫(s − K¹(K⁰)⁻¹) d²(tf)[y, z] ds, t moving by t_y = τ_y + s e_y.
+    let lever = [inverse([k1[0], k1[1]]), inverse([k1[1], k1[2]])];
+    let moves = [[1.0, 0.0], [0.0, 1.0], [0.0; 2], [0.0; 2]];
+    for y in 0..N_DEMANDS {
+        for z in 0..=y {
+            let [u, v, e, f] = [mid_by[y], mid_by[z], moves[y], moves[z]];
+            let moment = |n: usize| {
+                let mut sum = contract(m.second[n], u, v);
+                if y < 2 {
+                    sum = plus(sum, contract(m.second[n + 1], e, v));
+                    if z < 2 {
+                        sum = plus(sum, contract(m.second[n + 2], e, f));
                     }
-                    closure.curvatures[i][y][z] += w * second;
                 }
-            }
-        }
-    }
-    for c in &mut closure.curvatures {
-        for y in 0..N_DEMANDS {
-            for z in y + 1..N_DEMANDS {
-                c[y][z] = c[z][y];
+                if z < 2 {
+                    sum = plus(sum, contract(m.second[n + 1], u, f));
+                }
+                if y == 3 {
+                    // P acts by itself, too.
+                    let mixed = |v, f| plus(multiply(m.mixed[n], v), multiply(m.mixed[n + 1], f));
+                    sum = plus(sum, mixed(v, f));
+                    if z == 3 {
+                        sum = plus(plus(sum, mixed(u, e)), m.second_by_p[n]);
+                    }
+                }
+                sum
+            };
+            let (zeroth, first) = (moment(0), moment(1));
+            for i in 0..2 {
+                let value = first[i] - dot(lever[i], zeroth);
+                closure.curvatures[i][y][z] = value;
+                closure.curvatures[i][z][y] = value;
             }
         }
     }
     closure
+}
+
+/// T[·, u, v] for a symmetric T given by xxx, xxy, xyy, yyy.
+#[inline(always)]
+fn contract(t: [f64; 4], u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+    let (xx, xy, yy) = (u[0] * v[0], u[0] * v[1] + u[1] * v[0], u[1] * v[1]);
+    [
+        t[0] * xx + t[1] * xy + t[2] * yy,
+        t[1] * xx + t[2] * xy + t[3] * yy,
+    ]
+}
+
+#[inline(always)]
+fn plus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] + b[0], a[1] + b[1]]
 }
 
 /// K x for a symmetric K given by xx, xy, yy.

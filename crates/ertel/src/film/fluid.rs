@@ -8,7 +8,8 @@ use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
 use num_dual::{Dual2_64, DualNum};
 
-use super::closure::{self, Closure, Workspace};
+use super::closure::{self, Closure};
+use super::cross_film::CrossFilm;
 use super::fluidity::{Fluidity, PointThinning, Thinning};
 use super::properties::Properties;
 use crate::contact::Scales;
@@ -130,13 +131,11 @@ impl FilmFluid {
         pressure: f64,
         pressure_stress: [f64; 2],
         sliding_stress: f64,
-        workspace: &mut Workspace,
+        rule: &mut CrossFilm,
     ) -> Closure {
         match self.thinning_at(pressure) {
             None => Closure::newtonian(pressure_stress, sliding_stress),
-            Some(law) => {
-                vectorised(|| closure::close(&law, pressure_stress, sliding_stress, workspace))
-            }
+            Some(law) => vectorised(|| closure::close(&law, pressure_stress, sliding_stress, rule)),
         }
     }
 

@@ -35,6 +35,8 @@ pub trait Fluidity {
     fn jet(&self, stress_squared: f64) -> Jet;
     /// f and ∂f/∂x alone.
     fn slope(&self, stress_squared: f64) -> [f64; 2];
+    /// Whether f depends on P.
+    fn depends_on_pressure(&self) -> bool;
     /// What a quadrature across the film must resolve.
     fn scales(&self) -> StressScales;
 }
@@ -148,6 +150,11 @@ impl Fluidity for PointThinning<'_> {
         }
         let [a, a1, _] = self.thinning.law(self.square * x);
         [a, a1 * self.square]
+    }
+
+    #[inline(always)]
+    fn depends_on_pressure(&self) -> bool {
+        self.limit.is_some()
     }
 
     fn scales(&self) -> StressScales {

@@ -8,7 +8,7 @@
 
 use crate::contact::{ContactKind, Scales};
 use crate::film::FilmFluid;
-use crate::film::closure::Workspace;
+use crate::film::cross_film::CrossFilm;
 use crate::solution::{ShearFields, Traction};
 use crate::solve::evaluate::{PointFields, fields_at_quadrature};
 use crate::solve::sequence::StageSolution;
@@ -30,7 +30,7 @@ struct PointShear {
 struct Shear<'a> {
     fluid: &'a FilmFluid,
     scales: &'a Scales,
-    workspace: Workspace,
+    rule: CrossFilm,
 }
 
 impl<'a> Shear<'a> {
@@ -38,7 +38,7 @@ impl<'a> Shear<'a> {
         Shear {
             fluid,
             scales,
-            workspace: Workspace::default(),
+            rule: CrossFilm::default(),
         }
     }
 
@@ -46,7 +46,7 @@ impl<'a> Shear<'a> {
         let mu = self.fluid.at(f.pressure).viscosity[0];
         let g = f.pressure_gradient.map(|p| f.film * p);
         let omega = self.fluid.slide() * mu / f.film;
-        let closure = self.fluid.close(f.pressure, g, omega, &mut self.workspace);
+        let closure = self.fluid.close(f.pressure, g, omega, &mut self.rule);
         let scale = self.fluid.stress_scale();
         let mid = closure.mid_stress;
         let at = |s: f64| [0, 1].map(|i| scale * (mid[i] + s * g[i]));

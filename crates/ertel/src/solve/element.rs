@@ -6,7 +6,7 @@ use ertel_fem::space::Affine;
 use super::discretisation::Discretisation;
 use super::system::{FilmConstants, State};
 use crate::film::FilmFluid;
-use crate::film::closure::Workspace;
+use crate::film::cross_film::CrossFilm;
 use crate::forms::dual::Dual;
 use crate::forms::flow::{
     PointState, Properties, generalized, newtonian, pressure_stress, sliding_stress,
@@ -47,7 +47,7 @@ pub struct Assembler<'a> {
 #[derive(Default)]
 pub struct Element {
     points: Vec<Point>,
-    closure: Workspace,
+    rule: CrossFilm,
     /// [`N_LISTS`] of each pressure node, lists padded with zeros.
     pressure: Vec<f64>,
     /// N, N_x, N_y of each deflection node, alike.
@@ -122,7 +122,7 @@ impl<'a> Assembler<'a> {
         vectorised(|| self.interpolate::<N, M, S>(c, element));
         for point in &mut element.points {
             let source = self.source.map_or(0.0, |f| f(point.place));
-            vectorised(|| integrand::<S>(point, self.fluid, &local, source, &mut element.closure));
+            vectorised(|| integrand::<S>(point, self.fluid, &local, source, &mut element.rule));
         }
         vectorised(|| self.integrate::<N, M, S>(c, element, block, sums));
     }
@@ -292,7 +292,7 @@ fn integrand<const S: usize>(
     fluid: &FilmFluid,
     local: &ElementConstants,
     source: f64,
-    workspace: &mut Workspace,
+    rule: &mut CrossFilm,
 ) {
     let x = |k: usize| Dual::<S>::variable(point.state[k], k);
     let zero = Dual::from(0.0);
@@ -315,7 +315,7 @@ fn integrand<const S: usize>(
         let slide = fluid.slide();
         let g = pressure_stress(&s).map(|g| g.re);
         let omega = sliding_stress(&s, &m, slide).re;
-        let closure = fluid.close(point.state[0], g, omega, workspace);
+        let closure = fluid.close(point.state[0], g, omega, rule);
         generalized(&s, &m, local.lambda, slide, &closure)
     } else {
         newtonian(&s, &m, local.lambda)

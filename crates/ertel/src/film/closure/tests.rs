@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use num_dual::{Dual2SVec64, hessian};
 
 use super::*;
+use crate::film::fluidity::Jet;
 
 /// Fluidities with closed-form flows, and those with everything at once.
 enum Law {
@@ -84,6 +85,10 @@ impl Fluidity for At<'_> {
         [jet.f, jet.x]
     }
 
+    fn depends_on_pressure(&self) -> bool {
+        matches!(self.0, Law::Carreau { .. })
+    }
+
     fn scales(&self) -> StressScales {
         self.0.scales(self.1)
     }
@@ -97,7 +102,7 @@ const CARREAU: Law = Law::Carreau {
 };
 
 fn flow(law: &Law, p: f64, g: [f64; 2], slide: f64) -> Closure {
-    close(&At(law, p), g, slide, &mut Workspace::default())
+    close(&At(law, p), g, slide, &mut CrossFilm::default())
 }
 
 /// q = G/12, τ = Ω, whatever the state.
