@@ -169,7 +169,8 @@ fn circular() {
 
 /// Laws of which every part acts in these states: two plateaus, and a limit that moves with the pressure.
 fn thinning() -> [ShearThinning; 2] {
-    let carreau = Carreau::new(1e6, 0.5, 2.198, 0.2).unwrap();
+    // β_c = 2: with others the flow has a corner where the stress passes zero, and differences lose digits.
+    let carreau = Carreau::new(1e6, 0.5, 2.0, 0.2).unwrap();
     [
         ShearThinning::of(ShearLaw::Carreau(carreau.clone())),
         ShearThinning {
