@@ -112,3 +112,34 @@ fn warnings_and_errors() {
     let output = estimate(Path::new("no/such/case.toml"), &[]);
     assert_eq!(output.status.code(), Some(2));
 }
+
+/// A computed film is set against the roughness, too: some 200 nm here.
+#[test]
+fn solve_tells_the_lambda_ratio() {
+    let folder = tempfile::tempdir().unwrap();
+    let quick = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good/quick.toml");
+    let text = std::fs::read_to_string(quick).unwrap();
+    let path = folder.path().join("rough.toml");
+    let rough = text.replace("[bodies]", "[bodies]\nroughness = \"1 um\"");
+    std::fs::write(&path, rough).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(["solve", "--no-cache"])
+        .arg(&path)
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let result = folder.path().join("results/rough/result.json");
+    let json: serde_json::Value =
+        serde_json::from_str(&std::fs::read_to_string(result).unwrap()).unwrap();
+    let film = json["summary"]["film_minimum"]["value"].as_f64().unwrap();
+    let lambda = format!("{:.2} times the roughness: boundary", film / 1e-6);
+    for words in [lambda.as_str(), "lambda ratio h_min/σ"] {
+        assert!(
+            stdout(&output).contains(words),
+            "{words}: {}",
+            stdout(&output)
+        );
+    }
+    assert_eq!(json["case"]["si"]["roughness"], 1e-6);
+}

@@ -21,12 +21,12 @@ pub fn thin_film_warning(film: &str, thickness: f64) -> Option<String> {
         ))
     } else if thickness < CONTINUUM_FILM {
         Some(format!(
-            "{film}, {nm:.1} nm, is below 5 nm, 10 layers of molecules of 0.5 nm: the laws of a continuum do not \
+            "{film}, {nm:.2} nm, is below 5 nm, 10 layers of molecules of 0.5 nm: the laws of a continuum do not \
              hold there, and the asperities of the smoothest surfaces touch"
         ))
     } else if thickness < SAFE_FILM {
         Some(format!(
-            "{film}, {nm:.1} nm, is below 10 nm: even the smoothest bearing surfaces may touch, and the laws of a \
+            "{film}, {nm:.2} nm, is below 10 nm: even the smoothest bearing surfaces may touch, and the laws of a \
              continuum are doubtful where molecules are large (10 layers of 0.5 nm are 5 nm)"
         ))
     } else {
@@ -75,5 +75,52 @@ pub fn roughness_warning(film: &str, thickness: f64, roughness: f64) -> Option<S
             "{film} is {lambda:.2} times the roughness: {}; the surfaces are computed as smooth",
             separation.name()
         )),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 10 nm, and 10 layers of 0.5 nm: Habchi 2008, section 6.2.
+    #[test]
+    fn films_at_the_limits() {
+        for (nm, words) in [
+            (10.01, None),
+            (9.99, Some("the film, 9.99 nm, is below 10 nm")),
+            (5.01, Some("is below 10 nm")),
+            (
+                4.99,
+                Some("is below 5 nm, 10 layers of molecules of 0.5 nm"),
+            ),
+            (1.01, Some("is below 5 nm")),
+            (0.99, Some("0.99 nm, is below a nanometre")),
+        ] {
+            let warning = thin_film_warning("the film", nm * 1e-9);
+            match (&warning, words) {
+                (Some(warning), Some(words)) => assert!(warning.contains(words), "{warning}"),
+                _ => assert_eq!(warning.as_deref(), words, "{nm} nm"),
+            }
+        }
+    }
+
+    /// The usual bounds 1 and 3.
+    #[test]
+    fn surfaces_part_at_three_roughnesses() {
+        for (nm, words) in [
+            (31.0, None),
+            (
+                29.0,
+                Some("the film is 2.90 times the roughness: mixed lubrication"),
+            ),
+            (11.0, Some("mixed")),
+            (9.0, Some("0.90 times the roughness: boundary")),
+        ] {
+            let warning = roughness_warning("the film", nm * 1e-9, 10e-9);
+            match (&warning, words) {
+                (Some(warning), Some(words)) => assert!(warning.contains(words), "{warning}"),
+                _ => assert_eq!(warning.as_deref(), words, "{nm} nm"),
+            }
+        }
     }
 }
