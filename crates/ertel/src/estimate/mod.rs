@@ -68,7 +68,7 @@ pub struct FilmEstimate {
     pub central: f64,
     /// Which.
     pub central_formula: &'static str,
-    /// Minimum film, m, where a formula for it applies.
+    /// Minimum film, m, where a formula for it applies: those at hand are for piezoviscous contacts.
     pub minimum: Option<f64>,
     /// Which.
     pub minimum_formula: Option<&'static str>,
@@ -121,13 +121,14 @@ pub fn estimate(case: &Case) -> CaseEstimate {
     let g = groups(case, slope);
     let groups_asymptotic = asymptotic.map(|alpha| groups(case, alpha));
     let formulas = |g: &Groups| film_formulas(contact.kind, contact.radius, g);
-    let film = film(case, &g);
+    let regime = regime(contact.kind, contact.radius, &g);
+    let film = film(case, &g, regime.regime);
     let mut estimate = CaseEstimate {
         kind: contact.kind,
         hertz,
         reduced_modulus: modulus,
         chart: chart(contact.kind, &g),
-        regime: regime(contact.kind, contact.radius, &g),
+        regime,
         formulas: formulas(&g),
         formulas_asymptotic: groups_asymptotic.as_ref().map(formulas),
         groups: g,
@@ -164,8 +165,9 @@ fn chart(kind: ContactKind, groups: &Groups) -> ChartParameters {
 }
 
 /// Films of the formula that holds in all regimes, and of the usual one for the minimum. A lubricant that thins
-/// with pressure counts as isoviscous in the first.
-fn film(case: &Case, groups: &Groups) -> FilmEstimate {
+/// with pressure counts as isoviscous in the first. The formulas for the minimum are for piezoviscous contacts; of
+/// isoviscous ones they make films that are far too thin.
+fn film(case: &Case, groups: &Groups, regime: Regime) -> FilmEstimate {
     let (central, minimum) = match case.contact.kind {
         ContactKind::Circular => (
             FilmFormula::NijenbanningVennerMoes,
@@ -173,7 +175,8 @@ fn film(case: &Case, groups: &Groups) -> FilmEstimate {
         ),
         ContactKind::Line => (FilmFormula::MoesLine, FilmFormula::DowsonHigginson),
     };
-    let minimum_film = minimum.film(case.contact.radius, groups).1;
+    let isoviscous = matches!(regime, Regime::IsoviscousRigid | Regime::IsoviscousElastic);
+    let minimum_film = (minimum.film(case.contact.radius, groups).1).filter(|_| !isoviscous);
     FilmEstimate {
         central: predicted_film(case),
         central_formula: central.name(),

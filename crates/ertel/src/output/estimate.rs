@@ -109,6 +109,11 @@ fn write_film(out: &mut Lines, estimate: &CaseEstimate) {
     );
     if let (Some(h), Some(name)) = (film.minimum, film.minimum_formula) {
         out.row("minimum film reckoned with", by(name, h));
+    } else {
+        out.row(
+            "minimum film",
+            "not estimated: the formulas for it are for piezoviscous contacts",
+        );
     }
     if let Some(lambda) = &estimate.lambda {
         let minimum = lambda
