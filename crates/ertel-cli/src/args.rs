@@ -117,6 +117,28 @@ pub enum FitCommand {
     Viscosity(FitLawArgs),
     /// A density law: tait, dowson-higginson
     Density(FitLawArgs),
+    /// A film-thickness formula h = c R sqrt(2U) M^a L^b
+    Film(FitFilmArgs),
+}
+
+/// `ertel fit film`.
+#[derive(Debug, Args)]
+pub struct FitFilmArgs {
+    /// Table with the columns film_central_m or film_minimum_m, moes_load, moes_material, speed_group, radius_m
+    #[arg(value_name = "RESULTS.csv")]
+    pub results: PathBuf,
+    /// Reduced radius of all films, such as "12.7 mm" (default: the column radius_m)
+    #[arg(long, value_name = "R")]
+    pub radius: Option<String>,
+    /// Confidence of the intervals
+    #[arg(long, value_name = "P", default_value_t = 0.95)]
+    pub confidence: f64,
+    /// Write the parity plot into this file
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
+    /// List every film with the formula beside
+    #[arg(short, long)]
+    pub verbose: bool,
 }
 
 /// `ertel fit viscosity` and `ertel fit density`.

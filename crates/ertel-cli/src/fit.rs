@@ -1,5 +1,7 @@
 //! `ertel fit`.
 
+mod film;
+
 use std::path::{Path, PathBuf};
 
 use ertel::fit::{self, Data, Fit, FittedLaw, Heading, LawName, Params, Property, Residual};
@@ -21,10 +23,14 @@ use crate::table::{columns, paragraph};
 ///
 /// Data that cannot be read, a fit that does not exist, files that cannot be written.
 pub fn run(arguments: &FitArgs) -> Result<(), Failure> {
-    let (property, arguments) = match &arguments.command {
-        FitCommand::Viscosity(arguments) => (Property::Viscosity, arguments),
-        FitCommand::Density(arguments) => (Property::Density, arguments),
-    };
+    match &arguments.command {
+        FitCommand::Viscosity(arguments) => run_law(Property::Viscosity, arguments),
+        FitCommand::Density(arguments) => run_law(Property::Density, arguments),
+        FitCommand::Film(arguments) => film::run(arguments),
+    }
+}
+
+fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
     let law = LawName::ALL
         .into_iter()
         .find(|law| law.name() == arguments.law && law.property() == property)
@@ -85,21 +91,23 @@ pub fn run(arguments: &FitArgs) -> Result<(), Failure> {
 /// Where the picture goes: as asked, or beside the entry.
 fn plot_path(arguments: &FitLawArgs) -> Result<Option<PathBuf>, Failure> {
     if let Some(path) = &arguments.plot {
-        let is_svg = path
-            .extension()
-            .is_some_and(|extension| extension.eq_ignore_ascii_case("svg"));
-        if !is_svg {
-            return Err(Failure::Argument(format!(
-                "the picture is SVG; its name must end in .svg, not {}",
-                path.display()
-            )));
-        }
+        check_svg(path)?;
         return Ok(Some(path.clone()));
     }
     Ok(arguments
         .output
         .as_ref()
         .map(|path| path.with_extension("svg")))
+}
+
+fn check_svg(path: &Path) -> Result<(), Failure> {
+    match path.extension() {
+        Some(extension) if extension.eq_ignore_ascii_case("svg") => Ok(()),
+        _ => Err(Failure::Argument(format!(
+            "the picture is SVG; its name must end in .svg, not {}",
+            path.display()
+        ))),
+    }
 }
 
 fn read(path: &Path, property: Property) -> Result<Data, Failure> {

@@ -86,23 +86,14 @@ impl Data {
             column,
             problem,
         };
-        let text = text.trim_start_matches('\u{feff}');
-        let mut lines = text
-            .lines()
-            .enumerate()
-            .map(|(i, line)| (i + 1, line.trim_end()))
-            .filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
-        let (number, head) = lines
+        let mut lines = rows(text);
+        let (number, head, separator) = lines
             .next()
             .ok_or_else(|| at(1, 1, format!("the file is empty; {}", expected(property))))?;
-        let separator = [';', '\t', ',']
-            .into_iter()
-            .find(|c| head.contains(*c))
-            .unwrap_or(',');
         let header = Header::parse(head, separator, property)
             .map_err(|(column, problem)| at(number, column, problem))?;
         let mut states = Vec::new();
-        for (number, line) in lines {
+        for (number, line, _) in lines {
             let state = header
                 .state(line, separator)
                 .map_err(|(column, problem)| at(number, column, problem))?;
@@ -147,13 +138,46 @@ fn expected(property: Property) -> String {
 }
 
 /// Place of a cell (from 1) and what is wrong with it.
-type Problem = (usize, String);
+pub(super) type Problem = (usize, String);
 
 /// A column in use.
-struct Column {
-    index: usize,
-    name: &'static str,
-    unit: Unit,
+pub(super) struct Column {
+    pub(super) index: usize,
+    pub(super) name: &'static str,
+    pub(super) unit: Unit,
+}
+
+impl Column {
+    /// Its number among the cells of a line, in SI.
+    pub(super) fn number(&self, cells: &[&str]) -> Result<f64, Problem> {
+        let place = self.index + 1;
+        let cell = cells.get(self.index).ok_or_else(|| {
+            let problem = format!("there are only {} cells in this line", cells.len());
+            (place, problem)
+        })?;
+        let number = cell.parse::<f64>().ok().filter(|number| number.is_finite());
+        let number = number.ok_or_else(|| {
+            let problem = format!(
+                "{}: `{cell}` is not a number (write 1.5 or 2e-3)",
+                self.name
+            );
+            (place, problem)
+        })?;
+        Ok(self.unit.to_si(number))
+    }
+}
+
+/// Lines that are neither empty nor comments: number from 1, text, and the separator of cells, which the first one has.
+pub(super) fn rows(text: &str) -> impl Iterator<Item = (usize, &str, char)> {
+    let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+    let rows = lines
+        .map(|(i, line)| (i + 1, line.trim_end()))
+        .filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
+    let separator = rows
+        .clone()
+        .next()
+        .and_then(|(_, head)| [';', '\t', ','].into_iter().find(|c| head.contains(*c)));
+    rows.map(move |(number, line)| (number, line, separator.unwrap_or(',')))
 }
 
 struct Header {
@@ -200,22 +224,6 @@ impl Header {
     /// The state of a line; `None` if the value is left out.
     fn state(&self, line: &str, separator: char) -> Result<Option<State>, Problem> {
         let cells: Vec<&str> = line.split(separator).map(clean).collect();
-        let number = |column: &Column| -> Result<f64, Problem> {
-            let place = column.index + 1;
-            let cell = cells.get(column.index).ok_or_else(|| {
-                let problem = format!("there are only {} cells in this line", cells.len());
-                (place, problem)
-            })?;
-            let number = cell.parse::<f64>().ok().filter(|number| number.is_finite());
-            let number = number.ok_or_else(|| {
-                let problem = format!(
-                    "{}: `{cell}` is not a number (write 1.5 or 2e-3)",
-                    column.name
-                );
-                (place, problem)
-            })?;
-            Ok(column.unit.to_si(number))
-        };
         if cells
             .get(self.value.index)
             .is_none_or(|cell| cell.is_empty())
@@ -223,7 +231,7 @@ impl Header {
             return Ok(None);
         }
         let positive = |column: &Column| {
-            let value = number(column)?;
+            let value = column.number(&cells)?;
             if value > 0.0 {
                 Ok(value)
             } else {
@@ -234,7 +242,7 @@ impl Header {
                 Err((column.index + 1, problem))
             }
         };
-        let mut pressure = number(&self.pressure)?;
+        let mut pressure = self.pressure.number(&cells)?;
         if self.absolute {
             pressure -= ATMOSPHERE;
         }
@@ -254,7 +262,7 @@ impl Header {
 }
 
 /// A cell without spaces and quotes around it.
-fn clean(cell: &str) -> &str {
+pub(super) fn clean(cell: &str) -> &str {
     cell.trim().trim_matches('"').trim()
 }
 
@@ -301,7 +309,7 @@ fn find(
 }
 
 /// Text of the unit if the title is that of the column `name`: `MPa` of `Pressure_MPa`, `pressure [MPa]`, `pressure (MPa)`.
-fn unit_text(title: &str, name: &str) -> Option<String> {
+pub(super) fn unit_text(title: &str, name: &str) -> Option<String> {
     let head = title.get(..name.len())?;
     if !head.replace('_', " ").eq_ignore_ascii_case(name) {
         return None;

@@ -138,14 +138,14 @@ impl Constant {
         matches!(self.scale, Scale::Logarithm)
     }
 
-    pub(super) fn to_scaled(&self, value: f64) -> f64 {
+    pub(super) fn scaled(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Logarithm => (value / self.start).ln(),
             Scale::Multiple(size) => value / size,
         }
     }
 
-    pub(super) fn from_scaled(&self, x: f64) -> f64 {
+    pub(super) fn unscaled(&self, x: f64) -> f64 {
         match self.scale {
             Scale::Logarithm => self.start * x.exp(),
             Scale::Multiple(size) => size * x,

@@ -1,4 +1,4 @@
-//! Constants of viscosity and density laws from measured states, by least squares.
+//! Constants of viscosity and density laws from measured states, and film-thickness formulas from films, by least squares.
 //!
 //! ```
 //! use ertel::fit::{Data, LawName, Params, Property, fit};
@@ -13,12 +13,16 @@
 
 mod data;
 mod entry;
+mod film;
 mod law;
 mod least_squares;
 mod picture;
 
 pub use data::{Data, DataError, Property, State};
 pub use entry::{Heading, entry};
+pub use film::{
+    Estimate, FilmFit, FilmFitError, FilmKind, FilmState, fit_film, parity, read_films,
+};
 pub use law::{FittedLaw, LawName};
 pub use least_squares::{Minimum, MinimumError, minimise};
 pub use picture::picture;
@@ -229,7 +233,7 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
     let values = |x: &[f64]| -> Vec<f64> {
         let mut values: Vec<f64> = model.constants.iter().map(|c| c.start).collect();
         for (i, x) in free.iter().zip(x) {
-            values[*i] = model.constants[*i].from_scaled(*x);
+            values[*i] = model.constants[*i].unscaled(*x);
         }
         values
     };
@@ -255,7 +259,7 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
     };
     let start: Vec<f64> = free
         .iter()
-        .map(|i| model.constants[*i].to_scaled(model.constants[*i].start))
+        .map(|i| model.constants[*i].scaled(model.constants[*i].start))
         .collect();
     let minimum =
         minimise(data.states.len(), &start, params.confidence, residuals).map_err(|error| {
@@ -284,7 +288,7 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
     for (j, i) in free.iter().enumerate() {
         let half = minimum.half_widths[j];
         let ends = [minimum.x[j] - half, minimum.x[j] + half];
-        constants[*i].interval = Some(ends.map(|x| model.constants[*i].from_scaled(x)));
+        constants[*i].interval = Some(ends.map(|x| model.constants[*i].unscaled(x)));
     }
     let deviations = data
         .states

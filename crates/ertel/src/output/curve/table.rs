@@ -105,6 +105,7 @@ pub const COLUMNS: &[Column] = &[
     newtonian!("newtonian_film_central_m", s => s.summary.film_central.value),
     newtonian!("newtonian_film_minimum_m", s => s.summary.film_minimum.value),
     newtonian!("newtonian_traction_coefficient", s => s.traction.coefficient),
+    figure!("speed_group", s => s.groups.speed),
     figure!("moes_load", s => s.groups.moes_load),
     figure!("moes_material", s => s.groups.moes_material),
     figure!("newton_iterations", s => s.stats.levels.iter().map(|l| l.newton_iterations).sum::<usize>()),
