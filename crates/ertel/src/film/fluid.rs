@@ -92,6 +92,23 @@ impl FilmFluid {
         self.shear_thinning.is_none()
     }
 
+    /// The same for the pressure gradient and the film thickness at a point.
+    pub fn closure_at(
+        &self,
+        pressure: f64,
+        pressure_gradient: [f64; 2],
+        film: f64,
+        rule: &mut CrossFilm,
+    ) -> Closure {
+        let sliding_stress = self.slide * self.at(pressure).viscosity[0] / film;
+        self.close(
+            pressure,
+            pressure_gradient.map(|p| film * p),
+            sliding_stress,
+            rule,
+        )
+    }
+
     /// a p_h/R, Pa: the unit of the stresses in the film.
     pub fn stress_scale(&self) -> f64 {
         self.stress_scale

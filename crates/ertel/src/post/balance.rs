@@ -1,5 +1,6 @@
 //! Mass balance of the film between its inlet and its centre.
 
+use crate::film::cross_film::CrossFilm;
 use crate::solve::evaluate::fields_at;
 use crate::solve::newton::FilmModel;
 use crate::solve::sequence::StageSolution;
@@ -9,7 +10,7 @@ use crate::solve::system::System;
 /// (inflow − side leakage − flow through the section)/inflow.
 ///
 /// Inflow and leakage are the fluxes that the edge nodes take up in the weak form; the flow
-/// through the section is integrated from the discrete gradients, m_x = ρ̄H − ε ∂P/∂X, which the
+/// through the section is integrated from the discrete gradients, m_x = ρ̄H − Q_x, which the
 /// weak form never asks for there. Side nodes count where X < 0.
 pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
     let (d, state) = (&solution.discretisation, &solution.state);
@@ -32,8 +33,10 @@ pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
         };
         let properties = model.fluid.at(f.pressure);
         let (rho, mu) = (properties.density[0], properties.viscosity[0]);
-        let epsilon = rho * f.film.powi(3) / (mu * model.constants.lambda);
-        rho * f.film - epsilon * f.pressure_gradient[0]
+        let mut rule = CrossFilm::default();
+        let closure = (model.fluid).closure_at(f.pressure, f.pressure_gradient, f.film, &mut rule);
+        let factor = 12.0 * rho * f.film.powi(2) / (mu * model.constants.lambda);
+        rho * f.film - factor * closure.flow[0]
     };
     let section = if d.contact.surface.dim == 1 {
         flux(0.0)

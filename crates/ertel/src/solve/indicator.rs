@@ -4,7 +4,7 @@
 //!   |h − h_h| ≲ Σ_T η_T,   η_T = c_U A_T κ_U/(2C) |e_δ| |e_ζ|  +  c_P A_T (ε κ_P² + a κ_P + 2ρ̄C) |e_P| |e_z|
 //!
 //!   C = Σ(1 − ν²)/E,  κ = π(k + 1)/h the wave number of what an element of order k misses,
-//!   a = |∂ε/∂P ∇P − ρ̄'H|
+//!   a = |∂ε/∂P ∇P − ρ̄'H|,  ε = ∂Q_x/∂P_x as in the stabilisation
 //! ```
 //! Both parts are products of an error and of the error of its adjoint (Becker and Rannacher, Acta Numerica
 //! 10 (2001) 1-102). The first is the energy of the elastic errors, a half-space being of stiffness
@@ -26,6 +26,7 @@ use super::evaluate::{central_film, fields_in, minimum_film};
 use super::newton::FilmModel;
 use super::preconditioner::NearStiffness;
 use super::system::{State, System};
+use crate::film::cross_film::CrossFilm;
 
 /// Estimated shares of the error in each element, relative to the film.
 pub struct Indicator {
@@ -95,6 +96,7 @@ pub fn indicator(
         .sum::<f64>();
     let wave = |space: &Space| std::f64::consts::PI * (space.element.order() + 1) as f64;
     let mut shares = [Vec::new(), Vec::new()];
+    let mut rule = CrossFilm::default();
     for c in 0..d.contact.n_elements() {
         let area = d.contact.maps[c].determinant * reference;
         let size = d.contact.sizes[c];
@@ -104,7 +106,9 @@ pub fn indicator(
         let fluid = model.fluid.at(f.pressure);
         let [rho, rho_p, _] = fluid.density;
         let [mu, mu_p, _] = fluid.viscosity;
-        let epsilon = rho * f.film.powi(3) / (mu * model.constants.lambda);
+        let closure = (model.fluid).closure_at(f.pressure, f.pressure_gradient, f.film, &mut rule);
+        let factor = 12.0 * rho * f.film.powi(3) / (mu * model.constants.lambda);
+        let epsilon = factor * closure.slopes[0][0];
         let gradient = f.pressure_gradient[0].hypot(f.pressure_gradient[1]);
         let convection = (epsilon * (rho_p / rho - mu_p / mu) * gradient).abs() + rho_p * f.film;
         let kappa = wave(&d.pressure) / size;
