@@ -198,6 +198,25 @@ fn add<const C: usize, const N: usize>(sums: &mut [[f64; C]; N], powers: &[f64; 
     }
 }
 
+/// Mid-plane stress and flow alone.
+#[inline(always)]
+pub fn flow(
+    law: &impl Fluidity,
+    pressure_stress: [f64; 2],
+    slide: f64,
+    rule: &mut CrossFilm,
+) -> [[f64; 2]; 2] {
+    let tau = mid_stress(law, pressure_stress, slide, rule);
+    let mut flow = [0.0; 2];
+    for &[s, w] in rule.points() {
+        let t = [0, 1].map(|i| tau[i] + s * pressure_stress[i]);
+        let [f, _] = law.slope(dot(t, t));
+        flow[0] += w * s * f * t[0];
+        flow[1] += w * s * f * t[1];
+    }
+    [tau, flow]
+}
+
 /// Solves the local problem and differentiates it.
 #[inline(always)]
 pub fn close(

@@ -92,7 +92,21 @@ impl FilmFluid {
         self.shear_thinning.is_none()
     }
 
-    /// The same for the pressure gradient and the film thickness at a point.
+    /// Mid-plane stress and flow of [`FilmFluid::close`] alone.
+    pub fn flow(
+        &self,
+        pressure: f64,
+        pressure_stress: [f64; 2],
+        sliding_stress: f64,
+        rule: &mut CrossFilm,
+    ) -> [[f64; 2]; 2] {
+        match self.thinning_at(pressure) {
+            None => [[sliding_stress, 0.0], pressure_stress.map(|g| g / 12.0)],
+            Some(law) => vectorised(|| closure::flow(&law, pressure_stress, sliding_stress, rule)),
+        }
+    }
+
+    /// The closure for the pressure gradient and the film thickness at a point.
     pub fn closure_at(
         &self,
         pressure: f64,

@@ -14,11 +14,11 @@ use crate::solve::system::System;
 /// weak form never asks for there. Side nodes count where X < 0.
 pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
     let (d, state) = (&solution.discretisation, &solution.state);
-    let system = System::assemble(d, &model.fluid, &model.constants, state, None);
+    let edge_flux = System::edge_flux(d, &model.fluid, &model.constants, state);
     let e = &d.contact.extents;
     let mut net_inflow = 0.0;
     let mut inflow = 0.0;
-    for (flux, p) in system.edge_flux.iter().zip(&d.pressure.points) {
+    for (flux, p) in edge_flux.iter().zip(&d.pressure.points) {
         let inlet = p[0] < e.inlet + 1e-9 * (e.outlet - e.inlet);
         if p[0] < 0.0 {
             net_inflow += flux;

@@ -46,14 +46,13 @@ impl<'a> Shear<'a> {
         let mu = self.fluid.at(f.pressure).viscosity[0];
         let g = f.pressure_gradient.map(|p| f.film * p);
         let omega = self.fluid.slide() * mu / f.film;
-        let closure = self.fluid.close(f.pressure, g, omega, &mut self.rule);
+        let [mid, flow] = self.fluid.flow(f.pressure, g, omega, &mut self.rule);
         let scale = self.fluid.stress_scale();
-        let mid = closure.mid_stress;
         let at = |s: f64| [0, 1].map(|i| scale * (mid[i] + s * g[i]));
         let stresses = [at(0.0), at(-0.5), at(0.5)];
         let viscosity = mu * self.scales.viscosity;
         let squared = mid[0] * mid[0] + mid[1] * mid[1];
-        let work = omega * mid[0] + g[0] * closure.flow[0] + g[1] * closure.flow[1];
+        let work = omega * mid[0] + g[0] * flow[0] + g[1] * flow[1];
         PointShear {
             stress: stresses.map(|t| t[0]),
             equivalent: stresses.map(|t| t[0].hypot(t[1])),

@@ -79,9 +79,6 @@ pub struct System {
     pub residual_scale: f64,
     /// ∂R/∂H0.
     pub by_separation: Vec<f64>,
-    /// Share of the residual that the edge of the contact area takes up, at each pressure node:
-    /// the mass flux through the edge, −∮ m·n N (zero at free nodes).
-    pub edge_flux: Vec<f64>,
     /// Element blocks, row-major: pressure node by (pressure nodes, then deflection nodes), rows of edge
     /// nodes included.
     pub blocks: Vec<f64>,
@@ -102,7 +99,6 @@ impl System {
             residual: vec![0.0; d.n_pressure],
             residual_scale: 0.0,
             by_separation: vec![0.0; d.n_pressure],
-            edge_flux: vec![0.0; d.pressure.n_nodes()],
             blocks: vec![0.0; n_elements * n * (n + m)],
         };
         let mut sums = vec![[0.0; N_SUMS]; n_elements * n];
@@ -123,9 +119,7 @@ impl System {
         for c in 0..n_elements {
             for (node, sums) in d.pressure.nodes_of(c).iter().zip(&sums[c * n..]) {
                 let dof = d.pressure_dofs[*node as usize];
-                if dof == CONSTRAINED {
-                    system.edge_flux[*node as usize] += sums[1];
-                } else {
+                if dof != CONSTRAINED {
                     system.by_separation[dof as usize] += sums[0];
                     system.residual[dof as usize] += sums[1];
                     entrainment[dof as usize] += sums[2];
@@ -134,6 +128,36 @@ impl System {
         }
         system.residual_scale = norm(&entrainment);
         system
+    }
+
+    /// Share of the residual that the edge of the contact area takes up, at each pressure node:
+    /// the mass flux through the edge, −∮ m·n N (zero at free nodes).
+    pub fn edge_flux(
+        d: &Discretisation,
+        fluid: &FilmFluid,
+        constants: &FilmConstants,
+        state: &State,
+    ) -> Vec<f64> {
+        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+        let assembler = Assembler::new(d, fluid, constants, state, None);
+        let mut element = Element::default();
+        let mut block = vec![0.0; n * (n + m)];
+        let mut sums = vec![[0.0; N_SUMS]; n];
+        let mut flux = vec![0.0; d.pressure.n_nodes()];
+        let on_edge = |node: &u32| d.pressure_dofs[*node as usize] == CONSTRAINED;
+        for c in 0..d.contact.n_elements() {
+            let nodes = d.pressure.nodes_of(c);
+            if !nodes.iter().any(on_edge) {
+                continue;
+            }
+            assembler.element(c, &mut element, &mut block, &mut sums);
+            for (node, sums) in nodes.iter().zip(&sums) {
+                if on_edge(node) {
+                    flux[*node as usize] += sums[1];
+                }
+            }
+        }
+        flux
     }
 
     /// Reynolds residual relative to the entrained flow.

@@ -101,7 +101,7 @@ const CARREAU: Law = Law::Carreau {
     r: 0.05,
 };
 
-fn flow(law: &Law, p: f64, g: [f64; 2], slide: f64) -> Closure {
+fn closed(law: &Law, p: f64, g: [f64; 2], slide: f64) -> Closure {
     close(&At(law, p), g, slide, &mut CrossFilm::default())
 }
 
@@ -109,7 +109,7 @@ fn flow(law: &Law, p: f64, g: [f64; 2], slide: f64) -> Closure {
 #[test]
 fn newtonian() {
     for (g, slide) in [([0.0, 0.0], 0.0), ([3.0, -1.0], 0.5), ([1e-8, 2.0], -1e6)] {
-        let c = flow(&Law::Newtonian, 0.3, g, slide);
+        let c = closed(&Law::Newtonian, 0.3, g, slide);
         let exact = Closure::newtonian(g, slide);
         for i in 0..2 {
             assert_relative_eq!(
@@ -139,7 +139,7 @@ fn rabinowitsch_line_flow() {
     for g in [0.01, 0.3, 5.0] {
         for tau in [0.0, 0.02, 1.0, 40.0_f64] {
             let slide = tau + (tau.powi(3) + tau * g * g / 4.0) / (knee * knee);
-            let c = flow(&law, 0.0, [g, 0.0], slide);
+            let c = closed(&law, 0.0, [g, 0.0], slide);
             assert_relative_eq!(c.mid_stress[0], tau, max_relative = 1e-10);
             let q = g / 12.0 + (tau * tau * g / 4.0 + g.powi(3) / 80.0) / (knee * knee);
             // q is the small difference of stresses of order Ω
@@ -155,7 +155,7 @@ fn power_law_in_pure_rolling() {
     for m in [0.25, 1.0, 1.5, 3.0_f64] {
         let law = Law::Power { knee, m };
         for g in [0.1, 2.0_f64] {
-            let c = flow(&law, 0.0, [g, 0.0], 0.0);
+            let c = closed(&law, 0.0, [g, 0.0], 0.0);
             let thinned = g.powf(m + 1.0) / (knee.powf(m) * 2.0_f64.powf(m + 2.0) * (m + 3.0));
             // |s|^m has a corner in the middle of the film
             assert_relative_eq!(c.flow[0], g / 12.0 + thinned, max_relative = 2e-9);
@@ -171,7 +171,7 @@ fn eyring_line_flow() {
     for g in [0.1, 2.0, 12.0_f64] {
         let s = (0.5 * g).sinh() / (0.5 * g);
         for tau in [0.0, 0.3, 8.0_f64] {
-            let c = flow(&law, 0.0, [g, 0.0], tau.sinh() * s);
+            let c = closed(&law, 0.0, [g, 0.0], tau.sinh() * s);
             assert_relative_eq!(c.mid_stress[0], tau, max_relative = 1e-10, epsilon = 1e-12);
             let q = tau.cosh() * ((0.5 * g).cosh() - s) / g;
             assert_relative_eq!(c.flow[0], q, max_relative = 1e-10);
@@ -246,7 +246,9 @@ fn brute_force(law: &Law, p: f64, tau: [f64; 2], g: [f64; 2]) -> [f64; 5] {
 #[test]
 fn matches_brute_force() {
     for (g, slide, p) in states() {
-        let c = flow(&CARREAU, p, g, slide);
+        let c = closed(&CARREAU, p, g, slide);
+        let alone = flow(&At(&CARREAU, p), g, slide, &mut CrossFilm::default());
+        assert_eq!(alone, [c.mid_stress, c.flow]);
         let [ax, ay, bx, by, mean] = brute_force(&CARREAU, p, c.mid_stress, g);
         println!(
             "{g:?} {slide:e} {p} {:?} {mean:.1e}: {:.1e} {:.1e} {:.1e} {:.1e}",
@@ -275,7 +277,7 @@ fn derivatives_match_differences() {
             let slide = slide.clamp(-1e3, 1e3);
             let g = g.map(|v| v.clamp(-10.0, 10.0));
             let y = [g[0], g[1], slide, p];
-            let at = |y: [f64; 4]| flow(law, y[3], [y[0], y[1]], y[2]);
+            let at = |y: [f64; 4]| closed(law, y[3], [y[0], y[1]], y[2]);
             let c = at(y);
             let size = [g[0].hypot(g[1]), g[0].hypot(g[1]), slide.abs(), 1.0];
             for k in 0..4 {
@@ -317,7 +319,7 @@ fn derivatives_match_differences() {
 #[test]
 fn sliding_is_symmetric() {
     let (g, p) = ([0.3, -0.1], 0.2);
-    let (plus, minus) = (flow(&CARREAU, p, g, 2.0), flow(&CARREAU, p, g, -2.0));
+    let (plus, minus) = (closed(&CARREAU, p, g, 2.0), closed(&CARREAU, p, g, -2.0));
     for i in 0..2 {
         assert_relative_eq!(
             plus.mid_stress[i],
@@ -326,5 +328,5 @@ fn sliding_is_symmetric() {
         );
         assert_relative_eq!(plus.flow[i], minus.flow[i], max_relative = 1e-12);
     }
-    assert_eq!(flow(&CARREAU, p, g, 0.0).mid_stress, [0.0; 2]);
+    assert_eq!(closed(&CARREAU, p, g, 0.0).mid_stress, [0.0; 2]);
 }
