@@ -97,7 +97,7 @@ pub fn solid(name: &str) -> Result<Solid, DatabaseError> {
     let document = Document::parse(format!("data/solids/{name}.toml"), text)?;
     let mut table = document.root();
     let entry = Entry::read(&mut table)?;
-    let mut solid = Solid::from_table(&mut table, name)?;
+    let mut solid = Solid::from_table(&mut table, name, Files::Embedded(TABLES))?;
     table.finish()?;
     solid.provenance = entry.provenance(text);
     solid.title = entry.title;

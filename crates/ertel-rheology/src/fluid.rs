@@ -2,9 +2,9 @@
 
 use thiserror::Error;
 
-use crate::provenance::{Datum, RangeWarning, ValidityRange};
+use crate::provenance::{Datum, RangeWarning, TemperatureRange, ValidityRange};
 use crate::viscosity::NoAsymptote;
-use crate::{DensityLaw, Scalar, ShearThinning, ViscosityLaw};
+use crate::{ConductivityLaw, DensityLaw, HeatCapacityLaw, Scalar, ShearThinning, ViscosityLaw};
 
 /// A lubricant.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,10 +21,10 @@ pub struct Fluid {
     pub density: Option<DensityLaw>,
     /// Temperature at which the reference viscosity and density hold (K).
     pub reference_temperature: Option<f64>,
-    /// Thermal conductivity (W/(m·K)).
-    pub thermal_conductivity: Option<f64>,
-    /// Heat capacity (J/(kg·K)).
-    pub heat_capacity: Option<f64>,
+    /// Law of the thermal conductivity.
+    pub thermal_conductivity: Option<ConductivityLaw>,
+    /// Law of the heat capacity.
+    pub heat_capacity: Option<HeatCapacityLaw>,
     /// Range of the data; `None` if nothing is known about it.
     pub validity: Option<ValidityRange>,
     /// What to know before using this fluid.
@@ -95,9 +95,65 @@ impl Fluid {
     }
 
     /// Warnings where pressures up to `pressure_max` (Pa above ambient) or `temperature` (K) leave the range of the
-    /// data: the declared range, that of tables, and the glass transition of the WLF law. Of several limits that are
-    /// passed, the tightest is reported.
+    /// data: the declared range, that of the tables of viscosity and density, and the glass transition of the WLF law.
+    /// Of several limits that are passed, the tightest is reported.
     pub fn check_range(&self, pressure_max: f64, temperature: f64) -> Vec<RangeWarning> {
+        self.check_tables(&self.mechanical_tables(), pressure_max, temperature)
+    }
+
+    /// [`Fluid::check_range`] that looks at the tables of conductivity and heat capacity, too.
+    pub fn check_range_with_heat(&self, pressure_max: f64, temperature: f64) -> Vec<RangeWarning> {
+        let mut tables = self.mechanical_tables();
+        tables.extend(self.thermal_tables());
+        self.check_tables(&tables, pressure_max, temperature)
+    }
+
+    /// Temperatures that the data cover: the declared range and that of every table.
+    pub fn temperature_ranges(&self) -> Vec<TemperatureRange> {
+        let declared = self.validity.as_ref();
+        let declared = declared.and_then(|v| Some((v.temperature?, v.source.as_str())));
+        let tables = [self.mechanical_tables(), self.thermal_tables()].concat();
+        let tabulated = (tables.iter()).map(|([_, temperature], basis)| (*temperature, *basis));
+        declared
+            .into_iter()
+            .chain(tabulated)
+            .map(|((lowest, highest), basis)| TemperatureRange {
+                lowest,
+                highest,
+                basis: basis.to_owned(),
+            })
+            .collect()
+    }
+
+    fn mechanical_tables(&self) -> Vec<Tabulated> {
+        let density = self.density.as_ref().and_then(DensityLaw::tabulated_range);
+        named([
+            (self.viscosity.tabulated_range(), "viscosity table"),
+            (density, "density table"),
+        ])
+    }
+
+    fn thermal_tables(&self) -> Vec<Tabulated> {
+        let conductivity = self.thermal_conductivity.as_ref();
+        let heat_capacity = self.heat_capacity.as_ref();
+        named([
+            (
+                conductivity.and_then(ConductivityLaw::tabulated_range),
+                "thermal conductivity table",
+            ),
+            (
+                heat_capacity.and_then(HeatCapacityLaw::tabulated_range),
+                "heat capacity table",
+            ),
+        ])
+    }
+
+    fn check_tables(
+        &self,
+        tables: &[Tabulated],
+        pressure_max: f64,
+        temperature: f64,
+    ) -> Vec<RangeWarning> {
         let mut pressure_limits = Vec::new();
         let mut temperature_ranges = Vec::new();
         if let Some(validity) = &self.validity {
@@ -112,16 +168,9 @@ impl Fluid {
                     .map(|range| (range, validity.source.as_str())),
             );
         }
-        let density = self.density.as_ref().and_then(DensityLaw::tabulated_range);
-        let tables = [
-            (self.viscosity.tabulated_range(), "viscosity table"),
-            (density, "density table"),
-        ];
-        for (range, basis) in tables {
-            if let Some([pressure, temperature]) = range {
-                pressure_limits.push((pressure.1, basis));
-                temperature_ranges.push((temperature, basis));
-            }
+        for ([pressure, temperature], basis) in tables {
+            pressure_limits.push((pressure.1, *basis));
+            temperature_ranges.push((*temperature, *basis));
         }
         if let ViscosityLaw::ModifiedWlf(law) = &self.viscosity {
             pressure_limits.push((
@@ -159,4 +208,16 @@ impl Fluid {
         }
         warnings
     }
+}
+
+/// Range of pressure and temperature of a table, and what it is called.
+type Tabulated = (Range, &'static str);
+type Range = [(f64, f64); 2];
+
+/// Those that are tables.
+fn named(ranges: [(Option<Range>, &'static str); 2]) -> Vec<Tabulated> {
+    let tables = ranges
+        .into_iter()
+        .filter_map(|(range, name)| Some((range?, name)));
+    tables.collect()
 }

@@ -7,13 +7,23 @@ use crate::error::{Check, LawError};
 ///
 /// Both steps use the piecewise cubic Hermite interpolant of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984,
 /// 300-304; end slopes after Moler): exact at the knots, continuous first derivative, monotone wherever the data are.
-/// Outside the knots the end tangent continues as a straight line.
+/// What follows outside the knots is a choice of the law, [`Beyond`].
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Isotherms {
     /// Increasing (K).
     temperatures: Vec<f64>,
     /// One for each temperature.
     rows: Vec<Isotherm>,
+    beyond: Beyond,
+}
+
+/// How a table continues outside its knots.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Beyond {
+    /// The end tangent as a straight line: what keeps changing must go on changing.
+    Straight,
+    /// The end value: what varies little must not run away, nor change its sign.
+    Held,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -28,11 +38,30 @@ struct Isotherm {
 const LAW: &str = "table";
 
 impl Isotherms {
-    /// Checks shape and order. `values` must be positive, whatever is interpolated.
+    /// Checks shape and order. `values` must be positive, whatever is interpolated. Continues in straight lines.
     pub(crate) fn new(
         temperatures: Vec<f64>,
         pressures: Vec<Vec<f64>>,
         values: Vec<Vec<f64>>,
+    ) -> Result<Self, LawError> {
+        Self::with_ends(temperatures, pressures, values, Beyond::Straight)
+    }
+
+    /// The same that holds its end values outside. Here a row may have a single pressure, whose value then holds at
+    /// every pressure.
+    pub(crate) fn held(
+        temperatures: Vec<f64>,
+        pressures: Vec<Vec<f64>>,
+        values: Vec<Vec<f64>>,
+    ) -> Result<Self, LawError> {
+        Self::with_ends(temperatures, pressures, values, Beyond::Held)
+    }
+
+    fn with_ends(
+        temperatures: Vec<f64>,
+        pressures: Vec<Vec<f64>>,
+        values: Vec<Vec<f64>>,
+        beyond: Beyond,
     ) -> Result<Self, LawError> {
         let fail = |key, problem: String| {
             Err(LawError::Table {
@@ -81,11 +110,13 @@ impl Isotherms {
                     ),
                 );
             }
-            if pressures.len() < 2 {
-                return fail(
-                    "pressure",
-                    format!("row {} has fewer than two pressures", i + 1),
-                );
+            let fewest = match beyond {
+                Beyond::Straight => 2,
+                Beyond::Held => 1,
+            };
+            if pressures.len() < fewest {
+                let too_few = ["no pressure", "fewer than two pressures"][fewest - 1];
+                return fail("pressure", format!("row {} has {too_few}", i + 1));
             }
             for &p in &pressures {
                 Check(LAW).finite("pressure", p)?;
@@ -96,7 +127,11 @@ impl Isotherms {
             }
             rows.push(Isotherm::new(pressures, values));
         }
-        Ok(Self { temperatures, rows })
+        Ok(Self {
+            temperatures,
+            rows,
+            beyond,
+        })
     }
 
     /// The same table with `f` applied to every value.
@@ -112,19 +147,23 @@ impl Isotherms {
         Self {
             temperatures: self.temperatures,
             rows,
+            beyond: self.beyond,
         }
     }
 
-    /// Range `(min, max)` of pressure and temperature that every isotherm covers.
+    /// Whether the value changes with temperature.
+    pub(crate) fn depends_on_temperature(&self) -> bool {
+        self.rows.len() > 1
+    }
+
+    /// Range `(min, max)` of pressure and temperature that every isotherm covers; infinite in pressure where the rows
+    /// have a single one.
     pub(crate) fn range(&self) -> [(f64, f64); 2] {
-        let first = self
-            .rows
-            .iter()
+        let rows = || self.rows.iter().filter(|row| row.pressures.len() > 1);
+        let first = rows()
             .map(|row| row.pressures[0])
             .fold(f64::NEG_INFINITY, f64::max);
-        let last = self
-            .rows
-            .iter()
+        let last = rows()
             .map(|row| row.pressures[row.pressures.len() - 1])
             .fold(f64::INFINITY, f64::min);
         [
@@ -140,7 +179,7 @@ impl Isotherms {
     pub(crate) fn evaluate<D: Scalar>(&self, pressure: D, temperature: D) -> D {
         let n = self.temperatures.len();
         if n == 1 {
-            return self.rows[0].evaluate(pressure);
+            return self.rows[0].evaluate(pressure, self.beyond);
         }
         let i = interval(&self.temperatures, temperature.re());
         // The slope at a knot needs one neighbour on each side: at most four isotherms take part.
@@ -148,7 +187,7 @@ impl Isotherms {
         let last = (i + 2).min(n - 1);
         let mut values = [D::from(0.0); 4];
         for j in first..=last {
-            values[j - first] = self.rows[j].evaluate(pressure);
+            values[j - first] = self.rows[j].evaluate(pressure, self.beyond);
         }
         let knots = &self.temperatures[first..=last];
         let values = &values[..=last - first];
@@ -162,15 +201,17 @@ impl Isotherms {
             (values[left], values[right]),
             slopes,
             temperature,
+            self.beyond,
         )
     }
 }
 
 impl Isotherm {
     fn new(pressures: Vec<f64>, values: Vec<f64>) -> Self {
-        let slopes = (0..values.len())
-            .map(|i| slope_at(&pressures, &values, i))
-            .collect();
+        let slopes = match values.len() {
+            1 => vec![0.0],
+            n => (0..n).map(|i| slope_at(&pressures, &values, i)).collect(),
+        };
         Self {
             pressures,
             values,
@@ -178,13 +219,17 @@ impl Isotherm {
         }
     }
 
-    fn evaluate<D: Scalar>(&self, pressure: D) -> D {
+    fn evaluate<D: Scalar>(&self, pressure: D, beyond: Beyond) -> D {
+        if let [value] = self.values[..] {
+            return D::from(value);
+        }
         let i = interval(&self.pressures, pressure.re());
         hermite(
             (self.pressures[i], self.pressures[i + 1]),
             (D::from(self.values[i]), D::from(self.values[i + 1])),
             (D::from(self.slopes[i]), D::from(self.slopes[i + 1])),
             pressure,
+            beyond,
         )
     }
 }
@@ -245,13 +290,23 @@ fn end_slope<D: Scalar>(width: (f64, f64), secant: (D, D)) -> D {
     }
 }
 
-/// Cubic through both ends with the given slopes; a straight line outside.
-fn hermite<D: Scalar>(knots: (f64, f64), values: (D, D), slopes: (D, D), x: D) -> D {
+/// Cubic through both ends with the given slopes; what `beyond` says outside.
+fn hermite<D: Scalar>(
+    knots: (f64, f64),
+    values: (D, D),
+    slopes: (D, D),
+    x: D,
+    beyond: Beyond,
+) -> D {
+    let outside = |knot: f64, value: D, slope: D| match beyond {
+        Beyond::Straight => value + slope * (x - knot),
+        Beyond::Held => value,
+    };
     if x.re() < knots.0 {
-        return values.0 + slopes.0 * (x - knots.0);
+        return outside(knots.0, values.0, slopes.0);
     }
     if x.re() > knots.1 {
-        return values.1 + slopes.1 * (x - knots.1);
+        return outside(knots.1, values.1, slopes.1);
     }
     let width = knots.1 - knots.0;
     let t = (x - knots.0) / width;

@@ -16,12 +16,15 @@
 //! # Ok::<(), ertel_rheology::LawError>(())
 //! ```
 
+pub mod conductivity;
 pub mod database;
 pub mod density;
 mod error;
 mod fluid;
+pub mod heat_capacity;
 pub mod input;
 mod interpolation;
+mod linear;
 pub mod provenance;
 pub mod quantity;
 mod read;
@@ -30,10 +33,12 @@ pub mod shear;
 mod solid;
 pub mod viscosity;
 
+pub use conductivity::ConductivityLaw;
 pub use density::DensityLaw;
 pub use error::LawError;
 pub use fluid::{Fluid, FluidError};
-pub use read::Files;
+pub use heat_capacity::HeatCapacityLaw;
+pub use read::{Files, Material};
 pub use scalar::Scalar;
 pub use shear::ShearThinning;
 pub use solid::Solid;

@@ -81,6 +81,24 @@ pub struct ValidityRange {
     pub source: String,
 }
 
+/// Temperatures that some of the data of a fluid cover.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TemperatureRange {
+    /// Lowest temperature (K).
+    pub lowest: f64,
+    /// Highest temperature (K).
+    pub highest: f64,
+    /// What the range rests on.
+    pub basis: String,
+}
+
+impl TemperatureRange {
+    /// Whether `temperature` (K) lies inside, or within 0.01 K of the ends: a temperature rounds when it is converted.
+    pub fn contains(&self, temperature: f64) -> bool {
+        temperature >= self.lowest - 0.01 && temperature <= self.highest + 0.01
+    }
+}
+
 /// A state outside the range for which the data of a fluid hold.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum RangeWarning {

@@ -1,6 +1,7 @@
 //! A solid: elastic and thermal properties, and where its numbers come from.
 
 use crate::provenance::Datum;
+use crate::{ConductivityLaw, HeatCapacityLaw};
 
 /// An isotropic linear elastic solid.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,10 +16,10 @@ pub struct Solid {
     pub poissons_ratio: f64,
     /// Density (kg/m³).
     pub density: Option<f64>,
-    /// Thermal conductivity (W/(m·K)).
-    pub thermal_conductivity: Option<f64>,
-    /// Heat capacity (J/(kg·K)).
-    pub heat_capacity: Option<f64>,
+    /// Law of the thermal conductivity, evaluated at ambient pressure.
+    pub thermal_conductivity: Option<ConductivityLaw>,
+    /// Law of the heat capacity, evaluated at ambient pressure.
+    pub heat_capacity: Option<HeatCapacityLaw>,
     /// What to know before using this solid.
     pub notes: Vec<String>,
     /// Every number with its source.

@@ -80,7 +80,20 @@ fn every_solid_loads_with_sources() {
     }
     let steel = database::solid("steel").unwrap();
     assert_eq!((steel.youngs_modulus, steel.poissons_ratio), (210e9, 0.3));
-    assert_eq!(steel.thermal_conductivity, Some(46.0));
+    let conductivity = steel.thermal_conductivity.unwrap();
+    assert_eq!(conductivity.constant_value(), Some(46.0));
+    // Habchi 2008, Tables 5.1 and 5.2: what a thermal contact needs of both bodies.
+    for (name, density, conductivity, heat_capacity) in [
+        ("steel", 7850.0, 46.0, 470.0),
+        ("glass", 2510.0, 1.114, 858.0),
+    ] {
+        let solid = database::solid(name).unwrap();
+        assert_eq!(solid.density, Some(density));
+        let k = solid.thermal_conductivity.unwrap();
+        assert_eq!(k.conductivity(0.0, 300.0), conductivity);
+        let c = solid.heat_capacity.unwrap();
+        assert_eq!(c.heat_capacity(0.0, 300.0), heat_capacity);
+    }
 }
 
 /// A file in the folder that is not in the list would never be found.
@@ -204,6 +217,47 @@ fn tables_return_their_states() {
         refrigerant.viscosity(40e6 - 101_325.0, 240.65),
         0.617649e-3,
         max_relative = 1e-9
+    );
+}
+
+/// Lines of the CoolProp tables, and the straight-through values that the entries had as constants before, at one
+/// atmosphere: conductivity in W/(m.K), heat capacity in J/(kg.K).
+#[test]
+fn tables_return_thermal_data() {
+    for (name, temperature, conductivity, heat_capacity) in [
+        ("n-decane", 313.15, 0.1256, 2249.0),
+        ("n-dodecane", 313.15, 0.1318, 2262.0),
+        ("r123", 297.65, 0.07656, 1019.0),
+        ("r134a", 272.65, 0.09224, 1340.0),
+        ("r245fa", 298.15, 0.09196, 1317.0),
+        ("water", 313.15, 0.6285, 4179.0),
+    ] {
+        let fluid = database::fluid(name).unwrap();
+        let k = fluid.thermal_conductivity.unwrap();
+        let c = fluid.heat_capacity.unwrap();
+        let (k, c) = (
+            k.conductivity(0.0, temperature),
+            c.heat_capacity(0.0, temperature),
+        );
+        assert_relative_eq!(k, conductivity, max_relative = 1e-3);
+        assert_relative_eq!(c, heat_capacity, max_relative = 1e-3);
+    }
+    // A knot, and far outside, where the last value holds.
+    let decane = database::fluid("n-decane").unwrap();
+    let k = decane.thermal_conductivity.as_ref().unwrap();
+    let c = decane.heat_capacity.as_ref().unwrap();
+    let p = 5e6 - 101_325.0;
+    assert_relative_eq!(k.conductivity(p, 293.15), 0.132648, max_relative = 1e-9);
+    assert_relative_eq!(c.heat_capacity(p, 293.15), 2170.21, max_relative = 1e-9);
+    assert_eq!(k.conductivity(0.2e9, 353.15), k.conductivity(5e9, 900.0));
+    assert_eq!(decane.check_range_with_heat(0.19e9, 293.15), []);
+    assert_eq!(decane.check_range_with_heat(0.21e9, 293.15).len(), 1);
+    let ranges = decane.temperature_ranges();
+    assert_eq!(ranges.len(), 5); // declared, viscosity, density, conductivity, heat capacity
+    assert!(
+        ranges
+            .iter()
+            .all(|range| range.contains(353.15) && !range.contains(354.0))
     );
 }
 

@@ -1,10 +1,14 @@
-//! What a user may set: mesh, solver, output. Defaults are right without being touched.
+//! What a user may set: mesh, solver, heat, output. Defaults are right without being touched.
+
+mod thermal;
 
 use std::path::PathBuf;
 
 use serde::Serialize;
 
 use crate::contact::ContactKind;
+
+pub use thermal::ThermalParams;
 
 /// Mesh density presets.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -213,6 +217,8 @@ pub struct SolverParams {
     pub error_estimate: bool,
     /// Leave out the shear thinning of the lubricant: its low-shear viscosity alone.
     pub newtonian: bool,
+    /// Leave out the heat of a case that has `[thermal]`: everything at the temperature of the inlet.
+    pub isothermal: bool,
 }
 
 impl Default for SolverParams {
@@ -229,6 +235,7 @@ impl Default for SolverParams {
             max_iterations: 60,
             error_estimate: true,
             newtonian: false,
+            isothermal: false,
         }
     }
 }

@@ -9,13 +9,13 @@ use ertel::solve::Silent;
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
 fn main_case(kind: ContactKind, load: f64) -> Case {
-    let steel = Body {
-        name: "steel".into(),
-        elasticity: Elasticity {
+    let steel = Body::elastic(
+        "steel",
+        Elasticity {
             youngs_modulus: 210e9,
             poissons_ratio: 0.3,
         },
-    };
+    );
     Case {
         title: "main".into(),
         contact: Contact {
@@ -37,9 +37,12 @@ fn main_case(kind: ContactKind, load: f64) -> Case {
             viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
             shear_thinning: None,
             thermal_conductivity: None,
+            heat_capacity: None,
+            temperature_ranges: Vec::new(),
         },
         mesh: MeshParams::preset(MeshPreset::Normal, kind),
         solver: SolverParams::default(),
+        thermal: None,
         output: OutputParams::default(),
         warnings: Vec::new(),
         source: String::new(),

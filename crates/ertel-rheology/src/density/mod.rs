@@ -62,6 +62,18 @@ impl DensityLaw {
         }
     }
 
+    /// Whether the density changes with temperature: only then does pressure heat the lubricant.
+    pub fn depends_on_temperature(&self) -> bool {
+        match self {
+            Self::Constant(_) => false,
+            Self::DowsonHigginson(law) => {
+                (law.thermal.as_ref()).is_some_and(|thermal| thermal.temperature_coefficient != 0.0)
+            }
+            Self::Tait(law) => law.volume.thermal.is_some(),
+            Self::Table(law) => law.depends_on_temperature(),
+        }
+    }
+
     /// Range `(min, max)` of pressure (Pa) and of temperature (K) covered by tabulated data; `None` for a formula.
     pub fn tabulated_range(&self) -> Option<[(f64, f64); 2]> {
         match self {

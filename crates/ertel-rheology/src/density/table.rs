@@ -31,6 +31,11 @@ impl Table {
         self.isotherms.evaluate(pressure, temperature)
     }
 
+    /// Whether there is more than one isotherm.
+    pub fn depends_on_temperature(&self) -> bool {
+        self.isotherms.depends_on_temperature()
+    }
+
     /// Range `(min, max)` of pressure (Pa) and temperature (K) that every isotherm covers.
     pub fn range(&self) -> [(f64, f64); 2] {
         self.isotherms.range()

@@ -61,6 +61,12 @@ impl<'a> Table<'a> {
         self.entry(key).is_some()
     }
 
+    /// Whether the value of `key` is a table. Counts as asking for it.
+    pub fn is_table(&mut self, key: &str) -> bool {
+        let entry = self.entry(key);
+        entry.is_some_and(|entry| matches!(entry.node.value, Value::Table(_)))
+    }
+
     // ---- quantities and numbers
 
     /// A number with a unit, in SI; a pure number may be written without quotes.
@@ -177,6 +183,37 @@ impl<'a> Table<'a> {
         bounds: Bounds,
     ) -> Result<Option<Vec<f64>>, InputError> {
         self.optional_quantities(key, Dimension::DIMENSIONLESS, bounds)
+    }
+
+    /// An array of points of two pure numbers each, `[[-1, 0], [0.5, 0]]`; `None` if the key is absent.
+    ///
+    /// # Errors
+    ///
+    /// A value that is no such array, and numbers out of `bounds`.
+    pub fn optional_points(
+        &mut self,
+        key: &str,
+        bounds: Bounds,
+    ) -> Result<Option<Vec<[f64; 2]>>, InputError> {
+        let Some(entry) = self.entry(key) else {
+            return Ok(None);
+        };
+        let Value::Array(nodes) = &entry.node.value else {
+            return Err(self.wrong_kind(entry, "an array of points [x, y]"));
+        };
+        let number = |node| self.quantity_of(node, key, Dimension::DIMENSIONLESS, bounds);
+        nodes
+            .iter()
+            .map(|node| match &node.value {
+                Value::Array(pair) if pair.len() == 2 => Ok([number(&pair[0])?, number(&pair[1])?]),
+                _ => Err(self.at_node(
+                    node,
+                    key,
+                    format!("`{key}` needs points of two numbers, [x, y]"),
+                )),
+            })
+            .collect::<Result<_, _>>()
+            .map(Some)
     }
 
     /// A whole number in `range`.

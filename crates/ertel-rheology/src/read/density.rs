@@ -1,6 +1,9 @@
 //! Density laws from a table.
 
-use super::{Files, group, law_name, locate, table::Columns};
+use super::{
+    Files, group, law_name, locate,
+    table::{Columns, Pressures},
+};
 use crate::DensityLaw;
 use crate::density::{
     BulkModulusSoftening, DowsonHigginson, Table as DensityTable, Tait, TaitVolume,
@@ -33,7 +36,13 @@ impl DensityLaw {
                 Self::Tait(Tait::new(rho_0, volume).map_err(locate(&table))?)
             }
             _ => {
-                let columns = Columns::read(&mut table, files, "density", Dimension::DENSITY)?;
+                let columns = Columns::read(
+                    &mut table,
+                    files,
+                    "density",
+                    Dimension::DENSITY,
+                    Pressures::Required,
+                )?;
                 let law =
                     DensityTable::new(columns.temperatures, columns.pressures, columns.values);
                 Self::Table(law.map_err(locate(&table))?)

@@ -1,10 +1,10 @@
 //! Fluids from a table.
 
-use super::Files;
+use super::{Files, Material};
 use crate::input::{Bounds, InputError, Table};
 use crate::provenance::{Datum, Status, ValidityRange};
 use crate::quantity::Dimension;
-use crate::{DensityLaw, Fluid, ShearThinning, ViscosityLaw};
+use crate::{ConductivityLaw, DensityLaw, Fluid, HeatCapacityLaw, ShearThinning, ViscosityLaw};
 
 impl Fluid {
     /// Keys that [`Fluid::from_table`] and [`Fluid::override_from`] read.
@@ -19,7 +19,8 @@ impl Fluid {
     ];
 
     /// Reads a fluid from a table: `viscosity`, and where given `density`, `shear_thinning`,
-    /// `reference_temperature`, `thermal_conductivity`, `heat_capacity` and `validity = { pressure = [..], temperature = [..], source = ".." }`.
+    /// `reference_temperature`, `thermal_conductivity`, `heat_capacity` and
+    /// `validity = { pressure = [..], temperature = [..], source = ".." }`.
     ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the fluid is called in
     /// messages.
@@ -49,6 +50,7 @@ impl Fluid {
             provenance: Vec::new(),
         };
         fluid.read_numbers(table)?;
+        fluid.read_thermal(table, files)?;
         fluid.read_shear_thinning(table)?;
         for key in Self::KEYS {
             if table.contains(key) {
@@ -69,12 +71,17 @@ impl Fluid {
         files: Files<'_>,
     ) -> Result<(), InputError> {
         if let Some(density) = read_density(table, files)? {
+            // A heat capacity per volume stays what it is.
+            if let Some(HeatCapacityLaw::LarssonAndersson(law)) = &mut self.heat_capacity {
+                law.density = density.clone();
+            }
             self.density = Some(density);
         }
         if let Some(viscosity) = table.optional_table("viscosity")? {
             self.viscosity = ViscosityLaw::from_table(viscosity, self.density.as_ref(), files)?;
         }
         self.read_numbers(table)?;
+        self.read_thermal(table, files)?;
         self.read_shear_thinning(table)?;
         for key in Self::KEYS {
             if table.contains(key) {
@@ -102,29 +109,29 @@ impl Fluid {
     }
 
     fn read_numbers(&mut self, table: &mut Table<'_>) -> Result<(), InputError> {
-        let mut read = |key: &str, dimension, value: &mut Option<f64>| {
-            if let Some(given) = table.optional_quantity(key, dimension, Bounds::POSITIVE)? {
-                *value = Some(given);
-            }
-            Ok::<(), InputError>(())
-        };
-        read(
+        let temperature = table.optional_quantity(
             "reference_temperature",
             Dimension::TEMPERATURE,
-            &mut self.reference_temperature,
+            Bounds::POSITIVE,
         )?;
-        read(
-            "thermal_conductivity",
-            Dimension::THERMAL_CONDUCTIVITY,
-            &mut self.thermal_conductivity,
-        )?;
-        read(
-            "heat_capacity",
-            Dimension::SPECIFIC_HEAT,
-            &mut self.heat_capacity,
-        )?;
+        self.reference_temperature = temperature.or(self.reference_temperature);
         if let Some(validity) = table.optional_table("validity")? {
             self.validity = Some(read_validity(validity)?);
+        }
+        Ok(())
+    }
+
+    /// After the density, which a heat capacity per volume refers to.
+    fn read_thermal(&mut self, table: &mut Table<'_>, files: Files<'_>) -> Result<(), InputError> {
+        let material = Material::Lubricant;
+        let conductivity = ConductivityLaw::read(table, "thermal_conductivity", material, files)?;
+        let density = self.density.as_ref();
+        let heat = HeatCapacityLaw::read(table, "heat_capacity", material, density, files)?;
+        if conductivity.is_some() {
+            self.thermal_conductivity = conductivity;
+        }
+        if heat.is_some() {
+            self.heat_capacity = heat;
         }
         Ok(())
     }
@@ -132,24 +139,21 @@ impl Fluid {
     /// Notes that a key comes from the user. The database replaces these records by its own.
     fn record_override(&mut self, table: &Table<'_>, key: &str) {
         let si = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
+        let named = |name: Option<String>| (name.unwrap_or_default(), "");
+        // A constant conductivity or heat capacity is shown by its number.
         let (value, unit) = match key {
-            "viscosity" => (self.viscosity.name().to_owned(), String::new()),
-            "density" => (
-                self.density
-                    .as_ref()
-                    .map_or("", DensityLaw::name)
-                    .to_owned(),
-                String::new(),
-            ),
-            "shear_thinning" => (
-                self.shear_thinning
-                    .as_ref()
-                    .map_or(String::new(), ShearThinning::describe),
-                String::new(),
-            ),
-            "reference_temperature" => (si(self.reference_temperature), "K".to_owned()),
-            "thermal_conductivity" => (si(self.thermal_conductivity), "W/(m.K)".to_owned()),
-            "heat_capacity" => (si(self.heat_capacity), "J/(kg.K)".to_owned()),
+            "viscosity" => named(Some(self.viscosity.name().to_owned())),
+            "density" => named(self.density.as_ref().map(|law| law.name().to_owned())),
+            "shear_thinning" => named(self.shear_thinning.as_ref().map(ShearThinning::describe)),
+            "reference_temperature" => (si(self.reference_temperature), "K"),
+            "thermal_conductivity" => match &self.thermal_conductivity {
+                Some(ConductivityLaw::Constant(law)) => (law.k_0.to_string(), "W/(m.K)"),
+                law => named(law.as_ref().map(|law| law.name().to_owned())),
+            },
+            "heat_capacity" => match &self.heat_capacity {
+                Some(HeatCapacityLaw::Constant(law)) => (law.c_0.to_string(), "J/(kg.K)"),
+                law => named(law.as_ref().map(|law| law.name().to_owned())),
+            },
             _ => return,
         };
         let source = if table.path().is_empty() {
@@ -157,15 +161,14 @@ impl Fluid {
         } else {
             format!("given in [{}]", table.path())
         };
-        let law = matches!(key, "viscosity" | "density" | "shear_thinning");
         self.provenance.push(Datum {
-            key: if law {
+            key: if unit.is_empty() {
                 format!("{key}.law")
             } else {
                 key.to_owned()
             },
             value,
-            unit,
+            unit: unit.to_owned(),
             source,
             status: Status::User,
             note: None,

@@ -1,7 +1,9 @@
 //! Laws, fluids and solids from TOML tables: the same schema in the database and in case files.
 
+mod conductivity;
 mod density;
 mod fluid;
+mod heat_capacity;
 mod shear;
 mod solid;
 mod table;
@@ -11,7 +13,9 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use crate::LawError;
-use crate::input::{InputError, Table};
+use crate::input::{Bounds, InputError, Table};
+use crate::linear::LinearFactor;
+use crate::quantity::Dimension;
 
 /// Where the files named in a table are found.
 #[derive(Debug, Clone, Copy)]
@@ -38,6 +42,45 @@ impl<'a> Files<'a> {
                 .ok_or_else(|| format!("there is no built-in file {name}")),
         }
     }
+}
+
+/// What a law of conductivity or heat capacity is read for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Material {
+    /// A lubricant: any law.
+    Lubricant,
+    /// A solid, whose properties do not depend on pressure: `constant`, `linear` without `a_p`, and `table`.
+    Solid,
+}
+
+impl Material {
+    /// Of `names`, those of the laws that suit the material.
+    fn law_names(self, names: &[&'static str]) -> Vec<&'static str> {
+        let suits = |name: &&&str| self == Self::Lubricant || **name != "larsson-andersson";
+        names.iter().filter(suits).copied().collect()
+    }
+}
+
+/// The table of a law at `key`; `None` if there is something else, such as a plain quantity, or nothing.
+fn given_law<'a>(table: &mut Table<'a>, key: &str) -> Result<Option<Table<'a>>, InputError> {
+    if table.is_table(key) {
+        table.optional_table(key)
+    } else {
+        Ok(None)
+    }
+}
+
+/// `reference_temperature`, `a_t` and, of a lubricant, the optional `a_p`.
+fn linear_factor(table: &mut Table<'_>, material: Material) -> Result<LinearFactor, InputError> {
+    let reference_temperature = density::reference_temperature(table)?;
+    let a_t = table.required_quantity("a_t", Dimension::INVERSE_TEMPERATURE, Bounds::ANY)?;
+    let a_p = match material {
+        Material::Lubricant => {
+            table.optional_quantity("a_p", Dimension::INVERSE_PRESSURE, Bounds::ANY)?
+        }
+        Material::Solid => None,
+    };
+    LinearFactor::new(reference_temperature, a_t, a_p.unwrap_or(0.0)).map_err(locate(table))
 }
 
 /// Points an error about the constants of a law at their line.
@@ -68,3 +111,5 @@ fn law_name<'t>(table: &mut Table<'_>, names: &[&'t str]) -> Result<&'t str, Inp
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod thermal_tests;

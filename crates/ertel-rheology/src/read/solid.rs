@@ -1,13 +1,14 @@
 //! Solids from a table.
 
-use crate::Solid;
+use super::{Files, Material};
 use crate::input::{Bounds, InputError, Table};
 use crate::provenance::{Datum, Status};
 use crate::quantity::Dimension;
+use crate::{ConductivityLaw, HeatCapacityLaw, Solid};
 
 impl Solid {
-    /// Reads a solid from a table: `youngs_modulus`, `poissons_ratio`, and where given `density`,
-    /// `thermal_conductivity`, `heat_capacity`.
+    /// Reads a solid from a table: `youngs_modulus`, `poissons_ratio`, and where given `density`, and the laws
+    /// `thermal_conductivity` and `heat_capacity`, for which a quantity stands for a constant.
     ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the solid is called in
     /// messages.
@@ -15,7 +16,11 @@ impl Solid {
     /// # Errors
     ///
     /// Missing keys, wrong units and impossible values, with their line.
-    pub fn from_table(table: &mut Table<'_>, name: &str) -> Result<Self, InputError> {
+    pub fn from_table(
+        table: &mut Table<'_>,
+        name: &str,
+        files: Files<'_>,
+    ) -> Result<Self, InputError> {
         let mut solid = Self {
             name: name.to_owned(),
             title: name.to_owned(),
@@ -30,7 +35,7 @@ impl Solid {
         // Fail on what a solid cannot do without, then read all.
         table.required_quantity("youngs_modulus", Dimension::PRESSURE, Bounds::POSITIVE)?;
         table.required_number("poissons_ratio", POISSONS_RATIO)?;
-        solid.override_from(table)?;
+        solid.override_from(table, files)?;
         Ok(solid)
     }
 
@@ -39,49 +44,66 @@ impl Solid {
     /// # Errors
     ///
     /// Wrong units and impossible values, with their line.
-    pub fn override_from(&mut self, table: &mut Table<'_>) -> Result<(), InputError> {
-        let mut read = |key: &str, dimension, bounds, unit: &str| {
-            let value = table.optional_quantity(key, dimension, bounds)?;
-            if let Some(value) = value {
-                self.provenance.retain(|datum| datum.key != key);
-                self.provenance.push(Datum {
-                    key: key.to_owned(),
-                    value: value.to_string(),
-                    unit: unit.to_owned(),
-                    source: "given".to_owned(),
-                    status: Status::User,
-                    note: None,
-                });
-            }
-            Ok::<_, InputError>(value)
-        };
+    pub fn override_from(
+        &mut self,
+        table: &mut Table<'_>,
+        files: Files<'_>,
+    ) -> Result<(), InputError> {
         let positive = Bounds::POSITIVE;
-        let youngs_modulus = read("youngs_modulus", Dimension::PRESSURE, positive, "Pa")?;
-        let poissons_ratio = read(
-            "poissons_ratio",
-            Dimension::DIMENSIONLESS,
-            POISSONS_RATIO,
-            "1",
-        )?;
-        let density = read("density", Dimension::DENSITY, positive, "kg/m^3")?;
-        let conductivity = read(
-            "thermal_conductivity",
-            Dimension::THERMAL_CONDUCTIVITY,
-            positive,
-            "W/(m.K)",
-        )?;
-        let heat_capacity = read(
-            "heat_capacity",
-            Dimension::SPECIFIC_HEAT,
-            positive,
-            "J/(kg.K)",
-        )?;
-        self.youngs_modulus = youngs_modulus.unwrap_or(self.youngs_modulus);
-        self.poissons_ratio = poissons_ratio.unwrap_or(self.poissons_ratio);
-        self.density = density.or(self.density);
-        self.thermal_conductivity = conductivity.or(self.thermal_conductivity);
-        self.heat_capacity = heat_capacity.or(self.heat_capacity);
+        if let Some(modulus) =
+            table.optional_quantity("youngs_modulus", Dimension::PRESSURE, positive)?
+        {
+            self.youngs_modulus = modulus;
+            self.record("youngs_modulus", modulus.to_string(), "Pa");
+        }
+        if let Some(ratio) = table.optional_number("poissons_ratio", POISSONS_RATIO)? {
+            self.poissons_ratio = ratio;
+            self.record("poissons_ratio", ratio.to_string(), "1");
+        }
+        if let Some(density) = table.optional_quantity("density", Dimension::DENSITY, positive)? {
+            self.density = Some(density);
+            self.record("density", density.to_string(), "kg/m^3");
+        }
+        let key = "thermal_conductivity";
+        if let Some(law) = ConductivityLaw::read(table, key, Material::Solid, files)? {
+            match law.constant_value() {
+                Some(value) => self.record(key, value.to_string(), "W/(m.K)"),
+                None => self.record_law(key, law.name()),
+            }
+            self.thermal_conductivity = Some(law);
+        }
+        let key = "heat_capacity";
+        if let Some(law) = HeatCapacityLaw::read(table, key, Material::Solid, None, files)? {
+            match law.constant_value() {
+                Some(value) => self.record(key, value.to_string(), "J/(kg.K)"),
+                None => self.record_law(key, law.name()),
+            }
+            self.heat_capacity = Some(law);
+        }
         Ok(())
+    }
+
+    /// Notes that the law at `key` comes from the user, a law that is more than a number by its name.
+    fn record_law(&mut self, key: &str, name: &str) {
+        self.record(key, name.to_owned(), "");
+        if let Some(datum) = self.provenance.last_mut() {
+            datum.key += ".law";
+        }
+    }
+
+    /// Notes that a number comes from the user. The database replaces these records by its own.
+    fn record(&mut self, key: &str, value: String, unit: &str) {
+        let prefix = format!("{key}.");
+        self.provenance
+            .retain(|datum| datum.key != key && !datum.key.starts_with(&prefix));
+        self.provenance.push(Datum {
+            key: key.to_owned(),
+            value,
+            unit: unit.to_owned(),
+            source: "given".to_owned(),
+            status: Status::User,
+            note: None,
+        });
     }
 }
 

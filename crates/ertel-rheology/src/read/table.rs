@@ -27,12 +27,14 @@ impl Columns {
     ///
     /// A CSV file has a header such as `temperature [K], pressure [MPa], viscosity [mPa.s]` and one state on a line;
     /// lines that start with `#` are comments, other columns are ignored, a state without a value is left out. A
-    /// column `absolute pressure` is reduced by one standard atmosphere.
+    /// column `absolute pressure` is reduced by one standard atmosphere. A property of two words, `heat capacity`, is
+    /// the key `heat_capacity` in a table. Where `pressures` allows, they may be left out altogether.
     pub(super) fn read(
         table: &mut Table<'_>,
         files: Files<'_>,
         name: &str,
         dimension: Dimension,
+        pressures: Pressures,
     ) -> Result<Self, InputError> {
         if let Some(file) = table.optional_str("file")? {
             // Known keys, so that giving both forms is refused for the right reason.
@@ -44,7 +46,7 @@ impl Columns {
             }
             let columns = files
                 .read(file)
-                .and_then(|text| Self::from_csv(&text, name, dimension));
+                .and_then(|text| Self::from_csv(&text, name, dimension, pressures));
             return columns.map_err(|problem| table.error("file", format!("{file}: {problem}")));
         }
         if !table.contains("isotherms") {
@@ -52,15 +54,21 @@ impl Columns {
                 .missing("isotherms")
                 .with_help("or `file = \"name.csv\"`"));
         }
+        let key = name.replace(' ', "_");
         let mut units = table.required_table("units")?;
-        let pressure_unit = units.required_str("pressure")?;
-        let value_unit = units.required_str(name)?;
+        let value_unit = units.required_str(&key)?;
         let scale = |units: &Table<'_>, key: &str, unit: &str, dimension| {
             quantity::parse(&format!("1 {unit}"), dimension)
                 .map_err(|error| units.error(key, error.to_string()))
         };
-        let pressure_scale = scale(&units, "pressure", pressure_unit, Dimension::PRESSURE)?;
-        let value_scale = scale(&units, name, value_unit, dimension)?;
+        let value_scale = scale(&units, &key, value_unit, dimension)?;
+        let without_pressure = pressures == Pressures::Optional && !units.contains("pressure");
+        let pressure_scale = if without_pressure {
+            None
+        } else {
+            let unit = units.required_str("pressure")?;
+            Some(scale(&units, "pressure", unit, Dimension::PRESSURE)?)
+        };
         units.finish()?;
 
         let mut columns = Self::default();
@@ -70,15 +78,15 @@ impl Columns {
                 Dimension::TEMPERATURE,
                 Bounds::POSITIVE,
             )?;
-            let scaled = |values: Vec<f64>, scale: f64| {
+            let scaled = |values: Vec<f64>, scale: f64| -> Vec<f64> {
                 values.into_iter().map(|value| value * scale).collect()
             };
-            let pressures = scaled(
-                isotherm.required_numbers("pressure", Bounds::ANY)?,
-                pressure_scale,
-            );
+            let pressures = match pressure_scale {
+                Some(scale) => scaled(isotherm.required_numbers("pressure", Bounds::ANY)?, scale),
+                None => vec![0.0],
+            };
             let values = scaled(
-                isotherm.required_numbers(name, Bounds::POSITIVE)?,
+                isotherm.required_numbers(&key, Bounds::POSITIVE)?,
                 value_scale,
             );
             isotherm.finish()?;
@@ -90,15 +98,20 @@ impl Columns {
     }
 
     /// Reads a CSV file; the error is a sentence that begins with the line.
-    fn from_csv(text: &str, name: &str, dimension: Dimension) -> Result<Self, String> {
+    fn from_csv(
+        text: &str,
+        name: &str,
+        dimension: Dimension,
+        pressures: Pressures,
+    ) -> Result<Self, String> {
         let mut lines = text
             .lines()
             .enumerate()
             .map(|(i, line)| (i + 1, line.trim()))
             .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
         let (number, header) = lines.next().ok_or("the file is empty")?;
-        let header =
-            Header::parse(header, name).map_err(|problem| format!("line {number}: {problem}"))?;
+        let header = Header::parse(header, name, pressures)
+            .map_err(|problem| format!("line {number}: {problem}"))?;
 
         let mut states: Vec<[f64; 3]> = Vec::new();
         for (number, line) in lines {
@@ -131,16 +144,26 @@ impl Columns {
     }
 }
 
+/// Whether a table may do without pressures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Pressures {
+    /// A table over pressure and temperature.
+    Required,
+    /// A table over temperature alone will do.
+    Optional,
+}
+
 /// Position and unit of the columns in use.
 struct Header {
     temperature: (usize, String),
-    pressure: (usize, String),
+    /// `None` for a table over temperature alone.
+    pressure: Option<(usize, String)>,
     absolute: bool,
     value: (usize, String),
 }
 
 impl Header {
-    fn parse(line: &str, name: &str) -> Result<Self, String> {
+    fn parse(line: &str, name: &str, pressures: Pressures) -> Result<Self, String> {
         let columns: Vec<(&str, &str)> = line
             .split(',')
             .map(|cell| {
@@ -173,8 +196,9 @@ impl Header {
             (Some(_), Some(_)) => {
                 return Err("give `pressure` or `absolute pressure`, not both".into());
             }
-            (None, Some(column)) => (column, true),
-            _ => (need("pressure")?, false),
+            (None, Some(column)) => (Some(column), true),
+            (None, None) if pressures == Pressures::Optional => (None, false),
+            _ => (Some(need("pressure")?), false),
         };
         Ok(Self {
             temperature: need("temperature")?,
@@ -196,7 +220,10 @@ impl Header {
         if cells.get(self.value.0).is_none_or(|cell| cell.is_empty()) {
             return Ok(None);
         }
-        let pressure = number(&self.pressure, Dimension::PRESSURE)?;
+        let pressure = match &self.pressure {
+            Some(column) => number(column, Dimension::PRESSURE)?,
+            None => 0.0,
+        };
         Ok(Some([
             number(&self.temperature, Dimension::TEMPERATURE)?,
             if self.absolute {

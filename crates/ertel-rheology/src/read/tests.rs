@@ -328,7 +328,8 @@ fn a_database_fluid_takes_overrides() {
     fluid.override_from(&mut root, NO_FILES).unwrap();
     root.finish().unwrap();
     assert_relative_eq!(fluid.density(0.0, 300.0).unwrap(), 1465.2);
-    assert_eq!(fluid.heat_capacity, Some(1000.0));
+    let heat_capacity = fluid.heat_capacity.as_ref().unwrap();
+    assert_eq!(heat_capacity.constant_value(), Some(1000.0));
     let status = |key: &str| {
         let data: Vec<_> = fluid
             .provenance
@@ -348,7 +349,7 @@ fn solids_are_read_and_checked() {
     let solid = |text: &str| {
         let document = Document::parse("case.toml", text)?;
         let mut root = document.root();
-        let solid = Solid::from_table(&mut root, "ball")?;
+        let solid = Solid::from_table(&mut root, "ball", NO_FILES)?;
         root.finish()?;
         Ok::<_, InputError>(solid)
     };

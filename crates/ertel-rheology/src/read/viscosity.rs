@@ -1,6 +1,11 @@
 //! Viscosity laws from a table.
 
-use super::{Files, density::reference_temperature, group, law_name, locate, table::Columns};
+use super::{
+    Files,
+    density::reference_temperature,
+    group, law_name, locate,
+    table::{Columns, Pressures},
+};
 use crate::density::TaitVolume;
 use crate::input::{Bounds, InputError, Table};
 use crate::quantity::Dimension;
@@ -45,7 +50,13 @@ impl ViscosityLaw {
             "wlf" => Self::ModifiedWlf(wlf(&mut table)?),
             "doolittle" => Self::Doolittle(doolittle(&mut table, density)?),
             _ => {
-                let columns = Columns::read(&mut table, files, "viscosity", Dimension::VISCOSITY)?;
+                let columns = Columns::read(
+                    &mut table,
+                    files,
+                    "viscosity",
+                    Dimension::VISCOSITY,
+                    Pressures::Required,
+                )?;
                 let law =
                     ViscosityTable::new(columns.temperatures, columns.pressures, columns.values);
                 Self::Table(law.map_err(locate(&table))?)

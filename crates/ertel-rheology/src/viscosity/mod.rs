@@ -114,6 +114,18 @@ impl ViscosityLaw {
         }
     }
 
+    /// Whether the viscosity changes with temperature.
+    pub fn depends_on_temperature(&self) -> bool {
+        match self {
+            Self::Constant(_) | Self::Barus(_) => false,
+            Self::Cheng(law) => law.beta != 0.0 || law.gamma != 0.0,
+            Self::Roelands(law) => law.thermal.as_ref().is_some_and(|t| t.beta != 0.0),
+            Self::ModifiedWlf(_) => true,
+            Self::Doolittle(law) => law.thermal.is_some() || law.volume.thermal.is_some(),
+            Self::Table(law) => law.depends_on_temperature(),
+        }
+    }
+
     /// Range `(min, max)` of pressure (Pa) and of temperature (K) covered by tabulated data; `None` for a formula.
     pub fn tabulated_range(&self) -> Option<[(f64, f64); 2]> {
         match self {

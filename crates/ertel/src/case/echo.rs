@@ -4,8 +4,9 @@ use ertel_rheology::ShearThinning;
 use ertel_rheology::input::tree::{Node, Value};
 use serde_json::{Map, json};
 
-use super::{Body, Case};
-use crate::output::{BodyEcho, CaseEcho, FluidEcho};
+use super::{Body, Case, SolidHeat};
+use crate::output::{BodyEcho, CaseEcho, FluidEcho, HeatEcho, ThermalEcho};
+use crate::params::ThermalParams;
 
 impl Case {
     /// The case as understood, with the lubricant's ambient properties, for [`crate::output`].
@@ -43,7 +44,40 @@ impl Case {
             temperature,
             mesh: self.mesh.clone(),
             solver: self.solver.clone(),
+            thermal: self.thermal_echo(),
         }
+    }
+
+    /// Heat, where the case reckons with it and has its data.
+    fn thermal_echo(&self) -> Option<ThermalEcho> {
+        let heat = self.heat().ok().flatten()?;
+        let inlet = self.lubricant.temperature;
+        Some(ThermalEcho {
+            params: ThermalParams {
+                plane_temperature: Some(heat.plane.temperature),
+                ball_temperature: Some(heat.ball.temperature),
+                ..heat.params.clone()
+            },
+            lubricant: HeatEcho {
+                density: self.lubricant.ambient_density(),
+                thermal_conductivity: heat.conductivity.conductivity(0.0, inlet),
+                conductivity_law: heat.conductivity.name().to_owned(),
+                heat_capacity: heat.heat_capacity.heat_capacity(0.0, inlet),
+                heat_capacity_law: heat.heat_capacity.name().to_owned(),
+            },
+            plane: solid(&heat.plane),
+            ball: solid(&heat.ball),
+        })
+    }
+}
+
+fn solid(solid: &SolidHeat<'_>) -> HeatEcho {
+    HeatEcho {
+        density: solid.density,
+        thermal_conductivity: solid.conductivity.conductivity(0.0, solid.temperature),
+        conductivity_law: solid.conductivity.name().to_owned(),
+        heat_capacity: solid.heat_capacity.heat_capacity(0.0, solid.temperature),
+        heat_capacity_law: solid.heat_capacity.name().to_owned(),
     }
 }
 

@@ -1,11 +1,15 @@
 //! `lubricant` and `temperature`.
 
 use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
+use ertel_rheology::provenance::TemperatureRange;
 use ertel_rheology::quantity::Dimension;
-use ertel_rheology::{DensityLaw, Files, Fluid, ShearThinning, ViscosityLaw, database};
+use ertel_rheology::{
+    ConductivityLaw, DensityLaw, Files, Fluid, HeatCapacityLaw, ShearThinning, ViscosityLaw,
+    database,
+};
 
 /// Temperatures of lubricants, K: outside, a unit was mistaken.
-const TEMPERATURE: Bounds = Bounds::closed(100.0, 1000.0);
+pub(super) const TEMPERATURE: Bounds = Bounds::closed(100.0, 1000.0);
 /// Ambient viscosities from gases to pitch, Pa·s; likewise.
 const VISCOSITY: Bounds = Bounds::closed(1e-6, 1e6);
 /// Ambient densities, kg/m³; likewise.
@@ -24,8 +28,12 @@ pub struct Lubricant {
     pub viscosity: ViscosityLaw,
     /// Shear thinning; `None` for a Newtonian lubricant.
     pub shear_thinning: Option<ShearThinning>,
-    /// Thermal conductivity, W/(m·K), if known.
-    pub thermal_conductivity: Option<f64>,
+    /// Law of the thermal conductivity, if known.
+    pub thermal_conductivity: Option<ConductivityLaw>,
+    /// Law of the heat capacity, if known.
+    pub heat_capacity: Option<HeatCapacityLaw>,
+    /// Temperatures that the data cover, each with what it rests on.
+    pub temperature_ranges: Vec<TemperatureRange>,
 }
 
 impl Lubricant {
@@ -38,15 +46,29 @@ impl Lubricant {
     pub fn ambient_density(&self) -> f64 {
         self.density.density(0.0, self.temperature)
     }
+
+    /// Thermal conductivity at ambient pressure, W/(m·K), if known.
+    pub fn ambient_conductivity(&self) -> Option<f64> {
+        let law = self.thermal_conductivity.as_ref()?;
+        Some(law.conductivity(0.0, self.temperature))
+    }
+
+    /// The narrowest range of the data that `temperature`, K, leaves.
+    pub fn range_left(&self, temperature: f64) -> Option<&TemperatureRange> {
+        let left = (self.temperature_ranges.iter()).filter(|range| !range.contains(temperature));
+        left.min_by(|a, b| (a.highest - a.lowest).total_cmp(&(b.highest - b.lowest)))
+    }
 }
 
 /// Reads the lubricant at the top level: a name with a top-level `temperature`, or a table.
 ///
-/// `pressure` is the Hertz pressure, Pa. Returns the warnings about the range of the data, too.
+/// `pressure` is the Hertz pressure, Pa. Returns the warnings about the range of the data, too, with that of the thermal
+/// data where there is `heat`.
 pub(super) fn read(
     root: &mut Table<'_>,
     files: Files<'_>,
     pressure: f64,
+    heat: bool,
 ) -> Result<(Lubricant, Vec<String>), InputError> {
     match root.required_str_or_table("lubricant")? {
         StrOrTable::Str(name) => {
@@ -56,7 +78,14 @@ pub(super) fn read(
                 .map_err(|error| {
                     error.with_help("a lubricant given by its name needs the temperature before the first [table]")
                 })?;
-            check(root, "lubricant", Some(name), fluid, temperature, pressure)
+            check(
+                root,
+                ("lubricant", Some(name)),
+                fluid,
+                temperature,
+                pressure,
+                heat,
+            )
         }
         StrOrTable::Table(mut table) => {
             if root.contains("temperature") {
@@ -84,27 +113,32 @@ pub(super) fn read(
                 }
             };
             let key = if name.is_some() { "name" } else { "viscosity" };
-            let lubricant = check(&table, key, name, fluid, temperature, pressure)?;
+            let lubricant = check(&table, (key, name), fluid, temperature, pressure, heat)?;
             table.finish()?;
             Ok(lubricant)
         }
     }
 }
 
-/// The laws at the temperature of the case; errors stand at `key` of `table`.
+/// The laws at the temperature of the case; errors stand at `key` of `table`. `name` is that in the database.
 fn check(
     table: &Table<'_>,
-    key: &str,
-    name: Option<&str>,
+    (key, name): (&str, Option<&str>),
     fluid: Fluid,
     temperature: f64,
     pressure: f64,
+    heat: bool,
 ) -> Result<(Lubricant, Vec<String>), InputError> {
     let density = fluid
         .density_law()
         .map_err(|error| table.error(key, error.to_string()))?
         .clone();
-    let warnings = fluid.check_range(pressure, temperature);
+    let warnings = if heat {
+        fluid.check_range_with_heat(pressure, temperature)
+    } else {
+        fluid.check_range(pressure, temperature)
+    };
+    let temperature_ranges = fluid.temperature_ranges();
     let lubricant = Lubricant {
         name: name.map(str::to_owned),
         temperature,
@@ -112,6 +146,8 @@ fn check(
         viscosity: fluid.viscosity,
         shear_thinning: fluid.shear_thinning,
         thermal_conductivity: fluid.thermal_conductivity,
+        heat_capacity: fluid.heat_capacity,
+        temperature_ranges,
     };
     let must_lie = |what: &str, value: f64, bounds: Bounds, unit: &str| {
         if bounds.contains(value) {

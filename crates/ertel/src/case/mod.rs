@@ -23,7 +23,7 @@
 //! ```
 //!
 //! `lubricant = "squalane-pip"` with a top-level `temperature = "40 degC"` is short for a `[lubricant]`
-//! table with `name` and `temperature`. `[mesh]`, `[solver]` and `[output]` are optional; everything
+//! table with `name` and `temperature`. `[thermal]` switches heat on. `[mesh]`, `[solver]` and `[output]` are optional; everything
 //! physical is required. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
 
 mod bodies;
@@ -33,6 +33,7 @@ pub mod curve;
 mod echo;
 mod lubricant;
 mod params;
+mod thermal;
 
 use std::path::Path;
 
@@ -41,13 +42,14 @@ use ertel_rheology::input::{Document, InputError, Table};
 use ertel_rheology::{Files, ShearThinning};
 
 use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
-use crate::params::{MeshParams, OutputParams, SolverParams};
+use crate::params::{MeshParams, OutputParams, SolverParams, ThermalParams};
 
 use bodies::Bodies;
 pub use bodies::Body;
 pub use curve::Curve;
 pub use lubricant::Lubricant;
 pub(crate) use params::{read_mesh, read_solver};
+pub use thermal::{Heat, MissingDatum, MissingHeatData, SolidHeat};
 
 /// Everything a solve needs, in SI.
 #[derive(Clone, Debug)]
@@ -70,6 +72,8 @@ pub struct Case {
     pub mesh: MeshParams,
     /// Solver settings.
     pub solver: SolverParams,
+    /// Heat in film and bodies, if the file asks for it; [`Case::thermal`] reckons with `solver.isothermal`, too.
+    pub thermal: Option<ThermalParams>,
     /// What is written.
     pub output: OutputParams,
     /// What the user should know about the input, one sentence each.
@@ -113,18 +117,24 @@ impl Case {
             plane,
             ball,
             roughness,
-        } = bodies::read(root.required_table("bodies")?)?;
+        } = bodies::read(root.required_table("bodies")?, Files::Folder(folder))?;
         let modulus = reduced_modulus(plane.elasticity, ball.elasticity);
         let contact = contact::read_contact(&mut contact_table, modulus)?;
         let mut motion_table = root.required_table("motion")?;
         let motion = contact::read_motion(&mut motion_table)?;
         let hertz = check::hertz(&contact_table, &contact, modulus)?;
-        let (lubricant, range_warnings) =
-            lubricant::read(&mut root, Files::Folder(folder), hertz.pressure)?;
         let solver = match root.optional_table("solver")? {
             Some(table) => params::read_solver(table)?,
             None => SolverParams::default(),
         };
+        let thermal_table = root.optional_table("thermal")?;
+        let thermal = match &thermal_table {
+            Some(table) => Some(thermal::read(table.clone(), contact.kind)?),
+            None => None,
+        };
+        let heat = thermal.is_some() && !solver.isothermal;
+        let (lubricant, range_warnings) =
+            lubricant::read(&mut root, Files::Folder(folder), hertz.pressure, heat)?;
         let mesh = match root.optional_table("mesh")? {
             Some(table) => params::read_mesh(table, contact.kind, solver.error_estimate)?,
             None => params::default_mesh(contact.kind, solver.error_estimate),
@@ -147,6 +157,7 @@ impl Case {
             lubricant,
             mesh,
             solver,
+            thermal,
             output,
             warnings: Vec::new(),
             source: document.text().to_owned(),
@@ -155,6 +166,9 @@ impl Case {
         };
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);
+        if let Some(table) = &thermal_table {
+            case.warnings.extend(thermal::check(&case, table)?);
+        }
         Ok(case)
     }
 
@@ -185,3 +199,5 @@ fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> 
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod thermal_tests;

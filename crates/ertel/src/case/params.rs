@@ -11,14 +11,14 @@ use crate::params::{
 };
 
 /// Replaces `field` if the file says so.
-fn set<T>(field: &mut T, value: Option<T>) {
+pub(super) fn set<T>(field: &mut T, value: Option<T>) {
     if let Some(value) = value {
         *field = value;
     }
 }
 
 /// Largest extent of a contact area from its centre, in half-widths.
-const FARTHEST: f64 = 300.0;
+pub(super) const FARTHEST: f64 = 300.0;
 
 /// Keys that lay down a mesh, so that none is refined to a target.
 const FIXED_MESH: [&str; 6] = [
@@ -151,7 +151,11 @@ pub(crate) fn read_mesh(
 }
 
 /// A Lagrange order from 1 to `highest`.
-fn order(table: &mut Table<'_>, key: &str, highest: i64) -> Result<Option<usize>, InputError> {
+pub(super) fn order(
+    table: &mut Table<'_>,
+    key: &str,
+    highest: i64,
+) -> Result<Option<usize>, InputError> {
     let order = table.optional_integer(key, 1..=highest)?;
     Ok(order.and_then(|order| usize::try_from(order).ok()))
 }
@@ -225,6 +229,7 @@ pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
         table.optional_bool("error_estimate")?,
     );
     set(&mut solver.newtonian, table.optional_bool("newtonian")?);
+    set(&mut solver.isothermal, table.optional_bool("isothermal")?);
     table.finish()?;
     Ok(solver)
 }

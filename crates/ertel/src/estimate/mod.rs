@@ -200,7 +200,7 @@ fn thermal(case: &Case, pressure_over_modulus: f64) -> ThermalEstimate {
         estimate.missing = Some("the viscosity law does not fall with temperature");
         return estimate;
     }
-    let Some(conductivity) = lubricant.thermal_conductivity else {
+    let Some(conductivity) = lubricant.ambient_conductivity() else {
         estimate.missing = Some("the lubricant has no thermal_conductivity");
         return estimate;
     };

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::contact::{Contact, Elasticity, Motion};
-use crate::params::{MeshParams, SolverParams};
+use crate::params::{MeshParams, SolverParams, ThermalParams};
 
 /// One of the bodies.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -34,6 +34,35 @@ pub struct FluidEcho {
     pub pressure_viscosity: f64,
     /// Reciprocal asymptotic isoviscous pressure coefficient α*, 1/Pa, where it exists.
     pub pressure_viscosity_asymptotic: Option<f64>,
+}
+
+/// Heat: the settings, with the bulk temperatures that they leave open, and what carries it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ThermalEcho {
+    /// Settings; both bulk temperatures are filled in.
+    #[serde(flatten)]
+    pub params: ThermalParams,
+    /// The lubricant at the temperature of the inlet.
+    pub lubricant: HeatEcho,
+    /// The plane at its bulk temperature.
+    pub plane: HeatEcho,
+    /// The ball or cylinder at its bulk temperature.
+    pub ball: HeatEcho,
+}
+
+/// What carries heat in one material, at ambient pressure.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct HeatEcho {
+    /// Density, kg/m³.
+    pub density: f64,
+    /// Thermal conductivity, W/(m·K).
+    pub thermal_conductivity: f64,
+    /// Name of its law.
+    pub conductivity_law: String,
+    /// Heat capacity, J/(kg·K).
+    pub heat_capacity: f64,
+    /// Name of its law.
+    pub heat_capacity_law: String,
 }
 
 /// The case as understood, SI.
@@ -67,4 +96,7 @@ pub struct CaseEcho {
     pub mesh: MeshParams,
     /// Solver settings.
     pub solver: SolverParams,
+    /// Heat, in a thermal contact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub thermal: Option<ThermalEcho>,
 }

@@ -63,6 +63,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
         temperature: 313.15,
         mesh: MeshParams::preset(MeshPreset::Normal, kind),
         solver: SolverParams::default(),
+        thermal: None,
     }
 }
 

@@ -8,6 +8,7 @@ mod echo;
 mod estimate;
 mod finite;
 mod folder;
+mod heat;
 pub mod plot;
 mod report;
 mod result_json;
@@ -20,7 +21,7 @@ mod fixture;
 mod tests;
 
 pub use curve::{curve_report, write_curve};
-pub use echo::{BodyEcho, CaseEcho, FluidEcho};
+pub use echo::{BodyEcho, CaseEcho, FluidEcho, HeatEcho, ThermalEcho};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use folder::check_target;
 pub use plot::png::{PngError, check as check_png};

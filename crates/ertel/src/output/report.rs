@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::CaseEcho;
+use super::{CaseEcho, heat};
 use crate::contact::{ContactKind, Groups, Hertz};
 use crate::solution::{Estimate, Located, Solution, Timings};
 
@@ -145,6 +145,9 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     );
     if let Some(alpha) = fluid.pressure_viscosity_asymptotic {
         out.row("  asymptotic, α*", coefficient(alpha));
+    }
+    if let Some(thermal) = &case.thermal {
+        heat::write(out, thermal, ball);
     }
 }
 

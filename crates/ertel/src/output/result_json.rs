@@ -58,7 +58,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
 
 /// Unit of each key that has one, wherever it occurs; all others are dimensionless.
 pub(super) fn units() -> Value {
-    const UNITS: [(&str, &[&str]); 11] = [
+    const UNITS: [(&str, &[&str]); 13] = [
         (
             "m",
             &[
@@ -95,7 +95,12 @@ pub(super) fn units() -> Value {
             &["pressure_viscosity", "pressure_viscosity_asymptotic"],
         ),
         ("m/s", &["entrainment_speed", "ball_speed", "plane_speed"]),
-        ("K", &["temperature"]),
+        (
+            "K",
+            &["temperature", "plane_temperature", "ball_temperature"],
+        ),
+        ("W/(m K)", &["thermal_conductivity"]),
+        ("J/(kg K)", &["heat_capacity"]),
         ("s", &["seconds", "wall_seconds"]),
         ("byte", &["peak_memory"]),
     ];

@@ -21,10 +21,7 @@ pub const GLASS: Elasticity = Elasticity {
 /// Steel on steel in a mineral oil after Roelands and Dowson-Higginson: R = 16 mm, 0.8 m/s; load
 /// in N (circular) or N/m (line).
 pub fn case(kind: ContactKind, load: f64) -> Case {
-    let steel = Body {
-        name: "steel".into(),
-        elasticity: STEEL,
-    };
+    let steel = Body::elastic("steel", STEEL);
     Case {
         title: String::new(),
         contact: Contact {
@@ -46,9 +43,12 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
             viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
             shear_thinning: None,
             thermal_conductivity: None,
+            heat_capacity: None,
+            temperature_ranges: Vec::new(),
         },
         mesh: MeshParams::preset(MeshPreset::Coarse, kind),
         solver: SolverParams::default(),
+        thermal: None,
         output: OutputParams {
             body_field: false,
             ..OutputParams::default()

@@ -1,0 +1,74 @@
+//! Conductivity laws from a table.
+
+use super::{
+    Files, Material, given_law, law_name, linear_factor, locate,
+    table::{Columns, Pressures},
+};
+use crate::ConductivityLaw;
+use crate::conductivity::{LarssonAndersson, Linear, Table as ConductivityTable};
+use crate::input::{Bounds, InputError, Table};
+use crate::quantity::Dimension;
+
+const DIMENSION: Dimension = Dimension::THERMAL_CONDUCTIVITY;
+
+impl ConductivityLaw {
+    /// Reads the law at `key` of `table`, `None` if there is none: a quantity such as `"0.13 W/(m.K)"` for a constant,
+    /// or a table such as `{ law = "table", file = "oil.csv" }`, whose unknown keys are refused.
+    ///
+    /// | law | keys |
+    /// |---|---|
+    /// | `constant` | `k_0` |
+    /// | `linear` | `k_0`, `reference_temperature`, `a_t`; optional `a_p` (lubricants) |
+    /// | `larsson-andersson` | `k_0`, `d_1`, `d_2` (lubricants) |
+    /// | `table` | `file`, a CSV file; or `isotherms`, `units`; pressures may be left out |
+    ///
+    /// # Errors
+    ///
+    /// Unknown laws and keys, missing keys, wrong units and impossible values, each with its line.
+    pub fn read(
+        table: &mut Table<'_>,
+        key: &str,
+        material: Material,
+        files: Files<'_>,
+    ) -> Result<Option<Self>, InputError> {
+        let Some(mut inner) = given_law(table, key)? else {
+            let value = table.optional_quantity(key, DIMENSION, Bounds::POSITIVE)?;
+            let law = value.map(Self::constant).transpose();
+            return law.map_err(|error| table.error(key, error.to_string()));
+        };
+        let table = &mut inner;
+        let k_0 =
+            |table: &mut Table<'_>| table.required_quantity("k_0", DIMENSION, Bounds::POSITIVE);
+        let law = match law_name(table, &material.law_names(&Self::NAMES))? {
+            "constant" => Self::constant(k_0(table)?).map_err(locate(table))?,
+            "linear" => {
+                let k_0 = k_0(table)?;
+                let factor = linear_factor(table, material)?;
+                Self::Linear(Linear::new(k_0, factor).map_err(locate(table))?)
+            }
+            "larsson-andersson" => {
+                let k_0 = k_0(table)?;
+                let mut read = |key: &str| {
+                    table.required_quantity(key, Dimension::INVERSE_PRESSURE, Bounds::NON_NEGATIVE)
+                };
+                let (d_1, d_2) = (read("d_1")?, read("d_2")?);
+                let law = LarssonAndersson::new(k_0, d_1, d_2);
+                Self::LarssonAndersson(law.map_err(locate(table))?)
+            }
+            _ => {
+                let columns = Columns::read(
+                    table,
+                    files,
+                    "thermal conductivity",
+                    DIMENSION,
+                    Pressures::Optional,
+                )?;
+                let law =
+                    ConductivityTable::new(columns.temperatures, columns.pressures, columns.values);
+                Self::Table(law.map_err(locate(table))?)
+            }
+        };
+        inner.finish()?;
+        Ok(Some(law))
+    }
+}

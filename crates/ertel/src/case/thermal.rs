@@ -1,0 +1,328 @@
+//! `[thermal]`: its presence switches heat on.
+
+use std::fmt;
+
+use ertel_rheology::input::{Bounds, InputError, Table};
+use ertel_rheology::quantity::Dimension;
+use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
+use thiserror::Error;
+
+use super::lubricant::TEMPERATURE;
+use super::params::{FARTHEST, order, set};
+use super::{Body, Case};
+use crate::contact::ContactKind;
+use crate::params::ThermalParams;
+
+/// Depths of the heated layer, in half-widths: less than the contact's own scale is no body, more is none that the
+/// elastic one goes to.
+const DEPTH: Bounds = Bounds::closed(0.1, FARTHEST);
+/// Elements across film and bodies: beyond, a number was mistaken.
+const ELEMENTS: std::ops::RangeInclusive<i64> = 1..=64;
+/// Conductivities from gases to diamond, W/(m·K): beyond these a unit was mistaken.
+const CONDUCTIVITY: Bounds = Bounds::closed(1e-3, 5e3);
+/// Heat capacities from heavy metals to hydrogen, J/(kg·K); likewise.
+const HEAT_CAPACITY: Bounds = Bounds::closed(10.0, 2e4);
+/// Densities of solids, kg/m³; likewise.
+const DENSITY: Bounds = Bounds::closed(10.0, 3e4);
+
+/// Reads `[thermal]`.
+pub(super) fn read(mut table: Table<'_>, kind: ContactKind) -> Result<ThermalParams, InputError> {
+    let mut thermal = ThermalParams::default();
+    set(&mut thermal.depth, table.optional_number("depth", DEPTH)?);
+    let count = |n: Option<i64>| n.and_then(|n| usize::try_from(n).ok());
+    let elements = count(table.optional_integer("film_elements", ELEMENTS)?);
+    set(&mut thermal.film_elements, elements);
+    set(&mut thermal.film_order, order(&mut table, "film_order", 5)?);
+    let elements = count(table.optional_integer("solid_elements", ELEMENTS)?);
+    set(&mut thermal.solid_elements, elements);
+    let surface_order = order(&mut table, "surface_order", 2)?;
+    set(&mut thermal.surface_order, surface_order);
+    let tolerance = table.optional_number("tolerance", Bounds::closed(1e-10, 0.1))?;
+    set(&mut thermal.tolerance, tolerance);
+    let iterations = count(table.optional_integer("max_iterations", 1..=10_000)?);
+    set(&mut thermal.max_iterations, iterations);
+    let mut temperature =
+        |key: &str| table.optional_quantity(key, Dimension::TEMPERATURE, TEMPERATURE);
+    thermal.plane_temperature = temperature("plane_temperature")?;
+    thermal.ball_temperature = temperature("ball_temperature")?;
+    let points = table.optional_points("profiles", Bounds::closed(-FARTHEST, FARTHEST))?;
+    set(&mut thermal.profiles, points);
+    if kind == ContactKind::Line && thermal.profiles.iter().any(|[_, y]| *y != 0.0) {
+        return Err(table.error(
+            "profiles",
+            "the points of `profiles` must have y = 0: a line contact has no other",
+        ));
+    }
+    set(&mut thermal.field, table.optional_bool("field")?);
+    table.finish()?;
+    Ok(thermal)
+}
+
+/// What a thermal contact needs to know, all of it there.
+#[derive(Clone, Copy, Debug)]
+pub struct Heat<'a> {
+    /// Settings.
+    pub params: &'a ThermalParams,
+    /// Conductivity law of the lubricant.
+    pub conductivity: &'a ConductivityLaw,
+    /// Heat capacity law of the lubricant.
+    pub heat_capacity: &'a HeatCapacityLaw,
+    /// The plane.
+    pub plane: SolidHeat<'a>,
+    /// The ball or cylinder.
+    pub ball: SolidHeat<'a>,
+}
+
+/// Thermal data of one body; its laws hold at ambient pressure.
+#[derive(Clone, Copy, Debug)]
+pub struct SolidHeat<'a> {
+    /// Density, kg/m³.
+    pub density: f64,
+    /// Conductivity law.
+    pub conductivity: &'a ConductivityLaw,
+    /// Heat capacity law.
+    pub heat_capacity: &'a HeatCapacityLaw,
+    /// Bulk temperature, K.
+    pub temperature: f64,
+}
+
+/// Data without which no thermal contact can be computed.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("heat cannot be computed without {}", list(.missing))]
+pub struct MissingHeatData {
+    /// At least one.
+    pub missing: Vec<MissingDatum>,
+}
+
+/// A datum that is missing, of which material, and where it belongs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MissingDatum {
+    /// Its key, `heat_capacity`.
+    pub key: &'static str,
+    /// `lubricant`, `plane` or `ball`.
+    pub part: &'static str,
+    /// Name of the material; `None` for one that the case file gives by its constants.
+    pub material: Option<String>,
+}
+
+impl fmt::Display for MissingDatum {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the {} of the {}", self.key, self.part)?;
+        match &self.material {
+            Some(name) => write!(f, " ({name})"),
+            None => Ok(()),
+        }
+    }
+}
+
+fn list(missing: &[MissingDatum]) -> String {
+    let names: Vec<String> = missing.iter().map(ToString::to_string).collect();
+    names.join(", ")
+}
+
+impl MissingHeatData {
+    /// Where to add the data, in words.
+    pub fn advice(&self) -> String {
+        let mut places: Vec<String> = Vec::new();
+        for MissingDatum {
+            key,
+            part,
+            material,
+        } in &self.missing
+        {
+            let unit = match *key {
+                "density" => "kg/m^3",
+                "heat_capacity" => "J/(kg.K)",
+                _ => "W/(m.K)",
+            };
+            let datum = format!("{key} = \"... {unit}\"");
+            places.push(match (*part, material) {
+                ("lubricant", _) => format!("add {datum} to [lubricant]"),
+                (_, Some(name)) => {
+                    format!("add {datum} in [bodies], {part} = {{ name = \"{name}\", {datum} }}")
+                }
+                (_, None) => format!("add {datum} to `{part}` in [bodies]"),
+            });
+        }
+        let database = if self.missing.iter().any(|datum| datum.material.is_some()) {
+            ", or to the entry of the material in the database"
+        } else {
+            ""
+        };
+        format!(
+            "{}{database}; `isothermal = true` in [solver] leaves heat out",
+            places.join("; ")
+        )
+    }
+}
+
+impl Case {
+    /// The settings of heat to reckon with: none without `[thermal]`, and none with `solver.isothermal`.
+    pub fn thermal(&self) -> Option<&ThermalParams> {
+        let thermal = self.thermal.as_ref();
+        thermal.filter(|_| !self.solver.isothermal)
+    }
+
+    /// Settings and data of a thermal contact; `None` for an isothermal one.
+    ///
+    /// # Errors
+    ///
+    /// [`MissingHeatData`] names what the lubricant or a body lacks.
+    pub fn heat(&self) -> Result<Option<Heat<'_>>, MissingHeatData> {
+        let Some(params) = self.thermal() else {
+            return Ok(None);
+        };
+        let mut missing = Vec::new();
+        let inlet = self.lubricant.temperature;
+        let lubricant = self.lubricant.laws_of_heat(&mut missing);
+        let plane = self.plane.heat(
+            "plane",
+            params.plane_temperature.unwrap_or(inlet),
+            &mut missing,
+        );
+        let ball = self.ball.heat(
+            "ball",
+            params.ball_temperature.unwrap_or(inlet),
+            &mut missing,
+        );
+        match (lubricant, plane, ball) {
+            (Some((conductivity, heat_capacity)), Some(plane), Some(ball)) => Ok(Some(Heat {
+                params,
+                conductivity,
+                heat_capacity,
+                plane,
+                ball,
+            })),
+            _ => Err(MissingHeatData { missing }),
+        }
+    }
+}
+
+impl super::Lubricant {
+    /// Conductivity and heat capacity; what is missing is noted.
+    fn laws_of_heat(
+        &self,
+        missing: &mut Vec<MissingDatum>,
+    ) -> Option<(&ConductivityLaw, &HeatCapacityLaw)> {
+        let mut need = |key: &'static str| {
+            missing.push(MissingDatum {
+                key,
+                part: "lubricant",
+                material: self.name.clone(),
+            });
+        };
+        if self.thermal_conductivity.is_none() {
+            need("thermal_conductivity");
+        }
+        if self.heat_capacity.is_none() {
+            need("heat_capacity");
+        }
+        Some((
+            self.thermal_conductivity.as_ref()?,
+            self.heat_capacity.as_ref()?,
+        ))
+    }
+}
+
+impl Body {
+    /// The thermal data at this bulk `temperature`, K; what is missing is noted.
+    fn heat(
+        &self,
+        part: &'static str,
+        temperature: f64,
+        missing: &mut Vec<MissingDatum>,
+    ) -> Option<SolidHeat<'_>> {
+        let data = [
+            ("density", self.density.is_none()),
+            ("thermal_conductivity", self.thermal_conductivity.is_none()),
+            ("heat_capacity", self.heat_capacity.is_none()),
+        ];
+        let lacking = data.into_iter().filter(|(_, lacks)| *lacks);
+        missing.extend(lacking.map(|(key, _)| MissingDatum {
+            key,
+            part,
+            material: self.in_database.then(|| self.name.clone()),
+        }));
+        Some(SolidHeat {
+            density: self.density?,
+            conductivity: self.thermal_conductivity.as_ref()?,
+            heat_capacity: self.heat_capacity.as_ref()?,
+            temperature,
+        })
+    }
+}
+
+/// Whether a case with heat has all its data, and values that a unit mistaken would not give; errors stand at `table`,
+/// the `[thermal]` of the case. Returns what the user should know.
+pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<String>, InputError> {
+    let heat = case.heat().map_err(|error| {
+        table
+            .error_here(error.to_string())
+            .with_help(error.advice())
+    })?;
+    let Some(heat) = heat else {
+        return Ok(Vec::new());
+    };
+    let inlet = case.lubricant.temperature;
+    let mut values = vec![
+        (
+            "thermal conductivity of the lubricant",
+            heat.conductivity.conductivity(0.0, inlet),
+            CONDUCTIVITY,
+            "W/(m.K)",
+        ),
+        (
+            "heat capacity of the lubricant",
+            heat.heat_capacity.heat_capacity(0.0, inlet),
+            HEAT_CAPACITY,
+            "J/(kg.K)",
+        ),
+    ];
+    for (solid, names) in [
+        (
+            &heat.plane,
+            [
+                "density of the plane",
+                "thermal conductivity of the plane",
+                "heat capacity of the plane",
+            ],
+        ),
+        (
+            &heat.ball,
+            [
+                "density of the ball",
+                "thermal conductivity of the ball",
+                "heat capacity of the ball",
+            ],
+        ),
+    ] {
+        let t = solid.temperature;
+        let k = solid.conductivity.conductivity(0.0, t);
+        let c = solid.heat_capacity.heat_capacity(0.0, t);
+        values.push((names[0], solid.density, DENSITY, "kg/m^3"));
+        values.push((names[1], k, CONDUCTIVITY, "W/(m.K)"));
+        values.push((names[2], c, HEAT_CAPACITY, "J/(kg.K)"));
+    }
+    for (name, value, bounds, unit) in values {
+        if !bounds.contains(value) {
+            return Err(table.error_here(format!(
+                "the {name} is {value:e} {unit}; it must be {}",
+                bounds.describe(unit)
+            )));
+        }
+    }
+    let mut warnings = Vec::new();
+    if !case.lubricant.viscosity.depends_on_temperature() {
+        warnings.push(
+            "the viscosity law does not depend on temperature: heat will not thin the lubricant"
+                .to_owned(),
+        );
+    }
+    if !case.lubricant.density.depends_on_temperature() {
+        warnings.push(
+            "the density law does not depend on temperature: no heating or cooling by compression, no expansion"
+                .to_owned(),
+        );
+    }
+    Ok(warnings)
+}

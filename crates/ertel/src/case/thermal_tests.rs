@@ -1,0 +1,236 @@
+//! `[thermal]`: what is read, what is refused, what is said.
+
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use ertel_rheology::input::{Document, InputError};
+
+use super::Case;
+use crate::params::ThermalParams;
+
+const SQUALANE: &str = r#"
+lubricant = "squalane-pip"
+temperature = "313 K"
+[contact]
+kind = "circular"
+radius = "12.7 mm"
+load = "23 N"
+[bodies]
+plane = "glass"
+ball = "steel"
+[motion]
+entrainment_speed = "1.47 m/s"
+slide_to_roll_ratio = 0.5
+"#;
+
+fn read(text: &str) -> Result<Case, InputError> {
+    Case::from_document(&Document::parse("case.toml", text)?, Path::new(""))
+}
+
+fn thermal(lines: &str) -> Result<Case, InputError> {
+    read(&format!("{SQUALANE}[thermal]\n{lines}"))
+}
+
+fn message(result: Result<Case, InputError>) -> String {
+    result.unwrap_err().to_string()
+}
+
+#[test]
+fn its_presence_switches_heat_on() {
+    assert_eq!(read(SQUALANE).unwrap().thermal(), None);
+    assert!(read(SQUALANE).unwrap().heat().unwrap().is_none());
+    let case = thermal("").unwrap();
+    assert_eq!(case.thermal(), Some(&ThermalParams::default()));
+    // Habchi 2008, Table 5.2.
+    let heat = case.heat().unwrap().unwrap();
+    assert_eq!(heat.conductivity.conductivity(0.5e9, 350.0), 0.13);
+    assert_eq!(heat.heat_capacity.heat_capacity(0.5e9, 350.0), 1700.0);
+    let solid = |s: &super::SolidHeat<'_>| {
+        let (k, c) = (s.conductivity, s.heat_capacity);
+        [
+            s.density,
+            k.conductivity(0.0, 313.0),
+            c.heat_capacity(0.0, 313.0),
+            s.temperature,
+        ]
+    };
+    assert_eq!(solid(&heat.plane), [2510.0, 1.114, 858.0, 313.0]);
+    assert_eq!(solid(&heat.ball), [7850.0, 46.0, 470.0, 313.0]);
+
+    let left_out = thermal("[solver]\nisothermal = true").unwrap();
+    assert!(left_out.thermal.is_some());
+    assert_eq!(left_out.thermal(), None);
+    assert!(left_out.heat().unwrap().is_none());
+    assert!(left_out.echo().thermal.is_none());
+}
+
+#[test]
+fn every_setting_is_read() {
+    let case = thermal(
+        "depth = 2.5\nfilm_elements = 10\nfilm_order = 2\nsolid_elements = 12\nsurface_order = 2\n\
+         tolerance = 1e-6\nmax_iterations = 7\nplane_temperature = \"30 degC\"\nball_temperature = \"323 K\"\n\
+         profiles = [[-0.5, 0.25], [0, 1]]\nfield = true",
+    )
+    .unwrap();
+    let t = case.thermal().unwrap();
+    assert_eq!(
+        *t,
+        ThermalParams {
+            depth: 2.5,
+            film_elements: 10,
+            film_order: 2,
+            solid_elements: 12,
+            surface_order: 2,
+            tolerance: 1e-6,
+            max_iterations: 7,
+            plane_temperature: Some(303.15),
+            ball_temperature: Some(323.0),
+            profiles: vec![[-0.5, 0.25], [0.0, 1.0]],
+            field: true,
+        }
+    );
+    let heat = case.heat().unwrap().unwrap();
+    assert_eq!(
+        (heat.plane.temperature, heat.ball.temperature),
+        (303.15, 323.0)
+    );
+    let echo = serde_json::to_value(case.echo()).unwrap();
+    assert_eq!(echo["thermal"]["depth"], 2.5);
+    assert_eq!(echo["thermal"]["ball_temperature"], 323.0);
+    assert_eq!(echo["thermal"]["plane"]["thermal_conductivity"], 1.114);
+    assert_eq!(
+        thermal("profiles = []")
+            .unwrap()
+            .thermal()
+            .unwrap()
+            .profiles,
+        [[0.0; 2]; 0]
+    );
+}
+
+#[test]
+fn what_is_impossible_is_refused_with_its_line() {
+    for (line, words) in [
+        ("depth = 0", "`depth` must be between"),
+        ("depth = -1", "`depth` must be between"),
+        ("depth = nan", "finite"),
+        ("depth = \"3 mm\"", "`depth` needs a number without unit"),
+        ("film_elements = 0", "from 1 to 64"),
+        ("film_order = 6", "from 1 to 5"),
+        ("solid_elements = 0", "from 1 to 64"),
+        ("surface_order = 3", "from 1 to 2"),
+        ("tolerance = 0", "`tolerance` must be between"),
+        ("max_iterations = 0", "from 1 to 10000"),
+        ("plane_temperature = 313", "has no unit"),
+        ("ball_temperature = \"-300 degC\"", "below absolute zero"),
+        ("ball_temperature = \"50 K\"", "between 100 K and 1000 K"),
+        ("profiles = [0, 1]", "points of two numbers"),
+        ("profiles = [[0, 1, 2]]", "points of two numbers"),
+        ("profiles = [[0, inf]]", "finite"),
+        ("profiles = 3", "an array of points"),
+        ("field = 1", "true or false"),
+        ("deph = 3", "did you mean `depth`?"),
+    ] {
+        let error = thermal(line).unwrap_err();
+        assert!(error.line().is_some_and(|l| l > 13), "{error}");
+        let text = error.to_string();
+        assert!(text.contains(words), "{text}");
+    }
+    let load = SQUALANE
+        .replace("circular", "line")
+        .replace("23 N", "23 kN/m");
+    let off = format!("{load}[thermal]\nprofiles = [[0, 0.5]]");
+    assert!(message(read(&off)).contains("y = 0"));
+    assert!(read(&format!("{load}[thermal]\nprofiles = [[0.5, 0]]")).is_ok());
+}
+
+#[test]
+fn missing_data_are_named_with_their_place() {
+    let ceramic = SQUALANE.replace("ball = \"steel\"", "ball = \"silicon-nitride\"");
+    let text = message(read(&format!("{ceramic}[thermal]")));
+    for words in [
+        "the thermal_conductivity of the ball (silicon-nitride), the heat_capacity of the ball",
+        "ball = { name = \"silicon-nitride\", heat_capacity = \"... J/(kg.K)\" }",
+        "isothermal = true",
+        "database",
+    ] {
+        assert!(text.contains(words), "{text}");
+    }
+    let isothermal = read(&format!("{ceramic}[thermal]\n[solver]\nisothermal = true"));
+    assert!(isothermal.is_ok());
+    let given = ceramic.replace(
+        "\"silicon-nitride\"",
+        "{ name = \"silicon-nitride\", thermal_conductivity = \"29 W/(m.K)\", heat_capacity = \"680 J/(kg.K)\" }",
+    );
+    assert!(read(&format!("{given}[thermal]")).is_ok());
+
+    let bare = SQUALANE.replace(
+        "\"steel\"",
+        "{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, heat_capacity = \"470 J/(kg.K)\" }",
+    );
+    let text = message(read(&format!("{bare}[thermal]")));
+    let words = "without the density of the ball, the thermal_conductivity of the ball\n";
+    assert!(text.contains(words), "{text}");
+    assert!(
+        text.contains("to `ball` in [bodies]") && !text.contains("database"),
+        "{text}"
+    );
+
+    let oil = SQUALANE.replace("squalane-pip", "thesis-roelands-oil");
+    let text = message(read(&format!("{oil}[thermal]")));
+    let words = "the thermal_conductivity of the lubricant (thesis-roelands-oil), the heat_capacity of the lubricant";
+    assert!(
+        text.contains(words) && text.contains("to [lubricant]"),
+        "{text}"
+    );
+}
+
+#[test]
+fn units_that_were_mistaken_are_refused() {
+    let ball = |data: &str| {
+        let body = format!("ball = {{ name = \"steel\", {data} }}");
+        read(&format!(
+            "{}[thermal]",
+            SQUALANE.replace("ball = \"steel\"", &body)
+        ))
+    };
+    let text = message(ball("thermal_conductivity = \"46 kW/(m.K)\""));
+    assert!(
+        text.contains("thermal conductivity of the ball is 4.6e4"),
+        "{text}"
+    );
+    assert!(
+        message(ball("heat_capacity = \"470 kJ/(kg.K)\"")).contains("heat capacity of the ball")
+    );
+    assert!(message(ball("density = \"7.85 kg/m^3\"")).contains("density of the ball is 7.85"));
+}
+
+#[test]
+fn laws_that_heat_does_not_reach_bring_warnings() {
+    // The pressure of this contact is slightly above that of the data, heat or not.
+    let range = read(SQUALANE).unwrap().warnings;
+    assert_eq!(thermal("").unwrap().warnings, range);
+    let oil = "[lubricant]\ntemperature = \"40 degC\"\n\
+               viscosity = { law = \"barus\", mu_0 = \"40 mPa.s\", alpha = \"20 1/GPa\" }\n\
+               density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }\n\
+               thermal_conductivity = \"0.13 W/(m.K)\"\n\
+               heat_capacity = { law = \"linear\", c_0 = \"2 kJ/(kg.K)\", reference_temperature = \"40 degC\", a_t = \"1e-3 1/K\" }\n";
+    let head = SQUALANE.replace(
+        "lubricant = \"squalane-pip\"\ntemperature = \"313 K\"\n",
+        "",
+    );
+    let warnings = read(&format!("{head}{oil}[thermal]")).unwrap().warnings;
+    assert_eq!(warnings.len(), 2, "{warnings:?}");
+    assert!(warnings[0].contains("heat will not thin"));
+    assert!(warnings[1].contains("by compression"));
+    assert!(read(&format!("{head}{oil}")).unwrap().warnings.is_empty());
+}
+
+#[test]
+fn the_range_that_a_temperature_leaves() {
+    let head = SQUALANE.replace("squalane-pip", "r245fa");
+    let case = read(&format!("{head}[thermal]")).unwrap();
+    assert_eq!(case.lubricant.range_left(313.0), None);
+    let range = case.lubricant.range_left(330.0).unwrap();
+    assert_relative_eq!(range.highest, 323.15);
+}
