@@ -1,6 +1,6 @@
 //! The limiting shear stress.
 
-use super::numbers::bounded_exp;
+use super::numbers::{LARGEST_EXPONENT, bounded_exp};
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
@@ -34,6 +34,13 @@ pub struct StressLimit {
 const LARGEST_RATIO: f64 = 0.999;
 
 impl StressLimit {
+    /// Share of the limiting stress up to which the law is the inverse hyperbolic tangent.
+    pub const LARGEST_RATIO: f64 = LARGEST_RATIO;
+    /// Stress, over the limiting one, by which the fluidity grows e-fold beyond that.
+    pub const E_FOLD: f64 = (1.0 - LARGEST_RATIO * LARGEST_RATIO) / (2.0 * LARGEST_RATIO);
+    /// E-folds beyond that after which it grows as a parabola only.
+    pub const MOST_FOLDS: f64 = LARGEST_EXPONENT;
+
     /// `ambient_limit` τ_L0 in Pa, positive; `pressure_coefficient` Λ without dimension, not negative.
     pub fn new(ambient_limit: f64, pressure_coefficient: f64) -> Result<Self, LawError> {
         let check = Check("limiting-stress");
@@ -76,7 +83,7 @@ impl StressLimit {
         let area = if r.re() <= LARGEST_RATIO {
             (r.ln_1p() - (-r).ln_1p()) * 0.5
         } else {
-            let rate = 2.0 * LARGEST_RATIO / (1.0 - LARGEST_RATIO * LARGEST_RATIO);
+            let rate = Self::E_FOLD.recip();
             let growth = bounded_exp((r - LARGEST_RATIO) * rate) - 1.0;
             growth / (2.0 * LARGEST_RATIO) + LARGEST_RATIO.atanh()
         };

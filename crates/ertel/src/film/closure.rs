@@ -12,6 +12,8 @@
 //! to round-off. It is convex: τ is the minimum of ∫ W(|t|²) ds − Ωτ_x, W' = f/2. First and second
 //! derivatives of q by y = (G_x, G_y, Ω, P) follow by implicit differentiation.
 
+use ertel_rheology::shear::StressLimit;
+
 use super::cross_film::{CrossFilm, StressScales};
 use super::fluidity::Fluidity;
 
@@ -43,7 +45,8 @@ impl Closure {
     }
 }
 
-/// Mid-plane stress at which the surfaces slide by Ω; the points across the film are left in `rule`.
+/// Mid-plane stress at which the surfaces slide by Ω; the points across the film are left in `rule`. Not a
+/// number where it cannot be computed.
 #[inline(always)]
 pub fn mid_stress(
     law: &impl Fluidity,
@@ -58,39 +61,137 @@ pub fn mid_stress(
         rule.lay(&scales, [0.0; 2], g);
         return [0.0; 2];
     }
+    let limit = scales.limit.map(|limit| Limit::new(limit, g, slide));
     let mut tau = [without_pressure(law, &scales, slide), 0.0];
+    if let Some(limit) = &limit {
+        tau = limit.start(tau, g);
+    }
     rule.lay(&scales, tau, g);
     let mut now = rate(law, rule, tau, g, slide);
     for _ in 0..MOST_ITERATIONS {
         let step = solve(now.slopes, now.excess).map(|v| -v);
         let slope = dot(step, now.excess);
-        let size = dot(tau, tau).sqrt() + NEGLIGIBLE * dot(g, g).sqrt();
+        let mut size = dot(tau, tau).sqrt() + NEGLIGIBLE * dot(g, g).sqrt();
+        if let Some(limit) = &limit {
+            size = size.min(100.0 * limit.fold);
+        }
         let small = dot(step, step).sqrt() < CLOSE * size;
-        let mut share = 1.0;
-        loop {
+        let first = match &limit {
+            Some(limit) if !small => limit.share(&now, tau, step, g, slide),
+            _ => 1.0,
+        };
+        let mut share = first;
+        // Shares between which the potential is least.
+        let (mut low, mut high) = (0.0, f64::INFINITY);
+        let mut halves = true;
+        for trial in 0..MOST_TRIALS {
             let next = [0, 1].map(|i| tau[i] + share * step[i]);
             rule.move_to(&scales, next, g);
             let there = rate(law, rule, next, g, slide);
             // The potential is convex: no further than where it has risen again as steeply.
-            if small || dot(step, there.excess) < -0.5 * slope || share < 1e-6 {
+            let steepness = dot(step, there.excess) / -slope;
+            let falls_on = first < 1.0 && share < 1.0 && steepness < -0.7;
+            if falls_on && high - low > 1e-6 {
+                low = share;
+                share = (2.0 * share).min(1.0).min(0.5 * (share + high));
+                continue;
+            }
+            if small || steepness < 0.5 || share < 1e-6 * first || trial + 1 == MOST_TRIALS {
                 (tau, now) = (next, there);
                 break;
             }
-            share *= 0.5;
+            high = share;
+            share = 0.5 * (low + high);
+            if let Some(limit) = &limit {
+                halves = !halves;
+                if !halves {
+                    share = share.max(high - limit.folds_back(steepness, step));
+                }
+            }
         }
         if small {
+            return tau;
+        }
+        if !slope.is_finite() {
             break;
         }
     }
-    tau
+    [f64::NAN; 2]
 }
 
 /// Newton iterations at most; convexity makes five typical.
 const MOST_ITERATIONS: usize = 60;
+/// Shares of a step that are tried at most.
+const MOST_TRIALS: usize = 60;
 /// Step, over the stress, after which the next would be below round-off.
 const CLOSE: f64 = 1e-8;
 /// Mid-plane stress, over the stress of the pressure, that no longer matters.
 const NEGLIGIBLE: f64 = 1e-6;
+
+/// What the solution knows of a limiting stress: shear rates that grow e-fold by 0.1 % of it.
+struct Limit {
+    /// Stress by which the fluidity grows e-fold beyond the limit.
+    fold: f64,
+    /// Stress that the walls need at most for the surfaces to slide by Ω.
+    ceiling: f64,
+}
+
+impl Limit {
+    fn new(limit: f64, g: [f64; 2], slide: f64) -> Limit {
+        let fold = limit * StressLimit::E_FOLD;
+        // A layer at the wall, of thickness δ = fold/(|G| + fold), where tf = eᴱτ_L/2, carries all of Ω.
+        let thickness = fold / (dot(g, g).sqrt() + fold);
+        let folds = (2.0 * slide.abs() / (limit * thickness)).ln_1p();
+        Limit {
+            fold,
+            ceiling: limit * StressLimit::LARGEST_RATIO + (folds + 1.0) * fold,
+        }
+    }
+
+    /// Mid-plane stress no larger than asked for, with the walls below the ceiling if that can be.
+    fn start(&self, tau: [f64; 2], g: [f64; 2]) -> [f64; 2] {
+        let room = self.ceiling * self.ceiling - 0.25 * g[1] * g[1];
+        let most = room.max(0.0).sqrt() - 0.5 * g[0].abs();
+        if most >= tau[0].abs() {
+            return tau;
+        }
+        [most.max(1e-3 * tau[0].abs()).copysign(tau[0]), 0.0]
+    }
+
+    /// Share of a Newton step that leads to the goal where the mean shear rate R grows as a hyperbolic sine of
+    /// the stress, and no wall far beyond the limit.
+    fn share(&self, now: &Rate, tau: [f64; 2], step: [f64; 2], g: [f64; 2], slide: f64) -> f64 {
+        let goal = slide.abs();
+        let excess = dot(now.excess, now.excess).sqrt();
+        let rate = (now.excess[0] + slide).hypot(now.excess[1]);
+        let length = dot(step, step).sqrt();
+        // R = c sinh(t/fold): c² = (fold R')² − R²
+        let by_fold = self.fold * excess / length;
+        let unit = by_fold * (1.0 - (rate / by_fold).powi(2)).max(1e-30).sqrt();
+        let distance = goal - rate;
+        let mut share = 1.0;
+        if distance.abs() > 1e-3 * goal {
+            let folds = (goal / unit).asinh() - (rate / unit).asinh();
+            share = folds * rate.hypot(unit) / distance;
+        }
+        for s in [-0.5, 0.5] {
+            let t = [0, 1].map(|i| tau[i] + s * g[i]);
+            // |t + share·step|² = ceiling²
+            let left = self.ceiling * self.ceiling - dot(t, t);
+            if left > 0.0 {
+                let along = dot(t, step);
+                let most = left / (along + (along * along + left * length * length).sqrt());
+                share = share.min(most);
+            }
+        }
+        share
+    }
+
+    /// Share of a step after which a shear rate too high by a factor is still too high.
+    fn folds_back(&self, factor: f64, step: [f64; 2]) -> f64 {
+        factor.max(2.0).ln() * self.fold / dot(step, step).sqrt()
+    }
+}
 
 /// Stress with τf(τ²) = Ω: what the pressure gradient then changes is small where sliding counts.
 fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f64 {
@@ -102,12 +203,23 @@ fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f
     if let Some(limit) = scales.limit {
         tau = tau.min(limit * (goal / limit).tanh());
     }
-    // Newton's method for ln τ + ln f = ln Ω, of slope at least one.
+    let (mut low, mut high) = (0.0_f64, f64::INFINITY);
+    // Newton's method for ln τ + ln f = ln Ω, of slope at least one, within a bracket.
     for _ in 0..MOST_ITERATIONS {
         let [f, by_square] = law.slope(tau * tau);
         let slope = 1.0 + 2.0 * tau * tau * by_square / f;
         let step = (tau * f / goal).ln() / slope;
-        tau *= (-step).exp();
+        if step > 0.0 {
+            high = tau;
+        } else {
+            low = tau;
+        }
+        let next = tau * (-step).exp();
+        tau = match next > low && next < high {
+            true => next,
+            false if high.is_finite() => 0.5 * (low + high),
+            false => next,
+        };
         if step.abs() < 1e-3 {
             break;
         }

@@ -8,10 +8,17 @@
 //! its knee: s = s₀ ± iw, w² = s_⊥² + κ²/|G|², and powers of |t| have a corner at s₀ besides. Gauss points
 //! spread evenly over the film would miss both where w is small. The substitution s − s₀ ∝ x², or x³
 //! where w is very small, crowds the points there, without a transcendental function.
+//!
+//! Where the stress nears its limit the film is laid in panels along ξ = |G||s − s₀|, |t|² = ξ² + τ_⊥², from
+//! s₀ to each wall (`panels`): the fluidity has a logarithm at the limit, and beyond it grows e-fold
+//! over 0.1 % of the limit.
 
 use std::sync::OnceLock;
 
 use ertel_fem::quadrature::Quadrature;
+use ertel_rheology::shear::StressLimit;
+
+mod panels;
 
 /// Stresses, in one unit with τ and G, that the quadrature must resolve.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,8 +42,8 @@ pub struct CrossFilm {
 
 /// Most points of one Gauss rule.
 const LONGEST: usize = 40;
-/// Most points of a rule: two intervals.
-const CAPACITY: usize = 2 * LONGEST;
+/// Most points of a rule: five panels on each side of s₀ at most, of which two are long.
+const CAPACITY: usize = 6 * LONGEST;
 
 impl Default for CrossFilm {
     fn default() -> CrossFilm {
@@ -50,6 +57,11 @@ impl Default for CrossFilm {
 
 /// Shift of s₀, in w, and change of w, relative, up to which points may stay where they are.
 const STALE: f64 = 0.1;
+
+/// Stress that walls have left to the limit, over the pressure stress, below which panels are laid.
+const NEAR_LIMIT: f64 = 0.25;
+/// Stress differences across the film, over the stress of an e-fold beyond the limit, that any rule resolves.
+const NEGLIGIBLE: f64 = 1e-2;
 
 impl CrossFilm {
     /// (s, weight) of each point.
@@ -89,8 +101,12 @@ impl CrossFilm {
         if let Some(limit) = scales.limit {
             // The limit lies at a distance of (τ_L − |t|)/|G| beyond the walls.
             let g = gg.sqrt();
-            let room = ((limit - tt.sqrt() - 0.5 * g) / g.max(1e-30)).max(0.02);
-            extra += (6.0 / room.sqrt()).min(1e3) as usize;
+            let room = limit * StressLimit::LARGEST_RATIO - tt.sqrt() - 0.5 * g;
+            if room < NEAR_LIMIT * g && g > NEGLIGIBLE * limit * StressLimit::E_FOLD {
+                self.lay_panels(scales, limit, mid_stress, pressure_stress);
+                return;
+            }
+            extra += (6.0 / (room / g.max(1e-30)).max(NEAR_LIMIT).sqrt()) as usize;
         }
         let matters = |k: &f64| gg > 0.04 * (k * k + tt) || (tt < 0.25 * gg && gg > 1e-6 * k * k);
         let Some(knee) = scales.knee.filter(matters) else {

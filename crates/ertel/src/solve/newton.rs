@@ -193,12 +193,12 @@ impl<'a> NewtonLevel<'a> {
                 go_on(observer)?;
                 let trial = self.advance(model, params, state, &step, share);
                 let trial_system = solver.assemble(model, &trial);
-                if converged || !tested {
+                let finite = trial_system.relative_residual().is_finite();
+                if finite && (converged || !tested) {
                     break (trial, trial_system);
                 }
                 // Natural monotonicity (Deuflhard 2004, section 3.3): the next step, were it
                 // taken with this Jacobian, must not grow.
-                let finite = trial_system.relative_residual().is_finite();
                 let growth = if finite {
                     solver
                         .simplified_step(&system, &trial_system, &trial)

@@ -2,12 +2,15 @@
 
 use approx::assert_relative_eq;
 
+use std::f64::consts::FRAC_PI_2;
+
 use ertel_rheology::Scalar;
+use ertel_rheology::shear::{Carreau, ReeEyring, ShearLaw, ShearThinning};
 use nalgebra::SVector;
 use num_dual::{Dual2SVec64, hessian};
 
 use super::*;
-use crate::film::fluidity::Jet;
+use crate::film::fluidity::{Jet, Thinning};
 
 /// Fluidities with closed-form flows, and those with everything at once.
 enum Law {
@@ -260,6 +263,120 @@ fn matches_brute_force() {
         );
         for (ours, exact) in [(slide, ax), (0.0, ay), (c.flow[0], bx), (c.flow[1], by)] {
             assert_relative_eq!(ours, exact, epsilon = 1e-10 * mean);
+        }
+    }
+}
+
+/// A limiting stress of 26 of the film's units at P = 0.5; with a law below it, too.
+fn limited(law: Option<ShearLaw>) -> Thinning {
+    let limit = Some(StressLimit::new(1e6, 0.05).unwrap());
+    Thinning::new(&ShearThinning { law, limit })
+}
+
+fn limited_laws() -> Vec<Thinning> {
+    let eyring = ReeEyring::new(5e6).unwrap();
+    let carreau = Carreau::new(2e5, 0.5, 2.198, 0.05).unwrap();
+    vec![
+        limited(None),
+        limited(Some(ShearLaw::ReeEyring(eyring))),
+        limited(Some(ShearLaw::Carreau(carreau))),
+    ]
+}
+
+/// Mean shear rate, flow and mean size of the shear rate by Gauss' rule on 20,000 intervals.
+fn composite(law: &impl Fluidity, tau: [f64; 2], g: [f64; 2]) -> [f64; 5] {
+    const N: usize = 20_000;
+    let node = 0.6_f64.sqrt() / 2.0;
+    let rule = [(-node, 5.0), (0.0, 8.0), (node, 5.0)];
+    let mut sums = [0.0; 5];
+    for k in 0..N {
+        for (x, w) in rule {
+            let s = (k as f64 + 0.5 + x) / N as f64 - 0.5;
+            let t = [0, 1].map(|i| tau[i] + s * g[i]);
+            let f = law.slope(dot(t, t))[0] * w / 18.0 / N as f64;
+            for i in 0..2 {
+                sums[i] += f * t[i];
+                sums[2 + i] += f * t[i] * s;
+            }
+            sums[4] += f * dot(t, t).sqrt();
+        }
+    }
+    sums
+}
+
+/// Pressure stresses up to and beyond the limit, slides from rolling to what no film bears.
+#[test]
+fn limited_film_matches_brute_force() {
+    for thinning in &limited_laws() {
+        let law = thinning.at(0.5, 1e6, 1e9);
+        for size in [1e-4, 0.01, 0.3, 3.0, 10.0, 30.0, 49.0, 53.0, 60.0] {
+            for angle in [0.0, 0.3, 1.2, FRAC_PI_2, 2.0] {
+                let g = [size * f64::cos(angle), size * f64::sin(angle)];
+                for slide in [1e-2, 20.0, 1e2, 1e4, 1e8, 1e20] {
+                    let [tau, q] = flow(&law, g, slide, &mut CrossFilm::default());
+                    let [ax, ay, bx, by, mean] = composite(&law, tau, g);
+                    let off = [ax - slide, ay, q[0] - bx, q[1] - by];
+                    let worst = off.iter().fold(0.0, |m, v| v.abs().max(m));
+                    assert!(
+                        tau[0].is_finite() && worst < 1e-9 * mean,
+                        "{} {g:?} {slide:e} {tau:?}: {:e}",
+                        thinning.law.describe(),
+                        worst / mean
+                    );
+                }
+            }
+        }
+    }
+}
+
+/// Derivatives of a film near its limit against differences small beside the stress of an e-fold, 0.026.
+#[test]
+fn limited_derivatives_match_differences() {
+    for thinning in &limited_laws() {
+        for g in [[0.01, 0.0], [3.0, 1.0], [10.0, 0.0], [10.0, -20.0]] {
+            // The third derivative jumps at 0.999 of the limit, a slide of 98: no step may cross it.
+            for slide in [1.0, 150.0, 1e4, 1e8] {
+                let y = [g[0], g[1], slide, 0.5];
+                let at = |y: [f64; 4]| {
+                    let law = thinning.at(y[3], 1e6, 1e9);
+                    close(&law, [y[0], y[1]], y[2], &mut CrossFilm::default())
+                };
+                let c = at(y);
+                // The limit moves by 50 for P = 1.
+                let steps = [3e-4, 3e-4, 1e-2 * slide, 6e-6];
+                for k in 0..4 {
+                    let moved = [-2.0, -1.0, 1.0, 2.0].map(|m| {
+                        let mut z = y;
+                        z[k] += m * steps[k];
+                        at(z)
+                    });
+                    let difference = |f: &dyn Fn(&Closure) -> f64| {
+                        let v = moved.each_ref().map(f);
+                        (v[0] - 8.0 * v[1] + 8.0 * v[2] - v[3]) / 12.0
+                    };
+                    let largest =
+                        |f: &dyn Fn(usize) -> f64| (0..2).fold(0.0, |m, i| f(i).abs().max(m));
+                    // q is a small difference of shear rates of order Ω: 1e-13 of it is round-off.
+                    let slope = largest(&|i| c.slopes[i][k] * steps[k]);
+                    for i in 0..2 {
+                        let round_off = 1e-12 * (slide + c.flow[0].hypot(c.flow[1]));
+                        assert_relative_eq!(
+                            c.slopes[i][k] * steps[k],
+                            difference(&|c| c.flow[i]),
+                            epsilon = 1e-6 * slope + round_off
+                        );
+                        for l in 0..4 {
+                            let size = largest(&|i| c.curvatures[i][l][k] * steps[k])
+                                + 1e-2 * largest(&|i| c.slopes[i][l]);
+                            assert_relative_eq!(
+                                c.curvatures[i][l][k] * steps[k],
+                                difference(&|c| c.slopes[i][l]),
+                                epsilon = 1e-6 * size + round_off / steps[l]
+                            );
+                        }
+                    }
+                }
+            }
         }
     }
 }
