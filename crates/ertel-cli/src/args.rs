@@ -8,7 +8,7 @@ use clap::{Args, Parser, Subcommand};
 #[derive(Debug, Parser)]
 #[command(name = "ertel", version, arg_required_else_help = true)]
 #[command(after_help = "\
-Exit codes: 0 solved, 1 results could not be written or a validation does not hold, 2 bad input or usage, 3 not converged (a point of a curve, too), 130 interrupted.")]
+Exit codes: 0 solved, 1 results could not be written or a validation does not hold, 2 bad input or usage, 3 not converged (a point of a curve or study, too), 130 interrupted.")]
 pub struct Cli {
     /// What to do.
     #[command(subcommand)]
@@ -20,6 +20,8 @@ pub struct Cli {
 pub enum Command {
     /// Solve a case file and write the results into a folder
     Solve(SolveArgs),
+    /// Solve every point of a study: a base case and axes over any of its inputs
+    Sweep(SweepArgs),
     /// Estimate a case file by formulas, without solving it
     Estimate(EstimateArgs),
     /// Compute published cases and compare
@@ -55,6 +57,60 @@ pub struct SolveArgs {
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// `ertel sweep`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+A run that was stopped or killed goes on where it was when it is started again.")]
+pub struct SweepArgs {
+    /// The study file (TOML)
+    #[arg(
+        value_name = "STUDY.toml",
+        required_unless_present = "merge",
+        conflicts_with = "merge"
+    )]
+    pub study: Option<PathBuf>,
+    /// Folder of the study [default: `results/<name of the study file>`, of a shard `shards/i-of-n` within]
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// List the points and what they start from, then stop
+    #[arg(long)]
+    pub dry_run: bool,
+    /// Write the results of each point into a folder of its own, too
+    #[arg(long)]
+    pub folders: bool,
+    /// Solve once more what failed
+    #[arg(long)]
+    pub retry: bool,
+    /// Solve part I of N of the points, as one of the jobs of a cluster
+    #[arg(long, value_name = "I/N", value_parser = shard)]
+    pub shard: Option<ertel::study::Shard>,
+    /// Join parts: the folder of the whole, then those of the parts
+    #[arg(long, value_names = ["OUT", "PART"], num_args = 2..)]
+    pub merge: Option<Vec<PathBuf>>,
+    /// Points solved at the same time [default: as many as cores]
+    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Threads of each point
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: u16,
+    /// Neither use nor keep elastic operators of other solves
+    #[arg(long)]
+    pub no_cache: bool,
+    /// No progress on stderr and no report on stdout
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// `3/8`.
+fn shard(text: &str) -> Result<ertel::study::Shard, String> {
+    let parts = text.split_once('/');
+    let numbers = parts.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
+    match numbers {
+        Some((index, n)) if 1 <= index && index <= n => Ok(ertel::study::Shard { index, n }),
+        _ => Err("write it as 3/8: the third of eight parts".to_owned()),
+    }
 }
 
 /// `ertel estimate`.

@@ -12,6 +12,7 @@ mod progress;
 mod provenance;
 mod solids;
 mod solve;
+mod sweep;
 mod table;
 mod validate;
 
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let result = match cli.command {
         Command::Solve(arguments) => solve::run(&arguments),
+        Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Estimate(arguments) => estimate::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),

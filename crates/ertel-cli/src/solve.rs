@@ -16,7 +16,7 @@ use crate::print;
 use crate::progress::Progress;
 
 /// Set by Ctrl-C; the solver looks at it before each iteration.
-static CANCELLED: AtomicBool = AtomicBool::new(false);
+pub static CANCELLED: AtomicBool = AtomicBool::new(false);
 /// While results are written a second Ctrl-C waits for the moment this takes.
 static WRITING: AtomicBool = AtomicBool::new(false);
 
@@ -164,7 +164,7 @@ fn check_writable(target: &Path) -> Result<(), Failure> {
 }
 
 /// The first Ctrl-C asks the solver to stop; the second ends the program where nothing can be left half-written.
-fn listen_for_interrupts() {
+pub fn listen_for_interrupts() {
     let handler = || {
         if CANCELLED.swap(true, Ordering::SeqCst) {
             if !WRITING.load(Ordering::SeqCst) {

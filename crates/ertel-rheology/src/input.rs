@@ -23,25 +23,53 @@ mod error;
 mod table;
 pub mod tree;
 
+use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
 pub use bounds::Bounds;
 pub use error::InputError;
 pub use table::{StrOrTable, Table};
 
-use tree::Node;
+use tree::{Entry, Node, Value};
 
 /// The name and text of a file, kept for error messages.
 #[derive(Clone, Debug)]
 struct Source {
     file: String,
     text: String,
+    /// Files whose values were put into the document; their bytes count on from the end of the text, one byte apart.
+    others: Vec<Arc<Source>>,
+}
+
+impl Source {
+    /// The file that a span lies in, and where it lies there.
+    fn resolve(&self, span: Range<usize>) -> (&Source, Range<usize>) {
+        let mut offset = self.text.len() + 1;
+        if span.start < offset {
+            return (self, span);
+        }
+        for other in &self.others {
+            let end = offset + other.text.len() + 1;
+            if span.start < end {
+                return (other, span.start - offset..span.end.max(offset) - offset);
+            }
+            offset = end;
+        }
+        (self, span)
+    }
+
+    /// The text at a span.
+    fn slice(&self, span: Range<usize>) -> &str {
+        let (source, span) = self.resolve(span);
+        source.text.get(span).unwrap_or_default()
+    }
 }
 
 /// A parsed TOML file.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Document {
-    source: Source,
+    source: Arc<Source>,
     root: Node,
 }
 
@@ -55,9 +83,13 @@ impl Document {
         let source = Source {
             file: file.into(),
             text: text.into(),
+            others: Vec::new(),
         };
         let root = tree::parse(&source)?;
-        Ok(Self { source, root })
+        Ok(Self {
+            source: Arc::new(source),
+            root,
+        })
     }
 
     /// Reads and parses a file.
@@ -108,6 +140,85 @@ impl Document {
             source: self.source.clone(),
             root,
         })
+    }
+
+    /// The document with another file beside it, from which values can be put into it; returns what to add to the spans
+    /// of that file's nodes ([`Node::shifted`]), so that errors point there.
+    #[must_use]
+    pub fn beside(&self, file: &str, text: &str) -> (Self, usize) {
+        let mut source = Source::clone(&self.source);
+        let lengths = source.others.iter().map(|other| other.text.len() + 1);
+        let offset = source.text.len() + 1 + lengths.sum::<usize>();
+        source.others.push(Arc::new(Source {
+            file: file.to_owned(),
+            text: text.to_owned(),
+            others: Vec::new(),
+        }));
+        let document = Self {
+            source: Arc::new(source),
+            root: self.root.clone(),
+        };
+        (document, offset)
+    }
+
+    /// An error at a span, about the key path `key`.
+    #[must_use]
+    pub fn error_at(
+        &self,
+        span: Range<usize>,
+        key: &str,
+        message: impl Into<String>,
+    ) -> InputError {
+        InputError::at(&self.source, span, key, message)
+    }
+
+    /// Puts a value at a key path, in place of the one there or as a new key; tables on the way are made. `key_span` is
+    /// where errors about the key point.
+    ///
+    /// # Errors
+    ///
+    /// A value on the way that is no table.
+    pub fn put(
+        &mut self,
+        path: &str,
+        key_span: &Range<usize>,
+        node: Node,
+    ) -> Result<(), InputError> {
+        let mut table = &mut self.root;
+        let mut keys = path.split('.').peekable();
+        while let Some(key) = keys.next() {
+            let kind = table.kind();
+            let Value::Table(entries) = &mut table.value else {
+                let at = &path[..key.as_ptr() as usize - path.as_ptr() as usize];
+                let parent = at.trim_end_matches('.');
+                return Err(InputError::at(
+                    &self.source,
+                    key_span.clone(),
+                    path,
+                    format!("`{path}` cannot be set: `{parent}` is {kind}, not a table"),
+                ));
+            };
+            let index = match entries.iter().position(|entry| entry.key == key) {
+                Some(index) => index,
+                None => {
+                    entries.push(Entry {
+                        key: key.to_owned(),
+                        key_span: key_span.clone(),
+                        node: Node {
+                            span: key_span.clone(),
+                            value: Value::Table(Vec::new()),
+                        },
+                    });
+                    entries.len() - 1
+                }
+            };
+            if keys.peek().is_none() {
+                entries[index].node = node;
+                return Ok(());
+            }
+            table = &mut entries[index].node;
+        }
+        Ok(())
     }
 
     /// The top-level table.

@@ -120,6 +120,22 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
     Ok(value)
 }
 
+/// Reads `text` as a quantity of whatever dimension its unit has: its value in SI, and what it measures; `None` for
+/// anything else.
+///
+/// ```
+/// use ertel_rheology::quantity::{parse_any, Dimension};
+/// assert_eq!(parse_any("16 mm"), Some((0.016, Dimension::LENGTH)));
+/// assert_eq!(parse_any("steel"), None);
+/// ```
+#[must_use]
+pub fn parse_any(text: &str) -> Option<(f64, Dimension)> {
+    let (number, unit) = split_number(text.trim())?;
+    let unit = Unit::parse(unit).ok()?;
+    let value = unit.to_si(number);
+    value.is_finite().then_some((value, unit.dimension()))
+}
+
 /// Splits `"16 mm"` into 16 and `mm`; `None` if there is no number in front.
 fn split_number(text: &str) -> Option<(f64, &str)> {
     let bytes = text.as_bytes();

@@ -48,6 +48,7 @@ impl InputError {
         key: impl Into<String>,
         message: impl Into<String>,
     ) -> Self {
+        let (source, span) = source.resolve(span);
         Self(Box::new(Report {
             file: source.file.clone(),
             key: key.into(),

@@ -587,7 +587,7 @@ impl<'a> Table<'a> {
             if dimension == Dimension::DIMENSIONLESS {
                 Ok(value)
             } else {
-                let number = &self.source.text[node.span.clone()];
+                let number = self.source.slice(node.span.clone());
                 let unit = dimension.si_unit();
                 Err(self
                     .at_node(node, key, format!("`{key}` has no unit"))

@@ -47,6 +47,28 @@ pub struct Entry {
 }
 
 impl Node {
+    /// The same with all spans moved on by `offset` bytes, those of keys too.
+    #[must_use]
+    pub fn shifted(mut self, offset: usize) -> Self {
+        let move_on = |span: &Range<usize>| span.start + offset..span.end + offset;
+        self.span = move_on(&self.span);
+        match &mut self.value {
+            Value::Array(nodes) => {
+                for node in nodes {
+                    *node = node.clone().shifted(offset);
+                }
+            }
+            Value::Table(entries) => {
+                for entry in entries {
+                    entry.key_span = move_on(&entry.key_span);
+                    entry.node = entry.node.clone().shifted(offset);
+                }
+            }
+            _ => {}
+        }
+        self
+    }
+
     /// The entry at a key path such as `contact.load`, if it is there.
     #[must_use]
     pub fn entry(&self, path: &str) -> Option<&Entry> {
@@ -77,7 +99,8 @@ impl Node {
     }
 
     /// The kind of value with its article, for messages.
-    pub(super) fn kind(&self) -> &'static str {
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
         match self.value {
             Value::Str(_) => "a string",
             Value::Integer(_) => "an integer",

@@ -33,6 +33,7 @@ pub mod curve;
 mod echo;
 mod lubricant;
 mod params;
+pub mod study;
 mod thermal;
 
 use std::path::Path;
@@ -49,6 +50,7 @@ pub use bodies::Body;
 pub use curve::Curve;
 pub use lubricant::Lubricant;
 pub(crate) use params::{read_mesh, read_solver};
+pub use study::Study;
 pub use thermal::{Heat, MissingDatum, MissingHeatData, SolidHeat};
 
 /// Everything a solve needs, in SI.

@@ -2,6 +2,8 @@
 
 use ertel_rheology::quantity::{Dimension, Unit};
 
+use super::csv::{cells, rows};
+
 /// Standard atmosphere (Pa), subtracted from a column of absolute pressures.
 const ATMOSPHERE: f64 = 101_325.0;
 
@@ -167,19 +169,6 @@ impl Column {
     }
 }
 
-/// Lines that are neither empty nor comments: number from 1, text, and the separator of cells, which the first one has.
-pub(super) fn rows(text: &str) -> impl Iterator<Item = (usize, &str, char)> {
-    let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
-    let rows = lines
-        .map(|(i, line)| (i + 1, line.trim_end()))
-        .filter(|(_, line)| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
-    let separator = rows
-        .clone()
-        .next()
-        .and_then(|(_, head)| [';', '\t', ','].into_iter().find(|c| head.contains(*c)));
-    rows.map(move |(number, line)| (number, line, separator.unwrap_or(',')))
-}
-
 struct Header {
     pressure: Column,
     absolute: bool,
@@ -189,7 +178,7 @@ struct Header {
 
 impl Header {
     fn parse(line: &str, separator: char, property: Property) -> Result<Self, Problem> {
-        let cells: Vec<&str> = line.split(separator).map(clean).collect();
+        let cells: Vec<&str> = cells(line, separator);
         let column = |name: &'static str, dimension| find(&cells, name, dimension);
         let need = |found: Option<Column>, name: &str| {
             found.ok_or_else(|| {
@@ -223,7 +212,7 @@ impl Header {
 
     /// The state of a line; `None` if the value is left out.
     fn state(&self, line: &str, separator: char) -> Result<Option<State>, Problem> {
-        let cells: Vec<&str> = line.split(separator).map(clean).collect();
+        let cells: Vec<&str> = cells(line, separator);
         if cells
             .get(self.value.index)
             .is_none_or(|cell| cell.is_empty())
@@ -259,11 +248,6 @@ impl Header {
             value: positive(&self.value)?,
         }))
     }
-}
-
-/// A cell without spaces and quotes around it.
-pub(super) fn clean(cell: &str) -> &str {
-    cell.trim().trim_matches('"').trim()
 }
 
 /// The column `name` among the titles; `None` if there is none.

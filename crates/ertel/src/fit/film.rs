@@ -4,7 +4,8 @@ use std::f64::consts::SQRT_2;
 
 use ertel_rheology::quantity::{Dimension, Unit};
 
-use super::data::{Column, DataError, clean, rows, unit_text};
+use super::csv::{cells as cells_of, rows};
+use super::data::{Column, DataError, unit_text};
 use super::{MinimumError, minimise};
 use crate::output::digits;
 use crate::output::plot::{Axis, Chart, Look, PALETTE, Series, Side};
@@ -78,7 +79,7 @@ pub fn read_films(
     let (number, head, separator) = lines
         .next()
         .ok_or_else(|| at(1, 1, "the file is empty".to_owned()))?;
-    let cells: Vec<&str> = head.split(separator).map(clean).collect();
+    let cells: Vec<&str> = cells_of(head, separator);
     let find = |name: &'static str, dimension: Dimension| {
         cells.iter().enumerate().find_map(|(index, cell)| {
             let unit = Unit::parse(&unit_text(cell, name)?).ok()?;
@@ -117,7 +118,7 @@ pub fn read_films(
     };
     let mut states = Vec::new();
     for (line, row, _) in lines {
-        let cells: Vec<&str> = row.split(separator).map(clean).collect();
+        let cells: Vec<&str> = cells_of(row, separator);
         if cells.get(film.index).is_none_or(|cell| cell.is_empty()) {
             continue;
         }

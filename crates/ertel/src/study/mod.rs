@@ -1,5 +1,14 @@
 //! Studies of more than one contact.
 
 pub mod curve;
+pub mod journal;
+pub mod plan;
+mod sweep;
+mod table;
 
 pub use curve::{CurveObserver, CurveSolution, Outcome, PointSolution, solve_curve};
+pub use sweep::{
+    Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary, finished_points,
+    merge, sweep,
+};
+pub use table::{POINTS, STUDY_FORMAT, StudyEcho, TABLE};

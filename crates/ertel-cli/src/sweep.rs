@@ -1,0 +1,326 @@
+//! `ertel sweep`.
+
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use ertel::case::Study;
+use ertel::output::{check_png, digits, length};
+use ertel::run::Session;
+use ertel::study::plan::Plan;
+use ertel::study::{
+    Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary, TABLE,
+    finished_points, merge, sweep,
+};
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::args::SweepArgs;
+use crate::cache::user_cache;
+use crate::failure::Failure;
+use crate::print;
+use crate::solve::{CANCELLED, listen_for_interrupts};
+use crate::table::columns;
+
+/// Failures and warnings that the report shows one by one.
+const MOST_SHOWN: usize = 10;
+
+/// Runs the command.
+///
+/// # Errors
+///
+/// A bad study, a folder that cannot be written, points that failed, an interruption.
+pub fn run(arguments: &SweepArgs) -> Result<(), Failure> {
+    if let Some([target, parts @ ..]) = arguments.merge.as_deref() {
+        let summary = merge(target, parts)?;
+        return merged(&summary, target, arguments.quiet);
+    }
+    let Some(path) = &arguments.study else {
+        return Err(Failure::Argument("no study is given".into()));
+    };
+    let study = Study::read(path)?;
+    let folder = folder(arguments, path);
+    if arguments.dry_run {
+        return dry_run(&study, &folder);
+    }
+    if study.points.iter().any(|point| point.case.output.png) && arguments.folders {
+        check_png().map_err(|error| Failure::Argument(error.to_string()))?;
+    }
+    let session = Session {
+        cache: match arguments.no_cache {
+            true => None,
+            false => user_cache()?,
+        },
+    };
+    let params = SweepParams {
+        jobs: arguments.jobs.map(usize::from),
+        threads: Some(usize::from(arguments.threads)),
+        shard: arguments.shard,
+        folders: arguments.folders,
+        retry: arguments.retry,
+    };
+    listen_for_interrupts();
+    let progress = Progress::new(arguments.quiet, &CANCELLED);
+    let summary = sweep(&session, &study, &folder, &params, &progress);
+    drop(progress);
+    report(&summary?, &folder, arguments.quiet)
+}
+
+/// Where the study goes: the command line, or `results/<name of the study file>`.
+fn folder(arguments: &SweepArgs, path: &Path) -> PathBuf {
+    if let Some(folder) = &arguments.output {
+        return folder.clone();
+    }
+    let folder = Path::new("results").join(path.file_stem().unwrap_or("study".as_ref()));
+    match arguments.shard {
+        Some(Shard { index, n }) => {
+            let width = n.to_string().len();
+            folder.join(format!("shards/{index:0width$}-of-{n}"))
+        }
+        None => folder,
+    }
+}
+
+fn dry_run(study: &Study, folder: &Path) -> Result<(), Failure> {
+    let plan = Plan::new(study);
+    let finished = finished_points(study, folder)?;
+    let mut rows = vec![vec![
+        "point".to_owned(),
+        "starts from".to_owned(),
+        "state".to_owned(),
+        "values".to_owned(),
+    ]];
+    for (i, point) in study.points.iter().enumerate() {
+        let state = match &finished[i] {
+            None => "to do",
+            Some(record) if record.converged => "finished",
+            Some(_) => "failed",
+        };
+        rows.push(vec![
+            (i + 1).to_string(),
+            plan.parents[i].map_or("dry contact".to_owned(), |p| (p + 1).to_string()),
+            state.to_owned(),
+            point.label.clone(),
+        ]);
+    }
+    let n_done = finished.iter().flatten().count();
+    let n_cold = plan.parents.iter().filter(|p| p.is_none()).count();
+    print::stdout(&format!(
+        "{}\n{} points, {n_done} finished; {n_cold} from the dry contact, the longest way from there {} solves\n",
+        columns(&rows),
+        study.points.len(),
+        plan.depth()
+    ))
+}
+
+fn report(summary: &SweepSummary, folder: &Path, quiet: bool) -> Result<(), Failure> {
+    if summary.n_damaged > 0 {
+        eprintln!(
+            "warning: {} lines of the journal could not be read; their points were solved again",
+            summary.n_damaged
+        );
+    }
+    if !quiet {
+        let mut text = remarks(summary);
+        let kept = match summary.n_kept {
+            0 => String::new(),
+            n => format!(", {n} of them earlier"),
+        };
+        text += &format!(
+            "{} of {} points finished{kept}, {} failed; {} new in {} s, {} s each on its own\n",
+            summary.n_kept + summary.n_new,
+            summary.n_points,
+            summary.failures.len(),
+            summary.n_new,
+            digits(summary.wall_seconds, 3),
+            digits(summary.point_seconds / (summary.n_new.max(1) as f64), 3),
+        );
+        if summary.n_again > 0 {
+            text += &format!(
+                "{} finished points were solved again, because new ones start from them\n",
+                summary.n_again
+            );
+        }
+        if !summary.interrupted {
+            text += &format!("Results in {}\n", folder.join(TABLE).display());
+        }
+        print::stdout(&text)?;
+    }
+    if summary.interrupted {
+        return Err(Failure::InterruptedCurve(format!(
+            "interrupted after {} of {} points; the same command goes on with the others",
+            summary.n_kept + summary.n_new,
+            summary.n_points
+        )));
+    }
+    failed(summary, folder)
+}
+
+fn failed(summary: &SweepSummary, folder: &Path) -> Result<(), Failure> {
+    if summary.failures.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::NotConverged(format!(
+        "{} of {} points failed; the reasons stand in {}",
+        summary.failures.len(),
+        summary.n_points,
+        folder.join(TABLE).display()
+    )))
+}
+
+fn merged(summary: &SweepSummary, target: &Path, quiet: bool) -> Result<(), Failure> {
+    let finished = summary.n_kept + summary.n_new;
+    if !quiet {
+        let text = remarks(summary);
+        print::stdout(&format!(
+            "{text}{finished} of {} points finished, {} failed\nResults in {}\n",
+            summary.n_points,
+            summary.failures.len(),
+            target.join(TABLE).display()
+        ))?;
+    }
+    if summary.interrupted {
+        return Err(Failure::Other(format!(
+            "{} of {} points are in none of the parts",
+            summary.n_points - finished,
+            summary.n_points
+        )));
+    }
+    failed(summary, target)
+}
+
+/// Failures and warnings, each with its points.
+fn remarks(summary: &SweepSummary) -> String {
+    let mut text = String::new();
+    for (index, label, reason) in summary.failures.iter().take(MOST_SHOWN) {
+        text += &format!("  ! point {} ({label}) failed: {reason}\n", index + 1);
+    }
+    for (warning, points) in summary.warnings.iter().take(MOST_SHOWN) {
+        let at = match points[..] {
+            [one] => format!("point {}", one + 1),
+            [first, ..] => format!("{} points, the first {}", points.len(), first + 1),
+            [] => String::new(),
+        };
+        text += &format!("  ! {at}: {warning}\n");
+    }
+    let more = summary.failures.len().saturating_sub(MOST_SHOWN)
+        + summary.warnings.len().saturating_sub(MOST_SHOWN);
+    if more > 0 {
+        text += &format!("  ! and {more} more of these\n");
+    }
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    text
+}
+
+/// Points on stderr as they are finished: a bar in a terminal, a line per point elsewhere.
+struct Progress<'a> {
+    quiet: bool,
+    bar: Mutex<Option<ProgressBar>>,
+    cancelled: &'a AtomicBool,
+}
+
+impl<'a> Progress<'a> {
+    fn new(quiet: bool, cancelled: &'a AtomicBool) -> Self {
+        Self {
+            quiet,
+            bar: Mutex::new(None),
+            cancelled,
+        }
+    }
+
+    fn bar(&self) -> std::sync::MutexGuard<'_, Option<ProgressBar>> {
+        self.bar
+            .lock()
+            .unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
+impl Drop for Progress<'_> {
+    fn drop(&mut self) {
+        if let Some(bar) = self.bar().take() {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+impl SweepObserver for Progress<'_> {
+    fn begin(&self, n_points: usize, n_kept: usize) {
+        use std::io::IsTerminal;
+        if self.quiet {
+            return;
+        }
+        if n_kept > 0 {
+            eprintln!("{n_kept} of {n_points} points are finished already");
+        }
+        if std::io::stderr().is_terminal() {
+            let bar = ProgressBar::new(n_points as u64);
+            if let Ok(style) =
+                ProgressStyle::with_template("{elapsed} {bar:30} {pos}/{len} points, {wide_msg}")
+            {
+                bar.set_style(style);
+            }
+            bar.set_position(n_kept as u64);
+            bar.set_message("the first points");
+            bar.enable_steady_tick(Duration::from_millis(200));
+            *self.bar() = Some(bar);
+        }
+    }
+
+    fn finished(&self, progress: &SweepProgress<'_>) {
+        if self.quiet {
+            return;
+        }
+        let record = progress.record;
+        let film = record.fields.iter().find(|(n, _)| n == "film_central_m");
+        let film = film.and_then(|(_, value)| value.parse::<f64>().ok());
+        let outcome = match film {
+            Some(film) => format!("central film {}", length(film)),
+            None => format!("failed: {}", record.reason),
+        };
+        let left = match progress.n_finished == progress.n_points {
+            true => String::new(),
+            false => format!("; about {} left", duration(progress.seconds_left)),
+        };
+        match &*self.bar() {
+            Some(bar) => {
+                bar.set_position(progress.n_finished as u64);
+                let left = left.trim_start_matches("; ");
+                bar.set_message(format!("{left}: {}, {outcome}", progress.label));
+            }
+            None => eprintln!(
+                "{}/{}: point {} ({}), {outcome}, {} s{left}",
+                progress.n_finished,
+                progress.n_points,
+                progress.index + 1,
+                progress.label,
+                digits(record.seconds, 2),
+            ),
+        }
+    }
+
+    fn cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+}
+
+/// `40 s`, `12 min`, `3.5 h`.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 100.0 => format!("{s:.0} s"),
+        s if s < 6000.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
+}
+
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        match error {
+            SweepError::Twice { .. } | SweepError::Mixed { .. } | SweepError::NoStudy { .. } => {
+                Self::Argument(error.to_string())
+            }
+            error => Self::Other(error.to_string()),
+        }
+    }
+}

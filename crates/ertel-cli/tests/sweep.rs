@@ -1,0 +1,438 @@
+//! `ertel sweep`, end to end.
+
+use std::collections::HashSet;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant, SystemTime};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+/// Eighteen points in two groups of films.
+const STUDY: &str = r#"
+title = "Roller"
+case = "base.toml"
+
+[[axis]]
+key = "motion.entrainment_speed"
+from = "0.2 m/s"
+to = "2 m/s"
+points = 6
+spacing = "log"
+
+[[axis]]
+key = "contact.load"
+values = ["20 kN/m", "30 kN/m", "45 kN/m"]
+"#;
+
+/// A folder with `tests/good/quick.toml` as `base.toml`, and a study.
+fn workspace(study: &str) -> TempDir {
+    let good = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/good/quick.toml");
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::copy(good, folder.path().join("base.toml")).unwrap();
+    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    folder
+}
+
+fn command(folder: &TempDir, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
+    command.arg("sweep").args(arguments).current_dir(folder);
+    command.env("ERTEL_CACHE", "");
+    command
+}
+
+fn sweep(folder: &TempDir, arguments: &[&str]) -> Output {
+    command(folder, arguments).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+fn read(folder: &TempDir, name: &str) -> String {
+    std::fs::read_to_string(folder.path().join(name)).unwrap()
+}
+
+/// One column of a table without quotes.
+fn column(table: &str, name: &str) -> Vec<String> {
+    let mut lines = table.lines().map(|l| l.split(',').collect::<Vec<_>>());
+    let head = lines.next().unwrap();
+    let i = head.iter().position(|c| *c == name).expect(name);
+    lines.map(|cells| cells[i].to_owned()).collect()
+}
+
+/// Keys of the journal in its order.
+fn keys(journal: &str) -> Vec<String> {
+    let key = |line: &str| serde_json::from_str::<Value>(line).unwrap()["key"].to_string();
+    journal.lines().map(key).collect()
+}
+
+/// A number below one, different each time.
+fn random() -> f64 {
+    let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+    let mut x = now.unwrap().as_nanos() as u64 ^ 0x9e37_79b9_7f4a_7c15;
+    for _ in 0..3 {
+        x ^= x << 13;
+        x ^= x >> 7;
+        x ^= x << 17;
+    }
+    (x >> 11) as f64 / (1u64 << 53) as f64
+}
+
+#[test]
+fn a_study_is_solved_and_its_films_are_fitted() {
+    let folder = workspace(STUDY);
+    let output = sweep(&folder, &["study.toml", "--dry-run"]);
+    assert!(text(&output.stdout).contains("18 points, 0 finished"));
+    assert!(!folder.path().join("results").exists());
+    let output = sweep(&folder, &["study.toml"]);
+    let (report, progress) = (text(&output.stdout), text(&output.stderr));
+    assert_eq!(output.status.code(), Some(0), "{progress}");
+    assert!(
+        report.contains("18 of 18 points finished, 0 failed"),
+        "{report}"
+    );
+    assert!(progress.contains("1/18: point "), "{progress}");
+    assert!(progress.contains("left"), "{progress}");
+    let table = read(&folder, "results/study/results.csv");
+    let numbers: Vec<usize> = (column(&table, "point").iter())
+        .map(|n| n.parse().unwrap())
+        .collect();
+    assert_eq!(numbers, (1..=18).collect::<Vec<_>>());
+    let loads = column(&table, "contact.load_N_per_m");
+    assert_eq!(loads[..4], ["2e4", "3e4", "4.5e4", "2e4"]);
+    let starts = column(&table, "start");
+    assert!(
+        starts.iter().filter(|s| *s == "cold").count() <= 3,
+        "{starts:?}"
+    );
+    // Each point is the case solved alone, within its error bars.
+    let curve = r#"[curve]
+quantity = "motion.entrainment_speed"
+values = ["0.2 m/s", "2 m/s"]
+"#;
+    let case = read(&folder, "base.toml") + curve;
+    std::fs::write(folder.path().join("case.toml"), case).unwrap();
+    let solve = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(["solve", "case.toml", "-q"])
+        .current_dir(&folder)
+        .env("ERTEL_CACHE", "")
+        .status();
+    assert!(solve.unwrap().success());
+    let alone = read(&folder, "results/case/curve.csv");
+    for (i, point) in [0, 15].into_iter().enumerate() {
+        let figure = |table: &str, row: usize, name: &str| -> f64 {
+            column(table, name)[row].parse().unwrap()
+        };
+        let film = |table, row| figure(table, row, "film_central_m");
+        let bar = |table, row| figure(table, row, "film_central_error_m");
+        let off = (film(&table, point) - film(&alone, i)).abs();
+        assert!(off <= bar(&table, point) + bar(&alone, i), "{off:e} m off");
+    }
+    let fit = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(["fit", "film", "results/study/results.csv"])
+        .current_dir(&folder)
+        .output()
+        .unwrap();
+    assert!(fit.status.success(), "{}", text(&fit.stderr));
+    assert!(text(&fit.stdout).contains("Central film of 18 results"));
+}
+
+/// Killed at random moments, a study comes to the same table, byte for byte, and no point is in its journal twice.
+#[test]
+fn a_killed_study_ends_as_an_undisturbed_one() {
+    let folder = workspace(STUDY);
+    let clock = Instant::now();
+    assert!(
+        sweep(&folder, &["study.toml", "-q", "-o", "whole"])
+            .status
+            .success()
+    );
+    let time = clock.elapsed();
+    let undisturbed = read(&folder, "whole/results.csv");
+    let mut n_kills = 0;
+    let mut n_resumed = 0;
+    for round in 0..20 {
+        let name = format!("killed-{round}");
+        // Twice at most, then it may end.
+        for attempt in 0..3 {
+            let jobs = ["1", "2", "3"][round % 3];
+            let mut child = command(&folder, &["study.toml", "-q", "-o", &name, "-j", jobs])
+                .stderr(Stdio::piped())
+                .spawn()
+                .unwrap();
+            if attempt < 2 {
+                std::thread::sleep(Duration::from_secs_f64(random() * time.as_secs_f64()));
+                // SIGKILL; an error says that it has ended already.
+                let _ = child.kill();
+                let _ = child.wait();
+                let journal = folder.path().join(&name).join("journal.jsonl");
+                let journal = std::fs::read_to_string(journal).unwrap_or_default();
+                let n_lines = journal.lines().count();
+                n_kills += usize::from(n_lines < 18);
+                n_resumed += usize::from((1..18).contains(&n_lines));
+            } else {
+                let output = child.wait_with_output().unwrap();
+                assert!(output.status.success(), "{}", text(&output.stderr));
+            }
+        }
+        assert_eq!(read(&folder, &format!("{name}/results.csv")), undisturbed);
+        let journal = keys(&read(&folder, &format!("{name}/journal.jsonl")));
+        assert_eq!(journal.len(), 18);
+        assert_eq!(journal.iter().collect::<HashSet<_>>().len(), 18);
+    }
+    // The test would say nothing of runs that had ended, or not begun.
+    assert!(
+        n_kills >= 10 && n_resumed >= 5,
+        "{n_kills} kills, {n_resumed} with some points"
+    );
+}
+
+#[test]
+fn a_torn_line_is_dropped() {
+    let folder = workspace(STUDY);
+    assert!(sweep(&folder, &["study.toml", "-q"]).status.success());
+    let undisturbed = read(&folder, "results/study/results.csv");
+    let path = folder.path().join("results/study/journal.jsonl");
+    let journal = std::fs::read(&path).unwrap();
+    let lines: Vec<&[u8]> = journal.split_inclusive(|b| *b == b'\n').collect();
+    // Seven points, half of the eighth, as a crash of the machine may leave it.
+    let mut torn = lines[..7].concat();
+    torn.extend(&lines[7][..lines[7].len() / 2]);
+    std::fs::write(&path, &torn).unwrap();
+    std::fs::remove_file(folder.path().join("results/study/results.csv")).unwrap();
+    let output = sweep(&folder, &["study.toml"]);
+    let progress = text(&output.stderr);
+    assert!(
+        progress.contains("7 of 18 points are finished already"),
+        "{progress}"
+    );
+    assert_eq!(read(&folder, "results/study/results.csv"), undisturbed);
+    assert_eq!(
+        keys(&read(&folder, "results/study/journal.jsonl")).len(),
+        18
+    );
+    // Damage within costs that point alone.
+    let damaged =
+        String::from_utf8(journal.clone())
+            .unwrap()
+            .replacen("converged", "conv\0rged", 1);
+    std::fs::write(&path, damaged).unwrap();
+    let output = sweep(&folder, &["study.toml"]);
+    assert!(text(&output.stderr).contains("17 of 18 points are finished already"));
+    assert!(text(&output.stderr).contains("1 lines of the journal could not be read"));
+    assert_eq!(read(&folder, "results/study/results.csv"), undisturbed);
+}
+
+#[test]
+fn parts_are_joined_to_the_whole() {
+    let folder = workspace(STUDY);
+    assert!(
+        sweep(&folder, &["study.toml", "-q", "-o", "whole"])
+            .status
+            .success()
+    );
+    let mut parts = Vec::new();
+    for i in 1..=4 {
+        let shard = format!("{i}/4");
+        assert!(
+            sweep(&folder, &["study.toml", "-q", "--shard", &shard])
+                .status
+                .success()
+        );
+        parts.push(format!("results/study/shards/{i}-of-4"));
+    }
+    let merge = |parts: &[String]| {
+        let mut arguments = vec!["--merge", "results/study"];
+        arguments.extend(parts.iter().map(String::as_str));
+        sweep(&folder, &arguments)
+    };
+    let output = merge(&parts[..3]);
+    assert_eq!(output.status.code(), Some(1));
+    let message = text(&output.stderr);
+    assert!(
+        message.contains("of 18 points are in none of the parts"),
+        "{message}"
+    );
+    let output = merge(&parts);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let whole = read(&folder, "whole/results.csv");
+    assert_eq!(read(&folder, "results/study/results.csv"), whole);
+    assert_eq!(
+        keys(&read(&folder, "results/study/journal.jsonl")).len(),
+        18
+    );
+    // The whole is a study like any other.
+    let output = sweep(&folder, &["study.toml"]);
+    assert!(text(&output.stdout).contains("18 of them earlier"));
+    // Parts of something else are refused.
+    let other = STUDY.replace("45 kN/m", "40 kN/m");
+    std::fs::write(folder.path().join("other.toml"), other).unwrap();
+    assert!(
+        sweep(&folder, &["other.toml", "-q", "--shard", "1/9"])
+            .status
+            .success()
+    );
+    let output = merge(&[parts[0].clone(), "results/other/shards/1-of-9".into()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("another study"));
+}
+
+#[test]
+fn failed_points_carry_their_reason() {
+    // So few iterations that the heavy points do not converge.
+    let study = r#"
+case = "base.toml"
+[[axis]]
+key = "contact.load"
+values = ["20 kN/m", "2000 kN/m", "22 kN/m"]
+[[axis]]
+key = "solver.max_iterations"
+values = [4]
+"#;
+    let folder = workspace(study);
+    let output = sweep(&folder, &["study.toml"]);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(3), "{message}");
+    assert!(message.contains("1 of 3 points failed"), "{message}");
+    let table = read(&folder, "results/study/results.csv");
+    assert_eq!(column(&table, "converged"), ["true", "false", "true"]);
+    assert_eq!(column(&table, "film_central_m")[1], "");
+    let failed = table.lines().nth(2).unwrap();
+    assert!(failed.contains("no convergence"), "{failed}");
+    // It is kept, unless asked for again.
+    let output = sweep(&folder, &["study.toml"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(text(&output.stdout).contains("0 new"));
+    let output = sweep(&folder, &["study.toml", "--retry"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(
+        text(&output.stdout).contains("1 new"),
+        "{}",
+        text(&output.stdout)
+    );
+    assert_eq!(read(&folder, "results/study/results.csv"), table);
+    // What is fitted are the others.
+    let fit = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(["fit", "film", "results/study/results.csv"])
+        .current_dir(&folder)
+        .output()
+        .unwrap();
+    assert!(
+        text(&fit.stderr).contains("2 films"),
+        "{}",
+        text(&fit.stderr)
+    );
+}
+
+#[test]
+fn a_changed_study_solves_what_changed() {
+    let folder = workspace(STUDY);
+    assert!(sweep(&folder, &["study.toml", "-q"]).status.success());
+    let more = STUDY.replace("\"45 kN/m\"", "\"45 kN/m\", \"60 kN/m\"");
+    std::fs::write(folder.path().join("study.toml"), more).unwrap();
+    let output = sweep(&folder, &["study.toml"]);
+    let report = text(&output.stdout);
+    assert!(
+        report.contains("24 of 24 points finished, 18 of them earlier"),
+        "{report}"
+    );
+    let table = read(&folder, "results/study/results.csv");
+    assert_eq!(column(&table, "contact.load_N_per_m")[3], "6e4");
+    // Another viscosity is another case in every point; the former ones are left out of the table.
+    let base = read(&folder, "base.toml").replace("40 mPa.s", "41 mPa.s");
+    std::fs::write(folder.path().join("base.toml"), base).unwrap();
+    let output = sweep(&folder, &["study.toml"]);
+    assert!(text(&output.stdout).contains("24 of 24 points finished, 0 failed; 24 new"));
+    let second = read(&folder, "results/study/results.csv");
+    assert_eq!(second.lines().count(), 25);
+    let thick = |table: &str| -> f64 { column(table, "film_central_m")[0].parse().unwrap() };
+    assert!(thick(&second) > 1.01 * thick(&table));
+}
+
+#[test]
+fn each_point_has_a_folder_where_asked_for() {
+    let study = "case = \"base.toml\"\n[[axis]]\nkey = \"contact.load\"\nvalues = [\"20 kN/m\", \"30 kN/m\"]\n";
+    let folder = workspace(study);
+    assert!(sweep(&folder, &["study.toml", "-q"]).status.success());
+    let table = read(&folder, "results/study/results.csv");
+    assert!(!folder.path().join("results/study/points").exists());
+    // Finished points have their folders made up for.
+    assert!(
+        sweep(&folder, &["study.toml", "-q", "--folders"])
+            .status
+            .success()
+    );
+    assert_eq!(read(&folder, "results/study/results.csv"), table);
+    let result = read(&folder, "results/study/points/2/result.json");
+    let result: Value = serde_json::from_str(&result).unwrap();
+    assert_eq!(result["case"]["si"]["contact"]["load"], 30e3);
+    let solve = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(["solve", "--check", "results/study/points/2/case.toml"])
+        .current_dir(&folder)
+        .status();
+    assert!(solve.unwrap().success());
+}
+
+#[test]
+fn what_cannot_be_run_is_refused() {
+    let folder = workspace(STUDY);
+    let refused = |arguments: &[&str], code: i32, words: &str| {
+        let output = sweep(&folder, arguments);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(code), "{message}");
+        assert!(message.contains(words), "{message}");
+    };
+    for shard in ["0/3", "4/3", "1", "a/b"] {
+        refused(
+            &["study.toml", "--shard", shard],
+            2,
+            "the third of eight parts",
+        );
+    }
+    refused(&[], 2, "STUDY.toml");
+    refused(&["--merge", "out", "nothing"], 2, "holds no study");
+    std::fs::create_dir(folder.path().join("mine")).unwrap();
+    std::fs::write(folder.path().join("mine/notes.txt"), "mine").unwrap();
+    refused(&["study.toml", "-o", "mine"], 1, "no study of ertel");
+    // The same case in two points.
+    let twice = "case = \"base.toml\"\n[[axis]]\nkey = \"title\"\nvalues = [\"a\", \"b\"]\n";
+    std::fs::write(folder.path().join("twice.toml"), twice).unwrap();
+    refused(&["twice.toml"], 2, "points 1 and 2 are the same case");
+    // Two runs at a time.
+    let mut child = command(&folder, &["study.toml", "-j", "1"])
+        .stderr(Stdio::piped())
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut lines = std::io::BufRead::lines(std::io::BufReader::new(child.stderr.take().unwrap()));
+    assert!(lines.next().unwrap().unwrap().contains("1/18"));
+    refused(&["study.toml"], 1, "another run is writing");
+    for _ in lines {}
+    assert!(child.wait().unwrap().success());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_study_says_how_to_go_on() {
+    let folder = workspace(&STUDY.replace("points = 6", "points = 300"));
+    let mut child = command(&folder, &["study.toml"])
+        .stderr(Stdio::piped())
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut lines = std::io::BufRead::lines(std::io::BufReader::new(child.stderr.take().unwrap()));
+    assert!(lines.next().unwrap().unwrap().contains("1/900"));
+    let kill = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(kill.unwrap().success());
+    let rest: Vec<String> = lines.map(Result::unwrap).collect();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{rest:?}");
+    assert!(
+        rest.last().unwrap().contains("goes on with the others"),
+        "{rest:?}"
+    );
+    assert!(!folder.path().join("results/study/results.csv").exists());
+    assert!(!read(&folder, "results/study/journal.jsonl").is_empty());
+}

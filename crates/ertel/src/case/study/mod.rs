@@ -1,0 +1,242 @@
+//! Study files: a base case and axes over any of its input keys.
+//!
+//! ```toml
+//! title = "Ball on disc, speed and load"
+//! case = "ball-on-disc.toml"        # beside the study
+//!
+//! [[axis]]
+//! key = "motion.entrainment_speed"
+//! from = "0.1 m/s"
+//! to = "10 m/s"
+//! points = 9
+//! spacing = "log"
+//!
+//! [[axis]]
+//! key = "contact.load"
+//! values = ["10 N", "50 N"]
+//! ```
+//!
+//! Axes are crossed, the last one varying fastest; those with the same `zip` go side by side. `points = "points.csv"`
+//! reads a table whose headers are input keys with units, and counts as the first axis. Each point is the
+//! base case read once more with its values put in, so that every check of a case applies; errors point to the study.
+
+mod axis;
+mod points;
+mod text;
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use ertel_rheology::input::tree::{Node, Value};
+use ertel_rheology::input::{Document, InputError};
+
+use super::Case;
+use crate::contact::ContactKind;
+pub use axis::AxisValue;
+use axis::Group;
+
+/// Points of one study, at most: the tree of starts takes their square in time.
+pub const MOST_POINTS: usize = 20_000;
+
+/// A base case and the points that axes make of it.
+#[derive(Clone, Debug)]
+pub struct Study {
+    /// Title; empty if the file gives none.
+    pub title: String,
+    /// The base case.
+    pub base: PathBuf,
+    /// What varies, in the order of the table's columns.
+    pub columns: Vec<StudyColumn>,
+    /// The points, the last axis varying fastest.
+    pub points: Vec<StudyPoint>,
+    /// Text of the study file.
+    pub source: String,
+    /// Line or circular, the same in all points.
+    pub kind: ContactKind,
+}
+
+/// A key that varies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StudyColumn {
+    /// Key path in the case file.
+    pub key: String,
+    /// Title of its column: the key, and the SI unit of a quantity, `contact.load_N`.
+    pub header: String,
+}
+
+/// A point of a study.
+#[derive(Clone, Debug)]
+pub struct StudyPoint {
+    /// Values of the columns.
+    pub values: Vec<AxisValue>,
+    /// The values as they are shown: `contact.load = 10 N, motion.entrainment_speed = 0.1 m/s`.
+    pub label: String,
+    /// The case.
+    pub case: Case,
+}
+
+/// A value on its way into the case.
+#[derive(Clone, Debug)]
+struct Setting {
+    key: String,
+    key_span: Range<usize>,
+    node: Node,
+    value: AxisValue,
+}
+
+impl Study {
+    /// Reads a study, its base case and every point of it.
+    ///
+    /// # Errors
+    ///
+    /// [`InputError`] with file, line and key: of the study itself, of the table of points, and of any case that
+    /// comes of them.
+    pub fn read(path: &Path) -> Result<Self, InputError> {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let study = Document::read(path)?;
+        let mut root = study.root();
+        let title = root.optional_str("title")?.unwrap_or_default().to_owned();
+        let base = folder.join(root.required_str("case").map_err(|error| {
+            error.with_help("the case that the axes start from, as in case = \"base.toml\"")
+        })?);
+        let case = Document::read(&base)?;
+        if case.tree().entry("curve").is_some() {
+            return Err(root
+                .error("case", "the base case of a study has a [curve] of its own")
+                .with_help("make an [[axis]] of it"));
+        }
+        let (case, offset) = case.beside(study.file(), study.text());
+        let (case, mut groups) = match root.optional_str("points")? {
+            None => (case, Vec::new()),
+            Some(name) => {
+                let (case, group) = points::read(case, &folder.join(name), &study)?;
+                (case, vec![group])
+            }
+        };
+        groups.extend(axis::read(&mut root, &study, offset)?);
+        root.finish()?;
+        check_keys(&case, &groups)?;
+        let n_points = groups
+            .iter()
+            .try_fold(1usize, |n, group| n.checked_mul(group.len()));
+        let n_points = n_points.filter(|n| *n <= MOST_POINTS).ok_or_else(|| {
+            study
+                .root()
+                .error_here(format!("the axes make more than {MOST_POINTS} points"))
+        })?;
+        if groups.is_empty() {
+            return Err(study.root().missing("axis").with_help(
+                "what varies: [[axis]] with `key` and `values`, or a table `points = \"points.csv\"`",
+            ));
+        }
+        let base_folder = base.parent().unwrap_or(Path::new(""));
+        let points: Vec<StudyPoint> = (0..n_points)
+            .map(|index| {
+                let settings = settings_of(&groups, index);
+                point(&case, base_folder, &study, index, &settings)
+            })
+            .collect::<Result<_, _>>()?;
+        let kind = points[0].case.contact.kind;
+        if let Some(i) = points.iter().position(|p| p.case.contact.kind != kind) {
+            return Err(study.root().error_here(format!(
+                "point 1 is a {kind:?} contact and point {} is not: their tables have different units; make two studies \
+                 of them",
+                i + 1
+            )));
+        }
+        let columns = groups
+            .iter()
+            .flat_map(|group| &group.axes)
+            .map(|axis| StudyColumn {
+                key: axis.key.clone(),
+                header: axis.header(),
+            })
+            .collect();
+        Ok(Self {
+            title,
+            base,
+            columns,
+            points,
+            source: study.text().to_owned(),
+            kind,
+        })
+    }
+}
+
+/// The same key twice would leave one of its values without effect.
+fn check_keys(case: &Document, groups: &[Group]) -> Result<(), InputError> {
+    let axes: Vec<&axis::Axis> = groups.iter().flat_map(|group| &group.axes).collect();
+    for (i, axis) in axes.iter().enumerate() {
+        if axes[..i].iter().any(|former| former.key == axis.key) {
+            return Err(case.error_at(
+                axis.key_span.clone(),
+                &axis.key,
+                format!("`{}` varies twice", axis.key),
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The settings of a point: the last group varies fastest.
+fn settings_of(groups: &[Group], index: usize) -> Vec<Setting> {
+    let mut rest = index;
+    let mut chosen: Vec<Vec<Setting>> = groups
+        .iter()
+        .rev()
+        .map(|group| {
+            let i = rest % group.len();
+            rest /= group.len();
+            let setting = |axis: &axis::Axis| Setting {
+                key: axis.key.clone(),
+                key_span: axis.key_span.clone(),
+                node: axis.values[i].0.clone(),
+                value: axis.values[i].1.clone(),
+            };
+            group.axes.iter().map(setting).collect()
+        })
+        .collect();
+    chosen.reverse();
+    chosen.into_iter().flatten().collect()
+}
+
+fn point(
+    case: &Document,
+    folder: &Path,
+    study: &Document,
+    index: usize,
+    settings: &[Setting],
+) -> Result<StudyPoint, InputError> {
+    let label = settings
+        .iter()
+        .map(|s| match &s.node.value {
+            Value::Str(text) => format!("{} = {text}", s.key),
+            _ => format!("{} = {}", s.key, s.value),
+        })
+        .collect::<Vec<_>>()
+        .join(", ");
+    let mut document = case.clone();
+    let mut read = || -> Result<Case, InputError> {
+        for setting in settings {
+            document.put(&setting.key, &setting.key_span, setting.node.clone())?;
+        }
+        Case::from_document(&document, folder)
+    };
+    let mut case = read().map_err(|error| {
+        error.with_help(format!("point {} of {}: {label}", index + 1, study.file()))
+    })?;
+    case.source = format!(
+        "# Point {} of {}: {label}\n{}",
+        index + 1,
+        study.file(),
+        text::to_toml(document.tree())
+    );
+    Ok(StudyPoint {
+        values: settings.iter().map(|s| s.value.clone()).collect(),
+        label,
+        case,
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,172 @@
+//! The journal of a study: a line of JSON for each finished point, appended and brought to the disk one by one.
+//!
+//! A run that is killed loses what it had not appended; a line that the kill tore is dropped by the next run. Points are
+//! known by the hash of their case, so that a study whose axes or base case have changed keeps what is unchanged.
+
+use std::collections::HashMap;
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use xxhash_rust::xxh3::xxh3_128;
+
+use super::SweepError;
+use crate::case::Case;
+
+/// Name of the journal in the folder of a study.
+pub const JOURNAL: &str = "journal.jsonl";
+
+/// Hash of all that a solve sees of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct PointKey(u128);
+
+impl PointKey {
+    /// The key of a case for this version of the program. Titles and places of results do not count.
+    pub fn new(case: &Case) -> PointKey {
+        let mut case = case.clone();
+        case.title.clear();
+        case.source.clear();
+        case.given = serde_json::Value::Null;
+        case.output = crate::params::OutputParams::default();
+        // Whatever a case comes to hold, its debug text holds, too.
+        let text = format!("{} {case:?}", env!("CARGO_PKG_VERSION"));
+        PointKey(xxh3_128(text.as_bytes()))
+    }
+}
+
+impl From<PointKey> for String {
+    fn from(key: PointKey) -> String {
+        format!("{:032x}", key.0)
+    }
+}
+
+impl TryFrom<String> for PointKey {
+    type Error = std::num::ParseIntError;
+
+    fn try_from(text: String) -> Result<PointKey, Self::Error> {
+        u128::from_str_radix(&text, 16).map(PointKey)
+    }
+}
+
+/// A finished point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Record {
+    /// Which case.
+    pub key: PointKey,
+    /// Whether it was solved.
+    pub converged: bool,
+    /// Why not.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub reason: String,
+    /// Fields of its line in the table, by the title of their column.
+    pub fields: Vec<(String, String)>,
+    /// What the user should know.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<String>,
+    /// Wall time, s.
+    pub seconds: f64,
+}
+
+/// The journal in a folder, locked for this process.
+#[derive(Debug)]
+pub struct Journal {
+    path: PathBuf,
+    file: File,
+    /// Held as long as the journal.
+    _lock: File,
+}
+
+/// What stands in a journal.
+#[derive(Debug, Default)]
+pub struct Entries {
+    /// The last record of each key.
+    pub records: HashMap<PointKey, Record>,
+    /// Lines that could not be read.
+    pub n_damaged: usize,
+    /// Bytes up to the end of the last whole line.
+    length: u64,
+}
+
+impl Entries {
+    /// Reads the journal in a folder; empty where there is none.
+    ///
+    /// # Errors
+    /// [`SweepError::Io`].
+    pub fn read(folder: &Path) -> Result<Entries, SweepError> {
+        let path = folder.join(JOURNAL);
+        let bytes = match fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Entries::default()),
+            Err(e) => return Err(SweepError::io(&path, e)),
+        };
+        let mut entries = Entries::default();
+        for line in bytes.split_inclusive(|b| *b == b'\n') {
+            let Some(line) = line.strip_suffix(b"\n") else {
+                break; // Torn.
+            };
+            entries.length += line.len() as u64 + 1;
+            match serde_json::from_slice::<Record>(line) {
+                Ok(record) => {
+                    entries.records.insert(record.key, record);
+                }
+                Err(_) => entries.n_damaged += 1,
+            }
+        }
+        Ok(entries)
+    }
+}
+
+impl Journal {
+    /// Opens the journal in a folder that exists, and returns what it holds; a torn last line is cut off.
+    ///
+    /// # Errors
+    /// [`SweepError::Locked`] where another run holds it; [`SweepError::Io`].
+    pub fn open(folder: &Path) -> Result<(Journal, Entries), SweepError> {
+        let lock_path = folder.join(".lock");
+        let failed = |path: &Path| {
+            let path = path.to_owned();
+            move |e| SweepError::io(&path, e)
+        };
+        let lock = File::create(&lock_path).map_err(failed(&lock_path))?;
+        match lock.try_lock() {
+            Ok(()) => {}
+            Err(fs::TryLockError::WouldBlock) => {
+                return Err(SweepError::Locked {
+                    folder: folder.to_owned(),
+                });
+            }
+            Err(fs::TryLockError::Error(e)) => return Err(SweepError::io(&lock_path, e)),
+        }
+        let entries = Entries::read(folder)?;
+        let path = folder.join(JOURNAL);
+        let file = File::options()
+            .create(true)
+            .append(true)
+            .open(&path)
+            .map_err(failed(&path))?;
+        file.set_len(entries.length).map_err(failed(&path))?;
+        let journal = Journal {
+            path,
+            file,
+            _lock: lock,
+        };
+        Ok((journal, entries))
+    }
+
+    /// Appends a finished point and brings it to the disk.
+    ///
+    /// # Errors
+    /// [`SweepError::Io`].
+    pub fn append(&mut self, record: &Record) -> Result<(), SweepError> {
+        let write = || -> io::Result<()> {
+            let mut line = serde_json::to_vec(record)?;
+            line.push(b'\n');
+            self.file.write_all(&line)?;
+            self.file.sync_data()
+        };
+        let mut write = write;
+        write().map_err(|e| SweepError::io(&self.path, e))
+    }
+}

@@ -1,0 +1,211 @@
+//! The table of a study: one line for each finished point, in the order of the points.
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::journal::{PointKey, Record};
+use super::{Outcome, PointSolution, SweepError};
+use crate::case::study::{AxisValue, Study};
+use crate::contact::ContactKind;
+use crate::output::curve::{COLUMNS, Cell};
+
+/// Name of the table in the folder of a study.
+pub const TABLE: &str = "results.csv";
+/// Name of the list of points there.
+pub const POINTS: &str = "study.json";
+/// Value of its key `format`.
+pub const STUDY_FORMAT: &str = "ertel-study";
+
+/// The points of a study, as kept beside their journal: what is needed to make its table.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StudyEcho {
+    /// [`STUDY_FORMAT`].
+    pub format: String,
+    /// Version of the program.
+    pub ertel_version: String,
+    /// Title.
+    pub title: String,
+    /// Titles of the columns of the axes.
+    pub columns: Vec<String>,
+    /// Key and values of each point.
+    pub points: Vec<(PointKey, Vec<String>)>,
+}
+
+impl StudyEcho {
+    /// What is kept of a study.
+    pub fn new(study: &Study) -> StudyEcho {
+        let value = |value: &AxisValue| match value {
+            AxisValue::Number(number, _) => format!("{number:e}"),
+            AxisValue::Text(text) => text.clone(),
+        };
+        StudyEcho {
+            format: STUDY_FORMAT.to_owned(),
+            ertel_version: env!("CARGO_PKG_VERSION").to_owned(),
+            title: study.title.clone(),
+            columns: study.columns.iter().map(|c| c.header.clone()).collect(),
+            points: (study.points.iter())
+                .map(|p| {
+                    let values = p.values.iter().map(value).collect();
+                    (PointKey::new(&p.case), values)
+                })
+                .collect(),
+        }
+    }
+
+    /// Reads the list of points in a folder; `None` where there is none.
+    ///
+    /// # Errors
+    /// [`SweepError::Io`], also for a file that is no such list.
+    pub fn read(folder: &Path) -> Result<Option<StudyEcho>, SweepError> {
+        let path = folder.join(POINTS);
+        let bytes = match std::fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return Err(SweepError::io(&path, e)),
+        };
+        let echo: Result<StudyEcho, _> = serde_json::from_slice(&bytes);
+        match echo {
+            Ok(echo) if echo.format == STUDY_FORMAT => Ok(Some(echo)),
+            Ok(_) => Err(SweepError::io(
+                &path,
+                std::io::Error::other("it is no list of points of a study"),
+            )),
+            Err(e) => Err(SweepError::io(&path, e.into())),
+        }
+    }
+
+    /// Writes it into a folder.
+    ///
+    /// # Errors
+    /// [`SweepError::Io`].
+    pub fn write(&self, folder: &Path) -> Result<(), SweepError> {
+        let path = folder.join(POINTS);
+        let text =
+            serde_json::to_string_pretty(self).map_err(|e| SweepError::io(&path, e.into()))?;
+        write_whole(&path, text.as_bytes())
+    }
+
+    /// The table of the points that are finished, as text.
+    pub fn table(&self, records: &HashMap<PointKey, Record>) -> String {
+        let mut text = String::from("point");
+        let finished: Vec<_> = (self.points.iter().enumerate())
+            .filter_map(|(i, (key, values))| Some((i + 1, values, records.get(key)?)))
+            .collect();
+        let names = finished
+            .first()
+            .map_or(&[][..], |(_, _, record)| &record.fields);
+        for title in self
+            .columns
+            .iter()
+            .chain(names.iter().map(|(name, _)| name))
+        {
+            text.push(',');
+            text.push_str(&quoted(title));
+        }
+        text.push('\n');
+        for (number, values, record) in finished {
+            let _ = write!(text, "{number}");
+            for value in values {
+                text.push(',');
+                text.push_str(&quoted(value));
+            }
+            for (name, _) in names {
+                let field = record.fields.iter().find(|(own, _)| own == name);
+                text.push(',');
+                text.push_str(&quoted(field.map_or("", |(_, value)| value)));
+            }
+            text.push('\n');
+        }
+        text
+    }
+}
+
+/// A field, quoted where it must be (RFC 4180).
+fn quoted(text: &str) -> String {
+    if text.contains([',', ';', '\t', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+/// Writes a file so that it is whole or as before.
+pub(super) fn write_whole(path: &Path, content: &[u8]) -> Result<(), SweepError> {
+    let write = || -> std::io::Result<()> {
+        let folder = path.parent().unwrap_or(Path::new("."));
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".ertel-");
+        #[cfg(unix)]
+        {
+            // The usual rights of a new file; the umask is taken off.
+            use std::os::unix::fs::PermissionsExt;
+            builder.permissions(std::fs::Permissions::from_mode(0o666));
+        }
+        let mut file = builder.tempfile_in(folder)?;
+        file.write_all(content)?;
+        file.as_file().sync_all()?;
+        file.persist(path)?;
+        Ok(())
+    };
+    write().map_err(|e| SweepError::io(path, e))
+}
+
+/// Columns of a curve's table that a study has no use for: times differ from run to run, and the table must not.
+fn belongs(name: &str) -> bool {
+    !name.starts_with("newtonian_") && name != "seconds"
+}
+
+/// The fields of a point, by the titles of their columns: its operating point, then its figures.
+pub(super) fn fields(point: &PointSolution) -> Vec<(String, String)> {
+    let case = &point.case;
+    let is_line = case.contact.kind == ContactKind::Line;
+    let number = |value: f64| format!("{value:e}");
+    let load = if is_line { "load_N_per_m" } else { "load_N" };
+    let motion = &case.motion;
+    let operating = [
+        ("radius_m", case.contact.radius),
+        (load, case.contact.load),
+        ("entrainment_speed_m_per_s", motion.entrainment_speed),
+        ("slide_to_roll_ratio", motion.slide_to_roll_ratio),
+        ("temperature_K", case.temperature),
+        ("ambient_viscosity_Pa_s", case.fluid.viscosity),
+    ];
+    let mut fields: Vec<(String, String)> = operating
+        .map(|(name, value)| (name.to_owned(), number(value)))
+        .into();
+    for column in COLUMNS.iter().filter(|column| belongs(column.name)) {
+        let suffix = if column.per_length && is_line {
+            "_per_m"
+        } else {
+            ""
+        };
+        let value = match (column.value)(point) {
+            Cell::Empty => String::new(),
+            Cell::Number(value) => number(value),
+            Cell::Count(value) => value.to_string(),
+            Cell::Text(text) => text.replace(['\n', '\r'], " "),
+        };
+        fields.push((format!("{}{suffix}", column.name), value));
+    }
+    fields
+}
+
+/// The record of a point.
+pub(super) fn record(key: PointKey, point: &PointSolution) -> Record {
+    let solution = point.outcome.solution();
+    Record {
+        key,
+        converged: solution.is_some(),
+        reason: match &point.outcome {
+            Outcome::Failed(reason) => reason.clone(),
+            Outcome::Solved(_) => String::new(),
+        },
+        fields: fields(point),
+        warnings: solution.map_or(Vec::new(), |s| s.warnings.clone()),
+        seconds: point.seconds,
+    }
+}
