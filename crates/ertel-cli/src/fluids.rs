@@ -201,26 +201,39 @@ fn range(fluid: &Fluid) -> String {
     paragraph("  ", &format!("{} ({})", ends.join(", "), validity.source))
 }
 
-/// Viscosity and density over pressure; states outside the range of the data are marked.
+/// Viscosity and density over pressure, and conductivity and heat capacity where they change; states outside the range
+/// of the data are marked.
 fn states(fluid: &Fluid, temperature: f64) -> String {
-    let mut rows = vec![
-        ["pressure p", "viscosity µ", "density ρ"]
-            .map(str::to_owned)
-            .to_vec(),
-    ];
+    let mut heading = vec!["pressure p", "viscosity µ", "density ρ"];
+    let conductivity = fluid.thermal_conductivity.as_ref();
+    let conductivity = conductivity.filter(|law| law.constant_value().is_none());
+    let heat_capacity = fluid.heat_capacity.as_ref();
+    let heat_capacity = heat_capacity.filter(|law| law.constant_value().is_none());
+    heading.extend(conductivity.map(|_| "conductivity k"));
+    heading.extend(heat_capacity.map(|_| "heat capacity c"));
+    let mut rows: Vec<Vec<String>> = vec![heading.into_iter().map(str::to_owned).collect()];
     let mut extrapolated = false;
     for p in PRESSURES {
-        let outside = !fluid.check_range(p, temperature).is_empty();
+        let outside = !fluid.check_range_with_heat(p, temperature).is_empty();
         extrapolated |= outside;
         let mark = if outside { " *" } else { "" };
-        rows.push(vec![
+        let mut row = vec![
             pressure(p) + mark,
             viscosity(fluid.viscosity(p, temperature)),
             fluid.density(p, temperature).map_or_else(
                 |_| "no law".to_owned(),
                 |density| format!("{} kg/m³", digits(density, 5)),
             ),
-        ]);
+        ];
+        row.extend(
+            conductivity
+                .map(|law| format!("{} W/(m.K)", digits(law.conductivity(p, temperature), 4))),
+        );
+        row.extend(
+            heat_capacity
+                .map(|law| format!("{} J/(kg.K)", digits(law.heat_capacity(p, temperature), 4))),
+        );
+        rows.push(row);
     }
     let remark = if extrapolated {
         "  * outside the range of the data\n"

@@ -100,7 +100,7 @@ fn a_fluid_is_shown_with_data_sources_and_states() {
         "thesis  [1]",
         "[1] Habchi",
         "18.92 1/GPa",
-        "0 Pa to 470 MPa",
+        "0 Pa to 473.2 MPa",
         "outside the range of the data",
     ] {
         assert!(text.contains(words), "{words} is not in\n{text}");
@@ -201,4 +201,46 @@ fn a_full_disk_behind_stdout_exits_with_1() {
         .unwrap();
     assert_eq!(output.status.code(), Some(1));
     assert!(stderr(&output).contains("cannot write to stdout"));
+}
+
+/// Conductivity and heat capacity of a table, which ends at 60 MPa and keeps its last value.
+#[test]
+fn tables_of_heat_are_shown_over_pressure() {
+    let output = ertel(&["fluids", "show", "r134a"]);
+    let text = stdout(&output);
+    let values = |start: &str| {
+        let mut lines = text.lines().map(str::trim);
+        let line = lines.find(|line| line.starts_with(start) && line.contains("kg/m³"));
+        let line = line.unwrap_or_else(|| panic!("no state at {start}\n{text}"));
+        let (_, heat) = line.split_once("kg/m³").unwrap();
+        heat.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    // CoolProp 8 at -0.5 °C and saturation.
+    assert_eq!(values("0 Pa "), "0.09224 W/(m.K) 1340 J/(kg.K)");
+    assert_ne!(values("50 MPa"), values("100 MPa *"));
+    assert_eq!(values("100 MPa *"), values("1 GPa *"));
+    // A constant is among the data and needs no column.
+    let glycerol = ertel(&["fluids", "show", "glycerol"]);
+    assert!(!stdout(&glycerol).contains("conductivity k"));
+    assert!(stdout(&glycerol).contains("0.29 W/(m.K)"));
+}
+
+/// The cases that come with ertel are good ones; a study beside them has no `[contact]` of its own.
+#[test]
+fn every_shipped_case_passes_the_check() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let mut n_cases = 0;
+    for entry in std::fs::read_dir(&folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path
+            .extension()
+            .is_some_and(|extension| extension == "toml")
+        {
+            let output = ertel(&["solve", "--check", path.to_str().unwrap()]);
+            assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+            assert!(!stderr(&output).contains("warning"), "{}", stderr(&output));
+            n_cases += 1;
+        }
+    }
+    assert!(n_cases >= 7);
 }
