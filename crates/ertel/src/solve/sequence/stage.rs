@@ -7,13 +7,18 @@ use crate::solution::LevelStats;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
 use crate::solve::indicator::{Indicator, indicator};
-use crate::solve::newton::{FilmModel, NewtonLevel, NewtonStats, Reached, RunLabel};
+use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
 use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
 /// Shares of the full cavitation penalty in a start, where the free boundary is still
 /// far from its place.
 const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
+
+/// The same, by decades, for a stage in which Newton's method has gone round in circles: a penalty many times
+/// the usual one makes pressures below zero so small that points at the free boundary go over to the
+/// other side in each step.
+const GENTLE_RAMP: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
 
 /// Update, in p_h, at which a start is good enough.
 const START_TOLERANCE: f64 = 3e-2;
@@ -100,22 +105,52 @@ impl<'a> StageRun<'a> {
         } else {
             &[1.0]
         };
+        let from = state.clone();
         let mut outcome = Ok(Reached::default());
         for share in ramp {
-            let label = RunLabel {
-                level: self.level,
-                penalty_share: *share,
-                film_scale: self.problem.film_scale,
-            };
-            let model = self.model(*share);
-            outcome = (self.newton).run(&model, &params, &label, state, effort, observer);
+            outcome = self.run(*share, &params, state, effort, observer);
             let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
             let hopeless = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > HOPELESS);
             if outcome.is_err() && (!(leads && stalled) || hopeless) {
-                return outcome;
+                break;
             }
         }
-        outcome
+        let circling = matches!(outcome, Err(SolveError::NotConverged { .. }));
+        if !circling || leads || self.stage.near {
+            return outcome;
+        }
+        let mut trial = from;
+        for share in GENTLE_RAMP {
+            match self.run(share, &params, &mut trial, effort, observer) {
+                Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+                // Not the penalty's doing.
+                Err(_) => return outcome,
+                Ok(_) => {}
+            }
+        }
+        let gentle = self.run(1.0, &params, &mut trial, effort, observer);
+        if gentle.is_ok() {
+            *state = trial;
+        }
+        gentle
+    }
+
+    /// Newton's method with a share of the penalty.
+    fn run(
+        &self,
+        penalty_share: f64,
+        params: &NewtonParams,
+        state: &mut State,
+        effort: &mut NewtonStats,
+        observer: &mut dyn Observer,
+    ) -> Result<Reached, SolveError> {
+        let label = RunLabel {
+            level: self.level,
+            penalty_share,
+            film_scale: self.problem.film_scale,
+        };
+        let model = self.model(penalty_share);
+        (self.newton).run(&model, params, &label, state, effort, observer)
     }
 
     /// The film equations with a share of the cavitation penalty.
