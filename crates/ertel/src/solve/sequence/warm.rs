@@ -201,9 +201,9 @@ fn stretched(d: &Discretisation, state: &State, q: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Solves a problem from a start that suits it: Newton's method on the mesh of the start, then the error estimate,
-/// and refinement where that is too large. `None` where Newton's method does not converge from there, or the
-/// mesh cannot be brought to the accuracy that its own problem had.
+/// Solves a problem from a start that suits it: Newton's method on the mesh of the start, with whole steps or else with
+/// damped ones, then the error estimate, and refinement where that is too large. `None` where Newton's method does not
+/// converge from there, or the mesh cannot be brought to the accuracy that its own problem had.
 ///
 /// # Errors
 /// Only [`SolveError::Interrupted`].
@@ -215,24 +215,28 @@ pub fn solve_warm(
     let Some(last) = problem.stages.last() else {
         return Ok(None);
     };
-    let stage = Stage {
-        sizes: start.solution.stage.sizes,
-        refinements: start.solution.stage.refinements,
-        cold: false,
-        near: true,
-        role: Role::Final,
-        ..*last
-    };
-    let sequence = Sequence::from(problem, start.rescaled(problem), stage);
-    match sequence.solve(observer) {
-        Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
-        Err(_) => Ok(None),
-        Ok((solution, stats)) => {
-            let allowed = LARGEST_MISS.max(WORSE * start.miss);
-            let good = miss(problem, &solution, &stats) <= allowed;
-            Ok(good.then_some((solution, stats)))
+    let allowed = LARGEST_MISS.max(WORSE * start.miss);
+    // Where whole steps fail, damped ones mostly lead there still, for less than a start from the dry contact.
+    for near in [true, false] {
+        let stage = Stage {
+            sizes: start.solution.stage.sizes,
+            refinements: start.solution.stage.refinements,
+            cold: false,
+            near,
+            role: Role::Final,
+            ..*last
+        };
+        let sequence = Sequence::from(problem, start.rescaled(problem), stage);
+        match sequence.solve(observer) {
+            Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+            Err(_) => {}
+            Ok((solution, stats)) => {
+                let good = miss(problem, &solution, &stats) <= allowed;
+                return Ok(good.then_some((solution, stats)));
+            }
         }
     }
+    Ok(None)
 }
 
 /// Largest error bar over the target; zero where there is none.
