@@ -1,5 +1,6 @@
 //! Linear solvers: multifrontal Cholesky with static condensation, multifrontal and sparse LU, Krylov.
 
+pub mod block_ilu;
 pub mod compliance;
 pub mod condensed;
 pub mod dense;

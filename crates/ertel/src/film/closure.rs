@@ -15,7 +15,7 @@
 use ertel_rheology::shear::StressLimit;
 
 use super::cross_film::{CrossFilm, StressScales};
-use super::fluidity::Fluidity;
+use super::fluidity::{Fluidity, UniformFluidity};
 
 /// Number of quantities that the flow depends on: G_x, G_y, Ω, P.
 pub const N_DEMANDS: usize = 4;
@@ -206,7 +206,7 @@ fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f
     let (mut low, mut high) = (0.0_f64, f64::INFINITY);
     // Newton's method for ln τ + ln f = ln Ω, of slope at least one, within a bracket.
     for _ in 0..MOST_ITERATIONS {
-        let [f, by_square] = law.slope(tau * tau);
+        let [f, by_square] = law.slope(0.0, tau * tau);
         let slope = 1.0 + 2.0 * tau * tau * by_square / f;
         let step = (tau * f / goal).ln() / slope;
         if step > 0.0 {
@@ -239,7 +239,7 @@ fn rate(law: &impl Fluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2], slide
     let mut slopes = [0.0; 3];
     for [s, w] in rule.points() {
         let [x, y] = [tau[0] + s * g[0], tau[1] + s * g[1]];
-        let [f, by_square] = law.slope(x * x + y * y);
+        let [f, by_square] = law.slope(*s, x * x + y * y);
         let (value, slope) = (w * f, 2.0 * w * by_square);
         excess[0] += value * x;
         excess[1] += value * y;
@@ -269,7 +269,12 @@ struct Moments {
 
 impl Moments {
     #[inline(always)]
-    fn new(law: &impl Fluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2]) -> Moments {
+    fn new(
+        law: &impl UniformFluidity,
+        rule: &CrossFilm,
+        tau: [f64; 2],
+        g: [f64; 2],
+    ) -> Moments {
         let mut m = Moments::default();
         let with_pressure = law.depends_on_pressure();
         for &[s, w] in rule.points() {
@@ -310,29 +315,47 @@ fn add<const C: usize, const N: usize>(sums: &mut [[f64; C]; N], powers: &[f64; 
     }
 }
 
-/// Mid-plane stress and flow alone.
+/// Solution of the local problem without derivatives.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FilmFlow {
+    /// τ.
+    pub mid_stress: [f64; 2],
+    /// q.
+    pub flow: [f64; 2],
+    /// ∫ t·tf ds, the work of the stresses: Ωτ_x + G·q where e = s.
+    pub work: f64,
+}
+
+/// Solves the local problem; q = ∫ e tf ds with the lever e(s), which is s where the density is uniform.
 #[inline(always)]
 pub fn flow(
     law: &impl Fluidity,
+    lever: impl Fn(f64) -> f64,
     pressure_stress: [f64; 2],
     slide: f64,
     rule: &mut CrossFilm,
-) -> [[f64; 2]; 2] {
+) -> FilmFlow {
     let tau = mid_stress(law, pressure_stress, slide, rule);
-    let mut flow = [0.0; 2];
+    let mut film = FilmFlow {
+        mid_stress: tau,
+        ..FilmFlow::default()
+    };
     for &[s, w] in rule.points() {
         let t = [0, 1].map(|i| tau[i] + s * pressure_stress[i]);
-        let [f, _] = law.slope(dot(t, t));
-        flow[0] += w * s * f * t[0];
-        flow[1] += w * s * f * t[1];
+        let square = dot(t, t);
+        let [f, _] = law.slope(s, square);
+        let e = lever(s);
+        film.flow[0] += w * e * f * t[0];
+        film.flow[1] += w * e * f * t[1];
+        film.work += w * f * square;
     }
-    [tau, flow]
+    film
 }
 
 /// Solves the local problem and differentiates it.
 #[inline(always)]
 pub fn close(
-    law: &impl Fluidity,
+    law: &impl UniformFluidity,
     pressure_stress: [f64; 2],
     slide: f64,
     rule: &mut CrossFilm,
@@ -401,7 +424,7 @@ pub fn close(
 
 /// T[·, u, v] for a symmetric T given by xxx, xxy, xyy, yyy.
 #[inline(always)]
-fn contract(t: [f64; 4], u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+pub(super) fn contract(t: [f64; 4], u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
     let (xx, xy, yy) = (u[0] * v[0], u[0] * v[1] + u[1] * v[0], u[1] * v[1]);
     [
         t[0] * xx + t[1] * xy + t[2] * yy,
@@ -410,26 +433,26 @@ fn contract(t: [f64; 4], u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
 }
 
 #[inline(always)]
-fn plus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(super) fn plus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] + b[0], a[1] + b[1]]
 }
 
 /// K x for a symmetric K given by xx, xy, yy.
 #[inline(always)]
-fn multiply(k: [f64; 3], x: [f64; 2]) -> [f64; 2] {
+pub(super) fn multiply(k: [f64; 3], x: [f64; 2]) -> [f64; 2] {
     [k[0] * x[0] + k[1] * x[1], k[1] * x[0] + k[2] * x[1]]
 }
 
 /// K⁻¹ b, likewise.
 #[inline(always)]
-fn solve(k: [f64; 3], b: [f64; 2]) -> [f64; 2] {
+pub(super) fn solve(k: [f64; 3], b: [f64; 2]) -> [f64; 2] {
     let factor = k[1] / k[0];
     let y = (b[1] - factor * b[0]) / (k[2] - factor * k[1]);
     [(b[0] - k[1] * y) / k[0], y]
 }
 
 #[inline(always)]
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 

@@ -3,15 +3,19 @@
 use std::sync::Arc;
 
 use ertel_fem::linear::dense::vectorised;
+use ertel_rheology::Scalar;
 use ertel_rheology::density::DensityLaw;
 use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
-use num_dual::{Dual2_64, DualNum};
+use num_dual::{Dual2_64, Dual2SVec64, DualNum};
 
-use super::closure::{self, Closure};
+use super::closure::{self, Closure, FilmFlow};
 use super::cross_film::CrossFilm;
 use super::fluidity::{Fluidity, PointThinning, Thinning};
+use super::polynomial::FilmNodes;
 use super::properties::Properties;
+use super::warm::{Jet2, TemperatureProfile, WarmFluid, WarmLaw};
+use super::warm_closure::{WarmClosure, close_warm};
 use crate::contact::Scales;
 
 /// Fluid at a point: value, first and second derivative by P.
@@ -40,6 +44,8 @@ pub struct FilmFluid {
     shear_thinning: Option<Arc<Thinning>>,
     /// σ = λ SRR/12.
     slide: f64,
+    /// Nodes across the film, if its temperature varies.
+    nodes: Option<Arc<FilmNodes>>,
 }
 
 impl FilmFluid {
@@ -61,6 +67,7 @@ impl FilmFluid {
             stress_scale: scales.pressure * scales.film / scales.length,
             shear_thinning: None,
             slide: 0.0,
+            nodes: None,
         }
     }
 
@@ -92,46 +99,82 @@ impl FilmFluid {
         self.shear_thinning.is_none()
     }
 
-    /// Mid-plane stress and flow of [`FilmFluid::close`] alone.
-    pub fn flow(
-        &self,
-        pressure: f64,
-        pressure_stress: [f64; 2],
-        sliding_stress: f64,
-        rule: &mut CrossFilm,
-    ) -> [[f64; 2]; 2] {
-        match self.thinning_at(pressure) {
-            None => [[sliding_stress, 0.0], pressure_stress.map(|g| g / 12.0)],
-            Some(law) => vectorised(|| closure::flow(&law, pressure_stress, sliding_stress, rule)),
+    /// The fluid at a point, for its pressure and, where heat counts, its temperature.
+    pub fn local(&self, pressure: f64, temperature: Option<&TemperatureProfile>) -> LocalFluid<'_> {
+        let warm = temperature.map(|profile| self.warm(pressure, profile));
+        LocalFluid {
+            fluid: self,
+            pressure,
+            point: (warm.as_ref()).map_or_else(|| self.at(pressure), WarmFluid::point),
+            warm,
         }
     }
 
-    /// The closure for the pressure gradient and the film thickness at a point.
-    pub fn closure_at(
+    /// The fluid of a film of some temperature at P.
+    pub fn warm(&self, pressure: f64, profile: &TemperatureProfile) -> WarmFluid {
+        let nodes = self.nodes.as_ref().expect("a fluid with film nodes");
+        WarmFluid::new(nodes, profile, |t| self.properties_at(pressure, t))
+    }
+
+    /// ρ̄ and ln μ̄ at P and a temperature in K.
+    pub fn properties_at(&self, pressure: f64, temperature: f64) -> [Jet2; 2] {
+        let properties = &self.properties;
+        let at = |p: Dual2SVec64<2>, t: Dual2SVec64<2>| {
+            let [rho, ln_mu] = properties.of(p, t);
+            [rho, saturate(ln_mu * self.thickening)]
+        };
+        let both = |k: usize| Jet2::of(|p, t| at(p, t)[k], pressure.max(0.0), temperature);
+        let [mut rho, mut ln_mu] = [both(0), both(1)];
+        if pressure < 0.0 {
+            let p = Dual2_64::from_re(pressure).derivative();
+            for jet in [&mut rho, &mut ln_mu] {
+                let beyond = level_off(p, 0.0, jet.p);
+                jet.value += beyond.re;
+                jet.p = beyond.v1;
+                jet.pp = beyond.v2;
+                jet.pt = 0.0;
+            }
+        }
+        [rho, ln_mu]
+    }
+
+    /// The same fluid in films whose temperature is given at these nodes.
+    pub fn with_nodes(self, nodes: FilmNodes) -> FilmFluid {
+        FilmFluid {
+            nodes: Some(Arc::new(nodes)),
+            ..self
+        }
+    }
+
+    /// Nodes across the film, where its temperature varies.
+    pub fn nodes(&self) -> Option<&FilmNodes> {
+        self.nodes.as_deref()
+    }
+
+    /// The law of a warm film at P.
+    pub fn warm_law<'a>(&'a self, pressure: f64, fluid: &'a WarmFluid) -> WarmLaw<'a> {
+        WarmLaw {
+            thinning: self.thinning_at(pressure),
+            fluid,
+        }
+    }
+
+    /// Flow across a warm film at P, for G = H∇P and Ω = σμ̄/H with its standing viscosity.
+    pub fn close_warm(
         &self,
         pressure: f64,
-        pressure_gradient: [f64; 2],
-        film: f64,
+        fluid: &WarmFluid,
+        pressure_stress: [f64; 2],
+        sliding_stress: f64,
         rule: &mut CrossFilm,
-    ) -> Closure {
-        let sliding_stress = self.slide * self.at(pressure).viscosity[0] / film;
-        self.close(
-            pressure,
-            pressure_gradient.map(|p| film * p),
-            sliding_stress,
-            rule,
-        )
+    ) -> WarmClosure {
+        let law = self.warm_law(pressure, fluid);
+        vectorised(|| close_warm(&law, pressure_stress, sliding_stress, rule))
     }
 
     /// a p_h/R, Pa: the unit of the stresses in the film.
     pub fn stress_scale(&self) -> f64 {
         self.stress_scale
-    }
-
-    /// μ₁/η at the square of a stress, in that unit, and P.
-    pub fn relative_fluidity(&self, stress_squared: f64, pressure: f64) -> f64 {
-        self.thinning_at(pressure)
-            .map_or(1.0, |law| law.slope(stress_squared)[0])
     }
 
     /// Stresses, Pa, at which the fluid leaves its first and reaches its second Newtonian plateau at P.
@@ -196,6 +239,67 @@ impl FilmFluid {
     }
 }
 
+/// The fluid at a point of the film and its flow there.
+pub struct LocalFluid<'a> {
+    fluid: &'a FilmFluid,
+    pressure: f64,
+    point: PointFluid,
+    warm: Option<WarmFluid>,
+}
+
+impl LocalFluid<'_> {
+    /// Density and viscosity; of a warm film its mean density and the viscosity that stands for it.
+    pub fn point(&self) -> &PointFluid {
+        &self.point
+    }
+
+    /// The fluid across the film, where its temperature varies.
+    pub fn warm(&self) -> Option<&WarmFluid> {
+        self.warm.as_ref()
+    }
+
+    /// G and Ω of a pressure gradient and a film thickness.
+    pub fn demands(&self, pressure_gradient: [f64; 2], film: f64) -> ([f64; 2], f64) {
+        let omega = self.fluid.slide * self.point.viscosity[0] / film;
+        (pressure_gradient.map(|p| film * p), omega)
+    }
+
+    /// Stress and flow for G and Ω.
+    pub fn flow(&self, g: [f64; 2], omega: f64, rule: &mut CrossFilm) -> FilmFlow {
+        if let Some(warm) = &self.warm {
+            let law = self.fluid.warm_law(self.pressure, warm);
+            let lever = |s: f64| warm.lever.by_p[0].at(s);
+            return vectorised(|| closure::flow(&law, lever, g, omega, rule));
+        }
+        match self.fluid.thinning_at(self.pressure) {
+            None => FilmFlow {
+                mid_stress: [omega, 0.0],
+                flow: g.map(|g| g / 12.0),
+                work: omega * omega + (g[0] * g[0] + g[1] * g[1]) / 12.0,
+            },
+            Some(law) => vectorised(|| closure::flow(&law, |s| s, g, omega, rule)),
+        }
+    }
+
+    /// Flow and its derivatives for G and Ω.
+    pub fn close(&self, g: [f64; 2], omega: f64, rule: &mut CrossFilm) -> Closure {
+        match &self.warm {
+            None => self.fluid.close(self.pressure, g, omega, rule),
+            Some(warm) => (self.fluid)
+                .close_warm(self.pressure, warm, g, omega, rule)
+                .closure,
+        }
+    }
+
+    /// μ̄/η at a height of the film and the square of a stress, in units of a p_h/R.
+    pub fn relative_fluidity(&self, s: f64, stress_squared: f64) -> f64 {
+        if let Some(warm) = &self.warm {
+            return self.fluid.warm_law(self.pressure, warm).slope(s, stress_squared)[0];
+        }
+        (self.fluid.thinning_at(self.pressure)).map_or(1.0, |law| law.slope(s, stress_squared)[0])
+    }
+}
+
 fn dual([re, v1, v2]: [f64; 3]) -> Dual2_64 {
     Dual2_64::new(re, v1, v2)
 }
@@ -209,9 +313,9 @@ fn jet(v: Dual2_64) -> [f64; 3] {
 const SOLID: f64 = 200.0;
 
 /// Levels off above [`SOLID`], with continuous slope: at most half of it more.
-fn saturate(ln_viscosity: Dual2_64) -> Dual2_64 {
+fn saturate<D: Scalar>(ln_viscosity: D) -> D {
     let excess = ln_viscosity - SOLID;
-    if excess.re <= 0.0 {
+    if excess.re() <= 0.0 {
         return ln_viscosity;
     }
     excess / (excess * (2.0 / SOLID) + 1.0) + SOLID

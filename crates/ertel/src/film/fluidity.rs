@@ -31,14 +31,18 @@ pub struct Jet {
 
 /// Relative fluidity f = μ₁/η at one pressure.
 pub trait Fluidity {
-    /// f and its derivatives at the square of the stress.
-    fn jet(&self, stress_squared: f64) -> Jet;
-    /// f and ∂f/∂x alone.
-    fn slope(&self, stress_squared: f64) -> [f64; 2];
-    /// Whether f depends on P.
-    fn depends_on_pressure(&self) -> bool;
+    /// f and ∂f/∂x at a height s of the film and the square of the stress.
+    fn slope(&self, s: f64, stress_squared: f64) -> [f64; 2];
     /// What a quadrature across the film must resolve.
     fn scales(&self) -> StressScales;
+}
+
+/// Relative fluidity that is the same at every height of the film.
+pub trait UniformFluidity: Fluidity {
+    /// f and its derivatives at the square of the stress.
+    fn jet(&self, stress_squared: f64) -> Jet;
+    /// Whether f depends on P.
+    fn depends_on_pressure(&self) -> bool;
 }
 
 /// A shear-thinning law prepared for many evaluations.
@@ -115,7 +119,7 @@ pub struct PointThinning<'a> {
     scales: StressScales,
 }
 
-impl Fluidity for PointThinning<'_> {
+impl UniformFluidity for PointThinning<'_> {
     #[inline(always)]
     fn jet(&self, x: f64) -> Jet {
         let [a, a1, a2] = self.thinning.law(self.square * x);
@@ -143,18 +147,20 @@ impl Fluidity for PointThinning<'_> {
     }
 
     #[inline(always)]
-    fn slope(&self, x: f64) -> [f64; 2] {
+    fn depends_on_pressure(&self) -> bool {
+        self.limit.is_some()
+    }
+}
+
+impl Fluidity for PointThinning<'_> {
+    #[inline(always)]
+    fn slope(&self, _: f64, x: f64) -> [f64; 2] {
         if self.limit.is_some() {
             let jet = self.jet(x);
             return [jet.f, jet.x];
         }
         let [a, a1, _] = self.thinning.law(self.square * x);
         [a, a1 * self.square]
-    }
-
-    #[inline(always)]
-    fn depends_on_pressure(&self) -> bool {
-        self.limit.is_some()
     }
 
     fn scales(&self) -> StressScales {

@@ -4,8 +4,13 @@ pub mod closure;
 pub mod cross_film;
 pub mod fluid;
 pub mod fluidity;
+pub mod polynomial;
 mod properties;
 mod quintic;
+pub mod warm;
+pub mod warm_closure;
 
 pub use closure::Closure;
 pub use fluid::{FilmFluid, PointFluid};
+pub use polynomial::{FilmNodes, MOST_NODES, Nodal, Polynomial};
+pub use warm::{TemperatureProfile, WarmFluid};

@@ -1,5 +1,6 @@
 //! Density and low-shear viscosity over pressure, prepared for many evaluations.
 
+use ertel_rheology::Scalar;
 use ertel_rheology::density::DensityLaw;
 use ertel_rheology::viscosity::ViscosityLaw;
 use num_dual::Dual2_64;
@@ -88,12 +89,17 @@ impl Properties {
 
     /// The same from the laws.
     pub fn exact(&self, pressure: f64) -> [[f64; 3]; 2] {
-        let scale = self.pressure_scale;
-        let p = Dual2_64::from_re(pressure * scale).derivative();
-        let t = Dual2_64::from_re(self.temperature);
-        let rho = self.density.density(p, t) / self.density_scale;
-        let ln_mu = self.viscosity.ln_viscosity(p, t) - self.ln_viscosity_scale;
-        [rho, ln_mu].map(|v| [v.re, v.v1 * scale, v.v2 * scale * scale])
+        let p = Dual2_64::from_re(pressure).derivative();
+        self.of(p, Dual2_64::from_re(self.temperature))
+            .map(|v| [v.re, v.v1, v.v2])
+    }
+
+    /// ρ̄ and ln μ̄ from the laws at P and a temperature in K.
+    pub fn of<D: Scalar>(&self, pressure: D, temperature: D) -> [D; 2] {
+        let p = pressure * self.pressure_scale;
+        let rho = self.density.density(p, temperature) / self.density_scale;
+        let ln_mu = self.viscosity.ln_viscosity(p, temperature) - self.ln_viscosity_scale;
+        [rho, ln_mu]
     }
 }
 

@@ -10,7 +10,7 @@ use nalgebra::SVector;
 use num_dual::{Dual2SVec64, hessian};
 
 use super::*;
-use crate::film::fluidity::{Jet, Thinning};
+use crate::film::fluidity::{Jet, Thinning, UniformFluidity};
 
 /// Fluidities with closed-form flows, and those with everything at once.
 enum Law {
@@ -66,7 +66,7 @@ impl Law {
 /// A law at P.
 struct At<'a>(&'a Law, f64);
 
-impl Fluidity for At<'_> {
+impl UniformFluidity for At<'_> {
     fn jet(&self, x: f64) -> Jet {
         let At(law, p) = self;
         let (f, by, second) = hessian(
@@ -83,13 +83,15 @@ impl Fluidity for At<'_> {
         }
     }
 
-    fn slope(&self, x: f64) -> [f64; 2] {
-        let jet = self.jet(x);
-        [jet.f, jet.x]
-    }
-
     fn depends_on_pressure(&self) -> bool {
         matches!(self.0, Law::Carreau { .. })
+    }
+}
+
+impl Fluidity for At<'_> {
+    fn slope(&self, _: f64, x: f64) -> [f64; 2] {
+        let jet = self.jet(x);
+        [jet.f, jet.x]
     }
 
     fn scales(&self) -> StressScales {

@@ -1,0 +1,236 @@
+//! The fluid of a film whose temperature varies across it and along it.
+//!
+//! ```text
+//!   1/η(s) = f(|t|², P) e^{E(s)}/μ̄,   E = ln μ̄ − ln μ(P, T(s))      μ̄ at one height stands for the film
+//!   ρ_m = ∫ρ ds,   e(s) = ½ − ∫_s^½ ρ ds'/ρ_m                        mean density, lever of the shear rate
+//!
+//!   mass flow = H∫ρu ds = ρ_m H e_x + H∫ ρ_m e ∂u/∂s ds             (by parts; e = s where ρ is uniform)
+//! ```
+//! This is the generalized Reynolds equation of Yang and Wen (Habchi 2008, eqs. 5.4 and 5.5) with the flow
+//! written by the shear rate. ln μ and ρ are polynomials across the film through their values at its nodes.
+
+use nalgebra::SVector;
+use num_dual::{Dual2SVec64, hessian};
+
+use super::fluid::PointFluid;
+use super::fluidity::{Fluidity, PointThinning};
+use super::polynomial::{FilmNodes, Nodal, Polynomial};
+
+/// Temperature across the film at a point of the contact area, at the nodes of the film.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct TemperatureProfile {
+    /// T, K.
+    pub temperature: Nodal,
+    /// ∂T/∂X and ∂T/∂Y, K.
+    pub slopes: [Nodal; 2],
+}
+
+/// A property by P and T: value, slopes by P and T, curvatures PP and PT.
+#[derive(Clone, Copy, Debug)]
+pub struct Jet2 {
+    /// Value.
+    pub value: f64,
+    /// ∂/∂P.
+    pub p: f64,
+    /// ∂/∂T, 1/K.
+    pub t: f64,
+    /// ∂²/∂P².
+    pub pp: f64,
+    /// ∂²/∂P∂T, 1/K.
+    pub pt: f64,
+}
+
+impl Jet2 {
+    /// Differentiates a function of P and T (K).
+    pub fn of(
+        f: impl Fn(Dual2SVec64<2>, Dual2SVec64<2>) -> Dual2SVec64<2>,
+        pressure: f64,
+        temperature: f64,
+    ) -> Jet2 {
+        let (value, by, second) = hessian(
+            |v: SVector<Dual2SVec64<2>, 2>| f(v[0], v[1]),
+            &SVector::from([pressure, temperature]),
+        );
+        Jet2 {
+            value,
+            p: by[0],
+            t: by[1],
+            pp: second[(0, 0)],
+            pt: second[(0, 1)],
+        }
+    }
+}
+
+/// A quantity across the film with its changes by P, and along X and Y at a fixed P.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Field {
+    /// Value, first and second derivative by P.
+    pub by_p: [Polynomial; 3],
+    /// Derivatives along X and Y: value and derivative by P.
+    pub along: [[Polynomial; 2]; 2],
+}
+
+/// A number with its changes alike.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Mean {
+    /// Value, first and second derivative by P.
+    pub by_p: [f64; 3],
+    /// Derivatives along X and Y: value and derivative by P.
+    pub along: [[f64; 2]; 2],
+}
+
+/// Fluid of the film at one point and pressure.
+#[derive(Clone, Copy, Debug)]
+pub struct WarmFluid {
+    /// E.
+    pub exponent: Field,
+    /// e.
+    pub lever: Field,
+    /// ρ_m.
+    pub density: Mean,
+    /// μ̄ with two derivatives by P; it belongs to the point, and has no others.
+    pub viscosity: [f64; 3],
+    /// ln μ at the nodes.
+    pub ln_viscosity: [Nodal; 2],
+    /// ρ at the nodes.
+    pub densities: [Nodal; 2],
+}
+
+impl WarmFluid {
+    /// Fluid from ρ̄ and ln μ̄ at the nodes.
+    pub fn new(
+        nodes: &FilmNodes,
+        profile: &TemperatureProfile,
+        properties: impl Fn(f64) -> [Jet2; 2],
+    ) -> WarmFluid {
+        let n = nodes.n();
+        let mut density = Sampled::default();
+        let mut ln_mu = Sampled::default();
+        for m in 0..n {
+            let [rho, mu] = properties(profile.temperature[m]);
+            let slopes = [profile.slopes[0][m], profile.slopes[1][m]];
+            density.set(m, &rho, slopes);
+            ln_mu.set(m, &mu, slopes);
+        }
+        let rho = density.mean(nodes);
+        let reference = ln_mu.mean(nodes).by_p;
+        let [l, l1, l2] = reference;
+        let mu = l.exp();
+        let exponent = ln_mu.fields(|values| nodes.through(values));
+        let negative = |p: &Polynomial, plus: f64| {
+            Polynomial::constant(plus).combined(1.0, p, -1.0)
+        };
+        let above = density.fields(|values| nodes.above(values));
+        WarmFluid {
+            exponent: Field {
+                by_p: std::array::from_fn(|k| negative(&exponent.by_p[k], reference[k])),
+                along: exponent.along.map(|a| a.map(|p| negative(&p, 0.0))),
+            },
+            lever: lever(&above, &rho),
+            density: rho,
+            viscosity: [mu, mu * l1, mu * (l1 * l1 + l2)],
+            ln_viscosity: [ln_mu.by_p[0], ln_mu.by_t],
+            densities: [density.by_p[0], density.by_t],
+        }
+    }
+
+    /// Mean density and standing viscosity as the isothermal equations have them.
+    pub fn point(&self) -> PointFluid {
+        PointFluid {
+            density: self.density.by_p,
+            viscosity: self.viscosity,
+        }
+    }
+}
+
+/// e and its derivatives, r = R/ρ_m = ½ − e.
+fn lever(above: &Field, mean: &Mean) -> Field {
+    let [rho, rho_p, rho_pp] = mean.by_p;
+    let zero = Polynomial::constant(0.0);
+    // (a + Σ bᵢ cᵢ)/ρ_m
+    let quotient = |a: &Polynomial, terms: &[(f64, &Polynomial)]| {
+        let mut sum = *a;
+        for (factor, p) in terms {
+            sum = sum.combined(1.0, p, *factor);
+        }
+        zero.combined(0.0, &sum, 1.0 / rho)
+    };
+    let [a, a_p, a_pp] = &above.by_p;
+    let r = quotient(a, &[]);
+    let r_p = quotient(a_p, &[(-rho_p, &r)]);
+    let r_pp = quotient(a_pp, &[(-2.0 * rho_p, &r_p), (-rho_pp, &r)]);
+    let along = [0, 1].map(|i: usize| {
+        let [rho_x, rho_px] = mean.along[i];
+        let [a_x, a_px] = &above.along[i];
+        let r_x = quotient(a_x, &[(-rho_x, &r)]);
+        let r_px = quotient(a_px, &[(-rho_x, &r_p), (-rho_p, &r_x), (-rho_px, &r)]);
+        [r_x, r_px]
+    });
+    let negative = |p: &Polynomial| zero.combined(0.0, p, -1.0);
+    Field {
+        by_p: [
+            Polynomial::constant(0.5).combined(1.0, &r, -1.0),
+            negative(&r_p),
+            negative(&r_pp),
+        ],
+        along: along.map(|a| a.each_ref().map(negative)),
+    }
+}
+
+/// A property at the nodes.
+#[derive(Default)]
+struct Sampled {
+    by_p: [Nodal; 3],
+    by_t: Nodal,
+    along: [[Nodal; 2]; 2],
+}
+
+impl Sampled {
+    fn set(&mut self, m: usize, jet: &Jet2, slopes: [f64; 2]) {
+        self.by_p[0][m] = jet.value;
+        self.by_p[1][m] = jet.p;
+        self.by_p[2][m] = jet.pp;
+        self.by_t[m] = jet.t;
+        for (along, slope) in self.along.iter_mut().zip(slopes) {
+            along[0][m] = jet.t * slope;
+            along[1][m] = jet.pt * slope;
+        }
+    }
+
+    fn mean(&self, nodes: &FilmNodes) -> Mean {
+        Mean {
+            by_p: self.by_p.each_ref().map(|v| nodes.mean(v)),
+            along: self.along.each_ref().map(|a| a.each_ref().map(|v| nodes.mean(v))),
+        }
+    }
+
+    fn fields(&self, polynomial: impl Fn(&Nodal) -> Polynomial) -> Field {
+        Field {
+            by_p: self.by_p.each_ref().map(&polynomial),
+            along: (self.along.each_ref()).map(|a| a.each_ref().map(&polynomial)),
+        }
+    }
+}
+
+/// The law of a warm film: shear thinning times the effect of temperature.
+pub struct WarmLaw<'a> {
+    /// How stress thins the fluid, if it does.
+    pub thinning: Option<PointThinning<'a>>,
+    /// The fluid.
+    pub fluid: &'a WarmFluid,
+}
+
+impl Fluidity for WarmLaw<'_> {
+    #[inline(always)]
+    fn slope(&self, s: f64, stress_squared: f64) -> [f64; 2] {
+        let factor = self.fluid.exponent.by_p[0].at(s).exp();
+        match &self.thinning {
+            None => [factor, 0.0],
+            Some(law) => law.slope(s, stress_squared).map(|v| factor * v),
+        }
+    }
+
+    fn scales(&self) -> super::cross_film::StressScales {
+        (self.thinning.as_ref()).map_or_else(Default::default, Fluidity::scales)
+    }
+}
