@@ -190,6 +190,8 @@ impl From<SolveError> for Failure {
             }
             SolveError::Discretisation(error) => Self::Other(error.to_string()),
             SolveError::NotConverged { .. }
+            | SolveError::NotCoupled { .. }
+            | SolveError::Heat(_)
             | SolveError::Krylov(_)
             | SolveError::Factorisation(_) => Self::NotConverged(format!("{error}\n{HELP}")),
         }

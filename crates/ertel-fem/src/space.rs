@@ -48,6 +48,24 @@ impl Space {
         }
     }
 
+    /// The same with nodes numbered by their first coordinate.
+    pub fn along_x(mut self) -> Space {
+        let mut order: Vec<u32> = (0..self.n_nodes() as u32).collect();
+        order.sort_by(|a, b| {
+            let [a, b] = [a, b].map(|n| self.points[*n as usize]);
+            a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
+        });
+        let mut rank = vec![0; order.len()];
+        for (new, old) in order.iter().enumerate() {
+            rank[*old as usize] = new as u32;
+        }
+        self.points = order.iter().map(|n| self.points[*n as usize]).collect();
+        let renumber = |node: &mut u32| *node = rank[*node as usize];
+        self.element_nodes.iter_mut().for_each(renumber);
+        self.keys.values_mut().for_each(renumber);
+        self
+    }
+
     /// Number of nodes.
     pub fn n_nodes(&self) -> usize {
         self.points.len()

@@ -43,3 +43,4 @@ pub use scalar::Scalar;
 pub use shear::ShearThinning;
 pub use solid::Solid;
 pub use viscosity::ViscosityLaw;
+mod shim; pub use shim::*;

@@ -14,7 +14,10 @@ use crate::solve::cache::OperatorCache;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::newton::{FilmModel, NewtonParams};
 pub use crate::solve::sequence::Start;
-use crate::solve::sequence::{Problem, Role, Stage, StageSolution, solve_stages, solve_warm};
+use crate::forms::energy::{BodyHeat, Heat};
+use crate::solve::heat::column::Column;
+use crate::solve::heat::coupling::CouplingParams;
+use crate::solve::sequence::{HeatProblem, Problem, Role, Stage, StageSolution, solve_stages, solve_warm};
 use crate::solve::system::FilmConstants;
 use crate::solve::{Observer, SolveError};
 
@@ -52,6 +55,21 @@ pub fn problem(case: &Case) -> Problem {
             .map(|b| dimensionless(b.elasticity.youngs_modulus, b.elasticity.poissons_ratio))
             .to_vec(),
     };
+    let heat = heat_problem(case, &scales);
+    let mut fluid = FilmFluid::new(
+        &lubricant.density,
+        &lubricant.viscosity,
+        lubricant.temperature,
+        &scales,
+    )
+    .with_shear(
+        case.shear_thinning(),
+        case.motion.slide_to_roll_ratio,
+        &scales,
+    );
+    if let Some(heat) = &heat {
+        fluid = fluid.with_nodes(heat.column.film.clone());
+    }
     Problem {
         kind: contact.kind,
         extents: extents(contact.kind, &case.mesh, start_film),
@@ -61,20 +79,11 @@ pub fn problem(case: &Case) -> Problem {
             constants,
             case.solver.error_estimate,
             case.shear_thinning().is_some(),
+            heat.is_some(),
         ),
         elastic_order: case.mesh.elastic_order,
         bodies,
-        fluid: FilmFluid::new(
-            &lubricant.density,
-            &lubricant.viscosity,
-            lubricant.temperature,
-            &scales,
-        )
-        .with_shear(
-            case.shear_thinning(),
-            case.motion.slide_to_roll_ratio,
-            &scales,
-        ),
+        fluid,
         load: scales.load,
         // A film that starts too thick closes in from the safe side.
         start_film: 1.5 * start_film,
@@ -91,7 +100,53 @@ pub fn problem(case: &Case) -> Problem {
         error_estimate: case.solver.error_estimate,
         adapt: (case.mesh.target_error)
             .map(|target| AdaptParams::new(target, case.mesh.max_unknowns)),
+        heat,
     }
+}
+
+/// Heat of a case, if it counts.
+fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
+    if std::env::var("HEAT").is_err() { return None; }
+    let body = |velocity: f64, k: f64, rho: f64, c: f64| BodyHeat {
+        density: rho,
+        conductivity: ertel_rheology::ConductivityLaw::constant(k).unwrap(),
+        heat_capacity: ertel_rheology::HeatCapacityLaw::constant(c).unwrap(),
+        velocity,
+        bulk_temperature: case.lubricant.temperature,
+    };
+    let u = case.motion.entrainment_speed;
+    let s = case.motion.slide_to_roll_ratio;
+    let heat = Heat {
+        conductivity: ertel_rheology::ConductivityLaw::constant(0.13).unwrap(),
+        heat_capacity: ertel_rheology::HeatCapacityLaw::constant(1700.0).unwrap(),
+        bodies: [
+            body(u * (1.0 - 0.5 * s), 1.114, 2510.0, 858.0),
+            body(u * (1.0 + 0.5 * s), 46.0, 7850.0, 470.0),
+        ],
+        inlet_temperature: case.lubricant.temperature,
+        length: scales.length,
+        film: scales.film,
+        pressure: scales.pressure,
+        density: scales.density,
+        viscosity: scales.viscosity,
+        lambda: scales.lambda,
+        entrainment_speed: u,
+    };
+    let skins = heat.bodies.each_ref().map(|b| skin(b, scales.length));
+    Some(HeatProblem {
+        heat,
+        surface_order: 1,
+        column: Column::new(8, 4, 3.15, skins),
+        coupling: CouplingParams::default(),
+    })
+}
+
+/// Depth, in half-widths, to which heat gets into a body while it passes through the contact.
+fn skin(body: &BodyHeat, length: f64) -> f64 {
+    let t = body.bulk_temperature;
+    let capacity = body.density * body.heat_capacity.heat_capacity(0.0, t);
+    let diffusivity = body.conductivity.conductivity(0.0, t) / capacity;
+    (diffusivity / (body.velocity.abs() * length)).sqrt().min(1.0)
 }
 
 /// What solves share.
@@ -344,6 +399,7 @@ fn stages(
     constants: FilmConstants,
     error_estimate: bool,
     thins: bool,
+    heats: bool,
 ) -> Vec<Stage> {
     // A film thicker than the dry contact is flat sets the length √H over which pressure varies.
     let stretch = film.sqrt().max(1.0);
@@ -390,6 +446,7 @@ fn stages(
         constants,
         thickening: 1.0,
         newtonian: false,
+        heated: heats,
         cold: false,
         near: false,
         role: Role::Final,
@@ -399,6 +456,7 @@ fn stages(
         pressure_order: order.min(2),
         constants: start,
         newtonian: thins,
+        heated: false,
         cold: true,
         role: Role::Start,
         ..solution
@@ -407,7 +465,14 @@ fn stages(
     stages.extend(thins.then_some(Stage {
         sizes: coarse,
         newtonian: true,
+        heated: false,
         role: Role::Comparison,
+        ..solution
+    }));
+    stages.extend(heats.then_some(Stage {
+        sizes: coarse,
+        heated: false,
+        role: Role::Isothermal,
         ..solution
     }));
     if mesh.target_error.is_some() {

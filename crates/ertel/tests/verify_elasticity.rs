@@ -335,6 +335,7 @@ fn hertz_error(d: &Discretisation) -> Vec<f64> {
         deflection: d.deflect(&pressure),
         pressure,
         rigid_separation: 0.0,
+        ..State::default()
     };
     [0.0, 0.5, 0.9, 1.1, 1.4, -2.0, -3.5]
         .iter()

@@ -29,6 +29,7 @@ fn state(d: &Discretisation, pressure: Vec<f64>, rigid_separation: f64) -> State
         deflection: d.deflect(&pressure),
         pressure,
         rigid_separation,
+        ..State::default()
     }
 }
 

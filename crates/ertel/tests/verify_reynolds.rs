@@ -212,6 +212,7 @@ fn errors(
             .map(|p| deflection(p[0], p[1]))
             .collect(),
         rigid_separation: SEPARATION,
+        ..State::default()
     };
     let f = |point: [f64; 3]| source(kind, film, point);
     let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);

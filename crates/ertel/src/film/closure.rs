@@ -445,7 +445,7 @@ pub(super) fn multiply(k: [f64; 3], x: [f64; 2]) -> [f64; 2] {
 
 /// K⁻¹ b, likewise.
 #[inline(always)]
-pub(super) fn solve(k: [f64; 3], b: [f64; 2]) -> [f64; 2] {
+pub(crate) fn solve(k: [f64; 3], b: [f64; 2]) -> [f64; 2] {
     let factor = k[1] / k[0];
     let y = (b[1] - factor * b[0]) / (k[2] - factor * k[1]);
     [(b[0] - k[1] * y) / k[0], y]

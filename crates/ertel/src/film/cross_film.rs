@@ -29,6 +29,8 @@ pub struct StressScales {
     pub growth: Option<f64>,
     /// Stress that the fluid cannot pass.
     pub limit: Option<f64>,
+    /// e-folds by which the fluidity varies across the film for its temperature.
+    pub variation: Option<f64>,
 }
 
 /// Points s and weights; the weights sum to one.
@@ -94,6 +96,10 @@ impl CrossFilm {
         let square = |x: f64, y: f64| x * x + y * y;
         let (gg, tt) = (square(gx, gy), square(tx, ty));
         let mut extra = 0;
+        if let Some(variation) = scales.variation {
+            // a power series across the film, and its exponential
+            extra += 6 + variation.min(1e3) as usize;
+        }
         if let Some(growth) = scales.growth {
             // e^{ks} on an interval of length 1
             extra += (0.7 * gg.sqrt() / growth).min(1e3) as usize;

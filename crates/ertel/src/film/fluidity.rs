@@ -85,6 +85,7 @@ impl Thinning {
                 knee: scaled(scales.knee),
                 growth: scaled(scales.growth),
                 limit: scaled(scales.limit),
+                variation: None,
             },
         }
     }

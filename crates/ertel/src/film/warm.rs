@@ -12,6 +12,7 @@
 use nalgebra::SVector;
 use num_dual::{Dual2SVec64, hessian};
 
+use super::cross_film::StressScales;
 use super::fluid::PointFluid;
 use super::fluidity::{Fluidity, PointThinning};
 use super::polynomial::{FilmNodes, Nodal, Polynomial};
@@ -90,10 +91,12 @@ pub struct WarmFluid {
     pub density: Mean,
     /// μ̄ with two derivatives by P; it belongs to the point, and has no others.
     pub viscosity: [f64; 3],
-    /// ln μ at the nodes.
-    pub ln_viscosity: [Nodal; 2],
-    /// ρ at the nodes.
+    /// ln μ at the nodes, and its derivative by T, 1/K.
+    pub ln_viscosities: [Nodal; 2],
+    /// ρ̄ at the nodes, and its derivative by T, 1/K.
     pub densities: [Nodal; 2],
+    /// e-folds by which μ varies across the film.
+    pub variation: f64,
 }
 
 impl WarmFluid {
@@ -129,8 +132,9 @@ impl WarmFluid {
             lever: lever(&above, &rho),
             density: rho,
             viscosity: [mu, mu * l1, mu * (l1 * l1 + l2)],
-            ln_viscosity: [ln_mu.by_p[0], ln_mu.by_t],
+            ln_viscosities: [ln_mu.by_p[0], ln_mu.by_t],
             densities: [density.by_p[0], density.by_t],
+            variation: spread(&ln_mu.by_p[0][..n]),
         }
     }
 
@@ -141,6 +145,11 @@ impl WarmFluid {
             viscosity: self.viscosity,
         }
     }
+}
+
+fn spread(values: &[f64]) -> f64 {
+    let largest = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    largest - values.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
 /// e and its derivatives, r = R/ρ_m = ½ − e.
@@ -230,7 +239,10 @@ impl Fluidity for WarmLaw<'_> {
         }
     }
 
-    fn scales(&self) -> super::cross_film::StressScales {
-        (self.thinning.as_ref()).map_or_else(Default::default, Fluidity::scales)
+    fn scales(&self) -> StressScales {
+        StressScales {
+            variation: Some(self.fluid.variation),
+            ..(self.thinning.as_ref()).map_or_else(Default::default, Fluidity::scales)
+        }
     }
 }

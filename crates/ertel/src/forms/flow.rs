@@ -6,8 +6,12 @@
 //! ```
 //! Mass flows by ρ̄H e_x − Q. A generalized-Newtonian film has one viscosity at each height; its Q,
 //! from the stress across the film, contains what sliding does to the flow (Habchi 2008, eqs. 4.9 and
-//! 4.11, where the same is written with integrals of 1/η). With q = G/12 it is the Newtonian one.
+//! 4.11, where the same is written with integrals of 1/η). With q = G/12 it is the Newtonian one. Where the
+//! temperature varies, ρ̄ is the mean over the film and μ̄ the viscosity at one height (see [`crate::film::warm`]).
 
+use crate::film::closure::N_DEMANDS;
+use crate::film::warm::Mean;
+use crate::film::warm_closure::WarmClosure;
 use crate::film::{Closure, PointFluid};
 use crate::forms::dual::Number;
 
@@ -70,6 +74,8 @@ pub struct Flow<D> {
     pub divergence: D,
     /// ∂Q_x/∂P_x, by which the stabilisation measures diffusion.
     pub diffusivity: D,
+    /// H ∂ρ̄/∂X at a fixed pressure, where the temperature changes along the film.
+    pub drift: D,
 }
 
 /// Flow of a Newtonian film.
@@ -86,6 +92,7 @@ pub fn newtonian<D: Number>(s: &PointState<D>, m: &Properties<D>, lambda: f64) -
         flux: [epsilon * px, epsilon * py],
         divergence: epsilon * (along + pxx + pyy),
         diffusivity: epsilon,
+        drift: D::from(0.0),
     }
 }
 
@@ -114,19 +121,13 @@ pub fn generalized<D: Number>(
     let [gx, gy] = pressure_stress(s);
     let omega = sliding_stress(s, m, slide);
     let changes = [gx, gy, omega, s.pressure].map(|y| y - y.re());
-    // Flow and its slopes, exact to first order around the point.
-    let expand = |value: f64, slopes: &[f64; 4]| {
-        let mut sum = D::from(value);
-        for (change, slope) in changes.iter().zip(slopes) {
-            sum += *change * *slope;
-        }
-        sum
-    };
+    let expand = |value: f64, slopes: &[f64; 4]| expanded(value, slopes, &changes);
     let factor = m.density * h * h * 12.0 / (m.viscosity * lambda);
     let mut flow = Flow {
         flux: [D::from(0.0); 2],
         divergence: D::from(0.0),
         diffusivity: D::from(0.0),
+        drift: D::from(0.0),
     };
     let [pxx, pxy, pyy] = s.pressure_curvature;
     let curvature = [[pxx, pxy], [pxy, pyy]];
@@ -148,5 +149,38 @@ pub fn generalized<D: Number>(
         }
     }
     flow.divergence = factor * flow.divergence;
+    flow
+}
+
+/// A value with its slopes, exact to first order around the point.
+#[inline(always)]
+fn expanded<D: Number>(value: f64, slopes: &[f64; N_DEMANDS], changes: &[D; N_DEMANDS]) -> D {
+    let mut sum = D::from(value);
+    for (change, slope) in changes.iter().zip(slopes) {
+        sum += *change * *slope;
+    }
+    sum
+}
+
+/// Flow of a film whose temperature varies, `density` its mean: what the temperature does along the film
+/// comes on top.
+#[inline(always)]
+pub fn warm<D: Number>(
+    s: &PointState<D>,
+    m: &Properties<D>,
+    lambda: f64,
+    slide: f64,
+    closure: &WarmClosure,
+    density: &Mean,
+) -> Flow<D> {
+    let mut flow = generalized(s, m, lambda, slide, &closure.closure);
+    let [gx, gy] = pressure_stress(s);
+    let omega = sliding_stress(s, m, slide);
+    let changes = [gx, gy, omega, s.pressure].map(|y| y - y.re());
+    let drift = expanded(closure.drift, &closure.drift_slopes, &changes);
+    flow.divergence += m.density * s.film * s.film * 12.0 / (m.viscosity * lambda) * drift;
+    let [by_x, by_y] = density.along.map(|[value, by_p]| changes[3] * by_p + value);
+    flow.divergence += (flow.flux[0] * by_x + flow.flux[1] * by_y) / m.density;
+    flow.drift = s.film * by_x;
     flow
 }

@@ -2,5 +2,6 @@
 
 pub mod dual;
 pub mod elasticity;
+pub mod energy;
 pub mod flow;
 pub mod reynolds;

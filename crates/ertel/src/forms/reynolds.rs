@@ -110,7 +110,8 @@ pub fn reynolds_point<D: Number>(
         let weight = upwind(peclet) * peclet * m.density * (UNSEEN_WEIGHT / e.size);
         test.unseen = weight * s.pressure_unseen;
     }
-    let residual = -flow.divergence + m.density_slope * px * h + m.density * hx + penalty - source;
+    let wedge = m.density_slope * px * h + flow.drift + m.density * hx;
+    let residual = -flow.divergence + wedge + penalty - source;
     let peclet = beta * (e.size / l2) / epsilon;
     let tau = upwind(peclet) * (e.size * e.size / (l2 * l2)) / epsilon;
     let weight = tau * residual;

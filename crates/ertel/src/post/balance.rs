@@ -31,12 +31,12 @@ pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
         let Some(f) = fields_at(d, state, [0.0, y]) else {
             return f64::NAN;
         };
-        let properties = model.fluid.at(f.pressure);
-        let (rho, mu) = (properties.density[0], properties.viscosity[0]);
-        let mut rule = CrossFilm::default();
-        let closure = (model.fluid).closure_at(f.pressure, f.pressure_gradient, f.film, &mut rule);
+        let fluid = model.fluid.local(f.pressure, f.temperature.as_ref());
+        let (rho, mu) = (fluid.point().density[0], fluid.point().viscosity[0]);
+        let (g, omega) = fluid.demands(f.pressure_gradient, f.film);
+        let flow = fluid.flow(g, omega, &mut CrossFilm::default()).flow;
         let factor = 12.0 * rho * f.film.powi(2) / (mu * model.constants.lambda);
-        rho * f.film - factor * closure.flow[0]
+        rho * f.film - factor * flow[0]
     };
     let section = if d.contact.surface.dim == 1 {
         flux(0.0)

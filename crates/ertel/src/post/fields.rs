@@ -16,7 +16,8 @@ pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) 
     let profile = Profile::new(&solution.discretisation, &solution.state, 4);
     let mut line = Centreline::default();
     for (x, f) in profile.x.iter().zip(&profile.fields) {
-        let properties = fluid.at(f.pressure);
+        let local = fluid.local(f.pressure, f.temperature.as_ref());
+        let properties = local.point();
         line.x.push(x * scales.length);
         line.pressure.push(f.pressure * scales.pressure);
         line.film_thickness.push(f.film * scales.film);
@@ -47,14 +48,6 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
         ..SurfaceField::default()
     };
     let mut at_nodes = vec![PointFields::default(); n];
-    for p in &solution.state.pressure {
-        let properties = fluid.at(*p);
-        field.pressure.push(p * scales.pressure);
-        field
-            .viscosity
-            .push(properties.viscosity[0] * scales.viscosity);
-        field.density.push(properties.density[0] * scales.density);
-    }
     let lattice = d.pressure.element.lattice();
     let order = d.pressure.element.order();
     let local = |a1: usize, a2: usize| {
@@ -96,6 +89,15 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
                 }
             }
         }
+    }
+    for (p, f) in solution.state.pressure.iter().zip(&at_nodes) {
+        let local = fluid.local(*p, f.temperature.as_ref());
+        let properties = local.point();
+        field.pressure.push(p * scales.pressure);
+        field
+            .viscosity
+            .push(properties.viscosity[0] * scales.viscosity);
+        field.density.push(properties.density[0] * scales.density);
     }
     field.shear = super::shear::fields(fluid, scales, &at_nodes);
     field

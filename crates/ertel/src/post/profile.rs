@@ -102,6 +102,7 @@ mod tests {
         let fields = x
             .iter()
             .map(|x| PointFields {
+                temperature: None,
                 pressure: 0.7 - x * x + bump * (-((x - 0.8) / 0.03).powi(2)).exp(),
                 pressure_gradient: [0.0; 2],
                 film: 0.1 + 0.02 * (x - 0.5_f64).powi(2),

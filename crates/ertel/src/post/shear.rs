@@ -3,7 +3,7 @@
 //! ```text
 //!   τ_zx at mid-film and at both walls: S τ_x, S(τ ∓ G/2)_x,  S = a p_h/R, τ and G of the closure
 //!   traction coefficient = ∫τ_zx dA / load                        (Habchi 2008, eq. 4.15)
-//!   friction power = ∫∫ τ·γ̇ dz dA = ∫ h S²/μ₁ (Ωτ_x + G·q) dA
+//!   friction power = ∫∫ τ·γ̇ dz dA = ∫ h S²/μ₁ ∫t·tf ds dA
 //! ```
 
 use crate::contact::{ContactKind, Scales};
@@ -43,21 +43,21 @@ impl<'a> Shear<'a> {
     }
 
     fn at(&mut self, f: &PointFields) -> PointShear {
-        let mu = self.fluid.at(f.pressure).viscosity[0];
-        let g = f.pressure_gradient.map(|p| f.film * p);
-        let omega = self.fluid.slide() * mu / f.film;
-        let [mid, flow] = self.fluid.flow(f.pressure, g, omega, &mut self.rule);
+        let fluid = self.fluid.local(f.pressure, f.temperature.as_ref());
+        let mu = fluid.point().viscosity[0];
+        let (g, omega) = fluid.demands(f.pressure_gradient, f.film);
+        let film = fluid.flow(g, omega, &mut self.rule);
+        let mid = film.mid_stress;
         let scale = self.fluid.stress_scale();
         let at = |s: f64| [0, 1].map(|i| scale * (mid[i] + s * g[i]));
         let stresses = [at(0.0), at(-0.5), at(0.5)];
         let viscosity = mu * self.scales.viscosity;
         let squared = mid[0] * mid[0] + mid[1] * mid[1];
-        let work = omega * mid[0] + g[0] * flow[0] + g[1] * flow[1];
         PointShear {
             stress: stresses.map(|t| t[0]),
             equivalent: stresses.map(|t| t[0].hypot(t[1])),
-            viscosity: viscosity / self.fluid.relative_fluidity(squared, f.pressure),
-            power: f.film * self.scales.film * scale * scale / viscosity * work,
+            viscosity: viscosity / fluid.relative_fluidity(0.0, squared),
+            power: f.film * self.scales.film * scale * scale / viscosity * film.work,
         }
     }
 }

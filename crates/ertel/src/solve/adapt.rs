@@ -4,7 +4,6 @@ use super::discretisation::LevelSizes;
 use super::indicator::Indicator;
 use crate::contact::ContactKind;
 use crate::solution::LevelStats;
-use crate::solve::sequence::Role;
 
 /// When to refine further, and how far.
 #[derive(Clone, Copy, Debug)]
@@ -88,11 +87,11 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
     // Diffusive starts on a refined mesh have no estimate and do not count.
     let estimated = levels.iter().any(|l| l.estimate.is_some());
     let last = (levels.iter()).rposition(|l| {
-        l.converged && l.role != Role::Comparison && l.estimate.is_some() == estimated
+        l.converged && !l.role.compares() && l.estimate.is_some() == estimated
     })?;
     let fine = &levels[last];
     let other_mesh = |l: &&LevelStats| {
-        l.converged && l.role != Role::Comparison && l.n_body_cells != fine.n_body_cells
+        l.converged && !l.role.compares() && l.n_body_cells != fine.n_body_cells
     };
     let coarse = levels[..last].iter().rev().find(other_mesh);
     let films = |l: &LevelStats| [l.film_central, l.film_minimum];

@@ -15,6 +15,8 @@ use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
 use super::cache::{OperatorCache, OperatorKey, SMALLEST};
+use super::heat::column::Column;
+use super::heat::space::HeatSpace;
 use super::elastic::{BodySpace, ElasticBody, ElasticOperator, SurfaceResponse, near_pairs};
 use crate::contact::ContactKind;
 
@@ -386,6 +388,8 @@ pub struct Discretisation {
     pub load: Vec<f64>,
     /// Element matrices ∫N_δ N_P, row-major, deflection by pressure node.
     pub coupling: Vec<f64>,
+    /// Temperatures, where heat counts.
+    pub heat: Option<Arc<HeatSpace>>,
 }
 
 impl Discretisation {
@@ -445,7 +449,16 @@ impl Discretisation {
             deflection_table,
             load,
             coupling,
+            heat: None,
         }
+    }
+
+    /// The same with temperatures of an order over the contact area, in columns of the given layers and
+    /// temperatures before they are heated.
+    pub fn with_heat(mut self, order: usize, column: Column, unheated: Vec<f64>) -> Discretisation {
+        let heat = HeatSpace::new(&self.contact, &self.rule, order, column, unheated);
+        self.heat = Some(Arc::new(heat));
+        self
     }
 
     /// Calls `f(deflection node, pressure unknown, ∫N_δ N_P)` for every entry of M, element by element.

@@ -5,13 +5,13 @@ use ertel_fem::space::Affine;
 
 use super::discretisation::Discretisation;
 use super::system::{FilmConstants, State};
-use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
+use crate::film::{FilmFluid, TemperatureProfile};
 use crate::forms::dual::Dual;
 use crate::forms::flow::{
-    PointState, Properties, generalized, newtonian, pressure_stress, sliding_stress,
+    PointState, Properties, generalized, newtonian, pressure_stress, sliding_stress, warm,
 };
-use crate::forms::reynolds::{ElementConstants, reynolds_point};
+use crate::forms::reynolds::{ElementConstants, TestCoefficients, reynolds_point};
 
 /// Sums for each pressure node beside the blocks: ∂R/∂H0, R, entrainment.
 pub const N_SUMS: usize = 3;
@@ -79,7 +79,7 @@ impl<'a> Assembler<'a> {
         source: Source<'a>,
     ) -> Assembler<'a> {
         // Loops of known length: nodes of an element, rounded up to whole vectors.
-        let kernel = if fluid.is_newtonian() {
+        let kernel = if fluid.is_newtonian() && d.heat.is_none() {
             kernel::<NEWTONIAN>(d)
         } else {
             kernel::<GENERALIZED>(d)
@@ -120,9 +120,16 @@ impl<'a> Assembler<'a> {
         element.pressure.resize(d.rule.len() * N_LISTS * N, 0.0);
         element.deflection.resize(d.rule.len() * 3 * M, 0.0);
         vectorised(|| self.interpolate::<N, M, S>(c, element));
-        for point in &mut element.points {
+        for (q, point) in element.points.iter_mut().enumerate() {
             let source = self.source.map_or(0.0, |f| f(point.place));
-            vectorised(|| integrand::<S>(point, self.fluid, &local, source, &mut element.rule));
+            let rule = &mut element.rule;
+            match &d.heat {
+                None => vectorised(|| integrand::<S>(point, self.fluid, &local, source, rule)),
+                Some(heat) => {
+                    let profile = heat.profile_at(d, self.state, c, q);
+                    vectorised(|| warm_integrand(point, self.fluid, &profile, &local, source, rule));
+                }
+            }
         }
         vectorised(|| self.integrate::<N, M, S>(c, element, block, sums));
     }
@@ -294,21 +301,7 @@ fn integrand<const S: usize>(
     source: f64,
     rule: &mut CrossFilm,
 ) {
-    let x = |k: usize| Dual::<S>::variable(point.state[k], k);
-    let zero = Dual::from(0.0);
-    let curvature = if S == GENERALIZED {
-        [x(7), x(8), x(9)]
-    } else {
-        [x(7), zero, zero]
-    };
-    let s = PointState {
-        pressure: x(0),
-        pressure_gradient: [x(1), x(2)],
-        pressure_unseen: x(3),
-        film: x(4),
-        film_gradient: [x(5), x(6)],
-        pressure_curvature: curvature,
-    };
+    let s = point.variables::<S>();
     let properties = fluid.at(point.state[0]);
     let m = Properties::around(s.pressure, &properties);
     let flow = if S == GENERALIZED {
@@ -320,13 +313,61 @@ fn integrand<const S: usize>(
     } else {
         newtonian(&s, &m, local.lambda)
     };
-    let t = reynolds_point(&s, &m, &flow, local, source);
-    let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
-    point.value = test.map(|t| t.re);
-    for (slopes, t) in point.slopes.iter_mut().zip(&test) {
-        slopes[..S].copy_from_slice(&t.slopes);
+    point.keep(&reynolds_point(&s, &m, &flow, local, source), properties.density[0]);
+}
+
+/// The same where the temperature varies.
+#[inline(always)]
+fn warm_integrand(
+    point: &mut Point,
+    fluid: &FilmFluid,
+    profile: &TemperatureProfile,
+    local: &ElementConstants,
+    source: f64,
+    rule: &mut CrossFilm,
+) {
+    let s = point.variables::<GENERALIZED>();
+    let film = fluid.warm(point.state[0], profile);
+    let m = Properties::around(s.pressure, &film.point());
+    let slide = fluid.slide();
+    let g = pressure_stress(&s).map(|g| g.re);
+    let omega = sliding_stress(&s, &m, slide).re;
+    let closure = fluid.close_warm(point.state[0], &film, g, omega, rule);
+    let flow = warm(&s, &m, local.lambda, slide, &closure, &film.density);
+    point.keep(&reynolds_point(&s, &m, &flow, local, source), film.density.by_p[0]);
+}
+
+impl Point {
+    /// The state, each quantity a variable of its own.
+    #[inline(always)]
+    fn variables<const S: usize>(&self) -> PointState<Dual<S>> {
+        let x = |k: usize| Dual::<S>::variable(self.state[k], k);
+        let zero = Dual::from(0.0);
+        let curvature = if S == GENERALIZED {
+            [x(7), x(8), x(9)]
+        } else {
+            [x(7), zero, zero]
+        };
+        PointState {
+            pressure: x(0),
+            pressure_gradient: [x(1), x(2)],
+            pressure_unseen: x(3),
+            film: x(4),
+            film_gradient: [x(5), x(6)],
+            pressure_curvature: curvature,
+        }
     }
-    point.entrainment = properties.density[0] * point.state[4];
+
+    /// Keeps the integrand, and the entrainment of a density.
+    #[inline(always)]
+    fn keep<const S: usize>(&mut self, t: &TestCoefficients<Dual<S>>, density: f64) {
+        let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
+        self.value = test.map(|t| t.re);
+        for (slopes, t) in self.slopes.iter_mut().zip(&test) {
+            slopes[..S].copy_from_slice(&t.slopes);
+        }
+        self.entrainment = density * self.state[4];
+    }
 }
 
 /// Derivatives by (X, Y) from those by reference coordinates.

@@ -2,6 +2,7 @@
 
 use ertel_fem::element::Lagrange;
 
+use crate::film::TemperatureProfile;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
@@ -16,6 +17,8 @@ pub struct PointFields {
     pub film: f64,
     /// Deflection.
     pub deflection: f64,
+    /// Temperature across the film, where it varies.
+    pub temperature: Option<TemperatureProfile>,
 }
 
 /// Evaluates the fields; `None` outside the contact area.
@@ -31,6 +34,7 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
         pressure_gradient: [0.0; 2],
         film: state.rigid_separation,
         deflection: 0.0,
+        temperature: d.heat.as_ref().map(|heat| heat.profile_in(d, state, cell, xi)),
     };
     let basis = d.pressure.element.evaluate(xi);
     for ((value, gradient, _), node) in basis.iter().zip(d.pressure.nodes_of(cell)) {
@@ -64,6 +68,7 @@ pub fn fields_at_quadrature(
 ) -> ([f64; 3], PointFields) {
     let mut fields = PointFields {
         film: state.rigid_separation,
+        temperature: d.heat.as_ref().map(|heat| heat.profile_at(d, state, cell, q)),
         ..PointFields::default()
     };
     let table = &d.pressure_table;

@@ -103,10 +103,11 @@ pub fn indicator(
         let centroid = 1.0 / (surface.dim as f64 + 1.0);
         let xi = [centroid, if surface.dim == 2 { centroid } else { 0.0 }, 0.0];
         let f = fields_in(d, state, c, xi);
-        let fluid = model.fluid.at(f.pressure);
-        let [rho, rho_p, _] = fluid.density;
-        let [mu, mu_p, _] = fluid.viscosity;
-        let closure = (model.fluid).closure_at(f.pressure, f.pressure_gradient, f.film, &mut rule);
+        let fluid = model.fluid.local(f.pressure, f.temperature.as_ref());
+        let [rho, rho_p, _] = fluid.point().density;
+        let [mu, mu_p, _] = fluid.point().viscosity;
+        let (g, omega) = fluid.demands(f.pressure_gradient, f.film);
+        let closure = fluid.close(g, omega, &mut rule);
         let factor = 12.0 * rho * f.film.powi(3) / (mu * model.constants.lambda);
         let epsilon = factor * closure.slopes[0][0];
         let gradient = f.pressure_gradient[0].hypot(f.pressure_gradient[1]);

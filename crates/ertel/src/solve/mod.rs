@@ -7,6 +7,7 @@ pub mod discretisation;
 pub mod elastic;
 mod element;
 pub mod evaluate;
+pub mod heat;
 pub mod indicator;
 pub mod monolithic;
 pub mod newton;
@@ -78,6 +79,25 @@ pub enum SolveError {
         /// Why it stopped.
         reason: &'static str,
     },
+    /// Film and temperature did not come to rest together.
+    #[error(
+        "no convergence in stage {}: film and temperature still change by {change:.1e} after {rounds} rounds \
+         (by a factor of {contraction:.2} from round to round)",
+        level + 1
+    )]
+    NotCoupled {
+        /// Stage, 0 the first.
+        level: usize,
+        /// Rounds.
+        rounds: usize,
+        /// Last relative change of temperature rise, pressure or film.
+        change: f64,
+        /// Ratio of changes from round to round.
+        contraction: f64,
+    },
+    /// The temperatures could not be computed.
+    #[error("temperatures: {0}")]
+    Heat(#[from] heat::newton::HeatError),
     /// A linear system could not be solved.
     #[error("linear solver: {0}")]
     Krylov(#[from] GmresError),

@@ -61,7 +61,7 @@ impl FilmConstants {
 }
 
 /// State of the contact on a level.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct State {
     /// Pressure at every pressure node (zero on the edge).
     pub pressure: Vec<f64>,
@@ -69,6 +69,8 @@ pub struct State {
     pub deflection: Vec<f64>,
     /// Film constant H0.
     pub rigid_separation: f64,
+    /// Temperatures, K, column by column; empty where heat is left out.
+    pub temperature: Vec<f64>,
 }
 
 /// Linearised film equations.

@@ -54,6 +54,7 @@ pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
         deflection: d.deflect(&pressure),
         pressure,
         rigid_separation: 0.0,
+        ..State::default()
     };
     let profile = Profile::new(&d, &state, 4);
     Ok(Deflection {

@@ -252,8 +252,11 @@ fn brute_force(law: &Law, p: f64, tau: [f64; 2], g: [f64; 2]) -> [f64; 5] {
 fn matches_brute_force() {
     for (g, slide, p) in states() {
         let c = closed(&CARREAU, p, g, slide);
-        let alone = flow(&At(&CARREAU, p), g, slide, &mut CrossFilm::default());
-        assert_eq!(alone, [c.mid_stress, c.flow]);
+        let alone = flow(&At(&CARREAU, p), |s| s, g, slide, &mut CrossFilm::default());
+        assert_eq!([alone.mid_stress, alone.flow], [c.mid_stress, c.flow]);
+        // ∫ t·tf ds = Ωτ_x + G·q
+        let work = slide * c.mid_stress[0] + g[0] * c.flow[0] + g[1] * c.flow[1];
+        assert_relative_eq!(alone.work, work, max_relative = 1e-9);
         let [ax, ay, bx, by, mean] = brute_force(&CARREAU, p, c.mid_stress, g);
         println!(
             "{g:?} {slide:e} {p} {:?} {mean:.1e}: {:.1e} {:.1e} {:.1e} {:.1e}",

@@ -19,10 +19,13 @@ use super::adapt::AdaptParams;
 use super::cache::OperatorCache;
 use super::discretisation::{BodyConstants, Discretisation, Extents, LevelSizes};
 use super::evaluate::minimum_film;
+use super::heat::column::Column;
+use super::heat::coupling::{CouplingParams, CouplingStats};
 use super::newton::{NewtonParams, Reached};
 use super::system::{FilmConstants, State};
 use crate::contact::ContactKind;
 use crate::film::FilmFluid;
+use crate::forms::energy::Heat;
 use crate::params::LinearSolver;
 
 pub use run::solve_stages;
@@ -43,6 +46,8 @@ pub struct Stage {
     pub thickening: f64,
     /// Whether the fluid keeps its low-shear viscosity.
     pub newtonian: bool,
+    /// Whether film and bodies heat up.
+    pub heated: bool,
     /// Whether it starts from the Hertz pressure, whatever was reached before.
     pub cold: bool,
     /// Whether it starts near enough to the solution that Newton's steps need no damping.
@@ -64,6 +69,8 @@ pub enum Role {
     Estimate,
     /// A film to compare the solution with; likewise.
     Comparison,
+    /// The same contact without its heat, to compare with; likewise.
+    Isothermal,
     /// The solution.
     Final,
 }
@@ -100,6 +107,21 @@ pub struct Problem {
     pub error_estimate: bool,
     /// Local refinement of the final stage, if an accuracy is asked for.
     pub adapt: Option<AdaptParams>,
+    /// Heat of film and bodies, where it counts.
+    pub heat: Option<HeatProblem>,
+}
+
+/// The thermal side of a problem.
+#[derive(Clone, Debug)]
+pub struct HeatProblem {
+    /// Laws, bodies and scales.
+    pub heat: Heat,
+    /// Order of the temperature over the contact area.
+    pub surface_order: usize,
+    /// Layers over a point.
+    pub column: Column,
+    /// Coupling with the film.
+    pub coupling: CouplingParams,
 }
 
 /// A converged stage.
@@ -113,12 +135,19 @@ pub struct StageSolution {
     pub stage: Stage,
     /// How far Newton's method came.
     pub reached: Reached,
+    /// How its coupling with the heat went, if there is one.
+    pub coupling: Option<CouplingStats>,
 }
 
 impl Role {
     /// Whether it only leads to other stages.
     pub(crate) fn leads(self) -> bool {
         matches!(self, Role::Start | Role::Path)
+    }
+
+    /// Whether it is only compared with the solution.
+    pub(crate) fn compares(self) -> bool {
+        matches!(self, Role::Comparison | Role::Isothermal)
     }
 }
 

@@ -178,7 +178,10 @@ impl<'a> Sequence<'a> {
         if fresh {
             (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
         }
-        let d = Discretisation::new(&contact, stage.pressure_order);
+        let mut d = Discretisation::new(&contact, stage.pressure_order);
+        if let Some(heat) = problem.heat.as_ref().filter(|_| stage.heated) {
+            d = d.with_heat(heat.surface_order, heat.column.clone(), heat.column.unheated(&heat.heat));
+        }
         observer.level(
             level,
             level + 1 + self.queue.len(),
@@ -193,7 +196,7 @@ impl<'a> Sequence<'a> {
         // What is measured only, or refined further, need not be exact.
         let last = stage.role == Role::Final;
         let measured = matches!(stage.role, Role::Estimate | Role::Final);
-        let rough = matches!(stage.role, Role::Estimate | Role::Comparison)
+        let rough = matches!(stage.role, Role::Estimate | Role::Comparison | Role::Isothermal)
             || last && problem.adapt.is_some() && stage.refinements == 0;
         let finish = if rough { Finish::Rough } else { Finish::Exact };
         let mut outcome = run.solve(finish, &mut state, &mut effort, observer);
@@ -225,15 +228,16 @@ impl<'a> Sequence<'a> {
             let figures = run.figures(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
             self.stats[level] = figures;
         }
-        let (outcome, reached) = match outcome {
+        let (outcome, (reached, coupling)) = match outcome {
             Ok(reached) => (Ok(()), reached),
-            Err(e) => (Err(e), Reached::default()),
+            Err(e) => (Err(e), (Reached::default(), None)),
         };
         let solution = StageSolution {
             discretisation: d,
             state,
             stage: *stage,
             reached,
+            coupling,
         };
         Ok(StageEnd {
             outcome,
@@ -310,7 +314,7 @@ impl<'a> Sequence<'a> {
                 self.queue.push_front(halfway);
             }
             Err(_) if leads && solution.is_usable() => self.previous = Some(solution),
-            Err(_) if matches!(stage.role, Role::Estimate | Role::Comparison) => {}
+            Err(_) if stage.role == Role::Estimate || stage.role.compares() => {}
             Err(e) => {
                 let failure = self.first_failure.get_or_insert(e);
                 self.detours = 0;
@@ -343,7 +347,8 @@ impl<'a> Sequence<'a> {
             let level = self.stats.len() - 1;
             let run = StageRun::new(self.problem, &p.stage, level, &p.discretisation);
             let mut effort = NewtonStats::default();
-            p.reached = run.solve(Finish::Exact, &mut p.state, &mut effort, observer)?;
+            (p.reached, p.coupling) =
+                run.solve(Finish::Exact, &mut p.state, &mut effort, observer)?;
         }
         Ok(())
     }

@@ -7,7 +7,10 @@ use crate::solution::LevelStats;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
 use crate::solve::indicator::{Indicator, indicator};
-use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
+        let from = state.clone();
+        let mut outcome = Ok((Reached::default(), None));
+        for share in ramp {
+            outcome = self.run(*share, &params, state, effort, observer);
 use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
@@ -83,7 +86,7 @@ impl<'a> StageRun<'a> {
         state: &mut State,
         effort: &mut NewtonStats,
         observer: &mut dyn Observer,
-    ) -> Result<Reached, SolveError> {
+    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
         let leads = self.stage.role.leads();
         let mut params = self.problem.newton;
         if finish == Finish::Rough {
@@ -106,7 +109,7 @@ impl<'a> StageRun<'a> {
             &[1.0]
         };
         let from = state.clone();
-        let mut outcome = Ok(Reached::default());
+        let mut outcome = Ok((Reached::default(), None));
         for share in ramp {
             outcome = self.run(*share, &params, state, effort, observer);
             let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
@@ -135,7 +138,7 @@ impl<'a> StageRun<'a> {
         gentle
     }
 
-    /// Newton's method with a share of the penalty.
+    /// Newton's method with a share of the penalty, in turn with that for the temperatures where the stage is heated.
     fn run(
         &self,
         penalty_share: f64,
@@ -143,14 +146,33 @@ impl<'a> StageRun<'a> {
         state: &mut State,
         effort: &mut NewtonStats,
         observer: &mut dyn Observer,
-    ) -> Result<Reached, SolveError> {
+    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
         let label = RunLabel {
             level: self.level,
             penalty_share,
             film_scale: self.problem.film_scale,
         };
         let model = self.model(penalty_share);
-        (self.newton).run(&model, params, &label, state, effort, observer)
+        let Some(problem) = self.problem.heat.as_ref().filter(|_| self.stage.heated) else {
+            let reached = (self.newton).run(&model, params, &label, state, effort, observer)?;
+            return Ok((reached, None));
+        };
+        let coupling = CouplingParams {
+            tolerance: problem.coupling.tolerance.max(params.update_tolerance),
+            ..problem.coupling
+        };
+        let (reached, coupling) = solve_coupled(
+            &self.newton,
+            &model,
+            &problem.heat,
+            params,
+            &coupling,
+            &label,
+            state,
+            effort,
+            observer,
+        )?;
+        Ok((reached, Some(coupling)))
     }
 
     /// The film equations with a share of the cavitation penalty.

@@ -19,6 +19,7 @@ pub(super) fn cold_start(problem: &Problem, d: &Discretisation) -> State {
         pressure,
         deflection,
         rigid_separation: 0.0,
+        temperature: d.heat.as_ref().map_or_else(Vec::new, |heat| heat.unheated()),
     };
     state.rigid_separation = problem.start_film - central_film(d, &state);
     state
@@ -62,6 +63,7 @@ pub(super) fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
         pressure,
         deflection,
         rigid_separation: 0.0,
+        temperature: temperatures(from, old, d),
     };
     state.rigid_separation = central_film(from, old) - central_film(d, &state);
     // Deflections of two meshes differ by more than the thinnest film has to give.
@@ -69,4 +71,23 @@ pub(super) fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
     let floor = 0.5 * minimum_film(from, old).0;
     state.rigid_separation += (floor - thinnest).max(0.0);
     state
+}
+
+/// Temperatures of a coarser level, or those before heating where it has none; empty where heat is left out.
+fn temperatures(from: &Discretisation, old: &State, d: &Discretisation) -> Vec<f64> {
+    let Some(fine) = &d.heat else {
+        return Vec::new();
+    };
+    let mut temperature = fine.unheated();
+    let Some(coarse) = &from.heat else {
+        return temperature;
+    };
+    let n = fine.column.n();
+    for (column, p) in temperature.chunks_exact_mut(n).zip(&fine.surface.points) {
+        let found = from.contact.locator.find(&from.contact.surface, [p[0], p[1]]);
+        if let Some((cell, xi)) = found {
+            column.copy_from_slice(&coarse.column_in(old, cell, xi));
+        }
+    }
+    temperature
 }

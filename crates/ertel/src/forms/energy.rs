@@ -1,0 +1,237 @@
+//! The energy equation at a point of the contact: what flows, conducts and heats at each height of the film, and
+//! in the bodies.
+//!
+//! ```text
+//!   film:    ρc h/a (u ∂T/∂X + v ∂T/∂Y) − k/h ∂²T/∂s² = h(Q_shear + Q_comp)            W/m²
+//!            Q_shear = τ·∂u/∂z,   Q_comp = −(T/ρ) ∂ρ/∂T (u ∂p/∂x + v ∂p/∂y)
+//!   bodies:  ρc u ∂T/∂X − k/a (∂²T/∂X² + ∂²T/∂Y² + ∂²T/∂Z²) = 0,   Z = z/a                 W/m²
+//! ```
+//! Habchi 2008, eqs. 5.11, 5.13, 5.14: conduction along the film and convection across it are left out. Fluxes
+//! meet at the walls, z being measured in each layer's own way. T is the absolute temperature in K.
+
+use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
+
+use crate::film::cross_film::CrossFilm;
+use crate::film::fluidity::Fluidity;
+use crate::film::{FilmFluid, FilmNodes, MOST_NODES, Nodal};
+use crate::film::closure::{mid_stress, solve};
+
+/// A body as heat sees it.
+#[derive(Clone, Debug)]
+pub struct BodyHeat {
+    /// Density, kg/m³.
+    pub density: f64,
+    /// Conductivity.
+    pub conductivity: ConductivityLaw,
+    /// Heat capacity.
+    pub heat_capacity: HeatCapacityLaw,
+    /// Velocity of its surface, m/s.
+    pub velocity: f64,
+    /// Temperature far from the contact, K.
+    pub bulk_temperature: f64,
+}
+
+/// Heat of a contact: thermal laws, and the scales that make its film dimensional.
+#[derive(Clone, Debug)]
+pub struct Heat {
+    /// Conductivity of the lubricant.
+    pub conductivity: ConductivityLaw,
+    /// Heat capacity of the lubricant.
+    pub heat_capacity: HeatCapacityLaw,
+    /// Plane and ball.
+    pub bodies: [BodyHeat; 2],
+    /// Temperature of the lubricant where it enters, K.
+    pub inlet_temperature: f64,
+    /// Half-width a, m.
+    pub length: f64,
+    /// Film scale a²/R, m.
+    pub film: f64,
+    /// p_h, Pa.
+    pub pressure: f64,
+    /// ρ_R, kg/m³.
+    pub density: f64,
+    /// μ_R, Pa·s.
+    pub viscosity: f64,
+    /// λ of the Reynolds equation.
+    pub lambda: f64,
+    /// Entrainment speed, m/s.
+    pub entrainment_speed: f64,
+}
+
+/// Heights at which the film is heated: Gauss points, and the shape functions of the film's nodes there.
+#[derive(Clone, Debug)]
+pub struct Heights {
+    /// The points, as nodes of their own.
+    points: FilmNodes,
+    /// Shape functions of the film's nodes at each height.
+    pub shapes: Vec<Nodal>,
+    /// Their first and second derivatives by s.
+    pub slopes: Vec<[Nodal; 2]>,
+    /// ∫_{−½}^{s_k} of the shape function of each height.
+    below: Vec<Nodal>,
+}
+
+impl Heights {
+    /// Heights for the nodes of a film.
+    pub fn new(nodes: &FilmNodes) -> Heights {
+        let points = FilmNodes::gauss((nodes.n() + 3).min(MOST_NODES));
+        let unit = |l: usize| -> Nodal { std::array::from_fn(|k| f64::from(u8::from(k == l))) };
+        let above: Vec<_> = (0..points.n()).map(|l| points.above(&unit(l))).collect();
+        let below = |s: &f64| -> Nodal {
+            let mut below = [0.0; MOST_NODES];
+            for (l, above) in above.iter().enumerate() {
+                below[l] = points.weights()[l] - above.at(*s);
+            }
+            below
+        };
+        Heights {
+            shapes: points.points().iter().map(|s| nodes.shapes_at(*s)).collect(),
+            slopes: points.points().iter().map(|s| nodes.slopes_at(*s)).collect(),
+            below: points.points().iter().map(below).collect(),
+            points,
+        }
+    }
+
+    /// Number of heights.
+    pub fn n(&self) -> usize {
+        self.points.n()
+    }
+
+    /// s of each height.
+    pub fn points(&self) -> &[f64] {
+        self.points.points()
+    }
+
+    /// Weights of the integral over s.
+    pub fn weights(&self) -> &[f64] {
+        self.points.weights()
+    }
+}
+
+/// What heats and cools the film at one height.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FilmHeat {
+    /// Velocity over the entrainment speed.
+    pub velocity: [f64; 2],
+    /// Shear rate along X and Y, 1/s.
+    pub shear_rate: [f64; 2],
+    /// Temperature, K.
+    pub temperature: f64,
+    /// ρc h u_m/a, W/(m²·K): times the velocity, the convection.
+    pub capacity: f64,
+    /// k/h, W/(m²·K).
+    pub conduction: f64,
+    /// h Q_shear, W/m².
+    pub shear: f64,
+    /// h Q_comp, W/m².
+    pub compression: f64,
+    /// ∂(hQ_shear)/∂τ, W/m² by unit of stress.
+    pub by_stress: [f64; 2],
+}
+
+/// The film at a point, height by height.
+#[derive(Clone, Copy, Debug)]
+pub struct FilmColumn {
+    /// At each height.
+    pub heights: [FilmHeat; MOST_NODES],
+    /// −∂ln μ/∂T at the nodes: h Q_shear changes by itself times that and the shape function, at a fixed τ.
+    pub thinning: Nodal,
+    /// ∂τ/∂T of the temperature of each node.
+    pub stress_slopes: [[f64; 2]; MOST_NODES],
+}
+
+/// Pressure and film thickness at a point, dimensionless.
+#[derive(Clone, Copy, Debug)]
+pub struct FilmPlace {
+    /// P.
+    pub pressure: f64,
+    /// ∇P.
+    pub pressure_gradient: [f64; 2],
+    /// H.
+    pub film: f64,
+    /// Temperature at the nodes, K.
+    pub temperature: Nodal,
+}
+
+/// Evaluates the film at a point, for the velocity of its plane surface over the entrainment speed.
+pub fn film_column(
+    fluid: &FilmFluid,
+    heat: &Heat,
+    heights: &Heights,
+    place: &FilmPlace,
+    rule: &mut CrossFilm,
+) -> FilmColumn {
+    let profile = crate::film::TemperatureProfile {
+        temperature: place.temperature,
+        ..Default::default()
+    };
+    let warm = fluid.warm(place.pressure, &profile);
+    let law = fluid.warm_law(place.pressure, &warm);
+    let mu = warm.viscosity[0];
+    let g = place.pressure_gradient.map(|p| place.film * p);
+    let omega = fluid.slide() * mu / place.film;
+    let tau = mid_stress(&law, g, omega, rule);
+    let n = heights.n();
+    let h = place.film * heat.film;
+    let stress = fluid.stress_scale();
+    // S²/(μ_R μ̄), W/m³, and S/(μ_R μ̄), 1/s
+    let rate_scale = stress / (heat.viscosity * mu);
+    let mut column = FilmColumn {
+        heights: [FilmHeat::default(); MOST_NODES],
+        thinning: warm.ln_viscosities[1].map(|v| -v),
+        stress_slopes: [[0.0; 2]; MOST_NODES],
+    };
+    let mut rates = [[0.0; 2]; MOST_NODES];
+    let mut stiffness = [0.0; 3];
+    for k in 0..n {
+        let (s, w) = (heights.points()[k], heights.weights()[k]);
+        let t = [0, 1].map(|i: usize| tau[i] + s * g[i]);
+        let square = t[0] * t[0] + t[1] * t[1];
+        let [f, by_square] = law.slope(s, square);
+        rates[k] = t.map(|t| f * t);
+        let point = &mut column.heights[k];
+        point.shear_rate = rates[k].map(|r| rate_scale * r);
+        point.shear = h * stress * rate_scale * f * square;
+        let slope = h * stress * rate_scale * 2.0 * (f + square * by_square);
+        point.by_stress = t.map(|t| slope * t);
+        stiffness[0] += w * (f + 2.0 * by_square * t[0] * t[0]);
+        stiffness[1] += w * 2.0 * by_square * t[0] * t[1];
+        stiffness[2] += w * (f + 2.0 * by_square * t[1] * t[1]);
+        for (m, slope) in column.stress_slopes.iter_mut().enumerate() {
+            let share = w * heights.shapes[k][m] * column.thinning[m];
+            slope[0] -= share * rates[k][0];
+            slope[1] -= share * rates[k][1];
+        }
+    }
+    for slope in &mut column.stress_slopes {
+        *slope = solve(stiffness, *slope);
+    }
+    let plane = heat.bodies[0].velocity / heat.entrainment_speed;
+    let by_speed = 12.0 * place.film / (heat.lambda * mu);
+    let p = place.pressure * heat.pressure;
+    for k in 0..n {
+        let dot = |values: &Nodal| -> f64 {
+            values.iter().zip(&heights.shapes[k]).map(|(v, s)| v * s).sum()
+        };
+        let mut velocity = [plane, 0.0];
+        for (share, rate) in heights.below[k].iter().zip(&rates) {
+            velocity[0] += by_speed * share * rate[0];
+            velocity[1] += by_speed * share * rate[1];
+        }
+        let temperature = dot(&place.temperature);
+        let rho = dot(&warm.densities[0]);
+        let by_temperature = dot(&warm.densities[1]);
+        let capacity = heat.heat_capacity.heat_capacity(p.max(0.0), temperature);
+        let conductivity = heat.conductivity.conductivity(p.max(0.0), temperature);
+        let point = &mut column.heights[k];
+        let along = velocity[0] * place.pressure_gradient[0] + velocity[1] * place.pressure_gradient[1];
+        point.velocity = velocity;
+        point.temperature = temperature;
+        point.capacity = rho * heat.density * capacity * h * heat.entrainment_speed / heat.length;
+        point.conduction = conductivity / h;
+        point.compression = -h * temperature / rho * by_temperature * along * heat.pressure
+            * heat.entrainment_speed
+            / heat.length;
+    }
+    column
+}

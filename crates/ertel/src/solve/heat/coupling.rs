@@ -1,0 +1,134 @@
+//! Film equations and energy equation in turn, until neither changes.
+//!
+//! Each round solves for the temperatures of the last pressures and films, and for pressures and films at those
+//! temperatures. The heat of shearing answers to the temperature inside the first, with its derivative; what is
+//! left between the rounds is that films and pressures answer to the heat, mostly of the inlet, and that is
+//! weak. Anderson's method mixes the last rounds; how much the changes shrink from round to round is
+//! reported.
+
+use super::newton::{HeatNewton, HeatParams, HeatStats};
+use crate::forms::energy::Heat;
+use crate::solve::evaluate::central_film;
+use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
+use crate::solve::system::State;
+use crate::solve::{Observer, SolveError};
+
+/// Settings.
+#[derive(Clone, Copy, Debug)]
+pub struct CouplingParams {
+    /// Relative change of temperature rise, pressure and film from round to round at which all have converged.
+    pub tolerance: f64,
+    /// Rounds allowed.
+    pub max_rounds: usize,
+    /// Temperatures for given films.
+    pub heat: HeatParams,
+}
+
+impl Default for CouplingParams {
+    fn default() -> Self {
+        CouplingParams {
+            tolerance: 1e-4,
+            max_rounds: 40,
+            heat: HeatParams::default(),
+        }
+    }
+}
+
+/// How the coupling went.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CouplingStats {
+    /// Rounds.
+    pub rounds: usize,
+    /// Ratio by which changes shrank from round to round, geometric mean.
+    pub contraction: f64,
+    /// Last relative change.
+    pub change: f64,
+    /// Effort on the temperatures.
+    pub heat: HeatStats,
+    /// Seconds spent on them.
+    pub seconds: f64,
+}
+
+/// Change of a temperature rise that does not matter, K.
+const NEGLIGIBLE_RISE: f64 = 1e-3;
+
+/// Steps for the temperatures in one round.
+const MOST_STEPS: usize = 25;
+
+/// Share of a round's change to which each of its halves is solved.
+const INNER_SHARE: f64 = 0.1;
+
+/// Iterates from `state`, whose temperatures may be missing.
+///
+/// # Errors
+/// When the rounds run out, or one of the halves fails.
+#[allow(clippy::too_many_arguments)]
+pub fn solve_coupled(
+    level: &NewtonLevel,
+    model: &FilmModel,
+    heat: &Heat,
+    newton: &NewtonParams,
+    params: &CouplingParams,
+    label: &RunLabel,
+    state: &mut State,
+    stats: &mut NewtonStats,
+    observer: &mut dyn Observer,
+) -> Result<(Reached, CouplingStats), SolveError> {
+    let d = level.discretisation;
+    let mut temperatures = HeatNewton::new(d, &model.fluid, heat, params.heat);
+    let mut coupling = CouplingStats::default();
+    let mut first_change = 0.0;
+    let mut change: f64 = 1.0;
+    for round in 1..=params.max_rounds {
+        if observer.cancelled() {
+            return Err(SolveError::Interrupted);
+        }
+        let before = state.clone();
+        let clock = std::time::Instant::now();
+        let rise = |state: &State| -> f64 {
+            let rise = |t: &f64| (t - heat.inlet_temperature).abs();
+            state.temperature.iter().map(rise).fold(NEGLIGIBLE_RISE, f64::max)
+        };
+        for _ in 0..MOST_STEPS {
+            let step = temperatures.step(state)?;
+            if step / rise(state) < (INNER_SHARE * change).max(0.1 * params.tolerance) {
+                break;
+            }
+        }
+        coupling.seconds += clock.elapsed().as_secs_f64();
+        let inner = NewtonParams {
+            update_tolerance: (INNER_SHARE * change).max(newton.update_tolerance).min(1e-3),
+            residual_tolerance: (INNER_SHARE * change).max(newton.residual_tolerance).min(1e-3),
+            ..*newton
+        };
+        let reached = level.run(model, &inner, label, state, stats, observer)?;
+        let largest = |a: &[f64], b: &[f64]| {
+            a.iter().zip(b).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()))
+        };
+        let film = central_film(d, state);
+        let changes = [
+            largest(&state.temperature, &before.temperature) / rise(state),
+            largest(&state.pressure, &before.pressure),
+            (film - central_film(d, &before)).abs() / film,
+        ];
+        change = changes.into_iter().fold(0.0, f64::max);
+        eprintln!("round {round} changes {changes:.2?} rise {:.2} heat its {:?}", rise(state), temperatures.stats);
+        coupling.rounds = round;
+        coupling.change = change;
+        coupling.heat = temperatures.stats;
+        if round == 1 {
+            first_change = change;
+        } else {
+            coupling.contraction = (change / first_change).powf(1.0 / (round - 1) as f64);
+        }
+        if change < params.tolerance {
+            return Ok((reached, coupling));
+        }
+    }
+    Err(SolveError::NotCoupled {
+        level: label.level,
+        rounds: coupling.rounds,
+        change,
+        contraction: coupling.contraction,
+    })
+}

@@ -1,0 +1,13 @@
+//! Temperature of the film and of both bodies, and its coupling with the film equations.
+//!
+//! - `column`: the layers over a point of the contact area, bottom to top;
+//! - `space`: temperatures over the contact area, and what the film equations see of them;
+//! - `system`: residual and Jacobian of the energy equation;
+//! - `newton`: temperatures for given pressures and films;
+//! - `coupling`: both in turn, until neither changes.
+
+pub mod column;
+pub mod coupling;
+pub mod newton;
+pub mod space;
+pub mod system;

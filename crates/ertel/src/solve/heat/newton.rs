@@ -1,0 +1,132 @@
+//! Temperatures for given pressures and films, by Newton's method.
+//!
+//! The derivative of the heat of shearing by the temperature is in the Jacobian: a film that heats up thins, and
+//! heats itself less. Without it, temperatures would swing to and fro where heating is strong.
+
+use ertel_fem::linear::block_ilu::{BlockIlu, BlockIluError, BlockMatrix};
+use ertel_fem::linear::gmres::{GmresError, GmresParams, gmres};
+
+use super::system::{Account, HeatSystem, assemble};
+use crate::film::FilmFluid;
+use crate::forms::energy::Heat;
+use crate::solve::discretisation::Discretisation;
+use crate::solve::system::State;
+
+/// Settings.
+#[derive(Clone, Copy, Debug)]
+pub struct HeatParams {
+    /// Relative residual of each linear solve.
+    pub linear_tolerance: f64,
+    /// Krylov iterations allowed.
+    pub max_krylov: usize,
+    /// Largest change of a temperature in one step, K.
+    pub largest_step: f64,
+}
+
+impl Default for HeatParams {
+    fn default() -> Self {
+        HeatParams {
+            linear_tolerance: 1e-3,
+            max_krylov: 200,
+            largest_step: 60.0,
+        }
+    }
+}
+
+/// Effort.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct HeatStats {
+    /// Steps of Newton's method.
+    pub iterations: usize,
+    /// Krylov iterations.
+    pub krylov_iterations: usize,
+    /// Factorisations of the preconditioner.
+    pub factorisations: usize,
+}
+
+/// A step failed.
+#[derive(Debug, thiserror::Error)]
+pub enum HeatError {
+    /// The preconditioner broke down.
+    #[error(transparent)]
+    Factorisation(#[from] BlockIluError),
+    /// The linear solver did not converge.
+    #[error(transparent)]
+    Krylov(#[from] GmresError),
+    /// A temperature or a source is not a number.
+    #[error("the heat of the film is not finite")]
+    NotFinite,
+}
+
+/// Newton's method on one discretisation, with what it keeps.
+pub struct HeatNewton<'a> {
+    d: &'a Discretisation,
+    fluid: &'a FilmFluid,
+    heat: &'a Heat,
+    params: HeatParams,
+    matrix: BlockMatrix,
+    /// Effort so far.
+    pub stats: HeatStats,
+}
+
+impl<'a> HeatNewton<'a> {
+    /// Prepares it.
+    ///
+    /// # Panics
+    /// When the discretisation has no temperatures.
+    pub fn new(
+        d: &'a Discretisation,
+        fluid: &'a FilmFluid,
+        heat: &'a Heat,
+        params: HeatParams,
+    ) -> HeatNewton<'a> {
+        let space = d.heat.as_ref().expect("a discretisation with heat");
+        HeatNewton {
+            d,
+            fluid,
+            heat,
+            params,
+            matrix: BlockMatrix::new(space.column.n(), space.graph.clone()),
+            stats: HeatStats::default(),
+        }
+    }
+
+    /// One step; returns the largest change of a temperature, K.
+    ///
+    /// # Errors
+    /// When the linear system cannot be solved.
+    pub fn step(&mut self, state: &mut State) -> Result<f64, HeatError> {
+        let system = assemble(self.d, self.fluid, self.heat, state, Some(&mut self.matrix));
+        let right: Vec<f64> = system.residual.iter().map(|r| -r).collect();
+        if right.iter().any(|r| !r.is_finite()) {
+            return Err(HeatError::NotFinite);
+        }
+        let mut ilu = BlockIlu::new(&self.matrix)?;
+        self.stats.factorisations += 1;
+        let mut change = vec![0.0; right.len()];
+        let info = gmres(
+            |x, y| self.matrix.multiply(x, y),
+            |x| ilu.solve(x),
+            &right,
+            &mut change,
+            GmresParams {
+                tolerance: self.params.linear_tolerance,
+                max_iterations: self.params.max_krylov,
+            },
+        )?;
+        self.stats.krylov_iterations += info.iterations;
+        self.stats.iterations += 1;
+        let largest = change.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        let share = (self.params.largest_step / largest).min(1.0);
+        for (t, dt) in state.temperature.iter_mut().zip(&change) {
+            *t += share * dt;
+        }
+        Ok(share * largest)
+    }
+
+    /// Heat made and carried off at a state.
+    pub fn account(&self, state: &State) -> Account {
+        let HeatSystem { account, .. } = assemble(self.d, self.fluid, self.heat, state, None);
+        account
+    }
+}

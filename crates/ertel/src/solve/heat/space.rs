@@ -1,0 +1,126 @@
+//! Temperatures over the contact area, and what the film equations see of them.
+
+use ertel_fem::assembly::NodeGraph;
+use ertel_fem::element::Tabulation;
+use ertel_fem::quadrature::Quadrature;
+use ertel_fem::space::Space;
+
+use super::column::Column;
+use crate::film::{MOST_NODES, TemperatureProfile};
+use crate::solve::discretisation::{ContactBody, Discretisation};
+use crate::solve::system::State;
+
+/// Temperatures over the contact area: a column at each node of a surface space.
+#[derive(Clone, Debug)]
+pub struct HeatSpace {
+    /// Nodes of the columns, numbered along the motion.
+    pub surface: Space,
+    /// Which of them are neighbours.
+    pub graph: NodeGraph,
+    /// The column.
+    pub column: Column,
+    /// Its temperatures before anything is heated, K.
+    unheated: Vec<f64>,
+    /// Quadrature over the contact area.
+    pub rule: Quadrature,
+    /// Surface shape functions at its points.
+    pub table: Tabulation,
+    /// Surface shape functions at the points of the film equations.
+    film_table: Tabulation,
+}
+
+impl HeatSpace {
+    /// Columns over a contact area, at whose points `film_rule` the film equations ask for temperatures.
+    pub fn new(
+        contact: &ContactBody,
+        film_rule: &Quadrature,
+        order: usize,
+        column: Column,
+        unheated: Vec<f64>,
+    ) -> HeatSpace {
+        let surface = Space::new(&contact.surface, order).along_x();
+        // two shape functions and a gradient, with coefficients that vary
+        let rule = Quadrature::simplex(contact.surface.dim, 2 * order + 2);
+        HeatSpace {
+            graph: NodeGraph::new(&surface),
+            column,
+            unheated,
+            table: surface.element.tabulate(&rule),
+            film_table: surface.element.tabulate(film_rule),
+            rule,
+            surface,
+        }
+    }
+
+    /// Temperatures before anything is heated: those with which lubricant and bodies come.
+    pub fn unheated(&self) -> Vec<f64> {
+        self.unheated.repeat(self.surface.n_nodes())
+    }
+
+    /// Number of temperatures.
+    pub fn n(&self) -> usize {
+        self.surface.n_nodes() * self.column.n()
+    }
+
+    /// Temperature across the film at a point of the film equations' rule.
+    pub fn profile_at(
+        &self,
+        d: &Discretisation,
+        state: &State,
+        cell: usize,
+        q: usize,
+    ) -> TemperatureProfile {
+        let n = self.film_table.n_nodes;
+        self.profile(d, state, cell, |j| {
+            (self.film_table.values[q * n + j], self.film_table.gradients[q * n + j])
+        })
+    }
+
+    /// The same at reference coordinates of an element.
+    pub fn profile_in(
+        &self,
+        d: &Discretisation,
+        state: &State,
+        cell: usize,
+        xi: [f64; 3],
+    ) -> TemperatureProfile {
+        let basis = self.surface.element.evaluate(xi);
+        self.profile(d, state, cell, |j| (basis[j].0, basis[j].1))
+    }
+
+    fn profile(
+        &self,
+        d: &Discretisation,
+        state: &State,
+        cell: usize,
+        basis: impl Fn(usize) -> (f64, [f64; 3]),
+    ) -> TemperatureProfile {
+        let mut profile = TemperatureProfile::default();
+        let (range, n) = (self.column.film_range(), self.column.n());
+        for (j, node) in self.surface.nodes_of(cell).iter().enumerate() {
+            let (value, gradient) = basis(j);
+            let [gx, gy, _] = d.contact.maps[cell].gradient(gradient);
+            let film = &state.temperature[*node as usize * n..][range.clone()];
+            for (m, t) in film.iter().enumerate().take(MOST_NODES) {
+                profile.temperature[m] += value * t;
+                profile.slopes[0][m] += gx * t;
+                profile.slopes[1][m] += gy * t;
+            }
+        }
+        profile
+    }
+
+    /// Temperatures of the column at reference coordinates of an element.
+    pub fn column_in(&self, state: &State, cell: usize, xi: [f64; 3]) -> Vec<f64> {
+        let n = self.column.n();
+        let mut column = vec![0.0; n];
+        let basis = self.surface.element.evaluate(xi);
+        for ((value, _, _), node) in basis.iter().zip(self.surface.nodes_of(cell)) {
+            let at_node = &state.temperature[*node as usize * n..][..n];
+            for (sum, t) in column.iter_mut().zip(at_node) {
+                *sum += value * t;
+            }
+        }
+        column
+    }
+}
