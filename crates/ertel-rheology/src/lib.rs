@@ -43,4 +43,3 @@ pub use scalar::Scalar;
 pub use shear::ShearThinning;
 pub use solid::Solid;
 pub use viscosity::ViscosityLaw;
-mod shim; pub use shim::*;
