@@ -188,6 +188,9 @@ impl From<SolveError> for Failure {
                     "the mesh of this case cannot be built: {error}\n  = help: see [mesh] in the case file"
                 ))
             }
+            SolveError::MissingHeatData(error) => {
+                Self::Argument(format!("{error}\n  = help: {}", error.advice()))
+            }
             SolveError::Discretisation(error) => Self::Other(error.to_string()),
             SolveError::NotConverged { .. }
             | SolveError::NotCoupled { .. }

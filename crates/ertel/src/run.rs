@@ -2,9 +2,10 @@
 
 use std::time::Instant;
 
-use crate::case::Case;
+use crate::case::{Case, SolidHeat};
 use crate::contact::{ContactKind, EquivalentBody, Groups, Scales, hertz};
 use crate::film::FilmFluid;
+use crate::forms::energy::{BodyHeat, Heat};
 use crate::params::{ElasticModel, Formulation, MeshParams};
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
@@ -12,12 +13,13 @@ use crate::solution::{IterationRecord, Solution, Stats};
 use crate::solve::adapt::AdaptParams;
 use crate::solve::cache::OperatorCache;
 use crate::solve::discretisation::{Extents, LevelSizes};
-use crate::solve::newton::{FilmModel, NewtonParams};
-pub use crate::solve::sequence::Start;
-use crate::forms::energy::{BodyHeat, Heat};
 use crate::solve::heat::column::Column;
 use crate::solve::heat::coupling::CouplingParams;
-use crate::solve::sequence::{HeatProblem, Problem, Role, Stage, StageSolution, solve_stages, solve_warm};
+use crate::solve::newton::{FilmModel, NewtonParams};
+pub use crate::solve::sequence::Start;
+use crate::solve::sequence::{
+    HeatProblem, Problem, Role, Stage, StageSolution, solve_stages, solve_warm,
+};
 use crate::solve::system::FilmConstants;
 use crate::solve::{Observer, SolveError};
 
@@ -104,24 +106,25 @@ pub fn problem(case: &Case) -> Problem {
     }
 }
 
-/// Heat of a case, if it counts.
+/// Heat of a case, if it counts and its data are complete.
 fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
-    if std::env::var("HEAT").is_err() { return None; }
-    let body = |velocity: f64, k: f64, rho: f64, c: f64| BodyHeat {
-        density: rho,
-        conductivity: ertel_rheology::ConductivityLaw::constant(k).unwrap(),
-        heat_capacity: ertel_rheology::HeatCapacityLaw::constant(c).unwrap(),
+    let data = case.heat().ok().flatten()?;
+    let params = data.params;
+    let u_m = case.motion.entrainment_speed;
+    let half = 0.5 * case.motion.slide_to_roll_ratio;
+    let body = |solid: &SolidHeat, velocity: f64| BodyHeat {
+        density: solid.density,
+        conductivity: solid.conductivity.clone(),
+        heat_capacity: solid.heat_capacity.clone(),
         velocity,
-        bulk_temperature: case.lubricant.temperature,
+        bulk_temperature: solid.temperature,
     };
-    let u = case.motion.entrainment_speed;
-    let s = case.motion.slide_to_roll_ratio;
     let heat = Heat {
-        conductivity: ertel_rheology::ConductivityLaw::constant(0.13).unwrap(),
-        heat_capacity: ertel_rheology::HeatCapacityLaw::constant(1700.0).unwrap(),
+        conductivity: data.conductivity.clone(),
+        heat_capacity: data.heat_capacity.clone(),
         bodies: [
-            body(u * (1.0 - 0.5 * s), 1.114, 2510.0, 858.0),
-            body(u * (1.0 + 0.5 * s), 46.0, 7850.0, 470.0),
+            body(&data.plane, u_m * (1.0 - half)),
+            body(&data.ball, u_m * (1.0 + half)),
         ],
         inlet_temperature: case.lubricant.temperature,
         length: scales.length,
@@ -130,14 +133,24 @@ fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
         density: scales.density,
         viscosity: scales.viscosity,
         lambda: scales.lambda,
-        entrainment_speed: u,
+        entrainment_speed: u_m,
     };
     let skins = heat.bodies.each_ref().map(|b| skin(b, scales.length));
+    let column = Column::new(
+        params.film_order,
+        params.solid_elements,
+        params.depth,
+        skins,
+    );
     Some(HeatProblem {
         heat,
-        surface_order: 1,
-        column: Column::new(8, 4, 3.15, skins),
-        coupling: CouplingParams::default(),
+        surface_order: params.surface_order,
+        column,
+        coupling: CouplingParams {
+            tolerance: params.tolerance,
+            max_rounds: params.max_iterations,
+            ..CouplingParams::default()
+        },
     })
 }
 
@@ -146,7 +159,9 @@ fn skin(body: &BodyHeat, length: f64) -> f64 {
     let t = body.bulk_temperature;
     let capacity = body.density * body.heat_capacity.heat_capacity(0.0, t);
     let diffusivity = body.conductivity.conductivity(0.0, t) / capacity;
-    (diffusivity / (body.velocity.abs() * length)).sqrt().min(1.0)
+    (diffusivity / (body.velocity.abs() * length))
+        .sqrt()
+        .min(1.0)
 }
 
 /// What solves share.
@@ -180,6 +195,7 @@ impl Session {
         observer: &mut dyn Observer,
     ) -> Result<(Solution, Start), SolveError> {
         let clock = Instant::now();
+        case.heat()?;
         let mut problem = Problem {
             cache: self.cache.clone(),
             ..problem(case)

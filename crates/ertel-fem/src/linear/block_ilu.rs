@@ -230,7 +230,9 @@ mod tests {
             neighbours: Vec::new(),
         };
         for i in 0..n_rows {
-            graph.neighbours.extend(i.saturating_sub(1) as u32..(i + 2).min(n_rows) as u32);
+            graph
+                .neighbours
+                .extend(i.saturating_sub(1) as u32..(i + 2).min(n_rows) as u32);
             graph.offsets.push(graph.neighbours.len());
         }
         let mut matrix = BlockMatrix::new(n, graph);
@@ -303,6 +305,9 @@ mod tests {
     fn singular_blocks_are_refused() {
         let mut matrix = chain(3, 4);
         matrix.clear();
-        assert_eq!(BlockIlu::new(&matrix).unwrap_err(), BlockIluError { row: 0 });
+        assert_eq!(
+            BlockIlu::new(&matrix).unwrap_err(),
+            BlockIluError { row: 0 }
+        );
     }
 }

@@ -16,7 +16,7 @@ use crate::params::ThermalParams;
 /// Depths of the heated layer, in half-widths: less than the contact's own scale is no body, more is none that the
 /// elastic one goes to.
 const DEPTH: Bounds = Bounds::closed(0.1, FARTHEST);
-/// Elements across film and bodies: beyond, a number was mistaken.
+/// Elements across a body: beyond, a number was mistaken.
 const ELEMENTS: std::ops::RangeInclusive<i64> = 1..=64;
 /// Conductivities from gases to diamond, W/(m·K): beyond these a unit was mistaken.
 const CONDUCTIVITY: Bounds = Bounds::closed(1e-3, 5e3);
@@ -30,9 +30,8 @@ pub(super) fn read(mut table: Table<'_>, kind: ContactKind) -> Result<ThermalPar
     let mut thermal = ThermalParams::default();
     set(&mut thermal.depth, table.optional_number("depth", DEPTH)?);
     let count = |n: Option<i64>| n.and_then(|n| usize::try_from(n).ok());
-    let elements = count(table.optional_integer("film_elements", ELEMENTS)?);
-    set(&mut thermal.film_elements, elements);
-    set(&mut thermal.film_order, order(&mut table, "film_order", 5)?);
+    let film_order = count(table.optional_integer("film_order", 2..=10)?);
+    set(&mut thermal.film_order, film_order);
     let elements = count(table.optional_integer("solid_elements", ELEMENTS)?);
     set(&mut thermal.solid_elements, elements);
     let surface_order = order(&mut table, "surface_order", 2)?;

@@ -56,22 +56,29 @@ pub fn mid_stress(
 ) -> [f64; 2] {
     let scales = law.scales();
     let g = pressure_stress;
-    if slide == 0.0 {
+    if slide == 0.0 && law.is_symmetric() {
         // Odd in s: no stress at mid-plane.
         rule.lay(&scales, [0.0; 2], g);
         return [0.0; 2];
     }
     let limit = scales.limit.map(|limit| Limit::new(limit, g, slide));
-    let mut tau = [without_pressure(law, &scales, slide), 0.0];
+    let mut tau = [0.0; 2];
+    if slide != 0.0 {
+        tau[0] = without_pressure(law, &scales, slide);
+    }
     if let Some(limit) = &limit {
         tau = limit.start(tau, g);
     }
     rule.lay(&scales, tau, g);
     let mut now = rate(law, rule, tau, g, slide);
+    let negligible = match law.is_symmetric() {
+        true => NEGLIGIBLE,
+        false => NEGLIGIBLE_ASKEW,
+    };
     for _ in 0..MOST_ITERATIONS {
         let step = solve(now.slopes, now.excess).map(|v| -v);
         let slope = dot(step, now.excess);
-        let mut size = dot(tau, tau).sqrt() + NEGLIGIBLE * dot(g, g).sqrt();
+        let mut size = dot(tau, tau).sqrt() + negligible * dot(g, g).sqrt();
         if let Some(limit) = &limit {
             size = size.min(100.0 * limit.fold);
         }
@@ -127,6 +134,8 @@ const MOST_TRIALS: usize = 60;
 const CLOSE: f64 = 1e-8;
 /// Mid-plane stress, over the stress of the pressure, that no longer matters.
 const NEGLIGIBLE: f64 = 1e-6;
+/// The same in films that are not symmetric: there it is the difference of what the halves want.
+const NEGLIGIBLE_ASKEW: f64 = 1e-3;
 
 /// What the solution knows of a limiting stress: shear rates that grow e-fold by 0.1 % of it.
 struct Limit {
@@ -269,12 +278,7 @@ struct Moments {
 
 impl Moments {
     #[inline(always)]
-    fn new(
-        law: &impl UniformFluidity,
-        rule: &CrossFilm,
-        tau: [f64; 2],
-        g: [f64; 2],
-    ) -> Moments {
+    fn new(law: &impl UniformFluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2]) -> Moments {
         let mut m = Moments::default();
         let with_pressure = law.depends_on_pressure();
         for &[s, w] in rule.points() {

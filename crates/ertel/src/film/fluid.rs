@@ -285,16 +285,21 @@ impl LocalFluid<'_> {
     pub fn close(&self, g: [f64; 2], omega: f64, rule: &mut CrossFilm) -> Closure {
         match &self.warm {
             None => self.fluid.close(self.pressure, g, omega, rule),
-            Some(warm) => (self.fluid)
-                .close_warm(self.pressure, warm, g, omega, rule)
-                .closure,
+            Some(warm) => {
+                (self.fluid)
+                    .close_warm(self.pressure, warm, g, omega, rule)
+                    .closure
+            }
         }
     }
 
     /// μ̄/η at a height of the film and the square of a stress, in units of a p_h/R.
     pub fn relative_fluidity(&self, s: f64, stress_squared: f64) -> f64 {
         if let Some(warm) = &self.warm {
-            return self.fluid.warm_law(self.pressure, warm).slope(s, stress_squared)[0];
+            return self
+                .fluid
+                .warm_law(self.pressure, warm)
+                .slope(s, stress_squared)[0];
         }
         (self.fluid.thinning_at(self.pressure)).map_or(1.0, |law| law.slope(s, stress_squared)[0])
     }

@@ -35,6 +35,10 @@ pub trait Fluidity {
     fn slope(&self, s: f64, stress_squared: f64) -> [f64; 2];
     /// What a quadrature across the film must resolve.
     fn scales(&self) -> StressScales;
+    /// Whether f is the same above and below mid-film.
+    fn is_symmetric(&self) -> bool {
+        true
+    }
 }
 
 /// Relative fluidity that is the same at every height of the film.

@@ -120,9 +120,8 @@ impl WarmFluid {
         let [l, l1, l2] = reference;
         let mu = l.exp();
         let exponent = ln_mu.fields(|values| nodes.through(values));
-        let negative = |p: &Polynomial, plus: f64| {
-            Polynomial::constant(plus).combined(1.0, p, -1.0)
-        };
+        let negative =
+            |p: &Polynomial, plus: f64| Polynomial::constant(plus).combined(1.0, p, -1.0);
         let above = density.fields(|values| nodes.above(values));
         WarmFluid {
             exponent: Field {
@@ -209,7 +208,10 @@ impl Sampled {
     fn mean(&self, nodes: &FilmNodes) -> Mean {
         Mean {
             by_p: self.by_p.each_ref().map(|v| nodes.mean(v)),
-            along: self.along.each_ref().map(|a| a.each_ref().map(|v| nodes.mean(v))),
+            along: self
+                .along
+                .each_ref()
+                .map(|a| a.each_ref().map(|v| nodes.mean(v))),
         }
     }
 
@@ -237,6 +239,10 @@ impl Fluidity for WarmLaw<'_> {
             None => [factor, 0.0],
             Some(law) => law.slope(s, stress_squared).map(|v| factor * v),
         }
+    }
+
+    fn is_symmetric(&self) -> bool {
+        false
     }
 
     fn scales(&self) -> StressScales {

@@ -72,9 +72,15 @@ impl Height {
         let f_p = warmth * (b.p + b.f * a1);
         let d_p = 2.0 * warmth * (b.xp + b.x * a1);
         let f_pp = warmth * (b.pp + 2.0 * b.p * a1 + b.f * (a1 * a1 + a2));
-        let along = exponent.along.each_ref().map(|a| a.each_ref().map(|p| p.at(s)));
+        let along = exponent
+            .along
+            .each_ref()
+            .map(|a| a.each_ref().map(|p| p.at(s)));
         let lever = &law.fluid.lever;
-        let lever_along = lever.along.each_ref().map(|a| a.each_ref().map(|p| p.at(s)));
+        let lever_along = lever
+            .along
+            .each_ref()
+            .map(|a| a.each_ref().map(|p| p.at(s)));
         let tensor = |f: f64, d: f64| [f + d * x * x, d * x * y, f + d * y * y];
         let vector = |f: f64| [f * x, f * y];
         Height {
@@ -92,7 +98,11 @@ impl Height {
                 x * (d + dd * y * y),
                 y * (3.0 * d + dd * y * y),
             ],
-            direct: [vector(f_p), vector(f * along[0][0]), vector(f * along[1][0])],
+            direct: [
+                vector(f_p),
+                vector(f * along[0][0]),
+                vector(f * along[1][0]),
+            ],
             direct_by_p: [
                 vector(f_pp),
                 vector(f_p * along[0][0] + f * along[0][1]),
@@ -155,7 +165,11 @@ pub fn close_warm(
         });
         let change: [[f64; 2]; N] = std::array::from_fn(|d| {
             let by_stress = multiply(k, shift[d]);
-            if d < P { by_stress } else { plus(by_stress, h.direct[d - P]) }
+            if d < P {
+                by_stress
+            } else {
+                plus(by_stress, h.direct[d - P])
+            }
         });
         let lever_by = |d: usize| if d < P { 0.0 } else { h.lever_by[d - P] };
         for d in 0..N {

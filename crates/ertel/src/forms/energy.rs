@@ -11,10 +11,10 @@
 
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
+use crate::film::closure::{mid_stress, solve};
 use crate::film::cross_film::CrossFilm;
 use crate::film::fluidity::Fluidity;
 use crate::film::{FilmFluid, FilmNodes, MOST_NODES, Nodal};
-use crate::film::closure::{mid_stress, solve};
 
 /// A body as heat sees it.
 #[derive(Clone, Debug)]
@@ -85,8 +85,16 @@ impl Heights {
             below
         };
         Heights {
-            shapes: points.points().iter().map(|s| nodes.shapes_at(*s)).collect(),
-            slopes: points.points().iter().map(|s| nodes.slopes_at(*s)).collect(),
+            shapes: points
+                .points()
+                .iter()
+                .map(|s| nodes.shapes_at(*s))
+                .collect(),
+            slopes: points
+                .points()
+                .iter()
+                .map(|s| nodes.slopes_at(*s))
+                .collect(),
             below: points.points().iter().map(below).collect(),
             points,
         }
@@ -211,7 +219,11 @@ pub fn film_column(
     let p = place.pressure * heat.pressure;
     for k in 0..n {
         let dot = |values: &Nodal| -> f64 {
-            values.iter().zip(&heights.shapes[k]).map(|(v, s)| v * s).sum()
+            values
+                .iter()
+                .zip(&heights.shapes[k])
+                .map(|(v, s)| v * s)
+                .sum()
         };
         let mut velocity = [plane, 0.0];
         for (share, rate) in heights.below[k].iter().zip(&rates) {
@@ -224,12 +236,16 @@ pub fn film_column(
         let capacity = heat.heat_capacity.heat_capacity(p.max(0.0), temperature);
         let conductivity = heat.conductivity.conductivity(p.max(0.0), temperature);
         let point = &mut column.heights[k];
-        let along = velocity[0] * place.pressure_gradient[0] + velocity[1] * place.pressure_gradient[1];
+        let along =
+            velocity[0] * place.pressure_gradient[0] + velocity[1] * place.pressure_gradient[1];
         point.velocity = velocity;
         point.temperature = temperature;
         point.capacity = rho * heat.density * capacity * h * heat.entrainment_speed / heat.length;
         point.conduction = conductivity / h;
-        point.compression = -h * temperature / rho * by_temperature * along * heat.pressure
+        point.compression = -h * temperature / rho
+            * by_temperature
+            * along
+            * heat.pressure
             * heat.entrainment_speed
             / heat.length;
     }

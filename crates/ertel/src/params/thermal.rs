@@ -7,11 +7,9 @@ use serde::Serialize;
 pub struct ThermalParams {
     /// Depth to which both bodies are heated, in Hertz half-widths a (Habchi 2008, section 5.3: D = 3.15).
     pub depth: f64,
-    /// Elements across the film.
-    pub film_elements: usize,
-    /// Their Lagrange order across the film, 1 to 5.
+    /// Order of the polynomial that the temperature is across the film, 2 to 10.
     pub film_order: usize,
-    /// Elements over the depth of each body.
+    /// Cubic elements over the depth of each body, thinner towards the film.
     pub solid_elements: usize,
     /// Lagrange order of the temperature in the plane of motion, 1 or 2.
     pub surface_order: usize,
@@ -33,9 +31,8 @@ impl Default for ThermalParams {
     fn default() -> Self {
         ThermalParams {
             depth: 3.15,
-            film_elements: 4,
-            film_order: 3,
-            solid_elements: 7,
+            film_order: 8,
+            solid_elements: 4,
             surface_order: 1,
             tolerance: 1e-4,
             max_iterations: 40,

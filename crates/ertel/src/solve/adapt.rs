@@ -86,13 +86,11 @@ pub struct ErrorBars {
 pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars> {
     // Diffusive starts on a refined mesh have no estimate and do not count.
     let estimated = levels.iter().any(|l| l.estimate.is_some());
-    let last = (levels.iter()).rposition(|l| {
-        l.converged && !l.role.compares() && l.estimate.is_some() == estimated
-    })?;
+    let last = (levels.iter())
+        .rposition(|l| l.converged && !l.role.compares() && l.estimate.is_some() == estimated)?;
     let fine = &levels[last];
-    let other_mesh = |l: &&LevelStats| {
-        l.converged && !l.role.compares() && l.n_body_cells != fine.n_body_cells
-    };
+    let other_mesh =
+        |l: &&LevelStats| l.converged && !l.role.compares() && l.n_body_cells != fine.n_body_cells;
     let coarse = levels[..last].iter().rev().find(other_mesh);
     let films = |l: &LevelStats| [l.film_central, l.film_minimum];
     let difference =

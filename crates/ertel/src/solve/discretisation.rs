@@ -15,9 +15,9 @@ use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
 use super::cache::{OperatorCache, OperatorKey, SMALLEST};
+use super::elastic::{BodySpace, ElasticBody, ElasticOperator, SurfaceResponse, near_pairs};
 use super::heat::column::Column;
 use super::heat::space::HeatSpace;
-use super::elastic::{BodySpace, ElasticBody, ElasticOperator, SurfaceResponse, near_pairs};
 use crate::contact::ContactKind;
 
 /// Cell sizes of one level and the region they cover, in Hertz half-widths.

@@ -127,7 +127,9 @@ impl<'a> Assembler<'a> {
                 None => vectorised(|| integrand::<S>(point, self.fluid, &local, source, rule)),
                 Some(heat) => {
                     let profile = heat.profile_at(d, self.state, c, q);
-                    vectorised(|| warm_integrand(point, self.fluid, &profile, &local, source, rule));
+                    vectorised(|| {
+                        warm_integrand(point, self.fluid, &profile, &local, source, rule)
+                    });
                 }
             }
         }
@@ -313,7 +315,10 @@ fn integrand<const S: usize>(
     } else {
         newtonian(&s, &m, local.lambda)
     };
-    point.keep(&reynolds_point(&s, &m, &flow, local, source), properties.density[0]);
+    point.keep(
+        &reynolds_point(&s, &m, &flow, local, source),
+        properties.density[0],
+    );
 }
 
 /// The same where the temperature varies.
@@ -334,7 +339,10 @@ fn warm_integrand(
     let omega = sliding_stress(&s, &m, slide).re;
     let closure = fluid.close_warm(point.state[0], &film, g, omega, rule);
     let flow = warm(&s, &m, local.lambda, slide, &closure, &film.density);
-    point.keep(&reynolds_point(&s, &m, &flow, local, source), film.density.by_p[0]);
+    point.keep(
+        &reynolds_point(&s, &m, &flow, local, source),
+        film.density.by_p[0],
+    );
 }
 
 impl Point {

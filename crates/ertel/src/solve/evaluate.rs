@@ -34,7 +34,10 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
         pressure_gradient: [0.0; 2],
         film: state.rigid_separation,
         deflection: 0.0,
-        temperature: d.heat.as_ref().map(|heat| heat.profile_in(d, state, cell, xi)),
+        temperature: d
+            .heat
+            .as_ref()
+            .map(|heat| heat.profile_in(d, state, cell, xi)),
     };
     let basis = d.pressure.element.evaluate(xi);
     for ((value, gradient, _), node) in basis.iter().zip(d.pressure.nodes_of(cell)) {
@@ -68,7 +71,10 @@ pub fn fields_at_quadrature(
 ) -> ([f64; 3], PointFields) {
     let mut fields = PointFields {
         film: state.rigid_separation,
-        temperature: d.heat.as_ref().map(|heat| heat.profile_at(d, state, cell, q)),
+        temperature: d
+            .heat
+            .as_ref()
+            .map(|heat| heat.profile_at(d, state, cell, q)),
         ..PointFields::default()
     };
     let table = &d.pressure_table;

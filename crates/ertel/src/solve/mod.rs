@@ -95,6 +95,9 @@ pub enum SolveError {
         /// Ratio of changes from round to round.
         contraction: f64,
     },
+    /// Heat lacks data.
+    #[error("{0}; {help}", help = .0.advice())]
+    MissingHeatData(#[from] crate::case::MissingHeatData),
     /// The temperatures could not be computed.
     #[error("temperatures: {0}")]
     Heat(#[from] heat::newton::HeatError),

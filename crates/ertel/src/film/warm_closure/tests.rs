@@ -1,9 +1,9 @@
 //! The warm film against the film of one temperature, closed forms, Yang and Wen's integrals, and differences.
 
 use approx::assert_relative_eq;
-use num_dual::DualNum;
 use ertel_rheology::ShearThinning;
 use ertel_rheology::shear::{Carreau, ShearLaw};
+use num_dual::DualNum;
 
 use super::*;
 use crate::film::closure;
@@ -15,8 +15,16 @@ use crate::film::warm::{Jet2, TemperatureProfile, WarmFluid};
 fn properties(p: f64, t: f64) -> [Jet2; 2] {
     let warmth = |t: num_dual::Dual2SVec64<2>| (t - 310.0) / 40.0;
     [
-        Jet2::of(|p, t| (p * 0.3 + 1.0).ln() * 0.5 + 1.0 - warmth(t) * 0.03 / (p + 1.0), p, t),
-        Jet2::of(|p, t| p * 4.0 - warmth(t) * (p * 0.8 + 1.0) * 1.5 + warmth(t).powi(2) * 0.2, p, t),
+        Jet2::of(
+            |p, t| (p * 0.3 + 1.0).ln() * 0.5 + 1.0 - warmth(t) * 0.03 / (p + 1.0),
+            p,
+            t,
+        ),
+        Jet2::of(
+            |p, t| p * 4.0 - warmth(t) * (p * 0.8 + 1.0) * 1.5 + warmth(t).powi(2) * 0.2,
+            p,
+            t,
+        ),
     ]
 }
 
@@ -67,10 +75,19 @@ fn uniform_temperature() {
         slopes: [[0.0; 13]; 2],
     };
     let thinning = thinning();
-    for (p, g, slide) in [(0.4, [0.3, -0.1], 0.0), (0.9, [2.0, 0.7], 5.0), (0.1, [0.02, 0.0], -0.4)] {
+    for (p, g, slide) in [
+        (0.4, [0.3, -0.1], 0.0),
+        (0.9, [2.0, 0.7], 5.0),
+        (0.1, [0.02, 0.0], -0.4),
+    ] {
         let fluid = WarmFluid::new(&nodes, &flat, |t| properties(p, t));
         let warm = close(Some(&thinning), &fluid, p, g, slide).closure;
-        let cold = closure::close(&thinning.at(p, 1e6, 1e9), g, slide, &mut CrossFilm::default());
+        let cold = closure::close(
+            &thinning.at(p, 1e6, 1e9),
+            g,
+            slide,
+            &mut CrossFilm::default(),
+        );
         for i in 0..2 {
             assert_relative_eq!(warm.mid_stress[i], cold.mid_stress[i], epsilon = 1e-8);
             assert_relative_eq!(warm.flow[i], cold.flow[i], epsilon = 1e-8);
@@ -78,7 +95,11 @@ fn uniform_temperature() {
                 assert_relative_eq!(warm.slopes[i][d], cold.slopes[i][d], epsilon = 1e-7);
             }
         }
-        assert_relative_eq!(fluid.point().density[1], properties(p, 330.0)[0].p, epsilon = 1e-12);
+        assert_relative_eq!(
+            fluid.point().density[1],
+            properties(p, 330.0)[0].p,
+            epsilon = 1e-12
+        );
     }
 }
 
@@ -92,7 +113,13 @@ fn yang_and_wen() {
     for (t, s) in profile.temperature.iter_mut().zip(nodes.points()) {
         *t = 300.0 + s;
     }
-    let flat = |value: f64| Jet2 { value, p: 0.0, t: 0.0, pp: 0.0, pt: 0.0 };
+    let flat = |value: f64| Jet2 {
+        value,
+        p: 0.0,
+        t: 0.0,
+        pp: 0.0,
+        pt: 0.0,
+    };
     let fluid = WarmFluid::new(&nodes, &profile, |t| {
         let s = t - 300.0;
         [flat(1.0 + c * s), flat(-b * s)]
@@ -104,7 +131,9 @@ fn yang_and_wen() {
         let n = 2000;
         let h = (to + 0.5) / n as f64;
         let at = |k: usize| f(-0.5 + h * k as f64);
-        let inner: f64 = (1..n).map(|k| if k % 2 == 1 { 4.0 } else { 2.0 } * at(k)).sum();
+        let inner: f64 = (1..n)
+            .map(|k| if k % 2 == 1 { 4.0 } else { 2.0 } * at(k))
+            .sum();
         h / 3.0 * (at(0) + inner + at(n))
     };
     let fluidity = |s: f64| (b * s).exp();
@@ -128,7 +157,11 @@ fn derivatives_match_differences() {
     let nodes = FilmNodes::new(8);
     let base = profile(&nodes);
     let thinning = thinning();
-    for (p, g, slide) in [(0.4, [0.3, -0.1], 0.05), (0.8, [1.5, 0.4], 4.0), (0.2, [0.6, 0.2], -1.0)] {
+    for (p, g, slide) in [
+        (0.4, [0.3, -0.1], 0.05),
+        (0.8, [1.5, 0.4], 4.0),
+        (0.2, [0.6, 0.2], -1.0),
+    ] {
         let reference = WarmFluid::new(&nodes, &base, |t| properties(p, t));
         // The viscosity that stands for the film stays what it is when the temperature moves.
         let at = |x: [f64; 6]| {
@@ -138,7 +171,10 @@ fn derivatives_match_differences() {
             let shift = (still.viscosity[0] / fluid.viscosity[0]).ln();
             fluid.exponent.by_p[0] =
                 fluid.exponent.by_p[0].combined(1.0, &Polynomial::constant(1.0), shift);
-            (close(Some(&thinning), &fluid, x[3], [x[0], x[1]], x[2]), fluid)
+            (
+                close(Some(&thinning), &fluid, x[3], [x[0], x[1]], x[2]),
+                fluid,
+            )
         };
         let here = [g[0], g[1], slide, p, 0.0, 0.0];
         let (ours, _) = at(here);
@@ -153,7 +189,12 @@ fn derivatives_match_differences() {
         for i in 0..2 {
             for d in 0..4 {
                 let slope = difference(d, &|x| at(x).0.closure.flow[i]);
-                assert_relative_eq!(ours.closure.slopes[i][d], slope, epsilon = 2e-7, max_relative = 1e-5);
+                assert_relative_eq!(
+                    ours.closure.slopes[i][d],
+                    slope,
+                    epsilon = 2e-7,
+                    max_relative = 1e-5
+                );
                 for e in 0..4 {
                     let curvature = difference(e, &|x| at(x).0.closure.slopes[i][d]);
                     let exact = ours.closure.curvatures[i][d][e];
@@ -165,7 +206,12 @@ fn derivatives_match_differences() {
         assert_relative_eq!(ours.drift, drift, epsilon = 1e-6, max_relative = 1e-5);
         for d in 0..4 {
             let slope = difference(d, &|x| at(x).0.drift);
-            assert_relative_eq!(ours.drift_slopes[d], slope, epsilon = 1e-5, max_relative = 1e-4);
+            assert_relative_eq!(
+                ours.drift_slopes[d],
+                slope,
+                epsilon = 1e-5,
+                max_relative = 1e-4
+            );
         }
         for i in 0..2 {
             let slope = difference(4 + i, &|x| at(x).1.density.by_p[0]);

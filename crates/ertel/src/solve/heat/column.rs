@@ -66,7 +66,9 @@ impl Column {
             };
             let layer = |e: usize| {
                 let (from, size) = (ends[e], ends[e + 1] - ends[e]);
-                let nodes: Vec<usize> = (0..=SOLID_ORDER).map(|k| node(SOLID_ORDER * e + k)).collect();
+                let nodes: Vec<usize> = (0..=SOLID_ORDER)
+                    .map(|k| node(SOLID_ORDER * e + k))
+                    .collect();
                 for (unknown, s) in nodes.iter().zip(shape.points()) {
                     depths[*unknown] = from + (s + 0.5) * size;
                 }
@@ -146,7 +148,11 @@ fn graded(n: usize, depth: f64, first: f64) -> Vec<f64> {
     }
     for _ in 0..100 {
         let middle = 0.5 * (low + high);
-        if sum(middle) < depth { low = middle } else { high = middle }
+        if sum(middle) < depth {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     let mut ends = vec![0.0];
     for k in 0..n {

@@ -87,7 +87,11 @@ pub fn solve_coupled(
         let clock = std::time::Instant::now();
         let rise = |state: &State| -> f64 {
             let rise = |t: &f64| (t - heat.inlet_temperature).abs();
-            state.temperature.iter().map(rise).fold(NEGLIGIBLE_RISE, f64::max)
+            state
+                .temperature
+                .iter()
+                .map(rise)
+                .fold(NEGLIGIBLE_RISE, f64::max)
         };
         for _ in 0..MOST_STEPS {
             let step = temperatures.step(state)?;
@@ -97,13 +101,19 @@ pub fn solve_coupled(
         }
         coupling.seconds += clock.elapsed().as_secs_f64();
         let inner = NewtonParams {
-            update_tolerance: (INNER_SHARE * change).max(newton.update_tolerance).min(1e-3),
-            residual_tolerance: (INNER_SHARE * change).max(newton.residual_tolerance).min(1e-3),
+            update_tolerance: (INNER_SHARE * change)
+                .max(newton.update_tolerance)
+                .min(1e-3),
+            residual_tolerance: (INNER_SHARE * change)
+                .max(newton.residual_tolerance)
+                .min(1e-3),
             ..*newton
         };
         let reached = level.run(model, &inner, label, state, stats, observer)?;
         let largest = |a: &[f64], b: &[f64]| {
-            a.iter().zip(b).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()))
+            a.iter()
+                .zip(b)
+                .fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()))
         };
         let film = central_film(d, state);
         let changes = [
@@ -112,7 +122,11 @@ pub fn solve_coupled(
             (film - central_film(d, &before)).abs() / film,
         ];
         change = changes.into_iter().fold(0.0, f64::max);
-        eprintln!("round {round} changes {changes:.2?} rise {:.2} heat its {:?}", rise(state), temperatures.stats);
+        eprintln!(
+            "round {round} changes {changes:.2?} rise {:.2} heat its {:?}",
+            rise(state),
+            temperatures.stats
+        );
         coupling.rounds = round;
         coupling.change = change;
         coupling.heat = temperatures.stats;

@@ -72,7 +72,10 @@ impl HeatSpace {
     ) -> TemperatureProfile {
         let n = self.film_table.n_nodes;
         self.profile(d, state, cell, |j| {
-            (self.film_table.values[q * n + j], self.film_table.gradients[q * n + j])
+            (
+                self.film_table.values[q * n + j],
+                self.film_table.gradients[q * n + j],
+            )
         })
     }
 

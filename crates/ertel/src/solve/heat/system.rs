@@ -195,7 +195,11 @@ fn element(
     let (column, map) = (&space.column, &d.contact.maps[c]);
     let nodes = space.surface.nodes_of(c);
     let (n, n_surface, f) = (column.n(), nodes.len(), column.film.n());
-    let pairs = if with_jacobian { n_surface * n_surface } else { 0 };
+    let pairs = if with_jacobian {
+        n_surface * n_surface
+    } else {
+        0
+    };
     let mut e = Element {
         film: vec![0.0; pairs * f * f],
         bodies: [0, 1].map(|b: usize| vec![0.0; pairs * size_of_layers(&column.bodies[b])]),
@@ -281,8 +285,7 @@ fn film_part(
         for i in 0..basis.n {
             let streamline = tau * along[i];
             let test = basis.values[i] + streamline;
-            let [whole, upwind, plain] =
-                [test, streamline, basis.values[i]].map(|w| weight * w);
+            let [whole, upwind, plain] = [test, streamline, basis.values[i]].map(|w| weight * w);
             for m in 0..f {
                 e.residual[i * n + first + m] += shapes[m]
                     * (whole * (carried - source) - upwind * point.conduction * curvature)
@@ -305,7 +308,8 @@ fn film_part(
                 );
                 for b in 0..f {
                     let shape = shapes[b]
-                        * (convection - heating * (point.shear * film.thinning[b] + by_temperature))
+                        * (convection
+                            - heating * (point.shear * film.thinning[b] + by_temperature))
                         - strong * second_slopes[b];
                     let slope = weak * first_slopes[b];
                     for a in 0..f {
@@ -384,8 +388,7 @@ fn body_part(
                 let test = basis.values[i] + streamline;
                 for (a, node) in layer.nodes.iter().enumerate() {
                     let shape = point.shapes[a];
-                    let along =
-                        basis.slopes[i][0] * across[0] + basis.slopes[i][1] * across[1];
+                    let along = basis.slopes[i][0] * across[0] + basis.slopes[i][1] * across[1];
                     e.residual[i * n + node] += weight
                         * (test * shape * carried - streamline * shape * conduction * curvature
                             + conduction
@@ -453,7 +456,15 @@ fn prescribed(
                 own[column.body_range(body)].fill(true);
             }
         }
-        let inward = film_velocities(d, space, fluid, heat, state, [point[0], point[1]], &mut rule);
+        let inward = film_velocities(
+            d,
+            space,
+            fluid,
+            heat,
+            state,
+            [point[0], point[1]],
+            &mut rule,
+        );
         for (m, u) in inward.iter().enumerate() {
             let unknown = column.first + m;
             if outward * u < 0.0 && !walls.contains(&unknown) {
@@ -482,15 +493,22 @@ fn film_velocities(
         pressure: f.pressure,
         pressure_gradient: f.pressure_gradient,
         film: f.film,
-        temperature: f.temperature.expect("a discretisation with heat").temperature,
+        temperature: f
+            .temperature
+            .expect("a discretisation with heat")
+            .temperature,
     };
     let film = film_column(fluid, heat, &column.heights, &place, rule);
     // at the height next to each node
     let s = column.heights.points();
     let nearest = |node: &f64| {
         let distance = |k: &usize| (s[*k] - node).abs();
-        (0..s.len()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+        (0..s.len())
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .unwrap_or(0)
     };
     let nodes = column.film.points().iter();
-    nodes.map(|node| film.heights[nearest(node)].velocity[0]).collect()
+    nodes
+        .map(|node| film.heights[nearest(node)].velocity[0])
+        .collect()
 }

@@ -180,7 +180,11 @@ impl<'a> Sequence<'a> {
         }
         let mut d = Discretisation::new(&contact, stage.pressure_order);
         if let Some(heat) = problem.heat.as_ref().filter(|_| stage.heated) {
-            d = d.with_heat(heat.surface_order, heat.column.clone(), heat.column.unheated(&heat.heat));
+            d = d.with_heat(
+                heat.surface_order,
+                heat.column.clone(),
+                heat.column.unheated(&heat.heat),
+            );
         }
         observer.level(
             level,
@@ -196,8 +200,10 @@ impl<'a> Sequence<'a> {
         // What is measured only, or refined further, need not be exact.
         let last = stage.role == Role::Final;
         let measured = matches!(stage.role, Role::Estimate | Role::Final);
-        let rough = matches!(stage.role, Role::Estimate | Role::Comparison | Role::Isothermal)
-            || last && problem.adapt.is_some() && stage.refinements == 0;
+        let rough = matches!(
+            stage.role,
+            Role::Estimate | Role::Comparison | Role::Isothermal
+        ) || last && problem.adapt.is_some() && stage.refinements == 0;
         let finish = if rough { Finish::Rough } else { Finish::Exact };
         let mut outcome = run.solve(finish, &mut state, &mut effort, observer);
         let wanted = problem.error_estimate && measured && outcome.is_ok();

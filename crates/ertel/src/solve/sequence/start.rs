@@ -19,7 +19,10 @@ pub(super) fn cold_start(problem: &Problem, d: &Discretisation) -> State {
         pressure,
         deflection,
         rigid_separation: 0.0,
-        temperature: d.heat.as_ref().map_or_else(Vec::new, |heat| heat.unheated()),
+        temperature: d
+            .heat
+            .as_ref()
+            .map_or_else(Vec::new, |heat| heat.unheated()),
     };
     state.rigid_separation = problem.start_film - central_film(d, &state);
     state
@@ -84,7 +87,10 @@ fn temperatures(from: &Discretisation, old: &State, d: &Discretisation) -> Vec<f
     };
     let n = fine.column.n();
     for (column, p) in temperature.chunks_exact_mut(n).zip(&fine.surface.points) {
-        let found = from.contact.locator.find(&from.contact.surface, [p[0], p[1]]);
+        let found = from
+            .contact
+            .locator
+            .find(&from.contact.surface, [p[0], p[1]]);
         if let Some((cell, xi)) = found {
             column.copy_from_slice(&coarse.column_in(old, cell, xi));
         }
