@@ -86,6 +86,13 @@ impl Observer for Progress<'_> {
         ));
     }
 
+    fn round(&mut self, round: usize, change: f64, rise: f64) {
+        self.show(format!(
+            "{}, heat {round:>2}: change {change:.1e}, temperature rise {rise:.2} K",
+            self.level
+        ));
+    }
+
     fn cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
     }

@@ -320,6 +320,7 @@ fn describe(
         summary,
         traction,
         film_reduction,
+        thermal: None,
         history,
         stats,
         warnings,
@@ -532,6 +533,10 @@ impl Observer for Recorder<'_> {
     fn iteration(&mut self, record: &IterationRecord) {
         self.history.push(record.clone());
         self.observer.iteration(record);
+    }
+
+    fn round(&mut self, round: usize, change: f64, rise: f64) {
+        self.observer.round(round, change, rise);
     }
 
     fn cancelled(&self) -> bool {

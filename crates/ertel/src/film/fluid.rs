@@ -172,6 +172,11 @@ impl FilmFluid {
         vectorised(|| close_warm(&law, pressure_stress, sliding_stress, rule))
     }
 
+    /// p_h, Pa.
+    pub fn pressure_scale(&self) -> f64 {
+        self.properties.pressure_scale
+    }
+
     /// a p_h/R, Pa: the unit of the stresses in the film.
     pub fn stress_scale(&self) -> f64 {
         self.stress_scale

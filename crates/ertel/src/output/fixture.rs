@@ -205,6 +205,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             beyond_first_limit: Some(0.93),
             beyond_second_limit: None,
         },
+        thermal: None,
         film_reduction: Some(FilmReduction {
             central: 0.31,
             minimum: 0.28,
@@ -272,6 +273,7 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
         film_central: FILM,
         film_minimum: 0.5 * FILM,
         pressure_maximum: 1e9,
+        traction: None,
         estimate: None,
         seconds: Timings {
             mesh: 0.2,
@@ -279,6 +281,7 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
             assembly: 0.6,
             factorisation: 0.5,
             krylov: 0.3,
+            heat: 0.0,
             other: 0.1,
             estimate: 0.0,
         },

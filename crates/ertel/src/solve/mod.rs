@@ -41,6 +41,10 @@ pub trait Observer: Sync {
     /// A Newton iteration ended.
     fn iteration(&mut self, _record: &IterationRecord) {}
 
+    /// A round of the coupling of film and heat ended: the largest relative change of temperature rise, pressure and
+    /// film, and the largest rise, K.
+    fn round(&mut self, _round: usize, _change: f64, _rise: f64) {}
+
     /// Whether the user wants to stop; asked before each stage, between the fronts of a factorisation of the
     /// bodies, and before each linear solve.
     fn cancelled(&self) -> bool {

@@ -187,7 +187,7 @@ mod tests {
             // ∫Z³ and ∫6Z
             assert_relative_eq!(integral, 3.15_f64.powi(4) / 4.0, max_relative = 1e-12);
             assert_relative_eq!(slope, 3.0 * 3.15_f64.powi(2), max_relative = 1e-9);
-            assert_eq!(column.depths[column.bottom(b)], 3.15);
+            assert_relative_eq!(column.depths[column.bottom(b)], 3.15, max_relative = 1e-14);
         }
         assert_relative_eq!(column.depths[column.first - 3], 0.02, max_relative = 1e-12);
     }

@@ -45,8 +45,6 @@ pub struct CouplingStats {
     pub change: f64,
     /// Effort on the temperatures.
     pub heat: HeatStats,
-    /// Seconds spent on them.
-    pub seconds: f64,
 }
 
 /// Change of a temperature rise that does not matter, K.
@@ -99,7 +97,7 @@ pub fn solve_coupled(
                 break;
             }
         }
-        coupling.seconds += clock.elapsed().as_secs_f64();
+        stats.seconds.heat += clock.elapsed().as_secs_f64();
         let inner = NewtonParams {
             update_tolerance: (INNER_SHARE * change)
                 .max(newton.update_tolerance)
@@ -122,11 +120,7 @@ pub fn solve_coupled(
             (film - central_film(d, &before)).abs() / film,
         ];
         change = changes.into_iter().fold(0.0, f64::max);
-        eprintln!(
-            "round {round} changes {changes:.2?} rise {:.2} heat its {:?}",
-            rise(state),
-            temperatures.stats
-        );
+        observer.round(round, change, rise(state));
         coupling.rounds = round;
         coupling.change = change;
         coupling.heat = temperatures.stats;

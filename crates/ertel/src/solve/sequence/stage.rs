@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::{Problem, Role, Stage};
 use crate::solution::LevelStats;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
+use crate::solve::evaluate::{central_film, largest_pressure, minimum_film, traction};
 use crate::solve::indicator::{Indicator, indicator};
         let from = state.clone();
         let mut outcome = Ok((Reached::default(), None));
@@ -228,6 +228,8 @@ impl<'a> StageRun<'a> {
             film_central: problem.film_scale * central_film(d, state),
             film_minimum: problem.film_scale * minimum_film(d, state).0,
             pressure_maximum: problem.pressure_scale * largest_pressure(d, state).0,
+            traction: (problem.heat.as_ref())
+                .map(|_| traction(d, state, &self.model(1.0).fluid, problem.load)),
             estimate: indicator.map(Indicator::totals),
             seconds: effort.seconds,
         };

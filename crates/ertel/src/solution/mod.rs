@@ -1,9 +1,16 @@
 //! What a solve returns: plain data in SI, ready for output.
 
+mod thermal;
+
 use serde::Serialize;
 
 use crate::contact::{ContactKind, Groups, Hertz, Scales};
 use crate::solve::sequence::Role;
+
+pub use thermal::{
+    Coupling, CrossProfile, FilmTemperatures, HeatBalance, TemperatureField, Thermal,
+    ThermalReduction,
+};
 
 /// A figure with its discretisation error bar.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -108,6 +115,9 @@ pub struct LevelStats {
     pub film_minimum: f64,
     /// Largest pressure reached, Pa.
     pub pressure_maximum: f64,
+    /// Traction coefficient at mid-film, where heat counts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub traction: Option<f64>,
     /// Estimated relative errors of central and minimum film, uncalibrated; `None` where none was made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimate: Option<[f64; 2]>,
@@ -128,6 +138,8 @@ pub struct Timings {
     pub factorisation: f64,
     /// Linear solves.
     pub krylov: f64,
+    /// Temperatures.
+    pub heat: f64,
     /// Error estimate: adjoints and misfits.
     pub estimate: f64,
     /// Everything else: spaces, starts, step limits, figures of the level.
@@ -137,7 +149,13 @@ pub struct Timings {
 impl Timings {
     /// Sum of all parts but the rest.
     pub fn known(&self) -> f64 {
-        self.mesh + self.operator + self.assembly + self.factorisation + self.krylov + self.estimate
+        self.mesh
+            + self.operator
+            + self.assembly
+            + self.factorisation
+            + self.krylov
+            + self.heat
+            + self.estimate
     }
 }
 
@@ -321,6 +339,8 @@ pub struct Solution {
     /// Effect of shear thinning on the film; `None` for Newtonian fluids, or where the film of the
     /// Newtonian fluid was not found.
     pub film_reduction: Option<FilmReduction>,
+    /// Temperatures and heat; `None` for an isothermal contact.
+    pub thermal: Option<Thermal>,
     /// Film-thickness formulas for the same case.
     pub formulas: Vec<FormulaFilm>,
     /// Profiles along the centreline.

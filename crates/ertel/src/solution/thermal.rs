@@ -1,0 +1,138 @@
+//! Temperatures and heat of a solution, SI.
+
+use serde::Serialize;
+
+use super::Located;
+
+/// Temperatures and heat.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Thermal {
+    /// Temperature with which the lubricant enters, K.
+    pub inlet_temperature: f64,
+    /// Largest temperature of the film, K.
+    pub film_maximum: Located,
+    /// Mean temperature of the film over the Hertz zone and across the film, K.
+    pub film_mean: f64,
+    /// Largest temperature of the plane's surface, K.
+    pub plane_maximum: Located,
+    /// Mean temperature of the plane's surface over the Hertz zone, K.
+    pub plane_mean: f64,
+    /// Largest temperature of the ball's surface, K.
+    pub ball_maximum: Located,
+    /// Mean temperature of the ball's surface over the Hertz zone, K.
+    pub ball_mean: f64,
+    /// Where the heat comes from and goes to.
+    pub balance: HeatBalance,
+    /// What heat does to film and traction; `None` where the isothermal film was not found.
+    pub reduction: Option<ThermalReduction>,
+    /// How film and heat came to rest.
+    pub coupling: Coupling,
+    /// Temperatures at the points of [`super::Centreline`].
+    pub centreline: FilmTemperatures,
+    /// Temperatures at the points of [`super::SurfaceField`].
+    pub surface: FilmTemperatures,
+    /// Profiles across the film.
+    pub profiles: Vec<CrossProfile>,
+    /// Temperature of film and bodies, if asked for.
+    #[serde(skip)]
+    pub field: Option<TemperatureField>,
+}
+
+/// Heat of the whole contact: W (circular) or W/m (line).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct HeatBalance {
+    /// Made by shear.
+    pub shear: f64,
+    /// Made by compression, less what expansion takes.
+    pub compression: f64,
+    /// Carried off by the plane.
+    pub to_plane: f64,
+    /// Carried off by the ball.
+    pub to_ball: f64,
+    /// Carried off by the lubricant.
+    pub by_film: f64,
+    /// (made − carried off)/(heat of shear + size of the heat of compression).
+    pub error: f64,
+}
+
+/// What heat does: one and the same mesh with and without it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ThermalReduction {
+    /// 1 − h_c/(h_c without heat).
+    pub film_central: f64,
+    /// 1 − h_min/(h_min without heat).
+    pub film_minimum: f64,
+    /// 1 − traction/(traction without heat); `None` without traction.
+    pub traction: Option<f64>,
+    /// Traction coefficient without heat.
+    pub isothermal_traction: f64,
+}
+
+/// How film and heat came to rest together.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Coupling {
+    /// Rounds on the last mesh.
+    pub rounds: usize,
+    /// Ratio by which changes shrank from round to round.
+    pub contraction: f64,
+    /// Last relative change.
+    pub change: f64,
+    /// Temperatures computed.
+    pub n_temperatures: usize,
+    /// Newton iterations for them on the last mesh.
+    pub iterations: usize,
+    /// Krylov iterations for them on the last mesh.
+    pub krylov_iterations: usize,
+}
+
+/// Temperatures at a list of points, K.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct FilmTemperatures {
+    /// At mid-film.
+    pub mid: Vec<f64>,
+    /// Mean across the film.
+    pub mean: Vec<f64>,
+    /// Surface of the plane.
+    pub plane: Vec<f64>,
+    /// Surface of the ball.
+    pub ball: Vec<f64>,
+}
+
+/// Profile across the film at a point.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct CrossProfile {
+    /// Place, m.
+    pub x: f64,
+    /// Place, m.
+    pub y: f64,
+    /// Film thickness, m.
+    pub film_thickness: f64,
+    /// Height over the plane, m.
+    pub z: Vec<f64>,
+    /// Temperature, K.
+    pub temperature: Vec<f64>,
+    /// Velocity along the motion, m/s.
+    pub velocity_x: Vec<f64>,
+    /// Velocity across it, m/s.
+    pub velocity_y: Vec<f64>,
+    /// Size of the shear rate, 1/s.
+    pub shear_rate: Vec<f64>,
+    /// Generalized viscosity, Pa·s.
+    pub viscosity: Vec<f64>,
+}
+
+/// Temperature in the film and both bodies, cell by cell, for pictures. The film is drawn at its thickness times
+/// `film_magnification`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TemperatureField {
+    /// Points, m.
+    pub points: Vec<[f64; 3]>,
+    /// Corners: wedges (circular: six, bottom triangle first) or quadrilaterals (line: four, in order round).
+    pub cells: Vec<Vec<u32>>,
+    /// 0 plane, 1 film, 2 ball.
+    pub region: Vec<u8>,
+    /// Temperature at the points, K.
+    pub temperature: Vec<f64>,
+    /// By which the film's thickness is stretched.
+    pub film_magnification: f64,
+}
