@@ -6,11 +6,9 @@ use super::{Problem, Role, Stage};
 use crate::solution::LevelStats;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{central_film, largest_pressure, minimum_film, traction};
+use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled};
 use crate::solve::indicator::{Indicator, indicator};
-        let from = state.clone();
-        let mut outcome = Ok((Reached::default(), None));
-        for share in ramp {
-            outcome = self.run(*share, &params, state, effort, observer);
+use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
 use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
