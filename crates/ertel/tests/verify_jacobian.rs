@@ -29,7 +29,19 @@ fn state(d: &Discretisation, pressure: Vec<f64>, rigid_separation: f64) -> State
         deflection: d.deflect(&pressure),
         pressure,
         rigid_separation,
-        ..State::default()
+        temperature: d.heat.as_ref().map_or_else(Vec::new, |heat| {
+            // Hot in the middle, rough from node to node of the contact area.
+            let rough = noise(2 * heat.surface.n_nodes(), 3);
+            let mut temperature = heat.unheated();
+            let columns = temperature.chunks_exact_mut(heat.column.n());
+            for (column, r) in columns.zip(rough.chunks_exact(2)) {
+                let film = column[heat.column.film_range()].iter_mut();
+                for (t, s) in film.zip(heat.column.film.points()) {
+                    *t += 25.0 + 10.0 * r[0] + 20.0 * (1.0 + 0.3 * r[1]) * (1.0 - 4.0 * s * s) + 8.0 * s;
+                }
+            }
+            temperature
+        }),
     }
 }
 
@@ -56,6 +68,7 @@ fn check(
     elasticity: ElasticModel,
     order: usize,
     thinned: Option<ShearThinning>,
+    heat: bool,
 ) {
     let mut case = common::case(
         kind,
@@ -68,6 +81,9 @@ fn check(
     case.solver.elasticity = elasticity;
     case.plane.elasticity = common::GLASS;
     case.motion.slide_to_roll_ratio = 0.3;
+    if heat {
+        case = common::heated(case);
+    }
     let mut problem = problem(&case);
     let hertz = case.hertz();
     let scales = Scales::new(&case.contact, &hertz, 0.8, 0.04, 870.0);
@@ -75,7 +91,13 @@ fn check(
     problem.fluid = problem.fluid.with_shear(thinned.as_ref(), 0.3, &scales);
     let contact =
         ContactBody::new(kind, &problem.extents, &SIZES, 2, &problem.bodies).expect("mesh");
-    let d = Discretisation::new(&Arc::new(contact), order);
+    let mut d = Discretisation::new(&Arc::new(contact), order);
+    if let Some(heat) = &problem.heat {
+        let column = heat.column.clone();
+        let unheated = column.unheated(&heat.heat);
+        d = d.with_heat(1, column, unheated);
+    }
+    let d = d;
     let rough = noise(d.pressure.n_nodes(), 1);
     let pressure: Vec<f64> = (d.pressure.points.iter().zip(&rough).zip(&d.pressure_dofs))
         .map(|((p, r), dof)| {
@@ -146,11 +168,11 @@ fn check(
                 .map(|(p, d)| (p - d).abs() / (d.abs() + 1e-9 * largest))
                 .fold(0.0, f64::max);
             println!(
-                "{kind:?} {elasticity:?} thins: {thins} {formulation:?} diffusion {diffusion}: {relative:.1e}"
+                "{kind:?} {elasticity:?} thins: {thins} heat: {heat} {formulation:?} diffusion {diffusion}: {relative:.1e}"
             );
             assert!(
                 relative < 1e-6,
-                "{kind:?} {elasticity:?} thins: {thins} {formulation:?} diffusion {diffusion}: {relative:.1e}"
+                "{kind:?} {elasticity:?} thins: {thins} heat: {heat} {formulation:?} diffusion {diffusion}: {relative:.1e}"
             );
         }
     }
@@ -158,14 +180,14 @@ fn check(
 
 #[test]
 fn line() {
-    check(ContactKind::Line, ElasticModel::Equivalent, 3, None);
-    check(ContactKind::Line, ElasticModel::TwoBodies, 2, None);
+    check(ContactKind::Line, ElasticModel::Equivalent, 3, None, false);
+    check(ContactKind::Line, ElasticModel::TwoBodies, 2, None, false);
 }
 
 #[test]
 fn circular() {
-    check(ContactKind::Circular, ElasticModel::Equivalent, 2, None);
-    check(ContactKind::Circular, ElasticModel::TwoBodies, 3, None);
+    check(ContactKind::Circular, ElasticModel::Equivalent, 2, None, false);
+    check(ContactKind::Circular, ElasticModel::TwoBodies, 3, None, false);
 }
 
 /// Laws of which every part acts in these states: two plateaus, and a limit that moves with the pressure.
@@ -184,7 +206,7 @@ fn thinning() -> [ShearThinning; 2] {
 #[test]
 fn line_shear_thinning() {
     for law in thinning() {
-        check(ContactKind::Line, ElasticModel::Equivalent, 3, Some(law));
+        check(ContactKind::Line, ElasticModel::Equivalent, 3, Some(law), false);
     }
 }
 
@@ -196,6 +218,16 @@ fn circular_shear_thinning() {
             ElasticModel::Equivalent,
             2,
             Some(law),
+            false,
         );
     }
+}
+
+/// Rough temperatures, Newtonian and thinned.
+#[test]
+fn heated() {
+    check(ContactKind::Line, ElasticModel::Equivalent, 3, None, true);
+    let [carreau, _] = thinning();
+    check(ContactKind::Line, ElasticModel::Equivalent, 2, Some(carreau.clone()), true);
+    check(ContactKind::Circular, ElasticModel::Equivalent, 2, Some(carreau), true);
 }

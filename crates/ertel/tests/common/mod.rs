@@ -3,8 +3,10 @@
 
 use ertel::case::{Body, Case, Lubricant};
 use ertel::contact::{Contact, ContactKind, Elasticity, Hertz, Motion, reduced_modulus};
-use ertel::params::{MeshParams, MeshPreset, OutputParams, SolverParams};
-use ertel_rheology::{DensityLaw, ViscosityLaw};
+use ertel::params::{MeshParams, MeshPreset, OutputParams, SolverParams, ThermalParams};
+use ertel_rheology::density::{DowsonHigginson, ThermalExpansion};
+use ertel_rheology::viscosity::Cheng;
+use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, ViscosityLaw};
 
 /// Steel.
 pub const STEEL: Elasticity = Elasticity {
@@ -58,6 +60,35 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         given: serde_json::Value::Null,
         curve: None,
     }
+}
+
+/// The same case with heat: a lubricant that temperature thins and expands, and the thermal data of steel and
+/// glass after Habchi 2008, table 5.2.
+pub fn heated(mut case: Case) -> Case {
+    let body = |elasticity: Elasticity, [density, conductivity, heat_capacity]: [f64; 3]| Body {
+        density: Some(density),
+        thermal_conductivity: Some(ConductivityLaw::constant(conductivity).unwrap()),
+        heat_capacity: Some(HeatCapacityLaw::constant(heat_capacity).unwrap()),
+        ..Body::elastic("heated", elasticity)
+    };
+    case.plane = body(GLASS, [2510.0, 1.114, 858.0]);
+    case.ball = body(STEEL, [7850.0, 46.0, 470.0]);
+    case.lubricant.density = DensityLaw::DowsonHigginson(
+        DowsonHigginson::new(
+            870.0,
+            Some(ThermalExpansion {
+                temperature_coefficient: 7e-4,
+                reference_temperature: 313.15,
+            }),
+        )
+        .unwrap(),
+    );
+    case.lubricant.viscosity =
+        ViscosityLaw::Cheng(Cheng::new(0.04, 12e-9, 4000.0, 3e-6, 313.15).unwrap());
+    case.lubricant.thermal_conductivity = Some(ConductivityLaw::constant(0.14).unwrap());
+    case.lubricant.heat_capacity = Some(HeatCapacityLaw::constant(2000.0).unwrap());
+    case.thermal = Some(ThermalParams::default());
+    case
 }
 
 /// The same with load and pressure-viscosity coefficient from Moes's groups M and L
