@@ -37,7 +37,10 @@ fn state(d: &Discretisation, pressure: Vec<f64>, rigid_separation: f64) -> State
             for (column, r) in columns.zip(rough.chunks_exact(2)) {
                 let film = column[heat.column.film_range()].iter_mut();
                 for (t, s) in film.zip(heat.column.film.points()) {
-                    *t += 25.0 + 10.0 * r[0] + 20.0 * (1.0 + 0.3 * r[1]) * (1.0 - 4.0 * s * s) + 8.0 * s;
+                    *t += 25.0
+                        + 10.0 * r[0]
+                        + 20.0 * (1.0 + 0.3 * r[1]) * (1.0 - 4.0 * s * s)
+                        + 8.0 * s;
                 }
             }
             temperature
@@ -186,8 +189,20 @@ fn line() {
 
 #[test]
 fn circular() {
-    check(ContactKind::Circular, ElasticModel::Equivalent, 2, None, false);
-    check(ContactKind::Circular, ElasticModel::TwoBodies, 3, None, false);
+    check(
+        ContactKind::Circular,
+        ElasticModel::Equivalent,
+        2,
+        None,
+        false,
+    );
+    check(
+        ContactKind::Circular,
+        ElasticModel::TwoBodies,
+        3,
+        None,
+        false,
+    );
 }
 
 /// Laws of which every part acts in these states: two plateaus, and a limit that moves with the pressure.
@@ -206,7 +221,13 @@ fn thinning() -> [ShearThinning; 2] {
 #[test]
 fn line_shear_thinning() {
     for law in thinning() {
-        check(ContactKind::Line, ElasticModel::Equivalent, 3, Some(law), false);
+        check(
+            ContactKind::Line,
+            ElasticModel::Equivalent,
+            3,
+            Some(law),
+            false,
+        );
     }
 }
 
@@ -228,6 +249,18 @@ fn circular_shear_thinning() {
 fn heated() {
     check(ContactKind::Line, ElasticModel::Equivalent, 3, None, true);
     let [carreau, _] = thinning();
-    check(ContactKind::Line, ElasticModel::Equivalent, 2, Some(carreau.clone()), true);
-    check(ContactKind::Circular, ElasticModel::Equivalent, 2, Some(carreau), true);
+    check(
+        ContactKind::Line,
+        ElasticModel::Equivalent,
+        2,
+        Some(carreau.clone()),
+        true,
+    );
+    check(
+        ContactKind::Circular,
+        ElasticModel::Equivalent,
+        2,
+        Some(carreau),
+        true,
+    );
 }

@@ -58,6 +58,20 @@ pub struct Heat {
     pub entrainment_speed: f64,
 }
 
+/// A place in one of the layers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Layer {
+    /// Depth Z in the plane.
+    Plane(f64),
+    /// Height s in the film.
+    Film(f64),
+    /// Depth Z in the ball.
+    Ball(f64),
+}
+
+/// Further heat at (X, Y) of a layer, for tests with known temperatures: W/m² by unit of s, or of Z.
+pub type Source<'a> = Option<&'a (dyn Fn([f64; 2], Layer) -> f64 + Sync)>;
+
 /// Heights at which the film is heated: Gauss points, and the shape functions of the film's nodes there.
 #[derive(Clone, Debug)]
 pub struct Heights {

@@ -8,7 +8,7 @@ use ertel_fem::linear::gmres::{GmresError, GmresParams, gmres};
 
 use super::system::{Account, HeatSystem, assemble};
 use crate::film::FilmFluid;
-use crate::forms::energy::Heat;
+use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
@@ -64,6 +64,7 @@ pub struct HeatNewton<'a> {
     fluid: &'a FilmFluid,
     heat: &'a Heat,
     params: HeatParams,
+    source: Source<'a>,
     matrix: BlockMatrix,
     /// Effort so far.
     pub stats: HeatStats,
@@ -86,9 +87,15 @@ impl<'a> HeatNewton<'a> {
             fluid,
             heat,
             params,
+            source: None,
             matrix: BlockMatrix::new(space.column.n(), space.graph.clone()),
             stats: HeatStats::default(),
         }
+    }
+
+    /// The same with further heat.
+    pub fn with_source(self, source: Source<'a>) -> HeatNewton<'a> {
+        HeatNewton { source, ..self }
     }
 
     /// One step; returns the largest change of a temperature, K.
@@ -96,7 +103,14 @@ impl<'a> HeatNewton<'a> {
     /// # Errors
     /// When the linear system cannot be solved.
     pub fn step(&mut self, state: &mut State) -> Result<f64, HeatError> {
-        let system = assemble(self.d, self.fluid, self.heat, state, Some(&mut self.matrix));
+        let system = assemble(
+            self.d,
+            self.fluid,
+            self.heat,
+            state,
+            self.source,
+            Some(&mut self.matrix),
+        );
         let right: Vec<f64> = system.residual.iter().map(|r| -r).collect();
         if right.iter().any(|r| !r.is_finite()) {
             return Err(HeatError::NotFinite);
@@ -126,7 +140,8 @@ impl<'a> HeatNewton<'a> {
 
     /// Heat made and carried off at a state.
     pub fn account(&self, state: &State) -> Account {
-        let HeatSystem { account, .. } = assemble(self.d, self.fluid, self.heat, state, None);
+        let HeatSystem { account, .. } =
+            assemble(self.d, self.fluid, self.heat, state, self.source, None);
         account
     }
 }

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use super::space::HeatSpace;
 use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, MOST_NODES};
-use crate::forms::energy::{FilmColumn, FilmPlace, Heat, film_column};
+use crate::forms::energy::{FilmColumn, FilmPlace, Heat, Layer, Source, film_column};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::fields_in;
 use crate::solve::system::State;
@@ -65,6 +65,7 @@ pub fn assemble(
     fluid: &FilmFluid,
     heat: &Heat,
     state: &State,
+    source: Source,
     mut matrix: Option<&mut BlockMatrix>,
 ) -> HeatSystem {
     let space = d.heat.as_ref().expect("a discretisation with heat");
@@ -86,7 +87,19 @@ pub fn assemble(
                 let mut rule = CrossFilm::default();
                 let last = (first + BATCH).min(d.contact.n_elements());
                 (*first..last)
-                    .map(|c| element(d, space, fluid, heat, state, c, with_jacobian, &mut rule))
+                    .map(|c| {
+                        element(
+                            d,
+                            space,
+                            fluid,
+                            heat,
+                            state,
+                            source,
+                            c,
+                            with_jacobian,
+                            &mut rule,
+                        )
+                    })
                     .collect()
             })
             .collect();
@@ -188,6 +201,7 @@ fn element(
     fluid: &FilmFluid,
     heat: &Heat,
     state: &State,
+    source: Source,
     c: usize,
     with_jacobian: bool,
     rule: &mut CrossFilm,
@@ -222,6 +236,8 @@ fn element(
             basis.slopes[j] = [x, y];
             basis.laplacians[j] = map.laplacian(&space.table.hessians[k]);
         }
+        let [x, y] = d.contact.point(c, space.rule.points[q]);
+        let further = |layer: Layer| source.map_or(0.0, |f| f([x, y], layer));
         let place = fields_in(d, state, c, space.rule.points[q]);
         let profile = place.temperature.expect("a discretisation with heat");
         let place = FilmPlace {
@@ -231,9 +247,13 @@ fn element(
             temperature: profile.temperature,
         };
         let film = film_column(fluid, heat, &column.heights, &place, rule);
-        film_part(space, nodes, state, &basis, &film, area, size, &mut e);
+        film_part(
+            space, nodes, state, &basis, &film, &further, area, size, &mut e,
+        );
         for body in 0..2 {
-            body_part(space, nodes, heat, state, &basis, body, area, size, &mut e);
+            body_part(
+                space, nodes, heat, state, &basis, body, &further, area, size, &mut e,
+            );
         }
     }
     e
@@ -247,6 +267,7 @@ fn film_part(
     state: &State,
     basis: &SurfaceBasis,
     film: &FilmColumn,
+    further: &dyn Fn(Layer) -> f64,
     area: f64,
     size: f64,
     e: &mut Element,
@@ -280,7 +301,7 @@ fn film_part(
         e.account.shear += weight * point.shear;
         e.account.compression += weight * point.compression;
         e.account.compression_size += weight * point.compression.abs();
-        let source = point.shear + point.compression;
+        let source = point.shear + point.compression + further(Layer::Film(heights.points()[k]));
         let by_temperature = point.compression / point.temperature;
         for i in 0..basis.n {
             let streamline = tau * along[i];
@@ -345,6 +366,7 @@ fn body_part(
     state: &State,
     basis: &SurfaceBasis,
     body: usize,
+    further: &dyn Fn(Layer) -> f64,
     area: f64,
     size: f64,
     e: &mut Element,
@@ -381,6 +403,13 @@ fn body_part(
                 let spread = 12.0 * conduction / (size * size);
                 1.0 / passage.hypot(spread)
             };
+            let depth = (layer.nodes.iter().zip(point.shapes))
+                .map(|(node, shape)| shape * column.depths[*node])
+                .sum();
+            let made = further(match body {
+                0 => Layer::Plane(depth),
+                _ => Layer::Ball(depth),
+            });
             let weight = area * point.weight;
             e.account.bodies[body] += weight * carried;
             for i in 0..basis.n {
@@ -390,7 +419,8 @@ fn body_part(
                     let shape = point.shapes[a];
                     let along = basis.slopes[i][0] * across[0] + basis.slopes[i][1] * across[1];
                     e.residual[i * n + node] += weight
-                        * (test * shape * carried - streamline * shape * conduction * curvature
+                        * (test * shape * (carried - made)
+                            - streamline * shape * conduction * curvature
                             + conduction
                                 * (shape * along + basis.values[i] * point.slopes[0][a] * slope));
                 }
