@@ -186,6 +186,9 @@ pub struct FitFilmArgs {
     /// Reduced radius of all films, such as "12.7 mm" (default: the column radius_m)
     #[arg(long, value_name = "R")]
     pub radius: Option<String>,
+    /// Compare the films with a formula c M^a L^b, too, as in "central=1.96,-0.1111,0" (may be repeated)
+    #[arg(long, value_name = "FILM=C,A,B", value_parser = beside)]
+    pub beside: Vec<(ertel::fit::FilmKind, ertel::fit::PowerFormula)>,
     /// Confidence of the intervals
     #[arg(long, value_name = "P", default_value_t = 0.95)]
     pub confidence: f64,
@@ -195,6 +198,36 @@ pub struct FitFilmArgs {
     /// List every film with the formula beside
     #[arg(short, long)]
     pub verbose: bool,
+}
+
+/// `central=1.96,-0.1111,0`.
+fn beside(text: &str) -> Result<(ertel::fit::FilmKind, ertel::fit::PowerFormula), String> {
+    use ertel::fit::{FilmKind, PowerFormula};
+    let help = || {
+        "write the film, central or minimum, and the constants c, a and b: central=1.96,-0.1111,0"
+            .to_owned()
+    };
+    let (kind, constants) = text.split_once('=').ok_or_else(help)?;
+    let kind = match kind.trim() {
+        "central" => FilmKind::Central,
+        "minimum" => FilmKind::Minimum,
+        _ => return Err(help()),
+    };
+    let constants: Option<Vec<f64>> = constants
+        .split(',')
+        .map(|c| c.trim().parse().ok().filter(|c: &f64| c.is_finite()))
+        .collect();
+    match constants.as_deref() {
+        Some(&[factor, load_exponent, material_exponent]) if factor > 0.0 => Ok((
+            kind,
+            PowerFormula {
+                factor,
+                load_exponent,
+                material_exponent,
+            },
+        )),
+        _ => Err(help()),
+    }
 }
 
 /// `ertel fit viscosity` and `ertel fit density`.

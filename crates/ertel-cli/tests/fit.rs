@@ -110,3 +110,73 @@ fn bad_data_and_usage_exit_with_2() {
         assert!(error.contains(part), "{arguments:?}: {error}");
     }
 }
+
+/// Films made by a formula deviate from it by nothing, and from half of it by half.
+#[test]
+fn films_stand_beside_given_formulas() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("films.csv");
+    let mut rows =
+        String::from("note,radius_m,speed_group,moes_load,moes_material,film_central_m\n");
+    for (m, l) in [(50.0f64, 0.1f64), (200.0, 0.1), (50.0, 0.3), (900.0, 0.2)] {
+        let film = 2.2318 * 0.0127 * (2e-12f64).sqrt() * m.powf(-0.1362) * l.powf(0.0198);
+        rows += &format!("\"a, b\",0.0127,1e-12,{m},{l},{film:e}\n");
+    }
+    std::fs::write(&table, rows).unwrap();
+    let beside = |formula: &str| {
+        let table = table.to_str().unwrap();
+        ertel(&["fit", "film", table, "--beside", formula])
+    };
+    let output = beside("central=2.2318,-0.1362,0.0198");
+    let report = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(
+        report.contains("deviates by -0.00 to +0.00 %")
+            || report.contains("deviates by +0.00 to +0.00 %"),
+        "{report}"
+    );
+    let output = beside("central=1.1159,-0.1362,0.0198");
+    assert!(text(&output.stdout).contains("deviates by -50.00 to -50.00 %"));
+    for bad in [
+        "1.96,0,0",
+        "middle=1,0,0",
+        "central=1,0",
+        "central=-1,0,0",
+        "central=1,x,0",
+    ] {
+        let output = beside(bad);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains("central=1.96,-0.1111,0"));
+    }
+}
+
+/// The films of chapter 6 as they are kept (docs/studies/ultra-low-viscosity.md) lie by the formulas of Habchi 2008, eq.
+/// 6.4, for the fluid that is specified in full: the central ones within 1 %, the minimum ones within 7 %.
+#[test]
+fn films_of_chapter_6_lie_by_its_formulas() {
+    let table = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../studies/chapter-6/results/fluid-c-speeds.csv");
+    let output = ertel(&[
+        "fit",
+        "film",
+        table.to_str().unwrap(),
+        "--beside",
+        "central=2.2318,-0.1362,0.0198",
+        "--beside",
+        "minimum=2.6759,-0.2525,0.0297",
+    ]);
+    let report = text(&output.stdout);
+    let limits = report
+        .lines()
+        .filter_map(|l| Some(l.split_once("deviates by ")?.1.split_once(" %")?.0))
+        .map(|range| {
+            let (low, high) = range.split_once(" to ").unwrap();
+            let size = |v: &str| v.parse::<f64>().unwrap().abs();
+            size(low).max(size(high))
+        });
+    let limits: Vec<f64> = limits.collect();
+    assert!(
+        limits.len() == 2 && limits[0] < 1.0 && limits[1] < 7.0,
+        "{report}"
+    );
+}

@@ -1,6 +1,6 @@
 //! `ertel fit film`.
 
-use ertel::fit::{self, Estimate, FilmFit, FilmKind, FilmState};
+use ertel::fit::{self, Estimate, FilmFit, FilmKind, FilmState, PowerFormula};
 use ertel::output::{digits, length};
 use ertel_rheology::quantity::{self, Dimension};
 
@@ -56,9 +56,35 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
     }
     let reports: Vec<String> = fits
         .iter()
-        .map(|(fit, states)| report(fit, states, &file, arguments.verbose))
+        .map(|(fit, states)| {
+            report(fit, states, &file, arguments.verbose) + &beside(fit, states, &arguments.beside)
+        })
         .collect();
     print::stdout(&reports.join("\n"))
+}
+
+/// How far formulas with given constants are from the films.
+fn beside(fit: &FilmFit, states: &[FilmState], formulas: &[(FilmKind, PowerFormula)]) -> String {
+    let mut text = String::new();
+    for (_, formula) in formulas.iter().filter(|(kind, _)| *kind == fit.kind) {
+        let deviations: Vec<f64> = states.iter().map(|s| formula.deviation(s)).collect();
+        let squares = deviations.iter().map(|d| d * d).sum::<f64>();
+        let range = deviations
+            .iter()
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| {
+                [low.min(*d), high.max(*d)]
+            });
+        text += &format!(
+            "\n  beside: {} R √(2U) M^{} L^{} deviates by {:+.2} to {:+.2} %, rms {} %\n",
+            formula.factor,
+            formula.load_exponent,
+            formula.material_exponent,
+            100.0 * range[0],
+            100.0 * range[1],
+            digits(100.0 * (squares / states.len() as f64).sqrt(), 3)
+        );
+    }
+    text
 }
 
 fn report(fit: &FilmFit, states: &[FilmState], file: &str, verbose: bool) -> String {

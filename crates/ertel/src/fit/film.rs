@@ -149,6 +149,26 @@ pub fn read_films(
     Ok(Some(states))
 }
 
+/// A formula `h = c R √(2U) M^a L^b` with its constants given, such as a published one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PowerFormula {
+    /// Factor c.
+    pub factor: f64,
+    /// Exponent a of M.
+    pub load_exponent: f64,
+    /// Exponent b of L.
+    pub material_exponent: f64,
+}
+
+impl PowerFormula {
+    /// `formula/film - 1`.
+    pub fn deviation(&self, state: &FilmState) -> f64 {
+        let powers =
+            state.load.powf(self.load_exponent) * state.material.powf(self.material_exponent);
+        self.factor * powers / state.dimensionless() - 1.0
+    }
+}
+
 /// A number with its confidence interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {

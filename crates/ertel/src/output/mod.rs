@@ -12,6 +12,7 @@ mod heat;
 pub mod plot;
 mod report;
 mod result_json;
+mod study;
 mod surface;
 pub mod vtu;
 
@@ -27,6 +28,7 @@ pub use folder::check_target;
 pub use plot::png::{PngError, check as check_png};
 pub use report::{digits, length, pressure, report};
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
+pub use study::study_chart;
 
 use std::io;
 use std::path::{Path, PathBuf};

@@ -20,6 +20,8 @@ use crate::solve::{Observer, SolveError};
 
 /// Folder within that of a study, with the results of its points where these are asked for.
 const FOLDERS: &str = "points";
+/// Name of the picture of its films.
+const PICTURE: &str = "film.svg";
 
 /// How a study is run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -292,7 +294,7 @@ pub fn sweep(
                 Some((key, records.get(&key)?.clone()))
             })
             .collect();
-        write_whole(&folder.join(TABLE), echo.table(&own).as_bytes())?;
+        write_results(folder, &echo, &own)?;
     }
     let mut sorted = mine;
     sorted.sort_unstable();
@@ -391,9 +393,22 @@ pub fn merge(target: &Path, parts: &[PathBuf]) -> Result<SweepSummary, SweepErro
             None => summary.interrupted = true,
         }
     }
-    write_whole(&target.join(TABLE), echo.table(&records).as_bytes())?;
+    write_results(target, &echo, &records)?;
     summary.wall_seconds = clock.elapsed().as_secs_f64();
     Ok(summary)
+}
+
+/// The table and, where it makes one, the picture.
+fn write_results(
+    folder: &Path,
+    echo: &StudyEcho,
+    records: &HashMap<PointKey, Record>,
+) -> Result<(), SweepError> {
+    write_whole(&folder.join(TABLE), echo.table(records).as_bytes())?;
+    match output::study_chart(echo, records) {
+        Some(chart) => write_whole(&folder.join(PICTURE), chart.svg().as_bytes()),
+        None => Ok(()),
+    }
 }
 
 /// Makes the folder of a study, or opens a former one.
