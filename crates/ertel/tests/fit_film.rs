@@ -1,6 +1,9 @@
 //! Film-thickness formulas from made films.
 
-use ertel::fit::{FilmFit, FilmFitError, FilmKind, FilmState, fit_film, read_films};
+use ertel::contact::ContactKind;
+use ertel::fit::{
+    FilmFit, FilmFitError, FilmKind, FilmState, contact_of_films, fit_film, read_films,
+};
 
 /// Habchi 2008, eq. 6.4: fluid C, central film.
 const FACTOR: f64 = 2.2318;
@@ -40,6 +43,28 @@ fn estimates(fit: &FilmFit) -> [ertel::fit::Estimate; 3] {
         fit.load_exponent.unwrap(),
         fit.material_exponent.unwrap(),
     ]
+}
+
+/// The groups of Hamrock and Dowson give the same films.
+#[test]
+fn a_formula_is_the_same_in_other_groups() {
+    let fit = fit_film(&grid(|| 0.0), FilmKind::Central, 0.95).unwrap();
+    for (kind, power) in [(ContactKind::Circular, 0.75), (ContactKind::Line, 0.5)] {
+        let [factor, speed, material, load] = fit.hamrock_dowson(kind);
+        for state in grid(|| 0.0) {
+            // M = W (2U)^-power, L = G (2U)^(1/4).
+            let w = state.load * (2.0 * state.speed).powf(power);
+            let g = state.material / (2.0 * state.speed).powf(0.25);
+            let film =
+                factor * state.radius * state.speed.powf(speed) * g.powf(material) * w.powf(load);
+            assert!((film / state.film - 1.0).abs() < 1e-6);
+        }
+    }
+    let circular = contact_of_films("load_N,film_central_m\n1,1e-7\n");
+    assert_eq!(circular, Some(ContactKind::Circular));
+    let line = contact_of_films("load [kN/m]; film_central_m\n1; 1e-7\n");
+    assert_eq!(line, Some(ContactKind::Line));
+    assert_eq!(contact_of_films("moes_load,film_central_m\n1,1e-7\n"), None);
 }
 
 #[test]

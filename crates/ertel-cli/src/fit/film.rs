@@ -1,5 +1,6 @@
 //! `ertel fit film`.
 
+use ertel::contact::ContactKind;
 use ertel::fit::{self, Estimate, FilmFit, FilmKind, FilmState, PowerFormula};
 use ertel::output::{digits, length};
 use ertel_rheology::quantity::{self, Dimension};
@@ -54,10 +55,12 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
         write_whole(path, svg.as_bytes())
             .map_err(|error| Failure::Other(format!("cannot write {}: {error}", path.display())))?;
     }
+    let contact = fit::contact_of_films(&text);
     let reports: Vec<String> = fits
         .iter()
         .map(|(fit, states)| {
-            report(fit, states, &file, arguments.verbose) + &beside(fit, states, &arguments.beside)
+            report(fit, states, &file, contact, arguments.verbose)
+                + &beside(fit, states, &arguments.beside)
         })
         .collect();
     print::stdout(&reports.join("\n"))
@@ -87,7 +90,13 @@ fn beside(fit: &FilmFit, states: &[FilmState], formulas: &[(FilmKind, PowerFormu
     text
 }
 
-fn report(fit: &FilmFit, states: &[FilmState], file: &str, verbose: bool) -> String {
+fn report(
+    fit: &FilmFit,
+    states: &[FilmState],
+    file: &str,
+    contact: Option<ContactKind>,
+    verbose: bool,
+) -> String {
     let number = |value: f64| digits(value, 4);
     let range = |[low, high]: [f64; 2]| format!("{} to {}", number(low), number(high));
     let percent = format!("{} % interval", digits(100.0 * fit.confidence, 4));
@@ -125,6 +134,13 @@ fn report(fit: &FilmFit, states: &[FilmState], file: &str, verbose: bool) -> Str
         line("LaTeX", fit.latex()),
         line("code", fit.code()),
     ]);
+    if let Some(contact) = contact {
+        let [factor, speed, material, load] = fit.hamrock_dowson(contact);
+        text += &format!(
+            "\n  in the groups of Hamrock and Dowson: {} R U^{speed:.4} G^{material:.4} W^{load:.4}\n",
+            digits(factor, 5)
+        );
+    }
     if verbose {
         let mut rows = vec![
             ["M", "L", "film", "formula", "deviation"]

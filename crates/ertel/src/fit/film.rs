@@ -7,6 +7,7 @@ use ertel_rheology::quantity::{Dimension, Unit};
 use super::csv::{cells as cells_of, rows};
 use super::data::{Column, DataError, unit_text};
 use super::{MinimumError, minimise};
+use crate::contact::ContactKind;
 use crate::output::digits;
 use crate::output::plot::{Axis, Chart, Look, PALETTE, Series, Side};
 
@@ -166,6 +167,22 @@ impl PowerFormula {
         let powers =
             state.load.powf(self.load_exponent) * state.material.powf(self.material_exponent);
         self.factor * powers / state.dimensionless() - 1.0
+    }
+}
+
+/// Which contact the films of a table belong to, by its column `load_N` or `load_N_per_m`; `None` without one of these.
+pub fn contact_of_films(text: &str) -> Option<ContactKind> {
+    let (_, head, separator) = rows(text).next()?;
+    let cells = cells_of(head, separator);
+    let has = |dimension: Dimension| {
+        let unit = |cell: &&str| Unit::parse(&unit_text(cell, "load")?).ok();
+        let mut units = cells.iter().filter_map(unit);
+        units.any(|unit| unit.dimension().same_exponents(dimension))
+    };
+    match (has(Dimension::FORCE), has(Dimension::FORCE_PER_LENGTH)) {
+        (true, false) => Some(ContactKind::Circular),
+        (false, true) => Some(ContactKind::Line),
+        _ => None,
     }
 }
 
@@ -401,6 +418,21 @@ impl FilmFit {
             text += &format!(" * {name} ** ({exponent})");
         }
         text
+    }
+
+    /// The same formula in the groups of Hamrock and Dowson, `h = k R U^u G^g W^w`, by `M = W (2U)^(-3/4)`, in line contacts
+    /// `W (2U)^(-1/2)`, and `L = G (2U)^(1/4)`: the constants k, u, g, w. An exponent that is not determined is none.
+    pub fn hamrock_dowson(&self, kind: ContactKind) -> [f64; 4] {
+        let exponent = |e: Option<Estimate>| e.map_or(0.0, |e| e.value);
+        let (a, b) = (
+            exponent(self.load_exponent),
+            exponent(self.material_exponent),
+        );
+        let speed = match kind {
+            ContactKind::Circular => 0.5 - 0.75 * a + 0.25 * b,
+            ContactKind::Line => 0.5 - 0.5 * a + 0.25 * b,
+        };
+        [self.factor.value * 2f64.powf(speed), speed, b, a]
     }
 
     /// Root mean square of the deviations.

@@ -20,8 +20,10 @@ pub struct Plan {
     /// All points, each after the one it starts from, and depth first: what starts from one point follows it
     /// directly.
     pub order: Vec<usize>,
-    /// Points that share each point's mesh, without itself.
+    /// Points that can share a mesh.
     pub groups: Vec<Vec<usize>>,
+    /// The group of each point.
+    pub group_of: Vec<usize>,
 }
 
 /// What tells points apart.
@@ -55,12 +57,22 @@ impl Plan {
         let mut plan = Plan {
             parents: vec![None; n],
             order: Vec::with_capacity(n),
-            groups: vec![Vec::new(); n],
+            groups: groups(&features),
+            group_of: vec![0; n],
         };
-        for members in groups(&features) {
-            plan.add(&features, &members);
+        for (i, members) in plan.groups.iter().enumerate() {
+            for m in members {
+                plan.group_of[*m] = i;
+            }
+            grow(&features, members, &mut plan.parents, &mut plan.order);
         }
         plan
+    }
+
+    /// The points that share a point's mesh, without itself.
+    pub fn companions(&self, index: usize) -> impl Iterator<Item = usize> + '_ {
+        let group = &self.groups[self.group_of[index]];
+        group.iter().copied().filter(move |i| *i != index)
     }
 
     /// How many starts lead to a point at most, the cold one included.
@@ -75,44 +87,47 @@ impl Plan {
         };
         (0..self.parents.len()).map(depth).max().unwrap_or(0)
     }
+}
 
-    fn add(&mut self, features: &[Features], members: &[usize]) {
-        let root = middle(features, members);
-        let mut children: Vec<Vec<usize>> = vec![Vec::new(); members.len()];
-        // Distance to the nearest point in the tree, and which that is.
-        let mut near: Vec<(f64, usize)> = members
-            .iter()
-            .map(|m| (features[*m].distance(&features[members[root]]), root))
-            .collect();
-        let mut inside = vec![false; members.len()];
-        inside[root] = true;
-        for _ in 1..members.len() {
-            let mut next: Option<usize> = None;
-            for i in (0..members.len()).filter(|i| !inside[*i]) {
-                if next.is_none_or(|n| near[i].0 > near[n].0) {
-                    next = Some(i);
-                }
-            }
-            let Some(next) = next else { break };
-            inside[next] = true;
-            let parent = near[next].1;
-            self.parents[members[next]] = Some(members[parent]);
-            children[parent].push(next);
-            for (i, m) in members.iter().enumerate() {
-                let distance = features[*m].distance(&features[members[next]]);
-                if !inside[i] && distance < near[i].0 {
-                    near[i] = (distance, next);
-                }
+/// The tree of one group.
+fn grow(
+    features: &[Features],
+    members: &[usize],
+    parents: &mut [Option<usize>],
+    order: &mut Vec<usize>,
+) {
+    let root = middle(features, members);
+    let mut children: Vec<Vec<usize>> = vec![Vec::new(); members.len()];
+    // Distance to the nearest point in the tree, and which that is.
+    let mut near: Vec<(f64, usize)> = members
+        .iter()
+        .map(|m| (features[*m].distance(&features[members[root]]), root))
+        .collect();
+    let mut inside = vec![false; members.len()];
+    inside[root] = true;
+    for _ in 1..members.len() {
+        let mut next: Option<usize> = None;
+        for i in (0..members.len()).filter(|i| !inside[*i]) {
+            if next.is_none_or(|n| near[i].0 > near[n].0) {
+                next = Some(i);
             }
         }
-        let mut stack = vec![root];
-        while let Some(i) = stack.pop() {
-            self.order.push(members[i]);
-            stack.extend(children[i].iter().rev());
+        let Some(next) = next else { break };
+        inside[next] = true;
+        let parent = near[next].1;
+        parents[members[next]] = Some(members[parent]);
+        children[parent].push(next);
+        for (i, m) in members.iter().enumerate() {
+            let distance = features[*m].distance(&features[members[next]]);
+            if !inside[i] && distance < near[i].0 {
+                near[i] = (distance, next);
+            }
         }
-        for m in members {
-            self.groups[*m] = members.iter().copied().filter(|o| o != m).collect();
-        }
+    }
+    let mut stack = vec![root];
+    while let Some(i) = stack.pop() {
+        order.push(members[i]);
+        stack.extend(children[i].iter().rev());
     }
 }
 
@@ -207,4 +222,100 @@ fn features(study: &Study) -> Vec<Features> {
         }
     };
     study.points.iter().map(features).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points on a line, in an order that says nothing.
+    fn line(n: usize) -> Vec<Features> {
+        let place = |i: usize| ((7 * i + 3) % n) as f64;
+        let features = |i| Features {
+            kind: String::new(),
+            film: 0.0,
+            place: vec![place(i)],
+            names: Vec::new(),
+        };
+        (0..n).map(features).collect()
+    }
+
+    fn tree(features: &[Features]) -> (Vec<Option<usize>>, Vec<usize>) {
+        let members: Vec<usize> = (0..features.len()).collect();
+        let (mut parents, mut order) = (vec![None; features.len()], Vec::new());
+        grow(features, &members, &mut parents, &mut order);
+        (parents, order)
+    }
+
+    #[test]
+    fn every_point_comes_once_and_after_its_start() {
+        let features = line(100);
+        let (parents, order) = tree(&features);
+        let mut sorted = order.clone();
+        sorted.sort_unstable();
+        assert_eq!(sorted, (0..100).collect::<Vec<_>>());
+        let place = |i: usize| order.iter().position(|o| *o == i).unwrap();
+        assert_eq!(parents.iter().filter(|p| p.is_none()).count(), 1);
+        for (i, parent) in parents.iter().enumerate() {
+            assert!(parent.is_none_or(|p| place(p) < place(i)));
+        }
+        // Depth first: what follows a point starts from it, or from one that leads to it.
+        let leads = |from: usize, to: usize| {
+            let mut at = Some(to);
+            while let Some(i) = at {
+                if i == from {
+                    return true;
+                }
+                at = parents[i];
+            }
+            false
+        };
+        for pair in order.windows(2) {
+            assert!(leads(parents[pair[1]].unwrap(), pair[0]));
+        }
+    }
+
+    #[test]
+    fn a_long_line_is_few_starts_deep_with_short_steps() {
+        let features = line(100);
+        let (parents, order) = tree(&features);
+        let plan = Plan {
+            parents,
+            order,
+            groups: Vec::new(),
+            group_of: Vec::new(),
+        };
+        // The middle, an end, and then halves of halves: log2(100) = 6.6.
+        assert!(plan.depth() <= 9, "{}", plan.depth());
+        let step = |(i, parent): (usize, &Option<usize>)| {
+            parent.map(|p| (features[i].place[0] - features[p].place[0]).abs())
+        };
+        let steps: Vec<f64> = plan.parents.iter().enumerate().filter_map(step).collect();
+        // Of halves of halves, half of the steps reach the neighbour and a quarter the next one.
+        let short = steps.iter().filter(|s| **s <= 2.0).count();
+        assert!(short >= 60, "{short} of 99 steps");
+    }
+
+    #[test]
+    fn films_of_one_group_are_within_its_ratio() {
+        let mut features = line(60);
+        for (i, f) in features.iter_mut().enumerate() {
+            f.film = (1.0 + i as f64).ln();
+            f.kind = if i % 2 == 0 { "a" } else { "b" }.to_owned();
+        }
+        let groups = groups(&features);
+        let mut all: Vec<usize> = groups.concat();
+        all.sort_unstable();
+        assert_eq!(all, (0..60).collect::<Vec<_>>());
+        for group in &groups {
+            assert!(group.iter().all(|i| i % 2 == group[0] % 2));
+            let films = group.iter().map(|i| 1.0 + *i as f64);
+            let (low, high) = films.fold((f64::INFINITY, 0.0), |(l, h): (f64, f64), f| {
+                (l.min(f), h.max(f))
+            });
+            assert!(high <= FILM_RATIO * low * (1.0 + 1e-9), "{low} to {high}");
+        }
+        // ln 60/ln 2.8 = 3.98 for the even ones.
+        assert_eq!(groups.len(), 8);
+    }
 }

@@ -538,6 +538,7 @@ fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 impl Shared<'_> {
     /// Solves points until there are none.
     fn work(&self, sender: &std::sync::mpsc::Sender<(usize, Record)>) {
+        let _alarm = Alarm(self);
         while let Some((index, start)) = self.next() {
             let (end, record) = match self.solve(index, start.as_ref()) {
                 Ok(result) => result,
@@ -595,9 +596,8 @@ impl Shared<'_> {
         let clock = Instant::now();
         let points = &self.study.points;
         let case = &points[index].case;
-        let ahead: Vec<&Case> = (self.plan.groups[index].iter())
-            .map(|i| &points[*i].case)
-            .collect();
+        let companions = self.plan.companions(index);
+        let ahead: Vec<&Case> = companions.map(|i| &points[i].case).collect();
         let mut observer = Stop(self);
         let solved = catch_unwind(AssertUnwindSafe(|| {
             self.session
@@ -633,6 +633,18 @@ impl Shared<'_> {
             seconds: clock.elapsed().as_secs_f64(),
         };
         Ok((end, record(self.echo.points[index].0, &point)))
+    }
+}
+
+/// Stops the other threads when one panics: they would wait for it.
+struct Alarm<'a, 'b>(&'a Shared<'b>);
+
+impl Drop for Alarm<'_, '_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            lock(self.0.state).stop(None);
+            self.0.bell.notify_all();
+        }
     }
 }
 
