@@ -76,6 +76,10 @@ pub fn mid_stress(
         false => NEGLIGIBLE_ASKEW,
     };
     for _ in 0..MOST_ITERATIONS {
+        if now.excess == [0.0; 2] {
+            // Nothing moves.
+            return tau;
+        }
         let step = solve(now.slopes, now.excess).map(|v| -v);
         let slope = dot(step, now.excess);
         let mut size = dot(tau, tau).sqrt() + negligible * dot(g, g).sqrt();

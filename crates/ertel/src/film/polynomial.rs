@@ -223,6 +223,21 @@ mod tests {
         }
     }
 
+    /// Weights of Gauss points are those of the library's rule, for every number of them.
+    #[test]
+    fn gauss_weights() {
+        for n in 1..=MOST_NODES {
+            let rule = Quadrature::simplex(1, 2 * n - 1);
+            let nodes = FilmNodes::gauss(n);
+            for ((w, exact), (s, x)) in (nodes.weights().iter().zip(&rule.weights))
+                .zip(nodes.points().iter().zip(&rule.points))
+            {
+                assert_relative_eq!(w, exact, epsilon = 1e-10);
+                assert_relative_eq!(*s, x[0] - 0.5, epsilon = 1e-14);
+            }
+        }
+    }
+
     /// e^{3s}: value, slopes and integral above s, at the highest order.
     #[test]
     fn spectral_accuracy() {

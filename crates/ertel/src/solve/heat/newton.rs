@@ -7,7 +7,7 @@ use ertel_fem::linear::block_ilu::{BlockIlu, BlockIluError, BlockMatrix};
 use ertel_fem::linear::gmres::{GmresError, GmresParams, gmres};
 
 use super::system::{Account, HeatSystem, assemble};
-use crate::film::FilmFluid;
+use crate::film::{FilmFluid, FilmNodes};
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
@@ -74,7 +74,7 @@ impl<'a> HeatNewton<'a> {
     /// Prepares it.
     ///
     /// # Panics
-    /// When the discretisation has no temperatures.
+    /// When the discretisation has no temperatures, or other nodes across the film than the fluid.
     pub fn new(
         d: &'a Discretisation,
         fluid: &'a FilmFluid,
@@ -82,6 +82,8 @@ impl<'a> HeatNewton<'a> {
         params: HeatParams,
     ) -> HeatNewton<'a> {
         let space = d.heat.as_ref().expect("a discretisation with heat");
+        let nodes = fluid.nodes().map(FilmNodes::n);
+        assert_eq!(nodes, Some(space.column.film.n()), "nodes across the film");
         HeatNewton {
             d,
             fluid,

@@ -1,0 +1,375 @@
+//! The energy equation against manufactured temperatures, closed forms and integrals computed here.
+
+mod common;
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use common::heated;
+use ertel::case::Case;
+use ertel::contact::ContactKind;
+use ertel::forms::energy::{Heat, Layer};
+use ertel::params::ThermalParams;
+use ertel::run::problem;
+use ertel::solve::discretisation::{ContactBody, Discretisation, Extents, LevelSizes};
+use ertel::solve::heat::column::Column;
+use ertel::solve::heat::newton::{HeatNewton, HeatParams};
+use ertel::solve::sequence::Problem;
+use ertel::solve::system::State;
+use ertel_fem::quadrature::Quadrature;
+use ertel_rheology::ConductivityLaw;
+
+/// Cells of one size everywhere.
+fn uniform(size: f64) -> LevelSizes {
+    LevelSizes {
+        hertz: size,
+        constriction: size,
+        rim: size,
+        rim_width: 0.0,
+        edge: size,
+        growth: 0.9,
+        depth_growth: 0.9,
+    }
+}
+
+/// Surfaces that nothing deforms, half a film scale apart at the centre.
+fn rigid(
+    kind: ContactKind,
+    extents: &Extents,
+    size: f64,
+    order: usize,
+    column: Column,
+    heat: &Heat,
+) -> (Discretisation, State) {
+    let bodies = [(1.0, 0.3)];
+    let contact = ContactBody::new(kind, extents, &uniform(size), 2, &bodies).expect("mesh");
+    let unheated = column.unheated(heat);
+    let d = Discretisation::new(&Arc::new(contact), 2).with_heat(order, column, unheated);
+    let state = State {
+        pressure: vec![0.0; d.pressure.n_nodes()],
+        deflection: vec![0.0; d.contact.deflection.n_nodes()],
+        rigid_separation: 0.5,
+        temperature: d.heat.as_ref().unwrap().unheated(),
+    };
+    (d, state)
+}
+
+fn heated_case(kind: ContactKind, film_order: usize) -> Case {
+    let load = if kind == ContactKind::Line { 1e5 } else { 50.0 };
+    let mut case = heated(common::case(kind, load));
+    case.thermal = Some(ThermalParams {
+        film_order,
+        ..ThermalParams::default()
+    });
+    case
+}
+
+fn solve(
+    d: &Discretisation,
+    problem: &Problem,
+    heat: &Heat,
+    state: &mut State,
+    source: ertel::forms::energy::Source,
+) {
+    let params = HeatParams {
+        linear_tolerance: 1e-10,
+        ..HeatParams::default()
+    };
+    let mut newton = HeatNewton::new(d, &problem.fluid, heat, params).with_source(source);
+    for _ in 0..30 {
+        if newton.step(state).expect("a step") < 1e-9 {
+            return;
+        }
+    }
+    panic!("the temperatures do not converge");
+}
+
+/// T = T_0 + A g(X, Y) φ with φ = 0.7 + 0.15(1 + cos 2πs)·2 in the film and 0.7 cos(πZ/2D) in the bodies: both without flux
+/// at the walls, g without flux where nothing is prescribed. No slide, no pressure: the film flows as a whole.
+/// Errors in the film's and the bodies' L² norms must fall with the order of the surface elements plus one.
+fn manufactured(kind: ContactKind, order: usize, sizes: [f64; 3]) {
+    let case = heated_case(kind, 10);
+    let problem = problem(&case);
+    let heat = &problem.heat.as_ref().unwrap().heat;
+    let extents = Extents {
+        inlet: -2.0,
+        outlet: 1.0,
+        side: 1.5,
+        body_width: 12.0,
+        body_depth: 12.0,
+    };
+    let depth = 1.2;
+    let amplitude = 10.0;
+    // g and its derivatives: value, X, XX + YY
+    let g = |[x, y]: [f64; 2]| {
+        let k = PI / (2.0 * (extents.outlet - extents.inlet));
+        let (l, along) = (PI / extents.side, k * (x - extents.inlet));
+        let across = if kind == ContactKind::Line {
+            1.0
+        } else {
+            (l * y).cos()
+        };
+        let ll = if kind == ContactKind::Line {
+            0.0
+        } else {
+            l * l
+        };
+        let value = along.sin() * across;
+        [value, k * along.cos() * across, -(k * k + ll) * value]
+    };
+    let film = |s: f64| {
+        [
+            0.7 + 0.3 * (1.0 + (2.0 * PI * s).cos()),
+            -0.3 * (2.0 * PI).powi(2) * (2.0 * PI * s).cos(),
+        ]
+    };
+    let body = |z: f64| {
+        let k = PI / (2.0 * depth);
+        [0.7 * (k * z).cos(), -0.7 * k * k * (k * z).cos()]
+    };
+    let exact = |p: [f64; 2], layer: Layer| {
+        let phi = match layer {
+            Layer::Film(s) => film(s)[0],
+            Layer::Plane(z) | Layer::Ball(z) => body(z)[0],
+        };
+        amplitude * g(p)[0] * phi
+    };
+    let source = |p: [f64; 2], layer: Layer| {
+        let [value, slope, laplacian] = g(p);
+        let made = match layer {
+            Layer::Film(s) => {
+                let h = heat.film * (0.5 + 0.5 * (p[0] * p[0] + p[1] * p[1]));
+                let rho = heat.density * 1.0;
+                let [phi, second] = film(s);
+                let c = rho * 2000.0 * h * heat.entrainment_speed / heat.length;
+                c * slope * phi - 0.14 / h * value * second
+            }
+            Layer::Plane(z) | Layer::Ball(z) => {
+                let b = &heat.bodies[usize::from(matches!(layer, Layer::Ball(_)))];
+                let t = b.bulk_temperature;
+                let c = b.density * b.heat_capacity.heat_capacity(0.0, t) * b.velocity;
+                let k = b.conductivity.conductivity(0.0, t) / heat.length;
+                let [phi, second] = body(z);
+                c * slope * phi - k * (laplacian * phi + value * second)
+            }
+        };
+        amplitude * made
+    };
+    // The lubricant must not expand here: its convection is written down with one density.
+    let mut still = problem_without_expansion(&case);
+    still.heat.clone_from(&problem.heat);
+    let errors = sizes.map(|size| {
+        let column = Column::new(10, 4, depth, [0.3, 0.3]);
+        let (d, mut state) = rigid(kind, &extents, size, order, column, heat);
+        solve(&d, &still, heat, &mut state, Some(&source));
+        let space = d.heat.as_ref().unwrap();
+        let rule = Quadrature::simplex(d.contact.surface.dim, 8);
+        let (mut square, mut whole) = ([0.0; 2], [0.0; 2]);
+        for c in 0..d.contact.n_elements() {
+            for (xi, w) in rule.points.iter().zip(&rule.weights) {
+                let p = d.contact.point(c, *xi);
+                let column = space.column_in(&state, c, *xi);
+                for (k, t) in column.iter().enumerate() {
+                    let range = space.column.film_range();
+                    let z = space.column.depths[k];
+                    let (part, layer) = if range.contains(&k) {
+                        (0, Layer::Film(space.column.film.points()[k - range.start]))
+                    } else if k < range.start {
+                        (1, Layer::Plane(z))
+                    } else {
+                        (1, Layer::Ball(z))
+                    };
+                    let t_exact = exact(p, layer);
+                    let weight = w * d.contact.maps[c].determinant;
+                    square[part] += weight * (t - heat.inlet_temperature - t_exact).powi(2);
+                    whole[part] += weight * t_exact * t_exact;
+                }
+            }
+        }
+        [0, 1].map(|part: usize| (square[part] / whole[part]).sqrt())
+    });
+    for part in 0..2 {
+        let rate = (errors[0][part] / errors[2][part]).ln() / (sizes[0] / sizes[2]).ln();
+        println!("{kind:?} order {order} part {part}: {errors:.2?} rate {rate:.2}");
+        assert!(
+            rate > order as f64 + 0.8 && errors[2][part] < 2e-2,
+            "{kind:?} order {order} part {part}: {errors:?}, rate {rate}"
+        );
+    }
+}
+
+fn problem_without_expansion(case: &Case) -> Problem {
+    let mut case = case.clone();
+    case.lubricant.density = ertel_rheology::DensityLaw::constant(870.0).unwrap();
+    problem(&case)
+}
+
+#[test]
+fn manufactured_temperatures() {
+    manufactured(ContactKind::Line, 1, [0.2, 0.1, 0.05]);
+    manufactured(ContactKind::Line, 2, [0.8, 0.4, 0.2]);
+    manufactured(ContactKind::Circular, 1, [0.4, 0.28, 0.2]);
+}
+
+/// Couette flow between walls that the bodies keep at one temperature, no convection, no pressure: stress and
+/// heat are the same at every height but for the viscosity, k T'' = −τ²/μ(T). By symmetry T' = 0 at mid-film; the profile
+/// is integrated from there by Runge and Kutta's method, τ chosen such that the surfaces slide as they should.
+#[test]
+fn couette_heating() {
+    let mut case = heated_case(ContactKind::Line, 8);
+    case.motion.slide_to_roll_ratio = 1.5;
+    case.motion.entrainment_speed = 20.0;
+    case.lubricant.heat_capacity = Some(ertel_rheology::HeatCapacityLaw::constant(1e-9).unwrap());
+    for body in [&mut case.plane, &mut case.ball] {
+        body.thermal_conductivity = Some(ConductivityLaw::constant(1e12).unwrap());
+    }
+    let problem = problem_without_expansion(&case);
+    let heat = &problem.heat.as_ref().unwrap().heat;
+    let extents = Extents {
+        inlet: -2.0,
+        outlet: 1.0,
+        side: 1.5,
+        body_width: 12.0,
+        body_depth: 12.0,
+    };
+    let column = Column::new(8, 2, 1.0, [0.3, 0.3]);
+    let (d, mut state) = rigid(ContactKind::Line, &extents, 0.25, 1, column, heat);
+    solve(&d, &problem, heat, &mut state, None);
+
+    let (t_wall, k, slide) = (313.15, 0.14, 30.0);
+    let mu = |t: f64| 0.04 * (4000.0 * (1.0 / t - 1.0 / 313.15)).exp();
+    // With s from mid-film to the wall, q = T'/(τh), all free of h: for T at mid-film the wall's T and the slide.
+    let shoot = |t_mid: f64, stress_h: f64| {
+        let n = 4000;
+        let step = 0.5 / n as f64;
+        let slope = |[t, q, _]: [f64; 3]| [q, -stress_h * stress_h / (mu(t) * k), stress_h / mu(t)];
+        let mut y = [t_mid, 0.0, 0.0];
+        for _ in 0..n {
+            let at =
+                |y: [f64; 3], k: [f64; 3], f: f64| [0, 1, 2].map(|i: usize| y[i] + f * step * k[i]);
+            let k1 = slope(y);
+            let k2 = slope(at(y, k1, 0.5));
+            let k3 = slope(at(y, k2, 0.5));
+            let k4 = slope(at(y, k3, 1.0));
+            y = [0, 1, 2]
+                .map(|i: usize| y[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]));
+        }
+        y
+    };
+    // Bisections: stress for the wall's temperature inside, mid-film temperature for the slide outside.
+    let bisect = |mut low: f64, mut high: f64, f: &dyn Fn(f64) -> f64| {
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            if f(middle) > 0.0 {
+                high = middle
+            } else {
+                low = middle
+            }
+        }
+        0.5 * (low + high)
+    };
+    let stress = |t_mid: f64| bisect(0.0, 100.0, &|s| t_wall - shoot(t_mid, s)[0]);
+    let t_mid = bisect(t_wall + 0.01, t_wall + 120.0, &|t| {
+        2.0 * shoot(t, stress(t))[2] - slide
+    });
+    assert!(t_mid - t_wall > 15.0, "{t_mid}: the viscosity must matter");
+
+    // Away from the inlet, whose temperature is prescribed: without convection it dies out from node to node.
+    for x in [0.0, 0.7] {
+        let (cell, xi) = d
+            .contact
+            .locator
+            .find(&d.contact.surface, [x, 0.0])
+            .unwrap();
+        let space = d.heat.as_ref().unwrap();
+        let film = space.column.film_of(&space.column_in(&state, cell, xi));
+        assert_relative_eq!(film[4], t_mid, epsilon = 1e-4 * (t_mid - t_wall));
+        assert_relative_eq!(film[0], t_wall, epsilon = 1e-4);
+    }
+}
+
+/// A band of heat on a moving half-space (Jaeger 1942): on its surface
+/// T(x) = q/(πk) ∫_{−1}^{1} e^{Pe(x − x')} K₀(Pe|x − x'|) a dx', Pe = ua/(2κ). The other body is an insulator.
+#[test]
+fn moving_heat_source() {
+    for (speed, flux) in [(0.2, 1e5), (4.0, 1e5)] {
+        let mut case = heated_case(ContactKind::Line, 4);
+        case.motion.entrainment_speed = speed;
+        case.plane.thermal_conductivity = Some(ConductivityLaw::constant(1e-5).unwrap());
+        case.plane.density = Some(1e-3);
+        case.lubricant.heat_capacity =
+            Some(ertel_rheology::HeatCapacityLaw::constant(1e-9).unwrap());
+        case.lubricant.thermal_conductivity = Some(ConductivityLaw::constant(1.0).unwrap());
+        let problem = problem_without_expansion(&case);
+        let heat = &problem.heat.as_ref().unwrap().heat;
+        let extents = Extents {
+            inlet: -4.0,
+            outlet: 3.0,
+            side: 1.5,
+            body_width: 28.0,
+            body_depth: 28.0,
+        };
+        let body = &heat.bodies[1];
+        let diffusivity = 46.0 / (body.density * 470.0);
+        let peclet = speed * heat.length / (2.0 * diffusivity);
+        let column = Column::new(4, 8, 12.0, [1.0, 0.5 / peclet.sqrt()]);
+        let (d, mut state) = rigid(ContactKind::Line, &extents, 0.05, 2, column, heat);
+        let source = |[x, _]: [f64; 2], layer: Layer| match layer {
+            Layer::Film(_) if x.abs() < 1.0 => flux,
+            _ => 0.0,
+        };
+        solve(&d, &problem, heat, &mut state, Some(&source));
+        for x in [-0.5, 0.0, 0.5, 0.9] {
+            let (cell, xi) = d
+                .contact
+                .locator
+                .find(&d.contact.surface, [x, 0.0])
+                .unwrap();
+            let space = d.heat.as_ref().unwrap();
+            let film = space.column.film_of(&space.column_in(&state, cell, xi));
+            let rise = film[space.column.film.n() - 1] - heat.inlet_temperature;
+            let jaeger = flux * heat.length / (PI * 46.0) * band(peclet, x);
+            println!(
+                "Pe {peclet:.2} x {x}: {rise:.4} {jaeger:.4} {:.2e}",
+                rise / jaeger - 1.0
+            );
+            assert_relative_eq!(rise, jaeger, max_relative = 0.01);
+        }
+    }
+}
+
+/// ∫_{−1}^{1} e^{Pe(x − x')} K₀(Pe|x − x'|) dx', each side of x with x − x' = ±v³, by Simpson's rule.
+fn band(peclet: f64, x: f64) -> f64 {
+    let side = |reach: f64, sign: f64| {
+        let n = 4000;
+        let h = reach.cbrt() / n as f64;
+        let f = |i: usize| {
+            if i == 0 {
+                return 0.0;
+            }
+            let v = h * i as f64;
+            let u = v * v * v;
+            3.0 * v * v * scaled_k0(peclet * u) * ((sign - 1.0) * peclet * u).exp()
+        };
+        let inner: f64 = (1..n)
+            .map(|i| if i % 2 == 1 { 4.0 } else { 2.0 } * f(i))
+            .sum();
+        h / 3.0 * (f(0) + inner + f(n))
+    };
+    side(x + 1.0, 1.0) + side(1.0 - x, -1.0)
+}
+
+/// e^z K₀(z) = ∫_0^∞ e^{z(1 − cosh t)} dt, by the trapezoidal rule, which converges exponentially here.
+fn scaled_k0(z: f64) -> f64 {
+    let h = 0.02;
+    let mut sum = 0.5;
+    for i in 1..2000 {
+        let term = (z * (1.0 - (h * i as f64).cosh())).exp();
+        sum += term;
+        if term < 1e-16 {
+            break;
+        }
+    }
+    h * sum
+}
