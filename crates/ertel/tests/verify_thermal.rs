@@ -1,0 +1,71 @@
+//! Whole thermal contacts: limits in which the answer is known, symmetries, and heat that is neither lost nor made.
+
+mod common;
+
+use approx::assert_relative_eq;
+use common::heated;
+use ertel::case::Case;
+use ertel::contact::ContactKind;
+use ertel::run::solve;
+use ertel::solution::Solution;
+use ertel::solve::Silent;
+use ertel_rheology::ConductivityLaw;
+
+fn case(kind: ContactKind, slide_to_roll_ratio: f64) -> Case {
+    let load = if kind == ContactKind::Line { 8e4 } else { 30.0 };
+    let mut case = heated(common::case(kind, load));
+    case.motion.slide_to_roll_ratio = slide_to_roll_ratio;
+    case.mesh.target_error = Some(0.01);
+    case
+}
+
+fn solved(case: &Case) -> Solution {
+    solve(case, &mut Silent).expect("a solution")
+}
+
+/// Where heat flows off without resistance nothing warms up: film and traction are those of the isothermal contact.
+/// What is left of the rise, 1e-7 K and less, changes nothing; the tolerance is that of the coupling.
+#[test]
+fn perfect_conductors_are_isothermal() {
+    let mut heated = case(ContactKind::Line, 0.4);
+    heated.lubricant.thermal_conductivity = Some(ConductivityLaw::constant(1e4).unwrap());
+    for body in [&mut heated.plane, &mut heated.ball] {
+        body.thermal_conductivity = Some(ConductivityLaw::constant(1e7).unwrap());
+    }
+    let mut isothermal = heated.clone();
+    isothermal.solver.isothermal = true;
+    let (warm, cold) = (solved(&heated), solved(&isothermal));
+    for (warm, cold) in [
+        (warm.summary.film_central.value, cold.summary.film_central.value),
+        (warm.summary.film_minimum.value, cold.summary.film_minimum.value),
+        (warm.summary.pressure_maximum.value, cold.summary.pressure_maximum.value),
+        (warm.traction.coefficient, cold.traction.coefficient),
+        (warm.traction.friction_power, cold.traction.friction_power),
+    ] {
+        assert_relative_eq!(warm, cold, max_relative = 2e-5);
+    }
+}
+
+/// Bodies of one material, rolling: what happens at one wall happens at the other, and no stress is left at mid-film.
+/// Sliding the other way round changes nothing but the sign of the traction, and which body is hotter.
+#[test]
+fn bodies_of_one_material() {
+    let with = |slide| {
+        let mut case = case(ContactKind::Line, slide);
+        case.plane = case.ball.clone();
+        solved(&case)
+    };
+    let rolling = with(0.0);
+    assert!(rolling.traction.coefficient.abs() < 1e-6 * rolling.traction.coefficient_plane.abs());
+    let (one, other) = (with(0.5), with(-0.5));
+    assert_relative_eq!(
+        one.traction.coefficient,
+        -other.traction.coefficient,
+        max_relative = 1e-5
+    );
+    assert_relative_eq!(
+        one.summary.film_minimum.value,
+        other.summary.film_minimum.value,
+        max_relative = 1e-5
+    );
+}
