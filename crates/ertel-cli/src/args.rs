@@ -153,6 +153,9 @@ pub struct ValidateArgs {
     /// Only the runs that take seconds
     #[arg(long)]
     pub quick: bool,
+    /// Write all comparisons as one table into this file
+    #[arg(long, value_name = "FILE.csv")]
+    pub table: Option<PathBuf>,
     /// Write the page `validation.md` and its pictures into this folder
     #[arg(long, value_name = "DIR")]
     pub write: Option<PathBuf>,

@@ -45,6 +45,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     };
     let mut failed = Vec::new();
     let mut sections = Vec::new();
+    let mut results = Vec::new();
     for study in &studies {
         let clock = Instant::now();
         let result = study.run(selection, &mut Silent, &mut |run| {
@@ -59,7 +60,13 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
         if let Some(docs) = &arguments.write {
             sections.push(section(study, &result, docs)?);
         }
+        results.push((study, result, seconds));
     }
+    let results: Vec<_> = results.iter().map(|(s, r, t)| (*s, r, *t)).collect();
+    if let Some(path) = &arguments.table {
+        write(path, &validate::csv(&results))?;
+    }
+    print::stdout(&format!("{}\n", validate::summary(&results)))?;
     if let Some(docs) = &arguments.write {
         let page = validate::page(&sections);
         write(&docs.join("validation.md"), &page)?;

@@ -39,8 +39,18 @@ fn study(value: f64) -> tempfile::TempDir {
 
 #[test]
 fn a_comparison_that_does_not_hold_exits_with_1() {
-    let output = validate(study(1.0).path(), &[]);
+    let folder = study(1.0);
+    let table = folder.path().join("all.csv");
+    let output = validate(folder.path(), &["--table", table.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(1));
+    let all = (text(&output.stdout).lines())
+        .find(|l| l.trim_start().starts_with("all "))
+        .unwrap();
+    let counts: Vec<&str> = all.split_whitespace().collect();
+    assert_eq!(counts[1..4], ["1", "0", "1"]);
+    let table = std::fs::read_to_string(table).unwrap();
+    let row: Vec<&str> = table.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!((row[0], row[3], row[7]), ("roller", "1.0000", "NOT"));
     assert!(text(&output.stdout).contains("NOT"));
     assert!(text(&output.stderr).contains("do not hold in: roller"));
 }

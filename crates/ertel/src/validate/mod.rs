@@ -18,7 +18,7 @@ pub use picture::{Picture, PictureKind};
 pub use quantity::Quantity;
 pub use read::{names, read};
 pub use run::{Outcome, Run, Selection, StudyResult, Task};
-pub use table::{markdown, page, text};
+pub use table::{csv, markdown, page, summary, text};
 
 /// A validation study.
 #[derive(Clone, Debug)]

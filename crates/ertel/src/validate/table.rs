@@ -39,6 +39,55 @@ pub fn text(study: &Study, result: &StudyResult) -> String {
     out
 }
 
+/// One line for each study: its comparisons, how many hold, how many do not, its time; then the sum.
+pub fn summary(studies: &[(&Study, &StudyResult, f64)]) -> String {
+    let mut rows = vec![["study", "comparisons", "hold", "do not", "seconds"].map(str::to_owned)];
+    let mut sum = (0, 0, 0.0);
+    for (study, result, seconds) in studies {
+        let count = |verdict| result.rows.iter().filter(|r| r.verdict == verdict).count();
+        let (hold, fail) = (count(Verdict::Holds), count(Verdict::Fails));
+        sum = (sum.0 + hold, sum.1 + fail, sum.2 + seconds);
+        rows.push(counts(&study.name, hold, fail, *seconds));
+    }
+    rows.push(counts("all", sum.0, sum.1, sum.2));
+    let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..5).map(width).collect();
+    let line = |row: &[String; 5]| {
+        let first = format!("  {:<w$}", row[0], w = widths[0]);
+        let rest = (1..5).map(|c| format!("  {:>w$}", row[c], w = widths[c]));
+        first + &rest.collect::<String>() + "\n"
+    };
+    rows.iter().map(line).collect()
+}
+
+fn counts(name: &str, hold: usize, fail: usize, seconds: f64) -> [String; 5] {
+    [
+        name.to_owned(),
+        (hold + fail).to_string(),
+        hold.to_string(),
+        fail.to_string(),
+        format!("{seconds:.0}"),
+    ]
+}
+
+/// All comparisons of all studies as CSV.
+pub fn csv(studies: &[(&Study, &StudyResult, f64)]) -> String {
+    let quoted = |cell: &String| match cell.contains([',', '"', '\n']) {
+        true => format!("\"{}\"", cell.replace('"', "\"\"")),
+        false => cell.clone(),
+    };
+    let mut out = String::from(
+        "study,run,quantity,published,ours,difference,tolerance,verdict,published_by\n",
+    );
+    for (study, result, _) in studies {
+        for row in &result.rows {
+            let cells: Vec<String> = cells(row).iter().map(quoted).collect();
+            out.push_str(&format!("{},{}\n", study.name, cells.join(",")));
+        }
+    }
+    out
+}
+
 /// The whole page.
 pub fn page(sections: &[String]) -> String {
     format!(
