@@ -150,42 +150,51 @@ fn a_killed_study_ends_as_an_undisturbed_one() {
     );
     let time = clock.elapsed();
     let undisturbed = read(&folder, "whole/results.csv");
-    let mut n_kills = 0;
+    let n_lines = |name: &str| {
+        let journal = folder.path().join(name).join("journal.jsonl");
+        let journal = std::fs::read_to_string(journal).unwrap_or_default();
+        journal.lines().count()
+    };
     let mut n_resumed = 0;
     for round in 0..20 {
-        let name = format!("killed-{round}");
-        // Twice at most, then it may end.
-        for attempt in 0..3 {
-            let jobs = ["1", "2", "3"][round % 3];
-            let mut child = command(&folder, &["study.toml", "-q", "-o", &name, "-j", jobs])
+        let jobs = ["1", "2", "3"][round % 3];
+        let start = |name: &str| {
+            command(&folder, &["study.toml", "-q", "-o", name, "-j", jobs])
                 .stderr(Stdio::piped())
                 .spawn()
-                .unwrap();
-            if attempt < 2 {
-                std::thread::sleep(Duration::from_secs_f64(random() * time.as_secs_f64()));
-                // SIGKILL; an error says that it has ended already.
-                let _ = child.kill();
-                let _ = child.wait();
-                let journal = folder.path().join(&name).join("journal.jsonl");
-                let journal = std::fs::read_to_string(journal).unwrap_or_default();
-                let n_lines = journal.lines().count();
-                n_kills += usize::from(n_lines < 18);
-                n_resumed += usize::from((1..18).contains(&n_lines));
-            } else {
-                let output = child.wait_with_output().unwrap();
-                assert!(output.status.success(), "{}", text(&output.stderr));
+                .unwrap()
+        };
+        let killed_within = |name: &str, limit: f64| {
+            let mut child = start(name);
+            std::thread::sleep(Duration::from_secs_f64(random() * limit));
+            // SIGKILL; an error says that it has ended already.
+            let _ = child.kill();
+            let _ = child.wait();
+            n_lines(name)
+        };
+        // Killed before its end, however fast the machine is now; then once more, at whatever time.
+        let mut limit = time.as_secs_f64();
+        let mut tries = 0;
+        let name = loop {
+            let name = format!("killed-{round}-{tries}");
+            let n = killed_within(&name, limit);
+            if n < 18 {
+                n_resumed += usize::from(n > 0);
+                break name;
             }
-        }
+            (limit, tries) = (0.5 * limit, tries + 1);
+            assert!(tries < 20);
+        };
+        n_resumed += usize::from((1..18).contains(&killed_within(&name, limit)));
+        let output = start(&name).wait_with_output().unwrap();
+        assert!(output.status.success(), "{}", text(&output.stderr));
         assert_eq!(read(&folder, &format!("{name}/results.csv")), undisturbed);
         let journal = keys(&read(&folder, &format!("{name}/journal.jsonl")));
         assert_eq!(journal.len(), 18);
         assert_eq!(journal.iter().collect::<HashSet<_>>().len(), 18);
     }
-    // The test would say nothing of runs that had ended, or not begun.
-    assert!(
-        n_kills >= 10 && n_resumed >= 5,
-        "{n_kills} kills, {n_resumed} with some points"
-    );
+    // Kills before the first point say little.
+    assert!(n_resumed >= 2, "{n_resumed} with some points");
 }
 
 #[test]

@@ -141,12 +141,20 @@ impl Journal {
         }
         let entries = Entries::read(folder)?;
         let path = folder.join(JOURNAL);
-        let file = File::options()
+        // Not by the handle that appends: some systems do not let that one cut.
+        let whole = File::options()
             .create(true)
+            .write(true)
+            .truncate(false)
+            .open(&path)
+            .map_err(failed(&path))?;
+        whole.set_len(entries.length).map_err(failed(&path))?;
+        whole.sync_all().map_err(failed(&path))?;
+        let file = File::options()
             .append(true)
             .open(&path)
             .map_err(failed(&path))?;
-        file.set_len(entries.length).map_err(failed(&path))?;
+        sync_folder(folder).map_err(failed(folder))?;
         let journal = Journal {
             path,
             file,
@@ -160,13 +168,23 @@ impl Journal {
     /// # Errors
     /// [`SweepError::Io`].
     pub fn append(&mut self, record: &Record) -> Result<(), SweepError> {
-        let write = || -> io::Result<()> {
+        let mut write = || -> io::Result<()> {
             let mut line = serde_json::to_vec(record)?;
             line.push(b'\n');
             self.file.write_all(&line)?;
             self.file.sync_data()
         };
-        let mut write = write;
         write().map_err(|e| SweepError::io(&self.path, e))
     }
+}
+
+/// Brings a new file's name to the disk.
+#[cfg(unix)]
+fn sync_folder(folder: &Path) -> io::Result<()> {
+    File::open(folder)?.sync_all()
+}
+
+#[cfg(not(unix))]
+fn sync_folder(_folder: &Path) -> io::Result<()> {
+    Ok(())
 }
