@@ -311,3 +311,65 @@ fn processes_share_the_cache_of_elastic_operators() {
     assert!(names(cache.path()).is_empty());
     assert_eq!(ertel(&["cache", "show"], "plenty").status.code(), Some(2));
 }
+
+/// A thermal line contact, both bodies alike, rolling alone: everything is written, and both take the same heat.
+#[test]
+fn a_thermal_contact_writes_its_temperatures() {
+    let folder = workspace("thermal.toml");
+    let output = solve(&folder, &["thermal.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let report = text(&output.stdout);
+    for words in [
+        "\nHeat\n",
+        "carried off by the plane",
+        "reduction by heat",
+        "temperatures ",
+        "no profile across the film at [9, 0]",
+    ] {
+        assert!(report.contains(words), "{words} is missing in\n{report}");
+    }
+    let results = folder.path().join("results/thermal");
+    let found = names(&results);
+    for name in [
+        "cross-film.csv",
+        "cross-film.svg",
+        "temperature.svg",
+        "temperature.vtu",
+    ] {
+        assert!(found.contains(&name.to_owned()), "{name} in {found:?}");
+    }
+    let read = |name: &str| std::fs::read_to_string(results.join(name)).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&read("result.json")).unwrap();
+    let thermal = &json["thermal"];
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let balance = &thermal["balance"];
+    let [plane, ball] = ["to_plane", "to_ball"].map(|key| number(&balance[key]));
+    // The film is symmetric about its middle: what is left is the tolerance of the coupling.
+    assert!(
+        plane > 0.0 && (plane / ball - 1.0).abs() < 1e-3,
+        "{plane} {ball}"
+    );
+    // Nearly all heat goes into the bodies, and no more than is made.
+    assert!(number(&balance["error"]).abs() < 0.01, "{balance}");
+    assert!(number(&thermal["film_maximum"]["value"]) > 313.15 + 0.1);
+    assert!(thermal["reduction"]["traction"].is_null());
+
+    // Two profiles of 41 heights: of both walls the velocity is known.
+    let profiles = read("cross-film.csv");
+    let lines: Vec<Vec<f64>> = (profiles.lines().skip(1))
+        .map(|line| line.split(',').map(|v| v.parse().unwrap()).collect())
+        .collect();
+    assert_eq!(lines.len(), 2 * 41);
+    for line in [&lines[0], &lines[40], &lines[41], &lines[81]] {
+        assert!((line[8] - 1.0).abs() < 1e-6, "{line:?}");
+    }
+    let centreline = read("centreline.csv");
+    assert!(
+        centreline.lines().next().unwrap().ends_with(
+            "temperature_mid_K,temperature_mean_K,temperature_plane_K,temperature_ball_K"
+        )
+    );
+    assert!(read("surface.vtu").contains("Name=\"temperature_ball_K\""));
+    let field = read("temperature.vtu");
+    assert!(field.contains("Name=\"region\"") && field.contains("film_magnification"));
+}

@@ -280,6 +280,8 @@ fn describe(
     let traction = post::shear::traction(finest, &problem.fluid, &scales);
     let film_reduction = post::summary::film_reduction(levels);
     let summary = post::summary::summarise(finest, levels, &model, &scales);
+    let thermal = (case.thermal())
+        .and_then(|params| post::thermal::thermal(finest, problem, levels, &scales, params));
     let mut warnings = case.warnings.clone();
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {
@@ -299,6 +301,16 @@ fn describe(
         levels,
         case.mesh.target_error,
     ));
+    if let (Some(thermal), Some(params)) = (&thermal, case.thermal()) {
+        let extents = [extents.inlet, extents.outlet, extents.side];
+        warnings.extend(post::thermal::warnings(
+            thermal,
+            &case.lubricant,
+            params,
+            &scales,
+            extents,
+        ));
+    }
     warnings.extend(case.roughness.and_then(|sigma| {
         let minimum = summary.film_minimum.value;
         post::limits::roughness_warning("the minimum film thickness", minimum, sigma)
@@ -320,7 +332,7 @@ fn describe(
         summary,
         traction,
         film_reduction,
-        thermal: None,
+        thermal,
         history,
         stats,
         warnings,

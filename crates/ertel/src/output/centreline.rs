@@ -2,10 +2,14 @@
 
 use std::io::{self, Write};
 
-use crate::solution::Centreline;
+use crate::solution::{Centreline, FilmTemperatures};
 
 /// The columns: names with units, values point by point.
-pub fn columns(line: &Centreline, half_width: f64) -> Vec<(&'static str, Vec<f64>)> {
+pub fn columns(
+    line: &Centreline,
+    temperatures: Option<&FilmTemperatures>,
+    half_width: f64,
+) -> Vec<(&'static str, Vec<f64>)> {
     let mut columns = vec![
         ("x_m", line.x.clone()),
         ("x_over_a", line.x.iter().map(|x| x / half_width).collect()),
@@ -18,15 +22,24 @@ pub fn columns(line: &Centreline, half_width: f64) -> Vec<(&'static str, Vec<f64
     ];
     let shear = line.shear.columns();
     columns.extend(shear.map(|(name, values)| (name, values.to_vec())));
+    let temperatures = temperatures.map(FilmTemperatures::columns);
+    for (name, values) in temperatures.into_iter().flatten() {
+        columns.push((name, values.to_vec()));
+    }
     columns
 }
 
-/// Writes the profiles, one line per point, SI; `half_width` a in m.
+/// Writes the profiles, one line per point, SI, with the temperatures of a thermal contact; `half_width` a in m.
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_centreline(mut out: impl Write, line: &Centreline, half_width: f64) -> io::Result<()> {
-    let columns = columns(line, half_width);
+pub fn write_centreline(
+    mut out: impl Write,
+    line: &Centreline,
+    temperatures: Option<&FilmTemperatures>,
+    half_width: f64,
+) -> io::Result<()> {
+    let columns = columns(line, temperatures, half_width);
     let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
     writeln!(out, "{}", names.join(","))?;
     for i in 0..line.x.len() {
@@ -62,7 +75,7 @@ mod tests {
             },
         };
         let mut out = Vec::new();
-        write_centreline(&mut out, &line, 2e-4).unwrap();
+        write_centreline(&mut out, &line, None, 2e-4).unwrap();
         let text = String::from_utf8(out).unwrap();
         let rows: Vec<&str> = text.lines().collect();
         assert_eq!(rows.len(), 3);

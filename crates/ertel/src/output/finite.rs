@@ -1,7 +1,7 @@
 //! Guard: no result with a number that is not finite leaves the program.
 
 use super::CaseEcho;
-use crate::solution::{Located, ShearFields, Solution};
+use crate::solution::{FilmTemperatures, Located, ShearFields, Solution, Thermal};
 
 /// Name of the first number that is not finite, or `None` if all are.
 pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<String> {
@@ -122,6 +122,13 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
         t.beyond_second_limit.unwrap_or(0.0),
     ];
     list.extend(traction.map(|v| ("traction", v)));
+    if let Some(thermal) = &solution.thermal {
+        list.extend(
+            heat(thermal)
+                .into_iter()
+                .map(|v| ("temperatures and heat", v)),
+        );
+    }
     if let Some(r) = solution.film_reduction {
         list.extend([r.central, r.minimum].map(|v| ("film reduction", v)));
     }
@@ -155,6 +162,55 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
     list.into_iter().map(|(n, v)| (n.to_owned(), v))
 }
 
+fn heat(thermal: &Thermal) -> Vec<f64> {
+    let mut list = vec![
+        thermal.inlet_temperature,
+        thermal.film_mean,
+        thermal.plane_mean,
+        thermal.ball_mean,
+    ];
+    for at in [
+        &thermal.film_maximum,
+        &thermal.film_lowest,
+        &thermal.plane_maximum,
+        &thermal.ball_maximum,
+    ] {
+        list.extend([at.value, at.x, at.y]);
+    }
+    let b = &thermal.balance;
+    list.extend([b.shear, b.compression, b.to_plane, b.to_ball, b.by_film]);
+    list.push(b.error);
+    if let Some(r) = &thermal.reduction {
+        list.extend([r.film_central, r.film_minimum, r.isothermal_traction]);
+        list.extend(r.traction);
+    }
+    list.extend([thermal.coupling.contraction, thermal.coupling.change]);
+    list
+}
+
+/// Whether all temperatures and profiles are finite.
+fn heat_fields_are_finite(thermal: &Thermal) -> bool {
+    let fields = [&thermal.centreline, &thermal.surface].map(FilmTemperatures::columns);
+    let columns = fields.into_iter().flatten().map(|(_, values)| values);
+    let profiles = (thermal.profiles.iter()).flat_map(|p| {
+        [
+            p.z.as_slice(),
+            &p.temperature,
+            &p.velocity_x,
+            &p.velocity_y,
+            &p.shear_rate,
+            &p.viscosity,
+        ]
+    });
+    let field =
+        (thermal.field.iter()).flat_map(|f| [f.points.as_flattened(), f.temperature.as_slice()]);
+    columns
+        .chain(profiles)
+        .chain(field)
+        .flatten()
+        .all(|v| v.is_finite())
+}
+
 fn effort(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
     let history = solution.history.iter().flat_map(|r| {
         [
@@ -181,7 +237,9 @@ fn effort(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
             t.assembly,
             t.factorisation,
             t.krylov,
+            t.heat,
             t.other,
+            l.traction.unwrap_or(0.0),
         ]
         .map(|v| (format!("statistics of stage {}", i + 1), v))
     });
@@ -216,6 +274,7 @@ fn fields(solution: &Solution) -> Option<String> {
         .find(|(_, values)| values.iter().any(|v| !v.is_finite()))
         .map(|(name, _)| name.to_owned());
     let points_ok = surface.points.as_flattened().iter().all(|v| v.is_finite());
+    let heat_ok = solution.thermal.as_ref().is_none_or(heat_fields_are_finite);
     let body_ok = solution.body.as_ref().is_none_or(|b| {
         let values = b
             .points
@@ -226,5 +285,6 @@ fn fields(solution: &Solution) -> Option<String> {
     });
     scalar
         .or_else(|| (!points_ok).then(|| "points of the contact area".to_owned()))
+        .or_else(|| (!heat_ok).then(|| "temperatures of film and bodies".to_owned()))
         .or_else(|| (!body_ok).then(|| "displacement of the body".to_owned()))
 }

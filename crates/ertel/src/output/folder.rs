@@ -12,7 +12,7 @@ use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-const OWN_FILES: [&str; 20] = [
+const OWN_FILES: [&str; 32] = [
     "result.json",
     "curve.json",
     "curve.csv",
@@ -33,6 +33,18 @@ const OWN_FILES: [&str; 20] = [
     "pressure.png",
     "film.png",
     "convergence.png",
+    "cross-film.csv",
+    "temperature.vtu",
+    "temperature.svg",
+    "temperature.png",
+    "temperature-mid.svg",
+    "temperature-mid.png",
+    "temperature-plane.svg",
+    "temperature-plane.png",
+    "temperature-ball.svg",
+    "temperature-ball.png",
+    "cross-film.svg",
+    "cross-film.png",
 ];
 
 /// Folder within the results of a curve, with a folder for each of its points.

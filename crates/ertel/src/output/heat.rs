@@ -1,7 +1,11 @@
-//! The thermal data of a case in the report.
+//! Heat in the report: the thermal data of a case, and what comes of them; profiles across the film.
 
-use super::report::Lines;
+use std::io::{self, Write};
+
+use super::report::{Lines, percent_or_power, place, power};
 use super::{HeatEcho, ThermalEcho, digits};
+use crate::contact::ContactKind;
+use crate::solution::{CrossProfile, Located, Solution, Thermal};
 
 /// What carries the heat, `ball` being the word for the second body.
 pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho, ball: &str) {
@@ -26,5 +30,136 @@ pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho, ball: &str) {
     ] {
         let bulk = temperature.map_or(String::new(), |t| format!(", bulk {} K", digits(t, 6)));
         out.row(&format!("conductivity, {role}"), of(material) + &bulk);
+    }
+}
+
+/// Temperatures, heat, and what it does to film and traction.
+pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Thermal) {
+    let kelvin = |t: f64| format!("{t:.2} K");
+    let rise = |t: f64| format!("{t:.2} K ({:+.2} K)", t - thermal.inlet_temperature);
+    let largest = |at: &Located| format!("{:<24}{}", rise(at.value), place(solution, at));
+    out.heading("Heat");
+    out.row("largest film temperature", largest(&thermal.film_maximum));
+    if thermal.film_lowest.value < thermal.inlet_temperature - 0.005 {
+        out.row("lowest film temperature", largest(&thermal.film_lowest));
+    }
+    out.row("mean in the Hertz zone", rise(thermal.film_mean));
+    let ball = match solution.kind {
+        ContactKind::Circular => "ball",
+        ContactKind::Line => "cylinder",
+    };
+    for (name, maximum, mean) in [
+        ("plane", &thermal.plane_maximum, thermal.plane_mean),
+        (ball, &thermal.ball_maximum, thermal.ball_mean),
+    ] {
+        out.row(&format!("surface of the {name}"), largest(maximum));
+        out.row("  mean in the Hertz zone", kelvin(mean));
+    }
+    let unit = match solution.kind {
+        ContactKind::Circular => "W",
+        ContactKind::Line => "W/m",
+    };
+    let watts = |heat: f64| format!("{} {unit}", digits(heat, 4));
+    let b = &thermal.balance;
+    out.row(
+        "heat made by shear",
+        format!(
+            "{}, by compression {}",
+            watts(b.shear),
+            watts(b.compression)
+        ),
+    );
+    let carried = b.to_plane + b.to_ball + b.by_film;
+    for (name, heat) in [
+        ("  carried off by the plane", b.to_plane),
+        (&format!("  by the {ball}"), b.to_ball),
+        ("  by the lubricant", b.by_film),
+    ] {
+        // Of next to nothing, shares say nothing.
+        let share = if carried.abs() > 1e-6 * b.shear.abs() {
+            format!("{:.1} %", 100.0 * heat / carried)
+        } else {
+            String::new()
+        };
+        out.row(name, format!("{:<24}{share}", watts(heat)).trim_end());
+    }
+    out.row("heat balance error", percent_or_power(b.error));
+    if let Some(r) = &thermal.reduction {
+        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        let mut text = format!(
+            "h_c {}, h_min {}",
+            percent(r.film_central),
+            percent(r.film_minimum)
+        );
+        if let Some(traction) = r.traction {
+            text.push_str(&format!(
+                ", traction {} (isothermal {})",
+                percent(traction),
+                digits(r.isothermal_traction, 4)
+            ));
+        }
+        out.row("reduction by heat", text);
+    }
+    let c = &thermal.coupling;
+    let contraction = match c.rounds {
+        0 | 1 => String::new(),
+        _ => format!(", changes times {} in each", digits(c.contraction, 2)),
+    };
+    let rounds = if c.rounds == 1 { "round" } else { "rounds" };
+    out.row(
+        "coupling of film and heat",
+        format!(
+            "{} {rounds}{contraction}, last change {}",
+            c.rounds,
+            power(c.change)
+        ),
+    );
+}
+
+/// Columns of the profiles across the film.
+const PROFILE_COLUMNS: &str = "x_m,y_m,x_over_a,y_over_a,film_thickness_m,z_m,z_over_h,temperature_K,\
+    velocity_x_m_per_s,velocity_y_m_per_s,shear_rate_per_s,generalized_viscosity_Pa_s";
+
+/// Writes profiles across the film, one line per height, SI; `half_width` a in m.
+///
+/// # Errors
+/// Those of the writer.
+pub(super) fn write_profiles(
+    mut out: impl Write,
+    profiles: &[CrossProfile],
+    half_width: f64,
+) -> io::Result<()> {
+    writeln!(out, "{PROFILE_COLUMNS}")?;
+    for p in profiles {
+        for (i, z) in p.z.iter().enumerate() {
+            let row = [
+                p.x,
+                p.y,
+                p.x / half_width,
+                p.y / half_width,
+                p.film_thickness,
+                *z,
+                z / p.film_thickness,
+                p.temperature[i],
+                p.velocity_x[i],
+                p.velocity_y[i],
+                p.shear_rate[i],
+                p.viscosity[i],
+            ];
+            let row: Vec<String> = row.iter().map(|v| format!("{v:e}")).collect();
+            writeln!(out, "{}", row.join(","))?;
+        }
+    }
+    Ok(())
+}
+
+/// Of a profile's place, in half-widths: for legends.
+pub(super) fn profile_label(profile: &CrossProfile, half_width: f64) -> String {
+    let (x, y) = (profile.x / half_width, profile.y / half_width);
+    // A product and a quotient by the same number leave dust.
+    let round = |v: f64| digits((1e6 * v).round() / 1e6, 4).replace('-', "−");
+    match y {
+        0.0 => format!("*x*/*a* = {}", round(x)),
+        _ => format!("*x*/*a* = {}, *y*/*a* = {}", round(x), round(y)),
     }
 }

@@ -90,7 +90,8 @@ impl OutputError {
 }
 
 /// Writes a result folder: `result.json`, `report.txt`, `case.toml`, `centreline.csv`,
-/// `surface.vtu`, `body.vtu` and the pictures, as `params` asks (its `folder` is not looked at).
+/// `surface.vtu`, `body.vtu` and the pictures, as `params` asks (its `folder` is not looked at); of a thermal contact
+/// `cross-film.csv` and `temperature.vtu`, too.
 ///
 /// The files are written beside the target first, brought to the disk, and then put in place; a
 /// former result there is replaced, anything else is refused.
@@ -132,12 +133,25 @@ fn write_files(
         folder.file("case.toml", |out| out.write_all(text.as_bytes()))?;
     }
     let half_width = solution.hertz.half_width;
+    let thermal = solution.thermal.as_ref();
     folder.file("centreline.csv", |out| {
-        centreline::write_centreline(out, &solution.centreline, half_width)
+        let temperatures = thermal.map(|t| &t.centreline);
+        centreline::write_centreline(out, &solution.centreline, temperatures, half_width)
     })?;
     folder.file("surface.vtu", |out| {
-        vtu::write_surface(out, solution.kind, &solution.surface)
+        let temperatures = thermal.map(|t| &t.surface);
+        vtu::write_surface(out, solution.kind, &solution.surface, temperatures)
     })?;
+    if let Some(profiles) = thermal.map(|t| &t.profiles).filter(|p| !p.is_empty()) {
+        folder.file("cross-film.csv", |out| {
+            heat::write_profiles(out, profiles, half_width)
+        })?;
+    }
+    if let Some(field) = thermal.and_then(|t| t.field.as_ref()) {
+        folder.file("temperature.vtu", |out| {
+            vtu::write_temperature(out, solution.kind, field)
+        })?;
+    }
     if let Some(body) = solution.body.as_ref().filter(|_| params.body_field) {
         folder.file("body.vtu", |out| vtu::write_body(out, solution.kind, body))?;
     }

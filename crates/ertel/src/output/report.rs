@@ -24,6 +24,9 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
         solution.groups_asymptotic.as_ref(),
     );
     write_results(&mut out, case, solution);
+    if let Some(thermal) = &solution.thermal {
+        heat::write_results(&mut out, solution, thermal);
+    }
     write_formulas(&mut out, solution);
     write_effort(&mut out, solution, folder);
     out.text
@@ -190,11 +193,7 @@ fn moes(groups: &Groups) -> String {
 fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
     let s = &solution.summary;
     let a = solution.hertz.half_width;
-    let place = |at: &Located| match solution.kind {
-        ContactKind::Line => format!("at x/a {:.3}", at.x / a),
-        ContactKind::Circular if at.y == 0.0 => format!("at x/a {:.3}, y/a 0", at.x / a),
-        ContactKind::Circular => format!("at x/a {:.3}, y/a ±{:.3}", at.x / a, at.y.abs() / a),
-    };
+    let place = |at: &Located| place(solution, at);
     let at = |text: String, place: String| format!("{text:<24}{place}");
     out.heading("Results");
     out.row("central film thickness h_c", estimate(&s.film_central));
@@ -223,6 +222,16 @@ fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
     write_traction(out, solution);
     out.row("mass balance error", percent_or_power(s.film_balance_error));
     out.row("load balance error", percent_or_power(s.load_balance_error));
+}
+
+/// Where it is, in half-widths.
+pub(super) fn place(solution: &Solution, at: &Located) -> String {
+    let a = solution.hertz.half_width;
+    match solution.kind {
+        ContactKind::Line => format!("at x/a {:.3}", at.x / a),
+        ContactKind::Circular if at.y == 0.0 => format!("at x/a {:.3}, y/a 0", at.x / a),
+        ContactKind::Circular => format!("at x/a {:.3}, y/a ±{:.3}", at.x / a, at.y.abs() / a),
+    }
 }
 
 fn write_traction(out: &mut Lines, solution: &Solution) {
@@ -301,15 +310,20 @@ fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
     let levels = &solution.stats.levels;
     let seconds = |part: fn(&Timings) -> f64| levels.iter().map(|l| part(&l.seconds)).sum::<f64>();
     let wall = solution.stats.wall_seconds;
-    let parts = [
+    let mut parts = vec![
         ("mesh", seconds(|t| t.mesh)),
         ("elastic operator", seconds(|t| t.operator)),
         ("assembly", seconds(|t| t.assembly)),
         ("preconditioner", seconds(|t| t.factorisation)),
         ("Krylov", seconds(|t| t.krylov)),
-        ("other", wall - seconds(Timings::known)),
-    ]
-    .map(|(name, s)| format!("{name} {s:.2}"));
+    ];
+    if solution.thermal.is_some() {
+        parts.push(("temperatures", seconds(|t| t.heat)));
+    }
+    parts.push(("other", wall - seconds(Timings::known)));
+    let parts: Vec<String> = (parts.into_iter())
+        .map(|(name, s)| format!("{name} {s:.2}"))
+        .collect();
     let cached = levels.iter().filter(|l| l.operator_cached).count();
     out.row(
         "wall time",
@@ -392,7 +406,7 @@ pub(super) fn power(value: f64) -> String {
     format!("{value:.3e}")
 }
 
-fn percent_or_power(share: f64) -> String {
+pub(super) fn percent_or_power(share: f64) -> String {
     if share.abs() < 1e-4 {
         power(share)
     } else {

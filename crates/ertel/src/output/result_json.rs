@@ -30,7 +30,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         })
         .collect();
     let [inlet, outlet, side] = solution.extents;
-    Ok(json!({
+    let mut document = json!({
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
         "ertel_version": env!("CARGO_PKG_VERSION"),
@@ -53,12 +53,16 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "stats": serde_json::to_value(&solution.stats)?,
         "history": serde_json::to_value(&solution.history)?,
         "units": units(),
-    }))
+    });
+    if let Some(thermal) = &solution.thermal {
+        document["thermal"] = serde_json::to_value(thermal)?;
+    }
+    Ok(document)
 }
 
 /// Unit of each key that has one, wherever it occurs; all others are dimensionless.
 pub(super) fn units() -> Value {
-    const UNITS: [(&str, &[&str]); 13] = [
+    const UNITS: [(&str, &[&str]); 14] = [
         (
             "m",
             &[
@@ -98,6 +102,19 @@ pub(super) fn units() -> Value {
         (
             "K",
             &["temperature", "plane_temperature", "ball_temperature"],
+        ),
+        (
+            "K",
+            &[
+                "inlet_temperature",
+                "film_maximum",
+                "film_lowest",
+                "film_mean",
+                "plane_maximum",
+                "plane_mean",
+                "ball_maximum",
+                "ball_mean",
+            ],
         ),
         ("W/(m K)", &["thermal_conductivity"]),
         ("J/(kg K)", &["heat_capacity"]),

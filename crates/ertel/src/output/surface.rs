@@ -10,10 +10,10 @@ pub(super) fn full_surface(kind: ContactKind, half: &SurfaceField) -> SurfaceFie
     if kind == ContactKind::Line {
         return full;
     }
-    let reach = half.points.iter().fold(0.0, |r: f64, p| r.max(p[1].abs()));
+    let on_centreline = centreline(half);
     let mut image = Vec::with_capacity(half.points.len());
     for (i, [x, y]) in half.points.iter().enumerate() {
-        if y.abs() <= 1e-9 * reach {
+        if on_centreline(*y) {
             image.push(i as u32);
             continue;
         }
@@ -33,6 +33,23 @@ pub(super) fn full_surface(kind: ContactKind, half: &SurfaceField) -> SurfaceFie
             .map(|[a, b, c]| [*a, *c, *b].map(|n| image[n as usize])),
     );
     full
+}
+
+/// Whether a y is that of the centreline, for all that rounding does.
+fn centreline(half: &SurfaceField) -> impl Fn(f64) -> bool {
+    let reach = half.points.iter().fold(0.0, |r: f64, p| r.max(p[1].abs()));
+    move |y| y.abs() <= 1e-9 * reach
+}
+
+/// For each point of the whole contact area, the point of the half that has its values.
+pub(super) fn sources(kind: ContactKind, half: &SurfaceField) -> Vec<usize> {
+    let n = half.points.len();
+    let mut sources: Vec<usize> = (0..n).collect();
+    if kind == ContactKind::Circular {
+        let on_centreline = centreline(half);
+        sources.extend((0..n).filter(|i| !on_centreline(half.points[*i][1])));
+    }
+    sources
 }
 
 #[cfg(test)]
@@ -67,6 +84,8 @@ mod tests {
         for (_, values) in full.shear.columns() {
             assert_eq!(values, [1.0, 2.0, 3.0, 2.0]);
         }
+        assert_eq!(sources(ContactKind::Circular, &half), [0, 1, 2, 1]);
+        assert_eq!(sources(ContactKind::Line, &half), [0, 1, 2]);
         assert_eq!(full_surface(ContactKind::Line, &half), half);
     }
 }

@@ -8,14 +8,16 @@ use std::io::{self, Write};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::surface::full_surface;
+use super::surface::{full_surface, sources};
 use crate::contact::ContactKind;
-use crate::solution::{BodyField, SurfaceField};
+use crate::solution::{BodyField, FilmTemperatures, SurfaceField, TemperatureField};
 
 /// VTK cell types by number of nodes: triangles and segments, or tetrahedra, too.
 const LINE: u8 = 3;
 const TRIANGLE: u8 = 5;
+const QUADRILATERAL: u8 = 9;
 const TETRAHEDRON: u8 = 10;
+const WEDGE: u8 = 13;
 const QUADRATIC_TRIANGLE: u8 = 22;
 const QUADRATIC_TETRAHEDRON: u8 = 24;
 
@@ -50,12 +52,17 @@ impl Data {
     }
 }
 
-/// Writes the fields on the whole contact area: triangles, or the segments of a line contact.
-/// Lengths in m; arrays are named with their units.
+/// Writes the fields on the whole contact area: triangles, or the segments of a line contact; with the temperatures
+/// of a thermal contact. Lengths in m; arrays are named with their units.
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_surface(out: impl Write, kind: ContactKind, half: &SurfaceField) -> io::Result<()> {
+pub fn write_surface(
+    out: impl Write,
+    kind: ContactKind,
+    half: &SurfaceField,
+    temperatures: Option<&FilmTemperatures>,
+) -> io::Result<()> {
     let field = full_surface(kind, half);
     let points: Vec<[f64; 3]> = field.points.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
     let n_nodes = match kind {
@@ -77,7 +84,53 @@ pub fn write_surface(out: impl Write, kind: ContactKind, half: &SurfaceField) ->
         scalar("density_kg_per_m3", field.density),
     ];
     fields.extend(shear.map(|(name, values)| scalar(name, values.to_vec())));
-    write_grid(out, &points, &cells, 2, &fields)
+    let sources = sources(kind, half);
+    let temperatures = temperatures.map(FilmTemperatures::columns);
+    for (name, values) in temperatures.into_iter().flatten() {
+        let whole = sources.iter().map(|i| values[*i]).collect();
+        fields.push(scalar(name, whole));
+    }
+    let grid = Grid {
+        points: &points,
+        cells: &cells,
+        dimension: 2,
+        point_data: &fields,
+        ..Grid::default()
+    };
+    grid.write(out)
+}
+
+/// Writes the temperature, K, of film and bodies (of their half y ≤ 0 for circular contacts); the cells say by `region`
+/// whether they belong to plane (0), film (1) or ball (2). Lengths in m, the film stretched by `film_magnification`.
+///
+/// # Errors
+/// Those of the writer.
+pub fn write_temperature(
+    out: impl Write,
+    kind: ContactKind,
+    field: &TemperatureField,
+) -> io::Result<()> {
+    let cells: Vec<&[u32]> = field.cells.iter().map(Vec::as_slice).collect();
+    let array = |name, data| Array {
+        name,
+        n_components: 1,
+        data,
+    };
+    let grid = Grid {
+        points: &field.points,
+        cells: &cells,
+        dimension: kind.body_dimension(),
+        point_data: &[array(
+            "temperature_K",
+            Data::Float64(field.temperature.clone()),
+        )],
+        cell_data: &[array("region", Data::UInt8(field.region.clone()))],
+        field_data: &[array(
+            "film_magnification",
+            Data::Float64(vec![field.film_magnification]),
+        )],
+    };
+    grid.write(out)
 }
 
 /// Writes the displacement of the elastic body (of its half y ≤ 0 for circular contacts), in m.
@@ -91,21 +144,24 @@ pub fn write_body(out: impl Write, kind: ContactKind, body: &BodyField) -> io::R
         n_components: 3,
         data: Data::Float64(body.displacement.concat()),
     };
-    write_grid(
-        out,
-        &body.points,
-        &cells,
-        kind.body_dimension(),
-        &[displacement],
-    )
+    let grid = Grid {
+        points: &body.points,
+        cells: &cells,
+        dimension: kind.body_dimension(),
+        point_data: &[displacement],
+        ..Grid::default()
+    };
+    grid.write(out)
 }
 
-/// Cell type of so many nodes in a grid of triangles (2) or tetrahedra (3).
+/// Cell type of so many nodes in a grid of two or three dimensions.
 fn cell_type(n_nodes: usize, dimension: usize) -> io::Result<u8> {
     match (n_nodes, dimension) {
         (2, _) => Ok(LINE),
         (3, _) => Ok(TRIANGLE),
+        (4, 2) => Ok(QUADRILATERAL),
         (4, 3) => Ok(TETRAHEDRON),
+        (6, 3) => Ok(WEDGE),
         (6, _) => Ok(QUADRATIC_TRIANGLE),
         (10, 3) => Ok(QUADRATIC_TETRAHEDRON),
         _ => Err(io::Error::new(
@@ -115,13 +171,30 @@ fn cell_type(n_nodes: usize, dimension: usize) -> io::Result<u8> {
     }
 }
 
-fn write_grid(
-    mut out: impl Write,
-    points: &[[f64; 3]],
-    cells: &[&[u32]],
+/// An unstructured grid.
+#[derive(Default)]
+struct Grid<'a> {
+    points: &'a [[f64; 3]],
+    cells: &'a [&'a [u32]],
     dimension: usize,
-    fields: &[Array],
-) -> io::Result<()> {
+    point_data: &'a [Array<'a>],
+    cell_data: &'a [Array<'a>],
+    field_data: &'a [Array<'a>],
+}
+
+impl Grid<'_> {
+    fn write(&self, out: impl Write) -> io::Result<()> {
+        write_grid(out, self)
+    }
+}
+
+fn write_grid(mut out: impl Write, grid: &Grid) -> io::Result<()> {
+    let Grid {
+        points,
+        cells,
+        dimension,
+        ..
+    } = *grid;
     let types: Vec<u8> = cells
         .iter()
         .map(|c| cell_type(c.len(), dimension))
@@ -137,6 +210,9 @@ fn write_grid(
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">"
     )?;
     writeln!(out, "<UnstructuredGrid>")?;
+    if !grid.field_data.is_empty() {
+        section(&mut out, "FieldData", grid.field_data)?;
+    }
     writeln!(
         out,
         "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">",
@@ -170,7 +246,10 @@ fn write_grid(
             },
         ],
     )?;
-    section(&mut out, "PointData", fields)?;
+    section(&mut out, "PointData", grid.point_data)?;
+    if !grid.cell_data.is_empty() {
+        section(&mut out, "CellData", grid.cell_data)?;
+    }
     writeln!(out, "</Piece>\n</UnstructuredGrid>\n</VTKFile>")
 }
 
@@ -226,7 +305,7 @@ mod tests {
             density: vec![1.0; 3],
             shear: ShearFields::default(),
         };
-        let file = text(|out| write_surface(out, ContactKind::Line, &field));
+        let file = text(|out| write_surface(out, ContactKind::Line, &field, None));
         assert!(file.contains("NumberOfPoints=\"3\" NumberOfCells=\"2\""));
         assert_eq!(payload(&file, "pressure_Pa"), PRESSURE);
         assert_eq!(payload(&file, "connectivity"), CONNECTIVITY);

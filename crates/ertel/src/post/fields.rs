@@ -2,6 +2,7 @@
 
 use ertel_fem::linear::NEVER;
 use ertel_fem::linear::condensed::Keep;
+use ertel_fem::space::Space;
 
 use crate::contact::{Scales, hertz};
 use crate::film::FilmFluid;
@@ -11,9 +12,12 @@ use crate::solve::discretisation::DiscretisationError;
 use crate::solve::evaluate::{PointFields, fields_in};
 use crate::solve::sequence::StageSolution;
 
+/// Samples per element edge along the centreline.
+pub(super) const PER_EDGE: usize = 4;
+
 /// Profiles along y = 0, four samples per element edge.
 pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> Centreline {
-    let profile = Profile::new(&solution.discretisation, &solution.state, 4);
+    let profile = Profile::new(&solution.discretisation, &solution.state, PER_EDGE);
     let mut line = Centreline::default();
     for (x, f) in profile.x.iter().zip(&profile.fields) {
         let local = fluid.local(f.pressure, f.temperature.as_ref());
@@ -43,6 +47,7 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
             .iter()
             .map(|p| [p[0] * scales.length, p[1] * scales.length])
             .collect(),
+        cells: sub_cells(&d.pressure),
         film_thickness: vec![0.0; n],
         deflection: vec![0.0; n],
         ..SurfaceField::default()
@@ -50,13 +55,6 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
     let mut at_nodes = vec![PointFields::default(); n];
     let lattice = d.pressure.element.lattice();
     let order = d.pressure.element.order();
-    let local = |a1: usize, a2: usize| {
-        let key = [(order - a1 - a2) as u8, a1 as u8, a2 as u8, 0];
-        lattice
-            .iter()
-            .position(|a| *a == key)
-            .expect("lattice point")
-    };
     for c in 0..d.contact.n_elements() {
         let nodes = d.pressure.nodes_of(c);
         for (alpha, node) in lattice.iter().zip(nodes) {
@@ -70,25 +68,6 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
             field.deflection[*node as usize] = f.deflection * scales.film;
             at_nodes[*node as usize] = f;
         }
-        for i in 0..order {
-            if d.contact.surface.dim == 1 {
-                field
-                    .cells
-                    .push([nodes[local(i, 0)], nodes[local(i + 1, 0)], 0]);
-                continue;
-            }
-            for j in 0..order - i {
-                let corner = |a: usize, b: usize| nodes[local(a, b)];
-                field
-                    .cells
-                    .push([corner(i, j), corner(i + 1, j), corner(i, j + 1)]);
-                if i + j + 2 <= order {
-                    field
-                        .cells
-                        .push([corner(i + 1, j + 1), corner(i, j + 1), corner(i + 1, j)]);
-                }
-            }
-        }
     }
     for (p, f) in solution.state.pressure.iter().zip(&at_nodes) {
         let local = fluid.local(*p, f.temperature.as_ref());
@@ -101,6 +80,36 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
     }
     field.shear = super::shear::fields(fluid, scales, &at_nodes);
     field
+}
+
+/// Elements cut into linear cells between their nodes: triangles, or segments in the first two entries.
+pub(super) fn sub_cells(space: &Space) -> Vec<[u32; 3]> {
+    let (lattice, order) = (space.element.lattice(), space.element.order());
+    let local = |a1: usize, a2: usize| {
+        let key = [(order - a1 - a2) as u8, a1 as u8, a2 as u8, 0];
+        lattice
+            .iter()
+            .position(|a| *a == key)
+            .expect("lattice point")
+    };
+    let mut cells = Vec::new();
+    for c in 0..space.n_elements() {
+        let nodes = space.nodes_of(c);
+        let corner = |a: usize, b: usize| nodes[local(a, b)];
+        for i in 0..order {
+            if space.element.dim() == 1 {
+                cells.push([corner(i, 0), corner(i + 1, 0), 0]);
+                continue;
+            }
+            for j in 0..order - i {
+                cells.push([corner(i, j), corner(i + 1, j), corner(i, j + 1)]);
+                if i + j + 2 <= order {
+                    cells.push([corner(i + 1, j + 1), corner(i, j + 1), corner(i + 1, j)]);
+                }
+            }
+        }
+    }
+    cells
 }
 
 /// Displacement of the first body (the equivalent one, or the plane).

@@ -6,3 +6,4 @@ pub mod limits;
 pub mod profile;
 pub mod shear;
 pub mod summary;
+pub mod thermal;

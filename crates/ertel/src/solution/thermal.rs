@@ -11,6 +11,8 @@ pub struct Thermal {
     pub inlet_temperature: f64,
     /// Largest temperature of the film, K.
     pub film_maximum: Located,
+    /// Smallest temperature of the film, K.
+    pub film_lowest: Located,
     /// Mean temperature of the film over the Hertz zone and across the film, K.
     pub film_mean: f64,
     /// Largest temperature of the plane's surface, K.
@@ -28,10 +30,13 @@ pub struct Thermal {
     /// How film and heat came to rest.
     pub coupling: Coupling,
     /// Temperatures at the points of [`super::Centreline`].
+    #[serde(skip)]
     pub centreline: FilmTemperatures,
     /// Temperatures at the points of [`super::SurfaceField`].
+    #[serde(skip)]
     pub surface: FilmTemperatures,
     /// Profiles across the film.
+    #[serde(skip)]
     pub profiles: Vec<CrossProfile>,
     /// Temperature of film and bodies, if asked for.
     #[serde(skip)]
@@ -59,8 +64,10 @@ pub struct HeatBalance {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ThermalReduction {
     /// 1 − h_c/(h_c without heat).
+    #[serde(rename = "central")]
     pub film_central: f64,
     /// 1 − h_min/(h_min without heat).
+    #[serde(rename = "minimum")]
     pub film_minimum: f64,
     /// 1 − traction/(traction without heat); `None` without traction.
     pub traction: Option<f64>,
@@ -96,6 +103,18 @@ pub struct FilmTemperatures {
     pub plane: Vec<f64>,
     /// Surface of the ball.
     pub ball: Vec<f64>,
+}
+
+impl FilmTemperatures {
+    /// Name with unit, and values, of each field.
+    pub fn columns(&self) -> [(&'static str, &[f64]); 4] {
+        [
+            ("temperature_mid_K", &self.mid),
+            ("temperature_mean_K", &self.mean),
+            ("temperature_plane_K", &self.plane),
+            ("temperature_ball_K", &self.ball),
+        ]
+    }
 }
 
 /// Profile across the film at a point.

@@ -7,7 +7,9 @@ use crate::case::{Case, Curve};
 use crate::output::{CaseEcho, digits};
 use crate::reference::film_formulas;
 use crate::run::{Session, Start, groups};
-use crate::solution::{Centreline, FilmReduction, FormulaFilm, Solution, SurfaceField};
+use crate::solution::{
+    Centreline, FilmReduction, FilmTemperatures, FormulaFilm, Solution, SurfaceField,
+};
 use crate::solve::{Observer, SolveError};
 
 /// Follows a curve.
@@ -190,5 +192,11 @@ fn drop_fields(solution: &mut Solution) {
     solution.centreline = Centreline::default();
     solution.surface = SurfaceField::default();
     solution.body = None;
+    if let Some(thermal) = &mut solution.thermal {
+        thermal.centreline = FilmTemperatures::default();
+        thermal.surface = FilmTemperatures::default();
+        thermal.profiles = Vec::new();
+        thermal.field = None;
+    }
     solution.history = Vec::new();
 }

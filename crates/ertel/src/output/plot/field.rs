@@ -30,8 +30,8 @@ pub(super) struct FieldMap<'a> {
 
 /// What the colour bar shows.
 pub(super) enum Bar {
-    /// Values from zero to this one on an axis; no level lines.
-    Continuous(f64),
+    /// Values between these two on an axis; no level lines.
+    Continuous([f64; 2]),
     /// Fields of equal height, their boundaries labelled; level lines in the map.
     Steps,
 }
@@ -153,8 +153,8 @@ impl FieldMap<'_> {
     /// Ticks of the bar: share of its height, and label.
     fn bar_ticks(&self) -> Vec<(f64, String)> {
         match self.bar {
-            Bar::Continuous(top) => {
-                let axis = Axis::linear("", 0.0, top);
+            Bar::Continuous([bottom, top]) => {
+                let axis = Axis::linear("", bottom, top);
                 let ticks = axis.ticks().into_iter();
                 ticks.map(|(v, label)| (axis.position(v), label)).collect()
             }

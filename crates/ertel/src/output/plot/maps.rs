@@ -1,6 +1,6 @@
 //! Maps of pressure and film thickness over the whole contact.
 
-use super::super::surface::full_surface;
+use super::super::surface::{full_surface, sources};
 use super::field::{Bar, FieldMap};
 use super::{axis, film_unit, pressure_unit, window_x};
 use crate::solution::Solution;
@@ -41,8 +41,40 @@ pub fn pressure_map(title: &str, solution: &Solution) -> String {
         colours: (0..N_SHADES)
             .map(|i| hex(colorous::VIRIDIS, i, N_SHADES))
             .collect(),
-        bar: Bar::Continuous(top),
+        bar: Bar::Continuous([0.0, top]),
         bar_label: &format!("Pressure *p* ({unit})"),
+        circle: "#ffffff",
+    }
+    .svg()
+}
+
+/// Temperature over the whole contact, K at the points of the surface, continuous colours between the bounds.
+pub fn temperature_map(
+    title: &str,
+    solution: &Solution,
+    values: &[f64],
+    label: &str,
+    [low, high]: [f64; 2],
+) -> String {
+    let surface = full_surface(solution.kind, &solution.surface);
+    let values: Vec<f64> = sources(solution.kind, &solution.surface)
+        .into_iter()
+        .map(|i| values[i])
+        .collect();
+    FieldMap {
+        title,
+        points: &in_half_widths(&surface.points, solution.hertz.half_width),
+        triangles: &surface.cells,
+        values: &values,
+        window: window_map(solution),
+        levels: (1..N_SHADES)
+            .map(|i| low + (high - low) * i as f64 / N_SHADES as f64)
+            .collect(),
+        colours: (0..N_SHADES)
+            .map(|i| hex(colorous::INFERNO, i, N_SHADES))
+            .collect(),
+        bar: Bar::Continuous([low, high]),
+        bar_label: label,
         circle: "#ffffff",
     }
     .svg()

@@ -7,6 +7,7 @@ mod convergence;
 mod field;
 mod fluid;
 mod frame;
+mod heat;
 mod maps;
 pub mod png;
 mod svg;
@@ -15,6 +16,7 @@ pub use axis::{Axis, AxisScale};
 pub use chart::{Chart, Look, Marker, PALETTE, Series, Side, side_by_side};
 pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
+pub use heat::{cross_film_chart, temperature_chart};
 pub use maps::{film_map, pressure_map};
 
 use crate::contact::{ContactKind, hertz};
@@ -46,6 +48,9 @@ pub fn pictures(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec
             name: "film",
             svg: film_map(title, solution),
         });
+    }
+    if let Some(thermal) = &solution.thermal {
+        pictures.extend(heat::heat_pictures(title, solution, thermal));
     }
     pictures.push(Picture {
         name: "convergence",

@@ -1,0 +1,116 @@
+//! Temperatures: along the contact, over it, and across the film.
+
+use super::super::heat::profile_label;
+use super::maps::temperature_map;
+use super::{Axis, Chart, Look, PALETTE, Picture, Series, Side, window_x};
+use crate::contact::ContactKind;
+use crate::solution::{Solution, Thermal};
+
+/// Least range of a colour scale, K: below it, a map would show noise.
+const LEAST_RANGE: f64 = 0.1;
+
+/// Every picture of the temperatures of a solution.
+pub fn heat_pictures(title: &str, solution: &Solution, thermal: &Thermal) -> Vec<Picture> {
+    let mut pictures = vec![Picture {
+        name: "temperature",
+        svg: temperature_chart(title, solution, thermal).svg(),
+    }];
+    if solution.kind == ContactKind::Circular {
+        let t = &thermal.surface;
+        let range = |fields: &[&[f64]]| {
+            let values = fields.iter().flat_map(|f| f.iter().copied());
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+                (l.min(v), h.max(v))
+            });
+            [low, high.max(low + LEAST_RANGE)]
+        };
+        // Both surfaces by one scale: which of them is the hotter one is seen.
+        let walls = range(&[&t.plane, &t.ball]);
+        for (name, values, place, range) in [
+            ("temperature-mid", &t.mid, "mid-film", range(&[&t.mid])),
+            ("temperature-plane", &t.plane, "plane", walls),
+            ("temperature-ball", &t.ball, "ball", walls),
+        ] {
+            let label = format!("Temperature *T*, {place} (K)");
+            pictures.push(Picture {
+                name,
+                svg: temperature_map(title, solution, values, &label, range),
+            });
+        }
+    }
+    if !thermal.profiles.is_empty() {
+        pictures.push(Picture {
+            name: "cross-film",
+            svg: cross_film_chart(title, solution, thermal).svg(),
+        });
+    }
+    pictures
+}
+
+/// Temperatures at mid-film, of both surfaces, and across the film on average, along y = 0.
+pub fn temperature_chart(title: &str, solution: &Solution, thermal: &Thermal) -> Chart {
+    let a = solution.hertz.half_width;
+    let t = &thermal.centreline;
+    let [low, high] = window_x(solution);
+    let x = &solution.centreline.x;
+    let curve = |values: &[f64]| -> Vec<[f64; 2]> {
+        (x.iter().zip(values)).map(|(x, t)| [x / a, *t]).collect()
+    };
+    let ball = match solution.kind {
+        ContactKind::Circular => "ball",
+        ContactKind::Line => "cylinder",
+    };
+    let fields = [
+        ("mid-film", &t.mid, Look::Line, PALETTE[1]),
+        ("mean of the film", &t.mean, Look::Dashed, PALETTE[1]),
+        ("plane", &t.plane, Look::Line, PALETTE[0]),
+        (ball, &t.ball, Look::Line, PALETTE[2]),
+    ];
+    let shown = fields
+        .iter()
+        .flat_map(|(_, values, ..)| curve(values))
+        .filter(|p| (low..=high).contains(&p[0]))
+        .map(|p| p[1]);
+    let mut chart = Chart::new(
+        title,
+        Axis::linear("*x*/*a*", low, high),
+        Axis::linear_around("Temperature *T* (K)", shown),
+    );
+    chart.series = fields
+        .into_iter()
+        .map(|(label, values, look, colour)| Series {
+            label: label.into(),
+            points: curve(values),
+            look,
+            colour: colour.into(),
+            side: Side::Left,
+        })
+        .collect();
+    chart
+}
+
+/// Temperature across the film at the chosen points (as in Habchi 2008, figure 5.9).
+pub fn cross_film_chart(title: &str, solution: &Solution, thermal: &Thermal) -> Chart {
+    let values = thermal.profiles.iter().flat_map(|p| &p.temperature);
+    let mut chart = Chart::new(
+        title,
+        Axis::linear("Height over the plane *z*/*h*", 0.0, 1.0),
+        Axis::linear_around("Temperature *T* (K)", values.copied()),
+    );
+    for (i, profile) in thermal.profiles.iter().enumerate() {
+        chart.series.push(Series {
+            label: profile_label(profile, solution.hertz.half_width),
+            points: (profile.z.iter().zip(&profile.temperature))
+                .map(|(z, t)| [z / profile.film_thickness, *t])
+                .collect(),
+            look: if i < PALETTE.len() {
+                Look::Line
+            } else {
+                Look::Dashed
+            },
+            colour: PALETTE[i % PALETTE.len()].into(),
+            side: Side::Left,
+        });
+    }
+    chart
+}

@@ -1,0 +1,74 @@
+//! Profiles across the film.
+//!
+//! ```text
+//!   γ̇(s) = S/μ (τ + sG) f(s),   u(s) = u_plane + h∫_{−½}^s γ̇ ds',   η(s) = μ/f(s)
+//! ```
+
+use crate::contact::Scales;
+use crate::film::FilmFluid;
+use crate::film::closure::mid_stress;
+use crate::film::cross_film::CrossFilm;
+use crate::film::fluidity::Fluidity;
+use crate::solution::CrossProfile;
+use crate::solve::discretisation::Discretisation;
+use crate::solve::evaluate::fields_at;
+use crate::solve::system::State;
+
+/// Equal steps across the film.
+const N_STEPS: usize = 40;
+
+/// Profile at a point in half-widths; `None` outside of the contact area. `plane` is the velocity of the plane, m/s.
+pub(super) fn profile(
+    d: &Discretisation,
+    state: &State,
+    fluid: &FilmFluid,
+    scales: &Scales,
+    plane: f64,
+    [x, y]: [f64; 2],
+) -> Option<CrossProfile> {
+    let fields = fields_at(d, state, [x, -y.abs()])?;
+    let temperatures = fluid.nodes()?.through(&fields.temperature?.temperature);
+    let local = fluid.local(fields.pressure, fields.temperature.as_ref());
+    let law = fluid.warm_law(fields.pressure, local.warm()?);
+    let (g, omega) = local.demands(fields.pressure_gradient, fields.film);
+    let tau = mid_stress(&law, g, omega, &mut CrossFilm::default());
+    let viscosity = local.point().viscosity[0] * scales.viscosity;
+    let h = fields.film * scales.film;
+    // Shear rates along X and Y, 1/s, and generalized viscosity.
+    let at = |s: f64| {
+        let t = [0, 1].map(|i: usize| tau[i] + s * g[i]);
+        let [f, _] = law.slope(s, t[0] * t[0] + t[1] * t[1]);
+        let rate = t.map(|t| fluid.stress_scale() * f * t / viscosity);
+        (rate, viscosity / f)
+    };
+    let mut profile = CrossProfile {
+        x: x * scales.length,
+        y: y * scales.length,
+        film_thickness: h,
+        ..CrossProfile::default()
+    };
+    let mut velocity = [plane, 0.0];
+    let step = 1.0 / N_STEPS as f64;
+    for k in 0..=N_STEPS {
+        let s = k as f64 * step - 0.5;
+        if k > 0 {
+            let shift = 0.5 * 0.6_f64.sqrt();
+            for (place, weight) in [(-shift, 5.0 / 18.0), (0.0, 8.0 / 18.0), (shift, 5.0 / 18.0)] {
+                let (rate, _) = at(s + (place - 0.5) * step);
+                velocity[0] += h * step * weight * rate[0];
+                velocity[1] += h * step * weight * rate[1];
+            }
+        }
+        let (rate, viscosity) = at(s);
+        profile.z.push((s + 0.5) * h);
+        profile.temperature.push(temperatures.at(s));
+        profile.velocity_x.push(velocity[0]);
+        // The solved half is y ≤ 0; the other one is its mirror image.
+        profile
+            .velocity_y
+            .push(if y > 0.0 { -velocity[1] } else { velocity[1] });
+        profile.shear_rate.push(rate[0].hypot(rate[1]));
+        profile.viscosity.push(viscosity);
+    }
+    Some(profile)
+}
