@@ -36,9 +36,18 @@ fn perfect_conductors_are_isothermal() {
     isothermal.solver.isothermal = true;
     let (warm, cold) = (solved(&heated), solved(&isothermal));
     for (warm, cold) in [
-        (warm.summary.film_central.value, cold.summary.film_central.value),
-        (warm.summary.film_minimum.value, cold.summary.film_minimum.value),
-        (warm.summary.pressure_maximum.value, cold.summary.pressure_maximum.value),
+        (
+            warm.summary.film_central.value,
+            cold.summary.film_central.value,
+        ),
+        (
+            warm.summary.film_minimum.value,
+            cold.summary.film_minimum.value,
+        ),
+        (
+            warm.summary.pressure_maximum.value,
+            cold.summary.pressure_maximum.value,
+        ),
         (warm.traction.coefficient, cold.traction.coefficient),
         (warm.traction.friction_power, cold.traction.friction_power),
     ] {
