@@ -12,6 +12,8 @@
 //! to round-off. It is convex: τ is the minimum of ∫ W(|t|²) ds − Ωτ_x, W' = f/2. First and second
 //! derivatives of q by y = (G_x, G_y, Ω, P) follow by implicit differentiation.
 
+use std::ops::{Add, Mul};
+
 use ertel_rheology::shear::StressLimit;
 
 use super::cross_film::{CrossFilm, StressScales};
@@ -70,6 +72,7 @@ pub fn mid_stress(
         tau = limit.start(tau, g);
     }
     rule.lay(&scales, tau, g);
+    weigh(law, rule);
     let mut now = rate(law, rule, tau, g, slide);
     let negligible = match law.is_symmetric() {
         true => NEGLIGIBLE,
@@ -98,6 +101,7 @@ pub fn mid_stress(
         for trial in 0..MOST_TRIALS {
             let next = [0, 1].map(|i| tau[i] + share * step[i]);
             rule.move_to(&scales, next, g);
+            weigh(law, rule);
             let there = rate(law, rule, next, g, slide);
             // The potential is convex: no further than where it has risen again as steeply.
             let steepness = dot(step, there.excess) / -slope;
@@ -128,6 +132,14 @@ pub fn mid_stress(
         }
     }
     [f64::NAN; 2]
+}
+
+/// Fills in the factors of heights that the rule is new to.
+#[inline(always)]
+fn weigh(law: &impl Fluidity, rule: &mut CrossFilm) {
+    if !law.is_symmetric() {
+        rule.fill_in(|s| law.factor(s));
+    }
 }
 
 /// Newton iterations at most; convexity makes five typical.
@@ -208,7 +220,7 @@ impl Limit {
 
 /// Stress with τf(τ²) = Ω: what the pressure gradient then changes is small where sliding counts.
 fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f64 {
-    let goal = slide.abs();
+    let goal = slide.abs() / law.factor(0.0);
     let mut tau = goal;
     if let Some(growth) = scales.growth {
         tau = tau.min(growth * (goal / growth).asinh());
@@ -219,7 +231,7 @@ fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f
     let (mut low, mut high) = (0.0_f64, f64::INFINITY);
     // Newton's method for ln τ + ln f = ln Ω, of slope at least one, within a bracket.
     for _ in 0..MOST_ITERATIONS {
-        let [f, by_square] = law.slope(0.0, tau * tau);
+        let [f, by_square] = law.slope(tau * tau);
         let slope = 1.0 + 2.0 * tau * tau * by_square / f;
         let step = (tau * f / goal).ln() / slope;
         if step > 0.0 {
@@ -250,9 +262,11 @@ struct Rate {
 fn rate(law: &impl Fluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2], slide: f64) -> Rate {
     let mut excess = [-slide, 0.0];
     let mut slopes = [0.0; 3];
-    for [s, w] in rule.points() {
+    let even = law.is_symmetric();
+    for (k, [s, w]) in rule.points().iter().enumerate() {
         let [x, y] = [tau[0] + s * g[0], tau[1] + s * g[1]];
-        let [f, by_square] = law.slope(*s, x * x + y * y);
+        let [f, by_square] = law.slope(x * x + y * y);
+        let w = if even { *w } else { w * rule.factors()[k] };
         let (value, slope) = (w * f, 2.0 * w * by_square);
         excess[0] += value * x;
         excess[1] += value * y;
@@ -351,7 +365,7 @@ pub fn flow(
     for &[s, w] in rule.points() {
         let t = [0, 1].map(|i| tau[i] + s * pressure_stress[i]);
         let square = dot(t, t);
-        let [f, _] = law.slope(s, square);
+        let f = law.slope(square)[0] * law.factor(s);
         let e = lever(s);
         film.flow[0] += w * e * f * t[0];
         film.flow[1] += w * e * f * t[1];
@@ -430,9 +444,14 @@ pub fn close(
     closure
 }
 
+/// A number, or several side by side.
+pub(super) trait Number: Copy + Add<Output = Self> + Mul<Output = Self> {}
+
+impl<T: Copy + Add<Output = T> + Mul<Output = T>> Number for T {}
+
 /// T[·, u, v] for a symmetric T given by xxx, xxy, xyy, yyy.
 #[inline(always)]
-pub(super) fn contract(t: [f64; 4], u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
+pub(super) fn contract<T: Number>(t: [T; 4], u: [T; 2], v: [T; 2]) -> [T; 2] {
     let (xx, xy, yy) = (u[0] * v[0], u[0] * v[1] + u[1] * v[0], u[1] * v[1]);
     [
         t[0] * xx + t[1] * xy + t[2] * yy,
@@ -441,13 +460,13 @@ pub(super) fn contract(t: [f64; 4], u: [f64; 2], v: [f64; 2]) -> [f64; 2] {
 }
 
 #[inline(always)]
-pub(super) fn plus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+pub(super) fn plus<T: Number>(a: [T; 2], b: [T; 2]) -> [T; 2] {
     [a[0] + b[0], a[1] + b[1]]
 }
 
 /// K x for a symmetric K given by xx, xy, yy.
 #[inline(always)]
-pub(super) fn multiply(k: [f64; 3], x: [f64; 2]) -> [f64; 2] {
+pub(super) fn multiply<T: Number>(k: [T; 3], x: [T; 2]) -> [T; 2] {
     [k[0] * x[0] + k[1] * x[1], k[1] * x[0] + k[2] * x[1]]
 }
 

@@ -40,6 +40,11 @@ pub struct CrossFilm {
     n: usize,
     /// s₀ and w of the points laid, if they were laid around a knee.
     around: Option<[f64; 2]>,
+    /// Number of points, if they were laid evenly.
+    even: Option<usize>,
+    /// What the law has at each point, and at how many it is known.
+    factors: [f64; CAPACITY],
+    n_factors: usize,
 }
 
 /// Most points of one Gauss rule.
@@ -53,6 +58,9 @@ impl Default for CrossFilm {
             points: [[0.0; 2]; CAPACITY],
             n: 0,
             around: None,
+            even: None,
+            factors: [1.0; CAPACITY],
+            n_factors: 0,
         }
     }
 }
@@ -74,8 +82,33 @@ impl CrossFilm {
     /// Lays the points for mid-plane stress τ and pressure stress G.
     #[inline(always)]
     pub fn lay(&mut self, scales: &StressScales, mid_stress: [f64; 2], pressure_stress: [f64; 2]) {
-        self.around = None;
+        self.clear();
         self.place(scales, mid_stress, pressure_stress);
+    }
+
+    /// No points.
+    fn clear(&mut self) {
+        self.n = 0;
+        self.n_factors = 0;
+        self.around = None;
+        self.even = None;
+    }
+
+    /// Factors at the points, one for each that was laid since they were last filled in.
+    #[inline(always)]
+    pub fn fill_in(&mut self, factor: impl Fn(f64) -> f64) {
+        if self.n_factors == self.n {
+            return;
+        }
+        for (value, [s, _]) in self.factors.iter_mut().zip(&self.points[..self.n]) {
+            *value = factor(*s);
+        }
+        self.n_factors = self.n;
+    }
+
+    /// The factors last filled in.
+    pub fn factors(&self) -> &[f64] {
+        &self.factors[..self.n_factors]
     }
 
     /// The same for another mid-plane stress: points that still serve stay.
@@ -116,9 +149,12 @@ impl CrossFilm {
         }
         let matters = |k: &f64| gg > 0.04 * (k * k + tt) || (tt < 0.25 * gg && gg > 1e-6 * k * k);
         let Some(knee) = scales.knee.filter(matters) else {
-            self.n = 0;
-            self.around = None;
-            self.interval(6 + extra, -0.5, 0.5, |s| (s, 1.0));
+            let n = 6 + extra;
+            if self.even != Some(n) {
+                self.clear();
+                self.even = Some(n);
+                self.interval(n, -0.5, 0.5, |s| (s, 1.0));
+            }
             return;
         };
         let centre = -(tx * gx + ty * gy) / gg;
@@ -129,7 +165,7 @@ impl CrossFilm {
         if self.around.is_some_and(serves) {
             return;
         }
-        self.n = 0;
+        self.clear();
         self.around = Some([centre, width]);
         let ends = [-0.5 - centre, 0.5 - centre];
         if ends[0] < 0.0 && ends[1] > 0.0 {

@@ -7,7 +7,7 @@ use ertel_rheology::Scalar;
 use ertel_rheology::density::DensityLaw;
 use ertel_rheology::shear::ShearThinning;
 use ertel_rheology::viscosity::ViscosityLaw;
-use num_dual::{Dual2_64, Dual2SVec64, DualNum};
+use num_dual::{Dual2_64, DualNum};
 
 use super::closure::{self, Closure, FilmFlow};
 use super::cross_film::CrossFilm;
@@ -113,18 +113,26 @@ impl FilmFluid {
     /// The fluid of a film of some temperature at P.
     pub fn warm(&self, pressure: f64, profile: &TemperatureProfile) -> WarmFluid {
         let nodes = self.nodes.as_ref().expect("a fluid with film nodes");
-        WarmFluid::new(nodes, profile, |t| self.properties_at(pressure, t))
+        let mut properties = self.properties.over_temperature(pressure.max(0.0));
+        WarmFluid::new(nodes, profile, |t| {
+            self.in_force(pressure, properties.at(t))
+        })
     }
 
     /// ρ̄ and ln μ̄ at P and a temperature in K.
     pub fn properties_at(&self, pressure: f64, temperature: f64) -> [Jet2; 2] {
-        let properties = &self.properties;
-        let at = |p: Dual2SVec64<2>, t: Dual2SVec64<2>| {
-            let [rho, ln_mu] = properties.of(p, t);
-            [rho, saturate(ln_mu * self.thickening)]
-        };
-        let both = |k: usize| Jet2::of(|p, t| at(p, t)[k], pressure.max(0.0), temperature);
-        let [mut rho, mut ln_mu] = [both(0), both(1)];
+        let mut properties = self.properties.over_temperature(pressure.max(0.0));
+        self.in_force(pressure, properties.at(temperature))
+    }
+
+    /// What the fluid makes of ρ̄ and ln μ̄ at P, or at P = 0 for pressures below.
+    #[inline(always)]
+    fn in_force(&self, pressure: f64, [mut rho, mut ln_mu]: [Jet2; 2]) -> [Jet2; 2] {
+        if self.thickening != 1.0 || ln_mu.value > SOLID {
+            let share = self.thickening;
+            let x = Dual2_64::from_re(ln_mu.value).derivative();
+            ln_mu = ln_mu.through(jet(saturate(x * share)));
+        }
         if pressure < 0.0 {
             let p = Dual2_64::from_re(pressure).derivative();
             for jet in [&mut rho, &mut ln_mu] {
@@ -301,12 +309,10 @@ impl LocalFluid<'_> {
     /// μ̄/η at a height of the film and the square of a stress, in units of a p_h/R.
     pub fn relative_fluidity(&self, s: f64, stress_squared: f64) -> f64 {
         if let Some(warm) = &self.warm {
-            return self
-                .fluid
-                .warm_law(self.pressure, warm)
-                .slope(s, stress_squared)[0];
+            let law = self.fluid.warm_law(self.pressure, warm);
+            return law.factor(s) * law.slope(stress_squared)[0];
         }
-        (self.fluid.thinning_at(self.pressure)).map_or(1.0, |law| law.slope(s, stress_squared)[0])
+        (self.fluid.thinning_at(self.pressure)).map_or(1.0, |law| law.slope(stress_squared)[0])
     }
 }
 

@@ -31,8 +31,13 @@ pub struct Jet {
 
 /// Relative fluidity f = μ₁/η at one pressure.
 pub trait Fluidity {
-    /// f and ∂f/∂x at a height s of the film and the square of the stress.
-    fn slope(&self, s: f64, stress_squared: f64) -> [f64; 2];
+    /// f and ∂f/∂x at the square of the stress, but for the factor of the height.
+    fn slope(&self, stress_squared: f64) -> [f64; 2];
+    /// Factor of f at a height s of the film.
+    #[inline(always)]
+    fn factor(&self, _s: f64) -> f64 {
+        1.0
+    }
     /// What a quadrature across the film must resolve.
     fn scales(&self) -> StressScales;
     /// Whether f is the same above and below mid-film.
@@ -159,7 +164,7 @@ impl UniformFluidity for PointThinning<'_> {
 
 impl Fluidity for PointThinning<'_> {
     #[inline(always)]
-    fn slope(&self, _: f64, x: f64) -> [f64; 2] {
+    fn slope(&self, x: f64) -> [f64; 2] {
         if self.limit.is_some() {
             let jet = self.jet(x);
             return [jet.f, jet.x];

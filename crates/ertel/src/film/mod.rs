@@ -4,6 +4,8 @@ pub mod closure;
 pub mod cross_film;
 pub mod fluid;
 pub mod fluidity;
+mod lanes;
+mod patches;
 pub mod polynomial;
 mod properties;
 mod quintic;

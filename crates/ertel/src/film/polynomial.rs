@@ -6,17 +6,24 @@
 use ertel_fem::quadrature::Quadrature;
 use nalgebra::DMatrix;
 
+use super::lanes::Lanes;
+
 /// Most nodes across the film.
 pub const MOST_NODES: usize = 13;
 
 /// Values at the nodes across the film, plane first; those beyond the last node are zero.
 pub type Nodal = [f64; MOST_NODES];
 
+/// Coefficients of a polynomial, rounded up to whole vectors, and of one that most films need.
+const LENGTH: usize = 16;
+const COMMON: usize = 12;
+const _: () = assert!(LENGTH > MOST_NODES);
+
 /// Polynomial in s, −½ (plane) ≤ s ≤ ½ (ball).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Polynomial {
     /// Coefficients of powers of 2s.
-    coefficients: [f64; MOST_NODES + 1],
+    coefficients: [f64; LENGTH],
     /// Number of them in use.
     n: usize,
 }
@@ -24,7 +31,7 @@ pub struct Polynomial {
 impl Polynomial {
     /// The constant `value`.
     pub fn constant(value: f64) -> Polynomial {
-        let mut coefficients = [0.0; MOST_NODES + 1];
+        let mut coefficients = [0.0; LENGTH];
         coefficients[0] = value;
         Polynomial { coefficients, n: 1 }
     }
@@ -37,14 +44,20 @@ impl Polynomial {
         coefficients.fold(0.0, |sum, c| sum * x + c)
     }
 
-    /// a·self + b·other.
-    pub fn combined(&self, a: f64, other: &Polynomial, b: f64) -> Polynomial {
-        let coefficients =
-            std::array::from_fn(|k| a * self.coefficients[k] + b * other.coefficients[k]);
-        Polynomial {
-            coefficients,
-            n: self.n.max(other.n),
-        }
+    /// Values at several s.
+    #[inline(always)]
+    pub fn at_lanes(&self, s: Lanes) -> Lanes {
+        let x = s * 2.0;
+        let coefficients = self.coefficients[..self.n].iter().rev();
+        coefficients.fold(Lanes::default(), |sum, c| sum * x + Lanes::all(*c))
+    }
+
+    /// The polynomial plus a constant.
+    #[inline(always)]
+    pub fn plus(mut self, value: f64) -> Polynomial {
+        self.coefficients[0] += value;
+        self.n = self.n.max(1);
+        self
     }
 }
 
@@ -126,16 +139,19 @@ impl FilmNodes {
     }
 
     /// Mean over the film.
+    #[inline(always)]
     pub fn mean(&self, values: &Nodal) -> f64 {
         self.weights.iter().zip(values).map(|(w, v)| w * v).sum()
     }
 
     /// Polynomial through values at the nodes.
+    #[inline(always)]
     pub fn through(&self, values: &Nodal) -> Polynomial {
         combine(&self.shapes, values)
     }
 
     /// ∫_s^½ of that polynomial.
+    #[inline(always)]
     pub fn above(&self, values: &Nodal) -> Polynomial {
         combine(&self.above, values)
     }
@@ -166,15 +182,30 @@ impl FilmNodes {
     }
 }
 
+#[inline(always)]
 fn combine(basis: &[Polynomial], values: &Nodal) -> Polynomial {
-    let mut sum = Polynomial::constant(0.0);
-    sum.n = basis[0].n;
+    let n = basis[0].n;
+    Polynomial {
+        coefficients: match n {
+            0..=COMMON => sum::<COMMON>(basis, values),
+            _ => sum::<LENGTH>(basis, values),
+        },
+        n,
+    }
+}
+
+/// Sum of the first N coefficients.
+#[inline(always)]
+fn sum<const N: usize>(basis: &[Polynomial], values: &Nodal) -> [f64; LENGTH] {
+    let mut sum = [0.0; N];
     for (p, value) in basis.iter().zip(values) {
-        for k in 0..sum.n {
-            sum.coefficients[k] += value * p.coefficients[k];
+        for k in 0..N {
+            sum[k] += value * p.coefficients[k];
         }
     }
-    sum
+    let mut coefficients = [0.0; LENGTH];
+    coefficients[..N].copy_from_slice(&sum);
+    coefficients
 }
 
 /// The n points of Gauss and Lobatto on [−1, 1]: the ends and the extrema of Legendre's polynomial of order

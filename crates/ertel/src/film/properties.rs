@@ -5,7 +5,9 @@ use ertel_rheology::density::DensityLaw;
 use ertel_rheology::viscosity::ViscosityLaw;
 use num_dual::Dual2_64;
 
+use super::patches::{Isobar, Laws, Patches};
 use super::quintic::Quintic;
+use super::warm::Jet2;
 
 /// ρ̄ and ln μ̄ at P ≥ 0, each with two derivatives by P. Smooth laws are read from a table.
 #[derive(Clone, Debug)]
@@ -21,6 +23,8 @@ pub(super) struct Properties {
     /// ln(μ_R / Pa·s).
     pub ln_viscosity_scale: f64,
     table: Vec<Option<[Quintic; 2]>>,
+    /// The same over temperature, too.
+    patches: Patches,
 }
 
 /// Cells to each p_h, and how far the table reaches, in p_h.
@@ -37,6 +41,8 @@ impl Properties {
         temperature: f64,
         [pressure_scale, density_scale, viscosity_scale]: [f64; 3],
     ) -> Properties {
+        // Tables of data have corners of their own.
+        let smooth = density.tabulated_range().is_none() && viscosity.tabulated_range().is_none();
         let mut properties = Properties {
             density: density.clone(),
             viscosity: viscosity.clone(),
@@ -45,9 +51,9 @@ impl Properties {
             density_scale,
             ln_viscosity_scale: viscosity_scale.ln(),
             table: Vec::new(),
+            patches: Patches::new(temperature, smooth),
         };
-        // Tables of data have corners of their own.
-        if density.tabulated_range().is_none() && viscosity.tabulated_range().is_none() {
+        if smooth {
             properties.table = properties.tabulate();
         }
         properties
@@ -87,6 +93,12 @@ impl Properties {
         self.exact(pressure)
     }
 
+    /// ρ̄ and ln μ̄ over temperature at P ≥ 0.
+    #[inline]
+    pub fn over_temperature(&self, pressure: f64) -> Isobar<'_, Properties> {
+        self.patches.at(self, pressure)
+    }
+
     /// The same from the laws.
     pub fn exact(&self, pressure: f64) -> [[f64; 3]; 2] {
         let p = Dual2_64::from_re(pressure).derivative();
@@ -100,6 +112,16 @@ impl Properties {
         let rho = self.density.density(p, temperature) / self.density_scale;
         let ln_mu = self.viscosity.ln_viscosity(p, temperature) - self.ln_viscosity_scale;
         [rho, ln_mu]
+    }
+}
+
+impl Laws for Properties {
+    fn values(&self, pressure: f64, temperature: f64) -> [f64; 2] {
+        self.of(pressure, temperature)
+    }
+
+    fn jets(&self, pressure: f64, temperature: f64) -> [Jet2; 2] {
+        [0, 1].map(|k: usize| Jet2::of(|p, t| self.of(p, t)[k], pressure, temperature))
     }
 }
 
@@ -125,6 +147,30 @@ mod tests {
                     assert_relative_eq!(ours[0], exact[0], max_relative = 1e-13, epsilon = 1e-13);
                     assert_relative_eq!(ours[1], exact[1], max_relative = 1e-10);
                     assert_relative_eq!(ours[2], exact[2], max_relative = 1e-6, epsilon = 1e-7);
+                }
+            }
+        }
+    }
+
+    /// The patches and the laws between their nodes.
+    #[test]
+    fn patches_match_the_laws() {
+        let density = DensityLaw::dowson_higginson(870.0).unwrap();
+        for viscosity in [
+            ViscosityLaw::barus(0.04, 2.2e-8).unwrap(),
+            ViscosityLaw::roelands(0.04, 2.2e-8).unwrap(),
+        ] {
+            let properties = Properties::new(&density, &viscosity, 313.0, [1e9, 870.0, 0.04]);
+            for i in 0..500 {
+                let (p, t) = (i as f64 * 0.0029, 280.0 + (i % 37) as f64 * 4.3);
+                let (ours, exact) = (properties.over_temperature(p).at(t), properties.jets(p, t));
+                for (ours, exact) in ours.into_iter().zip(exact) {
+                    let value = exact.value;
+                    assert_relative_eq!(ours.value, value, max_relative = 1e-12, epsilon = 1e-12);
+                    assert_relative_eq!(ours.p, exact.p, max_relative = 1e-9, epsilon = 1e-10);
+                    assert_relative_eq!(ours.t, exact.t, max_relative = 1e-9, epsilon = 1e-10);
+                    assert_relative_eq!(ours.pp, exact.pp, max_relative = 1e-6, epsilon = 1e-6);
+                    assert_relative_eq!(ours.pt, exact.pt, max_relative = 1e-7, epsilon = 1e-8);
                 }
             }
         }

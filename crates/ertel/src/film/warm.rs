@@ -27,7 +27,7 @@ pub struct TemperatureProfile {
 }
 
 /// A property by P and T: value, slopes by P and T, curvatures PP and PT.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Jet2 {
     /// Value.
     pub value: f64,
@@ -42,6 +42,18 @@ pub struct Jet2 {
 }
 
 impl Jet2 {
+    /// A function of the property, given by its value and two derivatives there.
+    #[inline(always)]
+    pub fn through(&self, [value, first, second]: [f64; 3]) -> Jet2 {
+        Jet2 {
+            value,
+            p: first * self.p,
+            t: first * self.t,
+            pp: second * self.p * self.p + first * self.pp,
+            pt: second * self.p * self.t + first * self.pt,
+        }
+    }
+
     /// Differentiates a function of P and T (K).
     pub fn of(
         f: impl Fn(Dual2SVec64<2>, Dual2SVec64<2>) -> Dual2SVec64<2>,
@@ -101,10 +113,11 @@ pub struct WarmFluid {
 
 impl WarmFluid {
     /// Fluid from ρ̄ and ln μ̄ at the nodes.
+    #[inline(always)]
     pub fn new(
         nodes: &FilmNodes,
         profile: &TemperatureProfile,
-        properties: impl Fn(f64) -> [Jet2; 2],
+        mut properties: impl FnMut(f64) -> [Jet2; 2],
     ) -> WarmFluid {
         let n = nodes.n();
         let mut density = Sampled::default();
@@ -116,19 +129,18 @@ impl WarmFluid {
             ln_mu.set(m, &mu, slopes);
         }
         let rho = density.mean(nodes);
-        let reference = ln_mu.mean(nodes).by_p;
+        let reference = ln_mu.by_p.each_ref().map(|v| nodes.mean(v));
         let [l, l1, l2] = reference;
         let mu = l.exp();
-        let exponent = ln_mu.fields(|values| nodes.through(values));
-        let negative =
-            |p: &Polynomial, plus: f64| Polynomial::constant(plus).combined(1.0, p, -1.0);
-        let above = density.fields(|values| nodes.above(values));
+        // E and e at the nodes: the polynomials are linear in their values
+        let through = |values: &Nodal| nodes.through(values);
+        let exponent = Field {
+            by_p: std::array::from_fn(|k| through(&ln_mu.by_p[k].map(|v| reference[k] - v))),
+            along: (ln_mu.along.each_ref()).map(|a| a.each_ref().map(|a| through(&a.map(|v| -v)))),
+        };
         WarmFluid {
-            exponent: Field {
-                by_p: std::array::from_fn(|k| negative(&exponent.by_p[k], reference[k])),
-                along: exponent.along.map(|a| a.map(|p| negative(&p, 0.0))),
-            },
-            lever: lever(&above, &rho),
+            exponent,
+            lever: lever(nodes, &density, &rho),
             density: rho,
             viscosity: [mu, mu * l1, mu * (l1 * l1 + l2)],
             ln_viscosities: [ln_mu.by_p[0], ln_mu.by_t],
@@ -151,37 +163,36 @@ fn spread(values: &[f64]) -> f64 {
     largest - values.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-/// e and its derivatives, r = R/ρ_m = ½ − e.
-fn lever(above: &Field, mean: &Mean) -> Field {
+/// e = ½ − ∫_s^½ r ds' and its derivatives, r = ρ/ρ_m.
+#[inline(always)]
+fn lever(nodes: &FilmNodes, density: &Sampled, mean: &Mean) -> Field {
     let [rho, rho_p, rho_pp] = mean.by_p;
-    let zero = Polynomial::constant(0.0);
+    let scale = 1.0 / rho;
     // (a + Σ bᵢ cᵢ)/ρ_m
-    let quotient = |a: &Polynomial, terms: &[(f64, &Polynomial)]| {
+    let quotient = |a: &Nodal, terms: &[(f64, &Nodal)]| -> Nodal {
         let mut sum = *a;
-        for (factor, p) in terms {
-            sum = sum.combined(1.0, p, *factor);
+        for (factor, values) in terms {
+            for (sum, v) in sum.iter_mut().zip(*values) {
+                *sum += factor * v;
+            }
         }
-        zero.combined(0.0, &sum, 1.0 / rho)
+        sum.map(|v| scale * v)
     };
-    let [a, a_p, a_pp] = &above.by_p;
+    let [a, a_p, a_pp] = &density.by_p;
     let r = quotient(a, &[]);
     let r_p = quotient(a_p, &[(-rho_p, &r)]);
     let r_pp = quotient(a_pp, &[(-2.0 * rho_p, &r_p), (-rho_pp, &r)]);
-    let along = [0, 1].map(|i: usize| {
+    let below = |values: &Nodal| nodes.above(&values.map(|v| -v));
+    let along = std::array::from_fn(|i| {
         let [rho_x, rho_px] = mean.along[i];
-        let [a_x, a_px] = &above.along[i];
+        let [a_x, a_px] = &density.along[i];
         let r_x = quotient(a_x, &[(-rho_x, &r)]);
         let r_px = quotient(a_px, &[(-rho_x, &r_p), (-rho_p, &r_x), (-rho_px, &r)]);
-        [r_x, r_px]
+        [below(&r_x), below(&r_px)]
     });
-    let negative = |p: &Polynomial| zero.combined(0.0, p, -1.0);
     Field {
-        by_p: [
-            Polynomial::constant(0.5).combined(1.0, &r, -1.0),
-            negative(&r_p),
-            negative(&r_pp),
-        ],
-        along: along.map(|a| a.each_ref().map(negative)),
+        by_p: [below(&r).plus(0.5), below(&r_p), below(&r_pp)],
+        along,
     }
 }
 
@@ -194,6 +205,7 @@ struct Sampled {
 }
 
 impl Sampled {
+    #[inline(always)]
     fn set(&mut self, m: usize, jet: &Jet2, slopes: [f64; 2]) {
         self.by_p[0][m] = jet.value;
         self.by_p[1][m] = jet.p;
@@ -205,6 +217,7 @@ impl Sampled {
         }
     }
 
+    #[inline(always)]
     fn mean(&self, nodes: &FilmNodes) -> Mean {
         Mean {
             by_p: self.by_p.each_ref().map(|v| nodes.mean(v)),
@@ -212,13 +225,6 @@ impl Sampled {
                 .along
                 .each_ref()
                 .map(|a| a.each_ref().map(|v| nodes.mean(v))),
-        }
-    }
-
-    fn fields(&self, polynomial: impl Fn(&Nodal) -> Polynomial) -> Field {
-        Field {
-            by_p: self.by_p.each_ref().map(&polynomial),
-            along: (self.along.each_ref()).map(|a| a.each_ref().map(&polynomial)),
         }
     }
 }
@@ -233,12 +239,16 @@ pub struct WarmLaw<'a> {
 
 impl Fluidity for WarmLaw<'_> {
     #[inline(always)]
-    fn slope(&self, s: f64, stress_squared: f64) -> [f64; 2] {
-        let factor = self.fluid.exponent.by_p[0].at(s).exp();
+    fn slope(&self, stress_squared: f64) -> [f64; 2] {
         match &self.thinning {
-            None => [factor, 0.0],
-            Some(law) => law.slope(s, stress_squared).map(|v| factor * v),
+            None => [1.0, 0.0],
+            Some(law) => law.slope(stress_squared),
         }
+    }
+
+    #[inline(always)]
+    fn factor(&self, s: f64) -> f64 {
+        self.fluid.exponent.by_p[0].at(s).exp()
     }
 
     fn is_symmetric(&self) -> bool {

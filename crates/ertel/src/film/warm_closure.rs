@@ -15,6 +15,7 @@
 use super::closure::{Closure, N_DEMANDS, contract, mid_stress, multiply, plus, solve};
 use super::cross_film::CrossFilm;
 use super::fluidity::{Jet, UniformFluidity};
+use super::lanes::{Lanes, WIDTH};
 use super::warm::WarmLaw;
 
 /// Solution of the local problem.
@@ -32,59 +33,71 @@ pub struct WarmClosure {
 const N: usize = N_DEMANDS + 2;
 const P: usize = 3;
 
-/// F and the lever at a height of the film, with their direct derivatives by P, X and Y.
-struct Height {
-    /// s and the weight.
-    point: [f64; 2],
+/// F and the lever at several heights of the film, with their direct derivatives by P, X and Y.
+struct Heights {
+    /// s and the weights.
+    points: [Lanes; 2],
     /// F.
-    rate: [f64; 2],
+    rate: [Lanes; 2],
     /// F_t, F_tP, F_tX, F_tY: xx, xy, yy.
-    by_stress: [[f64; 3]; 4],
+    by_stress: [[Lanes; 3]; 4],
     /// F_tt: xxx, xxy, xyy, yyy.
-    curvature: [f64; 4],
+    curvature: [Lanes; 4],
     /// F_P, F_X, F_Y.
-    direct: [[f64; 2]; 3],
+    direct: [[Lanes; 2]; 3],
     /// F_PP, F_PX, F_PY.
-    direct_by_p: [[f64; 2]; 3],
+    direct_by_p: [[Lanes; 2]; 3],
     /// e; e_P, e_X, e_Y; e_PP, e_PX, e_PY.
-    lever: f64,
-    lever_by: [f64; 3],
-    lever_by_p: [f64; 3],
+    lever: Lanes,
+    lever_by: [Lanes; 3],
+    lever_by_p: [Lanes; 3],
 }
 
-impl Height {
+impl Heights {
+    /// Heights (s, weight), at most [`WIDTH`], with e^E at each. Lanes that are left over weigh nothing.
     #[inline(always)]
-    fn new(law: &WarmLaw, point: [f64; 2], stress: [f64; 2]) -> Height {
-        let (s, [x, y]) = (point[0], stress);
-        let b = match &law.thinning {
-            None => Jet {
-                f: 1.0,
-                ..Jet::default()
-            },
-            Some(thinning) => thinning.jet(x * x + y * y),
+    fn new(
+        law: &WarmLaw,
+        points: &[[f64; 2]],
+        factors: &[f64],
+        tau: [f64; 2],
+        g: [f64; 2],
+    ) -> Heights {
+        let (mut s, mut weights) = (Lanes::default(), Lanes::default());
+        let mut warmth = Lanes::default();
+        for (k, ([height, weight], factor)) in points.iter().zip(factors).enumerate() {
+            s.0[k] = *height;
+            weights.0[k] = *weight;
+            warmth.0[k] = *factor;
+        }
+        let [x, y] = [0, 1].map(|i: usize| s * g[i] + Lanes::all(tau[i]));
+        let mut b = LaneJet {
+            f: Lanes::all(1.0),
+            ..LaneJet::default()
         };
+        if let Some(thinning) = &law.thinning {
+            let square = x * x + y * y;
+            for k in 0..points.len() {
+                b.set(k, &thinning.jet(square.0[k]));
+            }
+        }
         let exponent = &law.fluid.exponent;
-        let warmth = exponent.by_p[0].at(s).exp();
-        let [a1, a2] = [1, 2].map(|k: usize| exponent.by_p[k].at(s));
+        let [a1, a2] = [1, 2].map(|k: usize| exponent.by_p[k].at_lanes(s));
         // f e^E and its derivatives: by x = |t|², P, X, Y
         let f = warmth * b.f;
-        let [d, dd] = [2.0 * warmth * b.x, 4.0 * warmth * b.xx];
+        let [d, dd] = [warmth * b.x * 2.0, warmth * b.xx * 4.0];
         let f_p = warmth * (b.p + b.f * a1);
-        let d_p = 2.0 * warmth * (b.xp + b.x * a1);
-        let f_pp = warmth * (b.pp + 2.0 * b.p * a1 + b.f * (a1 * a1 + a2));
-        let along = exponent
-            .along
-            .each_ref()
-            .map(|a| a.each_ref().map(|p| p.at(s)));
+        let d_p = warmth * (b.xp + b.x * a1) * 2.0;
+        let f_pp = warmth * (b.pp + b.p * a1 * 2.0 + b.f * (a1 * a1 + a2));
+        let along: [[Lanes; 2]; 2] =
+            [0, 1].map(|i: usize| [0, 1].map(|k: usize| exponent.along[i][k].at_lanes(s)));
         let lever = &law.fluid.lever;
-        let lever_along = lever
-            .along
-            .each_ref()
-            .map(|a| a.each_ref().map(|p| p.at(s)));
-        let tensor = |f: f64, d: f64| [f + d * x * x, d * x * y, f + d * y * y];
-        let vector = |f: f64| [f * x, f * y];
-        Height {
-            point,
+        let lever_along: [[Lanes; 2]; 2] =
+            [0, 1].map(|i: usize| [0, 1].map(|k: usize| lever.along[i][k].at_lanes(s)));
+        let tensor = |f: Lanes, d: Lanes| [f + d * x * x, d * x * y, f + d * y * y];
+        let vector = |f: Lanes| [f * x, f * y];
+        Heights {
+            points: [s, weights],
             rate: vector(f),
             by_stress: [
                 tensor(f, d),
@@ -93,10 +106,10 @@ impl Height {
                 tensor(f * along[1][0], d * along[1][0]),
             ],
             curvature: [
-                x * (3.0 * d + dd * x * x),
+                x * (d * 3.0 + dd * x * x),
                 y * (d + dd * x * x),
                 x * (d + dd * y * y),
-                y * (3.0 * d + dd * y * y),
+                y * (d * 3.0 + dd * y * y),
             ],
             direct: [
                 vector(f_p),
@@ -108,14 +121,46 @@ impl Height {
                 vector(f_p * along[0][0] + f * along[0][1]),
                 vector(f_p * along[1][0] + f * along[1][1]),
             ],
-            lever: lever.by_p[0].at(s),
-            lever_by: [lever.by_p[1].at(s), lever_along[0][0], lever_along[1][0]],
-            lever_by_p: [lever.by_p[2].at(s), lever_along[0][1], lever_along[1][1]],
+            lever: lever.by_p[0].at_lanes(s),
+            lever_by: [
+                lever.by_p[1].at_lanes(s),
+                lever_along[0][0],
+                lever_along[1][0],
+            ],
+            lever_by_p: [
+                lever.by_p[2].at_lanes(s),
+                lever_along[0][1],
+                lever_along[1][1],
+            ],
         }
     }
 }
 
+/// The thinning at several heights, as [`Jet`].
+#[derive(Clone, Copy, Default)]
+struct LaneJet {
+    f: Lanes,
+    x: Lanes,
+    p: Lanes,
+    xx: Lanes,
+    xp: Lanes,
+    pp: Lanes,
+}
+
+impl LaneJet {
+    #[inline(always)]
+    fn set(&mut self, k: usize, jet: &Jet) {
+        self.f.0[k] = jet.f;
+        self.x.0[k] = jet.x;
+        self.p.0[k] = jet.p;
+        self.xx.0[k] = jet.xx;
+        self.xp.0[k] = jet.xp;
+        self.pp.0[k] = jet.pp;
+    }
+}
+
 /// Solves the local problem and differentiates it.
+#[inline(always)]
 pub fn close_warm(
     law: &WarmLaw,
     pressure_stress: [f64; 2],
@@ -124,21 +169,27 @@ pub fn close_warm(
 ) -> WarmClosure {
     let tau = mid_stress(law, pressure_stress, slide, rule);
     let g = pressure_stress;
-    let mut heights = Vec::with_capacity(rule.points().len());
+    let mut heights = Vec::with_capacity(rule.points().len().div_ceil(WIDTH));
     // ∫F_t, ∫sF_t, ∫eF_t, and ∫F_P, ∫F_X, ∫F_Y
-    let (mut k0, mut k1, mut ke) = ([0.0; 3], [0.0; 3], [0.0; 3]);
-    let mut direct = [[0.0; 2]; 3];
-    for &[s, w] in rule.points() {
-        let h = Height::new(law, [s, w], [tau[0] + s * g[0], tau[1] + s * g[1]]);
+    let mut stiffness = [[Lanes::default(); 3]; 3];
+    let mut direct = [[Lanes::default(); 2]; 3];
+    let points = rule.points().chunks(WIDTH);
+    for (points, factors) in points.zip(rule.factors().chunks(WIDTH)) {
+        let h = Heights::new(law, points, factors, tau, g);
+        let [s, w] = h.points;
         for i in 0..3 {
             let k = w * h.by_stress[0][i];
-            k0[i] += k;
-            k1[i] += s * k;
-            ke[i] += h.lever * k;
-            direct[i] = plus(direct[i], h.direct[i].map(|v| w * v));
+            stiffness[0][i] += k;
+            stiffness[1][i] += s * k;
+            stiffness[2][i] += h.lever * k;
+            for a in 0..2 {
+                direct[i][a] += w * h.direct[i][a];
+            }
         }
         heights.push(h);
     }
+    let [k0, k1, ke] = stiffness.map(|k| k.map(Lanes::sum));
+    let direct = direct.map(|v| v.map(Lanes::sum));
     let inverse = |b: [f64; 2]| solve(k0, b);
     // ∂τ/∂d: K⁰ τ_d = (−K¹, e_x, −∫F_d).
     let moved = [
@@ -151,30 +202,33 @@ pub fn close_warm(
     ];
     // Rows of K.
     let rows = [inverse([ke[0], ke[1]]), inverse([ke[1], ke[2]])];
-    let mut first = [[0.0; N]; 2];
-    let mut second = [[[0.0; N]; N_DEMANDS]; 2];
-    let mut flow = [0.0; 2];
+    let mut first = [[Lanes::default(); N]; 2];
+    let mut second = [[[Lanes::default(); N]; N_DEMANDS]; 2];
+    let mut flow = [Lanes::default(); 2];
     for h in &heights {
-        let ([s, w], k) = (h.point, h.by_stress[0]);
-        flow = plus(flow, h.rate.map(|v| w * h.lever * v));
+        let [s, w] = h.points;
+        let lever = w * h.lever;
+        // −K by the weight
+        let held = rows.map(|row| row.map(|k| w * -k));
+        let rate = h.rate.map(|v| w * v);
+        for i in 0..2 {
+            flow[i] += h.lever * rate[i];
+        }
         // t_d, F_t t_d + F_d, F_td where there is one, e_d
-        let shift: [[f64; 2]; N] = std::array::from_fn(|d| match d {
-            0 => [moved[0][0] + s, moved[0][1]],
-            1 => [moved[1][0], moved[1][1] + s],
-            _ => moved[d],
-        });
-        let change: [[f64; 2]; N] = std::array::from_fn(|d| {
-            let by_stress = multiply(k, shift[d]);
-            if d < P {
-                by_stress
-            } else {
-                plus(by_stress, h.direct[d - P])
-            }
-        });
-        let lever_by = |d: usize| if d < P { 0.0 } else { h.lever_by[d - P] };
+        let mut shift = moved.map(|v| v.map(Lanes::all));
+        shift[0][0] += s;
+        shift[1][1] += s;
+        let mut change = shift.map(|v| multiply(h.by_stress[0], v));
+        for d in P..N {
+            change[d] = plus(change[d], h.direct[d - P]);
+        }
+        let lever_by = h.lever_by.map(|v| w * v);
         for d in 0..N {
             for i in 0..2 {
-                first[i][d] += w * (h.lever * change[d][i] + lever_by(d) * h.rate[i]);
+                first[i][d] += lever * change[d][i];
+                if d >= P {
+                    first[i][d] += lever_by[d - P] * h.rate[i];
+                }
             }
         }
         for d in 0..N_DEMANDS {
@@ -187,21 +241,23 @@ pub fn close_warm(
                 if e >= P {
                     sum = plus(sum, multiply(h.by_stress[e - P + 1], shift[d]));
                 }
-                let both = match d == P {
-                    true => h.lever_by_p[e - P],
-                    false => 0.0,
-                };
                 for i in 0..2 {
-                    let held = rows[i][0] * sum[0] + rows[i][1] * sum[1];
-                    second[i][d][e] += w
-                        * (h.lever * sum[i] - held
-                            + lever_by(d) * change[e][i]
-                            + lever_by(e) * change[d][i]
-                            + both * h.rate[i]);
+                    let mut value = lever * sum[i] + held[i][0] * sum[0] + held[i][1] * sum[1];
+                    if d >= P {
+                        value += lever_by[d - P] * change[e][i];
+                        value += h.lever_by_p[e - P] * rate[i];
+                    }
+                    if e >= P {
+                        value += lever_by[e - P] * change[d][i];
+                    }
+                    second[i][d][e] += value;
                 }
             }
         }
     }
+    let flow = flow.map(Lanes::sum);
+    let first = first.map(|v| v.map(Lanes::sum));
+    let second = second.map(|v| v.map(|v| v.map(Lanes::sum)));
     let mut warm = WarmClosure {
         closure: Closure {
             mid_stress: tau,

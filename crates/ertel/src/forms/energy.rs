@@ -209,7 +209,8 @@ pub fn film_column(
         let (s, w) = (heights.points()[k], heights.weights()[k]);
         let t = [0, 1].map(|i: usize| tau[i] + s * g[i]);
         let square = t[0] * t[0] + t[1] * t[1];
-        let [f, by_square] = law.slope(s, square);
+        let factor = law.factor(s);
+        let [f, by_square] = law.slope(square).map(|v| factor * v);
         rates[k] = t.map(|t| f * t);
         let point = &mut column.heights[k];
         point.shear_rate = rates[k].map(|r| rate_scale * r);

@@ -89,7 +89,7 @@ impl UniformFluidity for At<'_> {
 }
 
 impl Fluidity for At<'_> {
-    fn slope(&self, _: f64, x: f64) -> [f64; 2] {
+    fn slope(&self, x: f64) -> [f64; 2] {
         let jet = self.jet(x);
         [jet.f, jet.x]
     }
@@ -298,7 +298,7 @@ fn composite(law: &impl Fluidity, tau: [f64; 2], g: [f64; 2]) -> [f64; 5] {
         for (x, w) in rule {
             let s = (k as f64 + 0.5 + x) / N as f64 - 0.5;
             let t = [0, 1].map(|i| tau[i] + s * g[i]);
-            let f = law.slope(0.0, dot(t, t))[0] * w / 18.0 / N as f64;
+            let f = law.slope(dot(t, t))[0] * w / 18.0 / N as f64;
             for i in 0..2 {
                 sums[i] += f * t[i];
                 sums[2 + i] += f * t[i] * s;

@@ -57,8 +57,7 @@ impl CrossFilm {
         let middle = (tx * gx + ty * gy) / gradient;
         let walls = [middle - 0.5 * gradient, middle + 0.5 * gradient];
         let largest = walls[0].abs().max(walls[1].abs()).hypot(across);
-        self.n = 0;
-        self.around = None;
+        self.clear();
         for (sign, wall) in [(-1.0, -walls[0]), (1.0, walls[1])] {
             if wall > 0.0 {
                 let least = (wall - gradient).max(0.0);

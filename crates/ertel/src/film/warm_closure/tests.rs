@@ -8,7 +8,7 @@ use num_dual::DualNum;
 use super::*;
 use crate::film::closure;
 use crate::film::fluidity::Thinning;
-use crate::film::polynomial::{FilmNodes, Polynomial};
+use crate::film::polynomial::FilmNodes;
 use crate::film::warm::{Jet2, TemperatureProfile, WarmFluid};
 
 /// ρ̄ and ln μ̄ of a fluid that thins by heat, more so under pressure.
@@ -169,8 +169,7 @@ fn derivatives_match_differences() {
             let mut fluid = WarmFluid::new(&nodes, &profile, |t| properties(x[3], t));
             let still = WarmFluid::new(&nodes, &base, |t| properties(x[3], t));
             let shift = (still.viscosity[0] / fluid.viscosity[0]).ln();
-            fluid.exponent.by_p[0] =
-                fluid.exponent.by_p[0].combined(1.0, &Polynomial::constant(1.0), shift);
+            fluid.exponent.by_p[0] = fluid.exponent.by_p[0].plus(shift);
             (
                 close(Some(&thinning), &fluid, x[3], [x[0], x[1]], x[2]),
                 fluid,
