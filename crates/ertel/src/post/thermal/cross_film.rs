@@ -37,7 +37,7 @@ pub(super) fn profile(
     // Shear rates along X and Y, 1/s, and generalized viscosity.
     let at = |s: f64| {
         let t = [0, 1].map(|i: usize| tau[i] + s * g[i]);
-        let [f, _] = law.slope(s, t[0] * t[0] + t[1] * t[1]);
+        let f = law.factor(s) * law.slope(t[0] * t[0] + t[1] * t[1])[0];
         let rate = t.map(|t| fluid.stress_scale() * f * t / viscosity);
         (rate, viscosity / f)
     };
