@@ -38,7 +38,10 @@ fn films(solution: &Solution) -> [Estimate; 2] {
 /// Each point of a curve against the same case from the dry contact, on another mesh: the difference lies
 /// within both error bars. All but the first are warm.
 fn agrees(lines: &str) {
-    let case = case(lines);
+    agrees_in(&case(lines));
+}
+
+fn agrees_in(case: &Case) {
     let curve = case.curve.as_ref().unwrap();
     let session = Session::default();
     let solved = solve_curve(&session, curve, &mut Silent);
@@ -90,4 +93,16 @@ fn a_start_too_far_away_is_not_taken() {
     );
     let warm = |i: usize| solved.points[i].outcome.solution().unwrap().stats.warm;
     assert!(!warm(0) && !warm(1));
+}
+
+/// Lubricant and bodies come in at another temperature in each point, which the viscosity follows.
+#[test]
+fn temperatures_with_heat() {
+    let oil = "mu_0 = \"40 mPa.s\", beta = \"0.04 1/K\", reference_temperature = \"40 degC\"";
+    let roller = ROLLER.replace("mu_0 = \"40 mPa.s\"", oil);
+    let lines = "thermal_conductivity = \"0.14 W/(m.K)\"\nheat_capacity = \"2000 J/(kg.K)\"\n\
+         [thermal]\nprofiles = []\n\
+         [curve]\nquantity = \"lubricant.temperature\"\nvalues = [\"40 degC\", \"50 degC\"]\n";
+    let document = Document::parse("roller.toml", format!("{roller}{lines}")).unwrap();
+    agrees_in(&Case::from_document(&document, Path::new("")).unwrap());
 }

@@ -86,6 +86,14 @@ fn temperatures(from: &Discretisation, old: &State, d: &Discretisation) -> Vec<f
         return temperature;
     };
     let n = fine.column.n();
+    if coarse.column.n() != n {
+        return temperature;
+    }
+    // A start from another contact may come with other temperatures: what is carried over is the rise above them.
+    let offsets: Vec<f64> = (fine.unheated().iter().zip(&coarse.unheated()))
+        .take(n)
+        .map(|(own, its)| own - its)
+        .collect();
     for (column, p) in temperature.chunks_exact_mut(n).zip(&fine.surface.points) {
         let found = from
             .contact
@@ -93,6 +101,9 @@ fn temperatures(from: &Discretisation, old: &State, d: &Discretisation) -> Vec<f
             .find(&from.contact.surface, [p[0], p[1]]);
         if let Some((cell, xi)) = found {
             column.copy_from_slice(&coarse.column_in(old, cell, xi));
+            for (t, offset) in column.iter_mut().zip(&offsets) {
+                *t += offset;
+            }
         }
     }
     temperature
