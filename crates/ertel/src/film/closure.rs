@@ -138,7 +138,7 @@ pub fn mid_stress(
 #[inline(always)]
 fn weigh(law: &impl Fluidity, rule: &mut CrossFilm) {
     if !law.is_symmetric() {
-        rule.fill_in(|s| law.factor(s));
+        rule.fill_in(|s| law.factors(s));
     }
 }
 
@@ -362,10 +362,12 @@ pub fn flow(
         mid_stress: tau,
         ..FilmFlow::default()
     };
-    for &[s, w] in rule.points() {
+    let even = law.is_symmetric();
+    for (k, &[s, w]) in rule.points().iter().enumerate() {
         let t = [0, 1].map(|i| tau[i] + s * pressure_stress[i]);
         let square = dot(t, t);
-        let f = law.slope(square)[0] * law.factor(s);
+        let factor = if even { 1.0 } else { rule.factors()[k] };
+        let f = factor * law.slope(square)[0];
         let e = lever(s);
         film.flow[0] += w * e * f * t[0];
         film.flow[1] += w * e * f * t[1];

@@ -18,6 +18,8 @@ use std::sync::OnceLock;
 use ertel_fem::quadrature::Quadrature;
 use ertel_rheology::shear::StressLimit;
 
+use super::lanes::{Lanes, WIDTH};
+
 mod panels;
 
 /// Stresses, in one unit with τ and G, that the quadrature must resolve.
@@ -65,6 +67,8 @@ impl Default for CrossFilm {
     }
 }
 
+const _: () = assert!(CAPACITY.is_multiple_of(WIDTH));
+
 /// Shift of s₀, in w, and change of w, relative, up to which points may stay where they are.
 const STALE: f64 = 0.1;
 
@@ -94,14 +98,19 @@ impl CrossFilm {
         self.even = None;
     }
 
-    /// Factors at the points, one for each that was laid since they were last filled in.
+    /// Factors at the points, unless those that were filled in last still hold.
     #[inline(always)]
-    pub fn fill_in(&mut self, factor: impl Fn(f64) -> f64) {
+    pub(super) fn fill_in(&mut self, factors: impl Fn(Lanes) -> Lanes) {
         if self.n_factors == self.n {
             return;
         }
-        for (value, [s, _]) in self.factors.iter_mut().zip(&self.points[..self.n]) {
-            *value = factor(*s);
+        let points = self.points[..self.n].chunks(WIDTH);
+        for (values, points) in self.factors.chunks_mut(WIDTH).zip(points) {
+            let mut s = Lanes::default();
+            for (s, [point, _]) in s.0.iter_mut().zip(points) {
+                *s = *point;
+            }
+            values.copy_from_slice(&factors(s).0);
         }
         self.n_factors = self.n;
     }

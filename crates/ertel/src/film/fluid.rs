@@ -12,7 +12,7 @@ use num_dual::{Dual2_64, DualNum};
 use super::closure::{self, Closure, FilmFlow};
 use super::cross_film::CrossFilm;
 use super::fluidity::{Fluidity, PointThinning, Thinning};
-use super::polynomial::FilmNodes;
+use super::polynomial::{FilmNodes, Nodal};
 use super::properties::Properties;
 use super::warm::{Jet2, TemperatureProfile, WarmFluid, WarmLaw};
 use super::warm_closure::{WarmClosure, close_warm};
@@ -111,10 +111,25 @@ impl FilmFluid {
     }
 
     /// The fluid of a film of some temperature at P.
+    #[inline(always)]
     pub fn warm(&self, pressure: f64, profile: &TemperatureProfile) -> WarmFluid {
         let nodes = self.nodes.as_ref().expect("a fluid with film nodes");
         let mut properties = self.properties.over_temperature(pressure.max(0.0));
         WarmFluid::new(nodes, profile, |t| {
+            self.in_force(pressure, properties.at(t))
+        })
+    }
+
+    /// The same without derivatives by P and along X and Y.
+    #[inline(always)]
+    pub fn warm_values(&self, pressure: f64, temperature: &Nodal) -> WarmFluid {
+        let nodes = self.nodes.as_ref().expect("a fluid with film nodes");
+        let mut properties = self.properties.over_temperature(pressure.max(0.0));
+        let profile = TemperatureProfile {
+            temperature: *temperature,
+            ..TemperatureProfile::default()
+        };
+        WarmFluid::values(nodes, &profile, |t| {
             self.in_force(pressure, properties.at(t))
         })
     }

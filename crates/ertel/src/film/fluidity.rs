@@ -10,6 +10,7 @@ use ertel_rheology::shear::{ShearLaw, ShearThinning, StressLimit};
 use num_dual::{Dual2_64, DualNum};
 
 use super::cross_film::StressScales;
+use super::lanes::Lanes;
 use super::quintic::Quintic;
 
 /// f and its derivatives by x and P.
@@ -33,10 +34,15 @@ pub struct Jet {
 pub trait Fluidity {
     /// f and ∂f/∂x at the square of the stress, but for the factor of the height.
     fn slope(&self, stress_squared: f64) -> [f64; 2];
-    /// Factor of f at a height s of the film.
+    /// Factor of f at heights s of the film.
     #[inline(always)]
-    fn factor(&self, _s: f64) -> f64 {
-        1.0
+    fn factors(&self, _s: Lanes) -> Lanes {
+        Lanes::all(1.0)
+    }
+    /// The same at one height.
+    #[inline(always)]
+    fn factor(&self, s: f64) -> f64 {
+        self.factors(Lanes::all(s)).0[0]
     }
     /// What a quadrature across the film must resolve.
     fn scales(&self) -> StressScales;

@@ -4,7 +4,7 @@ pub mod closure;
 pub mod cross_film;
 pub mod fluid;
 pub mod fluidity;
-mod lanes;
+pub mod lanes;
 mod patches;
 pub mod polynomial;
 mod properties;

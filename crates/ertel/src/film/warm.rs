@@ -15,7 +15,8 @@ use num_dual::{Dual2SVec64, hessian};
 use super::cross_film::StressScales;
 use super::fluid::PointFluid;
 use super::fluidity::{Fluidity, PointThinning};
-use super::polynomial::{FilmNodes, Nodal, Polynomial};
+use super::lanes::{Lanes, WIDTH, exp};
+use super::polynomial::{FilmNodes, MOST_NODES, Nodal, Polynomial};
 
 /// Temperature across the film at a point of the contact area, at the nodes of the film.
 #[derive(Clone, Copy, Debug, Default)]
@@ -117,6 +118,25 @@ impl WarmFluid {
     pub fn new(
         nodes: &FilmNodes,
         profile: &TemperatureProfile,
+        properties: impl FnMut(f64) -> [Jet2; 2],
+    ) -> WarmFluid {
+        WarmFluid::sampled::<true>(nodes, profile, properties)
+    }
+
+    /// The same with nothing but the values of E and e: derivatives by P and along X and Y are left out.
+    #[inline(always)]
+    pub fn values(
+        nodes: &FilmNodes,
+        profile: &TemperatureProfile,
+        properties: impl FnMut(f64) -> [Jet2; 2],
+    ) -> WarmFluid {
+        WarmFluid::sampled::<false>(nodes, profile, properties)
+    }
+
+    #[inline(always)]
+    fn sampled<const DERIVATIVES: bool>(
+        nodes: &FilmNodes,
+        profile: &TemperatureProfile,
         mut properties: impl FnMut(f64) -> [Jet2; 2],
     ) -> WarmFluid {
         let n = nodes.n();
@@ -129,18 +149,25 @@ impl WarmFluid {
             ln_mu.set(m, &mu, slopes);
         }
         let rho = density.mean(nodes);
-        let reference = ln_mu.by_p.each_ref().map(|v| nodes.mean(v));
+        let mut reference = [0.0; 3];
+        let mut exponent = Field::default();
+        // E and e at the nodes: the polynomials are linear in their values
+        for k in 0..if DERIVATIVES { 3 } else { 1 } {
+            reference[k] = nodes.mean(&ln_mu.by_p[k]);
+            exponent.by_p[k] = nodes.through(&affine(reference[k], -1.0, &ln_mu.by_p[k]));
+        }
+        if DERIVATIVES {
+            for i in 0..2 {
+                for k in 0..2 {
+                    exponent.along[i][k] = nodes.through(&affine(0.0, -1.0, &ln_mu.along[i][k]));
+                }
+            }
+        }
         let [l, l1, l2] = reference;
         let mu = l.exp();
-        // E and e at the nodes: the polynomials are linear in their values
-        let through = |values: &Nodal| nodes.through(values);
-        let exponent = Field {
-            by_p: std::array::from_fn(|k| through(&ln_mu.by_p[k].map(|v| reference[k] - v))),
-            along: (ln_mu.along.each_ref()).map(|a| a.each_ref().map(|a| through(&a.map(|v| -v)))),
-        };
         WarmFluid {
             exponent,
-            lever: lever(nodes, &density, &rho),
+            lever: lever::<DERIVATIVES>(nodes, &density, &rho),
             density: rho,
             viscosity: [mu, mu * l1, mu * (l1 * l1 + l2)],
             ln_viscosities: [ln_mu.by_p[0], ln_mu.by_t],
@@ -163,37 +190,50 @@ fn spread(values: &[f64]) -> f64 {
     largest - values.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
+/// a + b v.
+#[inline(always)]
+fn affine(a: f64, b: f64, values: &Nodal) -> Nodal {
+    let mut sum = [a; MOST_NODES];
+    for (sum, v) in sum.iter_mut().zip(values) {
+        *sum += b * v;
+    }
+    sum
+}
+
 /// e = ½ − ∫_s^½ r ds' and its derivatives, r = ρ/ρ_m.
 #[inline(always)]
-fn lever(nodes: &FilmNodes, density: &Sampled, mean: &Mean) -> Field {
+fn lever<const DERIVATIVES: bool>(nodes: &FilmNodes, density: &Sampled, mean: &Mean) -> Field {
     let [rho, rho_p, rho_pp] = mean.by_p;
     let scale = 1.0 / rho;
-    // (a + Σ bᵢ cᵢ)/ρ_m
+    // (a − Σ bᵢ cᵢ)/ρ_m
     let quotient = |a: &Nodal, terms: &[(f64, &Nodal)]| -> Nodal {
-        let mut sum = *a;
+        let mut sum = affine(0.0, scale, a);
         for (factor, values) in terms {
             for (sum, v) in sum.iter_mut().zip(*values) {
-                *sum += factor * v;
+                *sum -= scale * factor * v;
             }
         }
-        sum.map(|v| scale * v)
+        sum
     };
-    let [a, a_p, a_pp] = &density.by_p;
-    let r = quotient(a, &[]);
-    let r_p = quotient(a_p, &[(-rho_p, &r)]);
-    let r_pp = quotient(a_pp, &[(-2.0 * rho_p, &r_p), (-rho_pp, &r)]);
-    let below = |values: &Nodal| nodes.above(&values.map(|v| -v));
-    let along = std::array::from_fn(|i| {
+    let below = |values: &Nodal| nodes.above(&affine(0.0, -1.0, values));
+    let mut field = Field::default();
+    let r = quotient(&density.by_p[0], &[]);
+    field.by_p[0] = below(&r).plus(0.5);
+    if !DERIVATIVES {
+        return field;
+    }
+    let r_p = quotient(&density.by_p[1], &[(rho_p, &r)]);
+    let r_pp = quotient(&density.by_p[2], &[(2.0 * rho_p, &r_p), (rho_pp, &r)]);
+    field.by_p[1] = below(&r_p);
+    field.by_p[2] = below(&r_pp);
+    for i in 0..2 {
         let [rho_x, rho_px] = mean.along[i];
         let [a_x, a_px] = &density.along[i];
-        let r_x = quotient(a_x, &[(-rho_x, &r)]);
-        let r_px = quotient(a_px, &[(-rho_x, &r_p), (-rho_p, &r_x), (-rho_px, &r)]);
-        [below(&r_x), below(&r_px)]
-    });
-    Field {
-        by_p: [below(&r).plus(0.5), below(&r_p), below(&r_pp)],
-        along,
+        let r_x = quotient(a_x, &[(rho_x, &r)]);
+        let r_px = quotient(a_px, &[(rho_x, &r_p), (rho_p, &r_x), (rho_px, &r)]);
+        field.along[i] = [below(&r_x), below(&r_px)];
     }
+    field
 }
 
 /// A property at the nodes.
@@ -219,13 +259,16 @@ impl Sampled {
 
     #[inline(always)]
     fn mean(&self, nodes: &FilmNodes) -> Mean {
-        Mean {
-            by_p: self.by_p.each_ref().map(|v| nodes.mean(v)),
-            along: self
-                .along
-                .each_ref()
-                .map(|a| a.each_ref().map(|v| nodes.mean(v))),
+        let mut mean = Mean::default();
+        for k in 0..3 {
+            mean.by_p[k] = nodes.mean(&self.by_p[k]);
         }
+        for i in 0..2 {
+            for k in 0..2 {
+                mean.along[i][k] = nodes.mean(&self.along[i][k]);
+            }
+        }
+        mean
     }
 }
 
@@ -235,6 +278,21 @@ pub struct WarmLaw<'a> {
     pub thinning: Option<PointThinning<'a>>,
     /// The fluid.
     pub fluid: &'a WarmFluid,
+}
+
+impl WarmLaw<'_> {
+    /// e^E at some heights, no more than there can be nodes.
+    #[inline(always)]
+    pub fn factors_at(&self, heights: &[f64]) -> Nodal {
+        let mut factors = [1.0; MOST_NODES];
+        for (values, heights) in factors.chunks_mut(WIDTH).zip(heights.chunks(WIDTH)) {
+            let mut s = Lanes::default();
+            s.0[..heights.len()].copy_from_slice(heights);
+            let n = values.len();
+            values.copy_from_slice(&self.factors(s).0[..n]);
+        }
+        factors
+    }
 }
 
 impl Fluidity for WarmLaw<'_> {
@@ -247,8 +305,8 @@ impl Fluidity for WarmLaw<'_> {
     }
 
     #[inline(always)]
-    fn factor(&self, s: f64) -> f64 {
-        self.fluid.exponent.by_p[0].at(s).exp()
+    fn factors(&self, s: Lanes) -> Lanes {
+        exp(self.fluid.exponent.by_p[0].at_lanes(s))
     }
 
     fn is_symmetric(&self) -> bool {

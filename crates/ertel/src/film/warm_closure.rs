@@ -70,7 +70,8 @@ impl Heights {
             weights.0[k] = *weight;
             warmth.0[k] = *factor;
         }
-        let [x, y] = [0, 1].map(|i: usize| s * g[i] + Lanes::all(tau[i]));
+        let x = s * g[0] + Lanes::all(tau[0]);
+        let y = s * g[1] + Lanes::all(tau[1]);
         let mut b = LaneJet {
             f: Lanes::all(1.0),
             ..LaneJet::default()
@@ -82,18 +83,22 @@ impl Heights {
             }
         }
         let exponent = &law.fluid.exponent;
-        let [a1, a2] = [1, 2].map(|k: usize| exponent.by_p[k].at_lanes(s));
+        let (a1, a2) = (exponent.by_p[1].at_lanes(s), exponent.by_p[2].at_lanes(s));
         // f e^E and its derivatives: by x = |t|², P, X, Y
         let f = warmth * b.f;
         let [d, dd] = [warmth * b.x * 2.0, warmth * b.xx * 4.0];
         let f_p = warmth * (b.p + b.f * a1);
         let d_p = warmth * (b.xp + b.x * a1) * 2.0;
         let f_pp = warmth * (b.pp + b.p * a1 * 2.0 + b.f * (a1 * a1 + a2));
-        let along: [[Lanes; 2]; 2] =
-            [0, 1].map(|i: usize| [0, 1].map(|k: usize| exponent.along[i][k].at_lanes(s)));
         let lever = &law.fluid.lever;
-        let lever_along: [[Lanes; 2]; 2] =
-            [0, 1].map(|i: usize| [0, 1].map(|k: usize| lever.along[i][k].at_lanes(s)));
+        let mut along = [[Lanes::default(); 2]; 2];
+        let mut lever_along = [[Lanes::default(); 2]; 2];
+        for i in 0..2 {
+            for k in 0..2 {
+                along[i][k] = exponent.along[i][k].at_lanes(s);
+                lever_along[i][k] = lever.along[i][k].at_lanes(s);
+            }
+        }
         let tensor = |f: Lanes, d: Lanes| [f + d * x * x, d * x * y, f + d * y * y];
         let vector = |f: Lanes| [f * x, f * y];
         Heights {
@@ -159,6 +164,15 @@ impl LaneJet {
     }
 }
 
+#[inline(always)]
+fn sums<const C: usize>(lanes: &[Lanes; C]) -> [f64; C] {
+    let mut sums = [0.0; C];
+    for (sum, v) in sums.iter_mut().zip(lanes) {
+        *sum = v.sum();
+    }
+    sums
+}
+
 /// Solves the local problem and differentiates it.
 #[inline(always)]
 pub fn close_warm(
@@ -188,17 +202,21 @@ pub fn close_warm(
         }
         heights.push(h);
     }
-    let [k0, k1, ke] = stiffness.map(|k| k.map(Lanes::sum));
-    let direct = direct.map(|v| v.map(Lanes::sum));
+    let [k0, k1, ke] = [
+        sums(&stiffness[0]),
+        sums(&stiffness[1]),
+        sums(&stiffness[2]),
+    ];
+    let direct = [sums(&direct[0]), sums(&direct[1]), sums(&direct[2])];
     let inverse = |b: [f64; 2]| solve(k0, b);
     // ∂τ/∂d: K⁰ τ_d = (−K¹, e_x, −∫F_d).
     let moved = [
         inverse([-k1[0], -k1[1]]),
         inverse([-k1[1], -k1[2]]),
         inverse([1.0, 0.0]),
-        inverse(direct[0].map(|v| -v)),
-        inverse(direct[1].map(|v| -v)),
-        inverse(direct[2].map(|v| -v)),
+        inverse([-direct[0][0], -direct[0][1]]),
+        inverse([-direct[1][0], -direct[1][1]]),
+        inverse([-direct[2][0], -direct[2][1]]),
     ];
     // Rows of K.
     let rows = [inverse([ke[0], ke[1]]), inverse([ke[1], ke[2]])];
@@ -209,20 +227,29 @@ pub fn close_warm(
         let [s, w] = h.points;
         let lever = w * h.lever;
         // −K by the weight
-        let held = rows.map(|row| row.map(|k| w * -k));
-        let rate = h.rate.map(|v| w * v);
+        let mut held = [[Lanes::default(); 2]; 2];
+        let mut rate = [Lanes::default(); 2];
         for i in 0..2 {
+            rate[i] = w * h.rate[i];
             flow[i] += h.lever * rate[i];
+            for a in 0..2 {
+                held[i][a] = w * -rows[i][a];
+            }
         }
         // t_d, F_t t_d + F_d, F_td where there is one, e_d
-        let mut shift = moved.map(|v| v.map(Lanes::all));
-        shift[0][0] += s;
-        shift[1][1] += s;
-        let mut change = shift.map(|v| multiply(h.by_stress[0], v));
-        for d in P..N {
-            change[d] = plus(change[d], h.direct[d - P]);
+        let mut shift = [[Lanes::default(); 2]; N];
+        let mut change = [[Lanes::default(); 2]; N];
+        for d in 0..N {
+            shift[d] = [Lanes::all(moved[d][0]), Lanes::all(moved[d][1])];
+            if d < 2 {
+                shift[d][d] += s;
+            }
+            change[d] = multiply(h.by_stress[0], shift[d]);
+            if d >= P {
+                change[d] = plus(change[d], h.direct[d - P]);
+            }
         }
-        let lever_by = h.lever_by.map(|v| w * v);
+        let lever_by = [w * h.lever_by[0], w * h.lever_by[1], w * h.lever_by[2]];
         for d in 0..N {
             for i in 0..2 {
                 first[i][d] += lever * change[d][i];
@@ -255,9 +282,15 @@ pub fn close_warm(
             }
         }
     }
-    let flow = flow.map(Lanes::sum);
-    let first = first.map(|v| v.map(Lanes::sum));
-    let second = second.map(|v| v.map(|v| v.map(Lanes::sum)));
+    let flow = sums(&flow);
+    let first = [sums(&first[0]), sums(&first[1])];
+    let mut totals = [[[0.0; N]; N_DEMANDS]; 2];
+    for i in 0..2 {
+        for d in 0..N_DEMANDS {
+            totals[i][d] = sums(&second[i][d]);
+        }
+    }
+    let second = totals;
     let mut warm = WarmClosure {
         closure: Closure {
             mid_stress: tau,

@@ -9,6 +9,7 @@
 //! Habchi 2008, eqs. 5.11, 5.13, 5.14: conduction along the film and convection across it are left out. Fluxes
 //! meet at the walls, z being measured in each layer's own way. T is the absolute temperature in K.
 
+use ertel_fem::linear::dense::vectorised;
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
 use crate::film::closure::{mid_stress, solve};
@@ -183,11 +184,18 @@ pub fn film_column(
     place: &FilmPlace,
     rule: &mut CrossFilm,
 ) -> FilmColumn {
-    let profile = crate::film::TemperatureProfile {
-        temperature: place.temperature,
-        ..Default::default()
-    };
-    let warm = fluid.warm(place.pressure, &profile);
+    vectorised(|| evaluate(fluid, heat, heights, place, rule))
+}
+
+#[inline(always)]
+fn evaluate(
+    fluid: &FilmFluid,
+    heat: &Heat,
+    heights: &Heights,
+    place: &FilmPlace,
+    rule: &mut CrossFilm,
+) -> FilmColumn {
+    let warm = fluid.warm_values(place.pressure, &place.temperature);
     let law = fluid.warm_law(place.pressure, &warm);
     let mu = warm.viscosity[0];
     let g = place.pressure_gradient.map(|p| place.film * p);
@@ -205,12 +213,12 @@ pub fn film_column(
     };
     let mut rates = [[0.0; 2]; MOST_NODES];
     let mut stiffness = [0.0; 3];
+    let factors = law.factors_at(heights.points());
     for k in 0..n {
         let (s, w) = (heights.points()[k], heights.weights()[k]);
         let t = [0, 1].map(|i: usize| tau[i] + s * g[i]);
         let square = t[0] * t[0] + t[1] * t[1];
-        let factor = law.factor(s);
-        let [f, by_square] = law.slope(square).map(|v| factor * v);
+        let [f, by_square] = law.slope(square).map(|v| factors[k] * v);
         rates[k] = t.map(|t| f * t);
         let point = &mut column.heights[k];
         point.shear_rate = rates[k].map(|r| rate_scale * r);

@@ -456,7 +456,14 @@ impl Discretisation {
     /// The same with temperatures of an order over the contact area, in columns of the given layers and
     /// temperatures before they are heated.
     pub fn with_heat(mut self, order: usize, column: Column, unheated: Vec<f64>) -> Discretisation {
-        let heat = HeatSpace::new(&self.contact, &self.rule, order, column, unheated);
+        let heat = HeatSpace::new(
+            &self.contact,
+            &self.pressure.element,
+            &self.rule,
+            order,
+            column,
+            unheated,
+        );
         self.heat = Some(Arc::new(heat));
         self
     }

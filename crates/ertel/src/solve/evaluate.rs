@@ -1,6 +1,6 @@
 //! Pressure and film thickness at any point of the contact area, dimensionless.
 
-use ertel_fem::element::Lagrange;
+use ertel_fem::element::{Lagrange, Tabulation};
 
 use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, TemperatureProfile};
@@ -70,15 +70,30 @@ pub fn fields_at_quadrature(
     cell: usize,
     q: usize,
 ) -> ([f64; 3], PointFields) {
+    let temperature = (d.heat.as_ref()).map(|heat| heat.profile_at(d, state, cell, q));
+    let tables = [&d.pressure_table, &d.deflection_table];
+    let (point, fields) = fields_from(d, state, cell, q, tables);
+    let fields = PointFields {
+        temperature,
+        ..fields
+    };
+    (point, fields)
+}
+
+/// The same, without temperatures, at the `q`-th point of tables of the pressure's and the deflection's shape
+/// functions.
+pub fn fields_from(
+    d: &Discretisation,
+    state: &State,
+    cell: usize,
+    q: usize,
+    [pressure, deflection]: [&Tabulation; 2],
+) -> ([f64; 3], PointFields) {
     let mut fields = PointFields {
         film: state.rigid_separation,
-        temperature: d
-            .heat
-            .as_ref()
-            .map(|heat| heat.profile_at(d, state, cell, q)),
         ..PointFields::default()
     };
-    let table = &d.pressure_table;
+    let table = pressure;
     let mut reference = [0.0; 3];
     for (j, node) in d.pressure.nodes_of(cell).iter().enumerate() {
         let (k, p) = (q * table.n_nodes + j, state.pressure[*node as usize]);
@@ -89,7 +104,7 @@ pub fn fields_at_quadrature(
     }
     let gradient = d.contact.maps[cell].gradient(reference);
     fields.pressure_gradient = [gradient[0], gradient[1]];
-    let table = &d.deflection_table;
+    let table = deflection;
     let mut point = [0.0; 3];
     for (j, node) in d.contact.deflection.nodes_of(cell).iter().enumerate() {
         let value = table.values[q * table.n_nodes + j];

@@ -1,13 +1,15 @@
 //! Temperatures over the contact area, and what the film equations see of them.
 
 use ertel_fem::assembly::NodeGraph;
-use ertel_fem::element::Tabulation;
+use ertel_fem::element::{Lagrange, Tabulation};
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::Space;
 
 use super::column::Column;
 use crate::film::{MOST_NODES, TemperatureProfile};
+use crate::forms::energy::FilmPlace;
 use crate::solve::discretisation::{ContactBody, Discretisation};
+use crate::solve::evaluate::fields_from;
 use crate::solve::system::State;
 
 /// Temperatures over the contact area: a column at each node of a surface space.
@@ -25,6 +27,8 @@ pub struct HeatSpace {
     pub rule: Quadrature,
     /// Surface shape functions at its points.
     pub table: Tabulation,
+    /// Shape functions of pressure and deflection there.
+    film_tables: [Tabulation; 2],
     /// Surface shape functions at the points of the film equations.
     film_table: Tabulation,
 }
@@ -33,6 +37,7 @@ impl HeatSpace {
     /// Columns over a contact area, at whose points `film_rule` the film equations ask for temperatures.
     pub fn new(
         contact: &ContactBody,
+        pressure: &Lagrange,
         film_rule: &Quadrature,
         order: usize,
         column: Column,
@@ -46,6 +51,10 @@ impl HeatSpace {
             column,
             unheated,
             table: surface.element.tabulate(&rule),
+            film_tables: [
+                pressure.tabulate(&rule),
+                contact.deflection.element.tabulate(&rule),
+            ],
             film_table: surface.element.tabulate(film_rule),
             rule,
             surface,
@@ -60,6 +69,30 @@ impl HeatSpace {
     /// Number of temperatures.
     pub fn n(&self) -> usize {
         self.surface.n_nodes() * self.column.n()
+    }
+
+    /// What the energy equation sees of the film at a point of its own rule.
+    pub fn film_at(&self, d: &Discretisation, state: &State, cell: usize, q: usize) -> FilmPlace {
+        let [pressure, deflection] = &self.film_tables;
+        let (_, fields) = fields_from(d, state, cell, q, [pressure, deflection]);
+        let n = self.table.n_nodes;
+        let mut temperature = [0.0; MOST_NODES];
+        for (j, node) in self.surface.nodes_of(cell).iter().enumerate() {
+            let value = self.table.values[q * n + j];
+            let column = &state.temperature[*node as usize * self.column.n()..];
+            for (sum, t) in temperature
+                .iter_mut()
+                .zip(&column[self.column.film_range()])
+            {
+                *sum += value * t;
+            }
+        }
+        FilmPlace {
+            pressure: fields.pressure,
+            pressure_gradient: fields.pressure_gradient,
+            film: fields.film,
+            temperature,
+        }
     }
 
     /// Temperature across the film at a point of the film equations' rule.

@@ -17,7 +17,6 @@ use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, MOST_NODES};
 use crate::forms::energy::{FilmColumn, FilmPlace, Heat, Layer, Source, film_column};
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::fields_in;
 use crate::solve::system::State;
 
 /// Most surface nodes of an element.
@@ -238,14 +237,7 @@ fn element(
         }
         let [x, y] = d.contact.point(c, space.rule.points[q]);
         let further = |layer: Layer| source.map_or(0.0, |f| f([x, y], layer));
-        let place = fields_in(d, state, c, space.rule.points[q]);
-        let profile = place.temperature.expect("a discretisation with heat");
-        let place = FilmPlace {
-            pressure: place.pressure,
-            pressure_gradient: place.pressure_gradient,
-            film: place.film,
-            temperature: profile.temperature,
-        };
+        let place = space.film_at(d, state, c, q);
         let film = film_column(fluid, heat, &column.heights, &place, rule);
         film_part(
             space, nodes, state, &basis, &film, &further, area, size, &mut e,
