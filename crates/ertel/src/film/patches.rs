@@ -309,7 +309,7 @@ mod tests {
                     assert_relative_eq!(a.p, b.p, max_relative = 1e-10, epsilon = 1e-10);
                     assert_relative_eq!(a.t, b.t, max_relative = 1e-10, epsilon = 1e-12);
                     assert_relative_eq!(a.pp, b.pp, epsilon = 1e-6);
-                    assert_relative_eq!(a.pt, b.pt, max_relative = 3e-8, epsilon = 1e-10);
+                    assert_relative_eq!(a.pt, b.pt, max_relative = 1e-6, epsilon = 1e-9);
                 }
             }
         }
