@@ -33,6 +33,8 @@ pub struct Curve {
     pub folders: bool,
     /// Whether each point is solved without shear thinning, too.
     pub newtonian: bool,
+    /// Whether each point is solved without heat, too.
+    pub isothermal: bool,
 }
 
 /// One point of a curve.
@@ -163,6 +165,15 @@ pub(super) fn read(
         };
         return Err(table.error("newtonian", reason));
     }
+    let isothermal = table.optional_bool("isothermal")?.unwrap_or(false);
+    if isothermal && base.thermal().is_none() {
+        let reason = if base.solver.isothermal {
+            "`isothermal` of [curve] compares with a curve that [solver] already asks for alone"
+        } else {
+            "without [thermal] this curve is the isothermal one"
+        };
+        return Err(table.error("isothermal", reason));
+    }
     table.finish()?;
     let points = values
         .into_iter()
@@ -173,6 +184,7 @@ pub(super) fn read(
         points,
         folders,
         newtonian,
+        isothermal,
     }))
 }
 

@@ -9,6 +9,7 @@ use crate::reference::film_formulas;
 use crate::run::{Session, Start, groups};
 use crate::solution::{
     Centreline, FilmReduction, FilmTemperatures, FormulaFilm, Solution, SurfaceField,
+    ThermalReduction,
 };
 use crate::solve::{Observer, SolveError};
 
@@ -46,6 +47,8 @@ pub struct PointSolution {
     pub outcome: Outcome,
     /// The same point without shear thinning, where the curve asks for it.
     pub newtonian: Option<Outcome>,
+    /// The same point without heat, likewise.
+    pub isothermal: Option<Outcome>,
     /// Wall time, s.
     pub seconds: f64,
 }
@@ -54,6 +57,28 @@ impl PointSolution {
     /// The Newtonian solution, if there is one.
     pub fn newtonian_solution(&self) -> Option<&Solution> {
         self.newtonian.as_ref().and_then(Outcome::solution)
+    }
+
+    /// The isothermal solution, if there is one.
+    pub fn isothermal_solution(&self) -> Option<&Solution> {
+        self.isothermal.as_ref().and_then(Outcome::solution)
+    }
+
+    /// What heat does to film and traction: beside the point's isothermal solution, else as its own stages tell.
+    pub fn thermal_reduction(&self) -> Option<ThermalReduction> {
+        let warm = self.outcome.solution()?;
+        let Some(cold) = self.isothermal_solution() else {
+            return warm.thermal.as_ref()?.reduction;
+        };
+        let (with, without) = (&warm.summary, &cold.summary);
+        let slides = self.case.motion.slide_to_roll_ratio != 0.0;
+        let isothermal_traction = cold.traction.coefficient;
+        Some(ThermalReduction {
+            film_central: 1.0 - with.film_central.value / without.film_central.value,
+            film_minimum: 1.0 - with.film_minimum.value / without.film_minimum.value,
+            traction: slides.then(|| 1.0 - warm.traction.coefficient / isothermal_traction),
+            isothermal_traction,
+        })
     }
 
     /// What shear thinning does to the film: beside the point's Newtonian solution, else as its own stages tell.
@@ -111,8 +136,8 @@ impl CurveSolution {
 }
 
 /// Solves the points of a curve in their order, each from the last one that was solved. A point that fails
-/// is kept with its reason. When the observer cancels, the points until then are returned. Newtonian solutions, where
-/// the curve asks for them, start from one another, the first one from its own point.
+/// is kept with its reason. When the observer cancels, the points until then are returned. Newtonian and isothermal
+/// solutions, where the curve asks for them, start from one another, the first one from its own point.
 ///
 /// Fields and iterations of the solutions are kept only where the curve asks for folders.
 pub fn solve_curve(
@@ -123,7 +148,10 @@ pub fn solve_curve(
     let clock = Instant::now();
     let mut points = Vec::new();
     let mut start: Option<Start> = None;
-    let mut newtonian_start: Option<Start> = None;
+    let mut besides = [
+        Beside::new(curve.newtonian, "Newtonian", newtonian_case),
+        Beside::new(curve.isothermal, "isothermal", isothermal_case),
+    ];
     for (index, point) in curve.points.iter().enumerate() {
         let clock = Instant::now();
         let value = format!("{} {}", digits(point.value, 6), curve.quantity.unit());
@@ -141,23 +169,27 @@ pub fn solve_curve(
             Err(SolveError::Interrupted) => break,
             Err(error) => Outcome::Failed(error.to_string()),
         };
-        let newtonian = if curve.newtonian {
-            observer.point(index, curve.points.len(), &format!("{value}, Newtonian"));
-            let ahead: Vec<Case> = ahead.into_iter().map(newtonian_case).collect();
-            let from = newtonian_start.as_ref().or(start.as_ref());
-            let case = newtonian_case(&point.case);
-            match session.solve_from(&case, from, &ahead.iter().collect::<Vec<_>>(), observer) {
-                Ok((mut solution, end)) => {
-                    newtonian_start = Some(end);
-                    drop_fields(&mut solution);
-                    Some(Outcome::Solved(Box::new(solution)))
+        let mut outcomes = [None, None];
+        let mut interrupted = false;
+        for (beside, outcome) in besides.iter_mut().zip(&mut outcomes) {
+            let Some(beside) = beside else { continue };
+            observer.point(
+                index,
+                curve.points.len(),
+                &format!("{value}, {}", beside.name),
+            );
+            match beside.solve(session, &point.case, start.as_ref(), &ahead, observer) {
+                Some(solved) => *outcome = Some(solved),
+                None => {
+                    interrupted = true;
+                    break;
                 }
-                Err(SolveError::Interrupted) => break,
-                Err(error) => Some(Outcome::Failed(error.to_string())),
             }
-        } else {
-            None
-        };
+        }
+        if interrupted {
+            break;
+        }
+        let [newtonian, isothermal] = outcomes;
         let case = &point.case;
         let lubricant = &case.lubricant;
         let slope = lubricant
@@ -169,6 +201,7 @@ pub fn solve_curve(
             formulas: film_formulas(case.contact.kind, case.contact.radius, &groups(case, slope)),
             outcome,
             newtonian,
+            isothermal,
             seconds: clock.elapsed().as_secs_f64(),
         });
     }
@@ -178,6 +211,53 @@ pub fn solve_curve(
         n_points: curve.points.len(),
         wall_seconds: clock.elapsed().as_secs_f64(),
     }
+}
+
+/// A simpler case solved beside each point, each from the one before.
+struct Beside {
+    name: &'static str,
+    simpler: fn(&Case) -> Case,
+    start: Option<Start>,
+}
+
+impl Beside {
+    fn new(wanted: bool, name: &'static str, simpler: fn(&Case) -> Case) -> Option<Beside> {
+        wanted.then_some(Beside {
+            name,
+            simpler,
+            start: None,
+        })
+    }
+
+    /// The simpler case of a point, the first one from the point's own solution; `None` when the observer cancels.
+    fn solve(
+        &mut self,
+        session: &Session,
+        case: &Case,
+        start: Option<&Start>,
+        ahead: &[&Case],
+        observer: &mut dyn CurveObserver,
+    ) -> Option<Outcome> {
+        let ahead: Vec<Case> = ahead.iter().map(|case| (self.simpler)(case)).collect();
+        let ahead: Vec<&Case> = ahead.iter().collect();
+        let from = self.start.as_ref().or(start);
+        match session.solve_from(&(self.simpler)(case), from, &ahead, observer) {
+            Ok((mut solution, end)) => {
+                self.start = Some(end);
+                drop_fields(&mut solution);
+                Some(Outcome::Solved(Box::new(solution)))
+            }
+            Err(SolveError::Interrupted) => None,
+            Err(error) => Some(Outcome::Failed(error.to_string())),
+        }
+    }
+}
+
+/// The case without heat.
+fn isothermal_case(case: &Case) -> Case {
+    let mut case = case.clone();
+    case.solver.isothermal = true;
+    case
 }
 
 /// The case with the lubricant's low-shear viscosity alone.

@@ -630,6 +630,7 @@ impl Shared<'_> {
             case: echo,
             outcome,
             newtonian: None,
+            isothermal: None,
             seconds: clock.elapsed().as_secs_f64(),
         };
         Ok((end, record(self.echo.points[index].0, &point)))

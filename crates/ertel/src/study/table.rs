@@ -156,7 +156,7 @@ pub(super) fn write_whole(path: &Path, content: &[u8]) -> Result<(), SweepError>
 
 /// Columns of a curve's table that a study has no use for: times differ from run to run, and the table must not.
 fn belongs(name: &str) -> bool {
-    !name.starts_with("newtonian_") && name != "seconds"
+    !name.starts_with("newtonian_") && !name.starts_with("isothermal_") && name != "seconds"
 }
 
 /// The fields of a point, by the titles of their columns: its operating point, then its figures.

@@ -32,24 +32,21 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
                     json["groups"] = serde_json::to_value(s.groups)?;
                     json["traction"] = serde_json::to_value(&s.traction)?;
                     json["film_reduction"] = serde_json::to_value(point.film_reduction())?;
+                    if let Some(thermal) = &s.thermal {
+                        json["thermal"] = serde_json::to_value(thermal)?;
+                        json["thermal"]["reduction"] =
+                            serde_json::to_value(point.thermal_reduction())?;
+                    }
                     json["stats"] = serde_json::to_value(&s.stats)?;
                     json["warnings"] = json!(s.warnings);
                 }
                 Outcome::Failed(reason) => json["reason"] = json!(reason),
             }
-            match &point.newtonian {
-                Some(Outcome::Solved(s)) => {
-                    json["newtonian"] = json!({
-                        "converged": true,
-                        "summary": serde_json::to_value(&s.summary)?,
-                        "traction": serde_json::to_value(&s.traction)?,
-                        "warnings": s.warnings,
-                    });
-                }
-                Some(Outcome::Failed(reason)) => {
-                    json["newtonian"] = json!({ "converged": false, "reason": reason });
-                }
-                None => {}
+            if let Some(newtonian) = &point.newtonian {
+                json["newtonian"] = beside(newtonian)?;
+            }
+            if let Some(isothermal) = &point.isothermal {
+                json["isothermal"] = beside(isothermal)?;
             }
             Ok(json)
         })
@@ -72,4 +69,17 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units(),
     }))
+}
+
+/// A simpler case solved beside a point.
+fn beside(outcome: &Outcome) -> serde_json::Result<Value> {
+    Ok(match outcome {
+        Outcome::Solved(s) => json!({
+            "converged": true,
+            "summary": serde_json::to_value(&s.summary)?,
+            "traction": serde_json::to_value(&s.traction)?,
+            "warnings": s.warnings,
+        }),
+        Outcome::Failed(reason) => json!({ "converged": false, "reason": reason }),
+    })
 }

@@ -34,7 +34,8 @@ pub fn write_curve(
         check_png()?;
     }
     for (i, point) in curve.points.iter().enumerate() {
-        for outcome in [Some(&point.outcome), point.newtonian.as_ref()] {
+        let besides = [&point.newtonian, &point.isothermal].map(Option::as_ref);
+        for outcome in [[Some(&point.outcome); 1].as_slice(), &besides].concat() {
             let solution = outcome.and_then(Outcome::solution);
             if let Some(what) = solution.and_then(|s| finite::first_not_finite(&point.case, s)) {
                 let what = format!("{what}, in point {}", i + 1);

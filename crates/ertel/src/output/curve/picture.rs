@@ -18,8 +18,8 @@ type Film = fn(&FormulaFilm) -> Option<f64>;
 /// A figure of a solution.
 type Figure = fn(&Solution) -> f64;
 
-/// Central and minimum film over the quantity; dashed those without shear thinning or, where the curve does not ask
-/// for these, the formulas'. Failed points are marked.
+/// Central and minimum film over the quantity, beside those without shear thinning (dashed) and without heat (open
+/// circles) or, where the curve asks for neither, the formulas' (dashed). Failed points are marked.
 pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
     let size = largest(
         curve
@@ -42,27 +42,28 @@ pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
             side: Side::Left,
         });
     }
-    if curve
-        .points
-        .iter()
-        .any(|p| p.newtonian_solution().is_some())
-    {
+    let mut alone = true;
+    for beside in BESIDES {
+        if !curve.points.iter().any(|p| (beside.of)(p).is_some()) {
+            continue;
+        }
+        alone = false;
         for ((label, value), colour) in values.into_iter().zip(PALETTE) {
+            let value = |s: &Solution| factor * value(s);
             chart
                 .series
-                .push(newtonian_series(curve, label, colour, |s| {
-                    factor * value(s)
-                }));
+                .push(beside.series(curve, label, colour, value));
         }
-    } else {
+    }
+    if alone {
         add_formulas(&mut chart, curve, factor);
     }
     fit_y(&mut chart);
     chart
 }
 
-/// Traction coefficient at mid-film over the quantity, dashed that without shear thinning; `None` where nothing
-/// slides. Failed points are marked.
+/// Traction coefficient at mid-film over the quantity, beside that without shear thinning (dashed) and that without
+/// heat (open circles); `None` where nothing slides. Failed points are marked.
 pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
     let slides = |p: &PointSolution| p.case.motion.slide_to_roll_ratio != 0.0;
     let solved = |p: &&PointSolution| p.outcome.solution().is_some();
@@ -79,7 +80,11 @@ pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
         colour: PALETTE[0].into(),
         side: Side::Left,
     }];
-    let newtonian = newtonian_series(curve, label, PALETTE[0], value);
+    let [newtonian, isothermal] =
+        BESIDES.map(|beside| beside.series(curve, label, beside.colour, value));
+    if isothermal.points.iter().any(|p| p[1].is_finite()) {
+        chart.series.push(isothermal);
+    }
     add_newtonian_tractions(&mut chart, vec![newtonian]);
     Some(chart)
 }
@@ -106,7 +111,7 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
         let mut series = [
             part(Look::LineAndDots, central),
             part(Look::Line, |s| s.summary.film_minimum.value),
-            newtonian_series(curve, "", colour, |s| factor * central(s)),
+            NEWTONIAN.series(curve, "", colour, |s| factor * central(s)),
         ];
         for (series, label) in series.iter_mut().zip(FILM_LABELS) {
             series.label = if single {
@@ -162,7 +167,7 @@ pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option
             colour: (*colour).into(),
             side: Side::Left,
         });
-        let series = newtonian_series(curve, "", colour, value);
+        let series = NEWTONIAN.series(curve, "", colour, value);
         newtonian.push(Series {
             label: String::new(),
             ..series
@@ -198,19 +203,48 @@ fn add_newtonian_tractions(chart: &mut Chart, newtonian: Vec<Series>) {
 /// A Newtonian traction coefficient of so many times the largest other one is not shown to its end.
 const LARGEST_NEWTONIAN: f64 = 3.0;
 
-/// A figure of the solutions without shear thinning.
-fn newtonian_series(
-    curve: &CurveSolution,
-    label: &str,
-    colour: &str,
-    value: impl Fn(&Solution) -> f64,
-) -> Series {
-    Series {
-        label: format!("{label}, Newtonian"),
-        points: points_over(curve, |p| p.newtonian_solution().map(&value)),
-        look: Look::Dashed,
-        colour: colour.into(),
-        side: Side::Left,
+/// Simpler solutions shown beside those of a curve.
+struct Beside {
+    name: &'static str,
+    look: Look,
+    /// In a picture of one figure.
+    colour: &'static str,
+    of: fn(&PointSolution) -> Option<&Solution>,
+}
+
+const NEWTONIAN: Beside = Beside {
+    name: "Newtonian",
+    look: Look::Dashed,
+    colour: PALETTE[0],
+    of: PointSolution::newtonian_solution,
+};
+
+const BESIDES: [Beside; 2] = [
+    NEWTONIAN,
+    Beside {
+        name: "isothermal",
+        look: Look::Circles,
+        colour: PALETTE[1],
+        of: PointSolution::isothermal_solution,
+    },
+];
+
+impl Beside {
+    /// A figure of these solutions.
+    fn series(
+        &self,
+        curve: &CurveSolution,
+        label: &str,
+        colour: &str,
+        value: impl Fn(&Solution) -> f64,
+    ) -> Series {
+        Series {
+            label: format!("{label}, {}", self.name),
+            points: points_over(curve, |p| (self.of)(p).map(&value)),
+            look: self.look,
+            colour: colour.into(),
+            side: Side::Left,
+        }
     }
 }
 

@@ -71,6 +71,26 @@ macro_rules! figure {
     };
 }
 
+/// Figure of the temperatures of a point, likewise.
+macro_rules! thermal {
+    ($name:literal, $thermal:ident => $value:expr) => {
+        Column::new($name, |point| {
+            let solution = point.outcome.solution();
+            let thermal = solution.and_then(|s| s.thermal.as_ref());
+            thermal.map(|$thermal| $value).into()
+        })
+    };
+}
+
+/// Figure of the isothermal solution of a point, likewise.
+macro_rules! isothermal {
+    ($name:literal, $solution:ident => $value:expr) => {
+        Column::new($name, |point| {
+            point.isothermal_solution().map(|$solution| $value).into()
+        })
+    };
+}
+
 /// Figure of the Newtonian solution of a point, likewise.
 macro_rules! newtonian {
     ($name:literal, $solution:ident => $value:expr) => {
@@ -105,6 +125,29 @@ pub const COLUMNS: &[Column] = &[
     newtonian!("newtonian_film_central_m", s => s.summary.film_central.value),
     newtonian!("newtonian_film_minimum_m", s => s.summary.film_minimum.value),
     newtonian!("newtonian_traction_coefficient", s => s.traction.coefficient),
+    thermal!("film_temperature_maximum_K", t => t.film_maximum.value),
+    thermal!("film_temperature_mean_K", t => t.film_mean),
+    thermal!("plane_temperature_maximum_K", t => t.plane_maximum.value),
+    thermal!("plane_temperature_mean_K", t => t.plane_mean),
+    thermal!("ball_temperature_maximum_K", t => t.ball_maximum.value),
+    thermal!("ball_temperature_mean_K", t => t.ball_mean),
+    thermal!("heat_shear_W", t => t.balance.shear).per_length(),
+    thermal!("heat_to_plane_W", t => t.balance.to_plane).per_length(),
+    thermal!("heat_to_ball_W", t => t.balance.to_ball).per_length(),
+    thermal!("heat_by_film_W", t => t.balance.by_film).per_length(),
+    thermal!("heat_balance_error", t => t.balance.error),
+    Column::new("thermal_reduction_central", |point| {
+        point.thermal_reduction().map(|r| r.film_central).into()
+    }),
+    Column::new("thermal_reduction_minimum", |point| {
+        point.thermal_reduction().map(|r| r.film_minimum).into()
+    }),
+    Column::new("thermal_reduction_traction", |point| {
+        point.thermal_reduction().and_then(|r| r.traction).into()
+    }),
+    isothermal!("isothermal_film_central_m", s => s.summary.film_central.value),
+    isothermal!("isothermal_film_minimum_m", s => s.summary.film_minimum.value),
+    isothermal!("isothermal_traction_coefficient", s => s.traction.coefficient),
     figure!("speed_group", s => s.groups.speed),
     figure!("moes_load", s => s.groups.moes_load),
     figure!("moes_material", s => s.groups.moes_material),
@@ -118,13 +161,15 @@ pub const COLUMNS: &[Column] = &[
     }),
     Column::new("seconds", |point| Cell::Number(point.seconds)),
     Column::new("reason", |point| {
-        let reasons = [Some(&point.outcome), point.newtonian.as_ref()]
-            .map(|outcome| outcome.and_then(Outcome::reason));
-        Cell::Text(match reasons {
-            [Some(reason), _] => reason.to_owned(),
-            [None, Some(reason)] => format!("Newtonian: {reason}"),
-            [None, None] => String::new(),
-        })
+        let reason = |outcome: &Option<Outcome>, name: &str| {
+            let reason = outcome.as_ref().and_then(Outcome::reason)?;
+            Some(format!("{name}: {reason}"))
+        };
+        let own = point.outcome.reason().map(str::to_owned);
+        let first = own
+            .or_else(|| reason(&point.newtonian, "Newtonian"))
+            .or_else(|| reason(&point.isothermal, "isothermal"));
+        Cell::Text(first.unwrap_or_default())
     }),
 ];
 
