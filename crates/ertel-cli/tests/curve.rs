@@ -177,3 +177,42 @@ fn an_interrupted_curve_keeps_its_points() {
     assert!((2..1000).contains(&rows.len()));
     assert!(rows.iter().all(|r| r["converged"] == "true"));
 }
+
+/// A traction curve with heat beside the one without: points start warm, with their temperatures.
+#[test]
+fn a_thermal_curve_shows_the_isothermal_one() {
+    let slides = "\n[curve]\nquantity = \"motion.slide_to_roll_ratio\"\nvalues = [0, 0.2, 0.4]\nisothermal = true\n";
+    let thermal = |_: &str| include_str!("good/thermal.toml").to_owned();
+    let folder = workspace(thermal, slides);
+    let output = solve(&folder, &["case.toml"]);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    assert!(message.contains("isothermal"), "{message}");
+    let rows = table(&folder);
+    let starts: Vec<&str> = rows.iter().map(|r| r["start"].as_str()).collect();
+    assert_eq!(starts, ["cold", "warm", "warm"]);
+    let column =
+        |name: &str| -> Vec<f64> { rows.iter().map(|r| r[name].parse().unwrap()).collect() };
+    let [traction, cold] = ["traction_coefficient", "isothermal_traction_coefficient"].map(column);
+    // Heat takes traction away, the more of it is made.
+    assert!(traction[1] < cold[1] && traction[2] < cold[2]);
+    assert_eq!(rows[0]["thermal_reduction_traction"], "");
+    for i in [1, 2] {
+        let reduction: f64 = rows[i]["thermal_reduction_traction"].parse().unwrap();
+        assert!((reduction - (1.0 - traction[i] / cold[i])).abs() < 1e-12);
+    }
+    let top = column("film_temperature_maximum_K");
+    assert!(
+        313.15 < top[0] && top[0] < top[1] && top[1] < top[2],
+        "{top:?}"
+    );
+    assert!(column("heat_balance_error").iter().all(|e| e.abs() < 0.01));
+    let [made, friction] = ["heat_shear_W_per_m", "friction_power_W_per_m"].map(column);
+    assert!((made[2] / friction[2] - 1.0).abs() < 0.01);
+    let json = std::fs::read_to_string(folder.path().join("results/case/curve.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(json["points"][2]["isothermal"]["converged"], true);
+    assert!(json["points"][2]["thermal"]["film_mean"].as_f64().unwrap() > 313.15);
+    let picture = std::fs::read_to_string(folder.path().join("results/case/traction-curve.svg"));
+    assert!(picture.unwrap().contains("isothermal"));
+}

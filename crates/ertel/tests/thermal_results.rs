@@ -1,0 +1,224 @@
+//! Temperatures and heat as results: made-up temperatures whose figures are known by hand, and real ones reckoned
+//! once more from what is written.
+
+mod common;
+
+use approx::assert_relative_eq;
+use common::heated;
+use ertel::case::Case;
+use ertel::contact::{ContactKind, Scales};
+use ertel::post::thermal::{thermal, warnings};
+use ertel::run::{problem, solve};
+use ertel::solution::{LevelStats, Solution, Thermal};
+use ertel::solve::Silent;
+use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
+use ertel_rheology::provenance::TemperatureRange;
+
+fn case(kind: ContactKind, load: f64, slide_to_roll_ratio: f64) -> Case {
+    let mut case = heated(common::case(kind, load));
+    case.motion.slide_to_roll_ratio = slide_to_roll_ratio;
+    // The mesh as it is: one solution, one stage to compare it with.
+    case.mesh.target_error = None;
+    case.solver.error_estimate = false;
+    case.thermal.as_mut().unwrap().field = true;
+    case
+}
+
+fn scales(case: &Case) -> Scales {
+    Scales::new(
+        &case.contact,
+        &case.hertz(),
+        case.motion.entrainment_speed,
+        case.lubricant.ambient_viscosity(),
+        case.lubricant.ambient_density(),
+    )
+}
+
+fn stages(case: &Case) -> (Problem, StageSolution, Vec<LevelStats>) {
+    let problem = problem(case);
+    let (solution, levels) = solve_stages(&problem, &mut Silent).expect("a solution");
+    (problem, solution, levels)
+}
+
+/// T = 350 + 10 X + 8 s + 12 (1 − 4 s²), K, in the film: at the plane 346 + 10 X, at the ball 354 + 10 X, at mid-film
+/// 362 + 10 X, on average 358 + 10 X; at its largest where s = 1/12, 12 + 1/3 above 350 + 10 X.
+#[test]
+fn figures_of_made_up_temperatures() {
+    let mut case = case(ContactKind::Line, 8e4, 0.0);
+    case.thermal.as_mut().unwrap().profiles = vec![[0.5, 0.0]];
+    let (problem, mut solution, levels) = stages(&case);
+    let scales = scales(&case);
+    let space = solution.discretisation.heat.clone().unwrap();
+    let column = &space.column;
+    let n = column.n();
+    let film = column.film_range();
+    for (node, point) in space.surface.points.iter().enumerate() {
+        for (k, t) in solution.state.temperature[node * n..][..n]
+            .iter_mut()
+            .enumerate()
+        {
+            let s = match k {
+                k if k < film.start => -0.5,
+                k if k < film.end => column.film.points()[k - film.start],
+                _ => 0.5,
+            };
+            *t = 350.0 + 10.0 * point[0] + 8.0 * s + 12.0 * (1.0 - 4.0 * s * s);
+        }
+    }
+    let params = case.thermal.as_ref().unwrap();
+    let found: Thermal = thermal(&solution, &problem, &levels, &scales, params).unwrap();
+    let outlet = solution.discretisation.contact.extents.outlet;
+    // The largest temperature lies between two of the sampled heights: 48 (1/128)².
+    assert_relative_eq!(
+        found.film_maximum.value,
+        362.0 + 1.0 / 3.0 + 10.0 * outlet,
+        epsilon = 3e-3
+    );
+    for (located, value) in [(&found.plane_maximum, 346.0), (&found.ball_maximum, 354.0)] {
+        assert_relative_eq!(located.value, value + 10.0 * outlet, epsilon = 1e-9);
+        assert_relative_eq!(located.x, outlet * scales.length, max_relative = 1e-12);
+    }
+    // The Hertz zone is told by quadrature points: its ends err by a share of a cell, times 10 K.
+    for (mean, value) in [
+        (found.film_mean, 358.0),
+        (found.plane_mean, 346.0),
+        (found.ball_mean, 354.0),
+    ] {
+        assert_relative_eq!(mean, value, epsilon = 0.1);
+    }
+    let line = &found.centreline;
+    let x = solution.discretisation.contact.extents.inlet;
+    for (values, value) in [
+        (&line.mid, 362.0),
+        (&line.mean, 358.0),
+        (&line.plane, 346.0),
+        (&line.ball, 354.0),
+    ] {
+        assert_relative_eq!(values[0], value + 10.0 * x, epsilon = 1e-9);
+    }
+    for (point, t) in (solution.discretisation.pressure.points.iter()).zip(&found.surface.mid) {
+        assert_relative_eq!(*t, 362.0 + 10.0 * point[0], epsilon = 1e-9);
+    }
+    let profile = &found.profiles[0];
+    for (z, t) in profile.z.iter().zip(&profile.temperature) {
+        let s = z / profile.film_thickness - 0.5;
+        let expected = 355.0 + 8.0 * s + 12.0 * (1.0 - 4.0 * s * s);
+        assert_relative_eq!(*t, expected, epsilon = 1e-9);
+    }
+}
+
+/// Heat of the bodies from the temperatures that are written: what the slices of each body carry out of the contact area,
+/// ρcu∫(T − T_bulk) dz (W/m), by the rule of Gauss and Lobatto on each cubic element over the depth.
+fn carried(case: &Case, solution: &Solution, region: u8) -> f64 {
+    let field = solution.thermal.as_ref().unwrap().field.as_ref().unwrap();
+    let outlet = solution.extents[1] * solution.hertz.half_width;
+    let bulk = case.lubricant.temperature;
+    // Quadrilaterals with a side at the outlet edge: points 1 and 2.
+    let mut heights: Vec<[f64; 2]> = (field.cells.iter().zip(&field.region))
+        .filter(|(_, r)| **r == region)
+        .flat_map(|(cell, _)| [cell[1], cell[2]])
+        .map(|i| i as usize)
+        .filter(|i| (field.points[*i][0] / outlet - 1.0).abs() < 1e-9)
+        .map(|i| [field.points[i][2], field.temperature[i] - bulk])
+        .collect();
+    heights.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    heights.dedup_by(|a, b| a[0] == b[0]);
+    assert_eq!(heights.len() % 3, 1);
+    let elements = heights.windows(4).step_by(3).map(|e| {
+        let size = e[3][0] - e[0][0];
+        size / 12.0 * (e[0][1] + 5.0 * e[1][1] + 5.0 * e[2][1] + e[3][1])
+    });
+    let (body, speed) = match region {
+        0 => (&case.plane, case.motion.plane_speed()),
+        _ => (&case.ball, case.motion.ball_speed()),
+    };
+    let capacity = body.density.unwrap()
+        * body
+            .heat_capacity
+            .as_ref()
+            .unwrap()
+            .heat_capacity(0.0, bulk);
+    capacity * speed * elements.sum::<f64>()
+}
+
+/// The heat made by shear is the friction power, reckoned by another rule; what is made is carried off; what the plane of
+/// glass carries off, it carries through the outlet section.
+#[test]
+fn heat_is_accounted_for() {
+    let mut case = case(ContactKind::Line, 8e4, 0.4);
+    // With a stage on the mesh of the isothermal one.
+    case.solver.error_estimate = true;
+    let solution = solve(&case, &mut Silent).unwrap();
+    let thermal = solution.thermal.as_ref().unwrap();
+    let b = &thermal.balance;
+    assert_relative_eq!(
+        b.shear,
+        solution.traction.friction_power,
+        max_relative = 2e-3
+    );
+    let made = b.shear + b.compression;
+    assert_relative_eq!(
+        made,
+        b.to_plane + b.to_ball + b.by_film,
+        max_relative = 0.01
+    );
+    // Glass conducts next to nothing out of the area; steel a little, to where it comes in.
+    assert_relative_eq!(
+        carried(&case, &solution, 0),
+        b.to_plane,
+        max_relative = 0.02
+    );
+    assert_relative_eq!(carried(&case, &solution, 2), b.to_ball, max_relative = 0.05);
+    let reduction = thermal.reduction.unwrap();
+    assert!(reduction.traction.unwrap() > 0.0 && reduction.film_central > 0.0);
+}
+
+/// The same over both halves of a circular contact.
+#[test]
+fn heat_of_a_circular_contact_counts_both_halves() {
+    let solution = solve(&case(ContactKind::Circular, 30.0, 0.4), &mut Silent).unwrap();
+    let thermal = solution.thermal.as_ref().unwrap();
+    let b = &thermal.balance;
+    assert_relative_eq!(
+        b.shear,
+        solution.traction.friction_power,
+        max_relative = 5e-3
+    );
+    assert!(b.error.abs() < 0.03, "{}", b.error);
+    // Every wedge has its lower triangle below the upper one, and volume.
+    let field = thermal.field.as_ref().unwrap();
+    for cell in &field.cells {
+        let p = |i: usize| field.points[cell[i] as usize];
+        let side = |i: usize| [0, 1, 2].map(|a: usize| p(i)[a] - p(0)[a]);
+        let ([ax, ay, _], [bx, by, _]) = (side(1), side(2));
+        // The normal of the first triangle points away from the second: down.
+        assert!(ax * by - ay * bx < 0.0 && side(3)[2] > 0.0);
+    }
+}
+
+/// A film that leaves the range of the data says so, once; one that stays inside does not.
+#[test]
+fn temperatures_beyond_the_data_are_told() {
+    let mut case = case(ContactKind::Line, 8e4, 0.4);
+    let (problem, solution, levels) = stages(&case);
+    let scales = scales(&case);
+    let params = case.thermal.clone().unwrap();
+    let found = thermal(&solution, &problem, &levels, &scales, &params).unwrap();
+    let top = found.film_maximum.value;
+    let mut told = |highest: f64| {
+        case.lubricant.temperature_ranges = vec![TemperatureRange {
+            lowest: 300.0,
+            highest,
+            basis: "measured".to_owned(),
+        }];
+        warnings(&found, &case.lubricant, &params, &scales, [-4.5, 1.5, 3.0])
+    };
+    assert!(told(top + 0.1).is_empty());
+    let [warning] = &told(top - 2.0)[..] else {
+        panic!("one warning")
+    };
+    assert!(
+        warning.contains(&format!("reaches {top:.1} K at x/a")),
+        "{warning}"
+    );
+}
