@@ -82,10 +82,7 @@ pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
     }];
     let [newtonian, isothermal] =
         BESIDES.map(|beside| beside.series(curve, label, beside.colour, value));
-    if isothermal.points.iter().any(|p| p[1].is_finite()) {
-        chart.series.push(isothermal);
-    }
-    add_newtonian_tractions(&mut chart, vec![newtonian]);
+    add_simpler_tractions(&mut chart, vec![vec![newtonian], vec![isothermal]]);
     Some(chart)
 }
 
@@ -179,29 +176,33 @@ pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option
         colour: LEGEND_GREY.into(),
         ..Series::default()
     });
-    add_newtonian_tractions(&mut chart, newtonian);
+    add_simpler_tractions(&mut chart, vec![newtonian]);
     Some(chart)
 }
 
-/// Fits the axis to the tractions, and to Newtonian ones unless they are tens of times larger: these leave the frame.
-fn add_newtonian_tractions(chart: &mut Chart, newtonian: Vec<Series>) {
+/// Fits the axis to the tractions, and to each group of those of simpler contacts unless they are several times
+/// larger: these leave the frame.
+fn add_simpler_tractions(chart: &mut Chart, groups: Vec<Vec<Series>>) {
     let size = |list: &[Series]| {
         let points = list.iter().flat_map(|s| &s.points);
         largest(points.map(|p| p[1].abs()).filter(|v| v.is_finite()))
     };
+    let found = |group: &Vec<Series>| {
+        let mut points = group.iter().flat_map(|s| &s.points);
+        points.any(|p| p[1].is_finite())
+    };
+    let most = LARGEST_SIMPLER * size(&chart.series);
+    let (fitting, leaving): (Vec<_>, Vec<_>) = groups
+        .into_iter()
+        .filter(found)
+        .partition(|group| size(group) <= most);
+    chart.series.extend(fitting.into_iter().flatten());
     fit_y(chart);
-    let fits = size(&newtonian) <= LARGEST_NEWTONIAN * size(&chart.series);
-    let found = |s: &Series| s.points.iter().any(|p| p[1].is_finite());
-    if newtonian.iter().any(found) {
-        chart.series.extend(newtonian);
-    }
-    if fits {
-        fit_y(chart);
-    }
+    chart.series.extend(leaving.into_iter().flatten());
 }
 
-/// A Newtonian traction coefficient of so many times the largest other one is not shown to its end.
-const LARGEST_NEWTONIAN: f64 = 3.0;
+/// A traction coefficient of a simpler contact of so many times the largest one is not shown to its end.
+const LARGEST_SIMPLER: f64 = 3.0;
 
 /// Simpler solutions shown beside those of a curve.
 struct Beside {
