@@ -56,6 +56,13 @@ const SLOW: &[&str] = &[
     "figure-4-4",
     "figure-4-5",
     "figure-4-6",
+    "figure-5-12",
+    "figure-5-13",
+    "figure-5-17",
+    "figure-5-5",
+    "figure-5-7",
+    "figure-5-8",
+    "figure-5-9",
     "table-3-3",
 ];
 

@@ -1,6 +1,7 @@
 //! Quantities that are compared.
 
 use super::run::{Outcome, Run};
+use crate::solution::Solution;
 use crate::study::{CurveSolution, PointSolution};
 
 /// A figure of a run.
@@ -42,6 +43,22 @@ pub enum Quantity {
     MoesMaterialAsymptotic,
     /// Traction coefficient at mid-film.
     Traction,
+    /// X at the spike near the outlet.
+    SpikePosition,
+    /// Smallest film on the centreline over the smallest anywhere.
+    CentrelineRatio,
+    /// Largest rise of the film's temperature, K.
+    FilmRiseOfTemperature,
+    /// Mean temperature of the plane's surface less that of the ball's, over the Hertz zone, K.
+    SurfaceDifference,
+    /// How far mid-film is colder than both walls at the most, 0.8 < X < 1.2, K; negative where it is nowhere.
+    OutletCooling,
+    /// Traction coefficient without heat, on the first mesh.
+    IsothermalTraction,
+    /// Reduction of the central film by heat.
+    ThermalFilmReduction,
+    /// Heat made but not carried off, over the heat made, absolute.
+    HeatBalanceError,
     /// Of a curve: smallest reduction of the central film by shear thinning.
     LeastFilmReduction,
     /// Of a curve: largest.
@@ -60,7 +77,7 @@ pub enum Quantity {
 
 impl Quantity {
     /// Every quantity.
-    pub const ALL: [Quantity; 25] = [
+    pub const ALL: [Quantity; 33] = [
         Quantity::CentralFilm,
         Quantity::MinimumFilm,
         Quantity::Outlet,
@@ -79,6 +96,14 @@ impl Quantity {
         Quantity::MoesMaterial,
         Quantity::MoesMaterialAsymptotic,
         Quantity::Traction,
+        Quantity::SpikePosition,
+        Quantity::CentrelineRatio,
+        Quantity::FilmRiseOfTemperature,
+        Quantity::SurfaceDifference,
+        Quantity::OutletCooling,
+        Quantity::IsothermalTraction,
+        Quantity::ThermalFilmReduction,
+        Quantity::HeatBalanceError,
         Quantity::LeastFilmReduction,
         Quantity::MostFilmReduction,
         Quantity::FilmFall,
@@ -109,6 +134,14 @@ impl Quantity {
             Quantity::MoesMaterial => "moes-material",
             Quantity::MoesMaterialAsymptotic => "moes-material-asymptotic",
             Quantity::Traction => "traction",
+            Quantity::SpikePosition => "spike-position",
+            Quantity::CentrelineRatio => "centreline-ratio",
+            Quantity::FilmRiseOfTemperature => "film-temperature-rise",
+            Quantity::SurfaceDifference => "surface-difference",
+            Quantity::OutletCooling => "outlet-cooling",
+            Quantity::IsothermalTraction => "isothermal-traction",
+            Quantity::ThermalFilmReduction => "thermal-film-reduction",
+            Quantity::HeatBalanceError => "heat-balance",
             Quantity::LeastFilmReduction => "least-film-reduction",
             Quantity::MostFilmReduction => "most-film-reduction",
             Quantity::FilmFall => "film-fall",
@@ -140,6 +173,14 @@ impl Quantity {
             Quantity::MoesMaterial => "L",
             Quantity::MoesMaterialAsymptotic => "L with α*",
             Quantity::Traction => "traction coefficient",
+            Quantity::SpikePosition => "X of the spike",
+            Quantity::CentrelineRatio => "h_cmin/h_min",
+            Quantity::FilmRiseOfTemperature => "largest film temperature rise, K",
+            Quantity::SurfaceDifference => "mean plane − mean ball, K",
+            Quantity::OutletCooling => "mid-film below both walls at the outlet, K",
+            Quantity::IsothermalTraction => "isothermal traction coefficient",
+            Quantity::ThermalFilmReduction => "film reduction by heat",
+            Quantity::HeatBalanceError => "heat balance error",
             Quantity::LeastFilmReduction => "smallest film reduction",
             Quantity::MostFilmReduction => "largest film reduction",
             Quantity::FilmFall => "fall of h_c, first to last point",
@@ -157,6 +198,8 @@ impl Quantity {
             Quantity::DeflectionError
                 | Quantity::DeflectionShapeError
                 | Quantity::LeastFilmReduction
+                | Quantity::ThermalFilmReduction
+                | Quantity::HeatBalanceError
                 | Quantity::MostFilmReduction
                 | Quantity::FilmFall
                 | Quantity::FilmRise
@@ -212,7 +255,11 @@ impl Quantity {
                         s.groups_asymptotic.map(|g| g.moes_material)
                     }
                     Quantity::Traction => Some(s.traction.coefficient),
-                    _ => None,
+                    Quantity::SpikePosition => f.spike.map(|p| p.x / s.scales.length),
+                    Quantity::CentrelineRatio => {
+                        Some(f.film_centreline_minimum.value / f.film_minimum.value)
+                    }
+                    _ => self.of_heat(s),
                 }
             }
             Outcome::Deflected(d) => {
@@ -234,6 +281,29 @@ impl Quantity {
 }
 
 impl Quantity {
+    /// Value of a thermal solution; `None` for another.
+    fn of_heat(self, s: &Solution) -> Option<f64> {
+        let thermal = s.thermal.as_ref()?;
+        match self {
+            Quantity::FilmRiseOfTemperature => {
+                Some(thermal.film_maximum.value - thermal.inlet_temperature)
+            }
+            Quantity::SurfaceDifference => Some(thermal.plane_mean - thermal.ball_mean),
+            Quantity::OutletCooling => {
+                let line = &thermal.centreline;
+                let below = |i: usize| line.plane[i].min(line.ball[i]) - line.mid[i];
+                (s.centreline.x.iter().enumerate())
+                    .filter(|(_, x)| OUTLET.contains(&(*x / s.scales.length)))
+                    .map(|(i, _)| below(i))
+                    .reduce(f64::max)
+            }
+            Quantity::IsothermalTraction => Some(thermal.reduction?.isothermal_traction),
+            Quantity::ThermalFilmReduction => Some(thermal.reduction?.film_central),
+            Quantity::HeatBalanceError => Some(thermal.balance.error.abs()),
+            _ => None,
+        }
+    }
+
     /// Value of a curve; `None` where a point that it needs has no solution.
     fn of_curve(self, curve: &CurveSolution) -> Option<f64> {
         /// A figure of every point that has it, `None` if one that should does not.
@@ -285,6 +355,9 @@ impl Quantity {
 /// Part of the Hertz zone where a heavily loaded contact's pressure is smooth: the inlet and the
 /// spike lie outside.
 const OSCILLATION_ZONE: f64 = 0.8;
+
+/// Where the film leaves the Hertz zone and its pressure falls off, X.
+const OUTLET: std::ops::Range<f64> = 0.8..1.2;
 
 /// Sum of all rises and falls beyond those of a profile that rises to its maximum and falls.
 fn oscillation(values: &[f64]) -> f64 {
