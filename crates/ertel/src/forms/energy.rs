@@ -2,12 +2,14 @@
 //! in the bodies.
 //!
 //! ```text
-//!   film:    ρc h/a (u ∂T/∂X + v ∂T/∂Y) − k/h ∂²T/∂s² = h(Q_shear + Q_comp)            W/m²
+//!   film:    ρc h/a (u ∂T/∂X + v ∂T/∂Y) + c ω ∂T/∂s − k/h ∂²T/∂s² = h(Q_shear + Q_comp)  W/m²
+//!            ω = −∇·(h∫_{−½}^s ρu ds'), the mass flow across the film
 //!            Q_shear = τ·∂u/∂z,   Q_comp = −(T/ρ) ∂ρ/∂T (u ∂p/∂x + v ∂p/∂y)
 //!   bodies:  ρc u ∂T/∂X − k/a (∂²T/∂X² + ∂²T/∂Y² + ∂²T/∂Z²) = 0,   Z = z/a                 W/m²
 //! ```
-//! Habchi 2008, eqs. 5.11, 5.13, 5.14: conduction along the film and convection across it are left out. Fluxes
-//! meet at the walls, z being measured in each layer's own way. T is the absolute temperature in K.
+//! Habchi 2008, eqs. 5.11, 5.13, 5.14, and ω, which is left out there: heat flows at a fixed share s of the film's thickness, and
+//! lubricant crosses from one to another. Conduction along the film is left out. Fluxes meet at the walls, z being measured in
+//! each layer's own way. T is the absolute temperature in K.
 
 use ertel_fem::linear::dense::vectorised;
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
@@ -148,6 +150,10 @@ pub struct FilmHeat {
     pub shear: f64,
     /// h Q_comp, W/m².
     pub compression: f64,
+    /// H∫ρ̄u over the film below less its share of the whole, (s + ½)H∫ρ̄u: what its divergence brings up across the film.
+    pub mass_below: [f64; 2],
+    /// Times the divergence of that and ∂T/∂s, the convection across the film, W/(m²·K).
+    pub lift_capacity: f64,
     /// ∂(hQ_shear)/∂τ, W/m² by unit of stress.
     pub by_stress: [f64; 2],
 }
@@ -265,12 +271,33 @@ fn evaluate(
         point.temperature = temperature;
         point.capacity = rho * heat.density * capacity * h * heat.entrainment_speed / heat.length;
         point.conduction = conductivity / h;
+        // The flux at this height, to be summed up below.
+        point.mass_below = velocity.map(|u| place.film * rho * u);
+        point.lift_capacity =
+            capacity * heat.density * heat.film * heat.entrainment_speed / heat.length;
         point.compression = -h * temperature / rho
             * by_temperature
             * along
             * heat.pressure
             * heat.entrainment_speed
             / heat.length;
+    }
+    let total = |flux: &dyn Fn(usize) -> [f64; 2], weights: &[f64]| {
+        let mut sum = [0.0; 2];
+        for (l, w) in weights.iter().enumerate().take(n) {
+            let [x, y] = flux(l);
+            sum[0] += w * x;
+            sum[1] += w * y;
+        }
+        sum
+    };
+    let fluxes = column.heights;
+    let flux = |l: usize| fluxes[l].mass_below;
+    let whole = total(&flux, heights.weights());
+    for k in 0..n {
+        let share = heights.points()[k] + 0.5;
+        let below = total(&flux, &heights.below[k]);
+        column.heights[k].mass_below = [0, 1].map(|i: usize| below[i] - share * whole[i]);
     }
     column
 }

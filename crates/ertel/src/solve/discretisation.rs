@@ -530,7 +530,7 @@ fn body_params(kind: ContactKind, e: &Extents) -> BodyParams {
 }
 
 /// Whether a surface point lies where P = 0 is prescribed (not on the symmetry line).
-fn on_edge(kind: ContactKind, e: &Extents, p: [f64; 3]) -> bool {
+pub(super) fn on_edge(kind: ContactKind, e: &Extents, p: [f64; 3]) -> bool {
     let tiny = 1e-9 * (e.outlet - e.inlet);
     p[0] < e.inlet + tiny
         || p[0] > e.outlet - tiny

@@ -39,7 +39,7 @@ pub(super) fn heat_balance(
     heat: &Heat,
     scales: &Scales,
 ) -> HeatBalance {
-    let account = assemble(d, fluid, heat, state, None, None).account;
+    let account = assemble(d, fluid, heat, state, None, &[], None).account;
     let scale = area_scale(d.contact.kind, scales);
     let [to_plane, to_ball] = [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b]));
     let by_film = scale * carried_by_film(d, state, fluid, heat);

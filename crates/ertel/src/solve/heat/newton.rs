@@ -6,7 +6,7 @@
 use ertel_fem::linear::block_ilu::{BlockIlu, BlockIluError, BlockMatrix};
 use ertel_fem::linear::gmres::{GmresError, GmresParams, gmres};
 
-use super::system::{Account, HeatSystem, assemble};
+use super::system::{HeatSystem, assemble};
 use crate::film::{FilmFluid, FilmNodes};
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
@@ -65,6 +65,8 @@ pub struct HeatNewton<'a> {
     heat: &'a Heat,
     params: HeatParams,
     source: Source<'a>,
+    /// ω, of the last assembly.
+    cross_flow: Vec<f64>,
     matrix: BlockMatrix,
     /// Effort so far.
     pub stats: HeatStats,
@@ -90,6 +92,7 @@ impl<'a> HeatNewton<'a> {
             heat,
             params,
             source: None,
+            cross_flow: Vec::new(),
             matrix: BlockMatrix::new(space.column.n(), space.graph.clone()),
             stats: HeatStats::default(),
         }
@@ -105,12 +108,16 @@ impl<'a> HeatNewton<'a> {
     /// # Errors
     /// When the linear system cannot be solved.
     pub fn step(&mut self, state: &mut State) -> Result<f64, HeatError> {
+        if self.cross_flow.is_empty() {
+            self.cross_flow = self.assembled(state).cross_flow;
+        }
         let system = assemble(
             self.d,
             self.fluid,
             self.heat,
             state,
             self.source,
+            &self.cross_flow,
             Some(&mut self.matrix),
         );
         let right: Vec<f64> = system.residual.iter().map(|r| -r).collect();
@@ -130,6 +137,7 @@ impl<'a> HeatNewton<'a> {
                 max_iterations: self.params.max_krylov,
             },
         )?;
+        self.cross_flow = system.cross_flow;
         self.stats.krylov_iterations += info.iterations;
         self.stats.iterations += 1;
         let largest = change.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
@@ -140,10 +148,16 @@ impl<'a> HeatNewton<'a> {
         Ok(share * largest)
     }
 
-    /// Heat made and carried off at a state.
-    pub fn account(&self, state: &State) -> Account {
-        let HeatSystem { account, .. } =
-            assemble(self.d, self.fluid, self.heat, state, self.source, None);
-        account
+    /// The energy equation at a state, without its Jacobian.
+    fn assembled(&self, state: &State) -> HeatSystem {
+        assemble(
+            self.d,
+            self.fluid,
+            self.heat,
+            state,
+            self.source,
+            &self.cross_flow,
+            None,
+        )
     }
 }

@@ -1,22 +1,22 @@
 //! Residual and Jacobian of the energy equation, in film and bodies at once.
 //!
 //! ```text
-//!   film:    ∫∫ Ŵ(C v·∇T − hQ) − (Ŵ − W) κ T_ss + κ T_s W_s ds dA,   C = ρc h u_m/a, κ = k/h
+//!   film:    ∫∫ Ŵ(C v·∇T + cωT_s − hQ) − (Ŵ − W) κ T_ss + κ T_s W_s ds dA,   C = ρc h u_m/a, κ = k/h
 //!   bodies:  ∫∫ Ŵ c T_X − (Ŵ − W) κ ΔT + κ ∇T·∇W dZ dA,              c = ρc u, κ = k/a
 //!   Ŵ = W + τ_S v·∇W     streamline upwinding (Habchi 2008, eq. 5.26 and following)
 //! ```
 //! Film and bodies share the nodes at the walls: that heat fluxes meet there is the natural condition. The
 //! heat of shearing is differentiated by the temperature, at its height and, through the stress, at all
-//! others; velocities, densities and thermal properties are not.
+//! others; velocities, densities and thermal properties are not. ω comes from the assembly before.
 
 use ertel_fem::linear::block_ilu::BlockMatrix;
 use rayon::prelude::*;
 
 use super::space::HeatSpace;
 use crate::film::cross_film::CrossFilm;
-use crate::film::{FilmFluid, MOST_NODES};
+use crate::film::{FilmFluid, MOST_NODES, Nodal};
 use crate::forms::energy::{FilmColumn, FilmPlace, Heat, Layer, Source, film_column};
-use crate::solve::discretisation::Discretisation;
+use crate::solve::discretisation::{Discretisation, on_edge};
 use crate::solve::system::State;
 
 /// Most surface nodes of an element.
@@ -30,6 +30,8 @@ pub struct HeatSystem {
     pub fixed: Vec<bool>,
     /// What heats the film, and where the heat goes.
     pub account: Account,
+    /// ω at each height over each vertex of the contact area, over ρ_R u_m a/R.
+    pub cross_flow: Vec<f64>,
 }
 
 /// Heat made and carried off over the whole (half) contact area, W/m² times half-widths squared.
@@ -56,6 +58,8 @@ struct Element {
     /// `[i·n_column + row]`.
     residual: Vec<f64>,
     account: Account,
+    /// ∫ mass_below·∇λ at each height, for each vertex.
+    rise: Vec<f64>,
 }
 
 /// Residual, and the Jacobian into `matrix` if there is one.
@@ -65,6 +69,7 @@ pub fn assemble(
     heat: &Heat,
     state: &State,
     source: Source,
+    cross_flow: &[f64],
     mut matrix: Option<&mut BlockMatrix>,
 ) -> HeatSystem {
     let space = d.heat.as_ref().expect("a discretisation with heat");
@@ -73,6 +78,7 @@ pub fn assemble(
         residual: vec![0.0; space.n()],
         fixed: prescribed(d, space, fluid, heat, state),
         account: Account::default(),
+        cross_flow: vec![0.0; d.contact.surface.n_vertices() * space.column.heights.n()],
     };
     if let Some(matrix) = &mut matrix {
         matrix.clear();
@@ -94,6 +100,7 @@ pub fn assemble(
                             heat,
                             state,
                             source,
+                            cross_flow,
                             c,
                             with_jacobian,
                             &mut rule,
@@ -112,12 +119,21 @@ pub fn assemble(
                     }
                 }
                 system.account.add(&e.account);
+                let n_heights = space.column.heights.n();
+                let vertices = d.contact.surface.cell(first + k);
+                for (vertex, rise) in vertices.iter().zip(e.rise.chunks_exact(n_heights)) {
+                    let sums = &mut system.cross_flow[*vertex as usize * n_heights..][..n_heights];
+                    for (sum, v) in sums.iter_mut().zip(rise) {
+                        *sum += v;
+                    }
+                }
                 if let Some(matrix) = &mut matrix {
                     scatter(space, nodes, e, matrix);
                 }
             }
         }
     }
+    divide_by_area(d, &mut system.cross_flow);
     for (k, fixed) in system.fixed.iter().enumerate() {
         if *fixed {
             // What the prescribed temperature takes up, is conducted out of the body.
@@ -201,6 +217,7 @@ fn element(
     heat: &Heat,
     state: &State,
     source: Source,
+    cross_flow: &[f64],
     c: usize,
     with_jacobian: bool,
     rule: &mut CrossFilm,
@@ -218,6 +235,7 @@ fn element(
         bodies: [0, 1].map(|b: usize| vec![0.0; pairs * size_of_layers(&column.bodies[b])]),
         residual: vec![0.0; n_surface * n],
         account: Account::default(),
+        rise: vec![0.0; d.contact.surface.cell(c).len() * column.heights.n()],
     };
     let size = d.contact.sizes[c] / space.surface.element.order() as f64;
     for (q, weight) in space.rule.weights.iter().enumerate() {
@@ -239,8 +257,10 @@ fn element(
         let further = |layer: Layer| source.map_or(0.0, |f| f([x, y], layer));
         let place = space.film_at(d, state, c, q);
         let film = film_column(fluid, heat, &column.heights, &place, rule);
+        let xi = space.rule.points[q];
+        let lift = vertices_part(d, space, cross_flow, c, xi, &film, area, &mut e);
         film_part(
-            space, nodes, state, &basis, &film, &further, area, size, &mut e,
+            space, nodes, state, &basis, &film, &lift, &further, area, size, &mut e,
         );
         for body in 0..2 {
             body_part(
@@ -251,6 +271,62 @@ fn element(
     e
 }
 
+/// ω at a point from the values at the vertices; adds what the point has to say of them.
+#[allow(clippy::too_many_arguments)]
+fn vertices_part(
+    d: &Discretisation,
+    space: &HeatSpace,
+    cross_flow: &[f64],
+    c: usize,
+    xi: [f64; 3],
+    film: &FilmColumn,
+    area: f64,
+    e: &mut Element,
+) -> Nodal {
+    let n = space.column.heights.n();
+    let mut lift = [0.0; MOST_NODES];
+    let surface = &d.contact.surface;
+    for (v, vertex) in surface.cell(c).iter().enumerate() {
+        // Barycentric coordinate of the vertex and its slopes.
+        let mut reference = [0.0; 3];
+        let value = if v == 0 {
+            reference[..surface.dim].fill(-1.0);
+            1.0 - xi[..surface.dim].iter().sum::<f64>()
+        } else {
+            reference[v - 1] = 1.0;
+            xi[v - 1]
+        };
+        let [x, y, _] = d.contact.maps[c].gradient(reference);
+        for k in 0..n {
+            let [below_x, below_y] = film.heights[k].mass_below;
+            e.rise[v * n + k] += area * (below_x * x + below_y * y);
+            if let Some(known) = cross_flow.get(*vertex as usize * n + k) {
+                lift[k] += value * known;
+            }
+        }
+    }
+    lift
+}
+
+/// ω from its integrals: over the area of each vertex; none at the edge of the contact area, where the integrals lack
+/// what passes through it.
+fn divide_by_area(d: &Discretisation, cross_flow: &mut [f64]) {
+    let surface = &d.contact.surface;
+    let n = cross_flow.len() / surface.n_vertices();
+    let mut areas = vec![0.0; surface.n_vertices()];
+    for c in 0..surface.n_cells() {
+        for vertex in surface.cell(c) {
+            areas[*vertex as usize] += surface.measure(c) / surface.cell(c).len() as f64;
+        }
+    }
+    let values = cross_flow.chunks_exact_mut(n);
+    for ((values, area), point) in values.zip(areas).zip(&surface.vertices) {
+        let inside = !on_edge(d.contact.kind, &d.contact.extents, *point);
+        let factor = if inside { 1.0 / area } else { 0.0 };
+        values.iter_mut().for_each(|v| *v *= factor);
+    }
+}
+
 /// Adds the film at a point of the surface.
 #[allow(clippy::too_many_arguments)]
 fn film_part(
@@ -259,6 +335,7 @@ fn film_part(
     state: &State,
     basis: &SurfaceBasis,
     film: &FilmColumn,
+    lift: &Nodal,
     further: &dyn Fn(Layer) -> f64,
     area: f64,
     size: f64,
@@ -290,6 +367,8 @@ fn film_part(
                 curvature += basis.values[j] * second_slopes[m] * t;
             }
         }
+        let up = lift[k] * point.lift_capacity;
+        carried += up * slope;
         e.account.shear += weight * point.shear;
         e.account.compression += weight * point.compression;
         e.account.compression_size += weight * point.compression.abs();
@@ -323,7 +402,8 @@ fn film_part(
                     let shape = shapes[b]
                         * (convection
                             - heating * (point.shear * film.thinning[b] + by_temperature))
-                        - strong * second_slopes[b];
+                        - strong * second_slopes[b]
+                        + heating * up * first_slopes[b];
                     let slope = weak * first_slopes[b];
                     for a in 0..f {
                         block[b * f + a] += shapes[a] * shape + first_slopes[a] * slope;
