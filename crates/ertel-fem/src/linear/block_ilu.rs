@@ -11,6 +11,7 @@ use faer::linalg::solvers::DenseSolveCore;
 
 use super::dense::{add_product, vectorised};
 use crate::assembly::NodeGraph;
+use crate::kernel;
 
 /// Matrix of square blocks; each is stored column by column.
 #[derive(Clone, Debug)]
@@ -58,17 +59,38 @@ impl BlockMatrix {
 
     /// y = A x.
     pub fn multiply(&self, x: &[f64], y: &mut [f64]) {
+        vectorised(Multiply { matrix: self, x, y });
+    }
+
+    #[inline(always)]
+    fn multiply_here(&self, x: &[f64], y: &mut [f64]) {
         let n = self.n;
-        vectorised(|| {
-            for (i, y) in y.chunks_exact_mut(n).enumerate() {
-                y.fill(0.0);
-                for b in self.graph.offsets[i]..self.graph.offsets[i + 1] {
-                    let j = self.graph.neighbours[b] as usize;
-                    let block = &self.values[b * n * n..(b + 1) * n * n];
-                    add_product(block, &x[j * n..(j + 1) * n], y);
-                }
+        for (i, y) in y.chunks_exact_mut(n).enumerate() {
+            y.fill(0.0);
+            for b in self.graph.offsets[i]..self.graph.offsets[i + 1] {
+                let j = self.graph.neighbours[b] as usize;
+                let block = &self.values[b * n * n..(b + 1) * n * n];
+                add_product(block, &x[j * n..(j + 1) * n], y);
             }
-        });
+        }
+    }
+}
+
+kernel! {
+    Multiply ['a] ['a] (matrix: &'a BlockMatrix, x: &'a [f64], y: &'a mut [f64]) -> () {
+        matrix.multiply_here(x, y)
+    }
+}
+
+kernel! {
+    Factorise ['a] ['a] (ilu: &'a mut BlockIlu) -> Result<(), BlockIluError> {
+        ilu.factorise()
+    }
+}
+
+kernel! {
+    Solve ['a] ['a] (ilu: &'a mut BlockIlu, x: &'a mut [f32]) -> () {
+        ilu.solve_single(x)
     }
 }
 
@@ -108,7 +130,7 @@ impl BlockIlu {
             values: matrix.values.iter().map(|v| *v as f32).collect(),
             scratch: [vec![0.0; n], vec![0.0; n]],
         };
-        vectorised(|| ilu.factorise())?;
+        vectorised(Factorise { ilu: &mut ilu })?;
         Ok(ilu)
     }
 
@@ -160,7 +182,10 @@ impl BlockIlu {
     pub fn solve(&mut self, x: &mut [f64]) {
         let n = self.n;
         let mut single: Vec<f32> = x.iter().map(|v| *v as f32).collect();
-        vectorised(|| self.solve_single(&mut single));
+        vectorised(Solve {
+            ilu: self,
+            x: &mut single,
+        });
         for (x, v) in x.iter_mut().zip(single) {
             *x = f64::from(v);
         }

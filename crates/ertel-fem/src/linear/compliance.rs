@@ -7,6 +7,7 @@
 
 use rayon::prelude::*;
 
+use crate::kernel;
 use crate::linear::dense::{Real, add_both, add_product, vectorised};
 
 /// A symmetric matrix in double and in single precision.
@@ -97,24 +98,16 @@ fn product<T: Real, const L: usize>(tiles: &[T], x: &[T], y: &mut [T]) {
     let zero = T::default();
     let mut padded = vec![zero; n_tiles * TILE];
     padded[..n].copy_from_slice(x);
-    let part = |b: usize| &padded[b * TILE..(b + 1) * TILE];
     let sums: Vec<Vec<T>> = (0..TASKS.min(n_tiles))
         .into_par_iter()
         .with_max_len(1)
         .map(|task| {
             let mut sum = vec![zero; n_tiles * TILE];
-            vectorised(|| {
-                for a in (task..n_tiles).step_by(TASKS) {
-                    let (before, own) = sum.split_at_mut(a * TILE);
-                    let own = &mut own[..TILE];
-                    let row = &tiles[start(a, 0)..start(a + 1, 0)];
-                    let (row, diagonal) = row.split_at(a * TILE * TILE);
-                    for (b, tile) in row.chunks_exact(TILE * TILE).enumerate() {
-                        let below = &mut before[b * TILE..(b + 1) * TILE];
-                        add_both::<T, L>(tile, part(b), part(a), own, below);
-                    }
-                    add_product(diagonal, part(a), own);
-                }
+            vectorised(AddRows::<T, L> {
+                task,
+                tiles,
+                x: &padded,
+                sum: &mut sum,
             });
             sum
         })
@@ -124,6 +117,30 @@ fn product<T: Real, const L: usize>(tiles: &[T], x: &[T], y: &mut [T]) {
         for (y, s) in y.iter_mut().zip(sum) {
             *y += *s;
         }
+    }
+}
+
+kernel! {
+    AddRows ['a, T: Real, const L: usize] ['a, T, L]
+    (task: usize, tiles: &'a [T], x: &'a [T], sum: &'a mut [T]) -> () {
+        add_rows::<T, L>(task, tiles, x, sum)
+    }
+}
+
+/// Adds the products with every [`TASKS`]th row of tiles, from one on; `x` is padded to whole tiles.
+#[inline(always)]
+fn add_rows<T: Real, const L: usize>(task: usize, tiles: &[T], x: &[T], sum: &mut [T]) {
+    let part = |b: usize| &x[b * TILE..(b + 1) * TILE];
+    for a in (task..x.len() / TILE).step_by(TASKS) {
+        let (before, own) = sum.split_at_mut(a * TILE);
+        let own = &mut own[..TILE];
+        let row = &tiles[start(a, 0)..start(a + 1, 0)];
+        let (row, diagonal) = row.split_at(a * TILE * TILE);
+        for (b, tile) in row.chunks_exact(TILE * TILE).enumerate() {
+            let below = &mut before[b * TILE..(b + 1) * TILE];
+            add_both::<T, L>(tile, part(b), part(a), own, below);
+        }
+        add_product(diagonal, part(a), own);
     }
 }
 

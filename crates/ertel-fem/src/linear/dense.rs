@@ -13,9 +13,36 @@ pub trait Real:
 impl Real for f32 {}
 impl Real for f64 {}
 
-/// Runs `f`, and what is inlined into it, with the widest vector instructions at hand.
-pub fn vectorised<R>(f: impl FnOnce() -> R) -> R {
-    pulp::Arch::new().dispatch(f)
+pub use pulp::NullaryFnOnce as Kernel;
+
+/// Runs a kernel, and what is inlined into it, with the widest vector instructions at hand.
+///
+/// A closure will do where it is short: a long one is not inlined, and compiled without those instructions. Others
+/// are declared by [`kernel!`](crate::kernel).
+#[inline]
+pub fn vectorised<K: Kernel>(kernel: K) -> K::Output {
+    pulp::Arch::new().dispatch(kernel)
+}
+
+/// Declares a kernel: a structure of its arguments, whose call is always inlined into [`vectorised`]. Lifetimes and
+/// other parameters stand in brackets, as declared and as used.
+#[macro_export]
+macro_rules! kernel {
+    ($name:ident [$($declared:tt)*] [$($used:tt)*] ($($argument:ident: $type:ty),* $(,)?) -> $output:ty $body:block) => {
+        struct $name<$($declared)*> {
+            $($argument: $type),*
+        }
+
+        impl<$($declared)*> $crate::linear::dense::Kernel for $name<$($used)*> {
+            type Output = $output;
+
+            #[inline(always)]
+            fn call(self) -> $output {
+                let $name { $($argument),* } = self;
+                $body
+            }
+        }
+    };
 }
 
 /// Columns that are treated at once: each pass over a vector then serves four columns.

@@ -15,6 +15,7 @@ use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, Mat, MatMut, Par};
 use rayon::prelude::*;
 
+use crate::kernel;
 use crate::linear::dense::{multiply, multiply_transposed, vectorised};
 use crate::linear::fronts::{Blocks, Front, Fronts};
 use crate::linear::ordering::OrderingError;
@@ -268,7 +269,15 @@ impl FrontalLu {
         pattern.on_parts(x, parts, |root, x, scratch| {
             let first = all[root].subtree;
             let base = all[first].first;
-            vectorised(|| pattern.down(first..=root, base, storage, x, scratch, side));
+            vectorised(Down {
+                pattern,
+                fronts: first..=root,
+                base,
+                storage,
+                x,
+                scratch,
+                side,
+            });
         });
         for (scratch, (_, root)) in parts.iter().zip(roots()) {
             for s in &root.boundary {
@@ -276,10 +285,26 @@ impl FrontalLu {
             }
         }
         for range in &pattern.above {
-            vectorised(|| pattern.down(range.clone(), 0, storage, x, above, side));
+            vectorised(Down {
+                pattern,
+                fronts: range.clone(),
+                base: 0,
+                storage,
+                x: &mut *x,
+                scratch: &mut *above,
+                side,
+            });
         }
         for range in pattern.above.iter().rev() {
-            vectorised(|| pattern.up(range.clone(), 0, storage, x, above, side));
+            vectorised(Up {
+                pattern,
+                fronts: range.clone(),
+                base: 0,
+                storage,
+                x: &mut *x,
+                scratch: &mut *above,
+                side,
+            });
         }
         for (scratch, (_, root)) in parts.iter_mut().zip(roots()) {
             for s in &root.boundary {
@@ -289,11 +314,47 @@ impl FrontalLu {
         pattern.on_parts(x, parts, |root, x, scratch| {
             let first = all[root].subtree;
             let base = all[first].first;
-            vectorised(|| pattern.up(first..=root, base, storage, x, scratch, side));
+            vectorised(Up {
+                pattern,
+                fronts: first..=root,
+                base,
+                storage,
+                x,
+                scratch,
+                side,
+            });
         });
         for (x, unknown) in x.iter().zip(&fronts.order) {
             rhs[*unknown as usize] = *x as f64;
         }
+    }
+}
+
+kernel! {
+    Down ['a] ['a] (
+        pattern: &'a FrontalPattern,
+        fronts: RangeInclusive<usize>,
+        base: usize,
+        storage: &'a [f32],
+        x: &'a mut [f32],
+        scratch: &'a mut Scratch,
+        side: Side,
+    ) -> () {
+        pattern.down(fronts, base, storage, x, scratch, side)
+    }
+}
+
+kernel! {
+    Up ['a] ['a] (
+        pattern: &'a FrontalPattern,
+        fronts: RangeInclusive<usize>,
+        base: usize,
+        storage: &'a [f32],
+        x: &'a mut [f32],
+        scratch: &'a mut Scratch,
+        side: Side,
+    ) -> () {
+        pattern.up(fronts, base, storage, x, scratch, side)
     }
 }
 

@@ -138,7 +138,7 @@ pub fn mid_stress(
 #[inline(always)]
 fn weigh(law: &impl Fluidity, rule: &mut CrossFilm) {
     if !law.is_symmetric() {
-        rule.fill_in(|s| law.factors(s));
+        rule.fill_in(law);
     }
 }
 

@@ -18,6 +18,7 @@ use std::sync::OnceLock;
 use ertel_fem::quadrature::Quadrature;
 use ertel_rheology::shear::StressLimit;
 
+use super::fluidity::Fluidity;
 use super::lanes::{Lanes, WIDTH};
 
 mod panels;
@@ -98,9 +99,9 @@ impl CrossFilm {
         self.even = None;
     }
 
-    /// Factors at the points, unless those that were filled in last still hold.
+    /// Factors of a law at the points, unless those that were filled in last still hold.
     #[inline(always)]
-    pub(super) fn fill_in(&mut self, factors: impl Fn(Lanes) -> Lanes) {
+    pub(super) fn fill_in(&mut self, law: &impl Fluidity) {
         if self.n_factors == self.n {
             return;
         }
@@ -110,7 +111,7 @@ impl CrossFilm {
             for (s, [point, _]) in s.0.iter_mut().zip(points) {
                 *s = *point;
             }
-            values.copy_from_slice(&factors(s).0);
+            values.copy_from_slice(&law.factors(s).0);
         }
         self.n_factors = self.n;
     }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 use ertel_rheology::Scalar;
 use ertel_rheology::density::DensityLaw;
@@ -192,7 +193,12 @@ impl FilmFluid {
         rule: &mut CrossFilm,
     ) -> WarmClosure {
         let law = self.warm_law(pressure, fluid);
-        vectorised(|| close_warm(&law, pressure_stress, sliding_stress, rule))
+        vectorised(CloseWarm {
+            law: &law,
+            pressure_stress,
+            sliding_stress,
+            rule,
+        })
     }
 
     /// p_h, Pa.
@@ -237,7 +243,12 @@ impl FilmFluid {
     ) -> Closure {
         match self.thinning_at(pressure) {
             None => Closure::newtonian(pressure_stress, sliding_stress),
-            Some(law) => vectorised(|| closure::close(&law, pressure_stress, sliding_stress, rule)),
+            Some(law) => vectorised(Close {
+                law: &law,
+                pressure_stress,
+                sliding_stress,
+                rule,
+            }),
         }
     }
 
@@ -264,6 +275,28 @@ impl FilmFluid {
             density: rho,
             viscosity: jet(mu),
         }
+    }
+}
+
+kernel! {
+    CloseWarm ['a] ['a] (
+        law: &'a WarmLaw<'a>,
+        pressure_stress: [f64; 2],
+        sliding_stress: f64,
+        rule: &'a mut CrossFilm,
+    ) -> WarmClosure {
+        close_warm(law, pressure_stress, sliding_stress, rule)
+    }
+}
+
+kernel! {
+    Close ['a] ['a] (
+        law: &'a PointThinning<'a>,
+        pressure_stress: [f64; 2],
+        sliding_stress: f64,
+        rule: &'a mut CrossFilm,
+    ) -> Closure {
+        closure::close(law, pressure_stress, sliding_stress, rule)
     }
 }
 

@@ -11,6 +11,7 @@
 //! lubricant crosses from one to another. Conduction along the film is left out. Fluxes meet at the walls, z being measured in
 //! each layer's own way. T is the absolute temperature in K.
 
+use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
@@ -190,7 +191,25 @@ pub fn film_column(
     place: &FilmPlace,
     rule: &mut CrossFilm,
 ) -> FilmColumn {
-    vectorised(|| evaluate(fluid, heat, heights, place, rule))
+    vectorised(Evaluate {
+        fluid,
+        heat,
+        heights,
+        place,
+        rule,
+    })
+}
+
+kernel! {
+    Evaluate ['a] ['a] (
+        fluid: &'a FilmFluid,
+        heat: &'a Heat,
+        heights: &'a Heights,
+        place: &'a FilmPlace,
+        rule: &'a mut CrossFilm,
+    ) -> FilmColumn {
+        evaluate(fluid, heat, heights, place, rule)
+    }
 }
 
 #[inline(always)]

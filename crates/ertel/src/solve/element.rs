@@ -1,5 +1,6 @@
 //! Residual and Jacobian of the film equations on one element.
 
+use ertel_fem::kernel as declare_kernel;
 use ertel_fem::linear::dense::vectorised;
 use ertel_fem::space::Affine;
 
@@ -119,21 +120,42 @@ impl<'a> Assembler<'a> {
         element.points.clear();
         element.pressure.resize(d.rule.len() * N_LISTS * N, 0.0);
         element.deflection.resize(d.rule.len() * 3 * M, 0.0);
-        vectorised(|| self.interpolate::<N, M, S>(c, element));
+        vectorised(Interpolate::<N, M, S> {
+            assembler: self,
+            c,
+            element,
+        });
         for (q, point) in element.points.iter_mut().enumerate() {
             let source = self.source.map_or(0.0, |f| f(point.place));
             let rule = &mut element.rule;
             match &d.heat {
-                None => vectorised(|| integrand::<S>(point, self.fluid, &local, source, rule)),
+                None => vectorised(Integrand::<S> {
+                    point,
+                    fluid: self.fluid,
+                    local: &local,
+                    source,
+                    rule,
+                }),
                 Some(heat) => {
                     let profile = heat.profile_at(d, self.state, c, q);
-                    vectorised(|| {
-                        warm_integrand(point, self.fluid, &profile, &local, source, rule)
+                    vectorised(WarmIntegrand {
+                        point,
+                        fluid: self.fluid,
+                        profile: &profile,
+                        local: &local,
+                        source,
+                        rule,
                     });
                 }
             }
         }
-        vectorised(|| self.integrate::<N, M, S>(c, element, block, sums));
+        vectorised(Integrate::<N, M, S> {
+            assembler: self,
+            c,
+            element,
+            block,
+            sums,
+        });
     }
 
     /// Shape functions and state at the quadrature points.
@@ -279,6 +301,53 @@ impl<'a> Assembler<'a> {
             row[..n].copy_from_slice(&by_pressure[i][..n]);
             row[n..].copy_from_slice(&by_deflection[i][..m]);
         }
+    }
+}
+
+declare_kernel! {
+    Interpolate ['a, 'b, const N: usize, const M: usize, const S: usize] ['a, 'b, N, M, S]
+    (assembler: &'b Assembler<'a>, c: usize, element: &'b mut Element) -> () {
+        assembler.interpolate::<N, M, S>(c, element)
+    }
+}
+
+declare_kernel! {
+    Integrate ['a, 'b, const N: usize, const M: usize, const S: usize] ['a, 'b, N, M, S]
+    (
+        assembler: &'b Assembler<'a>,
+        c: usize,
+        element: &'b Element,
+        block: &'b mut [f64],
+        sums: &'b mut [[f64; N_SUMS]],
+    ) -> () {
+        assembler.integrate::<N, M, S>(c, element, block, sums)
+    }
+}
+
+declare_kernel! {
+    Integrand ['a, const S: usize] ['a, S]
+    (
+        point: &'a mut Point,
+        fluid: &'a FilmFluid,
+        local: &'a ElementConstants,
+        source: f64,
+        rule: &'a mut CrossFilm,
+    ) -> () {
+        integrand::<S>(point, fluid, local, source, rule)
+    }
+}
+
+declare_kernel! {
+    WarmIntegrand ['a] ['a]
+    (
+        point: &'a mut Point,
+        fluid: &'a FilmFluid,
+        profile: &'a TemperatureProfile,
+        local: &'a ElementConstants,
+        source: f64,
+        rule: &'a mut CrossFilm,
+    ) -> () {
+        warm_integrand(point, fluid, profile, local, source, rule)
     }
 }
 

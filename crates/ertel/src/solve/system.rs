@@ -10,6 +10,7 @@
 //! equations are linear, so eliminating U from each step changes nothing but the cost.
 
 use ertel_fem::assembly::CONSTRAINED;
+use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 use rayon::prelude::*;
 
@@ -236,10 +237,20 @@ pub struct Products<'a> {
     single: [Vec<f32>; 3],
 }
 
+kernel! {
+    Multiply ['a, 'b] ['a, 'b] (products: &'b mut Products<'a>, x: &'b [f64], y: &'b mut [f64]) -> () {
+        products.multiply_here(x, y)
+    }
+}
+
 impl Products<'_> {
     /// y = (R_P + R_δ C M) x for the pressure unknowns.
     pub fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
-        vectorised(|| self.multiply_here(x, y));
+        vectorised(Multiply {
+            products: self,
+            x,
+            y,
+        });
     }
 
     #[inline(always)]
