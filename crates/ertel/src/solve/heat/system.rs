@@ -9,7 +9,9 @@
 //! heat of shearing is differentiated by the temperature, at its height and, through the stress, at all
 //! others; velocities, densities and thermal properties are not. ω comes from the assembly before.
 
+use ertel_fem::kernel;
 use ertel_fem::linear::block_ilu::BlockMatrix;
+use ertel_fem::linear::dense::vectorised;
 use rayon::prelude::*;
 
 use super::space::HeatSpace;
@@ -259,13 +261,31 @@ fn element(
         let film = film_column(fluid, heat, &column.heights, &place, rule);
         let xi = space.rule.points[q];
         let lift = vertices_part(d, space, cross_flow, c, xi, &film, area, &mut e);
-        film_part(
-            space, nodes, state, &basis, &film, &lift, &further, area, size, &mut e,
-        );
+        vectorised(FilmPart {
+            space,
+            nodes,
+            state,
+            basis: &basis,
+            film: &film,
+            lift: &lift,
+            further: &further,
+            area,
+            size,
+            e: &mut e,
+        });
         for body in 0..2 {
-            body_part(
-                space, nodes, heat, state, &basis, body, &further, area, size, &mut e,
-            );
+            vectorised(BodyPart {
+                space,
+                nodes,
+                heat,
+                state,
+                basis: &basis,
+                body,
+                further: &further,
+                area,
+                size,
+                e: &mut e,
+            });
         }
     }
     e
@@ -327,8 +347,43 @@ fn divide_by_area(d: &Discretisation, cross_flow: &mut [f64]) {
     }
 }
 
+kernel! {
+    FilmPart ['a] ['a] (
+        space: &'a HeatSpace,
+        nodes: &'a [u32],
+        state: &'a State,
+        basis: &'a SurfaceBasis,
+        film: &'a FilmColumn,
+        lift: &'a Nodal,
+        further: &'a dyn Fn(Layer) -> f64,
+        area: f64,
+        size: f64,
+        e: &'a mut Element,
+    ) -> () {
+        film_part(space, nodes, state, basis, film, lift, further, area, size, e)
+    }
+}
+
+kernel! {
+    BodyPart ['a] ['a] (
+        space: &'a HeatSpace,
+        nodes: &'a [u32],
+        heat: &'a Heat,
+        state: &'a State,
+        basis: &'a SurfaceBasis,
+        body: usize,
+        further: &'a dyn Fn(Layer) -> f64,
+        area: f64,
+        size: f64,
+        e: &'a mut Element,
+    ) -> () {
+        body_part(space, nodes, heat, state, basis, body, further, area, size, e)
+    }
+}
+
 /// Adds the film at a point of the surface.
 #[allow(clippy::too_many_arguments)]
+#[inline(always)]
 fn film_part(
     space: &HeatSpace,
     nodes: &[u32],
@@ -431,6 +486,7 @@ fn film_part(
 
 /// Adds a body at a point of the surface.
 #[allow(clippy::too_many_arguments)]
+#[inline(always)]
 fn body_part(
     space: &HeatSpace,
     nodes: &[u32],
