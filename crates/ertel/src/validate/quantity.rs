@@ -51,7 +51,7 @@ pub enum Quantity {
     FilmRiseOfTemperature,
     /// Mean temperature of the plane's surface less that of the ball's, over the Hertz zone, K.
     SurfaceDifference,
-    /// How far mid-film is colder than both walls at the most, 0.8 < X < 1.2, K; negative where it is nowhere.
+    /// How far mid-film is colder than the mean of both walls at the most, 0.8 < X < 1.2, K; negative where it is nowhere.
     OutletCooling,
     /// Traction coefficient without heat, on the first mesh.
     IsothermalTraction,
@@ -177,7 +177,7 @@ impl Quantity {
             Quantity::CentrelineRatio => "h_cmin/h_min",
             Quantity::FilmRiseOfTemperature => "largest film temperature rise, K",
             Quantity::SurfaceDifference => "mean plane − mean ball, K",
-            Quantity::OutletCooling => "mid-film below both walls at the outlet, K",
+            Quantity::OutletCooling => "mid-film below the mean of the walls at the outlet, K",
             Quantity::IsothermalTraction => "isothermal traction coefficient",
             Quantity::ThermalFilmReduction => "film reduction by heat",
             Quantity::HeatBalanceError => "heat balance error",
@@ -291,7 +291,7 @@ impl Quantity {
             Quantity::SurfaceDifference => Some(thermal.plane_mean - thermal.ball_mean),
             Quantity::OutletCooling => {
                 let line = &thermal.centreline;
-                let below = |i: usize| line.plane[i].min(line.ball[i]) - line.mid[i];
+                let below = |i: usize| 0.5 * (line.plane[i] + line.ball[i]) - line.mid[i];
                 (s.centreline.x.iter().enumerate())
                     .filter(|(_, x)| OUTLET.contains(&(*x / s.scales.length)))
                     .map(|(i, _)| below(i))
