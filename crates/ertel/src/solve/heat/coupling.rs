@@ -3,8 +3,8 @@
 //! Each round solves for the temperatures of the last pressures and films, and for pressures and films at those
 //! temperatures. The heat of shearing answers to the temperature inside the first, with its derivative; what is
 //! left between the rounds is that films and pressures answer to the heat, mostly of the inlet, and that is
-//! weak. Anderson's method mixes the last rounds; how much the changes shrink from round to round is
-//! reported.
+//! weak. How much the changes shrink from round to round is reported. Where the film equations do not converge at new
+//! temperatures, half of their change is tried first.
 
 use super::newton::{HeatNewton, HeatParams, HeatStats};
 use crate::forms::energy::Heat;
@@ -52,6 +52,9 @@ const NEGLIGIBLE_RISE: f64 = 1e-3;
 
 /// Steps for the temperatures in one round.
 const MOST_STEPS: usize = 25;
+
+/// Share of new temperatures that is tried at the least.
+const SMALLEST_SHARE: f64 = 0.1;
 
 /// Share of a round's change to which each of its halves is solved.
 const INNER_SHARE: f64 = 0.1;
@@ -107,7 +110,22 @@ pub fn solve_coupled(
                 .min(1e-3),
             ..*newton
         };
-        let reached = level.run(model, &inner, label, state, stats, observer)?;
+        let heated = state.temperature.clone();
+        let mut share = 1.0;
+        let reached = loop {
+            match level.run(model, &inner, label, state, stats, observer) {
+                Err(SolveError::NotConverged { .. }) if share > SMALLEST_SHARE => {
+                    share *= 0.5;
+                    let mixed = before.temperature.iter().zip(&heated);
+                    let temperature = mixed.map(|(t, new)| t + share * (new - t)).collect();
+                    *state = State {
+                        temperature,
+                        ..before.clone()
+                    };
+                }
+                outcome => break outcome?,
+            }
+        };
         let largest = |a: &[f64], b: &[f64]| {
             a.iter()
                 .zip(b)
@@ -129,7 +147,7 @@ pub fn solve_coupled(
         } else {
             coupling.contraction = (change / first_change).powf(1.0 / (round - 1) as f64);
         }
-        if change < params.tolerance {
+        if change < params.tolerance && share == 1.0 {
             return Ok((reached, coupling));
         }
     }

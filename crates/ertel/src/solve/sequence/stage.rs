@@ -227,7 +227,8 @@ impl<'a> StageRun<'a> {
             film_minimum: problem.film_scale * minimum_film(d, state).0,
             pressure_maximum: problem.pressure_scale * largest_pressure(d, state).0,
             traction: (problem.heat.as_ref())
-                .map(|_| traction(d, state, &self.model(1.0).fluid, problem.load)),
+                .map(|_| traction(d, state, &self.model(1.0).fluid, problem.load))
+                .filter(|traction| traction.is_finite()),
             estimate: indicator.map(Indicator::totals),
             seconds: effort.seconds,
         };
