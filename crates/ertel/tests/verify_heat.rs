@@ -85,7 +85,7 @@ fn solve(
     panic!("the temperatures do not converge");
 }
 
-/// T = T_0 + A g(X, Y) φ with φ = 0.7 + 0.15(1 + cos 2πs)·2 in the film and 0.7 cos(πZ/2D) in the bodies: both without flux
+/// T = T_0 + A g(X, Y) φ with φ = 0.7 + 0.3(1 + cos 2πs) in the film and 0.7 cos(πZ/2D) in the bodies: both without flux
 /// at the walls, g without flux where nothing is prescribed. No slide, no pressure: the film flows as a whole.
 /// Errors in the film's and the bodies' L² norms must fall with the order of the surface elements plus one.
 fn manufactured(kind: ContactKind, order: usize, sizes: [f64; 3]) {

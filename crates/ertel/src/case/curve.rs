@@ -244,19 +244,13 @@ fn read_list(
     Ok(values.into_iter().zip(nodes.iter().cloned()).collect())
 }
 
-fn read_range(
-    document: &Document,
-    table: &mut Table<'_>,
-    quantity: &Quantity,
-) -> Result<Values, InputError> {
-    let from = table.required_quantity("from", quantity.dimension, Bounds::ANY)?;
-    let to = table.required_quantity("to", quantity.dimension, Bounds::ANY)?;
-    let points = table.required_integer("points", 2..=MOST_POINTS)?;
+/// Reads `spacing` of a range: whether its steps are equal ratios.
+pub(super) fn read_spacing(table: &mut Table<'_>, from: f64, to: f64) -> Result<bool, InputError> {
     let log = table
         .optional_choice("spacing", &[("linear", false), ("log", true)])?
         .unwrap_or(false);
     if from == to {
-        return Err(table.error("to", "`to` equals `from`: the curve has no length"));
+        return Err(table.error("to", "`to` equals `from`: the range has no length"));
     }
     if log && from * to <= 0.0 {
         let key = if from == 0.0 { "from" } else { "to" };
@@ -267,6 +261,18 @@ fn read_range(
             )
             .with_help("spacing = \"linear\" does"));
     }
+    Ok(log)
+}
+
+fn read_range(
+    document: &Document,
+    table: &mut Table<'_>,
+    quantity: &Quantity,
+) -> Result<Values, InputError> {
+    let from = table.required_quantity("from", quantity.dimension, Bounds::ANY)?;
+    let to = table.required_quantity("to", quantity.dimension, Bounds::ANY)?;
+    let points = table.required_integer("points", 2..=MOST_POINTS)?;
+    let log = read_spacing(table, from, to)?;
     let last = (points - 1) as f64;
     let unit = quantity.unit();
     let values = (0..points).map(|i| {

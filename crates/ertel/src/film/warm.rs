@@ -1,7 +1,7 @@
 //! The fluid of a film whose temperature varies across it and along it.
 //!
 //! ```text
-//!   1/η(s) = f(|t|², P) e^{E(s)}/μ̄,   E = ln μ̄ − ln μ(P, T(s))      μ̄ at one height stands for the film
+//!   1/η(s) = f(|t|², P) e^{E(s)}/μ̄,   E = ln μ̄ − ln μ(P, T(s))      ln μ̄ = ∫ln μ ds
 //!   ρ_m = ∫ρ ds,   e(s) = ½ − ∫_s^½ ρ ds'/ρ_m                        mean density, lever of the shear rate
 //!
 //!   mass flow = H∫ρu ds = ρ_m H e_x + H∫ ρ_m e ∂u/∂s ds             (by parts; e = s where ρ is uniform)
@@ -102,7 +102,7 @@ pub struct WarmFluid {
     pub lever: Field,
     /// ρ_m.
     pub density: Mean,
-    /// μ̄ with two derivatives by P; it belongs to the point, and has no others.
+    /// μ̄, the geometric mean over the film, with two derivatives by P. It cancels, and has no others.
     pub viscosity: [f64; 3],
     /// ln μ at the nodes, and its derivative by T, 1/K.
     pub ln_viscosities: [Nodal; 2],

@@ -139,8 +139,6 @@ impl Heights {
 pub struct FilmHeat {
     /// Velocity over the entrainment speed.
     pub velocity: [f64; 2],
-    /// Shear rate along X and Y, 1/s.
-    pub shear_rate: [f64; 2],
     /// Temperature, K.
     pub temperature: f64,
     /// ρc h u_m/a, W/(m²·K): times the velocity, the convection.
@@ -246,7 +244,6 @@ fn evaluate(
         let [f, by_square] = law.slope(square).map(|v| factors[k] * v);
         rates[k] = t.map(|t| f * t);
         let point = &mut column.heights[k];
-        point.shear_rate = rates[k].map(|r| rate_scale * r);
         point.shear = h * stress * rate_scale * f * square;
         let slope = h * stress * rate_scale * 2.0 * (f + square * by_square);
         point.by_stress = t.map(|t| slope * t);

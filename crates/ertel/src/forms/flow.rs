@@ -7,7 +7,7 @@
 //! Mass flows by ρ̄H e_x − Q. A generalized-Newtonian film has one viscosity at each height; its Q,
 //! from the stress across the film, contains what sliding does to the flow (Habchi 2008, eqs. 4.9 and
 //! 4.11, where the same is written with integrals of 1/η). With q = G/12 it is the Newtonian one. Where the
-//! temperature varies, ρ̄ is the mean over the film and μ̄ the viscosity at one height (see [`crate::film::warm`]).
+//! temperature varies, ρ̄ is the mean over the film and μ̄ the geometric mean of the viscosity (see [`crate::film::warm`]).
 
 use crate::film::closure::N_DEMANDS;
 use crate::film::warm::Mean;

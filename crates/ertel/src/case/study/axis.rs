@@ -9,6 +9,7 @@ use ertel_rheology::quantity::{Dimension, parse_any};
 
 use super::MOST_POINTS;
 use super::text::inline;
+use crate::case::curve::read_spacing;
 
 /// A value of an axis.
 #[derive(Clone, Debug, PartialEq)]
@@ -259,21 +260,7 @@ fn read_range(table: &mut Table<'_>, node: &Node) -> Result<Values, InputError> 
         ));
     }
     let points = table.required_integer("points", 2..=MOST_POINTS as i64)?;
-    let log = table
-        .optional_choice("spacing", &[("linear", false), ("log", true)])?
-        .unwrap_or(false);
-    if from == to {
-        return Err(table.error("to", "`to` equals `from`: the range has no length"));
-    }
-    if log && from * to <= 0.0 {
-        let key = if from == 0.0 { "from" } else { "to" };
-        return Err(table
-            .error(
-                key,
-                "equal ratios lead neither from zero, nor to zero, nor across it",
-            )
-            .with_help("spacing = \"linear\" does"));
-    }
+    let log = read_spacing(table, from, to)?;
     let last = (points - 1) as f64;
     let unit = dimension.si_unit();
     let at_points = node.entry("points").map_or(0..0, |e| e.node.span.clone());

@@ -3,10 +3,11 @@
 //! ```text
 //!   made:      ∫ h(Q_shear + Q_comp) dA
 //!   bodies:    ∫∫ ρc u ∂T/∂x dz dA + what is conducted out where temperatures are prescribed
-//!   film:      ∮ h∫ρc u·n (T − T_inlet) ds dl   round the area where the film is whole, and ∫ h∫ρc u·∇T ds dA beyond
+//!   film:      ∮ h∫ρc u·n (T − T_inlet) ds dl   round the area where the film is whole, and what the energy
+//!              equation lets it take up beyond
 //! ```
 //! The film is whole where it is under pressure. Where it has broken into streaks, its thickness does not say how much
-//! lubricant flows; there, heat is what the energy equation lets it take up.
+//! lubricant flows.
 
 use std::collections::HashMap;
 
@@ -33,10 +34,12 @@ pub(super) fn heat_balance(
     heat: &Heat,
     scales: &Scales,
 ) -> HeatBalance {
-    let account = assemble(d, fluid, heat, state, None, &[], None).account;
+    let unlifted = assemble(d, fluid, heat, state, None, &[], None);
+    let system = assemble(d, fluid, heat, state, None, &unlifted.cross_flow, None);
+    let account = system.account;
     let scale = area_scale(d.contact.kind, scales);
     let [to_plane, to_ball] = [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b]));
-    let by_film = scale * carried_by_film(d, state, fluid, heat);
+    let by_film = scale * carried_by_film(d, state, fluid, heat, &system.taken_up);
     let (shear, compression) = (scale * account.shear, scale * account.compression);
     let size = shear + scale * account.compression_size;
     let lost = shear + compression - to_plane - to_ball - by_film;
@@ -51,8 +54,14 @@ pub(super) fn heat_balance(
     }
 }
 
-/// Heat that the lubricant carries off, W/m² times half-widths squared.
-fn carried_by_film(d: &Discretisation, state: &State, fluid: &FilmFluid, heat: &Heat) -> f64 {
+/// Heat that the lubricant carries off, W/m² times half-widths squared; `taken_up` by each element.
+fn carried_by_film(
+    d: &Discretisation,
+    state: &State,
+    fluid: &FilmFluid,
+    heat: &Heat,
+    taken_up: &[f64],
+) -> f64 {
     let Some(space) = d.heat.as_deref() else {
         return 0.0;
     };
@@ -67,10 +76,8 @@ fn carried_by_film(d: &Discretisation, state: &State, fluid: &FilmFluid, heat: &
     let whole: Vec<bool> = (0..d.contact.n_elements())
         .map(|c| film.is_whole(c))
         .collect();
-    let mut carried = 0.0;
-    for (c, _) in whole.iter().enumerate().filter(|(_, whole)| !**whole) {
-        carried += film.taken_up(c);
-    }
+    let beyond = taken_up.iter().zip(&whole).filter(|(_, whole)| !**whole);
+    let mut carried: f64 = beyond.map(|(taken_up, _)| taken_up).sum();
     for (c, side) in outer_sides(d, &whole) {
         carried += film.through(c, side);
     }
@@ -133,28 +140,6 @@ impl Film<'_> {
     fn is_whole(&self, c: usize) -> bool {
         let mut nodes = self.d.pressure.nodes_of(c).iter();
         nodes.any(|n| self.state.pressure[*n as usize] > PRESSED)
-    }
-
-    /// ∫ h∫ρc u·∇T ds dA over an element.
-    fn taken_up(&mut self, c: usize) -> f64 {
-        let (space, heights) = (self.space, &self.space.column.heights);
-        let mut sum = 0.0;
-        for (xi, weight) in space.rule.points.iter().zip(&space.rule.weights) {
-            let fields = fields_in(self.d, self.state, c, *xi);
-            let slopes = fields.temperature.unwrap_or_default().slopes;
-            let column = self.column(&fields);
-            for (k, w) in heights.weights().iter().enumerate() {
-                let along = |slope: &[f64]| -> f64 {
-                    let shapes = heights.shapes[k].iter();
-                    shapes.zip(slope).map(|(s, t)| s * t).sum()
-                };
-                let point = &column.heights[k];
-                let rise =
-                    point.velocity[0] * along(&slopes[0]) + point.velocity[1] * along(&slopes[1]);
-                sum += weight * self.d.contact.maps[c].determinant * w * point.capacity * rise;
-            }
-        }
-        sum
     }
 
     /// ∫ h∫ρc u·n (T − T_inlet) ds dl over the side of an element opposite to a corner.

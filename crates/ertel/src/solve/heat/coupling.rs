@@ -47,19 +47,42 @@ pub struct CouplingStats {
     pub heat: HeatStats,
 }
 
+impl CouplingStats {
+    /// The same together with a run before it, from whose end it started.
+    #[must_use]
+    pub fn after(self, earlier: Option<CouplingStats>) -> CouplingStats {
+        let Some(earlier) = earlier else {
+            return self;
+        };
+        CouplingStats {
+            rounds: self.rounds + earlier.rounds,
+            // A single round has nothing to compare its change with.
+            contraction: match self.rounds {
+                1 => earlier.contraction,
+                _ => self.contraction,
+            },
+            change: self.change,
+            heat: HeatStats {
+                iterations: self.heat.iterations + earlier.heat.iterations,
+                krylov_iterations: self.heat.krylov_iterations + earlier.heat.krylov_iterations,
+            },
+        }
+    }
+}
+
 /// Change of a temperature rise that does not matter, K.
 const NEGLIGIBLE_RISE: f64 = 1e-3;
 
 /// Steps for the temperatures in one round.
 const MOST_STEPS: usize = 25;
 
-/// Share of new temperatures that is tried at the least.
+/// Share of new temperatures below which they are not halved further.
 const SMALLEST_SHARE: f64 = 0.1;
 
 /// Share of a round's change to which each of its halves is solved.
 const INNER_SHARE: f64 = 0.1;
 
-/// Iterates from `state`, whose temperatures may be missing.
+/// Iterates from `state`, which has temperatures.
 ///
 /// # Errors
 /// When the rounds run out, or one of the halves fails.

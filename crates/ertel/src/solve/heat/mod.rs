@@ -2,12 +2,16 @@
 //!
 //! - `column`: the layers over a point of the contact area, bottom to top;
 //! - `space`: temperatures over the contact area, and what the film equations see of them;
-//! - `system`: residual and Jacobian of the energy equation;
+//! - `inflow`: temperatures that are prescribed;
+//! - `element`: what an element adds to residual and Jacobian of the energy equation;
+//! - `system`: both as a whole;
 //! - `newton`: temperatures for given pressures and films;
 //! - `coupling`: both in turn, until neither changes.
 
 pub mod column;
 pub mod coupling;
+mod element;
+mod inflow;
 pub mod newton;
 pub mod space;
 pub mod system;

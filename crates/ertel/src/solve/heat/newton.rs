@@ -40,8 +40,6 @@ pub struct HeatStats {
     pub iterations: usize,
     /// Krylov iterations.
     pub krylov_iterations: usize,
-    /// Factorisations of the preconditioner.
-    pub factorisations: usize,
 }
 
 /// A step failed.
@@ -125,7 +123,6 @@ impl<'a> HeatNewton<'a> {
             return Err(HeatError::NotFinite);
         }
         let mut ilu = BlockIlu::new(&self.matrix)?;
-        self.stats.factorisations += 1;
         let mut change = vec![0.0; right.len()];
         let info = gmres(
             |x, y| self.matrix.multiply(x, y),

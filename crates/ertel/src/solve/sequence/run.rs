@@ -230,7 +230,10 @@ impl<'a> Sequence<'a> {
         };
         if rough && last && outcome.is_ok() && refinement.is_none() {
             // Measured, and already accurate enough: the solution itself, to the end.
-            outcome = run.solve(Finish::Exact, &mut state, &mut effort, observer);
+            let rough = outcome.ok().and_then(|(_, coupling)| coupling);
+            outcome = run
+                .solve(Finish::Exact, &mut state, &mut effort, observer)
+                .map(|(reached, coupling)| (reached, coupling.map(|c| c.after(rough))));
             let figures = run.figures(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
             self.stats[level] = figures;
         }
@@ -353,8 +356,10 @@ impl<'a> Sequence<'a> {
             let level = self.stats.len() - 1;
             let run = StageRun::new(self.problem, &p.stage, level, &p.discretisation);
             let mut effort = NewtonStats::default();
-            (p.reached, p.coupling) =
+            let rough = p.coupling;
+            let (reached, coupling) =
                 run.solve(Finish::Exact, &mut p.state, &mut effort, observer)?;
+            (p.reached, p.coupling) = (reached, coupling.map(|c| c.after(rough)));
         }
         Ok(())
     }

@@ -1,0 +1,98 @@
+//! Temperatures that are prescribed: where bodies and lubricant enter, and at the bottom of the bodies.
+
+use super::space::HeatSpace;
+use crate::film::FilmFluid;
+use crate::film::cross_film::CrossFilm;
+use crate::forms::energy::{FilmPlace, Heat, film_column};
+use crate::solve::discretisation::Discretisation;
+use crate::solve::system::State;
+
+/// Which temperatures are prescribed: those at the bottom of the bodies, and those with which bodies and
+/// lubricant enter.
+pub(super) fn prescribed(
+    d: &Discretisation,
+    space: &HeatSpace,
+    fluid: &FilmFluid,
+    heat: &Heat,
+    state: &State,
+) -> Vec<bool> {
+    let (column, extents) = (&space.column, &d.contact.extents);
+    let n = column.n();
+    let mut fixed = vec![false; space.n()];
+    let tiny = 1e-9 * (extents.outlet - extents.inlet);
+    let mut rule = CrossFilm::default();
+    for (node, point) in space.surface.points.iter().enumerate() {
+        let own = &mut fixed[node * n..(node + 1) * n];
+        for body in 0..2 {
+            own[column.bottom(body)] = true;
+        }
+        // Direction in which the outside lies, along the motion.
+        let outward = if point[0] < extents.inlet + tiny {
+            -1.0
+        } else if point[0] > extents.outlet - tiny {
+            1.0
+        } else {
+            continue;
+        };
+        let walls = [column.first, column.first + column.film.n() - 1];
+        for (body, law) in heat.bodies.iter().enumerate() {
+            if outward * law.velocity <= 0.0 {
+                own[column.body_range(body)].fill(true);
+            }
+        }
+        let inward = film_velocities(
+            d,
+            space,
+            fluid,
+            heat,
+            state,
+            [point[0], point[1]],
+            &mut rule,
+        );
+        for (m, u) in inward.iter().enumerate() {
+            let unknown = column.first + m;
+            if outward * u < 0.0 && !walls.contains(&unknown) {
+                own[unknown] = true;
+            }
+        }
+    }
+    fixed
+}
+
+/// Velocity along X, over the entrainment speed, at the film's nodes over a point.
+fn film_velocities(
+    d: &Discretisation,
+    space: &HeatSpace,
+    fluid: &FilmFluid,
+    heat: &Heat,
+    state: &State,
+    point: [f64; 2],
+    rule: &mut CrossFilm,
+) -> Vec<f64> {
+    let column = &space.column;
+    let Some(f) = crate::solve::evaluate::fields_at(d, state, point) else {
+        return vec![0.0; column.film.n()];
+    };
+    let place = FilmPlace {
+        pressure: f.pressure,
+        pressure_gradient: f.pressure_gradient,
+        film: f.film,
+        temperature: f
+            .temperature
+            .expect("a discretisation with heat")
+            .temperature,
+    };
+    let film = film_column(fluid, heat, &column.heights, &place, rule);
+    // at the height next to each node
+    let s = column.heights.points();
+    let nearest = |node: &f64| {
+        let distance = |k: &usize| (s[*k] - node).abs();
+        (0..s.len())
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+            .unwrap_or(0)
+    };
+    let nodes = column.film.points().iter();
+    nodes
+        .map(|node| film.heights[nearest(node)].velocity[0])
+        .collect()
+}
