@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 
 /// Film thickness and pressure of elastohydrodynamic contacts.
@@ -183,15 +184,19 @@ pub enum FitCommand {
 /// `ertel fit film`.
 #[derive(Debug, Args)]
 pub struct FitFilmArgs {
-    /// Table with the columns film_central_m or film_minimum_m, moes_load, moes_material, speed_group, radius_m
+    /// Table with the columns film_central_m or film_minimum_m, and those that the form needs
     #[arg(value_name = "RESULTS.csv")]
     pub results: PathBuf,
+    /// The form: moes, h = c R sqrt(2U) M^a L^b; hamrock-dowson, h = c R U^a G^b W^d; blend, of the elastic asymptotes of the
+    /// central film; speed, h = c u^a; speed-load, h = c u^a F^b
+    #[arg(long, value_name = "FORM", default_value = "moes", value_parser = PossibleValuesParser::new(ertel::fit::FilmForm::NAMES))]
+    pub form: String,
     /// Reduced radius of all films, such as "12.7 mm" (default: the column radius_m)
     #[arg(long, value_name = "R")]
     pub radius: Option<String>,
-    /// Compare the films with a formula c M^a L^b, too, as in "central=1.96,-0.1111,0" (may be repeated)
+    /// Compare the films with the form with given constants, too, as in "central=1.96,-0.1111,0" (may be repeated)
     #[arg(long, value_name = "FILM=C,A,B", value_parser = beside)]
-    pub beside: Vec<(ertel::fit::FilmKind, ertel::fit::PowerFormula)>,
+    pub beside: Vec<(ertel::fit::FilmKind, Vec<f64>)>,
     /// Confidence of the intervals
     #[arg(long, value_name = "P", default_value_t = 0.95)]
     pub confidence: f64,
@@ -204,10 +209,10 @@ pub struct FitFilmArgs {
 }
 
 /// `central=1.96,-0.1111,0`.
-fn beside(text: &str) -> Result<(ertel::fit::FilmKind, ertel::fit::PowerFormula), String> {
-    use ertel::fit::{FilmKind, PowerFormula};
+fn beside(text: &str) -> Result<(ertel::fit::FilmKind, Vec<f64>), String> {
+    use ertel::fit::FilmKind;
     let help = || {
-        "write the film, central or minimum, and the constants c, a and b: central=1.96,-0.1111,0"
+        "write the film, central or minimum, and the constants of the form, such as c, a and b: central=1.96,-0.1111,0"
             .to_owned()
     };
     let (kind, constants) = text.split_once('=').ok_or_else(help)?;
@@ -220,17 +225,8 @@ fn beside(text: &str) -> Result<(ertel::fit::FilmKind, ertel::fit::PowerFormula)
         .split(',')
         .map(|c| c.trim().parse().ok().filter(|c: &f64| c.is_finite()))
         .collect();
-    match constants.as_deref() {
-        Some(&[factor, load_exponent, material_exponent]) if factor > 0.0 => Ok((
-            kind,
-            PowerFormula {
-                factor,
-                load_exponent,
-                material_exponent,
-            },
-        )),
-        _ => Err(help()),
-    }
+    let constants = constants.ok_or_else(help)?;
+    Ok((kind, constants))
 }
 
 /// `ertel fit viscosity` and `ertel fit density`.

@@ -273,8 +273,8 @@ impl SweepObserver for Progress<'_> {
             return;
         }
         let record = progress.record;
-        let film = record.fields.iter().find(|(n, _)| n == "film_central_m");
-        let film = film.and_then(|(_, value)| value.parse::<f64>().ok());
+        let film = record.field("film_central_m");
+        let film = film.and_then(|value| value.parse::<f64>().ok());
         let outcome = match film {
             Some(film) => format!("central film {}", length(film)),
             None => format!("failed: {}", record.reason),

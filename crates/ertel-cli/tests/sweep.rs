@@ -138,6 +138,66 @@ values = ["0.2 m/s", "2 m/s"]
     assert!(text(&fit.stdout).contains("Central film of 18 results"));
 }
 
+/// Temperatures stand in the table, and what heat takes away beside the same points without it.
+#[test]
+fn a_study_with_heat_has_its_temperatures() {
+    let study = r#"
+case = "thermal.toml"
+
+[[axis]]
+key = "motion.slide_to_roll_ratio"
+values = [0.0, 0.2, 0.4]
+
+[[axis]]
+key = "solver.isothermal"
+values = [false, true]
+"#;
+    let folder = workspace(study);
+    let thermal = include_str!("good/thermal.toml");
+    std::fs::write(folder.path().join("thermal.toml"), thermal).unwrap();
+    let output = sweep(&folder, &["study.toml", "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let table = read(&folder, "results/study/results.csv");
+    let numbers = |name: &str| -> Vec<Option<f64>> {
+        let cells = column(&table, name);
+        cells.iter().map(|cell| cell.parse().ok()).collect()
+    };
+    let value = |name: &str, i: usize| numbers(name)[i].unwrap();
+    // Points 0, 2, 4 have heat, points 1, 3, 5 have none.
+    for name in [
+        "film_temperature_maximum_K",
+        "film_temperature_mean_K",
+        "plane_temperature_maximum_K",
+        "ball_temperature_maximum_K",
+        "heat_shear_W_per_m",
+        "heat_balance_error",
+        "thermal_reduction_central",
+        "thermal_reduction_minimum",
+    ] {
+        let has: Vec<bool> = numbers(name).iter().map(Option::is_some).collect();
+        assert_eq!(has, [true, false, true, false, true, false], "{name}");
+    }
+    let ambient = 313.15;
+    assert!(value("film_temperature_maximum_K", 4) > value("film_temperature_maximum_K", 2));
+    for name in ["film", "plane", "ball"].map(|of| format!("{of}_temperature_maximum_K")) {
+        assert!(value(&name, 4) > ambient);
+    }
+    assert!(value("heat_balance_error", 4).abs() < 0.01);
+    for (name, of) in [
+        ("thermal_reduction_central", "film_central_m"),
+        ("thermal_reduction_traction", "traction_coefficient"),
+    ] {
+        let expected = 1.0 - value(of, 4) / value(of, 5);
+        assert!(expected > 0.0 && (value(name, 4) - expected).abs() < 1e-12);
+    }
+    // Where nothing slides there is no traction to lose.
+    assert_eq!(numbers("thermal_reduction_traction")[0], None);
+    for picture in ["film.svg", "traction.svg"] {
+        let picture = read(&folder, &format!("results/study/{picture}"));
+        assert!(picture.contains("without heat"));
+    }
+}
+
 /// Killed at random moments, a study comes to the same table, byte for byte, and no point is in its journal twice.
 #[test]
 fn a_killed_study_ends_as_an_undisturbed_one() {

@@ -2,24 +2,40 @@
 
 use ertel::contact::ContactKind;
 use ertel::fit::{
-    FilmFit, FilmFitError, FilmKind, FilmState, contact_of_films, fit_film, read_films,
+    Estimate, FilmFit, FilmFitError, FilmForm, FilmKind, FilmState, Films, FormError,
+    contact_of_films, fit_film, read_films,
 };
+use ertel::reference::{moes_line_asymptotes, nijenbanning_venner_moes_asymptotes};
 
 /// Habchi 2008, eq. 6.4: fluid C, central film.
 const FACTOR: f64 = 2.2318;
 const EXPONENT_M: f64 = -0.1362;
 const EXPONENT_L: f64 = 0.0198;
 
+const RADIUS: f64 = 12.7e-3;
+const SPEED_GROUP: f64 = 1e-12;
+
 fn film(load: f64, material: f64, noise: f64) -> FilmState {
-    let (radius, speed) = (12.7e-3, 1e-12);
-    let h = FACTOR * radius * f64::sqrt(2.0 * speed);
+    let scale = RADIUS * f64::sqrt(2.0 * SPEED_GROUP);
+    let powers = load.powf(EXPONENT_M) * material.powf(EXPONENT_L);
     FilmState {
-        load,
-        material,
-        speed,
-        radius,
-        film: h * load.powf(EXPONENT_M) * material.powf(EXPONENT_L) * noise.exp(),
+        film: FACTOR * scale * powers * noise.exp(),
+        scale,
+        variables: vec![load, material],
     }
+}
+
+fn films(form: FilmForm, states: Vec<FilmState>) -> Films {
+    Films {
+        form,
+        kind: FilmKind::Central,
+        states,
+        warnings: Vec::new(),
+    }
+}
+
+fn moes(states: &[FilmState]) -> Result<FilmFit, FilmFitError> {
+    fit_film(&films(FilmForm::Moes, states.to_vec()), 0.95)
 }
 
 fn grid(mut noise: impl FnMut() -> f64) -> Vec<FilmState> {
@@ -37,26 +53,22 @@ fn normal(random: &mut fastrand::Rng) -> f64 {
     radius * (std::f64::consts::TAU * random.f64()).cos()
 }
 
-fn estimates(fit: &FilmFit) -> [ertel::fit::Estimate; 3] {
-    [
-        fit.factor,
-        fit.load_exponent.unwrap(),
-        fit.material_exponent.unwrap(),
-    ]
+fn estimates(fit: &FilmFit) -> Vec<Estimate> {
+    fit.constants.iter().map(|c| c.unwrap()).collect()
 }
 
 /// The groups of Hamrock and Dowson give the same films.
 #[test]
 fn a_formula_is_the_same_in_other_groups() {
-    let fit = fit_film(&grid(|| 0.0), FilmKind::Central, 0.95).unwrap();
+    let fit = moes(&grid(|| 0.0)).unwrap();
     for (kind, power) in [(ContactKind::Circular, 0.75), (ContactKind::Line, 0.5)] {
-        let [factor, speed, material, load] = fit.hamrock_dowson(kind);
+        let [factor, speed, material, load] = fit.hamrock_dowson(kind).unwrap();
         for state in grid(|| 0.0) {
             // M = W (2U)^-power, L = G (2U)^(1/4).
-            let w = state.load * (2.0 * state.speed).powf(power);
-            let g = state.material / (2.0 * state.speed).powf(0.25);
-            let film =
-                factor * state.radius * state.speed.powf(speed) * g.powf(material) * w.powf(load);
+            let (u, twice) = (SPEED_GROUP, 2.0 * SPEED_GROUP);
+            let w = state.variables[0] * twice.powf(power);
+            let g = state.variables[1] / twice.powf(0.25);
+            let film = factor * RADIUS * u.powf(speed) * g.powf(material) * w.powf(load);
             assert!((film / state.film - 1.0).abs() < 1e-6);
         }
     }
@@ -69,7 +81,7 @@ fn a_formula_is_the_same_in_other_groups() {
 
 #[test]
 fn the_formula_of_exact_films_is_found() {
-    let fit = fit_film(&grid(|| 0.0), FilmKind::Central, 0.95).unwrap();
+    let fit = moes(&grid(|| 0.0)).unwrap();
     for (found, expected) in estimates(&fit).iter().zip([FACTOR, EXPONENT_M, EXPONENT_L]) {
         assert!((found.value - expected).abs() < 1e-8, "{found:?}");
     }
@@ -85,43 +97,249 @@ fn the_formula_of_exact_films_is_found() {
     );
 }
 
-/// 200 sets with 2 % noise; 91 to 99 % is ±2.6 standard deviations about 95 %.
-#[test]
-fn intervals_cover_at_the_stated_rate() {
+/// How many of 200 fits to sets with 2 % noise hold each of the true constants.
+fn n_held(form: FilmForm, truth: &[f64], states: &[FilmState]) -> Vec<usize> {
     let mut random = fastrand::Rng::with_seed(64);
-    let mut n_held = [0; 3];
+    let mut n_held = vec![0; truth.len()];
     for _ in 0..200 {
-        let states = grid(|| 0.02 * normal(&mut random));
-        let fit = fit_film(&states, FilmKind::Central, 0.95).unwrap();
-        for ((n, found), value) in n_held
-            .iter_mut()
-            .zip(estimates(&fit))
-            .zip([FACTOR, EXPONENT_M, EXPONENT_L])
-        {
-            *n += usize::from(found.interval[0] <= value && value <= found.interval[1]);
+        let mut states = states.to_vec();
+        for state in &mut states {
+            state.film = form.film(truth, state) * (0.02 * normal(&mut random)).exp();
+        }
+        let fit = fit_film(&films(form, states), 0.95).unwrap();
+        for ((n, found), value) in n_held.iter_mut().zip(estimates(&fit)).zip(truth) {
+            *n += usize::from(found.interval[0] <= *value && *value <= found.interval[1]);
         }
     }
-    assert!(n_held.iter().all(|n| (182..=198).contains(n)), "{n_held:?}");
+    n_held
+}
+
+/// 91 to 99 % is ±2.6 standard deviations about 95 %.
+#[test]
+fn intervals_cover_at_the_stated_rate() {
+    for case in forms() {
+        let n_held = n_held(case.form, &case.truth, &case.states);
+        assert!(
+            n_held.iter().all(|n| (182..=198).contains(n)),
+            "{:?}: {n_held:?}",
+            case.form
+        );
+    }
+}
+
+/// A form with constants, and films at which it determines them; the films themselves are to be made.
+struct FormCase {
+    form: FilmForm,
+    truth: Vec<f64>,
+    states: Vec<FilmState>,
+}
+
+/// Points of a grid over the values of each variable.
+fn crossed(scale: f64, values: &[&[f64]]) -> Vec<FilmState> {
+    let mut points = vec![Vec::new()];
+    for axis in values {
+        let extend = |point: &Vec<f64>, v: f64| [point.clone(), vec![v]].concat();
+        points = (points.iter())
+            .flat_map(|point| axis.iter().map(move |v| extend(point, *v)))
+            .collect();
+    }
+    let state = |variables| FilmState {
+        film: f64::NAN,
+        scale,
+        variables,
+    };
+    points.into_iter().map(state).collect()
+}
+
+fn forms() -> Vec<FormCase> {
+    use ContactKind::{Circular, Line};
+    let loads: &[f64] = &[20.0, 100.0, 500.0, 2500.0];
+    let materials: &[f64] = &[0.1, 0.5, 2.0, 8.0];
+    let speeds: &[f64] = &[0.1, 0.3, 1.0, 3.0];
+    let asymptotes = [
+        (Circular, nijenbanning_venner_moes_asymptotes(1.0, 1.0)),
+        (Line, moes_line_asymptotes(1.0, 1.0)),
+    ];
+    let mut cases = vec![
+        FormCase {
+            form: FilmForm::Moes,
+            truth: vec![FACTOR, EXPONENT_M, EXPONENT_L],
+            states: crossed(2e-8, &[loads, materials]),
+        },
+        // Hamrock and Dowson 1977, central film of a circle: 2.69 (1 - 0.61 e^-0.73) = 1.899.
+        FormCase {
+            form: FilmForm::HamrockDowson(Circular),
+            truth: vec![1.899, 0.67, 0.53, -0.067],
+            states: crossed(
+                RADIUS,
+                &[
+                    &[1e-12, 1e-11, 1e-10],
+                    &[500.0, 2000.0, 5000.0],
+                    &[1e-7, 1e-6, 1e-5],
+                ],
+            ),
+        },
+        FormCase {
+            form: FilmForm::Speed,
+            truth: vec![4.5e-8, 0.67],
+            states: crossed(1.0, &[speeds]),
+        },
+        FormCase {
+            form: FilmForm::SpeedLoad(Circular),
+            truth: vec![4.5e-8, 0.67, -0.07],
+            states: crossed(1.0, &[speeds, &[5.0, 20.0, 80.0]]),
+        },
+    ];
+    for (contact, asymptotes) in asymptotes {
+        cases.push(FormCase {
+            form: FilmForm::Blend(contact),
+            truth: vec![
+                asymptotes.isoviscous_elastic,
+                asymptotes.piezoviscous_elastic,
+                2.5,
+            ],
+            states: crossed(2e-8, &[loads, materials]),
+        });
+    }
+    cases
+}
+
+#[test]
+fn the_constants_of_exact_films_are_found_in_every_form() {
+    for case in forms() {
+        let mut states = case.states.clone();
+        for state in &mut states {
+            state.film = case.form.film(&case.truth, state);
+        }
+        let fit = fit_film(&films(case.form, states), 0.95).unwrap();
+        for (found, expected) in estimates(&fit).iter().zip(&case.truth) {
+            let off = (found.value / expected - 1.0).abs();
+            assert!(off < 1e-6, "{:?}: {found:?} for {expected}", case.form);
+        }
+        assert!(fit.warnings.is_empty(), "{:?}", fit.warnings);
+    }
+}
+
+/// The blend tends to the published asymptotes of either contact, and lies above both.
+#[test]
+fn the_blend_has_the_published_asymptotes() {
+    type Published = fn(f64, f64) -> ertel::reference::Asymptotes;
+    let kinds: [(ContactKind, Published); 2] = [
+        (ContactKind::Circular, nijenbanning_venner_moes_asymptotes),
+        (ContactKind::Line, moes_line_asymptotes),
+    ];
+    for (contact, asymptotes) in kinds {
+        let form = FilmForm::Blend(contact);
+        let one = asymptotes(1.0, 1.0);
+        let constants = [one.isoviscous_elastic, one.piezoviscous_elastic, 2.0];
+        let film = |m: f64, l: f64| {
+            let states = crossed(1.0, &[&[m], &[l]]);
+            form.film(&constants, &states[0])
+        };
+        for m in [20.0, 1000.0] {
+            let isoviscous = asymptotes(m, 0.0).isoviscous_elastic;
+            assert!((film(m, 0.0) / isoviscous - 1.0).abs() < 1e-12);
+            let piezoviscous = asymptotes(m, 1e5).piezoviscous_elastic;
+            assert!((film(m, 1e5) / piezoviscous - 1.0).abs() < 1e-6);
+            let both = asymptotes(m, 3.0);
+            let sum = both.isoviscous_elastic.powi(2) + both.piezoviscous_elastic.powi(2);
+            assert!((film(m, 3.0) / sum.sqrt() - 1.0).abs() < 1e-12);
+        }
+    }
+}
+
+/// Text, LaTeX and code of every form.
+#[test]
+fn formulas_are_written_in_every_form() {
+    let written: Vec<[String; 3]> = forms()
+        .into_iter()
+        .map(|case| {
+            let mut states = case.states;
+            for state in &mut states {
+                state.film = case.form.film(&case.truth, state);
+            }
+            let fit = fit_film(&films(case.form, states), 0.95).unwrap();
+            [fit.text(), fit.latex(), fit.code()]
+        })
+        .collect();
+    assert_eq!(
+        written[1],
+        [
+            "h_c = 1.899 R U^0.6700 G^0.5300 W^-0.0670",
+            "h_c = 1.899\\, R\\, U^{0.6700}\\, G^{0.5300}\\, W^{-0.0670}",
+            "h_c = 1.899 * R * U ** (0.6700) * G ** (0.5300) * W ** (-0.0670)",
+        ]
+    );
+    assert_eq!(
+        written[2],
+        [
+            "h_c = 4.5000e-8 m (u/(1 m/s))^0.6700",
+            "h_c = 4.5000 \\cdot 10^{-8}\\, \\mathrm{m}\\, \\left(\\frac{u}{1\\,\\mathrm{m/s}}\\right)^{0.6700}",
+            "h_c = 4.5000e-8 * u ** (0.6700)",
+        ]
+    );
+    assert_eq!(
+        written[3][0],
+        "h_c = 4.5000e-8 m (u/(1 m/s))^0.6700 (F/(1 N))^-0.0700"
+    );
+    assert_eq!(
+        written[4],
+        [
+            "h_c = R √(2U) [(2.4188 M^(-2/15))^2.5 + (1.2474 M^(-1/12) L^(3/4))^2.5]^(1/2.5)",
+            "h_c = R \\sqrt{2U} \\left[\\left(2.4188\\, M^{-2/15}\\right)^{2.5} + \\left(1.2474\\, \
+             M^{-1/12} L^{3/4}\\right)^{2.5}\\right]^{1/2.5}",
+            "h_c = R * (2 * U) ** 0.5 * ((2.4188 * M ** (-2/15)) ** 2.5 + (1.2474 * M ** (-1/12) * L ** (3/4)) ** 2.5) \
+             ** (1 / 2.5)",
+        ]
+    );
+    assert!(written[5][0].contains("(2.621 M^(-1/5))^2.5 + (1.311 M^(-1/8) L^(3/4))^2.5"));
+}
+
+/// Where the films lie on one asymptote, the other one and the blend are not told.
+#[test]
+fn a_blend_that_films_do_not_tell_is_warned_of() {
+    let form = FilmForm::Blend(ContactKind::Circular);
+    let truth = [2.42, 1.25, 2.5];
+    let made = |materials: &[f64], noise: f64| {
+        let mut random = fastrand::Rng::with_seed(3);
+        let mut states = crossed(2e-8, &[&[20.0, 100.0, 500.0, 2500.0], materials]);
+        for state in &mut states {
+            state.film = form.film(&truth, state) * (noise * normal(&mut random)).exp();
+        }
+        fit_film(&films(form, states), 0.95)
+    };
+    let error = made(&[0.0], 0.0).unwrap_err();
+    assert_eq!(error, FilmFitError::Undetermined("c_2"));
+    let fit = made(&[0.2, 0.5, 1.0], 0.02).unwrap();
+    let warned = |name: &str| {
+        let start = format!("the data hardly determine {name}");
+        fit.warnings.iter().any(|w| w.starts_with(&start))
+    };
+    assert!(warned("c_2") && warned("s"), "{:?}", fit.warnings);
+    assert!(fit.warnings.iter().any(|w| w.contains("trade off")));
 }
 
 #[test]
 fn exponents_that_films_do_not_tell_are_warned_of() {
-    let fit = |states: &[FilmState]| fit_film(states, FilmKind::Minimum, 0.95);
+    let fit = moes;
     // L stays
     let one = [20.0, 100.0, 500.0, 2500.0].map(|m| film(m, 0.5, 0.0));
     let fitted = fit(&one).unwrap();
-    assert_eq!(fitted.material_exponent, None);
+    assert_eq!(fitted.constants[2], None);
     assert!(
         fitted.warnings[0].contains("L does not vary"),
         "{:?}",
         fitted.warnings
     );
-    assert!((fitted.load_exponent.unwrap().value - EXPONENT_M).abs() < 1e-8);
-    assert!((fitted.factor.value - FACTOR * 0.5f64.powf(EXPONENT_L)).abs() < 1e-8);
+    assert!((fitted.constants[1].unwrap().value - EXPONENT_M).abs() < 1e-8);
+    assert!((fitted.constants[0].unwrap().value - FACTOR * 0.5f64.powf(EXPONENT_L)).abs() < 1e-8);
     // Only the speed varies: M falls and L grows as powers of it
     let speeds =
         [1.0f64, 2.0, 4.0, 8.0, 16.0].map(|u| film(1e3 * u.powf(-0.75), u.powf(0.25), 0.0));
-    assert_eq!(fit(&speeds).unwrap_err(), FilmFitError::Collinear);
+    assert_eq!(
+        fit(&speeds).unwrap_err(),
+        FilmFitError::Collinear("M and L".to_owned())
+    );
     // Nearly so
     let mut nearly = speeds.to_vec();
     nearly.push(film(400.0, 1.4, 0.0));
@@ -155,11 +373,27 @@ fn exponents_that_films_do_not_tell_are_warned_of() {
 fn results_are_read_by_their_columns() {
     let csv = "point,film_central_m,film_central_error_m,moes_load,moes_material,speed_group\n\
                1,1e-7,1e-10,20,1,1e-12\n2,,,,,\n3,2e-7,1e-10,10,1,2e-12\n";
-    let read = |text: &str, kind| read_films("r.csv", text, kind, Some(0.01));
-    let states = read(csv, FilmKind::Central).unwrap().unwrap();
+    let read_with = |text: &str, form, kind| read_films("r.csv", text, form, kind, Some(0.01));
+    let read = |text: &str, kind| read_with(text, FilmForm::Moes, kind);
+    let states = read(csv, FilmKind::Central).unwrap().unwrap().states;
     assert_eq!(states.len(), 2);
-    assert_eq!((states[1].film, states[1].load), (2e-7, 10.0));
-    assert_eq!((states[1].speed, states[1].radius), (2e-12, 0.01));
+    assert_eq!(
+        (states[1].film, &states[1].variables),
+        (2e-7, &vec![10.0, 1.0])
+    );
+    assert_eq!(states[1].scale, 0.01 * f64::sqrt(2.0 * 2e-12));
+    // M = W (2U)^(-3/4), L = G (2U)^(1/4)
+    let form = FilmForm::HamrockDowson(ContactKind::Circular);
+    let states = read_with(csv, form, FilmKind::Central)
+        .unwrap()
+        .unwrap()
+        .states;
+    let [u, g, w] = states[1].variables[..] else {
+        panic!("three groups");
+    };
+    assert_eq!((u, states[1].scale), (2e-12, 0.01));
+    assert!((g * 4e-12f64.powf(0.25) - 1.0).abs() < 1e-12);
+    assert!((w * 4e-12f64.powf(-0.75) - 10.0).abs() < 1e-11);
     assert_eq!(read(csv, FilmKind::Minimum), Ok(None));
     let error = read(&csv.replace("moes_load", "m"), FilmKind::Central).unwrap_err();
     assert!(
@@ -169,6 +403,71 @@ fn results_are_read_by_their_columns() {
     );
     let error = read(&csv.replace(",20,", ",-20,"), FilmKind::Central).unwrap_err();
     assert_eq!((error.line, error.column), (2, 4), "{error}");
-    let error = read_films("r.csv", csv, FilmKind::Central, None).unwrap_err();
+    let error = read_films("r.csv", csv, FilmForm::Moes, FilmKind::Central, None).unwrap_err();
     assert!(error.to_string().contains("radius_m"), "{error}");
+    // An isoviscous fluid has no exponent of L; one among others has no logarithm.
+    let none = csv.replace(",1,1e-12", ",0,1e-12");
+    let error = read(&none, FilmKind::Central).unwrap_err();
+    assert_eq!((error.line, error.column), (2, 5), "{error}");
+    let none = none.replace(",1,2e-12", ",0,2e-12");
+    assert!(read(&none, FilmKind::Central).unwrap().is_some());
+}
+
+/// What a rig gives: films over speed, in units of its own.
+#[test]
+fn films_over_speed_need_speed_alone() {
+    let csv = "speed [mm/s]; film_central [nm]; load [N]; temperature [degC]\n\
+               100; 10; 20; 40\n200; 16; 20; 40\n400; 25; 20; 40\n800; 40; 20; 40\n";
+    let read = |text: &str, form| read_films("rig.csv", text, form, FilmKind::Central, None);
+    let films = read(csv, FilmForm::Speed).unwrap().unwrap();
+    assert!((films.states[1].film - 16e-9).abs() < 1e-20 && films.states[1].variables == [0.2]);
+    assert!(films.warnings.is_empty(), "{:?}", films.warnings);
+    let fit = fit_film(&films, 0.95).unwrap();
+    // By hand: the four logarithms are 0.693 apart in speed; slope Σ(i - 1.5) ln h / (5 ln 2).
+    let logs = [10f64, 16.0, 25.0, 40.0].map(f64::ln);
+    let sum = -1.5 * logs[0] - 0.5 * logs[1] + 0.5 * logs[2] + 1.5 * logs[3];
+    let slope = sum / (5.0 * 2f64.ln());
+    assert!((fit.values()[1] - slope).abs() < 1e-9);
+    let heavier = csv.replace("800; 40; 20", "800; 40; 30");
+    let films = read(&heavier, FilmForm::Speed).unwrap().unwrap();
+    assert!(films.warnings[0].starts_with("the load varies from 20 to 30"));
+    let form = FilmForm::SpeedLoad(ContactKind::Circular);
+    assert!(read(&heavier, form).unwrap().unwrap().warnings.is_empty());
+    // Columns that a form needs and the table has not.
+    for (form, text, column) in [
+        (
+            FilmForm::Speed,
+            csv.replace("speed", "v"),
+            "entrainment_speed",
+        ),
+        (form, csv.replace("load", "f"), "load"),
+        (FilmForm::Moes, csv.to_owned(), "moes_load"),
+        (
+            FilmForm::HamrockDowson(ContactKind::Circular),
+            csv.to_owned(),
+            "moes_load",
+        ),
+        (
+            FilmForm::Blend(ContactKind::Circular),
+            csv.to_owned(),
+            "moes_load",
+        ),
+    ] {
+        let error = read(&text, form).unwrap_err().to_string();
+        let missing = format!("rig.csv:1:1: there is no column `{column}`");
+        assert!(error.starts_with(&missing), "{error}");
+    }
+}
+
+#[test]
+fn forms_have_names() {
+    for name in FilmForm::NAMES {
+        assert!(FilmForm::named(name, Some(ContactKind::Line)).is_ok());
+    }
+    for name in ["hamrock-dowson", "blend", "speed-load"] {
+        let error = FilmForm::named(name, None).unwrap_err();
+        assert_eq!(error, FormError::Shape(name.to_owned()));
+    }
+    let error = FilmForm::named("grubin", None).unwrap_err().to_string();
+    assert!(error.contains("moes, hamrock-dowson, blend, speed, speed-load"));
 }

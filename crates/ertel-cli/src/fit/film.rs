@@ -1,7 +1,7 @@
 //! `ertel fit film`.
 
 use ertel::contact::ContactKind;
-use ertel::fit::{self, Estimate, FilmFit, FilmKind, FilmState, PowerFormula};
+use ertel::fit::{self, FilmFit, FilmForm, FilmKind, Films};
 use ertel::output::{digits, length};
 use ertel_rheology::quantity::{self, Dimension};
 
@@ -32,59 +32,92 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
     let file = arguments.results.display().to_string();
     let text = std::fs::read_to_string(&arguments.results)
         .map_err(|error| Failure::Argument(format!("{file} cannot be read: {error}")))?;
+    let contact = fit::contact_of_films(&text);
+    let form = FilmForm::named(&arguments.form, contact)
+        .map_err(|error| Failure::Argument(format!("{file}: {error}")))?;
+    check_given(form, &arguments.beside)?;
     let mut fits = Vec::new();
     for kind in [FilmKind::Central, FilmKind::Minimum] {
-        let states = fit::read_films(&file, &text, kind, radius)
+        // The asymptotes are those of the central film.
+        if kind == FilmKind::Minimum && matches!(form, FilmForm::Blend(_)) {
+            continue;
+        }
+        let films = fit::read_films(&file, &text, form, kind, radius)
             .map_err(|error| Failure::Argument(error.to_string()))?;
-        if let Some(states) = states {
-            let fit = fit::fit_film(&states, kind, arguments.confidence)
+        if let Some(films) = films {
+            let fit = fit::fit_film(&films, arguments.confidence)
                 .map_err(|error| Failure::Argument(format!("{file}: {error}")))?;
             for warning in &fit.warnings {
                 eprintln!("warning: {} film: {warning}", kind.name());
             }
-            fits.push((fit, states));
+            fits.push((fit, films));
         }
     }
     if fits.is_empty() {
-        return Err(Failure::Argument(format!(
-            "{file}: there is neither a column `film_central_m` nor `film_minimum_m`"
-        )));
+        let columns = match form {
+            FilmForm::Blend(_) => {
+                "no column `film_central_m`, which the asymptotes of the blend are for"
+            }
+            _ => "neither a column `film_central_m` nor `film_minimum_m`",
+        };
+        return Err(Failure::Argument(format!("{file}: there is {columns}")));
     }
     if let Some(path) = &arguments.plot {
         let svg = fit::parity(&fits, &file).svg();
         write_whole(path, svg.as_bytes())
             .map_err(|error| Failure::Other(format!("cannot write {}: {error}", path.display())))?;
     }
-    let contact = fit::contact_of_films(&text);
     let reports: Vec<String> = fits
         .iter()
-        .map(|(fit, states)| {
-            report(fit, states, &file, contact, arguments.verbose)
-                + &beside(fit, states, &arguments.beside)
+        .map(|(fit, films)| {
+            report(fit, films, &file, contact, arguments.verbose)
+                + &beside(films, &arguments.beside)
         })
         .collect();
     print::stdout(&reports.join("\n"))
 }
 
+/// Whether formulas with given constants are of the form.
+fn check_given(form: FilmForm, given: &[(FilmKind, Vec<f64>)]) -> Result<(), Failure> {
+    let names = form.constants();
+    for (_, constants) in given {
+        let mut positive = constants.iter().take(form.n_positive());
+        if constants.len() != names.len() || !positive.all(|c| *c > 0.0) {
+            return Err(Failure::Argument(format!(
+                "--beside: write {} constants, {}, of {}, the first {} above zero, as in central=1.96,-0.1111,0",
+                names.len(),
+                names.join(", "),
+                form.formula(),
+                form.n_positive(),
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// How far formulas with given constants are from the films.
-fn beside(fit: &FilmFit, states: &[FilmState], formulas: &[(FilmKind, PowerFormula)]) -> String {
+fn beside(films: &Films, formulas: &[(FilmKind, Vec<f64>)]) -> String {
     let mut text = String::new();
-    for (_, formula) in formulas.iter().filter(|(kind, _)| *kind == fit.kind) {
-        let deviations: Vec<f64> = states.iter().map(|s| formula.deviation(s)).collect();
+    let names = films.form.constants();
+    for (_, constants) in formulas.iter().filter(|(kind, _)| *kind == films.kind) {
+        let states = films.states.iter();
+        let deviations: Vec<f64> = states
+            .map(|s| films.form.film(constants, s) / s.film - 1.0)
+            .collect();
         let squares = deviations.iter().map(|d| d * d).sum::<f64>();
         let range = deviations
             .iter()
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| {
                 [low.min(*d), high.max(*d)]
             });
+        let given = names.iter().zip(constants);
+        let given: Vec<String> = given.map(|(name, c)| format!("{name} = {c}")).collect();
         text += &format!(
-            "\n  beside: {} R √(2U) M^{} L^{} deviates by {:+.2} to {:+.2} %, rms {} %\n",
-            formula.factor,
-            formula.load_exponent,
-            formula.material_exponent,
+            "\n  beside: {} deviates by {:+.2} to {:+.2} %, rms {} %\n",
+            given.join(", "),
             100.0 * range[0],
             100.0 * range[1],
-            digits(100.0 * (squares / states.len() as f64).sqrt(), 3)
+            digits(100.0 * (squares / deviations.len() as f64).sqrt(), 3)
         );
     }
     text
@@ -92,7 +125,7 @@ fn beside(fit: &FilmFit, states: &[FilmState], formulas: &[(FilmKind, PowerFormu
 
 fn report(
     fit: &FilmFit,
-    states: &[FilmState],
+    films: &Films,
     file: &str,
     contact: Option<ContactKind>,
     verbose: bool,
@@ -100,61 +133,63 @@ fn report(
     let number = |value: f64| digits(value, 4);
     let range = |[low, high]: [f64; 2]| format!("{} to {}", number(low), number(high));
     let percent = format!("{} % interval", digits(100.0 * fit.confidence, 4));
-    let row = |name: &str, estimate: Option<Estimate>| {
+    let mut constants = vec![vec!["constant".to_owned(), "value".to_owned(), percent]];
+    for (i, (name, estimate)) in fit.form.constants().iter().zip(&fit.constants).enumerate() {
+        let unit = if i == 0 { fit.form.unit() } else { "" };
+        let with_unit = |text: String| format!("{text} {unit}").trim_end().to_owned();
         let [value, interval] = match estimate {
-            Some(e) => [number(e.value), range(e.interval)],
+            Some(e) => [with_unit(number(e.value)), with_unit(range(e.interval))],
             None => ["none".to_owned(), "not determined".to_owned()],
         };
-        vec![name.to_owned(), value, interval]
-    };
+        constants.push(vec![(*name).to_owned(), value, interval]);
+    }
     let mut text = format!(
-        "{} film of {} results in {file}, h = c R √(2U) M^a L^b\n\n{}\n",
+        "{} film of {} results in {file}, {}\n\n{}\n",
         match fit.kind {
             FilmKind::Central => "Central",
             FilmKind::Minimum => "Minimum",
         },
-        states.len(),
-        columns(&[
-            vec!["constant".to_owned(), "value".to_owned(), percent],
-            row("c", Some(fit.factor)),
-            row("a", fit.load_exponent),
-            row("b", fit.material_exponent),
-        ])
+        films.states.len(),
+        fit.form.formula(),
+        columns(&constants)
     );
     let line = |name: &str, value: String| vec![name.to_owned(), value];
-    text += &columns(&[
+    let mut lines = vec![
         line(
             "deviation, rms",
             format!("{} %", digits(100.0 * fit.rms(), 3)),
         ),
         line("largest", format!("{} %", digits(100.0 * fit.largest(), 3))),
-        line("range of M", range(fit.load_range)),
-        line("range of L", range(fit.material_range)),
-        line("text", fit.text()),
-        line("LaTeX", fit.latex()),
-        line("code", fit.code()),
-    ]);
-    if let Some(contact) = contact {
-        let [factor, speed, material, load] = fit.hamrock_dowson(contact);
+    ];
+    for (variable, values) in fit.form.variables().iter().zip(&fit.ranges) {
+        let values = format!("{} {}", range(*values), variable.unit);
+        let name = format!("range of {}", variable.symbol);
+        lines.push(line(&name, values.trim_end().to_owned()));
+    }
+    lines.push(line("text", fit.text()));
+    lines.push(line("LaTeX", fit.latex()));
+    lines.push(line("code", fit.code()));
+    text += &columns(&lines);
+    let other = contact.and_then(|contact| fit.hamrock_dowson(contact));
+    if let Some([factor, speed, material, load]) = other {
         text += &format!(
             "\n  in the groups of Hamrock and Dowson: {} R U^{speed:.4} G^{material:.4} W^{load:.4}\n",
             digits(factor, 5)
         );
     }
     if verbose {
-        let mut rows = vec![
-            ["M", "L", "film", "formula", "deviation"]
-                .map(str::to_owned)
-                .to_vec(),
-        ];
-        for (state, deviation) in states.iter().zip(&fit.deviations) {
-            rows.push(vec![
-                number(state.load),
-                number(state.material),
-                length(state.film),
-                length(state.film * (1.0 + deviation)),
-                format!("{:+.2} %", 100.0 * deviation),
-            ]);
+        let symbols = fit.form.variables().iter().map(|v| match v.unit {
+            "" => v.symbol.to_owned(),
+            unit => format!("{} ({unit})", v.symbol),
+        });
+        let ends = ["film", "formula", "deviation"].map(str::to_owned);
+        let mut rows = vec![symbols.chain(ends).collect::<Vec<_>>()];
+        for (state, deviation) in films.states.iter().zip(&fit.deviations) {
+            let mut row: Vec<String> = state.variables.iter().map(|v| number(*v)).collect();
+            row.push(length(state.film));
+            row.push(length(state.film * (1.0 + deviation)));
+            row.push(format!("{:+.2} %", 100.0 * deviation));
+            rows.push(row);
         }
         text += &format!("\n{}", columns(&rows));
     }

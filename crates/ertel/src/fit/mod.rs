@@ -22,8 +22,8 @@ mod picture;
 pub use data::{Data, DataError, Property, State};
 pub use entry::{Heading, entry};
 pub use film::{
-    Estimate, FilmFit, FilmFitError, FilmKind, FilmState, PowerFormula, contact_of_films, fit_film,
-    parity, read_films,
+    Estimate, FilmFit, FilmFitError, FilmForm, FilmKind, FilmState, Films, FormError, Variable,
+    contact_of_films, fit_film, parity, read_films,
 };
 pub use law::{FittedLaw, LawName};
 pub use least_squares::{Minimum, MinimumError, minimise};

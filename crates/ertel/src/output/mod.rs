@@ -28,7 +28,7 @@ pub use folder::check_target;
 pub use plot::png::{PngError, check as check_png};
 pub use report::{digits, length, pressure, report};
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
-pub use study::study_chart;
+pub use study::{study_films, study_tractions};
 
 use std::io;
 use std::path::{Path, PathBuf};

@@ -69,6 +69,14 @@ pub struct Record {
     pub seconds: f64,
 }
 
+impl Record {
+    /// The field of a column.
+    pub fn field(&self, name: &str) -> Option<&str> {
+        let (_, value) = self.fields.iter().find(|(own, _)| own == name)?;
+        Some(value)
+    }
+}
+
 /// The journal in a folder, locked for this process.
 #[derive(Debug)]
 pub struct Journal {

@@ -11,4 +11,5 @@ pub use sweep::{
     Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary, finished_points,
     merge, sweep,
 };
+pub(crate) use table::ISOTHERMAL;
 pub use table::{POINTS, STUDY_FORMAT, StudyEcho, TABLE};

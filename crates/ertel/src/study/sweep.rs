@@ -20,8 +20,9 @@ use crate::solve::{Observer, SolveError};
 
 /// Folder within that of a study, with the results of its points where these are asked for.
 const FOLDERS: &str = "points";
-/// Name of the picture of its films.
-const PICTURE: &str = "film.svg";
+/// Name of the picture of its films, and of that of its tractions.
+const FILMS: &str = "film.svg";
+const TRACTIONS: &str = "traction.svg";
 
 /// How a study is run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -398,17 +399,22 @@ pub fn merge(target: &Path, parts: &[PathBuf]) -> Result<SweepSummary, SweepErro
     Ok(summary)
 }
 
-/// The table and, where it makes one, the picture.
+/// The table and the pictures that it makes.
 fn write_results(
     folder: &Path,
     echo: &StudyEcho,
     records: &HashMap<PointKey, Record>,
 ) -> Result<(), SweepError> {
     write_whole(&folder.join(TABLE), echo.table(records).as_bytes())?;
-    match output::study_chart(echo, records) {
-        Some(chart) => write_whole(&folder.join(PICTURE), chart.svg().as_bytes()),
-        None => Ok(()),
+    for (name, chart) in [
+        (FILMS, output::study_films(echo, records)),
+        (TRACTIONS, output::study_tractions(echo, records)),
+    ] {
+        if let Some(chart) = chart {
+            write_whole(&folder.join(name), chart.svg().as_bytes())?;
+        }
     }
+    Ok(())
 }
 
 /// Makes the folder of a study, or opens a former one.

@@ -89,12 +89,39 @@ impl StudyEcho {
         write_whole(&path, text.as_bytes())
     }
 
-    /// The table of the points that are finished, as text.
+    /// Of each point with heat the one that differs in its switch alone, where an axis leaves heat out.
+    fn isothermal_points(&self) -> HashMap<usize, &PointKey> {
+        let Some(switch) = self.columns.iter().position(|title| title == ISOTHERMAL) else {
+            return HashMap::new();
+        };
+        let others = |values: &[String]| {
+            let mut others = values.to_vec();
+            (others.remove(switch), others)
+        };
+        let mut isothermal = HashMap::new();
+        for (key, values) in &self.points {
+            let (is_isothermal, others) = others(values);
+            if is_isothermal == "true" {
+                isothermal.insert(others, key);
+            }
+        }
+        let points = self.points.iter().enumerate();
+        let with_heat = points.filter_map(|(i, (_, values))| {
+            let (is_isothermal, others) = others(values);
+            let key = *isothermal.get(&others)?;
+            (is_isothermal == "false").then_some((i, key))
+        });
+        with_heat.collect()
+    }
+
+    /// The table of the points that are finished, as text. What heat takes away is reckoned from the point without heat
+    /// where the study has it.
     pub fn table(&self, records: &HashMap<PointKey, Record>) -> String {
         let mut text = String::from("point");
         let finished: Vec<_> = (self.points.iter().enumerate())
-            .filter_map(|(i, (key, values))| Some((i + 1, values, records.get(key)?)))
+            .filter_map(|(i, (key, values))| Some((i, values, records.get(key)?)))
             .collect();
+        let isothermal = self.isothermal_points();
         let names = finished
             .first()
             .map_or(&[][..], |(_, _, record)| &record.fields);
@@ -107,21 +134,44 @@ impl StudyEcho {
             text.push_str(&quoted(title));
         }
         text.push('\n');
-        for (number, values, record) in finished {
-            let _ = write!(text, "{number}");
+        for (i, values, record) in finished {
+            let _ = write!(text, "{}", i + 1);
+            let cold = isothermal.get(&i).and_then(|key| records.get(key));
             for value in values {
                 text.push(',');
                 text.push_str(&quoted(value));
             }
             for (name, _) in names {
-                let field = record.fields.iter().find(|(own, _)| own == name);
                 text.push(',');
-                text.push_str(&quoted(field.map_or("", |(_, value)| value)));
+                match cold.and_then(|cold| reduction(name, record, cold)) {
+                    Some(value) => text.push_str(&format!("{value:e}")),
+                    None => text.push_str(&quoted(record.field(name).unwrap_or_default())),
+                }
             }
             text.push('\n');
         }
         text
     }
+}
+
+/// Switch of a case that leaves heat out.
+pub(crate) const ISOTHERMAL: &str = "solver.isothermal";
+
+/// Columns of what heat takes away, as a share of what there is without it, and those that they are of.
+const REDUCTIONS: [(&str, &str); 3] = [
+    ("thermal_reduction_central", "film_central_m"),
+    ("thermal_reduction_minimum", "film_minimum_m"),
+    ("thermal_reduction_traction", "traction_coefficient"),
+];
+
+/// `1 - with heat/without` of a column that asks for it; `None` of the traction where nothing slides.
+fn reduction(name: &str, record: &Record, isothermal: &Record) -> Option<f64> {
+    let (_, of) = REDUCTIONS.iter().find(|(own, _)| *own == name)?;
+    let number = |record: &Record, name| record.field(name)?.parse::<f64>().ok();
+    if *of == "traction_coefficient" && number(record, "slide_to_roll_ratio")? == 0.0 {
+        return None;
+    }
+    Some(1.0 - number(record, of)? / number(isothermal, of)?)
 }
 
 /// A field, quoted where it must be (RFC 4180).

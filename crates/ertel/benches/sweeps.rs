@@ -1,0 +1,105 @@
+//! What studies cost: `cargo bench -p ertel --bench sweeps`.
+//!
+//! The shipped studies, each without a cache, and a sample of their points as single cold cases on one thread: time of the
+//! whole, of a point and of a cold case, and their ratio, all in one run on one machine.
+
+#[path = "common/clock.rs"]
+mod clock;
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+use clap::Parser;
+use clock::{Clock, Seconds};
+use ertel::case::Study;
+use ertel::run::Session;
+use ertel::solve::Silent;
+use ertel::study::plan::Plan;
+use ertel::study::{SweepParams, sweep};
+
+/// A hundred line contacts, twenty circular ones with heat, and a hundred without.
+const STUDIES: [&str; 3] = [
+    "speeds-and-loads",
+    "glycerol-speeds-and-sliding",
+    "ball-on-disc-speeds-and-loads",
+];
+
+/// What studies cost.
+#[derive(Parser)]
+struct Args {
+    /// Study files in place of the shipped ones
+    studies: Vec<PathBuf>,
+    /// Solve this many of the points as single cold cases, spread over the study
+    #[arg(long, default_value = "6")]
+    cold: NonZeroUsize,
+    /// Points solved at the same time (default: as many as cores)
+    #[arg(long)]
+    jobs: Option<usize>,
+    /// Given by cargo
+    #[arg(long, hide = true)]
+    bench: bool,
+}
+
+fn main() {
+    let args = Args::parse();
+    let shipped = || {
+        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+        STUDIES.map(|name| cases.join(format!("{name}.toml")))
+    };
+    let studies = match args.studies.is_empty() {
+        true => shipped().to_vec(),
+        false => args.studies,
+    };
+    // Points and cold cases alike have one thread.
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
+    let pool = pool.expect("a pool of one thread");
+    println!(
+        "| study | points | solved | wall s | CPU s | CPU s per point | CPU s of a cold case | point/cold case | cold points |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for path in studies {
+        let study = Study::read(&path).expect("a study");
+        row(&path, &study, args.cold.get(), args.jobs, &pool);
+    }
+}
+
+/// Runs a study, then some of its points one by one.
+fn row(path: &Path, study: &Study, n_cold: usize, jobs: Option<usize>, pool: &rayon::ThreadPool) {
+    let session = Session::default();
+    let folder = tempfile::tempdir().expect("a folder for the study");
+    let params = SweepParams {
+        jobs,
+        threads: Some(1),
+        shard: None,
+        folders: false,
+        retry: false,
+    };
+    let clock = Clock::start();
+    let summary = sweep(&session, study, folder.path(), &params, &Silent).expect("a study");
+    let whole = clock.seconds();
+    let n_points = study.points.len();
+    let n_cold = n_cold.min(n_points);
+    // In the middle of equal parts of the list.
+    let sample = (0..n_cold).map(|i| (2 * i + 1) * n_points / (2 * n_cold));
+    let mut cold = Seconds::default();
+    for i in sample {
+        let clock = Clock::start();
+        let solution = pool.install(|| session.solve(&study.points[i].case, &mut Silent));
+        solution.expect("a shipped point converges");
+        let time = clock.seconds();
+        cold.wall += time.wall / n_cold as f64;
+        cold.cpu += time.cpu / n_cold as f64;
+    }
+    let per_point = whole.cpu / n_points as f64;
+    let plan = Plan::new(study);
+    println!(
+        "| {} | {n_points} | {} | {:.1} | {:.1} | {per_point:.3} | {:.3} | {:.2} | {} |",
+        path.file_stem().unwrap_or_default().to_string_lossy(),
+        n_points - summary.failures.len(),
+        whole.wall,
+        whole.cpu,
+        cold.cpu,
+        per_point / cold.cpu,
+        plan.parents.iter().filter(|p| p.is_none()).count(),
+    );
+}

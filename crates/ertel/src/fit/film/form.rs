@@ -1,0 +1,198 @@
+//! The forms of film formulas.
+
+use super::FilmState;
+use crate::contact::ContactKind;
+
+/// The closed family of forms. Groups are those of [`crate::contact::Groups`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmForm {
+    /// In Moes' groups, with the exponents of similarity for the rest (Habchi 2008, eqs. 6.3, 6.4).
+    ///
+    /// h = c R √(2U) M^a L^b
+    Moes,
+    /// In the groups of Hamrock and Dowson (1977), for circular contacts without the term of ellipticity, and of Dowson and
+    /// Higginson (1966) for line contacts.
+    ///
+    /// h = c R U^a G^b W^d
+    HamrockDowson(ContactKind),
+    /// The elastic-isoviscous and the elastic-piezoviscous asymptote, blended: the central film of elastic bodies from L = 0
+    /// on, with the exponents of Nijenbanning, Venner and Moes (1994) and, in line contacts, Moes.
+    ///
+    /// h = R √(2U) [(c_1 M^m)^s + (c_2 M^n L^(3/4))^s]^(1/s)
+    ///
+    /// m = -2/15, n = -1/12; in line contacts m = -1/5, n = -1/8
+    Blend(ContactKind),
+    /// Over the entrainment speed u alone, as rigs measure it.
+    ///
+    /// h = c (u/(1 m/s))^a
+    Speed,
+    /// Over entrainment speed u and load F, in line contacts per length, w.
+    ///
+    /// h = c (u/(1 m/s))^a (F/(1 N))^b
+    SpeedLoad(ContactKind),
+}
+
+/// What a film depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Variable {
+    /// Symbol.
+    pub symbol: &'static str,
+    /// Its word in messages.
+    pub name: &'static str,
+    /// Unit; empty for a group.
+    pub unit: &'static str,
+}
+
+const fn group(symbol: &'static str) -> Variable {
+    Variable {
+        symbol,
+        name: symbol,
+        unit: "",
+    }
+}
+
+const MOES: &[Variable] = &[group("M"), group("L")];
+const GROUPS: &[Variable] = &[group("U"), group("G"), group("W")];
+const SPEED: Variable = Variable {
+    symbol: "u",
+    name: "the speed",
+    unit: "m/s",
+};
+const SPEED_AND_FORCE: &[Variable] = &[
+    SPEED,
+    Variable {
+        symbol: "F",
+        name: "the load",
+        unit: "N",
+    },
+];
+const SPEED_AND_LINE_LOAD: &[Variable] = &[
+    SPEED,
+    Variable {
+        symbol: "w",
+        name: "the load",
+        unit: "N/m",
+    },
+];
+
+/// Why a form cannot be had.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FormError {
+    /// There is no form of this name.
+    #[error("there is no form `{0}`; the forms are {names}", names = FilmForm::NAMES.join(", "))]
+    Name(String),
+    /// It differs with the shape of the contact, which is not known.
+    #[error(
+        "the form `{0}` depends on the shape of the contact: a column `load_N` (circular) or `load_N_per_m` (line) is needed"
+    )]
+    Shape(String),
+}
+
+impl FilmForm {
+    /// Names of the forms.
+    pub const NAMES: [&'static str; 5] = ["moes", "hamrock-dowson", "blend", "speed", "speed-load"];
+
+    /// The form of this name, for contacts of this shape.
+    ///
+    /// # Errors
+    ///
+    /// [`FormError`].
+    pub fn named(name: &str, contact: Option<ContactKind>) -> Result<FilmForm, FormError> {
+        let shape = || contact.ok_or_else(|| FormError::Shape(name.to_owned()));
+        match name {
+            "moes" => Ok(Self::Moes),
+            "hamrock-dowson" => Ok(Self::HamrockDowson(shape()?)),
+            "blend" => Ok(Self::Blend(shape()?)),
+            "speed" => Ok(Self::Speed),
+            "speed-load" => Ok(Self::SpeedLoad(shape()?)),
+            _ => Err(FormError::Name(name.to_owned())),
+        }
+    }
+
+    /// The formula with letters for its constants.
+    pub fn formula(self) -> &'static str {
+        match self {
+            Self::Moes => "h = c R √(2U) M^a L^b",
+            Self::HamrockDowson(_) => "h = c R U^a G^b W^d",
+            Self::Blend(ContactKind::Circular) => {
+                "h = R √(2U) [(c_1 M^(-2/15))^s + (c_2 M^(-1/12) L^(3/4))^s]^(1/s)"
+            }
+            Self::Blend(ContactKind::Line) => {
+                "h = R √(2U) [(c_1 M^(-1/5))^s + (c_2 M^(-1/8) L^(3/4))^s]^(1/s)"
+            }
+            Self::Speed => "h = c (u/(1 m/s))^a",
+            Self::SpeedLoad(ContactKind::Circular) => "h = c (u/(1 m/s))^a (F/(1 N))^b",
+            Self::SpeedLoad(ContactKind::Line) => "h = c (u/(1 m/s))^a (w/(1 N/m))^b",
+        }
+    }
+
+    /// Names of the constants.
+    pub fn constants(self) -> &'static [&'static str] {
+        match self {
+            Self::Moes | Self::SpeedLoad(_) => &["c", "a", "b"],
+            Self::HamrockDowson(_) => &["c", "a", "b", "d"],
+            Self::Blend(_) => &["c_1", "c_2", "s"],
+            Self::Speed => &["c", "a"],
+        }
+    }
+
+    /// How many of the constants, from the first on, are above zero by their meaning.
+    pub fn n_positive(self) -> usize {
+        match self {
+            Self::Blend(_) => 3,
+            _ => 1,
+        }
+    }
+
+    /// Unit of the first constant.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Speed | Self::SpeedLoad(_) => "m",
+            _ => "",
+        }
+    }
+
+    /// What the film depends on; in power laws each has an exponent, in this order.
+    pub fn variables(self) -> &'static [Variable] {
+        match self {
+            Self::Moes | Self::Blend(_) => MOES,
+            Self::HamrockDowson(_) => GROUPS,
+            Self::Speed => &SPEED_AND_FORCE[..1],
+            Self::SpeedLoad(ContactKind::Circular) => SPEED_AND_FORCE,
+            Self::SpeedLoad(ContactKind::Line) => SPEED_AND_LINE_LOAD,
+        }
+    }
+
+    /// Film thickness by the form, m, with the constants in the order of [`Self::constants`].
+    pub fn film(self, constants: &[f64], state: &FilmState) -> f64 {
+        if let Self::Blend(contact) = self {
+            let [c_1, c_2, s] = [constants[0], constants[1], constants[2]];
+            let [m, l] = [state.variables[0], state.variables[1]];
+            let [isoviscous, piezoviscous] = asymptote_powers(contact);
+            let isoviscous = c_1 * m.powf(isoviscous);
+            let piezoviscous = c_2 * m.powf(piezoviscous) * l.powf(0.75);
+            // The larger one outside, so that no power overflows.
+            let larger = isoviscous.max(piezoviscous);
+            let sum = (isoviscous / larger).powf(s) + (piezoviscous / larger).powf(s);
+            return state.scale * larger * sum.powf(1.0 / s);
+        }
+        let powers = state.variables.iter().zip(&constants[1..]);
+        powers.fold(constants[0] * state.scale, |h, (v, e)| h * v.powf(*e))
+    }
+}
+
+/// Exponents of M in the elastic-isoviscous and the elastic-piezoviscous asymptote: [`crate::reference`].
+fn asymptote_powers(contact: ContactKind) -> [f64; 2] {
+    match contact {
+        ContactKind::Circular => [-2.0 / 15.0, -1.0 / 12.0],
+        ContactKind::Line => [-0.2, -0.125],
+    }
+}
+
+/// The power k of `M = W (2U)^(-k)`.
+pub(super) fn load_power(contact: ContactKind) -> f64 {
+    match contact {
+        ContactKind::Circular => 0.75,
+        ContactKind::Line => 0.5,
+    }
+}

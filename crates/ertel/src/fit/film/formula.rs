@@ -1,0 +1,132 @@
+//! The fitted formula as text, LaTeX and code.
+
+use super::{FilmFit, FilmForm, FilmKind};
+use crate::contact::ContactKind;
+use crate::output::digits;
+
+/// Significant digits of factors.
+const DIGITS: usize = 5;
+
+impl FilmFit {
+    fn symbol(&self) -> &'static str {
+        match self.kind {
+            FilmKind::Central => "h_c",
+            FilmKind::Minimum => "h_min",
+        }
+    }
+
+    fn latex_symbol(&self) -> &'static str {
+        match self.kind {
+            FilmKind::Central => "h_c",
+            FilmKind::Minimum => "h_{\\min}",
+        }
+    }
+
+    /// Value of a constant with the digits that formulas show.
+    fn constant(&self, i: usize) -> String {
+        self.constants[i].map_or_else(String::new, |e| digits(e.value, DIGITS))
+    }
+
+    /// Symbol, unit and exponent of the variables that a power law has.
+    fn powers(&self) -> impl Iterator<Item = (&'static str, &'static str, String)> {
+        let variables = self.form.variables().iter();
+        variables
+            .zip(&self.constants[1..])
+            .filter_map(|(variable, exponent)| {
+                let exponent = format!("{:.4}", (*exponent)?.value);
+                Some((variable.symbol, variable.unit, exponent))
+            })
+    }
+
+    /// The formula as text.
+    pub fn text(&self) -> String {
+        let (h, c) = (self.symbol(), self.constant(0));
+        let scale = match self.form {
+            FilmForm::Moes => "R √(2U)",
+            FilmForm::HamrockDowson(_) => "R",
+            FilmForm::Speed | FilmForm::SpeedLoad(_) => "m",
+            FilmForm::Blend(contact) => {
+                let [m, n] = asymptote_powers(contact);
+                let (c_2, s) = (self.constant(1), self.constant(2));
+                return format!(
+                    "{h} = R √(2U) [({c} M^(-{m}))^{s} + ({c_2} M^(-{n}) L^(3/4))^{s}]^(1/{s})"
+                );
+            }
+        };
+        let mut text = format!("{h} = {c} {scale}");
+        for (symbol, unit, exponent) in self.powers() {
+            text += &match unit {
+                "" => format!(" {symbol}^{exponent}"),
+                unit => format!(" ({symbol}/(1 {unit}))^{exponent}"),
+            };
+        }
+        text
+    }
+
+    /// The formula in LaTeX.
+    pub fn latex(&self) -> String {
+        let (h, c) = (self.latex_symbol(), latex_number(&self.constant(0)));
+        let scale = match self.form {
+            FilmForm::Moes => "R \\sqrt{2U}",
+            FilmForm::HamrockDowson(_) => "R",
+            FilmForm::Speed | FilmForm::SpeedLoad(_) => "\\mathrm{m}",
+            FilmForm::Blend(contact) => {
+                let [m, n] = asymptote_powers(contact);
+                let (c_2, s) = (latex_number(&self.constant(1)), self.constant(2));
+                return format!(
+                    "{h} = R \\sqrt{{2U}} \\left[\\left({c}\\, M^{{-{m}}}\\right)^{{{s}}} + \
+                     \\left({c_2}\\, M^{{-{n}}} L^{{3/4}}\\right)^{{{s}}}\\right]^{{1/{s}}}"
+                );
+            }
+        };
+        let mut text = format!("{h} = {c}\\, {scale}");
+        for (symbol, unit, exponent) in self.powers() {
+            text += &match unit {
+                "" => format!("\\, {symbol}^{{{exponent}}}"),
+                unit => format!(
+                    "\\, \\left(\\frac{{{symbol}}}{{1\\,\\mathrm{{{unit}}}}}\\right)^{{{exponent}}}"
+                ),
+            };
+        }
+        text
+    }
+
+    /// The formula as Python code, in SI.
+    pub fn code(&self) -> String {
+        let (h, c) = (self.symbol(), self.constant(0));
+        let scale = match self.form {
+            FilmForm::Moes => " * R * (2 * U) ** 0.5",
+            FilmForm::HamrockDowson(_) => " * R",
+            FilmForm::Speed | FilmForm::SpeedLoad(_) => "",
+            FilmForm::Blend(contact) => {
+                let [m, n] = asymptote_powers(contact);
+                let (c_2, s) = (self.constant(1), self.constant(2));
+                return format!(
+                    "{h} = R * (2 * U) ** 0.5 * (({c} * M ** (-{m})) ** {s} + ({c_2} * M ** (-{n}) * L ** (3/4)) ** {s}) \
+                     ** (1 / {s})"
+                );
+            }
+        };
+        let mut text = format!("{h} = {c}{scale}");
+        for (symbol, _, exponent) in self.powers() {
+            text += &format!(" * {symbol} ** ({exponent})");
+        }
+        text
+    }
+}
+
+/// Sizes of the exponents of M in the asymptotes, as fractions.
+fn asymptote_powers(contact: ContactKind) -> [&'static str; 2] {
+    match contact {
+        ContactKind::Circular => ["2/15", "1/12"],
+        ContactKind::Line => ["1/5", "1/8"],
+    }
+}
+
+/// `4.5 \cdot 10^{-8}` of `4.5e-8`.
+fn latex_number(text: &str) -> String {
+    match text.split_once('e') {
+        Some((mantissa, exponent)) => format!("{mantissa} \\cdot 10^{{{exponent}}}"),
+        None => text.to_owned(),
+    }
+}

@@ -1,0 +1,200 @@
+//! Film-thickness formulas from computed or measured films.
+
+mod blend;
+mod form;
+mod formula;
+mod parity;
+mod power;
+mod table;
+
+pub use form::{FilmForm, FormError, Variable};
+pub use parity::parity;
+pub use table::{Films, contact_of_films, read_films};
+
+use super::MinimumError;
+use crate::contact::ContactKind;
+
+/// Condition number of the scaled columns above which constants are called hardly separable: the intervals are about
+/// this many times wider than those of independent variation.
+const LARGEST_CONDITION: f64 = 30.0;
+/// Share of the film by which an uncertain constant may move it over the range of the films before a warning.
+const LARGEST_EFFECT: f64 = 0.2;
+
+/// Which film.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FilmKind {
+    /// Central film h_c.
+    Central,
+    /// Minimum film h_min.
+    Minimum,
+}
+
+impl FilmKind {
+    /// Name, also that of the column after `film_`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Central => "central",
+            Self::Minimum => "minimum",
+        }
+    }
+}
+
+/// A film with what it depends on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilmState {
+    /// Film thickness h, m.
+    pub film: f64,
+    /// What the formula's groups multiply, m: R √(2U), R or 1 m.
+    pub scale: f64,
+    /// The variables of the form, in its order, SI.
+    pub variables: Vec<f64>,
+}
+
+/// A number with its confidence interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The number.
+    pub value: f64,
+    /// Lower and upper end.
+    pub interval: [f64; 2],
+}
+
+impl Estimate {
+    /// Of a number whose logarithm is known within ± `half`.
+    fn of_log(log: f64, half: f64) -> Estimate {
+        Estimate {
+            value: log.exp(),
+            interval: [(log - half).exp(), (log + half).exp()],
+        }
+    }
+}
+
+/// A formula with its constants.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilmFit {
+    /// Its form.
+    pub form: FilmForm,
+    /// Which film.
+    pub kind: FilmKind,
+    /// The constants in the order of [`FilmForm::constants`]; `None` for the exponent of a variable that does not vary,
+    /// whose power is then part of c.
+    pub constants: Vec<Option<Estimate>>,
+    /// Smallest and largest value of each variable.
+    pub ranges: Vec<[f64; 2]>,
+    /// `formula/film - 1` of every state.
+    pub deviations: Vec<f64>,
+    /// Confidence of the intervals.
+    pub confidence: f64,
+    /// What the films leave open.
+    pub warnings: Vec<String>,
+}
+
+/// Why there is no formula.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FilmFitError {
+    /// Too few films.
+    #[error("{n_states} films cannot determine {n_unknowns} constants with their intervals; at least {} are needed", n_unknowns + 1)]
+    TooFew {
+        /// Number of films.
+        n_states: usize,
+        /// Number of constants.
+        n_unknowns: usize,
+    },
+    /// Variables that vary as one, by their symbols.
+    #[error(
+        "{0} are powers of each other in all films: their exponents cannot be told apart; vary one without the other, or \
+         take a form with fewer exponents"
+    )]
+    Collinear(String),
+    /// A constant that no film depends on, by its name.
+    #[error(
+        "no film depends on {0}: it cannot be determined; vary M and L more, or take another form"
+    )]
+    Undetermined(&'static str),
+    /// The confidence is no probability.
+    #[error("the confidence {0} is not between 0 and 1")]
+    Confidence(f64),
+    /// The search did not end.
+    #[error(transparent)]
+    Minimum(#[from] MinimumError),
+}
+
+/// What a least-squares solve of one kind of form returns.
+struct Found {
+    /// As in [`FilmFit`].
+    constants: Vec<Option<Estimate>>,
+    /// `ln(formula/film)`.
+    residuals: Vec<f64>,
+    /// As in [`FilmFit`].
+    warnings: Vec<String>,
+}
+
+/// Fits the films' form by least squares of `ln h`. The exponent of a variable that does not vary is left out; its power
+/// is then part of c, and a warning says so.
+///
+/// # Errors
+///
+/// [`FilmFitError`].
+pub fn fit_film(films: &Films, confidence: f64) -> Result<FilmFit, FilmFitError> {
+    if !(confidence > 0.0 && confidence < 1.0) {
+        return Err(FilmFitError::Confidence(confidence));
+    }
+    let n_variables = films.form.variables().len();
+    let ranges: Vec<[f64; 2]> = (0..n_variables)
+        .map(|i| {
+            let values = films.states.iter().map(|s| s.variables[i]);
+            values.fold([f64::INFINITY, 0.0f64], |[low, high], v| {
+                [low.min(v), high.max(v)]
+            })
+        })
+        .collect();
+    let found = match films.form {
+        FilmForm::Blend(contact) => blend::fit(films, contact, confidence)?,
+        _ => power::fit(films, &ranges, confidence)?,
+    };
+    Ok(FilmFit {
+        form: films.form,
+        kind: films.kind,
+        constants: found.constants,
+        ranges,
+        deviations: found.residuals.iter().map(|r| r.exp_m1()).collect(),
+        confidence,
+        warnings: [films.warnings.clone(), found.warnings].concat(),
+    })
+}
+
+impl FilmFit {
+    /// Values of the constants, 0 for exponents that are not determined.
+    pub fn values(&self) -> Vec<f64> {
+        let value = |e: &Option<Estimate>| e.map_or(0.0, |e| e.value);
+        self.constants.iter().map(value).collect()
+    }
+
+    /// A formula in Moes' groups in those of Hamrock and Dowson, `h = k R U^u G^g W^w`, by `M = W (2U)^(-3/4)`, in line
+    /// contacts `W (2U)^(-1/2)`, and `L = G (2U)^(1/4)`: the constants k, u, g, w. `None` of another form.
+    pub fn hamrock_dowson(&self, contact: ContactKind) -> Option<[f64; 4]> {
+        if self.form != FilmForm::Moes {
+            return None;
+        }
+        let [c, a, b] = self.values()[..] else {
+            return None;
+        };
+        let speed = 0.5 - form::load_power(contact) * a + 0.25 * b;
+        Some([c * 2f64.powf(speed), speed, b, a])
+    }
+
+    /// Root mean square of the deviations.
+    pub fn rms(&self) -> f64 {
+        let n = self.deviations.len() as f64;
+        (self.deviations.iter().map(|d| d * d).sum::<f64>() / n).sqrt()
+    }
+
+    /// Largest deviation by size.
+    pub fn largest(&self) -> f64 {
+        self.deviations
+            .iter()
+            .copied()
+            .max_by(|a, b| a.abs().total_cmp(&b.abs()))
+            .unwrap_or(0.0)
+    }
+}

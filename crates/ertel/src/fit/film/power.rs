@@ -1,0 +1,120 @@
+//! Power laws.
+
+use super::{
+    Estimate, FilmFitError, FilmState, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT,
+    MinimumError,
+};
+use crate::fit::{Minimum, minimise};
+use crate::output::digits;
+
+/// Ratio of largest to smallest value of a variable below which there is no variation to speak of.
+pub(super) const LEAST_VARIATION: f64 = 1.0 + 1e-6;
+/// Condition number from which variables vary as one, within what doubles tell.
+const COLLINEAR: f64 = 1e6;
+/// Share of the least determined direction from which a variable is named as part of it.
+const LEAST_SHARE: f64 = 0.2;
+
+/// Fits `ln(h/scale) = ln c + Σ aᵢ ln xᵢ`.
+pub(super) fn fit(
+    films: &Films,
+    ranges: &[[f64; 2]],
+    confidence: f64,
+) -> Result<Found, FilmFitError> {
+    let variables = films.form.variables();
+    let varies: Vec<bool> = ranges
+        .iter()
+        .map(|[low, high]| *high > LEAST_VARIATION * low)
+        .collect();
+    let axes: Vec<usize> = (0..variables.len()).filter(|i| varies[*i]).collect();
+    let n_states = films.states.len();
+    if n_states <= 1 + axes.len() {
+        return Err(FilmFitError::TooFew {
+            n_states,
+            n_unknowns: 1 + axes.len(),
+        });
+    }
+    // Logarithms as multiples of their spread, about the mean and about 0: the unknowns are then of order one.
+    let spread: Vec<f64> = axes
+        .iter()
+        .map(|i| (ranges[*i][1] / ranges[*i][0]).ln())
+        .collect();
+    let logs: Vec<Vec<f64>> = axes
+        .iter()
+        .zip(&spread)
+        .map(|(i, spread)| {
+            let log = |s: &FilmState| s.variables[*i].ln() / spread;
+            films.states.iter().map(log).collect()
+        })
+        .collect();
+    let means: Vec<f64> = logs
+        .iter()
+        .map(|log| log.iter().sum::<f64>() / n_states as f64)
+        .collect();
+    let film: Vec<f64> = (films.states.iter())
+        .map(|s| (s.film / s.scale).ln())
+        .collect();
+    let solve = |start: &[f64], origin: &[f64]| -> Result<Minimum, MinimumError> {
+        minimise(n_states, start, confidence, |x, r| {
+            for (state, (r, film)) in r.iter_mut().zip(&film).enumerate() {
+                *r = x[0] - film;
+                for ((x, log), origin) in x[1..].iter().zip(&logs).zip(origin) {
+                    *r += x * (log[state] - origin);
+                }
+            }
+        })
+    };
+    let minimum = solve(&vec![0.0; 1 + axes.len()], &means)?;
+    let together = || {
+        let weak = axes.iter().zip(&minimum.weakest[1..]);
+        let named = weak.filter(|(_, share)| share.abs() > LEAST_SHARE);
+        let names: Vec<&str> = named.map(|(i, _)| variables[*i].symbol).collect();
+        names.join(" and ")
+    };
+    if minimum.condition > COLLINEAR {
+        return Err(FilmFitError::Collinear(together()));
+    }
+    // c is the film where all variables are 1; once more without centring, for its interval.
+    let mut start = minimum.x.clone();
+    start[0] -= (minimum.x[1..].iter().zip(&means))
+        .map(|(x, mean)| x * mean)
+        .sum::<f64>();
+    let at_one = solve(&start, &vec![0.0; axes.len()])?;
+    let mut constants = vec![None; 1 + variables.len()];
+    constants[0] = Some(Estimate::of_log(at_one.x[0], at_one.half_widths[0]));
+    let mut warnings = Vec::new();
+    for (i, variable) in variables.iter().enumerate() {
+        let [low, high] = ranges[i].map(|v| format!("{} {}", digits(v, 4), variable.unit));
+        let [low, high] = [low.trim_end(), high.trim_end()];
+        let name = variable.name;
+        let Some(j) = axes.iter().position(|axis| *axis == i) else {
+            warnings.push(format!(
+                "{name} does not vary (it is {low}): its exponent cannot be determined and its power is part of the factor"
+            ));
+            continue;
+        };
+        let [value, half] = [minimum.x[j + 1], minimum.half_widths[j + 1]].map(|v| v / spread[j]);
+        constants[i + 1] = Some(Estimate {
+            value,
+            interval: [value - half, value + half],
+        });
+        if 2.0 * minimum.half_widths[j + 1] > LARGEST_EFFECT {
+            warnings.push(format!(
+                "the data hardly determine the exponent of {name}: with {name} from {low} to {high} it lies between {} and {}",
+                digits(value - half, 3),
+                digits(value + half, 3)
+            ));
+        }
+    }
+    if minimum.condition > LARGEST_CONDITION {
+        warnings.push(format!(
+            "{} vary together (condition number {}): their exponents trade off",
+            together(),
+            digits(minimum.condition, 2)
+        ));
+    }
+    Ok(Found {
+        constants,
+        residuals: minimum.residuals,
+        warnings,
+    })
+}
