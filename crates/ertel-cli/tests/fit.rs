@@ -179,4 +179,18 @@ fn films_of_chapter_6_lie_by_its_formulas() {
         limits.len() == 2 && limits[0] < 1.0 && limits[1] < 7.0,
         "{report}"
     );
+    // Its constants lie within the intervals of ours, widened by the error bars of the films.
+    let widened: Vec<[f64; 2]> = (report.lines())
+        .filter(|l| ["c", "a", "b"].contains(&l.split_whitespace().next().unwrap_or_default()))
+        .map(|l| {
+            let words: Vec<&str> = l.split_whitespace().collect();
+            let end = |i: usize| words[words.len() - i].parse().unwrap();
+            [end(3), end(1)]
+        })
+        .collect();
+    let published = [2.2318, -0.1362, 0.0198, 2.6759, -0.2525, 0.0297];
+    assert_eq!(widened.len(), published.len(), "{report}");
+    for ([low, high], constant) in widened.iter().zip(published) {
+        assert!(low < &constant && &constant < high, "{constant}: {report}");
+    }
 }

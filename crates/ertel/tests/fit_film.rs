@@ -22,6 +22,7 @@ fn film(load: f64, material: f64, noise: f64) -> FilmState {
         film: FACTOR * scale * powers * noise.exp(),
         scale,
         variables: vec![load, material],
+        error: None,
     }
 }
 
@@ -147,6 +148,7 @@ fn crossed(scale: f64, values: &[&[f64]]) -> Vec<FilmState> {
         film: f64::NAN,
         scale,
         variables,
+        error: None,
     };
     points.into_iter().map(state).collect()
 }
@@ -382,6 +384,7 @@ fn results_are_read_by_their_columns() {
         (2e-7, &vec![10.0, 1.0])
     );
     assert_eq!(states[1].scale, 0.01 * f64::sqrt(2.0 * 2e-12));
+    assert!((states[1].error.unwrap() - 1e-10 / 2e-7).abs() < 1e-15);
     // M = W (2U)^(-3/4), L = G (2U)^(1/4)
     let form = FilmForm::HamrockDowson(ContactKind::Circular);
     let states = read_with(csv, form, FilmKind::Central)
@@ -457,6 +460,28 @@ fn films_over_speed_need_speed_alone() {
         let missing = format!("rig.csv:1:1: there is no column `{column}`");
         assert!(error.starts_with(&missing), "{error}");
     }
+}
+
+/// Exact films have no scatter; their error bars move the line by hand: ln c by the mean of the bars, the slope over
+/// ln u = -l, 0, l by half the outer ones over l.
+#[test]
+fn error_bars_widen_the_intervals() {
+    let mut states = crossed(1.0, &[&[0.5, 1.0, 2.0]]);
+    for (state, bar) in states.iter_mut().zip([0.01, 0.02, 0.03]) {
+        state.film = FilmForm::Speed.film(&[4.5e-8, 0.67], state);
+        state.error = Some(bar);
+    }
+    let fit = |states: &[FilmState]| fit_film(&films(FilmForm::Speed, states.to_vec()), 0.95);
+    let widened = fit(&states).unwrap().widened.unwrap();
+    let [Some([low_c, high_c]), Some([low_a, high_a])] = widened[..] else {
+        panic!("{widened:?}");
+    };
+    assert!(((high_c / 4.5e-8).ln() - 0.02).abs() < 1e-8, "{high_c}");
+    assert!(((low_c / 4.5e-8).ln() + 0.02).abs() < 1e-8, "{low_c}");
+    let moved = 0.02 / 2f64.ln();
+    assert!((high_a - 0.67 - moved).abs() < 1e-8 && (0.67 - low_a - moved).abs() < 1e-8);
+    states[1].error = None;
+    assert_eq!(fit(&states).unwrap().widened, None);
 }
 
 #[test]

@@ -63,6 +63,7 @@ const SLOW: &[&str] = &[
     "figure-5-7",
     "figure-5-8",
     "figure-5-9",
+    "figure-6-10",
     "table-3-3",
 ];
 

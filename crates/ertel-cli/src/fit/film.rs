@@ -133,7 +133,11 @@ fn report(
     let number = |value: f64| digits(value, 4);
     let range = |[low, high]: [f64; 2]| format!("{} to {}", number(low), number(high));
     let percent = format!("{} % interval", digits(100.0 * fit.confidence, 4));
-    let mut constants = vec![vec!["constant".to_owned(), "value".to_owned(), percent]];
+    let mut head = vec!["constant".to_owned(), "value".to_owned(), percent];
+    if fit.widened.is_some() {
+        head.push("with error bars".to_owned());
+    }
+    let mut constants = vec![head];
     for (i, (name, estimate)) in fit.form.constants().iter().zip(&fit.constants).enumerate() {
         let unit = if i == 0 { fit.form.unit() } else { "" };
         let with_unit = |text: String| format!("{text} {unit}").trim_end().to_owned();
@@ -141,7 +145,11 @@ fn report(
             Some(e) => [with_unit(number(e.value)), with_unit(range(e.interval))],
             None => ["none".to_owned(), "not determined".to_owned()],
         };
-        constants.push(vec![(*name).to_owned(), value, interval]);
+        let mut row = vec![(*name).to_owned(), value, interval];
+        if let Some(Some(wide)) = fit.widened.as_ref().map(|widened| widened[i]) {
+            row.push(with_unit(range(wide)));
+        }
+        constants.push(row);
     }
     let mut text = format!(
         "{} film of {} results in {file}, {}\n\n{}\n",

@@ -19,6 +19,8 @@ pub struct Minimum {
     pub scatter: f64,
     /// Condition number of the Jacobian with its columns scaled to length 1.
     pub condition: f64,
+    /// By how much each unknown moves with each residual: the pseudo-inverse of the Jacobian, by unknown, then residual.
+    pub sensitivity: Vec<Vec<f64>>,
     /// The direction least determined: components by unknown, of length 1, in units of the scaled columns.
     pub weakest: Vec<f64>,
 }
@@ -88,6 +90,7 @@ pub fn minimise(
         half_widths: vec![0.0; n_unknowns],
         scatter,
         condition: 1.0,
+        sensitivity: vec![vec![0.0; n_residuals]; n_unknowns],
         weakest: vec![0.0; n_unknowns],
         residuals: r,
         x,
@@ -132,7 +135,7 @@ fn uncertainty(
     let svd = jacobian
         .thin_svd()
         .map_err(|_| MinimumError::NotConverged("no singular values of the Jacobian".into()))?;
-    let (singular, v) = (svd.S().column_vector(), svd.V());
+    let (singular, u, v) = (svd.S().column_vector(), svd.U(), svd.V());
     let smallest = singular[n - 1].max(f64::MIN_POSITIVE);
     minimum.condition = singular[0] / smallest;
     minimum.weakest = (0..n).map(|j| v[(j, n - 1)]).collect();
@@ -141,6 +144,12 @@ fn uncertainty(
             .map(|k| (v[(j, k)] / singular[k].max(f64::MIN_POSITIVE)).powi(2))
             .sum();
         minimum.half_widths[j] = t * minimum.scatter * inverse.sqrt() / lengths[j];
+        for i in 0..m {
+            let moved: f64 = (0..n)
+                .map(|k| v[(j, k)] * u[(i, k)] / singular[k].max(f64::MIN_POSITIVE))
+                .sum();
+            minimum.sensitivity[j][i] = moved / lengths[j];
+        }
     }
     Ok(())
 }
@@ -244,6 +253,13 @@ mod tests {
         }
         for (half, variance) in minimum.half_widths.iter().zip([1.25f64, 0.75]) {
             assert!((half / (t * variance.sqrt()) - 1.0).abs() < 1e-5);
+        }
+        // Intercept Σ(5/6, 1/3, -1/6) y, slope Σ(-1/2, 0, 1/2) y.
+        let expected = [[5.0 / 6.0, 1.0 / 3.0, -1.0 / 6.0], [-0.5, 0.0, 0.5]];
+        for (row, expected) in minimum.sensitivity.iter().zip(expected) {
+            for (value, expected) in row.iter().zip(expected) {
+                assert!((value - expected).abs() < 1e-9, "{value}");
+            }
         }
     }
 

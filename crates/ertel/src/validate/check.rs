@@ -2,6 +2,7 @@
 
 use super::Quantity;
 use super::run::{Outcome, Run};
+use crate::fit::{FilmForm, FilmState};
 use crate::reference::FilmFormula;
 use crate::solution::Solution;
 
@@ -13,6 +14,8 @@ pub enum Reference {
     /// A formula, evaluated for the case; for an incompressible fluid's formula the flag asks for
     /// its film divided by the relative density at the Hertz pressure.
     Formula(FilmFormula, bool),
+    /// A power law `h = c R √(2U) M^a L^b` with these c, a and b, evaluated for the case.
+    PowerLaw([f64; 3]),
     /// Nothing: our figure is shown.
     Nothing,
 }
@@ -184,6 +187,9 @@ impl Check {
                         (Reference::Formula(f, compressed), Outcome::Solved(s)) => {
                             formula_film(*f, *compressed, self.quantity, &runs[*i], s)
                         }
+                        (Reference::PowerLaw(constants), Outcome::Solved(s)) => {
+                            Some(power_law_film(constants, &runs[*i], s))
+                        }
                         _ => None,
                     };
                     let mut row = row(&runs[*i].name, label, reference, ours);
@@ -254,6 +260,18 @@ fn formula_film(
         1.0
     };
     Some(film / density / solution.scales.film)
+}
+
+/// Dimensionless film of a power law for the case of a solution.
+fn power_law_film(constants: &[f64; 3], run: &Run, solution: &Solution) -> f64 {
+    let groups = &solution.groups;
+    let state = FilmState {
+        film: f64::NAN,
+        scale: run.case.contact.radius * (2.0 * groups.speed).sqrt(),
+        variables: vec![groups.moes_load, groups.moes_material],
+        error: None,
+    };
+    FilmForm::Moes.film(constants, &state) / solution.scales.film
 }
 
 #[cfg(test)]

@@ -18,7 +18,8 @@
 //! [[check]]
 //! quantity = "central-film"
 //! runs = ["normal"]               # all that have the quantity, if left out
-//! value = 0.0822                  # or formula = "moes-line" (compressed = true), or neither
+//! value = 0.0822                  # or formula = "moes-line" (compressed = true), or
+//!                                 # power_law = [c, a, b] of h = c R √(2U) M^a L^b, or none of these
 //! tolerance = "1 %"               # or tolerance_absolute, at_most, between = [2.0, 4.0], sign = true
 //! source = "Table 3.4"
 //! reason = "why this tolerance"
@@ -197,17 +198,32 @@ fn read_check(mut table: Table<'_>, study: &Study) -> Result<Check, InputError> 
     let quantity = table.required_choice("quantity", &quantities)?;
     let subject = read_subject(&mut table, study)?;
     let formulas = FilmFormula::ALL.map(|f| (formula_key(f), f));
+    let power_law = match table.optional_numbers("power_law", Bounds::ANY)? {
+        None => None,
+        Some(constants) => {
+            let [c, a, b] = constants[..] else {
+                return Err(table.error("power_law", "`power_law` is [c, a, b]"));
+            };
+            let is_film = matches!(quantity, Quantity::CentralFilm | Quantity::MinimumFilm);
+            if !is_film {
+                return Err(table.error("power_law", "a power law is of a film"));
+            }
+            Some([c, a, b])
+        }
+    };
     let reference = match (
         table.optional_number("value", Bounds::ANY)?,
         table.optional_choice("formula", &formulas)?,
+        power_law,
     ) {
-        (None, None) => Reference::Nothing,
-        (Some(value), None) => Reference::Value(value),
-        (None, Some(formula)) => {
+        (None, None, None) => Reference::Nothing,
+        (Some(value), None, None) => Reference::Value(value),
+        (None, Some(formula), None) => {
             Reference::Formula(formula, table.optional_bool("compressed")?.unwrap_or(false))
         }
-        (Some(_), Some(_)) => {
-            return Err(table.error("formula", "a check has a `value` or a `formula`"));
+        (None, None, Some(constants)) => Reference::PowerLaw(constants),
+        _ => {
+            return Err(table.error_here("a check has a `value`, a `formula` or a `power_law`"));
         }
     };
     let accept = read_accept(&mut table)?;

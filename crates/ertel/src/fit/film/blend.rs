@@ -1,6 +1,6 @@
 //! The blend of asymptotes.
 
-use super::{Estimate, FilmFitError, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT};
+use super::{Estimate, FilmFitError, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved};
 use crate::contact::ContactKind;
 use crate::fit::{Minimum, MinimumError, minimise};
 use crate::output::digits;
@@ -58,9 +58,10 @@ pub(super) fn fit(
         error => FilmFitError::Minimum(error),
     })?;
     let mut warnings = Vec::new();
-    let mut constants = Vec::new();
-    for ((name, log), half) in names.iter().zip(&minimum.x).zip(&minimum.half_widths) {
-        let estimate = Estimate::of_log(*log, *half);
+    let (mut constants, mut widened) = (Vec::new(), Vec::new());
+    for (i, name) in names.iter().enumerate() {
+        let (log, half) = (minimum.x[i], minimum.half_widths[i]);
+        let estimate = Estimate::of_log(log, half);
         let [low, high] = estimate.interval;
         if 2.0 * half > LARGEST_EFFECT {
             warnings.push(format!(
@@ -70,6 +71,8 @@ pub(super) fn fit(
             ));
         }
         constants.push(Some(estimate));
+        let wide = half + moved(films, &minimum, i);
+        widened.push(Some(Estimate::of_log(log, wide).interval));
     }
     if minimum.condition > LARGEST_CONDITION {
         let weak = names.iter().zip(&minimum.weakest);
@@ -83,6 +86,7 @@ pub(super) fn fit(
     }
     Ok(Found {
         constants,
+        widened,
         residuals: minimum.residuals,
         warnings,
     })

@@ -11,7 +11,7 @@ pub use form::{FilmForm, FormError, Variable};
 pub use parity::parity;
 pub use table::{Films, contact_of_films, read_films};
 
-use super::MinimumError;
+use super::{Minimum, MinimumError};
 use crate::contact::ContactKind;
 
 /// Condition number of the scaled columns above which constants are called hardly separable: the intervals are about
@@ -48,6 +48,8 @@ pub struct FilmState {
     pub scale: f64,
     /// The variables of the form, in its order, SI.
     pub variables: Vec<f64>,
+    /// Error bar as a share of the film, where it has one.
+    pub error: Option<f64>,
 }
 
 /// A number with its confidence interval.
@@ -79,6 +81,9 @@ pub struct FilmFit {
     /// The constants in the order of [`FilmForm::constants`]; `None` for the exponent of a variable that does not vary,
     /// whose power is then part of c.
     pub constants: Vec<Option<Estimate>>,
+    /// The intervals widened by what the error bars of the films do at most, all of them in the worst direction; `None`
+    /// where a film has no error bar. Errors of discretisation are no scatter: those of like contacts have one sign.
+    pub widened: Option<Vec<Option<[f64; 2]>>>,
     /// Smallest and largest value of each variable.
     pub ranges: Vec<[f64; 2]>,
     /// `formula/film - 1` of every state.
@@ -87,6 +92,14 @@ pub struct FilmFit {
     pub confidence: f64,
     /// What the films leave open.
     pub warnings: Vec<String>,
+}
+
+/// How far the error bars of the films move an unknown at most; 0 where they have none.
+fn moved(films: &Films, minimum: &Minimum, unknown: usize) -> f64 {
+    let weights = films.states.iter().zip(&minimum.sensitivity[unknown]);
+    weights
+        .map(|(state, weight)| weight.abs() * state.error.unwrap_or(0.0))
+        .sum()
 }
 
 /// Why there is no formula.
@@ -123,6 +136,8 @@ pub enum FilmFitError {
 struct Found {
     /// As in [`FilmFit`].
     constants: Vec<Option<Estimate>>,
+    /// The intervals widened by error bars; none without these.
+    widened: Vec<Option<[f64; 2]>>,
     /// `ln(formula/film)`.
     residuals: Vec<f64>,
     /// As in [`FilmFit`].
@@ -152,10 +167,12 @@ pub fn fit_film(films: &Films, confidence: f64) -> Result<FilmFit, FilmFitError>
         FilmForm::Blend(contact) => blend::fit(films, contact, confidence)?,
         _ => power::fit(films, &ranges, confidence)?,
     };
+    let has_bars = films.states.iter().all(|s| s.error.is_some());
     Ok(FilmFit {
         form: films.form,
         kind: films.kind,
         constants: found.constants,
+        widened: has_bars.then_some(found.widened),
         ranges,
         deviations: found.residuals.iter().map(|r| r.exp_m1()).collect(),
         confidence,

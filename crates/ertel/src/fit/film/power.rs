@@ -2,7 +2,7 @@
 
 use super::{
     Estimate, FilmFitError, FilmState, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT,
-    MinimumError,
+    MinimumError, moved,
 };
 use crate::fit::{Minimum, minimise};
 use crate::output::digits;
@@ -81,6 +81,9 @@ pub(super) fn fit(
     let at_one = solve(&start, &vec![0.0; axes.len()])?;
     let mut constants = vec![None; 1 + variables.len()];
     constants[0] = Some(Estimate::of_log(at_one.x[0], at_one.half_widths[0]));
+    let mut widened = vec![None; 1 + variables.len()];
+    let half = at_one.half_widths[0] + moved(films, &at_one, 0);
+    widened[0] = Some(Estimate::of_log(at_one.x[0], half).interval);
     let mut warnings = Vec::new();
     for (i, variable) in variables.iter().enumerate() {
         let [low, high] = ranges[i].map(|v| format!("{} {}", digits(v, 4), variable.unit));
@@ -97,6 +100,8 @@ pub(super) fn fit(
             value,
             interval: [value - half, value + half],
         });
+        let wide = half + moved(films, &minimum, j + 1) / spread[j];
+        widened[i + 1] = Some([value - wide, value + wide]);
         if 2.0 * minimum.half_widths[j + 1] > LARGEST_EFFECT {
             warnings.push(format!(
                 "the data hardly determine the exponent of {name}: with {name} from {low} to {high} it lies between {} and {}",
@@ -114,6 +119,7 @@ pub(super) fn fit(
     }
     Ok(Found {
         constants,
+        widened,
         residuals: minimum.residuals,
         warnings,
     })

@@ -113,7 +113,8 @@ enum Source {
 
 /// Reads films from the text of a CSV file with a column `film_central_m` or `film_minimum_m` and what the form needs:
 /// `moes_load`, `moes_material`, `speed_group` and `radius_m`, which `radius` (m) replaces, for forms in groups;
-/// `entrainment_speed_m_per_s` and the load for those in speed and load. Any unit of the dimension does. Lines without a
+/// `entrainment_speed_m_per_s` and the load for those in speed and load; error bars from `film_central_error_m` or
+/// `film_minimum_error_m`, where there are such. Any unit of the dimension does. Lines without a
 /// film are left out.
 ///
 /// # Errors
@@ -140,13 +141,14 @@ pub fn read_films(
         line,
         cells: cells_of(head, separator),
     };
-    let name = match kind {
-        FilmKind::Central => "film central",
-        FilmKind::Minimum => "film minimum",
+    let [name, error_name] = match kind {
+        FilmKind::Central => ["film central", "film central error"],
+        FilmKind::Minimum => ["film minimum", "film minimum error"],
     };
     let Some(film) = header.find(name, Dimension::LENGTH) else {
         return Ok(None);
     };
+    let error = header.find(error_name, Dimension::LENGTH);
     let source = source(&header, form, radius)?;
     let conditions = match form {
         FilmForm::Speed => &CONDITIONS[..],
@@ -196,10 +198,13 @@ pub fn read_films(
                 (*low, *high) = (low.min(value), high.max(value));
             }
         }
+        // A film without an error bar has an empty cell.
+        let bar = error.as_ref().and_then(|e| e.number(&cells).ok());
         states.push(FilmState {
             film: thickness,
             scale,
             variables,
+            error: bar.map(|bar| bar / thickness),
         });
     }
     // The blend has L in a term of its own; a power law has its logarithm, unless there is none in any film.
