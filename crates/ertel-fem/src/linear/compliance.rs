@@ -60,7 +60,7 @@ impl Compliance {
                 }
             }
         });
-        let single = double.iter().map(|v| *v as f32).collect();
+        let single = double.par_iter().map(|v| *v as f32).collect();
         Compliance { n, double, single }
     }
 

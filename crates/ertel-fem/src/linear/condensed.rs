@@ -19,6 +19,7 @@ use faer::linalg::triangular_solve::{
 };
 use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, ColMut, MatMut, MatRef, Par};
+use rayon::prelude::*;
 
 use crate::assembly::{CONSTRAINED, DofMap, NodeGraph};
 use crate::linear::Stop;
@@ -55,6 +56,8 @@ pub struct CondensedStiffness {
     /// Condensed stiffness S, column by column, of which the lower triangle counts.
     stiffness: Vec<f64>,
     n_condensed: usize,
+    /// Memory for the inverse.
+    room: Vec<f64>,
 }
 
 /// Operations in one front above which all cores work on it together.
@@ -98,7 +101,8 @@ impl CondensedStiffness {
         }
         let mut columns = vec![0.0; starts[fronts.fronts.len()]];
         let size = space.element.n_nodes() * dofs.n_components;
-        let work = Workspace::default();
+        let largest = fronts.fronts.iter().map(Front::size).max();
+        let work = Workspace::new(largest.unwrap_or(0).pow(2));
         let front = |k: usize, kept: &mut [f64], left: Vec<Left>| -> Result<Left, CholeskyError> {
             if stop() {
                 return Err(CholeskyError::Interrupted);
@@ -106,15 +110,15 @@ impl CondensedStiffness {
             let front = &fronts.fronts[k];
             let order = front.size();
             let last = is_last(&fronts, condensed, k);
-            // what stays with the caller has memory of its own
-            let mut room = if last { Vec::new() } else { work.take() };
-            if room.len() < order * order {
-                room.clear();
-                room.resize(order * order, 0.0);
-            }
+            // What stays with the caller has memory of its own.
+            let mut room = match last {
+                true => vec![0.0; order * order],
+                false => work.take(),
+            };
             let entries = &mut room[..order * order];
-            for j in 0..order {
-                entries[j * order + j..(j + 1) * order].fill(0.0);
+            if !last {
+                // only the lower triangle is read
+                on_columns(entries, order, |j, column| column[j..].fill(0.0));
             }
             let mut block = vec![0.0; size * size];
             for cell in &elements[k] {
@@ -128,16 +132,7 @@ impl CondensedStiffness {
                     }
                 }
             }
-            for (child, left) in front.children.iter().zip(&left) {
-                let map = &fronts.fronts[*child].in_parent;
-                for (j, column) in map.iter().enumerate() {
-                    let target = &mut entries[*column as usize * order..][..order];
-                    let start = j * map.len() - j * j.saturating_sub(1) / 2;
-                    for (row, v) in map[j..].iter().zip(&left[start..]) {
-                        target[*row as usize] += v;
-                    }
-                }
-            }
+            add_children(&fronts, front, &left, entries);
             drop(left);
             let n = front.n_own;
             if last {
@@ -159,10 +154,7 @@ impl CondensedStiffness {
                     column[j..].copy_from_slice(&entries[j * order + j..(j + 1) * order]);
                 }
             }
-            let mut left = Vec::with_capacity((order - n) * (order - n + 1) / 2);
-            for j in n..order {
-                left.extend_from_slice(&entries[j * order + j..(j + 1) * order]);
-            }
+            let left = lower_triangle(&entries[n * order..], order, n);
             work.give(room);
             Ok(left)
         };
@@ -177,6 +169,10 @@ impl CondensedStiffness {
             starts,
             stiffness,
             n_condensed: condensed.len(),
+            room: match keep {
+                Keep::Condensed => work.take(),
+                Keep::Factor => Vec::new(),
+            },
         })
     }
 
@@ -197,8 +193,12 @@ impl CondensedStiffness {
     pub fn into_compliance(self) -> Result<Compliance, CholeskyError> {
         let n = self.n_condensed();
         let factor = factor(self.stiffness, n)?;
-        let mut entries = vec![0.0; n * n];
-        let mut inverse = MatMut::from_column_major_slice_mut(&mut entries, n, n);
+        let mut room = self.room;
+        if room.len() < n * n {
+            room = vec![0.0; n * n];
+        }
+        let entries = &mut room[..n * n];
+        let mut inverse = MatMut::from_column_major_slice_mut(entries, n, n);
         let mut memory = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(n, Par::rayon(0)));
         llt::inverse::inverse(
             inverse.rb_mut(),
@@ -291,19 +291,120 @@ impl CondensedStiffness {
 /// leaves its whole square.
 type Left = Vec<f64>;
 
-/// Memory in which fronts are eliminated, used again and again: asking the system for each would take
-/// a good part of the time.
-#[derive(Default)]
-struct Workspace(Mutex<Vec<Vec<f64>>>);
+/// Order of a front from which its columns are dealt to the cores.
+const WIDE: usize = 600;
+
+/// Calls `f` on each column of a square matrix.
+fn on_columns(entries: &mut [f64], order: usize, f: impl Fn(usize, &mut [f64]) + Sync) {
+    let f = |(j, column): (usize, &mut [f64])| f(j, column);
+    if order < WIDE {
+        entries
+            .chunks_exact_mut(order.max(1))
+            .enumerate()
+            .for_each(f);
+    } else {
+        entries.par_chunks_exact_mut(order).enumerate().for_each(f);
+    }
+}
+
+/// Lower triangle of the columns from the n-th on, packed.
+fn lower_triangle(columns: &[f64], order: usize, n: usize) -> Vec<f64> {
+    let m = order - n;
+    let length = m * (m + 1) / 2;
+    let columns = columns.chunks_exact(order.max(1)).zip(n..);
+    if m < WIDE {
+        let mut packed = Vec::with_capacity(length);
+        for (column, j) in columns {
+            packed.extend_from_slice(&column[j..]);
+        }
+        return packed;
+    }
+    let mut packed = vec![0.0; length];
+    let mut rest = &mut packed[..];
+    let mut targets = Vec::with_capacity(m);
+    for (column, j) in columns {
+        let (target, beyond) = rest.split_at_mut(order - j);
+        targets.push((target, &column[j..]));
+        rest = beyond;
+    }
+    targets
+        .into_par_iter()
+        .for_each(|(target, column)| target.copy_from_slice(column));
+    packed
+}
+
+/// Adds what the children of a front left to its lower triangle.
+fn add_children(fronts: &Fronts, front: &Front, left: &[Left], entries: &mut [f64]) {
+    let order = front.size();
+    let start = |j: usize, m: usize| j * m - j * j.saturating_sub(1) / 2;
+    let children = || {
+        let maps = front
+            .children
+            .iter()
+            .map(|child| &fronts.fronts[*child].in_parent[..]);
+        maps.zip(left)
+    };
+    let add = |target: &mut [f64], map: &[u32], left: &[f64], j: usize| {
+        for (row, v) in map[j..].iter().zip(&left[start(j, map.len())..]) {
+            target[*row as usize] += v;
+        }
+    };
+    if order < WIDE {
+        for (map, left) in children() {
+            for (j, column) in map.iter().enumerate() {
+                add(
+                    &mut entries[*column as usize * order..][..order],
+                    map,
+                    left,
+                    j,
+                );
+            }
+        }
+        return;
+    }
+    // For each column of the front, that of each child.
+    let of_children: Vec<Vec<usize>> = children()
+        .map(|(map, _)| {
+            let mut columns = vec![NOWHERE; order];
+            for (j, column) in map.iter().enumerate() {
+                columns[*column as usize] = j;
+            }
+            columns
+        })
+        .collect();
+    on_columns(entries, order, |k, target| {
+        for ((map, left), columns) in children().zip(&of_children) {
+            if columns[k] != NOWHERE {
+                add(target, map, left, columns[k]);
+            }
+        }
+    });
+}
+
+/// Rooms in which fronts are eliminated, used again and again: asking the system for memory would take a good part
+/// of the time. Each has room for any front; the system gives what is used of it.
+struct Workspace {
+    size: usize,
+    rooms: Mutex<Vec<Vec<f64>>>,
+}
 
 impl Workspace {
-    fn rooms(&self) -> MutexGuard<'_, Vec<Vec<f64>>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    /// Rooms for so many numbers each.
+    fn new(size: usize) -> Workspace {
+        Workspace {
+            size,
+            rooms: Mutex::default(),
+        }
     }
 
-    /// A room, of whatever size and content.
+    fn rooms(&self) -> MutexGuard<'_, Vec<Vec<f64>>> {
+        self.rooms.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// A room, of whatever content.
     fn take(&self) -> Vec<f64> {
-        self.rooms().pop().unwrap_or_default()
+        let used = self.rooms().pop();
+        used.unwrap_or_else(|| vec![0.0; self.size])
     }
 
     fn give(&self, room: Vec<f64>) {
