@@ -105,6 +105,58 @@ pub fn multiply_transposed<T: Real, const L: usize>(a: &[T], x: &[T], y: &mut [T
     }
 }
 
+/// y = A x for whole numbers A.
+#[inline(always)]
+pub fn multiply_whole(a: &[i16], x: &[f32], y: &mut [f32]) {
+    y.fill(0.0);
+    let m = y.len();
+    if m == 0 {
+        return;
+    }
+    let whole = x.len() / COLUMNS * COLUMNS;
+    let (a, a_rest) = a[..m * x.len()].split_at(m * whole);
+    for (columns, x) in a.chunks_exact(COLUMNS * m).zip(x.chunks_exact(COLUMNS)) {
+        let [c0, c1, c2, c3] = four(columns, m);
+        for ((((y, c0), c1), c2), c3) in y.iter_mut().zip(c0).zip(c1).zip(c2).zip(c3) {
+            *y += (f32::from(*c0) * x[0] + f32::from(*c1) * x[1])
+                + (f32::from(*c2) * x[2] + f32::from(*c3) * x[3]);
+        }
+    }
+    for (column, x) in a_rest.chunks_exact(m).zip(&x[whole..]) {
+        for (y, c) in y.iter_mut().zip(column) {
+            *y += f32::from(*c) * *x;
+        }
+    }
+}
+
+/// y = Aᵀ x for whole numbers A. `L` sums run side by side.
+#[inline(always)]
+pub fn multiply_transposed_whole<const L: usize>(a: &[i16], x: &[f32], y: &mut [f32]) {
+    let m = x.len();
+    if m == 0 {
+        y.fill(0.0);
+        return;
+    }
+    for (column, y) in a.chunks_exact(m).zip(y) {
+        let mut sums = [0.0; L];
+        let (columns, xs) = (column.chunks_exact(L), x.chunks_exact(L));
+        let rest = columns.remainder().iter().zip(xs.remainder());
+        for (c, x) in columns.zip(xs) {
+            for l in 0..L {
+                sums[l] += f32::from(c[l]) * x[l];
+            }
+        }
+        let mut sum = 0.0;
+        for s in sums {
+            sum += s;
+        }
+        for (c, x) in rest {
+            sum += f32::from(*c) * *x;
+        }
+        *y = sum;
+    }
+}
+
 /// y_rows += A x_columns and y_columns += Aᵀ x_rows in one pass over A, whose numbers of rows and columns are
 /// multiples of `L` and of four.
 #[inline(always)]
@@ -153,6 +205,30 @@ fn four<T>(columns: &[T], m: usize) -> [&[T]; COLUMNS] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Whole numbers, likewise.
+    #[test]
+    fn products_of_whole_numbers_equal_plain_sums() {
+        for (m, n) in [(1, 1), (3, 5), (16, 8), (37, 22), (0, 3), (4, 0)] {
+            let a: Vec<i16> = (0..m * n).map(|k| (k * 7919 % 601) as i16 - 300).collect();
+            let x: Vec<f32> = (0..n).map(|k| (k % 5) as f32 - 2.0).collect();
+            let z: Vec<f32> = (0..m).map(|k| (k % 7) as f32 - 3.0).collect();
+            let (mut y, mut w) = (vec![1.0; m], vec![1.0; n]);
+            vectorised(|| {
+                multiply_whole(&a, &x, &mut y);
+                multiply_transposed_whole::<16>(&a, &z, &mut w);
+            });
+            // no rounding at all below 2²⁴
+            for i in 0..m {
+                let exact: f32 = (0..n).map(|j| f32::from(a[j * m + i]) * x[j]).sum();
+                assert_eq!(y[i], exact);
+            }
+            for j in 0..n {
+                let exact: f32 = (0..m).map(|i| f32::from(a[j * m + i]) * z[i]).sum();
+                assert_eq!(w[j], exact);
+            }
+        }
+    }
 
     /// Against plain sums, for sizes at and beside the widths of the loops.
     #[test]

@@ -18,7 +18,7 @@ use xxhash_rust::xxh3::{Xxh3, xxh3_128};
 use super::elastic::SurfaceResponse;
 
 /// Raised whenever the content or the meaning of a file changes, or the numbers in it would.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 const MAGIC: [u8; 8] = *b"ertel-op";
 const EXTENSION: &str = "operator";
 const TEMPORARY: &str = ".writing-";

@@ -168,17 +168,14 @@ impl SurfaceResponse {
     }
 }
 
-/// Pairs of surface nodes (i ≤ j) that are neighbours of neighbours: the stiffness of the surface
-/// is short-ranged, and what a preconditioner needs of it ends there.
+/// Pairs of surface nodes (i ≤ j) that share an element: the stiffness of the surface is short-ranged, and what a
+/// preconditioner needs of it ends there.
 pub fn near_pairs(surface: &Space) -> Vec<(u32, u32)> {
     let graph = NodeGraph::new(surface);
     let mut pairs = Vec::new();
     for i in 0..graph.n_nodes() {
-        let rings = graph.of(i).iter().flat_map(|j| graph.of(*j as usize));
-        let mut near: Vec<u32> = rings.copied().filter(|j| *j as usize >= i).collect();
-        near.sort_unstable();
-        near.dedup();
-        pairs.extend(near.into_iter().map(|j| (i as u32, j)));
+        let near = graph.of(i).iter().filter(|j| **j as usize >= i);
+        pairs.extend(near.map(|j| (i as u32, *j)));
     }
     pairs
 }

@@ -1,8 +1,8 @@
 //! Sparse approximation of the coupled Jacobian, factorised.
 //!
 //! ```text
-//!   | R_P   R_δ | | dP |     S̃: the stiffness of the surface, cut off after the second
-//!   | −M    S̃   | | dδ |     ring of nodes
+//!   | R_P   R_δ | | dP |     S̃: the stiffness of the surface between nodes that share
+//!   | −M    S̃   | | dδ |     an element
 //! ```
 //! The compliance of a half-space is long-range, its inverse is not: that is why cutting the
 //! stiffness works where cutting the compliance does not.
@@ -32,7 +32,7 @@ pub struct NearStiffness {
 }
 
 impl NearStiffness {
-    /// Stiffness between nodes that are neighbours of neighbours.
+    /// Stiffness between nodes that share an element.
     pub fn new(d: &Discretisation) -> NearStiffness {
         let first = d.n_pressure as u32;
         let mut near = NearStiffness {
@@ -75,7 +75,7 @@ impl NearStiffness {
         let blocks = Blocks {
             graph: &graph,
             n_inner: groups.unknowns.len(),
-            carriers: None,
+            carriers: Some(groups.places),
             unknowns: groups.unknowns,
         };
         let pattern = FrontalPattern::new(&blocks, &self.entries).map_err(|e| LuError {
@@ -90,6 +90,8 @@ impl NearStiffness {
 /// are eliminated together, where either may be the better pivot.
 struct Groups {
     unknowns: Vec<Vec<u32>>,
+    /// Vertices on whose common edge or element a group lies.
+    places: Vec<[u32; 4]>,
     of_deflection: Vec<u32>,
     /// `CONSTRAINED` at the edge.
     of_pressure: Vec<u32>,
@@ -99,9 +101,11 @@ impl Groups {
     fn new(d: &Discretisation) -> Groups {
         let mut index: FxHashMap<[u32; 4], u32> = FxHashMap::default();
         let mut unknowns: Vec<Vec<u32>> = Vec::new();
+        let mut places: Vec<[u32; 4]> = Vec::new();
         let mut add = |place: [u32; 4], unknown: u32| {
             let group = *index.entry(place).or_insert_with(|| {
                 unknowns.push(Vec::new());
+                places.push(place);
                 unknowns.len() as u32 - 1
             });
             unknowns[group as usize].push(unknown);
@@ -119,6 +123,7 @@ impl Groups {
             .collect();
         Groups {
             unknowns,
+            places,
             of_deflection,
             of_pressure,
         }

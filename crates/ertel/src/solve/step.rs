@@ -18,6 +18,8 @@ pub(super) struct Step {
     pub pressure: Vec<f64>,
     pub separation: f64,
     pub krylov_iterations: usize,
+    /// Krylov iterations for each factor of a thousand in the error.
+    effort: f64,
 }
 
 /// How the linear systems of a level are solved.
@@ -70,8 +72,12 @@ impl Accuracy {
     }
 }
 
-/// Krylov iterations above which the preconditioner is made anew.
-const STALE_ITERATIONS: usize = 20;
+/// Krylov iterations for a factor of a thousand above which the preconditioner is made anew: it costs as much as
+/// some ten iterations.
+const STALE_EFFORT: f64 = 10.0;
+
+/// Krylov iterations after which a solve with an old preconditioner is given up.
+const MOST_STALE_ITERATIONS: usize = 40;
 
 impl<'a, 'b> StepSolver<'a, 'b> {
     /// Solver without factors yet; counts its effort in `stats`.
@@ -85,6 +91,14 @@ impl<'a, 'b> StepSolver<'a, 'b> {
             factors: None,
             target: params.update_tolerance.min(params.residual_tolerance),
             stats,
+        }
+    }
+
+    /// The preconditioner in force.
+    pub fn into_preconditioner(self) -> Option<Preconditioner> {
+        match self.factors? {
+            Factors::Bordered(bordered) => Some(bordered.sparse),
+            Factors::Monolithic(_) => None,
         }
     }
 
@@ -125,9 +139,9 @@ impl<'a, 'b> StepSolver<'a, 'b> {
     pub fn newton_step(&mut self, system: &System, state: &State) -> Result<Step, SolveError> {
         let tolerance = Accuracy::Step { end: self.target };
         if matches!(self.factors, Some(Factors::Bordered(_)))
-            && let Ok(step) = self.solve(system, system, state, tolerance, 2 * STALE_ITERATIONS)
+            && let Ok(step) = self.solve(system, system, state, tolerance, MOST_STALE_ITERATIONS)
         {
-            if step.krylov_iterations > STALE_ITERATIONS {
+            if step.effort > STALE_EFFORT {
                 self.factors = None;
             }
             return Ok(step);
@@ -161,7 +175,7 @@ impl<'a, 'b> StepSolver<'a, 'b> {
         let level = self.level;
         let d = level.discretisation;
         let defect = level.load - d.integral(&state.pressure);
-        let (unknowns, separation, krylov_iterations) =
+        let (unknowns, separation, krylov_iterations, effort) =
             match self.factors.as_mut().expect("refreshed before") {
                 Factors::Bordered(b) => {
                     let equations = (jacobian, &system.residual[..], defect, level.load);
@@ -169,7 +183,7 @@ impl<'a, 'b> StepSolver<'a, 'b> {
                 }
                 Factors::Monolithic(m) => {
                     let (p, h) = m.solve(&system.residual, defect);
-                    (p, h, 0)
+                    (p, h, 0, 0.0)
                 }
             };
         self.stats.krylov_iterations += krylov_iterations;
@@ -180,6 +194,7 @@ impl<'a, 'b> StepSolver<'a, 'b> {
             pressure,
             separation,
             krylov_iterations,
+            effort,
         })
     }
 }
@@ -195,7 +210,7 @@ impl Bordered {
         (jacobian, residual, load_defect, load): (&System, &[f64], f64, f64),
         accuracy: Accuracy,
         max_iterations: usize,
-    ) -> Result<(Vec<f64>, f64, usize), SolveError> {
+    ) -> Result<(Vec<f64>, f64, usize, f64), SolveError> {
         let n = d.n_pressure;
         // The load row is scaled like the residual: one number stands for the whole contact.
         let row_scale = jacobian.residual_scale / load;
@@ -232,7 +247,8 @@ impl Bordered {
         let info = gmres(product, |_: &mut [f64]| {}, &rhs, &mut x, params)?;
         let separation = x[n];
         x.truncate(n);
-        Ok((x, separation, info.iterations))
+        let effort = info.iterations as f64 * 1e-3_f64.ln() / params.tolerance.ln();
+        Ok((x, separation, info.iterations, effort))
     }
 }
 
