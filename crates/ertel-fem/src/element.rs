@@ -136,6 +136,50 @@ impl Lagrange {
             .collect()
     }
 
+    /// Value of every shape function at a reference point.
+    pub fn values(&self, xi: [f64; 3]) -> impl Iterator<Item = f64> {
+        let factors = self.factors(xi);
+        self.lattice.iter().map(move |alpha| {
+            let factors = factors.iter().zip(alpha).take(self.dim + 1);
+            factors.map(|(f, a)| f[*a as usize].0).product()
+        })
+    }
+
+    /// Value and gradient of every shape function at a reference point.
+    pub fn gradients(&self, xi: [f64; 3]) -> impl Iterator<Item = (f64, [f64; 3])> {
+        let (d, factors) = (self.dim, self.factors(xi));
+        self.lattice.iter().map(move |alpha| {
+            let f: [(f64, f64); 4] = std::array::from_fn(|i| factors[i][alpha[i] as usize]);
+            let value = f[..=d].iter().map(|f| f.0).product();
+            let mut by_lambda = [0.0; 4];
+            for (i, by) in by_lambda[..=d].iter_mut().enumerate() {
+                *by = (0..=d)
+                    .map(|j| if j == i { f[j].1 } else { f[j].0 })
+                    .product();
+            }
+            let gradient = std::array::from_fn(|a| match a < d {
+                true => by_lambda[a + 1] - by_lambda[0],
+                false => 0.0,
+            });
+            (value, gradient)
+        })
+    }
+
+    /// φ(m, λ_i) and its derivative at a reference point, for each barycentric coordinate and each m.
+    fn factors(&self, xi: [f64; 3]) -> [[(f64, f64); 6]; 4] {
+        let (d, k) = (self.dim, self.order as f64);
+        let lambda = [1.0 - xi[..d].iter().sum::<f64>(), xi[0], xi[1], xi[2]];
+        let mut factors = [[(1.0, 0.0); 6]; 4];
+        for (f, lambda) in factors.iter_mut().zip(lambda).take(d + 1) {
+            for j in 0..self.order {
+                let c = 1.0 / (j as f64 + 1.0);
+                let (g, dg) = ((k * lambda - j as f64) * c, k * c);
+                f[j + 1] = (f[j].0 * g, f[j].1 * g + f[j].0 * dg);
+            }
+        }
+        factors
+    }
+
     /// Shape functions at all points of a rule.
     pub fn tabulate(&self, rule: &Quadrature) -> Tabulation {
         let mut table = Tabulation {
@@ -203,6 +247,23 @@ mod tests {
         (1..=3)
             .flat_map(|dim| (1..=5).map(move |order| Lagrange::new(dim, order)))
             .collect()
+    }
+
+    /// Values alone, and with gradients, equal those with all derivatives, inside of the element and beyond.
+    #[test]
+    fn values_are_those_of_evaluate() {
+        for element in family() {
+            for x in [[0.2, 0.3, 0.1], [1.4, -0.7, 0.6]] {
+                let both = element.values(x).zip(element.gradients(x));
+                for ((a, (b, gradient)), exact) in both.zip(element.evaluate(x)) {
+                    assert_relative_eq!(a, exact.0, epsilon = 1e-12);
+                    assert_relative_eq!(b, exact.0, epsilon = 1e-12);
+                    for (g, exact) in gradient.iter().zip(exact.1) {
+                        assert_relative_eq!(*g, exact, epsilon = 1e-11);
+                    }
+                }
+            }
+        }
     }
 
     fn node_point(element: &Lagrange, alpha: &[u8; 4]) -> [f64; 3] {

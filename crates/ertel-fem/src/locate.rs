@@ -86,11 +86,9 @@ impl Locator {
 
 /// Reference coordinates of a point with respect to a cell, inside it or not.
 pub fn reference_point(mesh: &SimplexMesh, cell: usize, p: [f64; 2]) -> [f64; 3] {
-    let v: Vec<[f64; 3]> = mesh
-        .cell(cell)
-        .iter()
-        .map(|v| mesh.vertices[*v as usize])
-        .collect();
+    let vertices = mesh.cell(cell);
+    let v: [[f64; 3]; 3] =
+        std::array::from_fn(|k| mesh.vertices[vertices[k.min(vertices.len() - 1)] as usize]);
     let d = [p[0] - v[0][0], p[1] - v[0][1]];
     if mesh.dim == 1 {
         return [d[0] / (v[1][0] - v[0][0]), 0.0, 0.0];

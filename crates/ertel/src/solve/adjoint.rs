@@ -16,7 +16,7 @@ use rayon::prelude::*;
 
 use super::SolveError;
 use super::discretisation::Discretisation;
-use super::preconditioner::{NearStiffness, Preconditioner};
+use super::preconditioner::Preconditioner;
 use super::step::{dot, scatter};
 use super::system::System;
 
@@ -34,15 +34,14 @@ const TOLERANCE: f64 = 1e-3;
 /// Adjoints of the film thickness at several points of the contact area.
 ///
 /// # Errors
-/// When the preconditioner cannot be factorised or the Krylov iterations run out.
+/// When the Krylov iterations run out.
 pub fn adjoints(
     d: &Discretisation,
     system: &System,
-    near: &NearStiffness,
+    mut preconditioner: Preconditioner,
     points: &[[f64; 2]],
 ) -> Result<Vec<Adjoint>, SolveError> {
     let n = d.n_pressure;
-    let mut preconditioner = Preconditioner::new(d, near, system)?;
     let mut response = d.load.clone();
     preconditioner.solve_transposed(&mut response);
     let schur = dot(&system.by_separation, &response);
@@ -50,9 +49,9 @@ pub fn adjoints(
         let mut sparse = preconditioner.clone();
         let mut at = vec![0.0; d.contact.deflection.n_nodes()];
         if let Some((cell, xi)) = d.contact.locator.find(&d.contact.surface, *point) {
-            let basis = d.contact.deflection.element.evaluate(xi);
-            for (b, node) in basis.iter().zip(d.contact.deflection.nodes_of(cell)) {
-                at[*node as usize] += b.0;
+            let basis = d.contact.deflection.element.values(xi);
+            for (b, node) in basis.zip(d.contact.deflection.nodes_of(cell)) {
+                at[*node as usize] += b;
             }
         }
         let mut rhs = pressure_loads(d, &d.contact.elastic.deflect(&at));
@@ -78,7 +77,7 @@ pub fn adjoints(
         let mut x = vec![0.0; n + 1];
         let params = GmresParams {
             tolerance: TOLERANCE,
-            max_iterations: 200,
+            max_iterations: 100,
         };
         gmres(apply, precondition, &rhs, &mut x, params)?;
         let mut film = vec![0.0; d.pressure.n_nodes()];

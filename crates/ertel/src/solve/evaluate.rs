@@ -40,17 +40,17 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
             .as_ref()
             .map(|heat| heat.profile_in(d, state, cell, xi)),
     };
-    let basis = d.pressure.element.evaluate(xi);
-    for ((value, gradient, _), node) in basis.iter().zip(d.pressure.nodes_of(cell)) {
+    let basis = d.pressure.element.gradients(xi);
+    for ((value, gradient), node) in basis.zip(d.pressure.nodes_of(cell)) {
         let p = state.pressure[*node as usize];
-        let g = d.contact.maps[cell].gradient(*gradient);
+        let g = d.contact.maps[cell].gradient(gradient);
         fields.pressure += p * value;
         fields.pressure_gradient[0] += p * g[0];
         fields.pressure_gradient[1] += p * g[1];
     }
     let mut point = [0.0; 3];
-    let basis = d.contact.deflection.element.evaluate(xi);
-    for ((value, _, _), node) in basis.iter().zip(d.contact.deflection.nodes_of(cell)) {
+    let basis = d.contact.deflection.element.values(xi);
+    for (value, node) in basis.zip(d.contact.deflection.nodes_of(cell)) {
         fields.deflection += value * state.deflection[*node as usize];
         for (x, px) in point
             .iter_mut()
@@ -154,9 +154,9 @@ impl Lattice {
                 points.push([i as f64 / n as f64, j as f64 / n as f64, 0.0]);
             }
         }
-        let values = points.iter().flat_map(|xi| element.evaluate(*xi));
+        let values = points.iter().flat_map(|xi| element.values(*xi));
         Lattice {
-            values: values.map(|basis| basis.0).collect(),
+            values: values.collect(),
             points,
         }
     }

@@ -24,7 +24,7 @@ use super::adjoint::adjoints;
 use super::discretisation::Discretisation;
 use super::evaluate::{central_film, fields_in, minimum_film};
 use super::newton::FilmModel;
-use super::preconditioner::NearStiffness;
+use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
 use crate::film::cross_film::CrossFilm;
 
@@ -47,7 +47,8 @@ impl Indicator {
 const ELASTIC: f64 = 8.0;
 const REYNOLDS: f64 = 2.0;
 
-/// Estimates the errors of a converged state; `near` is what its level has for preconditioners, if anything.
+/// Estimates the errors of a converged state; `near` is what its level has for preconditioners, if anything, `kept`
+/// a preconditioner of a state nearby.
 ///
 /// # Errors
 /// When the adjoints cannot be solved for.
@@ -56,6 +57,7 @@ pub fn indicator(
     model: &FilmModel,
     state: &State,
     near: Option<&NearStiffness>,
+    kept: Option<Preconditioner>,
 ) -> Result<Indicator, SolveError> {
     let own;
     let near = match near {
@@ -68,7 +70,12 @@ pub fn indicator(
     let system = System::assemble(d, &model.fluid, &model.constants, state, None);
     let (h_m, at) = minimum_film(d, state);
     let films = [central_film(d, state), h_m];
-    let adjoint = adjoints(d, &system, near, &[[0.0; 2], at])?;
+    let points = [[0.0; 2], at];
+    let adjoint = match kept.map(|kept| adjoints(d, &system, kept, &points)) {
+        Some(Ok(adjoint)) => adjoint,
+        // None, or of no use any more.
+        _ => adjoints(d, &system, Preconditioner::new(d, near, &system)?, &points)?,
+    };
     let surface = &d.contact.surface;
     let neighbours = Neighbours::new(surface);
     let film = neighbours.misfit(
@@ -163,9 +170,9 @@ impl Neighbours {
     fn misfit(&self, surface: &SimplexMesh, space: &Space, fields: &[&[f64]]) -> Vec<Vec<f64>> {
         let rule = Quadrature::simplex(surface.dim, 2);
         let factor = continuation_factor(space.element.order());
-        let values =
-            |xi: [f64; 3]| -> Vec<f64> { space.element.evaluate(xi).iter().map(|b| b.0).collect() };
+        let values = |xi: [f64; 3]| -> Vec<f64> { space.element.values(xi).collect() };
         let table: Vec<_> = rule.points.iter().map(|xi| values(*xi)).collect();
+        let mut basis = values([0.0; 3]);
         let at = |cell: usize, basis: &[f64], field: &[f64]| -> f64 {
             basis
                 .iter()
@@ -188,7 +195,8 @@ impl Neighbours {
                                 .sum::<f64>()
                     });
                     let there = reference_point(surface, other as usize, point);
-                    let basis = values(there);
+                    basis.clear();
+                    basis.extend(space.element.values(there));
                     for (square, field) in squares.iter_mut().zip(fields) {
                         let gap = at(other as usize, &basis, field) - at(c, &table[q], field);
                         *square += weight / total * gap * gap;

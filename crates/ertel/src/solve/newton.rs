@@ -7,9 +7,11 @@
 //!
 //! Near the solution none of these acts beyond second order, and convergence is quadratic.
 
+use std::cell::RefCell;
+
 use super::discretisation::Discretisation;
 use super::monolithic::BodyMatrices;
-use super::preconditioner::NearStiffness;
+use super::preconditioner::{NearStiffness, Preconditioner};
 use super::step::{Method, Step, StepSolver, dot};
 use super::system::{FilmConstants, State};
 use super::{Observer, SolveError};
@@ -111,6 +113,8 @@ pub struct NewtonLevel<'a> {
     pub(super) method: Method,
     /// Target of ∫P.
     pub load: f64,
+    /// What the last converged run leaves for systems like its last.
+    kept: RefCell<Option<Preconditioner>>,
 }
 
 impl<'a> NewtonLevel<'a> {
@@ -128,7 +132,13 @@ impl<'a> NewtonLevel<'a> {
             discretisation,
             method,
             load,
+            kept: RefCell::default(),
         }
+    }
+
+    /// The preconditioner of the last converged run, once.
+    pub(super) fn take_preconditioner(&self) -> Option<Preconditioner> {
+        self.kept.take()
     }
 
     /// What preconditioners of this level share, where its systems are solved by iterations.
@@ -244,6 +254,7 @@ impl<'a> NewtonLevel<'a> {
                 && foreseen < params.update_tolerance
                 && next_system.relative_residual() < params.residual_tolerance;
             if converged || done {
+                self.kept.replace(solver.into_preconditioner());
                 return Ok(Reached {
                     residual: next_system.relative_residual(),
                     update,

@@ -120,8 +120,8 @@ impl HeatSpace {
         cell: usize,
         xi: [f64; 3],
     ) -> TemperatureProfile {
-        let basis = self.surface.element.evaluate(xi);
-        self.profile(d, state, cell, |j| (basis[j].0, basis[j].1))
+        let basis: Vec<_> = self.surface.element.gradients(xi).collect();
+        self.profile(d, state, cell, |j| basis[j])
     }
 
     fn profile(
@@ -150,8 +150,8 @@ impl HeatSpace {
     pub fn column_in(&self, state: &State, cell: usize, xi: [f64; 3]) -> Vec<f64> {
         let n = self.column.n();
         let mut column = vec![0.0; n];
-        let basis = self.surface.element.evaluate(xi);
-        for ((value, _, _), node) in basis.iter().zip(self.surface.nodes_of(cell)) {
+        let basis = self.surface.element.values(xi);
+        for (value, node) in basis.zip(self.surface.nodes_of(cell)) {
             let at_node = &state.temperature[*node as usize * n..][..n];
             for (sum, t) in column.iter_mut().zip(at_node) {
                 *sum += value * t;

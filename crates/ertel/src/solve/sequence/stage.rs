@@ -193,8 +193,9 @@ impl<'a> StageRun<'a> {
     /// Errors of a solution, cell by cell; `None` where they cannot be computed.
     pub fn measure(&self, state: &State, effort: &mut NewtonStats) -> Option<Indicator> {
         let clock = Instant::now();
-        let near = self.newton.near();
-        let indicator = indicator(self.discretisation, &self.model(1.0), state, near).ok();
+        let (near, kept) = (self.newton.near(), self.newton.take_preconditioner());
+        let model = self.model(1.0);
+        let indicator = indicator(self.discretisation, &model, state, near, kept).ok();
         effort.seconds.estimate += clock.elapsed().as_secs_f64();
         indicator
     }

@@ -39,9 +39,9 @@ pub(super) fn pressure_at(d: &Discretisation, state: &State, point: [f64; 2]) ->
     let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
         (l.min(v), h.max(v))
     });
-    let basis = d.pressure.element.evaluate(xi);
-    let value: f64 = (basis.iter().zip(nodes))
-        .map(|(b, n)| b.0 * state.pressure[*n as usize])
+    let basis = d.pressure.element.values(xi);
+    let value: f64 = (basis.zip(nodes))
+        .map(|(b, n)| b * state.pressure[*n as usize])
         .sum();
     value.clamp(low, high)
 }
