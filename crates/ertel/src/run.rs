@@ -194,6 +194,18 @@ impl Session {
         ahead: &[&Case],
         observer: &mut dyn Observer,
     ) -> Result<(Solution, Start), SolveError> {
+        // On a thread of the pool: from outside, each of the thousands of short parallel loops would wait for one
+        // thread to be woken before it began.
+        rayon::scope(|_| self.solve_here(case, start, ahead, observer))
+    }
+
+    fn solve_here(
+        &self,
+        case: &Case,
+        start: Option<&Start>,
+        ahead: &[&Case],
+        observer: &mut dyn Observer,
+    ) -> Result<(Solution, Start), SolveError> {
         let clock = Instant::now();
         case.heat()?;
         let mut problem = Problem {

@@ -27,7 +27,7 @@ use crate::solution::IterationRecord;
 /// Follows a solve; every method has a default that does nothing.
 ///
 /// Threads of the solver ask it whether to stop.
-pub trait Observer: Sync {
+pub trait Observer: Send + Sync {
     /// A new stage begins.
     fn level(
         &mut self,
