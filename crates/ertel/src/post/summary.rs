@@ -109,6 +109,12 @@ pub fn warnings(
             _ => {}
         }
     }
+    if solution.rough {
+        warnings.push(format!(
+            "Newton's method ended at a pressure update of {:.0e} p_h: it does not converge further on this mesh",
+            solution.reached.update
+        ));
+    }
     let converged: Vec<&LevelStats> = levels.iter().filter(|l| l.converged).collect();
     if let [.., coarse, fine] = converged[..]
         && (coarse.pressure_maximum / fine.pressure_maximum - 1.0).abs() > PRESSURE_RESOLVED

@@ -135,6 +135,8 @@ pub struct StageSolution {
     pub stage: Stage,
     /// How far Newton's method came.
     pub reached: Reached,
+    /// Whether it came only as far as measuring the errors needs, and not to the tolerance of the case.
+    pub rough: bool,
     /// How its coupling with the heat went, if there is one.
     pub coupling: Option<CouplingStats>,
 }

@@ -246,6 +246,7 @@ impl<'a> Sequence<'a> {
             state,
             stage: *stage,
             reached,
+            rough: false,
             coupling,
         };
         Ok(StageEnd {
@@ -356,10 +357,16 @@ impl<'a> Sequence<'a> {
             let level = self.stats.len() - 1;
             let run = StageRun::new(self.problem, &p.stage, level, &p.discretisation);
             let mut effort = NewtonStats::default();
-            let rough = p.coupling;
-            let (reached, coupling) =
-                run.solve(Finish::Exact, &mut p.state, &mut effort, observer)?;
-            (p.reached, p.coupling) = (reached, coupling.map(|c| c.after(rough)));
+            let (rough, mut state) = (p.coupling, p.state.clone());
+            match run.solve(Finish::Exact, &mut state, &mut effort, observer) {
+                Ok((reached, coupling)) => {
+                    p.state = state;
+                    (p.reached, p.coupling) = (reached, coupling.map(|c| c.after(rough)));
+                }
+                Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+                // What was measured stands.
+                Err(_) => p.rough = true,
+            }
         }
         Ok(())
     }
