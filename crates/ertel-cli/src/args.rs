@@ -157,7 +157,7 @@ pub struct ValidateArgs {
     /// Write all comparisons as one table into this file
     #[arg(long, value_name = "FILE.csv")]
     pub table: Option<PathBuf>,
-    /// Write the page `validation.md` and its pictures into this folder
+    /// Write the page `validation.md` and its pictures into this folder; with NAMEs, only their sections of the page
     #[arg(long, value_name = "DIR")]
     pub write: Option<PathBuf>,
 }

@@ -1,6 +1,7 @@
 //! `ertel validate`.
 
 use std::fs;
+use std::io::ErrorKind;
 use std::path::Path;
 use std::time::Instant;
 
@@ -58,7 +59,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
             failed.push(study.name.as_str());
         }
         if let Some(docs) = &arguments.write {
-            sections.push(section(study, &result, docs)?);
+            sections.push((study.name.clone(), section(study, &result, docs)?));
         }
         results.push((study, result, seconds));
     }
@@ -68,8 +69,13 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     }
     print::stdout(&format!("{}\n", validate::summary(&results)))?;
     if let Some(docs) = &arguments.write {
-        let page = validate::page(&sections);
-        write(&docs.join("validation.md"), &page)?;
+        let path = docs.join("validation.md");
+        // Of chosen studies, the sections of the others stay.
+        let old = match arguments.names.is_empty() {
+            true => String::new(),
+            false => read_page(&path)?,
+        };
+        write(&path, &validate::splice(&old, &sections))?;
     }
     if failed.is_empty() {
         print::stdout("all comparisons hold\n")
@@ -90,6 +96,18 @@ fn section(study: &Study, result: &StudyResult, docs: &Path) -> Result<String, F
         pictures.push((path, caption));
     }
     Ok(validate::markdown(study, result, &pictures))
+}
+
+/// The page as it is; empty if there is none.
+fn read_page(path: &Path) -> Result<String, Failure> {
+    match fs::read_to_string(path) {
+        Ok(page) => Ok(page),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(String::new()),
+        Err(error) => Err(Failure::Other(format!(
+            "cannot read {}: {error}",
+            path.display()
+        ))),
+    }
 }
 
 /// Folder of the pictures beside the page.

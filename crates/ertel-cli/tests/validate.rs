@@ -80,6 +80,37 @@ fn a_study_that_holds_exits_with_0_and_makes_a_page() {
     assert!(docs.join("validation/penalty-scaling-outlet.svg").is_file());
 }
 
+/// With names, `--write` leaves the sections of other studies as they are; without, it writes the whole page.
+#[test]
+fn writing_one_study_keeps_the_sections_of_others() {
+    let folder = study(1.0);
+    let [first, second] = ["roller", "second"].map(|name| folder.path().join(name));
+    std::fs::create_dir(&second).unwrap();
+    for file in ["case.toml", "reference.toml"] {
+        std::fs::copy(first.join(file), second.join(file)).unwrap();
+    }
+    let docs = folder.path().join("docs");
+    let page = docs.join("validation.md");
+    let written = |names: &[&str]| {
+        let mut arguments = names.to_vec();
+        arguments.extend(["--write", docs.to_str().unwrap()]);
+        validate(folder.path(), &arguments);
+        std::fs::read_to_string(&page).unwrap()
+    };
+    let whole = written(&[]);
+    let marked = whole.replace("made-up value", "value by hand");
+    assert_eq!(marked.matches("by hand").count(), 2);
+    std::fs::write(&page, &marked).unwrap();
+    let spliced = written(&["roller"]);
+    let (roller, second) = spliced.split_once("[validation/second]").unwrap();
+    assert!(roller.contains("Source: a made-up value. Cases and remarks: [validation/roller]"));
+    assert!(
+        roller.ends_with("Source: a value by hand. Cases and remarks: ") && second.contains("H_c")
+    );
+    assert_eq!(spliced.lines().count(), whole.lines().count());
+    assert_eq!(written(&[]), whole);
+}
+
 #[test]
 fn unknown_studies_and_bad_references_exit_with_2() {
     let output = validate(&studies(), &["table-9-9"]);

@@ -64,6 +64,7 @@ const SLOW: &[&str] = &[
     "figure-5-8",
     "figure-5-9",
     "figure-6-10",
+    "heat-convergence",
     "table-3-3",
 ];
 

@@ -51,6 +51,7 @@ pub use curve::Curve;
 pub use lubricant::Lubricant;
 pub(crate) use params::{read_mesh, read_solver};
 pub use study::Study;
+pub(crate) use thermal::read as read_thermal;
 pub use thermal::{Heat, MissingDatum, MissingHeatData, SolidHeat};
 
 /// Everything a solve needs, in SI.

@@ -5,6 +5,7 @@
 
 mod check;
 mod deflection;
+mod page;
 mod picture;
 mod profiles;
 mod quantity;
@@ -14,11 +15,13 @@ mod table;
 
 pub use check::{Accept, Check, Reference, Row, Verdict};
 pub use deflection::{Deflection, deflect};
+pub use page::{markdown, splice};
 pub use picture::{Picture, PictureKind};
+pub use profiles::Profile;
 pub use quantity::Quantity;
 pub use read::{names, read};
 pub use run::{Outcome, Run, Selection, StudyResult, Task};
-pub use table::{csv, markdown, page, summary, text};
+pub use table::{csv, summary, text};
 
 /// A validation study.
 #[derive(Clone, Debug)]

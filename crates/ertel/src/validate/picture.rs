@@ -1,7 +1,8 @@
 //! Pictures of studies.
 
+use super::profiles::{self, Profile};
 use super::run::Outcome;
-use super::{Quantity, Study, profiles};
+use super::{Quantity, Study};
 use crate::contact::{ContactKind, hertz};
 use crate::output::curve;
 use crate::output::plot::{self, Axis, Chart, Look, PALETTE, Series};
@@ -24,10 +25,18 @@ pub enum PictureKind {
     FilmOverLoad(FilmFormula, Vec<usize>),
     /// Pressure and film on the centreline of these runs, panels in rows of so many.
     Profiles(Vec<usize>, usize),
-    /// Pressure on the centreline of these runs, and again within this range of X.
-    Pressures(Vec<usize>, [f64; 2]),
-    /// Films of the curves of these runs, dashed those without shear thinning.
+    /// A profile on the centreline of these runs over each other, and again within this range of X.
+    Overlay(Profile, Vec<usize>, [f64; 2]),
+    /// Temperature across the film of these runs, panels in rows of so many.
+    CrossFilm(Vec<usize>, usize),
+    /// Temperatures on the centreline of these runs, likewise.
+    Temperatures(Vec<usize>, usize),
+    /// Map of a field over the contact of a run, by its name among [`plot::pictures`].
+    Map(usize, &'static str),
+    /// Films of the curves of these runs, dashed those without shear thinning or heat.
     FilmCurves(Vec<usize>),
+    /// Films of the curve of a run, likewise, with the smallest one on the centreline.
+    FilmShape(usize),
     /// Traction coefficients of the curves of these runs, likewise.
     TractionCurves(Vec<usize>),
     /// A quantity over the penalty, one colour per scaling, one look per mesh.
@@ -43,6 +52,8 @@ pub struct Picture {
     pub caption: String,
     /// What it shows.
     pub kind: PictureKind,
+    /// Range of the left axis, in the unit shown there, in place of one around the values.
+    pub range: Option<[f64; 2]>,
 }
 
 impl Picture {
@@ -61,17 +72,37 @@ impl Picture {
             PictureKind::Profiles(runs, columns) => {
                 profiles::panels(&self.caption, &solved(runs), *columns)
             }
-            PictureKind::Pressures(runs, zoom) => {
-                profiles::pressures(&self.caption, &solved(runs), *zoom)
+            PictureKind::Overlay(profile, runs, zoom) => {
+                profiles::overlay(*profile, &self.caption, &solved(runs), *zoom)
             }
-            _ => self.chart(study, outcomes).map(|chart| chart.svg()),
+            PictureKind::CrossFilm(runs, columns) => {
+                profiles::temperatures(true, &self.caption, &solved(runs), *columns)
+            }
+            PictureKind::Temperatures(runs, columns) => {
+                profiles::temperatures(false, &self.caption, &solved(runs), *columns)
+            }
+            PictureKind::Map(run, field) => {
+                let pictures = plot::pictures(&self.caption, solved(&[*run])[0].1?, None);
+                let map = pictures.into_iter().find(|p| p.name == *field)?;
+                Some(map.svg)
+            }
+            _ => self.chart(study, outcomes).map(|mut chart| {
+                if let Some([low, high]) = self.range {
+                    chart.y = Axis::linear(&chart.y.label, low, high);
+                }
+                chart.svg()
+            }),
         }
     }
 
     /// The chart of a picture with one frame.
     fn chart(&self, study: &Study, outcomes: &[Outcome]) -> Option<Chart> {
         match &self.kind {
-            PictureKind::Profiles(..) | PictureKind::Pressures(..) => None,
+            PictureKind::Profiles(..)
+            | PictureKind::Overlay(..)
+            | PictureKind::CrossFilm(..)
+            | PictureKind::Temperatures(..)
+            | PictureKind::Map(..) => None,
             PictureKind::Centreline(run) => match &outcomes[*run] {
                 Outcome::Solved(s) => Some(plot::centreline(&self.caption, s)),
                 _ => None,
@@ -84,6 +115,10 @@ impl Picture {
             PictureKind::Penalty(quantity) => self.penalty(study, outcomes, *quantity),
             PictureKind::FilmCurves(runs) => {
                 curve::films_chart(&self.caption, &curves(study, outcomes, runs))
+            }
+            PictureKind::FilmShape(run) => {
+                let (_, curve) = *curves(study, outcomes, &[*run]).first()?;
+                Some(curve::film_shape_chart(&self.caption, curve))
             }
             PictureKind::TractionCurves(runs) => {
                 curve::tractions_chart(&self.caption, &curves(study, outcomes, runs))

@@ -1,6 +1,8 @@
-//! Pictures that set centreline profiles of several runs beside each other.
+//! Pictures that set profiles of several runs beside each other.
 
-use crate::output::plot::{Axis, Chart, Look, PALETTE, Series, Side, side_by_side};
+use crate::output::plot::{
+    self, Axis, Chart, Look, PALETTE, Series, Side, film_unit, side_by_side,
+};
 use crate::solution::Solution;
 
 /// Run by name, and its solution if it has one.
@@ -8,6 +10,10 @@ type Named<'a> = (String, Option<&'a Solution>);
 
 /// Range of X shown: the contact and the inlet near it.
 const WINDOW: [f64; 2] = [-1.5, 1.5];
+/// Pressures P that are not told from none.
+const DUST: f64 = 2e-3;
+/// Films are shown up to this multiple of the central one.
+const FILM_SHOWN: f64 = 2.0;
 
 /// Pressure and film of each run in a panel of its own, axes alike; `None` without any solution.
 pub(super) fn panels(title: &str, runs: &[Named], columns: usize) -> Option<String> {
@@ -55,16 +61,58 @@ fn panel(name: &str, solution: Option<&Solution>) -> Chart {
     chart
 }
 
-/// Pressures of all runs, and the same within a range of X; `None` without any solution.
-pub(super) fn pressures(title: &str, runs: &[Named], zoom: [f64; 2]) -> Option<String> {
-    runs.iter().find_map(|r| r.1)?;
+/// What is set over each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Profile {
+    /// Pressure.
+    Pressure,
+    /// Film thickness.
+    Film,
+    /// Temperature at mid-film.
+    Temperature,
+}
+
+/// Such profiles of all runs, the first one dashed, and the same within a range of X; `None` without any solution.
+pub(super) fn overlay(
+    profile: Profile,
+    title: &str,
+    runs: &[Named],
+    zoom: [f64; 2],
+) -> Option<String> {
+    let largest = runs
+        .iter()
+        .filter_map(|r| Some(r.1?.summary.film_central.value));
+    let (factor, unit) = film_unit(largest.reduce(f64::max)?);
+    let label = match profile {
+        Profile::Pressure => "*P* = *p*/*p*_{h}".to_owned(),
+        Profile::Film => format!("Film thickness *h* ({unit})"),
+        Profile::Temperature => "Temperature *T* at mid-film (K)".to_owned(),
+    };
+    let values = |s: &Solution| -> Vec<f64> {
+        match profile {
+            Profile::Pressure => pressure(s),
+            Profile::Film => (s.centreline.film_thickness.iter())
+                .map(|h| factor * h)
+                .collect(),
+            Profile::Temperature => {
+                (s.thermal.as_ref()).map_or_else(Vec::new, |thermal| thermal.centreline.mid.clone())
+            }
+        }
+    };
+    // The inlet gap would leave no room for the contact.
+    let ceiling = match profile {
+        Profile::Pressure | Profile::Temperature => f64::INFINITY,
+        Profile::Film => {
+            FILM_SHOWN * factor * runs.iter().find_map(|r| r.1)?.summary.film_central.value
+        }
+    };
     let series: Vec<Series> = runs
         .iter()
         .enumerate()
         .filter_map(|(i, (name, s))| {
             s.map(|s| Series {
                 label: name.clone(),
-                points: points(s, &pressure(s)),
+                points: points(s, &values(s)),
                 look: if i == 0 { Look::Dashed } else { Look::Line },
                 colour: PALETTE[i % PALETTE.len()].into(),
                 side: Side::Left,
@@ -77,11 +125,11 @@ pub(super) fn pressures(title: &str, runs: &[Named], zoom: [f64; 2]) -> Option<S
             let inside = series.iter().flat_map(|s| s.points.iter());
             let inside = inside
                 .filter(|p| (low..=high).contains(&p[0]))
-                .map(|p| p[1]);
+                .map(|p| p[1].min(ceiling));
             let mut chart = Chart::new(
                 title,
                 Axis::linear("*X* = *x*/*a*", low, high),
-                Axis::linear_around("*P* = *p*/*p*_{h}", inside),
+                Axis::linear_around(&label, inside),
             );
             chart.series = series.clone();
             chart
@@ -90,9 +138,43 @@ pub(super) fn pressures(title: &str, runs: &[Named], zoom: [f64; 2]) -> Option<S
     Some(side_by_side(title, &charts, 2))
 }
 
+/// Temperatures of each run in a panel of its own, axes alike: across the film at its chosen points, or along the
+/// centreline. `None` without any thermal solution.
+pub(super) fn temperatures(
+    across: bool,
+    title: &str,
+    runs: &[Named],
+    columns: usize,
+) -> Option<String> {
+    let mut charts: Vec<Chart> = runs
+        .iter()
+        .filter_map(|(name, s)| {
+            let thermal = s.as_ref()?.thermal.as_ref()?;
+            let chart = match across {
+                true => plot::cross_film_chart(title, (*s)?, thermal),
+                false => plot::temperature_chart(title, (*s)?, thermal),
+            };
+            Some(Chart {
+                heading: name.clone(),
+                ..chart
+            })
+        })
+        .collect();
+    let ends: Vec<f64> = charts.iter().flat_map(|c| [c.y.low, c.y.high]).collect();
+    let y = Axis::linear_around(&charts.first()?.y.label, ends);
+    for chart in &mut charts {
+        chart.y = y.clone();
+    }
+    Some(side_by_side(title, &charts, columns))
+}
+
 fn pressure(s: &Solution) -> Vec<f64> {
     let scale = s.scales.pressure;
-    s.centreline.pressure.iter().map(|p| p / scale).collect()
+    // Penalties leave dust below zero where the film is broken, which would cost the axis a tick.
+    let shown = |p: f64| if p.abs() < DUST { 0.0 } else { p };
+    (s.centreline.pressure.iter())
+        .map(|p| shown(p / scale))
+        .collect()
 }
 
 fn points(s: &Solution, values: &[f64]) -> Vec<[f64; 2]> {

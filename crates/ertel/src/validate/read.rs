@@ -14,6 +14,8 @@
 //! entrainment_speed = "1.47 m/s"  # in place of the case's, if it has one; likewise slide_to_roll_ratio
 //! [run.mesh]                      # replaces the case's [mesh]; likewise [run.solver]
 //! preset = "normal"
+//! [run.thermal]                   # likewise, of a thermal case
+//! film_order = 4
 //!
 //! [[check]]
 //! quantity = "central-film"
@@ -26,9 +28,12 @@
 //!
 //! [[picture]]
 //! name = "centreline"
-//! kind = "centreline"             # of a `run`; deflection, deflection-error, film-over-load, penalty; of
-//!                                 # several `runs`: profiles (panels in `columns`), pressures (with `zoom`);
-//!                                 # of curves: film-curves, traction-curves
+//! kind = "centreline"             # of a `run`; map (of a `field`); deflection, deflection-error, film-over-load,
+//!                                 # penalty; of several `runs`: profiles, cross-film, temperatures (panels in
+//!                                 # `columns`), pressures, films, mid-temperatures (over each other, again within
+//!                                 # `zoom`);
+//!                                 # of curves: film-curves, film-shape (of one `run`), traction-curves
+//! range = [200, 400]              # of the left axis, as shown; around the values, if left out
 //! run = "normal"
 //! caption = "What it shows."
 //! ```
@@ -42,8 +47,9 @@ use ertel_rheology::input::{Bounds, Document, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
 use super::check::Subject;
+use super::profiles::Profile;
 use super::{Accept, Check, Picture, PictureKind, Quantity, Reference, Run, Study, Task};
-use crate::case::{Case, read_mesh, read_solver};
+use crate::case::{Case, read_mesh, read_solver, read_thermal};
 use crate::contact::ContactKind;
 use crate::params::{MeshParams, MeshPreset};
 use crate::reference::FilmFormula;
@@ -136,6 +142,13 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<Run, InputError> {
     if let Some(solver) = table.optional_table("solver")? {
         let solver = read_solver(solver)?;
         change(&mut case, |case| case.solver = solver.clone());
+    }
+    if let Some(thermal) = table.optional_table("thermal")? {
+        if case.thermal.is_none() {
+            return Err(table.error("thermal", "the case has no [thermal]"));
+        }
+        let thermal = read_thermal(thermal, case.contact.kind)?;
+        change(&mut case, |case| case.thermal = Some(thermal.clone()));
     }
     let mesh = if let Some(mesh) = table.optional_table("mesh")? {
         Some(read_mesh(
@@ -311,14 +324,26 @@ fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputErr
         "penalty",
         "profiles",
         "pressures",
+        "films",
+        "mid-temperatures",
+        "cross-film",
+        "temperatures",
+        "map",
         "film-curves",
+        "film-shape",
         "traction-curves",
     ]
     .map(|k| (k, k));
+    let range = match table.optional_numbers("range", Bounds::ANY)? {
+        Some(range) => Some(pair(&table, "range", &range, "`range` is [low, high]")?),
+        None => None,
+    };
     let kind = match table.required_choice("kind", &kinds)? {
-        "centreline" => {
-            let run = table.required_str("run")?;
-            PictureKind::Centreline(indices(&table, "run", &[run], study)?[0])
+        "centreline" => PictureKind::Centreline(picture_run(&mut table, study)?),
+        "map" => {
+            let fields = MAPS.map(|name| (name, name));
+            let field = table.required_choice("field", &fields)?;
+            PictureKind::Map(picture_run(&mut table, study)?, field)
         }
         "deflection" => PictureKind::Deflection,
         "deflection-error" => PictureKind::DeflectionError,
@@ -327,23 +352,32 @@ fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputErr
             let formula = table.required_choice("formula", &formulas)?;
             PictureKind::FilmOverLoad(formula, picture_runs(&mut table, study)?)
         }
-        "profiles" => PictureKind::Profiles(
-            picture_runs(&mut table, study)?,
-            table
-                .optional_integer("columns", 1..=4)?
-                .and_then(|n| usize::try_from(n).ok())
-                .unwrap_or(2),
-        ),
-        "pressures" => {
+        "profiles" => {
+            let (runs, columns) = panels(&mut table, study)?;
+            PictureKind::Profiles(runs, columns)
+        }
+        "cross-film" => {
+            let (runs, columns) = panels(&mut table, study)?;
+            PictureKind::CrossFilm(runs, columns)
+        }
+        "temperatures" => {
+            let (runs, columns) = panels(&mut table, study)?;
+            PictureKind::Temperatures(runs, columns)
+        }
+        kind @ ("pressures" | "films" | "mid-temperatures") => {
             let runs = picture_runs(&mut table, study)?;
             let zoom = table.optional_numbers("zoom", Bounds::ANY)?;
             let zoom = zoom.ok_or_else(|| table.missing("zoom"))?;
-            let [low, high] = zoom[..] else {
-                return Err(table.error("zoom", "`zoom` is [from, to] in X"));
+            let zoom = pair(&table, "zoom", &zoom, "`zoom` is [from, to] in X")?;
+            let profile = match kind {
+                "pressures" => Profile::Pressure,
+                "films" => Profile::Film,
+                _ => Profile::Temperature,
             };
-            PictureKind::Pressures(runs, [low, high])
+            PictureKind::Overlay(profile, runs, zoom)
         }
         "film-curves" => PictureKind::FilmCurves(picture_runs(&mut table, study)?),
+        "film-shape" => PictureKind::FilmShape(picture_run(&mut table, study)?),
         "traction-curves" => PictureKind::TractionCurves(picture_runs(&mut table, study)?),
         _ => {
             let quantities = Quantity::ALL.map(|q| (q.key(), q));
@@ -355,7 +389,43 @@ fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputErr
         name,
         caption,
         kind,
+        range,
     })
+}
+
+/// Maps of a solution that a study can show.
+const MAPS: [&str; 5] = [
+    "pressure",
+    "film",
+    "temperature-mid",
+    "temperature-plane",
+    "temperature-ball",
+];
+
+fn pair(
+    table: &Table<'_>,
+    key: &str,
+    numbers: &[f64],
+    message: &str,
+) -> Result<[f64; 2], InputError> {
+    match *numbers {
+        [low, high] => Ok([low, high]),
+        _ => Err(table.error(key, message)),
+    }
+}
+
+/// `run` of a picture of one run.
+fn picture_run(table: &mut Table<'_>, study: &Study) -> Result<usize, InputError> {
+    let run = table.required_str("run")?;
+    Ok(indices(table, "run", &[run], study)?[0])
+}
+
+/// `runs` of a picture of panels, and its `columns`.
+fn panels(table: &mut Table<'_>, study: &Study) -> Result<(Vec<usize>, usize), InputError> {
+    let runs = picture_runs(table, study)?;
+    let columns = table.optional_integer("columns", 1..=4)?;
+    let columns = columns.and_then(|n| usize::try_from(n).ok());
+    Ok((runs, columns.unwrap_or(2)))
 }
 
 /// `runs` of a picture, all if left out.

@@ -1,10 +1,10 @@
-//! The comparisons as text.
+//! The comparisons as tables.
 
 use super::check::{Accept, Row, Verdict};
 use super::{Study, StudyResult};
 
 /// Columns of the table.
-const HEAD: [&str; 8] = [
+pub(super) const HEAD: [&str; 8] = [
     "run",
     "quantity",
     "published",
@@ -88,63 +88,7 @@ pub fn csv(studies: &[(&Study, &StudyResult, f64)]) -> String {
     out
 }
 
-/// The whole page.
-pub fn page(sections: &[String]) -> String {
-    format!(
-        "# Validation\n\nPublished values beside computed ones. Made by\n\n    ertel validate --write docs\n\n\
-         from the studies in `validation/`; `ertel validate NAME` runs one of them, `ertel validate --quick` the runs \
-         that take seconds. Films are H = hR/a², lengths X = x/a, pressures P = p/p_h. Rows without a tolerance are \
-         shown for information.\n\n{}",
-        sections.join("\n")
-    )
-}
-
-/// Section of a study in a Markdown page; `pictures` are paths and captions.
-pub fn markdown(study: &Study, result: &StudyResult, pictures: &[(String, String)]) -> String {
-    let mut out = format!("## {}\n\nSource: {}.", study.title, study.source);
-    out.push_str(&format!(
-        " Cases and remarks: [validation/{0}](../validation/{0}/README.md).\n\n",
-        study.name
-    ));
-    let line = |cells: &[String]| {
-        let escaped: Vec<String> = cells.iter().map(|c| c.replace('|', "\\|")).collect();
-        format!("| {} |\n", escaped.join(" | "))
-    };
-    out.push_str(&line(&HEAD.map(str::to_owned)));
-    out.push_str(&format!("|{}\n", "---|".repeat(HEAD.len())));
-    for row in &result.rows {
-        out.push_str(&line(&cells(row)));
-    }
-    for row in &result.rows {
-        if let Some(message) = &row.message {
-            out.push_str(&format!("\n{}: {message}\n", row.run));
-        }
-    }
-    let mut reasons: Vec<String> = Vec::new();
-    for check in &study.checks {
-        let tolerance = tolerance(check.accept, false, check.quantity.is_count());
-        let reason = format!(
-            "{} ({tolerance}): {}.",
-            check.quantity.label(),
-            check.reason
-        );
-        if !check.reason.is_empty() && !reasons.contains(&reason) {
-            reasons.push(reason);
-        }
-    }
-    if !reasons.is_empty() {
-        out.push_str("\nTolerances:\n\n");
-        for reason in reasons {
-            out.push_str(&format!("- {reason}\n"));
-        }
-    }
-    for (path, caption) in pictures {
-        out.push_str(&format!("\n![{caption}]({path})\n\n{caption}\n"));
-    }
-    out
-}
-
-fn cells(row: &Row) -> [String; 8] {
+pub(super) fn cells(row: &Row) -> [String; 8] {
     let is_count = row.label == "Newton iterations" || row.label == "unknowns";
     let show = |v: f64| {
         if is_count {
@@ -182,7 +126,7 @@ fn cells(row: &Row) -> [String; 8] {
     ]
 }
 
-fn tolerance(accept: Accept, is_share: bool, is_count: bool) -> String {
+pub(super) fn tolerance(accept: Accept, is_share: bool, is_count: bool) -> String {
     let show = |v: f64| {
         if is_share { share(v) } else { short(v) }
     };

@@ -1,12 +1,13 @@
 //! Results of a curve: `curve.csv`, `curve.json`, the pictures, a report, and folders of points.
 
+mod frame;
 mod json;
 mod picture;
 mod report;
 mod table;
 
 pub use json::{CURVE_FORMAT, curve_json};
-pub use picture::{film_chart, films_chart, traction_chart, tractions_chart};
+pub use picture::{film_chart, film_shape_chart, films_chart, traction_chart, tractions_chart};
 pub use report::curve_report;
 pub use table::{COLUMNS, Cell, Column, curve_table};
 

@@ -1,16 +1,9 @@
 //! Film thickness and traction over the quantity of a curve.
 
-use ertel_rheology::quantity::Dimension;
-
-use super::super::plot::{
-    Axis, AxisScale, Chart, Look, Marker, PALETTE, Series, Side, film_unit, pressure_unit,
-};
-use crate::case::curve::Quantity;
+use super::super::plot::{Axis, AxisScale, Chart, Look, PALETTE, Series, Side, film_unit};
+use super::frame::{curve_chart, fit_y, largest, points_over};
 use crate::solution::{FormulaFilm, Solution};
 use crate::study::{CurveSolution, PointSolution};
-
-/// Ratio of the largest to the smallest value from which an axis is logarithmic.
-const LOG_FROM: f64 = 5.0;
 
 /// One of the films of a formula.
 type Film = fn(&FormulaFilm) -> Option<f64>;
@@ -18,9 +11,25 @@ type Film = fn(&FormulaFilm) -> Option<f64>;
 /// A figure of a solution.
 type Figure = fn(&Solution) -> f64;
 
-/// Central and minimum film over the quantity, beside those without shear thinning (dashed) and without heat (open
-/// circles) or, where the curve asks for neither, the formulas' (dashed). Failed points are marked.
+/// Central and minimum film over the quantity, beside those without shear thinning and without heat (the first of these
+/// dashed, a second one open circles) or, where the curve asks for neither, the formulas' (dashed). Failed points are marked.
 pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
+    films_over(title, curve, &[CENTRAL, MINIMUM])
+}
+
+/// As [`film_chart`], with the smallest film on the centreline.
+pub fn film_shape_chart(title: &str, curve: &CurveSolution) -> Chart {
+    films_over(title, curve, &[CENTRAL, CENTRELINE_MINIMUM, MINIMUM])
+}
+
+const CENTRAL: (&str, Figure) = ("central film", |s| s.summary.film_central.value);
+const MINIMUM: (&str, Figure) = ("minimum film", |s| s.summary.film_minimum.value);
+const CENTRELINE_MINIMUM: (&str, Figure) = ("minimum on the centreline", |s| {
+    s.summary.film_centreline_minimum.value
+});
+
+/// These films over the quantity, beside those of simpler contacts.
+fn films_over(title: &str, curve: &CurveSolution, values: &[(&str, Figure)]) -> Chart {
     let size = largest(
         curve
             .points
@@ -29,41 +38,33 @@ pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
     );
     let (factor, unit) = film_unit(size);
     let mut chart = curve_chart(title, curve, &format!("Film thickness *h* ({unit})"));
-    let values: [(&str, Figure); 2] = [
-        ("central film", |s| s.summary.film_central.value),
-        ("minimum film", |s| s.summary.film_minimum.value),
-    ];
-    for ((label, value), colour) in values.into_iter().zip(PALETTE) {
+    for ((label, value), colour) in values.iter().zip(PALETTE) {
         chart.series.push(Series {
-            label: label.into(),
+            label: (*label).into(),
             points: points_over(curve, |p| Some(factor * value(p.outcome.solution()?))),
             look: Look::LineAndDots,
             colour: colour.into(),
             side: Side::Left,
         });
     }
-    let mut alone = true;
-    for beside in BESIDES {
-        if !curve.points.iter().any(|p| (beside.of)(p).is_some()) {
-            continue;
-        }
-        alone = false;
-        for ((label, value), colour) in values.into_iter().zip(PALETTE) {
+    let besides = besides_of(&[curve]);
+    for beside in &besides {
+        for ((_, value), colour) in values.iter().zip(PALETTE) {
             let value = |s: &Solution| factor * value(s);
-            chart
-                .series
-                .push(beside.series(curve, label, colour, value));
+            chart.series.push(beside.unlabelled(curve, colour, value));
         }
+        let entry = legend_entry(beside.look, beside.name.to_owned());
+        chart.series.push(entry);
     }
-    if alone {
+    if besides.is_empty() {
         add_formulas(&mut chart, curve, factor);
     }
     fit_y(&mut chart);
     chart
 }
 
-/// Traction coefficient at mid-film over the quantity, beside that without shear thinning (dashed) and that without
-/// heat (open circles); `None` where nothing slides. Failed points are marked.
+/// Traction coefficient at mid-film over the quantity, beside that without shear thinning and that without heat (the
+/// first of these dashed, a second one open circles); `None` where nothing slides. Failed points are marked.
 pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
     let slides = |p: &PointSolution| p.case.motion.slide_to_roll_ratio != 0.0;
     let solved = |p: &&PointSolution| p.outcome.solution().is_some();
@@ -80,15 +81,19 @@ pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
         colour: PALETTE[0].into(),
         side: Side::Left,
     }];
-    let [newtonian, isothermal] =
-        BESIDES.map(|beside| beside.series(curve, label, beside.colour, value));
-    add_simpler_tractions(&mut chart, vec![vec![newtonian], vec![isothermal]]);
+    let groups = besides_of(&[curve])
+        .into_iter()
+        .map(|beside| vec![beside.series(curve, label, beside.colour, value)]);
+    add_simpler_tractions(&mut chart, groups.collect());
     Some(chart)
 }
 
-/// Films of several curves over the same quantity: central with dots, minimum without, dashed the central ones without
-/// shear thinning. `None` without curves.
+/// Films of several curves over the same quantity: central with dots, minimum without, dashed the central ones of the
+/// simpler contact; of a single curve as [`film_chart`]. `None` without curves.
 pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Chart> {
+    if let [(_, curve)] = curves {
+        return Some(film_chart(title, curve));
+    }
     let size = largest(curves.iter().flat_map(|(_, curve)| {
         let films = curve.points.iter().flat_map(films);
         films.flatten()
@@ -96,7 +101,17 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
     let (factor, unit) = film_unit(size);
     let label = format!("Film thickness *h* ({unit})");
     let mut chart = curve_chart(title, curves.first()?.1, &label);
-    let single = curves.len() == 1;
+    let beside = simpler(curves);
+    // Colours tell the curves, looks what they show: both stand in the legend, which needs room above.
+    let mut looks = vec![
+        (Look::LineAndDots, CENTRAL.0.to_owned()),
+        (Look::Line, MINIMUM.0.to_owned()),
+    ];
+    looks.extend(
+        beside
+            .iter()
+            .map(|b| (b.look, format!("{}, {}", CENTRAL.0, b.name))),
+    );
     for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
         let part = |look, film: Figure| Series {
             points: points_over(curve, |p| Some(factor * film(p.outcome.solution()?))),
@@ -104,45 +119,43 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
             colour: (*colour).into(),
             ..Series::default()
         };
-        let central = |s: &Solution| s.summary.film_central.value;
-        let mut series = [
-            part(Look::LineAndDots, central),
-            part(Look::Line, |s| s.summary.film_minimum.value),
-            NEWTONIAN.series(curve, "", colour, |s| factor * central(s)),
-        ];
-        for (series, label) in series.iter_mut().zip(FILM_LABELS) {
-            series.label = if single {
-                label.to_owned()
-            } else {
-                String::new()
-            };
+        chart.series.push(Series {
+            label: (*name).to_owned(),
+            ..part(Look::LineAndDots, CENTRAL.1)
+        });
+        chart.series.push(part(Look::Line, MINIMUM.1));
+        if let Some(beside) = &beside {
+            let central = |s: &Solution| factor * CENTRAL.1(s);
+            chart.series.push(beside.unlabelled(curve, colour, central));
         }
-        if !single {
-            series[0].label = (*name).to_owned();
-        }
-        chart.series.extend(series);
     }
     fit_y(&mut chart);
-    if !single {
-        // Colours tell the curves, looks what they show: both stand in the legend, which needs room above.
-        let looks = [Look::LineAndDots, Look::Line, Look::Dashed];
-        for (look, label) in looks.into_iter().zip(FILM_LABELS) {
-            chart.series.push(Series {
-                label: label.into(),
-                look,
-                colour: LEGEND_GREY.into(),
-                ..Series::default()
-            });
-        }
-        if chart.y.scale == AxisScale::Linear {
-            chart.y = Axis::linear_around(&label, [chart.y.low, LEGEND_ROOM * chart.y.high]);
-        }
+    chart.series.extend(
+        looks
+            .into_iter()
+            .map(|(look, label)| legend_entry(look, label)),
+    );
+    if chart.y.scale == AxisScale::Linear {
+        chart.y = Axis::linear_around(&label, [chart.y.low, LEGEND_ROOM * chart.y.high]);
     }
     Some(chart)
 }
 
-/// What the looks of [`films_chart`] show.
-const FILM_LABELS: [&str; 3] = ["central film", "minimum film", "central film, Newtonian"];
+/// The simpler contact that several curves are shown beside: the first that one of them has.
+fn simpler(curves: &[(&str, &CurveSolution)]) -> Option<Beside> {
+    let curves: Vec<&CurveSolution> = curves.iter().map(|(_, curve)| *curve).collect();
+    besides_of(&curves).into_iter().next()
+}
+
+/// Entry of the legend that holds for curves of all colours.
+fn legend_entry(look: Look, label: String) -> Series {
+    Series {
+        label,
+        look,
+        colour: LEGEND_GREY.into(),
+        ..Series::default()
+    }
+}
 
 /// Colour of legend entries that hold for curves of all colours.
 const LEGEND_GREY: &str = "#404040";
@@ -150,12 +163,13 @@ const LEGEND_GREY: &str = "#404040";
 /// By how much an axis grows to make room for a long legend.
 const LEGEND_ROOM: f64 = 1.5;
 
-/// Traction coefficients of several curves over the same quantity, dashed those without shear thinning, which may
+/// Traction coefficients of several curves over the same quantity, dashed those of the simpler contact, which may
 /// leave the picture. `None` without curves.
 pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Chart> {
     let value = |s: &Solution| s.traction.coefficient;
     let mut chart = curve_chart(title, curves.first()?.1, "Traction coefficient");
-    let mut newtonian = Vec::new();
+    let beside = simpler(curves);
+    let mut simpler = Vec::new();
     for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
         chart.series.push(Series {
             label: (*name).to_owned(),
@@ -164,19 +178,11 @@ pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option
             colour: (*colour).into(),
             side: Side::Left,
         });
-        let series = NEWTONIAN.series(curve, "", colour, value);
-        newtonian.push(Series {
-            label: String::new(),
-            ..series
-        });
+        let series = beside.iter().map(|b| b.unlabelled(curve, colour, value));
+        simpler.extend(series);
     }
-    newtonian.push(Series {
-        label: "Newtonian".into(),
-        look: Look::Dashed,
-        colour: LEGEND_GREY.into(),
-        ..Series::default()
-    });
-    add_simpler_tractions(&mut chart, vec![newtonian]);
+    simpler.extend(beside.map(|b| legend_entry(b.look, b.name.to_owned())));
+    add_simpler_tractions(&mut chart, vec![simpler]);
     Some(chart)
 }
 
@@ -205,6 +211,7 @@ fn add_simpler_tractions(chart: &mut Chart, groups: Vec<Vec<Series>>) {
 const LARGEST_SIMPLER: f64 = 3.0;
 
 /// Simpler solutions shown beside those of a curve.
+#[derive(Clone, Copy)]
 struct Beside {
     name: &'static str,
     look: Look,
@@ -213,22 +220,30 @@ struct Beside {
     of: fn(&PointSolution) -> Option<&Solution>,
 }
 
-const NEWTONIAN: Beside = Beside {
-    name: "Newtonian",
-    look: Look::Dashed,
-    colour: PALETTE[0],
-    of: PointSolution::newtonian_solution,
-};
-
-const BESIDES: [Beside; 2] = [
-    NEWTONIAN,
-    Beside {
+/// The simpler solutions that some curve has: the first kind dashed, a second one as open circles.
+fn besides_of(curves: &[&CurveSolution]) -> Vec<Beside> {
+    let newtonian = Beside {
+        name: "Newtonian",
+        look: Look::Dashed,
+        colour: PALETTE[0],
+        of: PointSolution::newtonian_solution,
+    };
+    let isothermal = Beside {
         name: "isothermal",
-        look: Look::Circles,
-        colour: PALETTE[1],
         of: PointSolution::isothermal_solution,
-    },
-];
+        ..newtonian
+    };
+    let found = |beside: &Beside| {
+        let mut points = curves.iter().flat_map(|curve| &curve.points);
+        points.any(|p| (beside.of)(p).is_some())
+    };
+    let mut besides: Vec<Beside> = [newtonian, isothermal].into_iter().filter(found).collect();
+    for second in besides.iter_mut().skip(1) {
+        second.look = Look::Circles;
+        second.colour = PALETTE[1];
+    }
+    besides
+}
 
 impl Beside {
     /// A figure of these solutions.
@@ -245,6 +260,19 @@ impl Beside {
             look: self.look,
             colour: colour.into(),
             side: Side::Left,
+        }
+    }
+
+    /// The same without an entry of the legend.
+    fn unlabelled(
+        &self,
+        curve: &CurveSolution,
+        colour: &str,
+        value: impl Fn(&Solution) -> f64,
+    ) -> Series {
+        Series {
+            label: String::new(),
+            ..self.series(curve, "", colour, value)
         }
     }
 }
@@ -272,109 +300,10 @@ fn add_formulas(chart: &mut Chart, curve: &CurveSolution, factor: f64) {
     }
 }
 
-/// Diagram over the quantity of a curve without series; call [`fit_y`] once they are there.
-fn curve_chart(title: &str, curve: &CurveSolution, y_label: &str) -> Chart {
-    let values = || curve.points.iter().map(|p| p.value);
-    let (shown, unit) = shown_unit(&curve.quantity, largest(values().map(f64::abs)));
-    let label = axis_label(&curve.quantity, unit);
-    // Sliding is shown from rolling onwards, as traction curves are.
-    let is_ratio = curve.quantity.dimension == Dimension::DIMENSIONLESS;
-    let x = if !is_ratio && is_wide(values()) {
-        Axis::log_close_around(&label, values().map(shown))
-    } else {
-        let origin = is_ratio.then_some(0.0);
-        Axis::linear_around(&label, values().map(shown).chain(origin))
-    };
-    let mut chart = Chart::new(title, x, Axis::linear(y_label, 0.0, 1.0));
-    let failed = curve
-        .points
-        .iter()
-        .filter(|p| p.outcome.solution().is_none());
-    chart.markers = failed
-        .map(|p| Marker {
-            x: shown(p.value),
-            label: "failed".into(),
-        })
-        .collect();
-    chart
-}
-
-/// Lets the left axis cover the series; logarithmic beside a logarithmic x axis, for power laws are straight there.
-fn fit_y(chart: &mut Chart) {
-    let heights = || {
-        let points = chart.series.iter().flat_map(|s| &s.points);
-        points.map(|p| p[1]).filter(|h| h.is_finite())
-    };
-    let label = chart.y.label.clone();
-    let y = if chart.x.scale == AxisScale::Log && is_wide(heights()) {
-        Axis::log_close_around(&label, heights())
-    } else {
-        Axis::linear_around(&label, heights().chain([0.0]))
-    };
-    chart.y = y;
-}
-
-/// One point for each of the curve; not finite where there is no value.
-fn points_over(
-    curve: &CurveSolution,
-    value: impl Fn(&PointSolution) -> Option<f64>,
-) -> Vec<[f64; 2]> {
-    let size = largest(curve.points.iter().map(|p| p.value.abs()));
-    let (shown, _) = shown_unit(&curve.quantity, size);
-    let mut points: Vec<[f64; 2]> = (curve.points.iter())
-        .map(|p| [shown(p.value), value(p).unwrap_or(f64::NAN)])
-        .collect();
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    points
-}
-
 fn films(point: &PointSolution) -> [Option<f64>; 2] {
     let summary = point.outcome.solution().map(|s| &s.summary);
     [
         summary.map(|s| s.film_central.value),
         summary.map(|s| s.film_minimum.value),
     ]
-}
-
-fn largest(values: impl Iterator<Item = f64>) -> f64 {
-    values.fold(0.0, f64::max)
-}
-
-fn is_wide(values: impl Iterator<Item = f64>) -> bool {
-    let (low, high) = values.fold((f64::INFINITY, 0.0), |(l, h): (f64, f64), v| {
-        (l.min(v), h.max(v))
-    });
-    low > 0.0 && high >= LOG_FROM * low
-}
-
-/// How values of the quantity, the largest of this size (SI), are shown.
-fn shown_unit(quantity: &Quantity, size: f64) -> (fn(f64) -> f64, &'static str) {
-    match quantity.dimension {
-        Dimension::SPEED if size < 0.1 => (|v| 1e3 * v, "mm/s"),
-        Dimension::SPEED => (|v| v, "m/s"),
-        Dimension::FORCE if size < 0.1 => (|v| 1e3 * v, "mN"),
-        Dimension::FORCE => (|v| v, "N"),
-        Dimension::FORCE_PER_LENGTH => (|v| 1e-3 * v, "kN/m"),
-        Dimension::PRESSURE if pressure_unit(size).1 == "MPa" => (|v| 1e-6 * v, "MPa"),
-        Dimension::PRESSURE => (|v| 1e-9 * v, "GPa"),
-        Dimension::LENGTH => (|v| 1e3 * v, "mm"),
-        Dimension::TEMPERATURE => (|v| v - 273.15, "°C"),
-        _ => (|v| v, ""),
-    }
-}
-
-fn axis_label(quantity: &Quantity, unit: &str) -> String {
-    let mut name = quantity.name.to_owned();
-    if let Some(first) = name.get_mut(..1) {
-        first.make_ascii_uppercase();
-    }
-    let symbol = match quantity.symbol {
-        "" => String::new(),
-        symbol => format!(" {symbol}"),
-    };
-    let unit = match unit {
-        "" => String::new(),
-        unit => format!(" ({unit})"),
-    };
-    format!("{name}{symbol}{unit}")
 }

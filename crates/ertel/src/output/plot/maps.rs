@@ -7,6 +7,10 @@ use crate::solution::Solution;
 
 /// Colours of a map that shall look continuous.
 const N_SHADES: usize = 64;
+/// Share of the largest rise of the film's temperature that counts as cold,
+const COLD: f64 = 0.05;
+/// and half-widths shown around what is not.
+const MARGIN: f64 = 0.25;
 /// Film maps: fine levels up to this multiple of the central film,
 const FINE_UP_TO: f64 = 1.15;
 /// and coarse ones up to this.
@@ -16,6 +20,26 @@ const FILM_UP_TO: f64 = 2.5;
 fn window_map(solution: &Solution) -> [[f64; 2]; 2] {
     let [low, high] = window_x(solution);
     let side = solution.extents[2].min(1.5_f64.max(-0.75 * low)).max(1.0);
+    [[low, high], [-side, side]]
+}
+
+/// Window of the maps of temperatures, in half-widths: the contact, and where a surface or mid-film is warm.
+fn warm_window(solution: &Solution) -> [[f64; 2]; 2] {
+    let [[low, high], [_, side]] = window_map(solution);
+    let a = solution.hertz.half_width;
+    let Some(thermal) = &solution.thermal else {
+        return [[low, high], [-side, side]];
+    };
+    let t = &thermal.surface;
+    let inlet = thermal.inlet_temperature;
+    let warm = inlet + COLD * (thermal.film_maximum.value - inlet);
+    let points = solution.surface.points.iter().enumerate();
+    let (first, widest) = points
+        .filter(|(i, _)| [&t.mid, &t.plane, &t.ball].iter().any(|f| f[*i] > warm))
+        .map(|(_, p)| (p[0] / a, (p[1] / a).abs()))
+        .fold((-1.0_f64, 1.0_f64), |(l, w), (x, y)| (l.min(x), w.max(y)));
+    let low = low.max((2.0 * (first - MARGIN)).floor() / 2.0);
+    let side = side.min(widest + MARGIN);
     [[low, high], [-side, side]]
 }
 
@@ -66,7 +90,7 @@ pub fn temperature_map(
         points: &in_half_widths(&surface.points, solution.hertz.half_width),
         triangles: &surface.cells,
         values: &values,
-        window: window_map(solution),
+        window: warm_window(solution),
         levels: (1..N_SHADES)
             .map(|i| low + (high - low) * i as f64 / N_SHADES as f64)
             .collect(),

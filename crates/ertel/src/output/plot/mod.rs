@@ -60,7 +60,7 @@ pub fn pictures(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec
 }
 
 /// Factor and unit in which lengths of this size (m) are shown.
-pub(super) fn film_unit(size: f64) -> (f64, &'static str) {
+pub(crate) fn film_unit(size: f64) -> (f64, &'static str) {
     if size < NANOMETRES_BELOW {
         (1e9, "nm")
     } else {
