@@ -18,7 +18,7 @@ use ertel::solve::heat::newton::{HeatNewton, HeatParams};
 use ertel::solve::sequence::Problem;
 use ertel::solve::system::State;
 use ertel_fem::quadrature::Quadrature;
-use ertel_rheology::ConductivityLaw;
+use ertel_rheology::{ConductivityLaw, ViscosityLaw};
 
 /// Cells of one size everywhere.
 fn uniform(size: f64) -> LevelSizes {
@@ -286,6 +286,68 @@ fn couette_heating() {
         let film = space.column.film_of(&space.column_in(&state, cell, xi));
         assert_relative_eq!(film[4], t_mid, epsilon = 1e-4 * (t_mid - t_wall));
         assert_relative_eq!(film[0], t_wall, epsilon = 1e-4);
+    }
+}
+
+/// Compression without conduction: a lubricant so viscous that it flows through as a plug is heated on its way up a rise of
+/// pressure by dT/dp = −(T/ρ²c) ∂ρ/∂T and nothing else, whatever its speed. Integrated here by Runge and Kutta's method.
+#[test]
+fn compression_heats_and_expansion_cools() {
+    let mut case = heated_case(ContactKind::Line, 4);
+    case.lubricant.viscosity = ViscosityLaw::constant(1e8).unwrap();
+    case.lubricant.thermal_conductivity = Some(ConductivityLaw::constant(1e-6).unwrap());
+    for body in [&mut case.plane, &mut case.ball] {
+        body.thermal_conductivity = Some(ConductivityLaw::constant(1e-6).unwrap());
+        body.density = Some(1e-3);
+    }
+    let problem = problem(&case);
+    let heat = &problem.heat.as_ref().unwrap().heat;
+    let extents = Extents {
+        inlet: -2.0,
+        outlet: 1.0,
+        side: 1.5,
+        body_width: 12.0,
+        body_depth: 12.0,
+    };
+    let column = Column::new(4, 2, 1.0, [0.3, 0.3]);
+    let (d, mut state) = rigid(ContactKind::Line, &extents, 0.05, 1, column, heat);
+    // Up to p_h in the middle, and down again: of order two, as the pressures are.
+    let reduced = |x: f64| 1.0 - ((x + 0.5) / 1.5).powi(2);
+    for (p, point) in state.pressure.iter_mut().zip(&d.pressure.points) {
+        *p = reduced(point[0]);
+    }
+    solve(&d, &problem, heat, &mut state, None);
+
+    let (beta, c) = (7e-4, 2000.0);
+    let slope = |p: f64, t: f64| {
+        let rho = 870.0 * (1.0 + 0.6e-9 * p / (1.0 + 1.7e-9 * p) - beta * (t - 313.15));
+        t * 870.0 * beta / (rho * rho * c)
+    };
+    let at = |x: f64| {
+        let (n, end) = (1000, heat.pressure * reduced(x));
+        let step = end / f64::from(n);
+        (0..n).fold(heat.inlet_temperature, |t, i| {
+            let p = step * f64::from(i);
+            let k1 = slope(p, t);
+            let k2 = slope(p + 0.5 * step, t + 0.5 * step * k1);
+            let k3 = slope(p + 0.5 * step, t + 0.5 * step * k2);
+            let k4 = slope(p + step, t + step * k3);
+            t + step / 6.0 * (k1 + 2.0 * (k2 + k3) + k4)
+        })
+    };
+    let top = at(-0.5) - heat.inlet_temperature;
+    assert!(top > 10.0, "{top}: there must be something to see");
+    for x in [-1.3, -0.5, 0.3, 0.9] {
+        let (cell, xi) = d
+            .contact
+            .locator
+            .find(&d.contact.surface, [x, 0.0])
+            .unwrap();
+        let space = d.heat.as_ref().unwrap();
+        let film = space.column.film_of(&space.column_in(&state, cell, xi));
+        for t in &film[1..4] {
+            assert_relative_eq!(*t, at(x), epsilon = 5e-3 * top);
+        }
     }
 }
 
