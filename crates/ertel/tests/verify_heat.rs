@@ -9,7 +9,9 @@ use approx::assert_relative_eq;
 use common::heated;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::forms::energy::{Heat, Layer};
+use ertel::film::MOST_NODES;
+use ertel::film::cross_film::CrossFilm;
+use ertel::forms::energy::{FilmPlace, Heat, Layer, film_column};
 use ertel::params::ThermalParams;
 use ertel::run::problem;
 use ertel::solve::discretisation::{ContactBody, Discretisation, Extents, LevelSizes};
@@ -347,6 +349,47 @@ fn compression_heats_and_expansion_cools() {
         let film = space.column.film_of(&space.column_in(&state, cell, xi));
         for t in &film[1..4] {
             assert_relative_eq!(*t, at(x), epsilon = 5e-3 * top);
+        }
+    }
+}
+
+/// Between bodies at rest no direction is another's better: a pressure that falls along y does to the film along y what one that
+/// falls along x does along x.
+#[test]
+fn directions_of_the_flow_are_alike() {
+    let case = heated_case(ContactKind::Circular, 6);
+    let problem = problem(&case);
+    let mut heat = problem.heat.as_ref().unwrap().heat.clone();
+    for body in &mut heat.bodies {
+        body.velocity = 0.0;
+    }
+    let heights = Column::new(6, 2, 1.0, [0.3, 0.3]).heights;
+    let column = |pressure_gradient| {
+        let mut place = FilmPlace {
+            pressure: 0.3,
+            pressure_gradient,
+            film: 0.5,
+            temperature: [0.0; MOST_NODES],
+        };
+        for (k, t) in place.temperature.iter_mut().take(7).enumerate() {
+            *t = 320.0 + 3.0 * k as f64;
+        }
+        film_column(
+            &problem.fluid,
+            &heat,
+            &heights,
+            &place,
+            &mut CrossFilm::default(),
+        )
+    };
+    let (along, across) = (column([-0.4, 0.0]), column([0.0, -0.4]));
+    for (a, b) in along.heights.iter().zip(&across.heights).take(heights.n()) {
+        assert!(a.compression != 0.0 && a.velocity[0] > 0.0);
+        assert_relative_eq!(a.compression, b.compression, max_relative = 1e-10);
+        assert_relative_eq!(a.shear, b.shear, max_relative = 1e-10);
+        for (a, b) in [(a.velocity, b.velocity), (a.mass_below, b.mass_below)] {
+            assert_relative_eq!(a[0], b[1], max_relative = 1e-10);
+            assert!(a[1] == 0.0 && b[0] == 0.0);
         }
     }
 }

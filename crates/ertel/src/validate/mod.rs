@@ -10,6 +10,7 @@ mod picture;
 mod profiles;
 mod quantity;
 mod read;
+mod read_picture;
 mod run;
 mod table;
 
