@@ -168,14 +168,21 @@ impl SurfaceResponse {
     }
 }
 
-/// Pairs of surface nodes (i ≤ j) that share an element: the stiffness of the surface is short-ranged, and what a
-/// preconditioner needs of it ends there.
+/// Pairs of surface nodes (i ≤ j) that share an element, in line contacts also neighbours of neighbours: the stiffness
+/// of the surface is short-ranged, and what a preconditioner needs of it ends there.
 pub fn near_pairs(surface: &Space) -> Vec<(u32, u32)> {
     let graph = NodeGraph::new(surface);
+    let line = surface.element.dim() == 1;
     let mut pairs = Vec::new();
     for i in 0..graph.n_nodes() {
-        let near = graph.of(i).iter().filter(|j| **j as usize >= i);
-        pairs.extend(near.map(|j| (i as u32, *j)));
+        let mut near: Vec<u32> = graph.of(i).to_vec();
+        if line {
+            near.extend(graph.of(i).iter().flat_map(|j| graph.of(*j as usize)));
+            near.sort_unstable();
+            near.dedup();
+        }
+        let near = near.into_iter().filter(|j| *j as usize >= i);
+        pairs.extend(near.map(|j| (i as u32, j)));
     }
     pairs
 }

@@ -1,8 +1,8 @@
 //! Sparse approximation of the coupled Jacobian, factorised.
 //!
 //! ```text
-//!   | R_P   R_δ | | dP |     S̃: the stiffness of the surface between nodes that share
-//!   | −M    S̃   | | dδ |     an element
+//!   | R_P   R_δ | | dP |     S̃: the stiffness of the surface between near nodes: of one
+//!   | −M    S̃   | | dδ |     element, in line contacts neighbours of neighbours
 //! ```
 //! The compliance of a half-space is long-range, its inverse is not: that is why cutting the
 //! stiffness works where cutting the compliance does not.
@@ -32,7 +32,7 @@ pub struct NearStiffness {
 }
 
 impl NearStiffness {
-    /// Stiffness between nodes that share an element.
+    /// Stiffness between near nodes.
     pub fn new(d: &Discretisation) -> NearStiffness {
         let first = d.n_pressure as u32;
         let mut near = NearStiffness {

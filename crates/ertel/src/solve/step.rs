@@ -72,9 +72,9 @@ impl Accuracy {
     }
 }
 
-/// Krylov iterations for a factor of a thousand above which the preconditioner is made anew: it costs as much as
-/// some ten iterations.
-const STALE_EFFORT: f64 = 10.0;
+/// Krylov iterations for a factor of a thousand above which the preconditioner is made anew, in line and in circular
+/// contacts, where it costs as much as some ten iterations.
+const STALE_EFFORT: [f64; 2] = [20.0, 10.0];
 
 /// Krylov iterations after which a solve with an old preconditioner is given up.
 const MOST_STALE_ITERATIONS: usize = 40;
@@ -141,7 +141,8 @@ impl<'a, 'b> StepSolver<'a, 'b> {
         if matches!(self.factors, Some(Factors::Bordered(_)))
             && let Ok(step) = self.solve(system, system, state, tolerance, MOST_STALE_ITERATIONS)
         {
-            if step.effort > STALE_EFFORT {
+            let dimension = self.level.discretisation.contact.surface.dim;
+            if step.effort > STALE_EFFORT[dimension - 1] {
                 self.factors = None;
             }
             return Ok(step);
