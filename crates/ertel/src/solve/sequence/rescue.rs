@@ -6,6 +6,12 @@ use crate::solve::system::FilmConstants;
 /// Shares of the fluid's thickening through which a contact is led that does not start otherwise.
 const THICKENING: [f64; 5] = [0.4, 0.6, 0.75, 0.88, 1.0];
 
+/// Number of rescues that follow from the start, and with it fail.
+pub(super) const FROM_START: usize = 2;
+
+/// Order of pressures that overshoot little at a spike that the mesh does not resolve.
+const LOWER_ORDER: usize = 2;
+
 /// Diffusion between that of a start and none.
 const DIFFUSION: [f64; 4] = [1.0, 0.25, 0.06, 0.015];
 
@@ -44,7 +50,8 @@ pub(super) fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {
 }
 
 /// What is tried, in turn, when the start or the final stage does not converge: the way from the start to
-/// the case in steps of diminishing diffusion, if the start converged; a start with a fluid that
+/// the case in steps of diminishing diffusion, if the start converged, and from its end
+/// to pressures of lower order, which overshoot less at a spike that the mesh does not resolve; a start with a fluid that
 /// thickens less, made thicker step by step; then the start on the fine mesh, which may carry what the
 /// coarse one could not; then pressures of lower order, which overshoot
 /// less at a spike that the mesh does not resolve.
@@ -77,7 +84,11 @@ pub(super) fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
     let mut restart = vec![on_finer(start)];
     restart.extend(diffusion_path(&restart[0], last));
     restart.push(on_finer(last));
-    let mut rescues = vec![path, continuation, restart];
+    let lower = (last.pressure_order > LOWER_ORDER).then_some(Stage {
+        pressure_order: LOWER_ORDER,
+        ..*last
+    });
+    let mut rescues = vec![path, lower.into_iter().collect(), continuation, restart];
     rescues.extend((1..last.pressure_order).rev().map(|pressure_order| {
         let lower = |stage: &Stage| Stage {
             pressure_order,

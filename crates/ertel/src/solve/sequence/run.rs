@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::rescue::{diffusion_path, halfway, rescues};
+use super::rescue::{FROM_START, diffusion_path, halfway, rescues};
 use super::stage::{Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::{Problem, Role, Stage, StageSolution};
@@ -310,11 +310,10 @@ impl<'a> Sequence<'a> {
                 self.queue.extend(diffusion_path(&restart, stage));
                 self.queue.push_back(*stage);
             }
-            // The first start: no time is lost on what follows from a bad one, and the first rescue is one.
+            // The first start: no time is lost on what follows from a bad one, as the first rescues do.
             Err(e) if leads && self.stats.len() == 1 => {
                 self.first_failure = Some(e);
-                self.rescues.next();
-                self.queue = self.rescues.next().into_iter().flatten().collect();
+                self.queue = self.rescues.nth(FROM_START).into_iter().flatten().collect();
                 self.previous = Some(solution);
             }
             // A step of a way was too long.
