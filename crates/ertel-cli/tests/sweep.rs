@@ -357,7 +357,7 @@ key = "contact.load"
 values = ["20 kN/m", "2000 kN/m", "22 kN/m"]
 [[axis]]
 key = "solver.max_iterations"
-values = [4]
+values = [3]
 "#;
     let folder = workspace(study);
     let output = sweep(&folder, &["study.toml"]);

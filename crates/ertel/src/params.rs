@@ -130,7 +130,7 @@ impl MeshParams {
             target_error: Some(target_error),
             depth_growth: share
                 * match kind {
-                    ContactKind::Circular => 0.6,
+                    ContactKind::Circular => 0.45,
                     ContactKind::Line => 0.3,
                 },
             ..start
