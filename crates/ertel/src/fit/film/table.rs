@@ -199,7 +199,13 @@ pub fn read_films(
             }
         }
         // A film without an error bar has an empty cell.
-        let bar = error.as_ref().and_then(|e| e.number(&cells).ok());
+        let given = error
+            .as_ref()
+            .filter(|e| cells.get(e.index).is_some_and(|c| !c.is_empty()));
+        let bar = match given {
+            Some(error) => Some(header.positive(line, &cells, error, true)?),
+            None => None,
+        };
         states.push(FilmState {
             film: thickness,
             scale,

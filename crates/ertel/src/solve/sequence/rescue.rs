@@ -51,10 +51,9 @@ pub(super) fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {
 
 /// What is tried, in turn, when the start or the final stage does not converge: the way from the start to
 /// the case in steps of diminishing diffusion, if the start converged, and from its end
-/// to pressures of lower order, which overshoot less at a spike that the mesh does not resolve; a start with a fluid that
+/// to pressures of lower order, which overshoot less at a spike that the mesh does not resolve (those of the case once more if it has no higher ones); a start with a fluid that
 /// thickens less, made thicker step by step; then the start on the fine mesh, which may carry what the
-/// coarse one could not; then pressures of lower order, which overshoot
-/// less at a spike that the mesh does not resolve.
+/// coarse one could not; then pressures of lower order from the beginning.
 pub(super) fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
     let (Some(start), Some(last)) = (problem.stages.first(), problem.stages.last()) else {
         return Vec::new();
@@ -84,11 +83,11 @@ pub(super) fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
     let mut restart = vec![on_finer(start)];
     restart.extend(diffusion_path(&restart[0], last));
     restart.push(on_finer(last));
-    let lower = (last.pressure_order > LOWER_ORDER).then_some(Stage {
-        pressure_order: LOWER_ORDER,
+    let lower = Stage {
+        pressure_order: last.pressure_order.min(LOWER_ORDER),
         ..*last
-    });
-    let mut rescues = vec![path, lower.into_iter().collect(), continuation, restart];
+    };
+    let mut rescues = vec![path, vec![lower], continuation, restart];
     rescues.extend((1..last.pressure_order).rev().map(|pressure_order| {
         let lower = |stage: &Stage| Stage {
             pressure_order,
