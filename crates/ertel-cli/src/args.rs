@@ -158,7 +158,7 @@ pub struct ValidateArgs {
     #[arg(long, value_name = "FILE.csv")]
     pub table: Option<PathBuf>,
     /// Write the page `validation.md` and its pictures into this folder; with NAMEs, only their sections of the page
-    #[arg(long, value_name = "DIR", conflicts_with = "quick")]
+    #[arg(long, value_name = "DIR")]
     pub write: Option<PathBuf>,
 }
 
