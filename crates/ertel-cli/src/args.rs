@@ -195,7 +195,7 @@ pub struct FitFilmArgs {
     #[arg(long, value_name = "R")]
     pub radius: Option<String>,
     /// Compare the films with the form with given constants, too, as in "central=1.96,-0.1111,0" (may be repeated)
-    #[arg(long, value_name = "FILM=C,A,B", value_parser = beside)]
+    #[arg(long, value_name = "FILM=C,...", value_parser = beside)]
     pub beside: Vec<(ertel::fit::FilmKind, Vec<f64>)>,
     /// Confidence of the intervals
     #[arg(long, value_name = "P", default_value_t = 0.95)]

@@ -62,6 +62,14 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
         };
         return Err(Failure::Argument(format!("{file}: there is {columns}")));
     }
+    let fitted = |kind: FilmKind| fits.iter().any(|(_, films)| films.kind == kind);
+    if let Some((kind, _)) = arguments.beside.iter().find(|(kind, _)| !fitted(*kind)) {
+        return Err(Failure::Argument(format!(
+            "--beside: {file} has no {} films that the form {} is fitted to",
+            kind.name(),
+            arguments.form
+        )));
+    }
     if let Some(path) = &arguments.plot {
         let svg = fit::parity(&fits, &file).svg();
         write_whole(path, svg.as_bytes())
@@ -84,7 +92,7 @@ fn check_given(form: FilmForm, given: &[(FilmKind, Vec<f64>)]) -> Result<(), Fai
         let mut positive = constants.iter().take(form.n_positive());
         if constants.len() != names.len() || !positive.all(|c| *c > 0.0) {
             return Err(Failure::Argument(format!(
-                "--beside: write {} constants, {}, of {}, the first {} above zero, as in central=1.96,-0.1111,0",
+                "--beside: write {} constants, {}, of {}, the first {} above zero",
                 names.len(),
                 names.join(", "),
                 form.formula(),
