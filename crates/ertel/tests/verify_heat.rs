@@ -87,6 +87,15 @@ fn solve(
     panic!("the temperatures do not converge");
 }
 
+/// Contact area of most of these contacts.
+const EXTENTS: Extents = Extents {
+    inlet: -2.0,
+    outlet: 1.0,
+    side: 1.5,
+    body_width: 12.0,
+    body_depth: 12.0,
+};
+
 /// T = T_0 + A g(X, Y) φ with φ = 0.7 + 0.3(1 + cos 2πs) in the film and 0.7 cos(πZ/2D) in the bodies: both without flux
 /// at the walls, g without flux where nothing is prescribed. No slide, no pressure: the film flows as a whole.
 /// Errors in the film's and the bodies' L² norms must fall with the order of the surface elements plus one.
@@ -94,13 +103,7 @@ fn manufactured(kind: ContactKind, order: usize, sizes: [f64; 3]) {
     let case = heated_case(kind, 10);
     let problem = problem(&case);
     let heat = &problem.heat.as_ref().unwrap().heat;
-    let extents = Extents {
-        inlet: -2.0,
-        outlet: 1.0,
-        side: 1.5,
-        body_width: 12.0,
-        body_depth: 12.0,
-    };
+    let extents = EXTENTS;
     let depth = 1.2;
     let amplitude = 10.0;
     // g and its derivatives: value, X, XX + YY
@@ -228,13 +231,7 @@ fn couette_heating() {
     }
     let problem = problem_without_expansion(&case);
     let heat = &problem.heat.as_ref().unwrap().heat;
-    let extents = Extents {
-        inlet: -2.0,
-        outlet: 1.0,
-        side: 1.5,
-        body_width: 12.0,
-        body_depth: 12.0,
-    };
+    let extents = EXTENTS;
     let column = Column::new(8, 2, 1.0, [0.3, 0.3]);
     let (d, mut state) = rigid(ContactKind::Line, &extents, 0.25, 1, column, heat);
     solve(&d, &problem, heat, &mut state, None);
@@ -304,13 +301,7 @@ fn compression_heats_and_expansion_cools() {
     }
     let problem = problem(&case);
     let heat = &problem.heat.as_ref().unwrap().heat;
-    let extents = Extents {
-        inlet: -2.0,
-        outlet: 1.0,
-        side: 1.5,
-        body_width: 12.0,
-        body_depth: 12.0,
-    };
+    let extents = EXTENTS;
     let column = Column::new(4, 2, 1.0, [0.3, 0.3]);
     let (d, mut state) = rigid(ContactKind::Line, &extents, 0.05, 1, column, heat);
     // Up to p_h in the middle, and down again: of order two, as the pressures are.
