@@ -48,9 +48,9 @@ macro_rules! kernel {
 /// Columns that are treated at once: each pass over a vector then serves four columns.
 const COLUMNS: usize = 4;
 
-/// y += A x.
+/// y += A x; A may be of whole numbers.
 #[inline(always)]
-pub fn add_product<T: Real>(a: &[T], x: &[T], y: &mut [T]) {
+pub fn add_product<A: Copy + Into<T>, T: Real>(a: &[A], x: &[T], y: &mut [T]) {
     let m = y.len();
     if m == 0 {
         return;
@@ -60,36 +60,14 @@ pub fn add_product<T: Real>(a: &[T], x: &[T], y: &mut [T]) {
     for (columns, x) in a.chunks_exact(COLUMNS * m).zip(x.chunks_exact(COLUMNS)) {
         let [c0, c1, c2, c3] = four(columns, m);
         for ((((y, c0), c1), c2), c3) in y.iter_mut().zip(c0).zip(c1).zip(c2).zip(c3) {
-            *y += (*c0 * x[0] + *c1 * x[1]) + (*c2 * x[2] + *c3 * x[3]);
+            let [c0, c1, c2, c3]: [T; 4] = [(*c0).into(), (*c1).into(), (*c2).into(), (*c3).into()];
+            *y += (c0 * x[0] + c1 * x[1]) + (c2 * x[2] + c3 * x[3]);
         }
     }
     for (column, x) in a_rest.chunks_exact(m).zip(&x[whole..]) {
         for (y, c) in y.iter_mut().zip(column) {
-            *y += *c * *x;
-        }
-    }
-}
-
-/// y = A x for whole numbers A.
-#[inline(always)]
-pub fn multiply_whole(a: &[i16], x: &[f32], y: &mut [f32]) {
-    y.fill(0.0);
-    let m = y.len();
-    if m == 0 {
-        return;
-    }
-    let whole = x.len() / COLUMNS * COLUMNS;
-    let (a, a_rest) = a[..m * x.len()].split_at(m * whole);
-    for (columns, x) in a.chunks_exact(COLUMNS * m).zip(x.chunks_exact(COLUMNS)) {
-        let [c0, c1, c2, c3] = four(columns, m);
-        for ((((y, c0), c1), c2), c3) in y.iter_mut().zip(c0).zip(c1).zip(c2).zip(c3) {
-            *y += (f32::from(*c0) * x[0] + f32::from(*c1) * x[1])
-                + (f32::from(*c2) * x[2] + f32::from(*c3) * x[3]);
-        }
-    }
-    for (column, x) in a_rest.chunks_exact(m).zip(&x[whole..]) {
-        for (y, c) in y.iter_mut().zip(column) {
-            *y += f32::from(*c) * *x;
+            let c: T = (*c).into();
+            *y += c * *x;
         }
     }
 }
@@ -180,13 +158,13 @@ mod tests {
             let z: Vec<f32> = (0..m).map(|k| (k % 7) as f32 - 3.0).collect();
             let (mut y, mut w) = (vec![1.0; m], vec![1.0; n]);
             vectorised(|| {
-                multiply_whole(&a, &x, &mut y);
+                add_product(&a, &x, &mut y);
                 multiply_transposed_whole::<16>(&a, &z, &mut w);
             });
             // no rounding at all below 2²⁴
             for i in 0..m {
                 let exact: f32 = (0..n).map(|j| f32::from(a[j * m + i]) * x[j]).sum();
-                assert_eq!(y[i], exact);
+                assert_eq!(y[i], 1.0 + exact);
             }
             for j in 0..n {
                 let exact: f32 = (0..m).map(|i| f32::from(a[j * m + i]) * z[i]).sum();

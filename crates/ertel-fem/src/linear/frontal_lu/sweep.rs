@@ -1,0 +1,201 @@
+//! Solves with the factors: down the fronts and up again.
+
+use std::ops::RangeInclusive;
+
+use rayon::prelude::*;
+
+use super::factors::Factors;
+use super::{FrontalLu, FrontalPattern};
+use crate::kernel;
+use crate::linear::dense::vectorised;
+use crate::linear::fronts::Front;
+
+/// What a pass over a run of fronts needs.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    pub(super) outer: Vec<f32>,
+    pub(super) own: Vec<f32>,
+    pub(super) scaled: Vec<f32>,
+    /// Values beyond the run.
+    pub(super) beyond: Vec<f32>,
+}
+
+/// Which way a solve goes: with the matrix or its transpose.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Matrix,
+    Transposed,
+}
+
+impl FrontalLu {
+    /// Down the fronts and up again; the parts on all cores.
+    pub(super) fn sweep(&mut self, rhs: &mut [f64], side: Side) {
+        let FrontalLu {
+            pattern,
+            factors,
+            x,
+            scratch,
+        } = self;
+        let (pattern, factors) = (&**pattern, &**factors);
+        let fronts = &pattern.fronts;
+        for (x, unknown) in x.iter_mut().zip(&fronts.order) {
+            *x = rhs[*unknown as usize] as f32;
+        }
+        let (parts, above) = scratch.split_at_mut(pattern.parts.len());
+        let above = &mut above[0];
+        let roots = || pattern.parts.iter().map(|k| &fronts.fronts[*k]);
+        let end = |f: &Front| f.first + f.n_own;
+        let run = |fronts, base| Run {
+            pattern,
+            factors,
+            side,
+            fronts,
+            base,
+        };
+        let down = |fronts: RangeInclusive<usize>, base, x: &mut [f32], scratch: &mut Scratch| {
+            let run = run(fronts, base);
+            vectorised(Down { run, x, scratch });
+        };
+        let up = |fronts: RangeInclusive<usize>, base, x: &mut [f32], scratch: &mut Scratch| {
+            let run = run(fronts, base);
+            vectorised(Up { run, x, scratch });
+        };
+        for (scratch, root) in parts.iter_mut().zip(roots()) {
+            for s in &root.boundary {
+                scratch.beyond[*s as usize - end(root)] = 0.0;
+            }
+        }
+        pattern.on_parts(x, parts, down);
+        for (scratch, root) in parts.iter().zip(roots()) {
+            for s in &root.boundary {
+                x[*s as usize] += scratch.beyond[*s as usize - end(root)];
+            }
+        }
+        for range in &pattern.above {
+            down(range.clone(), 0, x, above);
+        }
+        for range in pattern.above.iter().rev() {
+            up(range.clone(), 0, x, above);
+        }
+        for (scratch, root) in parts.iter_mut().zip(roots()) {
+            for s in &root.boundary {
+                scratch.beyond[*s as usize - end(root)] = x[*s as usize];
+            }
+        }
+        pattern.on_parts(x, parts, up);
+        for (x, unknown) in x.iter().zip(&fronts.order) {
+            rhs[*unknown as usize] = *x as f64;
+        }
+    }
+}
+
+impl FrontalPattern {
+    /// Calls `f(fronts, first position, its positions of x, scratch)` for each part, on several threads.
+    fn on_parts(
+        &self,
+        x: &mut [f32],
+        scratch: &mut [Scratch],
+        f: impl Fn(RangeInclusive<usize>, usize, &mut [f32], &mut Scratch) + Sync,
+    ) {
+        let mut rest = x;
+        let mut from = 0;
+        let mut tasks = Vec::with_capacity(scratch.len());
+        for (root, scratch) in self.parts.iter().zip(scratch) {
+            let front = &self.fronts.fronts[*root];
+            let first = self.fronts.fronts[front.subtree].first;
+            let end = front.first + front.n_own;
+            let (own, beyond) = std::mem::take(&mut rest)[first - from..].split_at_mut(end - first);
+            tasks.push((front.subtree..=*root, first, own, scratch));
+            rest = beyond;
+            from = end;
+        }
+        tasks
+            .into_par_iter()
+            .with_max_len(1)
+            .for_each(|(fronts, first, own, scratch)| f(fronts, first, own, scratch));
+    }
+}
+
+/// Consecutive fronts; the positions of the x that they work on begin at `base`.
+struct Run<'a> {
+    pattern: &'a FrontalPattern,
+    factors: &'a Factors,
+    side: Side,
+    fronts: RangeInclusive<usize>,
+    base: usize,
+}
+
+kernel! {
+    Down ['a] ['a] (run: Run<'a>, x: &'a mut [f32], scratch: &'a mut Scratch) -> () {
+        run.down(x, scratch)
+    }
+}
+
+kernel! {
+    Up ['a] ['a] (run: Run<'a>, x: &'a mut [f32], scratch: &'a mut Scratch) -> () {
+        run.up(x, scratch)
+    }
+}
+
+impl Run<'_> {
+    /// Eliminates: x_own ← A⁻¹ x_own, x_boundary −= V x_own.
+    #[inline(always)]
+    fn down(self, x: &mut [f32], scratch: &mut Scratch) {
+        let base = self.base;
+        let end = base + x.len();
+        for k in self.fronts {
+            let f = &self.pattern.fronts.fronts[k];
+            let (n, m) = (f.n_own, f.boundary.len());
+            let [inverse, v, w] = self.factors.of(self.pattern, k);
+            let own = &mut scratch.own[..n];
+            let outer = &mut scratch.outer[..m];
+            let target = &mut x[f.first - base..f.first - base + n];
+            own.copy_from_slice(target);
+            let scaled = &mut scratch.scaled[..];
+            match self.side {
+                Side::Matrix => {
+                    v.multiply(own, outer, scaled);
+                    inverse.multiply(own, target, scaled);
+                }
+                Side::Transposed => {
+                    w.multiply_transposed(own, outer, scaled);
+                    inverse.multiply_transposed(own, target, scaled);
+                }
+            }
+            for (s, value) in f.boundary.iter().zip(&*outer) {
+                match *s as usize {
+                    s if s < end => x[s - base] -= value,
+                    s => scratch.beyond[s - end] -= value,
+                }
+            }
+        }
+    }
+
+    /// Substitutes back: x_own −= W x_boundary.
+    #[inline(always)]
+    fn up(self, x: &mut [f32], scratch: &mut Scratch) {
+        let base = self.base;
+        let end = base + x.len();
+        for k in self.fronts.rev() {
+            let f = &self.pattern.fronts.fronts[k];
+            let (n, m) = (f.n_own, f.boundary.len());
+            let [_, v, w] = self.factors.of(self.pattern, k);
+            let own = &mut scratch.own[..n];
+            let outer = &mut scratch.outer[..m];
+            for (s, value) in f.boundary.iter().zip(outer.iter_mut()) {
+                *value = match *s as usize {
+                    s if s < end => x[s - base],
+                    s => scratch.beyond[s - end],
+                };
+            }
+            let scaled = &mut scratch.scaled[..];
+            match self.side {
+                Side::Matrix => w.multiply(outer, own, scaled),
+                Side::Transposed => v.multiply_transposed(outer, own, scaled),
+            }
+            for (x, value) in x[f.first - base..].iter_mut().zip(&*own) {
+                *x -= value;
+            }
+        }
+    }
+}
