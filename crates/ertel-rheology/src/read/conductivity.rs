@@ -63,9 +63,7 @@ impl ConductivityLaw {
                     DIMENSION,
                     Pressures::Optional,
                 )?;
-                let law =
-                    ConductivityTable::new(columns.temperatures, columns.pressures, columns.values);
-                Self::Table(law.map_err(locate(table))?)
+                Self::Table(columns.law(table, ConductivityTable::new)?)
             }
         };
         inner.finish()?;

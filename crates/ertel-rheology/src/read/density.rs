@@ -43,9 +43,7 @@ impl DensityLaw {
                     Dimension::DENSITY,
                     Pressures::Required,
                 )?;
-                let law =
-                    DensityTable::new(columns.temperatures, columns.pressures, columns.values);
-                Self::Table(law.map_err(locate(&table))?)
+                Self::Table(columns.law(&table, DensityTable::new)?)
             }
         };
         table.finish()?;

@@ -73,9 +73,7 @@ impl HeatCapacityLaw {
                     DIMENSION,
                     Pressures::Optional,
                 )?;
-                let law =
-                    HeatCapacityTable::new(columns.temperatures, columns.pressures, columns.values);
-                Self::Table(law.map_err(locate(table))?)
+                Self::Table(columns.law(table, HeatCapacityTable::new)?)
             }
         };
         inner.finish()?;

@@ -1,6 +1,7 @@
 //! Tabulated data: isotherms written in a table, or a CSV file.
 
-use super::Files;
+use super::{Files, locate};
+use crate::LawError;
 use crate::input::{Bounds, InputError, Table};
 use crate::quantity::{self, Dimension};
 
@@ -95,6 +96,15 @@ impl Columns {
             columns.values.push(values);
         }
         Ok(columns)
+    }
+
+    /// The law of a property that the data are of; what it refuses is an error at `table`.
+    pub(super) fn law<T>(
+        self,
+        table: &Table<'_>,
+        new: impl Fn(Vec<f64>, Vec<Vec<f64>>, Vec<Vec<f64>>) -> Result<T, LawError>,
+    ) -> Result<T, InputError> {
+        new(self.temperatures, self.pressures, self.values).map_err(locate(table))
     }
 
     /// Reads a CSV file; the error is a sentence that begins with the line.

@@ -57,9 +57,7 @@ impl ViscosityLaw {
                     Dimension::VISCOSITY,
                     Pressures::Required,
                 )?;
-                let law =
-                    ViscosityTable::new(columns.temperatures, columns.pressures, columns.values);
-                Self::Table(law.map_err(locate(&table))?)
+                Self::Table(columns.law(&table, ViscosityTable::new)?)
             }
         };
         table.finish()?;

@@ -1,0 +1,133 @@
+//! Errors that name the place, the key and the choices.
+
+use super::Table;
+use crate::input::InputError;
+use crate::input::tree::{Entry, Node, Value};
+
+impl Table<'_> {
+    /// Refuses the keys that nobody asked for.
+    ///
+    /// # Errors
+    ///
+    /// The first unknown key, with the nearest known one and the list of all.
+    pub fn finish(self) -> Result<(), InputError> {
+        let Some(entry) = self
+            .entries
+            .iter()
+            .find(|entry| !self.known.contains(&entry.key))
+        else {
+            return Ok(());
+        };
+        let mut error = InputError::at(
+            self.source,
+            entry.key_span.clone(),
+            self.path_of(&entry.key),
+            format!("unknown key `{}` {}", entry.key, self.place()),
+        );
+        if let Some(near) = nearest(&entry.key, self.known.iter().map(String::as_str)) {
+            error = error.with_label(format!("did you mean `{near}`?"));
+        }
+        Err(if self.known.is_empty() {
+            error.with_help("no keys are expected here")
+        } else {
+            error.with_help(format!("the keys here are {}", self.known.join(", ")))
+        })
+    }
+
+    /// An error at the value of `key`, or at this table if the key is absent.
+    #[must_use]
+    pub fn error(&self, key: &str, message: impl Into<String>) -> InputError {
+        match self.entries.iter().find(|entry| entry.key == key) {
+            Some(entry) => self.at_node(&entry.node, key, message),
+            None => self.error_here(message),
+        }
+    }
+
+    /// An error at this table.
+    #[must_use]
+    pub fn error_here(&self, message: impl Into<String>) -> InputError {
+        InputError::at(self.source, self.span.clone(), self.path.clone(), message)
+    }
+
+    /// An error for a name at `key` that is none of `choices`; it lists them.
+    #[must_use]
+    pub fn unknown_name<'n>(
+        &self,
+        key: &str,
+        choices: impl IntoIterator<Item = &'n str>,
+    ) -> InputError {
+        let choices: Vec<&str> = choices.into_iter().collect();
+        let found = self.entries.iter().find(|entry| entry.key == key);
+        let text = match found.map(|entry| &entry.node.value) {
+            Some(Value::Str(text)) => text.as_str(),
+            _ => "",
+        };
+        let mut error = self.error(key, format!("`{text}` is not a known `{key}`"));
+        if let Some(near) = nearest(text, choices.iter().copied()) {
+            error = error.with_label(format!("did you mean `{near}`?"));
+        }
+        error.with_help(format!("`{key}` is one of: {}", choices.join(", ")))
+    }
+
+    /// An error for the required key that is not there.
+    #[must_use]
+    pub fn missing(&self, key: &str) -> InputError {
+        let message = format!("missing key `{key}` {}", self.place());
+        let unread = self
+            .entries
+            .iter()
+            .filter(|entry| !self.known.contains(&entry.key));
+        let suspect = unread
+            .filter(|entry| nearest(&entry.key, [key]).is_some())
+            .min_by_key(|entry| strsim::osa_distance(&entry.key, key));
+        match suspect {
+            Some(entry) => InputError::at(
+                self.source,
+                entry.key_span.clone(),
+                self.path_of(&entry.key),
+                message,
+            )
+            .with_label(format!("did you mean `{key}`?")),
+            None => InputError::at(self.source, self.span.clone(), self.path_of(key), message),
+        }
+    }
+
+    pub(super) fn at_node(&self, node: &Node, key: &str, message: impl Into<String>) -> InputError {
+        InputError::at(self.source, node.span.clone(), self.path_of(key), message)
+    }
+
+    pub(super) fn wrong_kind(&self, entry: &Entry, expected: &str) -> InputError {
+        self.at_node(
+            &entry.node,
+            &entry.key,
+            format!(
+                "`{}` must be {expected}, not {}",
+                entry.key,
+                entry.node.kind()
+            ),
+        )
+    }
+
+    fn place(&self) -> String {
+        if self.path.is_empty() {
+            "at the top level".to_owned()
+        } else {
+            format!("in [{}]", self.path)
+        }
+    }
+}
+
+/// The choice most like `name`, if any is like it.
+fn nearest<'n>(name: &str, choices: impl IntoIterator<Item = &'n str>) -> Option<&'n str> {
+    let name = name.to_lowercase();
+    choices
+        .into_iter()
+        .map(|choice| (strsim::osa_distance(&name, &choice.to_lowercase()), choice))
+        .filter(|(distance, choice)| {
+            // A third of the letters may differ (`raduis`, `visosity`), more after a common start (`circle`).
+            3 * distance <= choice.chars().count().max(3)
+                || strsim::jaro_winkler(&name, choice) > 0.87
+        })
+        .min_by_key(|(distance, _)| *distance)
+        .map(|(_, choice)| choice)
+}

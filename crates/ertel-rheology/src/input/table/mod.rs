@@ -1,0 +1,92 @@
+//! A table whose keys are read by name, and which knows the keys nobody read.
+
+mod errors;
+mod numbers;
+mod tables;
+mod text;
+
+use std::ops::Range;
+
+use super::Source;
+use super::tree::{Entry, Node, Value};
+
+/// A TOML table being read.
+///
+/// `required_*` readers fail on a missing key; `optional_*` readers return `None`. All of them fail on a
+/// value of the wrong kind, dimension or size. Call [`Table::finish`] at the end.
+#[derive(Debug, Clone)]
+pub struct Table<'a> {
+    source: &'a Source,
+    path: String,
+    span: Range<usize>,
+    entries: &'a [Entry],
+    /// Keys asked for so far, in that order.
+    known: Vec<String>,
+}
+
+/// A value that is a name or a table: `steel` or `{ youngs_modulus = "210 GPa", ... }`.
+#[derive(Debug, Clone)]
+pub enum StrOrTable<'a> {
+    /// A string.
+    Str(&'a str),
+    /// A table.
+    Table(Table<'a>),
+}
+
+impl<'a> Table<'a> {
+    /// `node` must be a table; anything else reads as an empty one.
+    pub(super) fn new(source: &'a Source, node: &'a Node, path: String) -> Self {
+        let entries: &[Entry] = match &node.value {
+            Value::Table(entries) => entries,
+            _ => &[],
+        };
+        Self {
+            source,
+            path,
+            span: node.span.clone(),
+            entries,
+            known: Vec::new(),
+        }
+    }
+
+    /// The key path of this table, `bodies.ball`; empty for the top level.
+    #[must_use]
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// The keys present, in the order of the file.
+    pub fn keys(&self) -> impl Iterator<Item = &'a str> + use<'a> {
+        self.entries.iter().map(|entry| entry.key.as_str())
+    }
+
+    /// Whether `key` is present. Counts as asking for it.
+    pub fn contains(&mut self, key: &str) -> bool {
+        self.entry(key).is_some()
+    }
+
+    /// Whether the value of `key` is a table. Counts as asking for it.
+    pub fn is_table(&mut self, key: &str) -> bool {
+        let entry = self.entry(key);
+        entry.is_some_and(|entry| matches!(entry.node.value, Value::Table(_)))
+    }
+
+    fn entry(&mut self, key: &str) -> Option<&'a Entry> {
+        if !self.known.iter().any(|known| known == key) {
+            self.known.push(key.to_owned());
+        }
+        self.entries.iter().find(|entry| entry.key == key)
+    }
+
+    fn child(&self, node: &'a Node, key: &str) -> Table<'a> {
+        Table::new(self.source, node, self.path_of(key))
+    }
+
+    fn path_of(&self, key: &str) -> String {
+        if self.path.is_empty() {
+            key.to_owned()
+        } else {
+            format!("{}.{key}", self.path)
+        }
+    }
+}

@@ -1,0 +1,275 @@
+//! Readers of quantities and numbers.
+
+use std::ops::RangeInclusive;
+
+use super::Table;
+use crate::input::tree::{Node, Value};
+use crate::input::{Bounds, InputError};
+use crate::quantity::{self, Dimension, QuantityError};
+
+impl Table<'_> {
+    /// A number with a unit, in SI; a pure number may be written without quotes.
+    ///
+    /// # Errors
+    ///
+    /// A missing key, a text that is no such quantity, a value that is not finite or out of `bounds` (SI).
+    pub fn required_quantity(
+        &mut self,
+        key: &str,
+        dimension: Dimension,
+        bounds: Bounds,
+    ) -> Result<f64, InputError> {
+        self.optional_quantity(key, dimension, bounds)?
+            .ok_or_else(|| self.missing(key))
+    }
+
+    /// Like [`Table::required_quantity`], `None` if the key is absent.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Table::required_quantity`] but for the missing key.
+    pub fn optional_quantity(
+        &mut self,
+        key: &str,
+        dimension: Dimension,
+        bounds: Bounds,
+    ) -> Result<Option<f64>, InputError> {
+        let Some(entry) = self.entry(key) else {
+            return Ok(None);
+        };
+        self.quantity_of(&entry.node, key, dimension, bounds)
+            .map(Some)
+    }
+
+    /// A pure number: `0.3`, or a text such as `"30 %"`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Table::required_quantity`].
+    pub fn required_number(&mut self, key: &str, bounds: Bounds) -> Result<f64, InputError> {
+        self.required_quantity(key, Dimension::DIMENSIONLESS, bounds)
+    }
+
+    /// Like [`Table::required_number`], `None` if the key is absent.
+    ///
+    /// # Errors
+    ///
+    /// As [`Table::optional_quantity`].
+    pub fn optional_number(
+        &mut self,
+        key: &str,
+        bounds: Bounds,
+    ) -> Result<Option<f64>, InputError> {
+        self.optional_quantity(key, Dimension::DIMENSIONLESS, bounds)
+    }
+
+    /// An array of quantities in SI: `["1 MPa", "2 MPa"]`, or pure numbers.
+    ///
+    /// # Errors
+    ///
+    /// As [`Table::required_quantity`] for each of the values.
+    pub fn required_quantities(
+        &mut self,
+        key: &str,
+        dimension: Dimension,
+        bounds: Bounds,
+    ) -> Result<Vec<f64>, InputError> {
+        self.optional_quantities(key, dimension, bounds)?
+            .ok_or_else(|| self.missing(key))
+    }
+
+    /// Like [`Table::required_quantities`], `None` if the key is absent.
+    ///
+    /// # Errors
+    ///
+    /// As [`Table::optional_quantity`] for each of the values.
+    pub fn optional_quantities(
+        &mut self,
+        key: &str,
+        dimension: Dimension,
+        bounds: Bounds,
+    ) -> Result<Option<Vec<f64>>, InputError> {
+        let Some(entry) = self.entry(key) else {
+            return Ok(None);
+        };
+        let Value::Array(nodes) = &entry.node.value else {
+            return Err(self.wrong_kind(entry, "an array"));
+        };
+        nodes
+            .iter()
+            .map(|node| self.quantity_of(node, key, dimension, bounds))
+            .collect::<Result<_, _>>()
+            .map(Some)
+    }
+
+    /// An array of pure numbers.
+    ///
+    /// # Errors
+    ///
+    /// As [`Table::required_quantity`] for each of the values.
+    pub fn required_numbers(&mut self, key: &str, bounds: Bounds) -> Result<Vec<f64>, InputError> {
+        self.required_quantities(key, Dimension::DIMENSIONLESS, bounds)
+    }
+
+    /// Like [`Table::required_numbers`], `None` if the key is absent.
+    ///
+    /// # Errors
+    ///
+    /// As [`Table::optional_quantity`] for each of the values.
+    pub fn optional_numbers(
+        &mut self,
+        key: &str,
+        bounds: Bounds,
+    ) -> Result<Option<Vec<f64>>, InputError> {
+        self.optional_quantities(key, Dimension::DIMENSIONLESS, bounds)
+    }
+
+    /// An array of points of two pure numbers each, `[[-1, 0], [0.5, 0]]`; `None` if the key is absent.
+    ///
+    /// # Errors
+    ///
+    /// A value that is no such array, and numbers out of `bounds`.
+    pub fn optional_points(
+        &mut self,
+        key: &str,
+        bounds: Bounds,
+    ) -> Result<Option<Vec<[f64; 2]>>, InputError> {
+        let Some(entry) = self.entry(key) else {
+            return Ok(None);
+        };
+        let Value::Array(nodes) = &entry.node.value else {
+            return Err(self.wrong_kind(entry, "an array of points [x, y]"));
+        };
+        let number = |node| self.quantity_of(node, key, Dimension::DIMENSIONLESS, bounds);
+        nodes
+            .iter()
+            .map(|node| match &node.value {
+                Value::Array(pair) if pair.len() == 2 => Ok([number(&pair[0])?, number(&pair[1])?]),
+                _ => Err(self.at_node(
+                    node,
+                    key,
+                    format!("`{key}` needs points of two numbers, [x, y]"),
+                )),
+            })
+            .collect::<Result<_, _>>()
+            .map(Some)
+    }
+
+    /// A whole number in `range`.
+    ///
+    /// # Errors
+    ///
+    /// A missing key, a value that is no whole number or out of range.
+    pub fn required_integer(
+        &mut self,
+        key: &str,
+        range: RangeInclusive<i64>,
+    ) -> Result<i64, InputError> {
+        self.optional_integer(key, range)?
+            .ok_or_else(|| self.missing(key))
+    }
+
+    /// Like [`Table::required_integer`], `None` if the key is absent.
+    ///
+    /// # Errors
+    ///
+    /// A value that is no whole number or out of range.
+    pub fn optional_integer(
+        &mut self,
+        key: &str,
+        range: RangeInclusive<i64>,
+    ) -> Result<Option<i64>, InputError> {
+        let Some(entry) = self.entry(key) else {
+            return Ok(None);
+        };
+        let Value::Integer(value) = entry.node.value else {
+            return Err(self.wrong_kind(entry, "a whole number"));
+        };
+        match value {
+            Some(value) if range.contains(&value) => Ok(Some(value)),
+            _ => Err(self.error(
+                key,
+                format!(
+                    "`{key}` must be a whole number from {} to {}",
+                    range.start(),
+                    range.end()
+                ),
+            )),
+        }
+    }
+
+    fn quantity_of(
+        &self,
+        node: &Node,
+        key: &str,
+        dimension: Dimension,
+        bounds: Bounds,
+    ) -> Result<f64, InputError> {
+        let bare = |value: f64| {
+            if dimension == Dimension::DIMENSIONLESS {
+                Ok(value)
+            } else {
+                let number = self.source.slice(node.span.clone());
+                let unit = dimension.si_unit();
+                Err(self
+                    .at_node(node, key, format!("`{key}` has no unit"))
+                    .with_label(format!("{} is needed", dimension.name()))
+                    .with_help(format!(
+                        "write it as a text, `{key} = \"{number} {unit}\"`; units: {}",
+                        dimension.examples()
+                    )))
+            }
+        };
+        let value = match &node.value {
+            Value::Float(value) if !value.is_finite() => {
+                return Err(self.at_node(node, key, format!("`{key}` must be a finite number")));
+            }
+            Value::Float(value) => bare(*value)?,
+            // Exact for every integer a person writes.
+            Value::Integer(Some(value)) => bare(*value as f64)?,
+            Value::Str(text) => quantity::parse(text, dimension)
+                .map_err(|error| self.at_node(node, key, describe(&error, key)))?,
+            _ => {
+                let example = dimension.si_unit();
+                let message = if example.is_empty() {
+                    format!("`{key}` must be a number, not {}", node.kind())
+                } else {
+                    format!(
+                        "`{key}` must be a number with a unit, such as \"1.5 {example}\", not {}",
+                        node.kind()
+                    )
+                };
+                return Err(self.at_node(node, key, message));
+            }
+        };
+        if bounds.contains(value) {
+            Ok(value)
+        } else {
+            let must = bounds.describe(&dimension.si_unit());
+            Err(self.at_node(node, key, format!("`{key}` must be {must}")))
+        }
+    }
+}
+
+/// The message of a quantity error, in terms of the key.
+fn describe(error: &QuantityError, key: &str) -> String {
+    match error {
+        QuantityError::WrongDimension {
+            text,
+            found,
+            expected,
+        } => format!(
+            "`{text}` is {}, but `{key}` needs {} ({})",
+            found.name(),
+            expected.name(),
+            expected.examples()
+        ),
+        QuantityError::MissingUnit { text, expected } => format!(
+            "`{text}` has no unit, but `{key}` needs {} ({})",
+            expected.name(),
+            expected.examples()
+        ),
+        QuantityError::NotFinite { .. } => format!("`{key}` must be a finite number"),
+        other => other.to_string(),
+    }
+}
