@@ -5,7 +5,7 @@ mod film;
 use std::path::{Path, PathBuf};
 
 use ertel::fit::{self, Data, Fit, FittedLaw, Heading, LawName, Params, Property, Residual};
-use ertel::output::{digits, pressure};
+use ertel::output::{digits, pressure, write_whole};
 use ertel_rheology::density::TaitVolume;
 use ertel_rheology::input::Document;
 use ertel_rheology::quantity::{self, Dimension, Unit};
@@ -13,7 +13,6 @@ use ertel_rheology::{DensityLaw, Files, database};
 
 use crate::args::{FitArgs, FitCommand, FitLawArgs};
 use crate::failure::Failure;
-use crate::file::write_whole;
 use crate::print;
 use crate::table::{columns, paragraph};
 

@@ -3,14 +3,13 @@
 use std::path::Path;
 
 use ertel::output::plot::{ViscosityCurve, viscosity_chart};
-use ertel::output::{digits, pressure};
+use ertel::output::{digits, pressure, write_whole};
 use ertel_rheology::quantity::{self, Dimension};
 use ertel_rheology::shear::ShearLaw;
 use ertel_rheology::{DensityLaw, Fluid, ShearThinning, database};
 
 use crate::args::{FluidsArgs, FluidsCommand};
 use crate::failure::Failure;
-use crate::file::write_whole;
 use crate::print;
 use crate::provenance::{data, notes};
 use crate::table::{columns, paragraph};

@@ -4,7 +4,6 @@ mod args;
 mod cache;
 mod estimate;
 mod failure;
-mod file;
 mod fit;
 mod fluids;
 mod print;

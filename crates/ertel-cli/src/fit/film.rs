@@ -2,13 +2,12 @@
 
 use ertel::contact::ContactKind;
 use ertel::fit::{self, FilmFit, FilmForm, FilmKind, Films};
-use ertel::output::{digits, length};
+use ertel::output::{digits, length, write_whole};
 use ertel_rheology::quantity::{self, Dimension};
 
 use super::check_svg;
 use crate::args::FitFilmArgs;
 use crate::failure::Failure;
-use crate::file::write_whole;
 use crate::print;
 use crate::table::columns;
 

@@ -9,6 +9,7 @@ use tempfile::TempDir;
 
 use super::OutputError;
 use super::curve::CURVE_FORMAT;
+use super::file::sync_folder;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
@@ -264,15 +265,5 @@ fn share(folder: &Path) -> io::Result<()> {
 
 #[cfg(not(unix))]
 fn share(_folder: &Path) -> io::Result<()> {
-    Ok(())
-}
-
-#[cfg(unix)]
-fn sync_folder(folder: &Path) -> io::Result<()> {
-    File::open(folder)?.sync_all()
-}
-
-#[cfg(not(unix))]
-fn sync_folder(_folder: &Path) -> io::Result<()> {
     Ok(())
 }

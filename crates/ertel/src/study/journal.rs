@@ -13,6 +13,7 @@ use xxhash_rust::xxh3::xxh3_128;
 
 use super::SweepError;
 use crate::case::Case;
+use crate::output::sync_folder;
 
 /// Name of the journal in the folder of a study.
 pub const JOURNAL: &str = "journal.jsonl";
@@ -184,15 +185,4 @@ impl Journal {
         };
         write().map_err(|e| SweepError::io(&self.path, e))
     }
-}
-
-/// Brings a new file's name to the disk.
-#[cfg(unix)]
-fn sync_folder(folder: &Path) -> io::Result<()> {
-    File::open(folder)?.sync_all()
-}
-
-#[cfg(not(unix))]
-fn sync_folder(_folder: &Path) -> io::Result<()> {
-    Ok(())
 }

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -12,6 +11,7 @@ use super::{Outcome, PointSolution, SweepError};
 use crate::case::study::{AxisValue, Study};
 use crate::contact::ContactKind;
 use crate::output::curve::{COLUMNS, Cell};
+use crate::output::write_whole;
 
 /// Name of the table in the folder of a study.
 pub const TABLE: &str = "results.csv";
@@ -86,7 +86,7 @@ impl StudyEcho {
         let path = folder.join(POINTS);
         let text =
             serde_json::to_string_pretty(self).map_err(|e| SweepError::io(&path, e.into()))?;
-        write_whole(&path, text.as_bytes())
+        write_whole(&path, text.as_bytes()).map_err(|e| SweepError::io(&path, e))
     }
 
     /// Of each point with heat the one that differs in its switch alone, where an axis leaves heat out.
@@ -181,27 +181,6 @@ fn quoted(text: &str) -> String {
     } else {
         text.to_owned()
     }
-}
-
-/// Writes a file so that it is whole or as before.
-pub(super) fn write_whole(path: &Path, content: &[u8]) -> Result<(), SweepError> {
-    let write = || -> std::io::Result<()> {
-        let folder = path.parent().unwrap_or(Path::new("."));
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".ertel-");
-        #[cfg(unix)]
-        {
-            // The usual rights of a new file; the umask is taken off.
-            use std::os::unix::fs::PermissionsExt;
-            builder.permissions(std::fs::Permissions::from_mode(0o666));
-        }
-        let mut file = builder.tempfile_in(folder)?;
-        file.write_all(content)?;
-        file.as_file().sync_all()?;
-        file.persist(path)?;
-        Ok(())
-    };
-    write().map_err(|e| SweepError::io(path, e))
 }
 
 /// Columns of a curve's table that a study has no use for: times differ from run to run, and the table must not.

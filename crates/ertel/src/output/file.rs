@@ -1,10 +1,15 @@
-//! Files written whole.
+//! Files that reach the disk whole.
 
+#[cfg(unix)]
+use std::fs::File;
+use std::io::{self, Write};
 use std::path::Path;
 
-/// Writes a file so that it is whole or absent.
-pub fn write_whole(path: &Path, content: &[u8]) -> std::io::Result<()> {
-    use std::io::Write;
+/// Writes a file so that it is whole, or as before.
+///
+/// # Errors
+/// The system's reason.
+pub fn write_whole(path: &Path, content: &[u8]) -> io::Result<()> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -21,5 +26,16 @@ pub fn write_whole(path: &Path, content: &[u8]) -> std::io::Result<()> {
     file.write_all(content)?;
     file.as_file().sync_all()?;
     file.persist(path)?;
+    Ok(())
+}
+
+/// Brings the names of new files in a folder to the disk.
+#[cfg(unix)]
+pub(crate) fn sync_folder(folder: &Path) -> io::Result<()> {
+    File::open(folder)?.sync_all()
+}
+
+#[cfg(not(unix))]
+pub(crate) fn sync_folder(_folder: &Path) -> io::Result<()> {
     Ok(())
 }

@@ -1,0 +1,70 @@
+//! Why a study was not run.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::output::OutputError;
+
+/// Why a study was not run.
+#[derive(Debug, thiserror::Error)]
+pub enum SweepError {
+    /// The system refused.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// Which file.
+        path: PathBuf,
+        /// The system's reason.
+        source: io::Error,
+    },
+    /// Another run is at work.
+    #[error("another run is writing to {}; wait for it, or choose another folder", folder.display())]
+    Locked {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// The folder is somebody else's.
+    #[error("will not write a study to {}: it holds files, but no study of ertel. Choose another folder", folder.display())]
+    Foreign {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// Two points are one.
+    #[error("points {first} and {second} are the same case ({label})")]
+    Twice {
+        /// Number of the first, from 1.
+        first: usize,
+        /// Number of the second.
+        second: usize,
+        /// Values of the second.
+        label: String,
+    },
+    /// A part to be joined is no part of the others' study.
+    #[error("{} belongs to another study than {}", folder.display(), other.display())]
+    Mixed {
+        /// Folder of the part.
+        folder: PathBuf,
+        /// Folder of the first part.
+        other: PathBuf,
+    },
+    /// A part to be joined is no study.
+    #[error("{} holds no study of ertel", folder.display())]
+    NoStudy {
+        /// Folder of the part.
+        folder: PathBuf,
+    },
+    /// Results of a point cannot be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// Threads cannot be made.
+    #[error("cannot start threads: {0}")]
+    Threads(String),
+}
+
+impl SweepError {
+    pub(in crate::study) fn io(path: &Path, source: io::Error) -> SweepError {
+        SweepError::Io {
+            path: path.to_owned(),
+            source,
+        }
+    }
+}

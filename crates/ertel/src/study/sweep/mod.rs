@@ -1,0 +1,285 @@
+//! A study: its points side by side on all cores, each from the one that the plan says.
+
+mod error;
+mod folder;
+mod merge;
+mod queue;
+mod work;
+
+use std::collections::HashMap;
+use std::path::Path;
+use std::sync::{Condvar, Mutex, PoisonError};
+use std::time::Instant;
+
+use super::journal::{Entries, PointKey, Record};
+use super::plan::Plan;
+use super::table::StudyEcho;
+use crate::case::Study;
+use crate::run::Session;
+use folder::{has_folder, open, write_results};
+use queue::Queue;
+use work::{Shared, lock};
+
+pub use error::SweepError;
+pub use merge::merge;
+
+/// How a study is run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SweepParams {
+    /// Points solved at the same time; `None`: as many as cores.
+    pub jobs: Option<usize>,
+    /// Threads of each of them; `None`: one.
+    pub threads: Option<usize>,
+    /// Part of the points to be solved.
+    pub shard: Option<Shard>,
+    /// Whether each point's results are written into a folder of its own.
+    pub folders: bool,
+    /// Whether points that failed are solved again.
+    pub retry: bool,
+}
+
+/// Part `index` of `n`, from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shard {
+    /// Which, from 1.
+    pub index: usize,
+    /// Of how many.
+    pub n: usize,
+}
+
+impl Shard {
+    /// Its share of the plan's order: neighbours in the tree stay together.
+    fn range(self, n_points: usize) -> std::ops::Range<usize> {
+        (self.index - 1) * n_points / self.n..self.index * n_points / self.n
+    }
+}
+
+/// Follows a study; called from the threads that solve its points.
+pub trait SweepObserver: Sync {
+    /// The solving begins.
+    fn begin(&self, _n_points: usize, _n_kept: usize) {}
+
+    /// A point is finished.
+    fn finished(&self, _progress: &SweepProgress<'_>) {}
+
+    /// Whether the user wants to stop.
+    fn cancelled(&self) -> bool {
+        false
+    }
+}
+
+impl SweepObserver for crate::solve::Silent {}
+
+/// How far a study is.
+#[derive(Clone, Debug)]
+pub struct SweepProgress<'a> {
+    /// Points that are finished, in this run or an earlier one.
+    pub n_finished: usize,
+    /// Points of the study, or of the part being run.
+    pub n_points: usize,
+    /// Index of the point just finished, from 0.
+    pub index: usize,
+    /// Its values.
+    pub label: &'a str,
+    /// What became of it.
+    pub record: &'a Record,
+    /// Estimate of the wall time left, s.
+    pub seconds_left: f64,
+}
+
+/// What became of a study.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SweepSummary {
+    /// Points of the study, or of the part that was run.
+    pub n_points: usize,
+    /// Points that the journal had already.
+    pub n_kept: usize,
+    /// Points finished in this run.
+    pub n_new: usize,
+    /// Points of the journal that were solved again because others start from them.
+    pub n_again: usize,
+    /// Lines of the journal that could not be read.
+    pub n_damaged: usize,
+    /// Index, values and reason of the points without solution.
+    pub failures: Vec<(usize, String, String)>,
+    /// Warnings, each with the indices of its points.
+    pub warnings: Vec<(String, Vec<usize>)>,
+    /// Wall time, s.
+    pub wall_seconds: f64,
+    /// Time of the new points, all together, s.
+    pub point_seconds: f64,
+    /// Whether the user stopped it.
+    pub interrupted: bool,
+}
+
+/// Runs a study in a folder, or what is left of it, and writes its table.
+///
+/// Finished points stand in the folder's journal, from which the next run goes on. What a point comes to does not
+/// depend on which points the journal had, nor on the number of cores: where a point starts from one that
+/// is finished, that one is solved once more.
+///
+/// # Errors
+/// [`SweepError`]; points finished until then are kept. A point that is not solved is no error.
+pub fn sweep(
+    session: &Session,
+    study: &Study,
+    folder: &Path,
+    params: &SweepParams,
+    observer: &dyn SweepObserver,
+) -> Result<SweepSummary, SweepError> {
+    let clock = Instant::now();
+    let echo = StudyEcho::new(study);
+    check_distinct(study, &echo)?;
+    let (mut journal, entries) = open(folder)?;
+    echo.write(folder)?;
+    let plan = Plan::new(study);
+    let part = match params.shard {
+        Some(shard) => shard.range(plan.order.len()),
+        None => 0..plan.order.len(),
+    };
+    let mine: Vec<usize> = plan.order[part].to_vec();
+    let is_kept = |i: usize| {
+        let record = entries.records.get(&echo.points[i].0);
+        record.is_some_and(|r| r.converged || !params.retry)
+            && (!params.folders || has_folder(folder, i, study, record))
+    };
+    let n_kept = mine.iter().filter(|i| is_kept(**i)).count();
+    let mut summary = SweepSummary {
+        n_points: mine.len(),
+        n_kept,
+        n_damaged: entries.n_damaged,
+        ..SweepSummary::default()
+    };
+    let mut records = entries.records.clone();
+    let wanted: Vec<bool> = {
+        let mut wanted = vec![false; study.points.len()];
+        for i in &mine {
+            wanted[*i] = !is_kept(*i);
+        }
+        wanted
+    };
+    observer.begin(mine.len(), n_kept);
+    let queue = Queue::new(&plan, &wanted);
+    let state = Mutex::new(queue);
+    let bell = Condvar::new();
+    let shared = Shared {
+        session,
+        study,
+        echo: &echo,
+        plan: &plan,
+        wanted: &wanted,
+        folder,
+        params,
+        observer,
+        state: &state,
+        bell: &bell,
+    };
+    let threads = params.threads.unwrap_or(1).max(1);
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let n_wanted = lock(&state).n_needed;
+    let jobs = params.jobs.unwrap_or(cores.div_ceil(threads));
+    let jobs = jobs.clamp(1, n_wanted.max(1));
+    let (sender, receiver) = std::sync::mpsc::channel::<(usize, Record)>();
+    let pools: Vec<rayon::ThreadPool> = (0..jobs)
+        .map(|_| {
+            rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .map_err(|e| SweepError::Threads(e.to_string()))
+        })
+        .collect::<Result<_, _>>()?;
+    std::thread::scope(|scope| {
+        for pool in &pools {
+            let (shared, sender) = (&shared, sender.clone());
+            scope.spawn(move || pool.install(|| shared.work(&sender)));
+        }
+        drop(sender);
+        // Records are appended one after the other, here.
+        for (index, record) in receiver {
+            if let Err(error) = journal.append(&record) {
+                lock(&state).stop(Some(error));
+                bell.notify_all();
+                break;
+            }
+            summary.n_new += 1;
+            summary.point_seconds += record.seconds;
+            let n_finished = n_kept + summary.n_new;
+            let elapsed = clock.elapsed().as_secs_f64();
+            let left = (mine.len() - n_finished) as f64;
+            observer.finished(&SweepProgress {
+                n_finished,
+                n_points: mine.len(),
+                index,
+                label: &study.points[index].label,
+                record: &record,
+                seconds_left: elapsed / summary.n_new as f64 * left,
+            });
+            records.insert(record.key, record);
+        }
+    });
+    let queue = state.into_inner().unwrap_or_else(PoisonError::into_inner);
+    if let Some(error) = queue.error {
+        return Err(error);
+    }
+    summary.n_again = queue.n_again;
+    summary.interrupted = n_kept + summary.n_new < mine.len();
+    if !summary.interrupted {
+        let own: HashMap<PointKey, Record> = (mine.iter())
+            .filter_map(|i| {
+                let key = echo.points[*i].0;
+                Some((key, records.get(&key)?.clone()))
+            })
+            .collect();
+        write_results(folder, &echo, &own)?;
+    }
+    let mut sorted = mine;
+    sorted.sort_unstable();
+    for i in sorted {
+        let Some(record) = records.get(&echo.points[i].0) else {
+            continue;
+        };
+        if !record.converged {
+            let label = study.points[i].label.clone();
+            summary.failures.push((i, label, record.reason.clone()));
+        }
+        for warning in &record.warnings {
+            match summary
+                .warnings
+                .iter_mut()
+                .find(|(text, _)| text == warning)
+            {
+                Some((_, points)) => points.push(i),
+                None => summary.warnings.push((warning.clone(), vec![i])),
+            }
+        }
+    }
+    summary.wall_seconds = clock.elapsed().as_secs_f64();
+    Ok(summary)
+}
+
+/// Points of the study that are finished, of those in the folder.
+///
+/// # Errors
+/// [`SweepError::Io`].
+pub fn finished_points(study: &Study, folder: &Path) -> Result<Vec<Option<Record>>, SweepError> {
+    let entries = Entries::read(folder)?;
+    let record = |p: &crate::case::study::StudyPoint| {
+        let key = PointKey::new(&p.case);
+        entries.records.get(&key).cloned()
+    };
+    Ok(study.points.iter().map(record).collect())
+}
+
+fn check_distinct(study: &Study, echo: &StudyEcho) -> Result<(), SweepError> {
+    let mut seen = HashMap::new();
+    for (i, (key, _)) in echo.points.iter().enumerate() {
+        if let Some(first) = seen.insert(*key, i) {
+            return Err(SweepError::Twice {
+                first: first + 1,
+                second: i + 1,
+                label: study.points[i].label.clone(),
+            });
+        }
+    }
+    Ok(())
+}
