@@ -110,9 +110,13 @@ impl Fluid {
 
     /// Temperatures that the data cover: the declared range and that of every table.
     pub fn temperature_ranges(&self) -> Vec<TemperatureRange> {
+        self.temperatures_of(&[self.mechanical_tables(), self.thermal_tables()].concat())
+    }
+
+    /// The declared range and that of these tables.
+    fn temperatures_of(&self, tables: &[Tabulated]) -> Vec<TemperatureRange> {
         let declared = self.validity.as_ref();
         let declared = declared.and_then(|v| Some((v.temperature?, v.source.as_str())));
-        let tables = [self.mechanical_tables(), self.thermal_tables()].concat();
         let tabulated = (tables.iter()).map(|([_, temperature], basis)| (*temperature, *basis));
         declared
             .into_iter()
@@ -155,22 +159,15 @@ impl Fluid {
         temperature: f64,
     ) -> Vec<RangeWarning> {
         let mut pressure_limits = Vec::new();
-        let mut temperature_ranges = Vec::new();
         if let Some(validity) = &self.validity {
             pressure_limits.extend(
                 validity
                     .pressure
                     .map(|range| (range.1, validity.source.as_str())),
             );
-            temperature_ranges.extend(
-                validity
-                    .temperature
-                    .map(|range| (range, validity.source.as_str())),
-            );
         }
-        for ([pressure, temperature], basis) in tables {
+        for ([pressure, _], basis) in tables {
             pressure_limits.push((pressure.1, *basis));
-            temperature_ranges.push((*temperature, *basis));
         }
         if let ViscosityLaw::ModifiedWlf(law) = &self.viscosity {
             pressure_limits.push((
@@ -191,19 +188,13 @@ impl Fluid {
                 basis: basis.to_owned(),
             });
         }
-        // 0.01 K passes: a temperature rounds when it is converted.
-        let outside =
-            |range: (f64, f64)| temperature < range.0 - 0.01 || temperature > range.1 + 0.01;
-        let width = |range: (f64, f64)| range.1 - range.0;
-        let passed = temperature_ranges
-            .into_iter()
-            .filter(|(range, _)| outside(*range));
-        if let Some((range, basis)) = passed.min_by(|a, b| width(a.0).total_cmp(&width(b.0))) {
+        let mut left = self.temperatures_of(tables);
+        left.retain(|range| !range.contains(temperature));
+        if let Some(range) = (left.into_iter()).min_by(|a, b| a.width().total_cmp(&b.width())) {
             warnings.push(RangeWarning::Temperature {
                 fluid: self.name.clone(),
                 temperature,
                 range,
-                basis: basis.to_owned(),
             });
         }
         warnings

@@ -97,6 +97,23 @@ impl TemperatureRange {
     pub fn contains(&self, temperature: f64) -> bool {
         temperature >= self.lowest - 0.01 && temperature <= self.highest + 0.01
     }
+
+    /// From the lowest to the highest temperature, K.
+    pub fn width(&self) -> f64 {
+        self.highest - self.lowest
+    }
+}
+
+/// `from 313.15 to 353.15 K`, or `at 348.00 K only` where the ends read alike.
+impl fmt::Display for TemperatureRange {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [lowest, highest] = [self.lowest, self.highest].map(|t| format!("{t:.2}"));
+        if lowest == highest {
+            write!(f, "at {lowest} K only")
+        } else {
+            write!(f, "from {lowest} to {highest} K")
+        }
+    }
 }
 
 /// A state outside the range for which the data of a fluid hold.
@@ -119,17 +136,14 @@ pub enum RangeWarning {
     },
     /// The temperature lies outside the range.
     #[error(
-        "{fluid}: the temperature is {temperature:.2} K, its data hold from {:.2} to {:.2} K ({basis})",
-        .range.0, .range.1
+        "{fluid}: the temperature is {temperature:.2} K, its data hold {range} ({})", .range.basis
     )]
     Temperature {
         /// Name of the fluid.
         fluid: String,
         /// Temperature (K).
         temperature: f64,
-        /// The range (K).
-        range: (f64, f64),
-        /// What the range rests on.
-        basis: String,
+        /// The range that it leaves.
+        range: TemperatureRange,
     },
 }

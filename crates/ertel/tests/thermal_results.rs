@@ -205,20 +205,27 @@ fn temperatures_beyond_the_data_are_told() {
     let params = case.thermal.clone().unwrap();
     let found = thermal(&solution, &problem, &levels, &scales, &params).unwrap();
     let top = found.film_maximum.value;
-    let mut told = |highest: f64| {
+    let mut told = |lowest: f64, highest: f64| {
         case.lubricant.temperature_ranges = vec![TemperatureRange {
-            lowest: 300.0,
+            lowest,
             highest,
             basis: "measured".to_owned(),
         }];
         warnings(&found, &case.lubricant, &params, &scales, [-4.5, 1.5, 3.0])
     };
-    assert!(told(top + 0.1).is_empty());
-    let [warning] = &told(top - 2.0)[..] else {
-        panic!("one warning")
-    };
-    assert!(
-        warning.contains(&format!("reaches {top:.1} K at x/a")),
-        "{warning}"
-    );
+    assert!(told(300.0, top + 0.1).is_empty());
+    let end = format!("{:.2}", top - 2.0);
+    // Data of one temperature, that of the inlet, have no two ends.
+    for (lowest, highest, words) in [
+        (300.0, top - 2.0, format!("hold from 300.00 to {end} K (")),
+        (313.15, 313.15, "hold at 313.15 K only (".to_owned()),
+    ] {
+        let [warning] = &told(lowest, highest)[..] else {
+            panic!("one warning")
+        };
+        assert!(
+            warning.contains(&format!("reaches {top:.1} K at x/a")) && warning.contains(&words),
+            "{warning}"
+        );
+    }
 }

@@ -56,7 +56,7 @@ impl Lubricant {
     /// The narrowest range of the data that `temperature`, K, leaves.
     pub fn range_left(&self, temperature: f64) -> Option<&TemperatureRange> {
         let left = (self.temperature_ranges.iter()).filter(|range| !range.contains(temperature));
-        left.min_by(|a, b| (a.highest - a.lowest).total_cmp(&(b.highest - b.lowest)))
+        left.min_by(|a, b| a.width().total_cmp(&b.width()))
     }
 }
 

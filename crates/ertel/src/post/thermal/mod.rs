@@ -96,11 +96,8 @@ pub fn warnings(
             continue;
         };
         warnings.push(format!(
-            "the temperature of the film {verb} {temperature:.1} K at {}; the data of the lubricant hold from {:.1} \
-             to {:.1} K ({})",
+            "the temperature of the film {verb} {temperature:.1} K at {}; the data of the lubricant hold {range} ({})",
             place(extreme),
-            range.lowest,
-            range.highest,
             range.basis
         ));
     }
