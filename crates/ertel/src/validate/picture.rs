@@ -56,6 +56,27 @@ pub struct Picture {
     pub range: Option<[f64; 2]>,
 }
 
+impl PictureKind {
+    /// Whether it is one chart, whose left axis can be given a range.
+    pub(super) fn has_left_axis(&self) -> bool {
+        match self {
+            PictureKind::Centreline(_)
+            | PictureKind::Deflection
+            | PictureKind::DeflectionError
+            | PictureKind::FilmOverLoad(..)
+            | PictureKind::FilmCurves(_)
+            | PictureKind::FilmShape(_)
+            | PictureKind::TractionCurves(_)
+            | PictureKind::Penalty(_) => true,
+            PictureKind::Profiles(..)
+            | PictureKind::Overlay(..)
+            | PictureKind::CrossFilm(..)
+            | PictureKind::Temperatures(..)
+            | PictureKind::Map(..) => false,
+        }
+    }
+}
+
 impl Picture {
     /// The picture as an SVG file; `None` when its runs have no results.
     pub(super) fn svg(&self, study: &Study, outcomes: &[Outcome]) -> Option<String> {

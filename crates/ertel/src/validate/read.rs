@@ -33,7 +33,8 @@
 //!                                 # `columns`), pressures, films, mid-temperatures (over each other, again within
 //!                                 # `zoom`);
 //!                                 # of curves: film-curves, film-shape (of one `run`), traction-curves
-//! range = [200, 400]              # of the left axis, as shown; around the values, if left out
+//! range = [200, 400]              # of the left axis, as shown; around the values, if left out; not of panels,
+//!                                 # of what is set over each other and of maps
 //! run = "normal"
 //! caption = "What it shows."
 //! ```

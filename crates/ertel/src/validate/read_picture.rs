@@ -28,11 +28,8 @@ pub(super) fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Pictur
         "traction-curves",
     ]
     .map(|k| (k, k));
-    let range = match table.optional_numbers("range", Bounds::ANY)? {
-        Some(range) => Some(pair(&table, "range", &range, "`range` is [low, high]")?),
-        None => None,
-    };
-    let kind = match table.required_choice("kind", &kinds)? {
+    let kind_name = table.required_choice("kind", &kinds)?;
+    let kind = match kind_name {
         "centreline" => PictureKind::Centreline(picture_run(&mut table, study)?),
         "map" => {
             let fields = MAPS.map(|name| (name, name));
@@ -78,6 +75,7 @@ pub(super) fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Pictur
             PictureKind::Penalty(table.required_choice("quantity", &quantities)?)
         }
     };
+    let range = range(&mut table, kind_name, &kind)?;
     table.finish()?;
     Ok(Picture {
         name,
@@ -95,6 +93,27 @@ const MAPS: [&str; 5] = [
     "temperature-plane",
     "temperature-ball",
 ];
+
+/// `range` of a picture with a left axis.
+fn range(
+    table: &mut Table<'_>,
+    name: &str,
+    kind: &PictureKind,
+) -> Result<Option<[f64; 2]>, InputError> {
+    let Some(range) = table.optional_numbers("range", Bounds::ANY)? else {
+        return Ok(None);
+    };
+    if !kind.has_left_axis() {
+        let message = format!("a picture of kind `{name}` has no `range`");
+        let help = "`range` belongs to centreline, deflection, deflection-error, film-over-load, penalty, film-curves, \
+                    film-shape and traction-curves; remove it here";
+        return Err(table.error("range", message).with_help(help));
+    }
+    match pair(table, "range", &range, "`range` is [low, high]")? {
+        [low, high] if low < high => Ok(Some([low, high])),
+        _ => Err(table.error("range", "`range` is [low, high], the lower end first")),
+    }
+}
 
 fn pair(
     table: &Table<'_>,
@@ -127,5 +146,58 @@ fn picture_runs(table: &mut Table<'_>, study: &Study) -> Result<Vec<usize>, Inpu
     match table.optional_strs("runs")? {
         Some(runs) => indices(table, "runs", &runs, study),
         None => Ok((0..study.runs.len()).collect()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use ertel_rheology::input::Document;
+
+    use super::*;
+
+    fn read(text: &str) -> Result<Picture, InputError> {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/line-moes");
+        let study = crate::validate::read(&folder).unwrap();
+        let text = format!("name = \"p\"\ncaption = \"c\"\n{text}");
+        read_picture(Document::parse("r.toml", &text).unwrap().root(), &study)
+    }
+
+    /// Kinds without a left axis refuse a range of it, with place and choices; the others take it.
+    #[test]
+    fn range_belongs_to_a_left_axis() {
+        for (kind, rest) in [
+            ("profiles", ""),
+            ("cross-film", ""),
+            ("temperatures", ""),
+            ("films", "zoom = [0, 1]"),
+            ("map", "field = \"film\"\nrun = \"Barus, M 5, L 0\""),
+        ] {
+            let text = format!("kind = \"{kind}\"\n{rest}\n");
+            assert_eq!(read(&text).unwrap().range, None);
+            let error = read(&format!("range = [1, 2]\n{text}"))
+                .unwrap_err()
+                .to_string();
+            assert!(
+                error.contains(&format!("a picture of kind `{kind}` has no `range`")),
+                "{error}"
+            );
+            assert!(
+                error.contains("r.toml:3:") && error.contains("film-curves"),
+                "{error}"
+            );
+        }
+        for kind in ["deflection", "film-curves", "traction-curves"] {
+            let ranged = |range: &str| read(&format!("kind = \"{kind}\"\nrange = {range}\n"));
+            assert_eq!(ranged("[1, 2]").unwrap().range, Some([1.0, 2.0]));
+            for wrong in ["[2, 1]", "[1]"] {
+                let error = ranged(wrong).unwrap_err().to_string();
+                assert!(
+                    error.contains("r.toml:4:") && error.contains("[low, high]"),
+                    "{error}"
+                );
+            }
+        }
     }
 }
