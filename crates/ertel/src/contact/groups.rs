@@ -37,21 +37,15 @@ impl Groups {
         let r = contact.radius;
         let speed = viscosity * entrainment_speed / (reduced_modulus * r);
         let material = pressure_viscosity_coefficient * reduced_modulus;
-        let (load, moes_load) = match contact.kind {
-            ContactKind::Circular => {
-                let w = contact.load / (reduced_modulus * r * r);
-                (w, w * (2.0 * speed).powf(-0.75))
-            }
-            ContactKind::Line => {
-                let w = contact.load / (reduced_modulus * r);
-                (w, w * (2.0 * speed).powf(-0.5))
-            }
+        let load = match contact.kind {
+            ContactKind::Circular => contact.load / (reduced_modulus * r * r),
+            ContactKind::Line => contact.load / (reduced_modulus * r),
         };
         Groups {
             load,
             speed,
             material,
-            moes_load,
+            moes_load: load * (2.0 * speed).powf(-contact.kind.moes_power()),
             moes_material: material * (2.0 * speed).powf(0.25),
         }
     }

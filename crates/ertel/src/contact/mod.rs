@@ -30,6 +30,14 @@ impl ContactKind {
             ContactKind::Circular => 3,
         }
     }
+
+    /// The power k of Moes' load group, `M = W (2U)^(-k)`.
+    pub fn moes_power(self) -> f64 {
+        match self {
+            ContactKind::Line => 0.5,
+            ContactKind::Circular => 0.75,
+        }
+    }
 }
 
 /// A loaded contact of a ball (or cylinder) on a plane.

@@ -25,6 +25,19 @@ pub struct Minimum {
     pub weakest: Vec<f64>,
 }
 
+/// Share of the least determined direction from which an unknown is named as part of it.
+const LEAST_SHARE: f64 = 0.2;
+
+impl Minimum {
+    /// Names of the unknowns that trade off most, of `names` by unknown: one of them changes little that the others do not
+    /// make up for.
+    pub fn trading<'n>(&self, names: impl IntoIterator<Item = &'n str>) -> Vec<&'n str> {
+        let shares = names.into_iter().zip(&self.weakest);
+        let named = shares.filter(|(_, share)| share.abs() > LEAST_SHARE);
+        named.map(|(name, _)| name).collect()
+    }
+}
+
 /// Why there is no minimum.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MinimumError {

@@ -326,13 +326,7 @@ fn warnings(
 ) -> Vec<String> {
     let mut warnings = Vec::new();
     if minimum.condition > LARGEST_CONDITION {
-        let keys: Vec<&str> = minimum
-            .weakest
-            .iter()
-            .zip(free)
-            .filter(|(share, _)| share.abs() > 0.2)
-            .map(|(_, i)| constants[*i].key)
-            .collect();
+        let keys = minimum.trading(free.iter().map(|i| constants[*i].key));
         warnings.push(format!(
             "the data hardly determine {} separately (condition number {:.0e}): a change of one is made up for by the others; \
              hold some, or measure over a wider range",

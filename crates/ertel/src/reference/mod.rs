@@ -5,6 +5,7 @@
 
 mod dowson_higginson;
 mod dowson_toyoda;
+mod exponents;
 mod hamrock_dowson;
 mod moes_line;
 mod nijenbanning_venner_moes;
@@ -13,6 +14,7 @@ mod venner_isoviscous;
 
 pub use dowson_higginson::{dowson_higginson_1966_line_minimum, dowson_higginson_line_minimum};
 pub use dowson_toyoda::dowson_toyoda_line_central;
+pub use exponents::{ElasticExponents, Fraction};
 pub use hamrock_dowson::{hamrock_dowson_central, hamrock_dowson_minimum};
 pub use moes_line::{moes_line_asymptotes, moes_line_film};
 pub use nijenbanning_venner_moes::{

@@ -1,6 +1,6 @@
 //! Moes' film formula for line contacts over all lubrication regimes.
 
-use super::Asymptotes;
+use super::{Asymptotes, ElasticExponents, Fraction};
 
 pub(super) const SOURCE: &str = "Moes; Venner & Lubrecht 2000, Multilevel Methods in Lubrication; central film (constants \
      recalled, not verified against the publication)";
@@ -26,6 +26,13 @@ pub fn moes_line_film(load: f64, material: f64) -> f64 {
     (isoviscous.powf(3.0 * s / 7.0) + piezoviscous).powf(1.0 / s)
 }
 
+/// Exponents of H_EI and H_EP.
+pub(super) const EXPONENTS: ElasticExponents = ElasticExponents {
+    isoviscous_load: Fraction::new(-1, 5),
+    piezoviscous_load: Fraction::new(-1, 8),
+    piezoviscous_material: Fraction::new(3, 4),
+};
+
 /// The four asymptotes of [`moes_line_film`].
 ///
 /// H_RI = 3 M^(−1), H_EI = 2.621 M^(−1/5), H_RP = 1.287 L^(2/3), H_EP = 1.311 M^(−1/8) L^(3/4)
@@ -33,8 +40,10 @@ pub fn moes_line_asymptotes(load: f64, material: f64) -> Asymptotes {
     let (m, l) = (load, material);
     Asymptotes {
         isoviscous_rigid: 3.0 / m,
-        isoviscous_elastic: 2.621 * m.powf(-0.2),
+        isoviscous_elastic: 2.621 * m.powf(EXPONENTS.isoviscous_load.value()),
         piezoviscous_rigid: 1.287 * l.powf(2.0 / 3.0),
-        piezoviscous_elastic: 1.311 * m.powf(-0.125) * l.powf(0.75),
+        piezoviscous_elastic: 1.311
+            * m.powf(EXPONENTS.piezoviscous_load.value())
+            * l.powf(EXPONENTS.piezoviscous_material.value()),
     }
 }

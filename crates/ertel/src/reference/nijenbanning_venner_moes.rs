@@ -1,6 +1,6 @@
 //! Central film of circular contacts over all lubrication regimes.
 
-use super::Asymptotes;
+use super::{Asymptotes, ElasticExponents, Fraction};
 
 pub(super) const SOURCE: &str = "Nijenbanning, Venner & Moes 1994, Wear 176, 217-229; incompressible fluid (constants \
      verified; exponent of the blend recalled, the two forms in use differ by up to 5 %)";
@@ -28,6 +28,13 @@ pub fn nijenbanning_venner_moes_film(load: f64, material: f64) -> f64 {
     (isoviscous.powf(2.0 * s / 3.0) + piezoviscous).powf(1.0 / s)
 }
 
+/// Exponents of H_EI and H_EP.
+pub(super) const EXPONENTS: ElasticExponents = ElasticExponents {
+    isoviscous_load: Fraction::new(-2, 15),
+    piezoviscous_load: Fraction::new(-1, 12),
+    piezoviscous_material: Fraction::new(3, 4),
+};
+
 /// The four asymptotes of [`nijenbanning_venner_moes_film`].
 ///
 /// H_RI = 145 (1 + 0.796 D^(14/15))^(−15/7) D^(−1) M^(−2)
@@ -38,11 +45,13 @@ pub fn nijenbanning_venner_moes_asymptotes(load: f64, material: f64) -> Asymptot
     let (m, l) = (load, material);
     Asymptotes {
         isoviscous_rigid: 145.0 * 1.796_f64.powf(-15.0 / 7.0) * m.powi(-2),
-        isoviscous_elastic: 3.18 * 1.63_f64.powf(-14.0 / 25.0) * m.powf(-2.0 / 15.0),
+        isoviscous_elastic: 3.18
+            * 1.63_f64.powf(-14.0 / 25.0)
+            * m.powf(EXPONENTS.isoviscous_load.value()),
         piezoviscous_rigid: 1.29 * 1.691_f64.powf(-2.0 / 3.0) * l.powf(2.0 / 3.0),
         piezoviscous_elastic: 1.48
             * 1.63_f64.powf(-7.0 / 20.0)
-            * m.powf(-1.0 / 12.0)
-            * l.powf(0.75),
+            * m.powf(EXPONENTS.piezoviscous_load.value())
+            * l.powf(EXPONENTS.piezoviscous_material.value()),
     }
 }

@@ -8,8 +8,6 @@ use crate::reference::{Asymptotes, moes_line_asymptotes, nijenbanning_venner_moe
 
 /// Exponents s that the search starts from: published blends have 1.4 to 3.
 const STARTS: [f64; 3] = [1.0, 2.0, 4.0];
-/// Share of the least determined direction from which a constant is named as part of it.
-const LEAST_SHARE: f64 = 0.2;
 
 /// Fits ln c_1, ln c_2 and ln s, from the published asymptotes.
 pub(super) fn fit(
@@ -75,12 +73,9 @@ pub(super) fn fit(
         widened.push(Some(Estimate::of_log(log, wide).interval));
     }
     if minimum.condition > LARGEST_CONDITION {
-        let weak = names.iter().zip(&minimum.weakest);
-        let named = weak.filter(|(_, share)| share.abs() > LEAST_SHARE);
-        let named: Vec<&str> = named.map(|(name, _)| *name).collect();
         warnings.push(format!(
             "{} trade off (condition number {})",
-            named.join(" and "),
+            minimum.trading(names.iter().copied()).join(" and "),
             digits(minimum.condition, 2)
         ));
     }

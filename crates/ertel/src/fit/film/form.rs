@@ -1,7 +1,10 @@
 //! The forms of film formulas.
 
+use std::borrow::Cow;
+
 use super::FilmState;
 use crate::contact::ContactKind;
+use crate::reference::ElasticExponents;
 
 /// The closed family of forms. Groups are those of [`crate::contact::Groups`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -110,19 +113,21 @@ impl FilmForm {
     }
 
     /// The formula with letters for its constants.
-    pub fn formula(self) -> &'static str {
+    pub fn formula(self) -> Cow<'static, str> {
         match self {
-            Self::Moes => "h = c R √(2U) M^a L^b",
-            Self::HamrockDowson(_) => "h = c R U^a G^b W^d",
-            Self::Blend(ContactKind::Circular) => {
-                "h = R √(2U) [(c_1 M^(-2/15))^s + (c_2 M^(-1/12) L^(3/4))^s]^(1/s)"
+            Self::Moes => "h = c R √(2U) M^a L^b".into(),
+            Self::HamrockDowson(_) => "h = c R U^a G^b W^d".into(),
+            Self::Blend(contact) => {
+                let ElasticExponents {
+                    isoviscous_load: m,
+                    piezoviscous_load: n,
+                    piezoviscous_material: l,
+                } = ElasticExponents::of(contact);
+                format!("h = R √(2U) [(c_1 M^({m}))^s + (c_2 M^({n}) L^({l}))^s]^(1/s)").into()
             }
-            Self::Blend(ContactKind::Line) => {
-                "h = R √(2U) [(c_1 M^(-1/5))^s + (c_2 M^(-1/8) L^(3/4))^s]^(1/s)"
-            }
-            Self::Speed => "h = c (u/(1 m/s))^a",
-            Self::SpeedLoad(ContactKind::Circular) => "h = c (u/(1 m/s))^a (F/(1 N))^b",
-            Self::SpeedLoad(ContactKind::Line) => "h = c (u/(1 m/s))^a (w/(1 N/m))^b",
+            Self::Speed => "h = c (u/(1 m/s))^a".into(),
+            Self::SpeedLoad(ContactKind::Circular) => "h = c (u/(1 m/s))^a (F/(1 N))^b".into(),
+            Self::SpeedLoad(ContactKind::Line) => "h = c (u/(1 m/s))^a (w/(1 N/m))^b".into(),
         }
     }
 
@@ -168,9 +173,11 @@ impl FilmForm {
         if let Self::Blend(contact) = self {
             let [c_1, c_2, s] = [constants[0], constants[1], constants[2]];
             let [m, l] = [state.variables[0], state.variables[1]];
-            let [isoviscous, piezoviscous] = asymptote_powers(contact);
-            let isoviscous = c_1 * m.powf(isoviscous);
-            let piezoviscous = c_2 * m.powf(piezoviscous) * l.powf(0.75);
+            let exponents = ElasticExponents::of(contact);
+            let isoviscous = c_1 * m.powf(exponents.isoviscous_load.value());
+            let piezoviscous = c_2
+                * m.powf(exponents.piezoviscous_load.value())
+                * l.powf(exponents.piezoviscous_material.value());
             // The larger one outside, so that no power overflows.
             let larger = isoviscous.max(piezoviscous);
             let sum = (isoviscous / larger).powf(s) + (piezoviscous / larger).powf(s);
@@ -178,21 +185,5 @@ impl FilmForm {
         }
         let powers = state.variables.iter().zip(&constants[1..]);
         powers.fold(constants[0] * state.scale, |h, (v, e)| h * v.powf(*e))
-    }
-}
-
-/// Exponents of M in the elastic-isoviscous and the elastic-piezoviscous asymptote: [`crate::reference`].
-fn asymptote_powers(contact: ContactKind) -> [f64; 2] {
-    match contact {
-        ContactKind::Circular => [-2.0 / 15.0, -1.0 / 12.0],
-        ContactKind::Line => [-0.2, -0.125],
-    }
-}
-
-/// The power k of `M = W (2U)^(-k)`.
-pub(super) fn load_power(contact: ContactKind) -> f64 {
-    match contact {
-        ContactKind::Circular => 0.75,
-        ContactKind::Line => 0.5,
     }
 }

@@ -1,8 +1,8 @@
 //! The fitted formula as text, LaTeX and code.
 
 use super::{FilmFit, FilmForm, FilmKind};
-use crate::contact::ContactKind;
 use crate::output::digits;
+use crate::reference::ElasticExponents;
 
 /// Significant digits of factors.
 const DIGITS: usize = 5;
@@ -46,10 +46,14 @@ impl FilmFit {
             FilmForm::HamrockDowson(_) => "R",
             FilmForm::Speed | FilmForm::SpeedLoad(_) => "m",
             FilmForm::Blend(contact) => {
-                let [m, n] = asymptote_powers(contact);
+                let ElasticExponents {
+                    isoviscous_load: m,
+                    piezoviscous_load: n,
+                    piezoviscous_material: l,
+                } = ElasticExponents::of(contact);
                 let (c_2, s) = (self.constant(1), self.constant(2));
                 return format!(
-                    "{h} = R √(2U) [({c} M^(-{m}))^{s} + ({c_2} M^(-{n}) L^(3/4))^{s}]^(1/{s})"
+                    "{h} = R √(2U) [({c} M^({m}))^{s} + ({c_2} M^({n}) L^({l}))^{s}]^(1/{s})"
                 );
             }
         };
@@ -71,11 +75,15 @@ impl FilmFit {
             FilmForm::HamrockDowson(_) => "R",
             FilmForm::Speed | FilmForm::SpeedLoad(_) => "\\mathrm{m}",
             FilmForm::Blend(contact) => {
-                let [m, n] = asymptote_powers(contact);
+                let ElasticExponents {
+                    isoviscous_load: m,
+                    piezoviscous_load: n,
+                    piezoviscous_material: l,
+                } = ElasticExponents::of(contact);
                 let (c_2, s) = (latex_number(&self.constant(1)), self.constant(2));
                 return format!(
-                    "{h} = R \\sqrt{{2U}} \\left[\\left({c}\\, M^{{-{m}}}\\right)^{{{s}}} + \
-                     \\left({c_2}\\, M^{{-{n}}} L^{{3/4}}\\right)^{{{s}}}\\right]^{{1/{s}}}"
+                    "{h} = R \\sqrt{{2U}} \\left[\\left({c}\\, M^{{{m}}}\\right)^{{{s}}} + \
+                     \\left({c_2}\\, M^{{{n}}} L^{{{l}}}\\right)^{{{s}}}\\right]^{{1/{s}}}"
                 );
             }
         };
@@ -99,10 +107,14 @@ impl FilmFit {
             FilmForm::HamrockDowson(_) => " * R",
             FilmForm::Speed | FilmForm::SpeedLoad(_) => "",
             FilmForm::Blend(contact) => {
-                let [m, n] = asymptote_powers(contact);
+                let ElasticExponents {
+                    isoviscous_load: m,
+                    piezoviscous_load: n,
+                    piezoviscous_material: l,
+                } = ElasticExponents::of(contact);
                 let (c_2, s) = (self.constant(1), self.constant(2));
                 return format!(
-                    "{h} = R * (2 * U) ** 0.5 * (({c} * M ** (-{m})) ** {s} + ({c_2} * M ** (-{n}) * L ** (3/4)) ** {s}) \
+                    "{h} = R * (2 * U) ** 0.5 * (({c} * M ** ({m})) ** {s} + ({c_2} * M ** ({n}) * L ** ({l})) ** {s}) \
                      ** (1 / {s})"
                 );
             }
@@ -112,14 +124,6 @@ impl FilmFit {
             text += &format!(" * {symbol} ** ({exponent})");
         }
         text
-    }
-}
-
-/// Sizes of the exponents of M in the asymptotes, as fractions.
-fn asymptote_powers(contact: ContactKind) -> [&'static str; 2] {
-    match contact {
-        ContactKind::Circular => ["2/15", "1/12"],
-        ContactKind::Line => ["1/5", "1/8"],
     }
 }
 

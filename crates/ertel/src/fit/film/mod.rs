@@ -196,7 +196,7 @@ impl FilmFit {
         let [c, a, b] = self.values()[..] else {
             return None;
         };
-        let speed = 0.5 - form::load_power(contact) * a + 0.25 * b;
+        let speed = 0.5 - contact.moes_power() * a + 0.25 * b;
         Some([c * 2f64.powf(speed), speed, b, a])
     }
 

@@ -11,8 +11,6 @@ use crate::output::digits;
 pub(super) const LEAST_VARIATION: f64 = 1.0 + 1e-6;
 /// Condition number from which variables vary as one, within what doubles tell.
 const COLLINEAR: f64 = 1e6;
-/// Share of the least determined direction from which a variable is named as part of it.
-const LEAST_SHARE: f64 = 0.2;
 
 /// Fits `ln(h/scale) = ln c + Σ aᵢ ln xᵢ`.
 pub(super) fn fit(
@@ -65,10 +63,11 @@ pub(super) fn fit(
     };
     let minimum = solve(&vec![0.0; 1 + axes.len()], &means)?;
     let together = || {
-        let weak = axes.iter().zip(&minimum.weakest[1..]);
-        let named = weak.filter(|(_, share)| share.abs() > LEAST_SHARE);
-        let names: Vec<&str> = named.map(|(i, _)| variables[*i].symbol).collect();
-        names.join(" and ")
+        // About the means, the factor is independent of the exponents.
+        let exponents = axes.iter().map(|i| variables[*i].symbol);
+        minimum
+            .trading(["c"].into_iter().chain(exponents))
+            .join(" and ")
     };
     if minimum.condition > COLLINEAR {
         return Err(FilmFitError::Collinear(together()));

@@ -2,7 +2,6 @@
 
 use ertel_rheology::quantity::{Dimension, Unit};
 
-use super::form::load_power;
 use super::power::LEAST_VARIATION;
 use super::{FilmForm, FilmKind, FilmState};
 use crate::contact::ContactKind;
@@ -284,7 +283,7 @@ fn source(header: &Header<'_>, form: FilmForm, radius: Option<f64>) -> Result<So
 fn groups(form: FilmForm, radius: f64, u: f64, m: f64, l: f64) -> (f64, Vec<f64>) {
     match form {
         FilmForm::HamrockDowson(contact) => {
-            let w = m * (2.0 * u).powf(load_power(contact));
+            let w = m * (2.0 * u).powf(contact.moes_power());
             let g = l * (2.0 * u).powf(-0.25);
             (radius, vec![u, g, w])
         }
