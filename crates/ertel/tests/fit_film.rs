@@ -3,7 +3,7 @@
 use ertel::contact::ContactKind;
 use ertel::fit::{
     Estimate, FilmFit, FilmFitError, FilmForm, FilmKind, FilmState, Films, FormError,
-    contact_of_films, fit_film, read_films,
+    contact_of_films, fit_film,
 };
 use ertel::reference::{moes_line_asymptotes, nijenbanning_venner_moes_asymptotes};
 
@@ -369,97 +369,6 @@ fn exponents_that_films_do_not_tell_are_warned_of() {
         fit(&grid(|| 0.0)[..2]),
         Err(FilmFitError::TooFew { .. })
     ));
-}
-
-#[test]
-fn results_are_read_by_their_columns() {
-    let csv = "point,film_central_m,film_central_error_m,moes_load,moes_material,speed_group\n\
-               1,1e-7,1e-10,20,1,1e-12\n2,,,,,\n3,2e-7,1e-10,10,1,2e-12\n";
-    let read_with = |text: &str, form, kind| read_films("r.csv", text, form, kind, Some(0.01));
-    let read = |text: &str, kind| read_with(text, FilmForm::Moes, kind);
-    let states = read(csv, FilmKind::Central).unwrap().unwrap().states;
-    assert_eq!(states.len(), 2);
-    assert_eq!(
-        (states[1].film, &states[1].variables),
-        (2e-7, &vec![10.0, 1.0])
-    );
-    assert_eq!(states[1].scale, 0.01 * f64::sqrt(2.0 * 2e-12));
-    assert!((states[1].error.unwrap() - 1e-10 / 2e-7).abs() < 1e-15);
-    // M = W (2U)^(-3/4), L = G (2U)^(1/4)
-    let form = FilmForm::HamrockDowson(ContactKind::Circular);
-    let states = read_with(csv, form, FilmKind::Central)
-        .unwrap()
-        .unwrap()
-        .states;
-    let [u, g, w] = states[1].variables[..] else {
-        panic!("three groups");
-    };
-    assert_eq!((u, states[1].scale), (2e-12, 0.01));
-    assert!((g * 4e-12f64.powf(0.25) - 1.0).abs() < 1e-12);
-    assert!((w * 4e-12f64.powf(-0.75) - 10.0).abs() < 1e-11);
-    assert_eq!(read(csv, FilmKind::Minimum), Ok(None));
-    let error = read(&csv.replace("moes_load", "m"), FilmKind::Central).unwrap_err();
-    assert!(
-        error
-            .to_string()
-            .starts_with("r.csv:1:1: there is no column `moes_load`")
-    );
-    let error = read(&csv.replace(",20,", ",-20,"), FilmKind::Central).unwrap_err();
-    assert_eq!((error.line, error.column), (2, 4), "{error}");
-    let error = read_films("r.csv", csv, FilmForm::Moes, FilmKind::Central, None).unwrap_err();
-    assert!(error.to_string().contains("radius_m"), "{error}");
-    // An isoviscous fluid has no exponent of L; one among others has no logarithm.
-    let none = csv.replace(",1,1e-12", ",0,1e-12");
-    let error = read(&none, FilmKind::Central).unwrap_err();
-    assert_eq!((error.line, error.column), (2, 5), "{error}");
-    let none = none.replace(",1,2e-12", ",0,2e-12");
-    assert!(read(&none, FilmKind::Central).unwrap().is_some());
-}
-
-/// What a rig gives: films over speed, in units of its own.
-#[test]
-fn films_over_speed_need_speed_alone() {
-    let csv = "speed [mm/s]; film_central [nm]; load [N]; temperature [degC]\n\
-               100; 10; 20; 40\n200; 16; 20; 40\n400; 25; 20; 40\n800; 40; 20; 40\n";
-    let read = |text: &str, form| read_films("rig.csv", text, form, FilmKind::Central, None);
-    let films = read(csv, FilmForm::Speed).unwrap().unwrap();
-    assert!((films.states[1].film - 16e-9).abs() < 1e-20 && films.states[1].variables == [0.2]);
-    assert!(films.warnings.is_empty(), "{:?}", films.warnings);
-    let fit = fit_film(&films, 0.95).unwrap();
-    // By hand: the four logarithms are 0.693 apart in speed; slope Σ(i - 1.5) ln h / (5 ln 2).
-    let logs = [10f64, 16.0, 25.0, 40.0].map(f64::ln);
-    let sum = -1.5 * logs[0] - 0.5 * logs[1] + 0.5 * logs[2] + 1.5 * logs[3];
-    let slope = sum / (5.0 * 2f64.ln());
-    assert!((fit.values()[1] - slope).abs() < 1e-9);
-    let heavier = csv.replace("800; 40; 20", "800; 40; 30");
-    let films = read(&heavier, FilmForm::Speed).unwrap().unwrap();
-    assert!(films.warnings[0].starts_with("the load varies from 20 to 30"));
-    let form = FilmForm::SpeedLoad(ContactKind::Circular);
-    assert!(read(&heavier, form).unwrap().unwrap().warnings.is_empty());
-    // Columns that a form needs and the table has not.
-    for (form, text, column) in [
-        (
-            FilmForm::Speed,
-            csv.replace("speed", "v"),
-            "entrainment_speed",
-        ),
-        (form, csv.replace("load", "f"), "load"),
-        (FilmForm::Moes, csv.to_owned(), "moes_load"),
-        (
-            FilmForm::HamrockDowson(ContactKind::Circular),
-            csv.to_owned(),
-            "moes_load",
-        ),
-        (
-            FilmForm::Blend(ContactKind::Circular),
-            csv.to_owned(),
-            "moes_load",
-        ),
-    ] {
-        let error = read(&text, form).unwrap_err().to_string();
-        let missing = format!("rig.csv:1:1: there is no column `{column}`");
-        assert!(error.starts_with(&missing), "{error}");
-    }
 }
 
 /// Exact films have no scatter; their error bars move the line by hand: ln c by the mean of the bars, the slope over

@@ -1,8 +1,10 @@
 //! Film-thickness formulas from computed or measured films.
 
 mod blend;
+mod conditions;
 mod form;
 mod formula;
+mod header;
 mod parity;
 mod power;
 mod table;

@@ -7,8 +7,9 @@ use super::{
 use crate::fit::{Minimum, minimise};
 use crate::output::digits;
 
-/// Ratio of largest to smallest value of a variable below which there is no variation to speak of.
-pub(super) const LEAST_VARIATION: f64 = 1.0 + 1e-6;
+/// Ratio of largest to smallest value of a variable below which it does not vary. In a table of four digits a number is off by
+/// up to 5e-4 of itself, a group of several by more: most of all W = M (2U)^(3/4), by (1 + 3/4) 5e-4, to either side.
+const LEAST_VARIATION: f64 = 1.0 + 2e-3;
 /// Condition number from which variables vary as one, within what doubles tell.
 const COLLINEAR: f64 = 1e6;
 

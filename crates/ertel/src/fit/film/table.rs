@@ -2,23 +2,16 @@
 
 use ertel_rheology::quantity::{Dimension, Unit};
 
-use super::power::LEAST_VARIATION;
+use super::conditions::Conditions;
+use super::header::Header;
 use super::{FilmForm, FilmKind, FilmState};
 use crate::contact::ContactKind;
 use crate::fit::DataError;
 use crate::fit::csv::{cells as cells_of, rows};
 use crate::fit::data::{Column, unit_text};
-use crate::output::digits;
 
 /// Names of the column of the entrainment speed, as results and curves have it, and a short one.
 const SPEED_NAMES: [&str; 3] = ["entrainment speed", "motion.entrainment speed", "speed"];
-/// Columns that a form over the speed does not know, with their words: none of them should vary.
-const CONDITIONS: [(&str, &str, Dimension); 4] = [
-    ("load", "the load", Dimension::FORCE),
-    ("load", "the load", Dimension::FORCE_PER_LENGTH),
-    ("temperature", "the temperature", Dimension::TEMPERATURE),
-    ("radius", "the radius", Dimension::LENGTH),
-];
 
 /// Films to fit a form to.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,70 +24,6 @@ pub struct Films {
     pub states: Vec<FilmState>,
     /// What varies beside the form's variables.
     pub warnings: Vec<String>,
-}
-
-/// The header of a table.
-struct Header<'a> {
-    file: &'a str,
-    line: usize,
-    cells: Vec<&'a str>,
-}
-
-impl Header<'_> {
-    fn error(&self, line: usize, column: usize, problem: String) -> DataError {
-        DataError {
-            file: self.file.to_owned(),
-            line,
-            column,
-            problem,
-        }
-    }
-
-    fn find(&self, name: &'static str, dimension: Dimension) -> Option<Column> {
-        self.cells.iter().enumerate().find_map(|(index, cell)| {
-            let unit = Unit::parse(&unit_text(cell, name)?).ok()?;
-            let fits = unit.dimension().same_exponents(dimension);
-            fits.then_some(Column { index, name, unit })
-        })
-    }
-
-    fn need(
-        &self,
-        names: &[&'static str],
-        dimension: Dimension,
-        help: &str,
-    ) -> Result<Column, DataError> {
-        let found = names.iter().find_map(|name| self.find(name, dimension));
-        found.ok_or_else(|| {
-            let problem = format!(
-                "there is no column `{}`{help}; the columns are {}",
-                names[0].replace(' ', "_"),
-                self.cells.join(", ")
-            );
-            self.error(self.line, 1, problem)
-        })
-    }
-
-    /// A number above zero, or one of zero where that is `allowed`.
-    fn positive(
-        &self,
-        line: usize,
-        cells: &[&str],
-        column: &Column,
-        allowed: bool,
-    ) -> Result<f64, DataError> {
-        let value = column
-            .number(cells)
-            .map_err(|(column, problem)| self.error(line, column, problem))?;
-        if value > 0.0 || (allowed && value == 0.0) {
-            return Ok(value);
-        }
-        let problem = format!(
-            "{}: {value} has no logarithm: it must be above zero",
-            column.name
-        );
-        Err(self.error(line, column.index + 1, problem))
-    }
 }
 
 /// Where the variables of a form come from.
@@ -149,16 +78,7 @@ pub fn read_films(
     };
     let error = header.find(error_name, Dimension::LENGTH);
     let source = source(&header, form, radius)?;
-    let conditions = match form {
-        FilmForm::Speed => &CONDITIONS[..],
-        FilmForm::SpeedLoad(_) => &CONDITIONS[2..],
-        _ => &[],
-    };
-    let conditions: Vec<(&str, Column)> = conditions
-        .iter()
-        .filter_map(|(name, word, dimension)| Some((*word, header.find(name, *dimension)?)))
-        .collect();
-    let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; conditions.len()];
+    let mut conditions = Conditions::new(&header, form);
     let mut states = Vec::new();
     let (mut n_isoviscous, mut first_isoviscous) = (0, None);
     for (line, row, _) in lines {
@@ -192,11 +112,7 @@ pub fn read_films(
                 groups(form, radius, speed, load, l)
             }
         };
-        for ((_, column), [low, high]) in conditions.iter().zip(&mut ranges) {
-            if let Ok(value) = column.number(&cells) {
-                (*low, *high) = (low.min(value), high.max(value));
-            }
-        }
+        conditions.add(&cells);
         // A film without an error bar has an empty cell.
         let given = error
             .as_ref()
@@ -221,22 +137,11 @@ pub fn read_films(
             "moes material: 0 has no logarithm: it must be above zero in all films, or zero in all";
         return Err(header.error(line, column, problem.to_owned()));
     }
-    let mut warnings = Vec::new();
-    for ((word, column), [low, high]) in conditions.iter().zip(ranges) {
-        if high > LEAST_VARIATION * low {
-            warnings.push(format!(
-                "{word} varies from {} to {} ({}): the form leaves it out",
-                digits(column.unit.from_si(low), 4),
-                digits(column.unit.from_si(high), 4),
-                header.cells[column.index]
-            ));
-        }
-    }
     Ok(Some(Films {
         form,
         kind,
         states,
-        warnings,
+        warnings: conditions.warnings(&header),
     }))
 }
 

@@ -1,0 +1,101 @@
+//! What differs between the films of a table beside the variables of a form.
+
+use ertel_rheology::quantity::Dimension;
+
+use super::FilmForm;
+use super::header::Header;
+use crate::fit::data::Column;
+use crate::output::digits;
+use crate::study::ISOTHERMAL;
+
+/// Columns that a form over the speed does not know, with their words: none of them should vary.
+const CONDITIONS: [(&str, &str, Dimension); 4] = [
+    ("load", "the load", Dimension::FORCE),
+    ("load", "the load", Dimension::FORCE_PER_LENGTH),
+    ("temperature", "the temperature", Dimension::TEMPERATURE),
+    ("radius", "the radius", Dimension::LENGTH),
+];
+/// Ratio of largest to smallest value from which a condition varies. It stands in the table as it is; converting its unit
+/// rounds it.
+const LEAST_VARIATION: f64 = 1.0 + 1e-6;
+
+/// Where a table tells films with heat from those without.
+enum Heat {
+    /// A temperature of the film: only films with heat have one.
+    Temperature(usize),
+    /// The switch of a study's axis.
+    Switch(usize),
+}
+
+/// Conditions of the films seen so far.
+pub(super) struct Conditions {
+    /// Word, column, smallest and largest value.
+    columns: Vec<(&'static str, Column, [f64; 2])>,
+    heat: Option<Heat>,
+    n_thermal: usize,
+    n_isothermal: usize,
+}
+
+impl Conditions {
+    /// Those that a form leaves out, of a table with this header.
+    pub(super) fn new(header: &Header<'_>, form: FilmForm) -> Conditions {
+        let names = match form {
+            FilmForm::Speed => &CONDITIONS[..],
+            FilmForm::SpeedLoad(_) => &CONDITIONS[2..],
+            _ => &[],
+        };
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let column = |(name, word, dimension): &(&'static str, &'static str, Dimension)| {
+            Some((*word, header.find(name, *dimension)?, none))
+        };
+        let temperature = header.find("film temperature maximum", Dimension::TEMPERATURE);
+        let switch = || header.cells.iter().position(|cell| *cell == ISOTHERMAL);
+        Conditions {
+            columns: names.iter().filter_map(column).collect(),
+            heat: temperature
+                .map(|column| Heat::Temperature(column.index))
+                .or_else(|| switch().map(Heat::Switch)),
+            n_thermal: 0,
+            n_isothermal: 0,
+        }
+    }
+
+    /// Takes the conditions of a film in.
+    pub(super) fn add(&mut self, cells: &[&str]) {
+        for (_, column, [low, high]) in &mut self.columns {
+            if let Ok(value) = column.number(cells) {
+                (*low, *high) = (low.min(value), high.max(value));
+            }
+        }
+        let cell = |index: usize| cells.get(index).copied().unwrap_or_default();
+        match self.heat {
+            Some(Heat::Temperature(index)) if !cell(index).is_empty() => self.n_thermal += 1,
+            Some(Heat::Temperature(_)) => self.n_isothermal += 1,
+            Some(Heat::Switch(index)) if cell(index) == "true" => self.n_isothermal += 1,
+            Some(Heat::Switch(index)) if cell(index) == "false" => self.n_thermal += 1,
+            Some(Heat::Switch(_)) | None => {}
+        }
+    }
+
+    /// What varies.
+    pub(super) fn warnings(&self, header: &Header<'_>) -> Vec<String> {
+        let mut warnings = Vec::new();
+        for (word, column, [low, high]) in &self.columns {
+            if *high > LEAST_VARIATION * low {
+                warnings.push(format!(
+                    "{word} varies from {} to {} ({}): the form leaves it out",
+                    digits(column.unit.from_si(*low), 4),
+                    digits(column.unit.from_si(*high), 4),
+                    header.cells[column.index]
+                ));
+            }
+        }
+        if self.n_thermal > 0 && self.n_isothermal > 0 {
+            warnings.push(format!(
+                "{} of the films are with heat and {} without: the form does not tell them apart; leave one kind out",
+                self.n_thermal, self.n_isothermal
+            ));
+        }
+        warnings
+    }
+}
