@@ -56,4 +56,13 @@ impl ElasticExponents {
             ContactKind::Line => moes_line::EXPONENTS,
         }
     }
+
+    /// m, n and l.
+    pub fn in_order(self) -> [Fraction; 3] {
+        [
+            self.isoviscous_load,
+            self.piezoviscous_load,
+            self.piezoviscous_material,
+        ]
+    }
 }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::FilmState;
 use crate::contact::ContactKind;
-use crate::reference::ElasticExponents;
+use crate::reference::{ElasticExponents, Fraction};
 
 /// The closed family of forms. Groups are those of [`crate::contact::Groups`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,11 +118,7 @@ impl FilmForm {
             Self::Moes => "h = c R √(2U) M^a L^b".into(),
             Self::HamrockDowson(_) => "h = c R U^a G^b W^d".into(),
             Self::Blend(contact) => {
-                let ElasticExponents {
-                    isoviscous_load: m,
-                    piezoviscous_load: n,
-                    piezoviscous_material: l,
-                } = ElasticExponents::of(contact);
+                let [m, n, l] = ElasticExponents::of(contact).in_order();
                 format!("h = R √(2U) [(c_1 M^({m}))^s + (c_2 M^({n}) L^({l}))^s]^(1/s)").into()
             }
             Self::Speed => "h = c (u/(1 m/s))^a".into(),
@@ -173,11 +169,10 @@ impl FilmForm {
         if let Self::Blend(contact) = self {
             let [c_1, c_2, s] = [constants[0], constants[1], constants[2]];
             let [m, l] = [state.variables[0], state.variables[1]];
-            let exponents = ElasticExponents::of(contact);
-            let isoviscous = c_1 * m.powf(exponents.isoviscous_load.value());
-            let piezoviscous = c_2
-                * m.powf(exponents.piezoviscous_load.value())
-                * l.powf(exponents.piezoviscous_material.value());
+            let exponents = ElasticExponents::of(contact).in_order();
+            let [isoviscous_m, piezoviscous_m, piezoviscous_l] = exponents.map(Fraction::value);
+            let isoviscous = c_1 * m.powf(isoviscous_m);
+            let piezoviscous = c_2 * m.powf(piezoviscous_m) * l.powf(piezoviscous_l);
             // The larger one outside, so that no power overflows.
             let larger = isoviscous.max(piezoviscous);
             let sum = (isoviscous / larger).powf(s) + (piezoviscous / larger).powf(s);
