@@ -1,54 +1,20 @@
 //! The thesis's main circular contact, cold, with default settings.
 
+mod common;
+
 use approx::assert_relative_eq;
-use ertel::case::{Body, Case, Lubricant};
-use ertel::contact::{Contact, ContactKind, Elasticity, Motion};
-use ertel::params::{MeshParams, MeshPreset, OutputParams, SolverParams};
+use common::case;
+use ertel::case::Case;
+use ertel::contact::ContactKind;
+use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solve::Silent;
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
 fn main_case(kind: ContactKind, load: f64) -> Case {
-    let steel = Body::elastic(
-        "steel",
-        Elasticity {
-            youngs_modulus: 210e9,
-            poissons_ratio: 0.3,
-        },
-    );
-    Case {
-        title: "main".into(),
-        contact: Contact {
-            kind,
-            radius: 0.016,
-            load,
-        },
-        plane: steel.clone(),
-        ball: steel,
-        roughness: None,
-        motion: Motion {
-            entrainment_speed: 0.8,
-            slide_to_roll_ratio: 0.0,
-        },
-        lubricant: Lubricant {
-            name: None,
-            temperature: 313.15,
-            density: DensityLaw::dowson_higginson(870.0).unwrap(),
-            viscosity: ViscosityLaw::roelands(0.04, 22e-9).unwrap(),
-            shear_thinning: None,
-            thermal_conductivity: None,
-            heat_capacity: None,
-            temperature_ranges: Vec::new(),
-        },
-        mesh: MeshParams::preset(MeshPreset::Normal, kind),
-        solver: SolverParams::default(),
-        thermal: None,
-        output: OutputParams::default(),
-        warnings: Vec::new(),
-        source: String::new(),
-        given: serde_json::Value::Null,
-        curve: None,
-    }
+    let mut case = case(kind, load);
+    case.mesh = MeshParams::preset(MeshPreset::Normal, kind);
+    case
 }
 
 /// Habchi 2008, Table 3.4, finest mesh: H_c = 0.082215, H_m = 0.039298 for data that the print
