@@ -13,6 +13,9 @@ mod unit;
 pub use dimension::Dimension;
 pub use unit::{Unit, UnitError};
 
+/// Standard atmosphere (Pa), the ambient pressure that is taken off absolute ones.
+pub const STANDARD_ATMOSPHERE: f64 = 101_325.0;
+
 /// Why a text is not the quantity asked for.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum QuantityError {

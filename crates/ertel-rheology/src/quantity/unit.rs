@@ -1,6 +1,6 @@
 //! Unit expressions: symbols with prefixes, products, quotients, integer powers.
 
-use super::Dimension;
+use super::{Dimension, STANDARD_ATMOSPHERE};
 
 /// Why a unit expression cannot be read.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -91,7 +91,7 @@ const SYMBOLS: &[Symbol] = &[
     symbol("lbf", Dimension::FORCE, 4.448_221_615_260_5, 1.0, ""),
     symbol("Pa", Dimension::PRESSURE, 1.0, 1.0, "numhkMGT"),
     symbol("bar", Dimension::PRESSURE, 1e5, 1.0, "mk"),
-    symbol("atm", Dimension::PRESSURE, 101_325.0, 1.0, ""),
+    symbol("atm", Dimension::PRESSURE, STANDARD_ATMOSPHERE, 1.0, ""),
     symbol("psi", Dimension::PRESSURE, 6_894.757_293_168_361, 1.0, "kM"),
     symbol("ksi", Dimension::PRESSURE, 6_894_757.293_168_361, 1.0, ""),
     symbol("J", Dimension::ENERGY, 1.0, 1.0, "numkMG"),

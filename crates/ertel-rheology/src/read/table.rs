@@ -3,10 +3,7 @@
 use super::{Files, locate};
 use crate::LawError;
 use crate::input::{Bounds, InputError, Table};
-use crate::quantity::{self, Dimension};
-
-/// Standard atmosphere (Pa), subtracted from a column of absolute pressures.
-const ATMOSPHERE: f64 = 101_325.0;
+use crate::quantity::{self, Dimension, STANDARD_ATMOSPHERE};
 
 /// Data along isotherms, in SI, temperatures increasing.
 #[derive(Debug, Default)]
@@ -237,7 +234,7 @@ impl Header {
         Ok(Some([
             number(&self.temperature, Dimension::TEMPERATURE)?,
             if self.absolute {
-                pressure - ATMOSPHERE
+                pressure - STANDARD_ATMOSPHERE
             } else {
                 pressure
             },

@@ -1,11 +1,8 @@
 //! Measured states from a CSV file.
 
-use ertel_rheology::quantity::{Dimension, Unit};
+use ertel_rheology::quantity::{Dimension, STANDARD_ATMOSPHERE, Unit};
 
 use super::csv::{cells, rows};
-
-/// Standard atmosphere (Pa), subtracted from a column of absolute pressures.
-const ATMOSPHERE: f64 = 101_325.0;
 
 /// What was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -233,9 +230,9 @@ impl Header {
         };
         let mut pressure = self.pressure.number(&cells)?;
         if self.absolute {
-            pressure -= ATMOSPHERE;
+            pressure -= STANDARD_ATMOSPHERE;
         }
-        if pressure < -ATMOSPHERE {
+        if pressure < -STANDARD_ATMOSPHERE {
             let problem = format!(
                 "{}: {} is below vacuum",
                 self.pressure.name, cells[self.pressure.index]
