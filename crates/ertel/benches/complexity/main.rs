@@ -84,7 +84,7 @@ impl Sweep {
     fn factors(self) -> (&'static [f64], &'static [f64]) {
         match self {
             Sweep::Line => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625], &[0.03125]),
-            Sweep::Circular => (&[2.8, 2.0, 1.4, 1.0, 0.7], &[0.5, 0.42]),
+            Sweep::Circular => (&[10.0, 7.0, 5.0, 2.8, 2.0, 1.4, 1.0, 0.7], &[0.5, 0.4]),
             Sweep::LineMonolithic => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125], &[0.0625]),
             Sweep::CircularMonolithic => (&[4.0, 2.8, 2.0], &[1.6, 1.2]),
         }
@@ -184,6 +184,9 @@ fn in_process_of_its_own(sweep: Sweep, factor: f64) -> Result<Point, String> {
     serde_json::from_slice(&output.stdout).map_err(|_| failure())
 }
 
+/// Coarsest cells of the contact area, in half-widths, and fastest growth away from it.
+const COARSEST: f64 = 2.0;
+
 /// Newton iterations after which a monolithic run is stopped.
 const MONOLITHIC_ITERATIONS: usize = 4;
 
@@ -203,10 +206,14 @@ fn measure(root: &Path, sweep: Sweep, factor: f64) -> Point {
     };
     case.mesh.hertz_size *= factor_here;
     case.mesh.constriction_size *= factor_here;
-    case.mesh.edge_size = (case.mesh.edge_size * factor_here).min(1.0);
+    if factor_here > 1.0 {
+        // The film's own length at the rim would keep coarse meshes from becoming any coarser.
+        case.mesh.rim_size = Some(case.mesh.hertz_size);
+    }
+    case.mesh.edge_size = (case.mesh.edge_size * factor_here).min(COARSEST);
     let growth = factor_here.sqrt();
-    case.mesh.growth = (case.mesh.growth * growth).min(0.9);
-    case.mesh.depth_growth = (case.mesh.depth_growth * growth).min(0.9);
+    case.mesh.growth = (case.mesh.growth * growth).min(COARSEST);
+    case.mesh.depth_growth = (case.mesh.depth_growth * growth).min(COARSEST);
     case.output.body_field = false;
     let mut watch = if sweep.is_monolithic() {
         Stopwatch::stopping_after(MONOLITHIC_ITERATIONS)
