@@ -40,12 +40,11 @@ pub struct LevelSizes {
 }
 
 impl LevelSizes {
-    /// The same with all cell sizes times a factor.
-    pub fn scaled(&self, factor: f64) -> LevelSizes {
+    /// The same with the cells all around the rim and at the constriction halved.
+    pub fn with_finer_rim(&self) -> LevelSizes {
         LevelSizes {
-            hertz: factor * self.hertz,
-            constriction: factor * self.constriction,
-            edge: factor * self.edge,
+            constriction: 0.5 * self.constriction,
+            rim: 0.5 * self.rim,
             ..*self
         }
     }

@@ -85,6 +85,24 @@ pub struct Reached {
     pub update: f64,
 }
 
+impl Reached {
+    /// Where a run failed.
+    pub(super) fn of_failure(error: &SolveError) -> Reached {
+        match error {
+            SolveError::NotConverged {
+                residual, update, ..
+            } => Reached {
+                residual: *residual,
+                update: *update,
+            },
+            _ => Reached {
+                residual: f64::INFINITY,
+                update: f64::INFINITY,
+            },
+        }
+    }
+}
+
 /// The film equations of a run.
 #[derive(Clone, Debug)]
 pub struct FilmModel {

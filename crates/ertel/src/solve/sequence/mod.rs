@@ -28,6 +28,8 @@ use crate::film::FilmFluid;
 use crate::forms::energy::Heat;
 use crate::params::LinearSolver;
 
+use stage::HOPELESS;
+
 pub use run::solve_stages;
 pub use warm::{Start, solve_warm};
 
@@ -124,7 +126,7 @@ pub struct HeatProblem {
     pub coupling: CouplingParams,
 }
 
-/// A converged stage.
+/// What a stage came to.
 #[derive(Clone)]
 pub struct StageSolution {
     /// The discretisation.
@@ -135,6 +137,8 @@ pub struct StageSolution {
     pub stage: Stage,
     /// How far Newton's method came.
     pub reached: Reached,
+    /// Whether it came to the tolerance of the stage.
+    pub converged: bool,
     /// Whether it came only as far as measuring the errors needs, and not to the tolerance of the case.
     pub rough: bool,
     /// How its coupling with the heat went, if there is one.
@@ -161,9 +165,13 @@ impl Stage {
 }
 
 impl StageSolution {
-    /// Whether an unconverged state is still near a contact: finite, with film everywhere.
+    /// Whether an unconverged state is still near a contact: finite, with film everywhere, and nearer than the
+    /// dry one.
     fn is_usable(&self) -> bool {
         let (film, _) = minimum_film(&self.discretisation, &self.state);
-        film.is_finite() && film > 0.0 && self.state.pressure.iter().all(|p| p.is_finite())
+        film.is_finite()
+            && film > 0.0
+            && self.state.pressure.iter().all(|p| p.is_finite())
+            && self.reached.residual <= HOPELESS
     }
 }

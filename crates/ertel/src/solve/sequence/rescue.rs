@@ -6,9 +6,6 @@ use crate::solve::system::FilmConstants;
 /// Shares of the fluid's thickening through which a contact is led that does not start otherwise.
 const THICKENING: [f64; 5] = [0.4, 0.6, 0.75, 0.88, 1.0];
 
-/// Number of rescues that follow from the start, and with it fail.
-pub(super) const FROM_START: usize = 2;
-
 /// Order of pressures that overshoot little at a spike that the mesh does not resolve.
 const LOWER_ORDER: usize = 2;
 
@@ -49,51 +46,63 @@ pub(super) fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {
     })
 }
 
-/// What is tried, in turn, when the start or the final stage does not converge: the way from the start to
-/// the case in steps of diminishing diffusion, if the start converged, and from its end
-/// to pressures of lower order, which overshoot less at a spike that the mesh does not resolve (those of the case once more if it has no higher ones); a start with a fluid that
-/// thickens less, made thicker step by step; then the start on the fine mesh, which may carry what the
-/// coarse one could not; then pressures of lower order from the beginning.
-pub(super) fn rescues(problem: &Problem) -> Vec<Vec<Stage>> {
+/// A stage with pressures that overshoot less at a spike that the mesh does not resolve, unless its own are as low.
+pub(super) fn of_lower_order(stage: &Stage) -> Option<Stage> {
+    (stage.pressure_order > LOWER_ORDER).then_some(Stage {
+        pressure_order: LOWER_ORDER,
+        ..*stage
+    })
+}
+
+/// What is tried, in turn, when the first start or the final stage does not converge:
+///
+/// - the way from the start to the case in steps of diminishing diffusion;
+/// - a start with a fluid that thickens less, made thicker step by step;
+/// - the first and then the second of these on a mesh of finer rim, where a film thinner than foreseen builds up its pressure;
+/// - pressures of lower order from the beginning.
+///
+/// If the start has failed (`started` is false), nothing is tried that follows from it.
+pub(super) fn rescues(problem: &Problem, started: bool) -> Vec<Vec<Stage>> {
     let (Some(start), Some(last)) = (problem.stages.first(), problem.stages.last()) else {
         return Vec::new();
     };
-    // A mesh that only starts refinements may be too coarse for the film.
-    let finer = match problem.adapt {
-        Some(_) => last.sizes.scaled(0.5),
-        None => last.sizes,
-    };
-    let mut continuation: Vec<Stage> = THICKENING
-        .iter()
-        .enumerate()
-        .map(|(i, thickening)| Stage {
+    let mut path: Vec<Stage> = diffusion_path(start, last).collect();
+    path.extend(&problem.stages[1..]);
+    let thickening = |start: &Stage| -> Vec<Stage> {
+        let steps = THICKENING.iter().enumerate().map(|(i, thickening)| Stage {
             thickening: *thickening,
             cold: i == 0,
             role: if i == 0 { Role::Start } else { Role::Path },
             ..*start
-        })
-        .collect();
-    let mut path: Vec<Stage> = diffusion_path(start, last).collect();
-    path.extend(&problem.stages[1..]);
-    continuation.extend(&path);
-    let on_finer = |stage: &Stage| Stage {
-        sizes: finer,
-        ..*stage
+        });
+        steps.collect()
     };
+    let mut continuation = thickening(start);
+    continuation.extend(&path);
+    let sizes = match problem.adapt {
+        Some(_) => last.sizes.with_finer_rim(),
+        // The case's own, finer than those that it starts on.
+        None => last.sizes,
+    };
+    let on_finer = |stage: &Stage| Stage { sizes, ..*stage };
     let mut restart = vec![on_finer(start)];
     restart.extend(diffusion_path(&restart[0], last));
     restart.push(on_finer(last));
-    let lower = Stage {
-        pressure_order: last.pressure_order.min(LOWER_ORDER),
-        ..*last
-    };
-    let mut rescues = vec![path, vec![lower], continuation, restart];
-    rescues.extend((1..last.pressure_order).rev().map(|pressure_order| {
-        let lower = |stage: &Stage| Stage {
-            pressure_order,
-            ..*stage
-        };
-        problem.stages.iter().map(lower).collect()
-    }));
+    let mut finer_continuation = thickening(&restart[0]);
+    finer_continuation.extend(&restart[1..]);
+    let lower_orders = (1..last.pressure_order)
+        .rev()
+        .filter(|order| started || *order < start.pressure_order)
+        .map(|pressure_order| {
+            let lower = |stage: &Stage| Stage {
+                pressure_order,
+                ..*stage
+            };
+            problem.stages.iter().map(lower).collect()
+        });
+    let mut rescues = Vec::new();
+    rescues.extend(started.then_some(path));
+    rescues.extend([continuation, restart, finer_continuation]);
+    rescues.extend(lower_orders);
     rescues
 }

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::rescue::{FROM_START, diffusion_path, halfway, rescues};
+use super::rescue::{diffusion_path, halfway, of_lower_order, rescues};
 use super::stage::{Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::{Problem, Role, Stage, StageSolution};
@@ -51,6 +51,8 @@ pub(super) struct Sequence<'a> {
     detours: usize,
     /// Refinements of the mesh that has been tried once more.
     restarted: usize,
+    /// Whether the case's own pressures have been tried from those of lower order.
+    raised: bool,
     /// Refinements of the mesh that it starts on, if it starts from the solution of another problem.
     inherited: Option<usize>,
 }
@@ -68,7 +70,7 @@ impl<'a> Sequence<'a> {
         Sequence {
             problem,
             queue: problem.stages.iter().copied().collect(),
-            rescues: rescues(problem).into_iter(),
+            rescues: rescues(problem, true).into_iter(),
             first_failure: None,
             stats: Vec::new(),
             previous: None,
@@ -77,6 +79,7 @@ impl<'a> Sequence<'a> {
             halvings: Vec::new(),
             detours: 0,
             restarted: 0,
+            raised: false,
             inherited: None,
         }
     }
@@ -239,13 +242,17 @@ impl<'a> Sequence<'a> {
         }
         let (outcome, (reached, coupling)) = match outcome {
             Ok(reached) => (Ok(()), reached),
-            Err(e) => (Err(e), (Reached::default(), None)),
+            Err(e) => {
+                let reached = Reached::of_failure(&e);
+                (Err(e), (reached, None))
+            }
         };
         let solution = StageSolution {
             discretisation: d,
             state,
             stage: *stage,
             reached,
+            converged: outcome.is_ok(),
             rough: false,
             coupling,
         };
@@ -290,8 +297,13 @@ impl<'a> Sequence<'a> {
                         near: false,
                         ..*stage
                     });
+                } else if let Some(own) = self.own_order(stage) {
+                    self.raised = true;
+                    self.queue.push_back(own);
                 }
             }
+            // Those of lower order stand.
+            Err(_) if self.raised => return self.stop_refining(observer),
             // The refined mesh once more, from a diffusive start; failing that, the mesh before has a
             // solution, with an error bar that says what it is worth.
             Err(_) if stage.refinements > 0 => {
@@ -310,10 +322,11 @@ impl<'a> Sequence<'a> {
                 self.queue.extend(diffusion_path(&restart, stage));
                 self.queue.push_back(*stage);
             }
-            // The first start: no time is lost on what follows from a bad one, as the first rescues do.
+            // The first start: no time is lost on what follows from a bad one.
             Err(e) if leads && self.stats.len() == 1 => {
                 self.first_failure = Some(e);
-                self.queue = self.rescues.nth(FROM_START).into_iter().flatten().collect();
+                self.rescues = rescues(self.problem, false).into_iter();
+                self.queue = self.rescues.next().into_iter().flatten().collect();
                 self.previous = Some(solution);
             }
             // A step of a way was too long.
@@ -325,15 +338,40 @@ impl<'a> Sequence<'a> {
             Err(_) if leads && solution.is_usable() => self.previous = Some(solution),
             Err(_) if stage.role == Role::Estimate || stage.role.compares() => {}
             Err(e) => {
+                let lower = self.lower(stage);
                 let failure = self.first_failure.get_or_insert(e);
                 self.detours = 0;
-                match self.rescues.next() {
+                match lower.map(|stage| vec![stage]).or_else(|| self.rescues.next()) {
                     Some(stages) => self.queue = stages.into(),
                     None => return Err(std::mem::replace(failure, SolveError::Interrupted)),
                 }
             }
         }
         Ok(())
+    }
+
+    /// A failed final stage with pressures of lower order, where a way has led to it.
+    fn lower(&self, stage: &Stage) -> Option<Stage> {
+        let from = self.previous.as_ref()?;
+        let led = self.first_failure.is_some()
+            && from.converged
+            && from.stage.role != Role::Start
+            && from.stage.thickening == stage.thickening
+            && from.stage.is_on_mesh_of(stage);
+        of_lower_order(stage).filter(|_| led)
+    }
+
+    /// The case's own pressures, on the finest mesh that those of lower order have come to.
+    fn own_order(&self, stage: &Stage) -> Option<Stage> {
+        let order = self.problem.stages.last()?.pressure_order;
+        let raise = stage.role == Role::Final
+            && stage.pressure_order < order
+            && !self.raised
+            && self.inherited.is_none();
+        raise.then_some(Stage {
+            pressure_order: order,
+            ..*stage
+        })
     }
 
     /// Half of the step to a stage.

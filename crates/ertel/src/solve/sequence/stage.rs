@@ -33,7 +33,7 @@ const START_ITERATIONS: usize = 30;
 
 /// Relative residual of a stalled start with which the rest of the ramp is not tried: that of the dry contact is
 /// about 1.4, and starts that come through in the end have got it to 0.2 and mostly far below.
-const HOPELESS: f64 = 0.5;
+pub(super) const HOPELESS: f64 = 0.5;
 
 /// Iterations without a smaller update that a start may take.
 const START_PATIENCE: usize = 12;
