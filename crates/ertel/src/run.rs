@@ -298,8 +298,8 @@ fn describe(
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {
         warnings.push(format!(
-            "solved with pressures of order {order}: those of order {} did not converge on the first mesh; a \
-             finer one may carry them",
+            "solved with pressures of order {order}: those of order {} did not converge; a finer mesh \
+             may carry them",
             case.mesh.pressure_order
         ));
     }

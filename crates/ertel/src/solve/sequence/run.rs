@@ -341,7 +341,10 @@ impl<'a> Sequence<'a> {
                 let lower = self.lower(stage);
                 let failure = self.first_failure.get_or_insert(e);
                 self.detours = 0;
-                match lower.map(|stage| vec![stage]).or_else(|| self.rescues.next()) {
+                match lower
+                    .map(|stage| vec![stage])
+                    .or_else(|| self.rescues.next())
+                {
                     Some(stages) => self.queue = stages.into(),
                     None => return Err(std::mem::replace(failure, SolveError::Interrupted)),
                 }
