@@ -111,7 +111,10 @@ impl<'a> Sequence<'a> {
             }
             self.proceed(&stage, end, observer)?;
         }
-        let solution = self.previous.expect("the final stage converged");
+        let solution = self.previous.filter(|s| s.stage.role == Role::Final);
+        let Some(solution) = solution.filter(|s| s.converged) else {
+            return Err(self.first_failure.unwrap_or(SolveError::Interrupted));
+        };
         let stats = self.stats;
         let (film, _) = minimum_film(&solution.discretisation, &solution.state);
         if film <= 0.0 {
