@@ -13,12 +13,12 @@ use std::time::{Duration, SystemTime};
 use bytemuck::{cast_slice, cast_slice_mut};
 use ertel_fem::linear::compliance::Compliance;
 use ertel_fem::mesh::BodyMesh;
-use xxhash_rust::xxh3::{Xxh3, xxh3_128};
+use xxhash_rust::xxh3::Xxh3;
 
 use super::elastic::SurfaceResponse;
 
 /// Raised whenever the content or the meaning of a file changes, or the numbers in it would.
-const VERSION: u32 = 2;
+const VERSION: u32 = 3;
 const MAGIC: [u8; 8] = *b"ertel-op";
 const EXTENSION: &str = "operator";
 const TEMPORARY: &str = ".writing-";
@@ -147,7 +147,7 @@ impl OperatorCache {
     /// Keeps a response; a failure is a warning.
     pub fn put(&self, key: OperatorKey, response: &SurfaceResponse, n_displacement: usize) {
         let n = response.compliance.n();
-        let size = (HEADER + 8 * (n * (n + 1) / 2 + response.near.len())) as u64;
+        let size = file_size(n, response.near.len());
         if size > self.limit {
             return;
         }
@@ -168,11 +168,7 @@ impl OperatorCache {
     ) -> io::Result<()> {
         fs::create_dir_all(&self.folder)?;
         let n = response.compliance.n();
-        let mut payload: Vec<f64> = Vec::with_capacity(n * (n + 1) / 2 + response.near.len());
-        for j in 0..n {
-            payload.extend(response.compliance.lower(j));
-        }
-        payload.extend_from_slice(&response.near);
+        let tiles = response.compliance.tiles();
         let sizes = [
             n as u64,
             response.near.len() as u64,
@@ -184,13 +180,14 @@ impl OperatorCache {
         header.extend_from_slice(&VERSION.to_ne_bytes());
         header.extend_from_slice(&[0; 4]);
         header.extend_from_slice(&key.0.to_ne_bytes());
-        header.extend_from_slice(&checksum(&sizes, &payload).to_ne_bytes());
+        header.extend_from_slice(&checksum(&sizes, tiles, &response.near).to_ne_bytes());
         header.extend_from_slice(cast_slice(&sizes));
         let mut file = tempfile::Builder::new()
             .prefix(TEMPORARY)
             .tempfile_in(&self.folder)?;
         file.write_all(&header)?;
-        file.write_all(cast_slice(&payload))?;
+        file.write_all(cast_slice(tiles))?;
+        file.write_all(cast_slice(&response.near))?;
         file.persist(self.path(key)).map_err(|e| e.error)?;
         Ok(())
     }
@@ -270,8 +267,17 @@ struct CacheFile {
     used: SystemTime,
 }
 
-fn checksum(sizes: &[u64; 4], payload: &[f64]) -> u128 {
-    xxh3_128(cast_slice(payload)) ^ xxh3_128(cast_slice(sizes))
+/// Bytes of a response of `n` surface nodes and `n_near` near pairs.
+fn file_size(n: usize, n_near: usize) -> u64 {
+    (HEADER + 8 * (Compliance::n_stored(n) + n_near)) as u64
+}
+
+fn checksum(sizes: &[u64; 4], tiles: &[f64], near: &[f64]) -> u128 {
+    let mut hash = Xxh3::new();
+    hash.update(cast_slice(sizes));
+    hash.update(cast_slice(tiles));
+    hash.update(cast_slice(near));
+    hash.digest128()
 }
 
 fn read(
@@ -297,23 +303,20 @@ fn read(
     let (sum, sizes) = rest.split_at(16);
     let mut stored = [0u64; 4];
     cast_slice_mut::<u64, u8>(&mut stored).copy_from_slice(sizes);
-    let n_values = n * (n + 1) / 2 + n_near;
     if stored[0] != n as u64 || stored[1] != n_near as u64 {
         return Err(Unusable::Content("its size is wrong"));
     }
-    if file.metadata()?.len() != (HEADER + 8 * n_values) as u64 {
+    if file.metadata()?.len() != file_size(n, n_near) {
         return Err(Unusable::Content("it is cut short"));
     }
-    let mut payload = vec![0f64; n_values];
-    file.read_exact(cast_slice_mut(&mut payload))?;
-    if sum != checksum(&stored, &payload).to_ne_bytes() {
+    // Straight into the memory where they stay.
+    let mut tiles = vec![0f64; Compliance::n_stored(n)];
+    file.read_exact(cast_slice_mut(&mut tiles))?;
+    let mut near = vec![0f64; n_near];
+    file.read_exact(cast_slice_mut(&mut near))?;
+    if sum != checksum(&stored, &tiles, &near).to_ne_bytes() {
         return Err(Unusable::Content("its checksum is wrong"));
     }
-    let near = payload.split_off(n * (n + 1) / 2);
-    let column = |j: usize| {
-        let start = j * n - j * j.saturating_sub(1) / 2;
-        &payload[start..start + n - j]
-    };
-    let compliance = Compliance::from_lower(n, column);
+    let compliance = Compliance::from_tiles(n, tiles);
     Ok((SurfaceResponse { compliance, near }, stored[2] as usize))
 }
