@@ -227,7 +227,7 @@ fn row(name: &str, time: Seconds, solution: &Solution) {
             format!("{:5.2}%", 100.0 * b / e.value)
         })
     };
-    let last = levels.last().expect("a solution has levels");
+    let last = solution.stats.solved().expect("a solution");
     println!(
         "{name:<28} {:>7.3} {:>7.3} | {:>5.3} {:>8.3} {:>8.3} {:>7.3} {:>6.3} {:>5.3} | {:>6} {:>6} {:>7} {:>6} {} {}",
         time.wall,

@@ -97,7 +97,7 @@ fn columns(outcome: Result<Solution, SolveError>, time: Seconds, target: f64) ->
         Err(e) => return format!("| | | | {seconds} | | | {e}"),
     };
     let levels = &s.stats.levels;
-    let last = levels.last().expect("a stage");
+    let last = s.stats.solved().expect("a solution");
     let bar = |e: Estimate| e.error.map_or(f64::NAN, |error| error / e.value);
     let bars = [s.summary.film_central, s.summary.film_minimum].map(bar);
     format!(

@@ -10,8 +10,9 @@ use std::collections::HashSet;
 use ertel::contact::ContactKind;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::{groups, solve};
-use ertel::solution::Solution;
+use ertel::solution::{LevelStats, Solution};
 use ertel::solve::Silent;
+use ertel::solve::sequence::Role;
 
 use cases::{Family, MapCase};
 
@@ -140,7 +141,8 @@ fn way_with_halved_steps() {
 }
 
 /// Cubic pressures do not converge on the first mesh; quadratic ones do, and it is refined for them. The film is that of
-/// cubic ones on a mesh that is fine everywhere (`--preset coarse`, 238.80 nm).
+/// cubic ones on a mesh that is fine everywhere (`--preset coarse`, 238.80 nm). On the refined mesh those are tried once more and
+/// fail, within some 40 iterations.
 #[test]
 fn pressures_of_lower_order() {
     let solution = solved("circular-barus-M50-L15", None);
@@ -155,7 +157,9 @@ fn pressures_of_lower_order() {
 #[test]
 fn own_pressures_on_the_refined_mesh() {
     let solution = solved("circular-roelands-M1000-L20", None);
-    assert_eq!(solution.stats.levels.last().unwrap().pressure_order, 3);
+    let last = solution.stats.levels.last().unwrap();
+    assert!(last.converged && last.pressure_order == 3);
+    assert!(!solution.warnings.iter().any(|w| w.contains("order 2")));
     let film = solution.summary.film_central;
     let off = (film.value / 216.73e-9 - 1.0).abs();
     assert!(off < 0.01, "{}", film.value);
@@ -163,13 +167,16 @@ fn own_pressures_on_the_refined_mesh() {
     assert!(solution.history.len() < 250, "{}", solution.history.len());
 }
 
-/// The first mesh is too coarse for the rim; on one of half its cells there the contact converges. The film is that of
+/// The first mesh is too coarse for the rim; with cells half as long there the contact converges. The film is that of
 /// meshes refined to 0.01 % (1.4179 nm); refinement from so coarse a rim leaves 0.44 % of error, which its bar misses.
 #[test]
 fn finer_rim() {
     let mut case = find("line-roelands-M10000-L2.5").read().unwrap();
     case.mesh.rim_size = Some(0.02);
     let solution = solve(&case, &mut Silent).unwrap();
+    let levels = &solution.stats.levels;
+    let restart = |l: &LevelStats| l.role == Role::Start && l.n_body_cells > levels[0].n_body_cells;
+    assert!(levels.iter().any(|l| l.converged && restart(l)));
     let film = solution.summary.film_central.value;
     assert!((film / 1.4179e-9 - 1.0).abs() < 6e-3, "{film}");
     assert!(solution.history.len() < 400, "{}", solution.history.len());

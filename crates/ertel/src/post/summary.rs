@@ -4,7 +4,7 @@ use super::balance::film_balance_error;
 use super::limits::thin_film_warning;
 use super::profile::Profile;
 use crate::contact::{ContactKind, Scales};
-use crate::solution::{Estimate, FilmReduction, LevelStats, Located, Summary};
+use crate::solution::{Estimate, FilmReduction, LevelStats, Located, Summary, solved};
 use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
 use crate::solve::newton::FilmModel;
@@ -59,7 +59,7 @@ pub fn film_reduction(levels: &[LevelStats]) -> Option<FilmReduction> {
     let newtonian = &levels[at];
     let thinned = levels[at + 1..]
         .iter()
-        .find(|l| l.converged && !l.role.leads() && l.n_body_cells == newtonian.n_body_cells)?;
+        .find(|l| l.converged && !l.role.leads() && l.is_beside(newtonian))?;
     Some(FilmReduction {
         central: 1.0 - thinned.film_central / newtonian.film_central,
         minimum: 1.0 - thinned.film_minimum / newtonian.film_minimum,
@@ -90,10 +90,10 @@ pub fn warnings(
         );
     }
     // On the mesh of the solution itself it was only the case's own pressures that failed.
-    let solved = (levels.iter().rev()).find(|l| l.converged && l.role == Role::Final);
+    let own = solved(levels);
     let stuck = levels
         .last()
-        .is_some_and(|l| !l.converged && solved.is_none_or(|s| s.n_body_cells != l.n_body_cells));
+        .is_some_and(|l| !l.converged && own.is_none_or(|s| s.n_body_cells != l.n_body_cells));
     for (name, figure) in [("central", summary.film_central), ("minimum", minimum)] {
         let relative = figure.error.unwrap_or(0.0) / figure.value;
         match target_error {

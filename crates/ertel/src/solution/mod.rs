@@ -172,6 +172,25 @@ pub struct Stats {
     pub peak_memory: Option<u64>,
 }
 
+impl Stats {
+    /// The level of the solution; what was tried after it in vain stands behind it.
+    pub fn solved(&self) -> Option<&LevelStats> {
+        solved(&self.levels)
+    }
+}
+
+impl LevelStats {
+    /// Whether it has the mesh and the elements of another.
+    pub(crate) fn is_beside(&self, other: &LevelStats) -> bool {
+        self.n_body_cells == other.n_body_cells && self.pressure_order == other.pressure_order
+    }
+}
+
+/// The last level that is a solution.
+pub(crate) fn solved(levels: &[LevelStats]) -> Option<&LevelStats> {
+    (levels.iter().rev()).find(|l| l.converged && l.role == Role::Final)
+}
+
 /// Film thickness predicted by a published formula.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct FormulaFilm {

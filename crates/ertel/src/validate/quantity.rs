@@ -219,7 +219,7 @@ impl Quantity {
         match outcome {
             Outcome::Solved(s) => {
                 let f = &s.summary;
-                let last = s.stats.levels.last();
+                let last = s.stats.solved();
                 match self {
                     Quantity::CentralFilm => Some(f.film_central.value / s.scales.film),
                     Quantity::MinimumFilm => Some(f.film_minimum.value / s.scales.film),

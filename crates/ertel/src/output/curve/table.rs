@@ -153,7 +153,7 @@ pub const COLUMNS: &[Column] = &[
     figure!("moes_material", s => s.groups.moes_material),
     figure!("newton_iterations", s => s.stats.levels.iter().map(|l| l.newton_iterations).sum::<usize>()),
     figure!("krylov_iterations", s => s.stats.levels.iter().map(|l| l.krylov_iterations).sum::<usize>()),
-    figure!("pressure_unknowns", s =>? s.stats.levels.last().map(|l| l.n_pressure_dofs)),
+    figure!("pressure_unknowns", s =>? s.stats.solved().map(|l| l.n_pressure_dofs)),
     Column::new("start", |point| match point.outcome.solution() {
         Some(s) if s.stats.warm => Cell::Text("warm".to_owned()),
         Some(_) => Cell::Text("cold".to_owned()),

@@ -122,7 +122,7 @@ fn reduction(levels: &[LevelStats], slides: bool) -> Option<ThermalReduction> {
     let cold = &levels[at];
     let warm = levels[at + 1..]
         .iter()
-        .find(|l| l.converged && !l.role.leads() && l.n_body_cells == cold.n_body_cells)?;
+        .find(|l| l.converged && !l.role.leads() && l.is_beside(cold))?;
     let isothermal_traction = cold.traction?;
     Some(ThermalReduction {
         film_central: 1.0 - warm.film_central / cold.film_central,

@@ -1,12 +1,14 @@
 //! Stage after stage from the dry contact to the solution: meshes from coarse to fine, a diffusive start before
 //! the case's own equations, other ways where one fails.
 //!
-//! - `run`: which stage comes next;
+//! - `run`: each stage on its mesh, to the last;
+//! - `next`: which stage comes next;
 //! - `stage`: Newton's method on one of them;
 //! - `start`: from which pressures;
 //! - `rescue`: what is tried when that fails;
 //! - `warm`: from the solution of a similar problem instead.
 
+mod next;
 mod rescue;
 mod run;
 mod stage;
@@ -63,7 +65,7 @@ pub struct Stage {
 #[serde(rename_all = "kebab-case")]
 pub enum Role {
     /// Only starts the next one: loose tolerance, penalty ramp, and what it reaches is good
-    /// enough even when it does not converge.
+    /// enough even when it does not converge, as long as it is nearer than the dry contact.
     Start,
     /// A step on the way from a start to the case's own equations: loose tolerance, but the penalty in full.
     Path,
@@ -168,10 +170,14 @@ impl StageSolution {
     /// Whether an unconverged state is still near a contact: finite, with film everywhere, and nearer than the
     /// dry one.
     fn is_usable(&self) -> bool {
-        let (film, _) = minimum_film(&self.discretisation, &self.state);
-        film.is_finite()
-            && film > 0.0
+        self.has_film()
             && self.state.pressure.iter().all(|p| p.is_finite())
             && self.reached.residual <= HOPELESS
+    }
+
+    /// Whether there is film everywhere.
+    fn has_film(&self) -> bool {
+        let (film, _) = minimum_film(&self.discretisation, &self.state);
+        film.is_finite() && film > 0.0
     }
 }

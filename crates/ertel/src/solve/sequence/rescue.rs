@@ -58,7 +58,8 @@ pub(super) fn of_lower_order(stage: &Stage) -> Option<Stage> {
 ///
 /// - the way from the start to the case in steps of diminishing diffusion;
 /// - a start with a fluid that thickens less, made thicker step by step;
-/// - the first and then the second of these on a mesh of finer rim, where a film thinner than foreseen builds up its pressure;
+/// - the start and then the second of these on a mesh of finer rim, where a film thinner than foreseen builds up its pressure (or, where
+///   the mesh is not refined, on the case's own, finer than the first);
 /// - pressures of lower order from the beginning.
 ///
 /// If the start has failed (`started` is false), nothing is tried that follows from it.
@@ -95,7 +96,7 @@ pub(super) fn rescues(problem: &Problem, started: bool) -> Vec<Vec<Stage>> {
         .filter(|order| started || *order < start.pressure_order)
         .map(|pressure_order| {
             let lower = |stage: &Stage| Stage {
-                pressure_order,
+                pressure_order: stage.pressure_order.min(pressure_order),
                 ..*stage
             };
             problem.stages.iter().map(lower).collect()

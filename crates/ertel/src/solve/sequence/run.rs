@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::rescue::{diffusion_path, halfway, of_lower_order, rescues};
+use super::rescue::rescues;
 use super::stage::{Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::{Problem, Role, Stage, StageSolution};
@@ -26,43 +26,40 @@ pub fn solve_stages(
     Sequence::new(problem).solve(observer)
 }
 
-/// Steps that may be halved on one way to a contact.
-const MAX_DETOURS: usize = 6;
-
 /// Where a solve stands.
 pub(super) struct Sequence<'a> {
-    problem: &'a Problem,
+    pub(super) problem: &'a Problem,
     /// Stages to come.
-    queue: VecDeque<Stage>,
+    pub(super) queue: VecDeque<Stage>,
     /// What to try if these fail.
-    rescues: std::vec::IntoIter<Vec<Stage>>,
+    pub(super) rescues: std::vec::IntoIter<Vec<Stage>>,
     /// Why the first way failed: the error to report when all do.
-    first_failure: Option<SolveError>,
-    stats: Vec<LevelStats>,
+    pub(super) first_failure: Option<SolveError>,
+    pub(super) stats: Vec<LevelStats>,
     /// Where the next stage starts.
-    previous: Option<StageSolution>,
+    pub(super) previous: Option<StageSolution>,
     /// The last solution of a final stage, while a refined mesh is being tried.
-    solved: Option<StageSolution>,
+    pub(super) solved: Option<StageSolution>,
     /// The last mesh made, and for which stage.
-    mesh: Option<(Stage, Arc<ContactBody>)>,
+    pub(super) mesh: Option<(Stage, Arc<ContactBody>)>,
     /// Halvings of each element that make the next mesh.
-    halvings: Vec<u32>,
+    pub(super) halvings: Vec<u32>,
     /// Steps halved on the present way.
-    detours: usize,
+    pub(super) detours: usize,
     /// Refinements of the mesh that has been tried once more.
-    restarted: usize,
+    pub(super) restarted: usize,
     /// Whether the case's own pressures have been tried from those of lower order.
-    raised: bool,
+    pub(super) raised: bool,
     /// Refinements of the mesh that it starts on, if it starts from the solution of another problem.
-    inherited: Option<usize>,
+    pub(super) inherited: Option<usize>,
 }
 
 /// How a stage ended.
-struct StageEnd {
-    outcome: Result<(), SolveError>,
-    solution: StageSolution,
+pub(super) struct StageEnd {
+    pub(super) outcome: Result<(), SolveError>,
+    pub(super) solution: StageSolution,
     /// How to refine its mesh, if errors are too large.
-    refinement: Option<Vec<u32>>,
+    pub(super) refinement: Option<Vec<u32>>,
 }
 
 impl<'a> Sequence<'a> {
@@ -113,7 +110,10 @@ impl<'a> Sequence<'a> {
         }
         let solution = self.previous.filter(|s| s.stage.role == Role::Final);
         let Some(solution) = solution.filter(|s| s.converged) else {
-            return Err(self.first_failure.unwrap_or(SolveError::Interrupted));
+            // Every queue ends with a final stage; what follows a failure may not reach its end.
+            return Err(self
+                .first_failure
+                .expect("a way that ends, ends with a solution"));
         };
         let stats = self.stats;
         let (film, _) = minimum_film(&solution.discretisation, &solution.state);
@@ -264,153 +264,5 @@ impl<'a> Sequence<'a> {
             solution,
             refinement,
         })
-    }
-
-    /// Draws the conclusions of a stage: what the next one starts from, and which comes next.
-    fn proceed(
-        &mut self,
-        stage: &Stage,
-        end: StageEnd,
-        observer: &mut dyn Observer,
-    ) -> Result<(), SolveError> {
-        let StageEnd {
-            outcome,
-            solution,
-            refinement,
-        } = end;
-        let leads = stage.role.leads();
-        match outcome {
-            Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-            _ if stage.refinements > 0 && leads => {
-                // Good enough, or the way ends here.
-                if outcome.is_ok() || solution.is_usable() {
-                    let before = self.previous.replace(solution);
-                    self.solved = self.solved.take().or(before);
-                } else {
-                    return self.stop_refining(observer);
-                }
-            }
-            Ok(()) => {
-                self.previous = Some(solution);
-                self.solved = None;
-                if let Some(halvings) = refinement {
-                    self.halvings = halvings;
-                    self.queue.push_back(Stage {
-                        refinements: stage.refinements + 1,
-                        near: false,
-                        ..*stage
-                    });
-                } else if let Some(own) = self.own_order(stage) {
-                    self.raised = true;
-                    self.queue.push_back(own);
-                }
-            }
-            // Those of lower order stand.
-            Err(_) if self.raised => return self.stop_refining(observer),
-            // The refined mesh once more, from a diffusive start; failing that, the mesh before has a
-            // solution, with an error bar that says what it is worth.
-            Err(_) if stage.refinements > 0 => {
-                if self.restarted == stage.refinements {
-                    return self.stop_refining(observer);
-                }
-                self.restarted = stage.refinements;
-                let restart = Stage {
-                    sizes: stage.sizes,
-                    refinements: stage.refinements,
-                    newtonian: stage.newtonian,
-                    cold: false,
-                    ..self.problem.stages[0]
-                };
-                self.queue.push_back(restart);
-                self.queue.extend(diffusion_path(&restart, stage));
-                self.queue.push_back(*stage);
-            }
-            // The first start: no time is lost on what follows from a bad one.
-            Err(e) if leads && self.stats.len() == 1 => {
-                self.first_failure = Some(e);
-                self.rescues = rescues(self.problem, false).into_iter();
-                self.queue = self.rescues.next().into_iter().flatten().collect();
-                self.previous = Some(solution);
-            }
-            // A step of a way was too long.
-            Err(_) if let Some(halfway) = self.halfway(stage) => {
-                self.detours += 1;
-                self.queue.push_front(*stage);
-                self.queue.push_front(halfway);
-            }
-            Err(_) if leads && solution.is_usable() => self.previous = Some(solution),
-            Err(_) if stage.role == Role::Estimate || stage.role.compares() => {}
-            Err(e) => {
-                let lower = self.lower(stage);
-                let failure = self.first_failure.get_or_insert(e);
-                self.detours = 0;
-                match lower
-                    .map(|stage| vec![stage])
-                    .or_else(|| self.rescues.next())
-                {
-                    Some(stages) => self.queue = stages.into(),
-                    None => return Err(std::mem::replace(failure, SolveError::Interrupted)),
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// A failed final stage with pressures of lower order, where a way has led to it.
-    fn lower(&self, stage: &Stage) -> Option<Stage> {
-        let from = self.previous.as_ref()?;
-        let led = self.first_failure.is_some()
-            && from.converged
-            && from.stage.role != Role::Start
-            && from.stage.thickening == stage.thickening
-            && from.stage.is_on_mesh_of(stage);
-        of_lower_order(stage).filter(|_| led)
-    }
-
-    /// The case's own pressures, on the finest mesh that those of lower order have come to.
-    fn own_order(&self, stage: &Stage) -> Option<Stage> {
-        let order = self.problem.stages.last()?.pressure_order;
-        let raise = stage.role == Role::Final
-            && stage.pressure_order < order
-            && !self.raised
-            && self.inherited.is_none();
-        raise.then_some(Stage {
-            pressure_order: order,
-            ..*stage
-        })
-    }
-
-    /// Half of the step to a stage.
-    fn halfway(&self, stage: &Stage) -> Option<Stage> {
-        let from = self
-            .previous
-            .as_ref()
-            .filter(|_| self.detours < MAX_DETOURS)?;
-        halfway(&from.stage, stage)
-    }
-
-    /// Gives the refined mesh of a stage up: the solution on the mesh before stands.
-    fn stop_refining(&mut self, observer: &mut dyn Observer) -> Result<(), SolveError> {
-        self.queue.clear();
-        if let Some(solved) = self.solved.take() {
-            self.previous = Some(solved);
-        }
-        if let Some(p) = (self.previous.as_mut()).filter(|p| p.stage.refinements == 0) {
-            // Only measured so far.
-            let level = self.stats.len() - 1;
-            let run = StageRun::new(self.problem, &p.stage, level, &p.discretisation);
-            let mut effort = NewtonStats::default();
-            let (rough, mut state) = (p.coupling, p.state.clone());
-            match run.solve(Finish::Exact, &mut state, &mut effort, observer) {
-                Ok((reached, coupling)) => {
-                    p.state = state;
-                    (p.reached, p.coupling) = (reached, coupling.map(|c| c.after(rough)));
-                }
-                Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-                // What was measured stands.
-                Err(_) => p.rough = true,
-            }
-        }
-        Ok(())
     }
 }

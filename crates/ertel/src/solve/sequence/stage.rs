@@ -32,7 +32,7 @@ const ROUGH_TOLERANCE: f64 = 1e-3;
 const START_ITERATIONS: usize = 30;
 
 /// Relative residual of a stalled start with which the rest of the ramp is not tried: that of the dry contact is
-/// about 1.4, and starts that come through in the end have got it to 0.2 and mostly far below.
+/// about 1.4, and starts that come through in the end have got it to 0.2 and mostly far below. Nothing starts from a state with more.
 pub(super) const HOPELESS: f64 = 0.5;
 
 /// Iterations without a smaller update that a start may take.
