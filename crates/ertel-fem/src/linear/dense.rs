@@ -101,10 +101,10 @@ pub fn multiply_transposed_whole<const L: usize>(a: &[i16], x: &[f32], y: &mut [
 }
 
 /// y_rows += A x_columns and y_columns += Aᵀ x_rows in one pass over A, whose numbers of rows and columns are
-/// multiples of `L` and of four; they may be whole numbers.
+/// multiples of `L` and of four.
 #[inline(always)]
-pub fn add_both<A: Copy + Into<T>, T: Real, const L: usize>(
-    a: &[A],
+pub fn add_both<T: Real, const L: usize>(
+    a: &[T],
     x_columns: &[T],
     x_rows: &[T],
     y_rows: &mut [T],
@@ -120,12 +120,11 @@ pub fn add_both<A: Copy + Into<T>, T: Real, const L: usize>(
         let rows = y_rows.chunks_exact_mut(L).zip(x_rows.chunks_exact(L));
         for (((((y, r), c0), c1), c2), c3) in rows.zip(c0).zip(c1).zip(c2).zip(c3) {
             for l in 0..L {
-                let c: [T; COLUMNS] = [c0[l].into(), c1[l].into(), c2[l].into(), c3[l].into()];
-                y[l] += (c[0] * x[0] + c[1] * x[1]) + (c[2] * x[2] + c[3] * x[3]);
-                sums[0][l] += c[0] * r[l];
-                sums[1][l] += c[1] * r[l];
-                sums[2][l] += c[2] * r[l];
-                sums[3][l] += c[3] * r[l];
+                y[l] += (c0[l] * x[0] + c1[l] * x[1]) + (c2[l] * x[2] + c3[l] * x[3]);
+                sums[0][l] += c0[l] * r[l];
+                sums[1][l] += c1[l] * r[l];
+                sums[2][l] += c2[l] * r[l];
+                sums[3][l] += c3[l] * r[l];
             }
         }
         for (y, lanes) in target.iter_mut().zip(sums) {

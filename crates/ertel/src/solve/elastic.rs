@@ -238,7 +238,7 @@ impl ElasticOperator {
     pub fn deflect_single(&self, load: &[f32], sum: &mut [f32], part: &mut [f32]) {
         sum.fill(0.0);
         for (response, share) in self.responses() {
-            response.compliance.apply_rounded(load, part);
+            response.compliance.apply_single(load, part);
             for (s, w) in sum.iter_mut().zip(&*part) {
                 *s += share as f32 * w;
             }
