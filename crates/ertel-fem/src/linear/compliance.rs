@@ -172,7 +172,7 @@ mod tests {
     #[test]
     fn equals_plain_sums() {
         for n in [1, TILE, 3 * TILE + 17] {
-            // positive definite, and as uneven as nodes of fine and coarse elements
+            // as uneven as nodes of fine and coarse elements
             let size = |i: usize| 1.0 + (i % 7) as f64;
             let entry = |i: usize, j: usize| size(i) * size(j) / (1.0 + i.abs_diff(j) as f64);
             let columns: Vec<Vec<f64>> = (0..n)

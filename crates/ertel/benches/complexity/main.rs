@@ -184,8 +184,11 @@ fn in_process_of_its_own(sweep: Sweep, factor: f64) -> Result<Point, String> {
     serde_json::from_slice(&output.stdout).map_err(|_| failure())
 }
 
-/// Coarsest cells of the contact area, in half-widths, and fastest growth away from it.
-const COARSEST: f64 = 2.0;
+/// Largest cells of the contact area, in half-widths.
+const LARGEST_CELL: f64 = 2.0;
+
+/// Fastest growth of cells away from it, per distance.
+const FASTEST_GROWTH: f64 = 2.0;
 
 /// Newton iterations after which a monolithic run is stopped.
 const MONOLITHIC_ITERATIONS: usize = 4;
@@ -210,10 +213,10 @@ fn measure(root: &Path, sweep: Sweep, factor: f64) -> Point {
         // The film's own length at the rim would keep coarse meshes from becoming any coarser.
         case.mesh.rim_size = Some(case.mesh.hertz_size);
     }
-    case.mesh.edge_size = (case.mesh.edge_size * factor_here).min(COARSEST);
+    case.mesh.edge_size = (case.mesh.edge_size * factor_here).min(LARGEST_CELL);
     let growth = factor_here.sqrt();
-    case.mesh.growth = (case.mesh.growth * growth).min(COARSEST);
-    case.mesh.depth_growth = (case.mesh.depth_growth * growth).min(COARSEST);
+    case.mesh.growth = (case.mesh.growth * growth).min(FASTEST_GROWTH);
+    case.mesh.depth_growth = (case.mesh.depth_growth * growth).min(FASTEST_GROWTH);
     case.output.body_field = false;
     let mut watch = if sweep.is_monolithic() {
         Stopwatch::stopping_after(MONOLITHIC_ITERATIONS)

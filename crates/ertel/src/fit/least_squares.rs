@@ -29,8 +29,8 @@ pub struct Minimum {
 const LEAST_SHARE: f64 = 0.2;
 
 impl Minimum {
-    /// Names of the unknowns that trade off most, of `names` by unknown: one of them changes little that the others do not
-    /// make up for.
+    /// Names of the unknowns that trade off most, of `names` by unknown: a change of one of them is nearly made
+    /// up for by the others.
     pub fn trading<'n>(&self, names: impl IntoIterator<Item = &'n str>) -> Vec<&'n str> {
         let shares = names.into_iter().zip(&self.weakest);
         let named = shares.filter(|(_, share)| share.abs() > LEAST_SHARE);

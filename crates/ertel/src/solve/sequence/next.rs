@@ -3,7 +3,7 @@
 use super::rescue::{diffusion_path, halfway, of_lower_order, rescues};
 use super::run::{Sequence, StageEnd};
 use super::stage::{Finish, StageRun};
-use super::{Role, Stage, StageSolution};
+use super::{Role, Stage};
 use crate::solve::newton::NewtonStats;
 use crate::solve::{Observer, SolveError};
 
@@ -35,9 +35,9 @@ impl Sequence<'_> {
                     return self.stop_refining(observer);
                 }
             }
-            Ok(()) if self.raises(stage) && !solution.has_film() => {
-                return self.stop_refining(observer);
-            }
+            // Those of lower order stand.
+            Ok(()) if self.raises(stage) && !solution.has_film() => {}
+            Err(_) if self.raises(stage) => {}
             Ok(()) => {
                 self.previous = Some(solution);
                 self.solved = None;
@@ -52,8 +52,6 @@ impl Sequence<'_> {
                     self.raise(stage);
                 }
             }
-            // Those of lower order stand.
-            Err(_) if self.raises(stage) => return self.stop_refining(observer),
             // The refined mesh once more, from a diffusive start; failing that, the mesh before has a
             // solution, with an error bar that says what it is worth.
             Err(_) if stage.refinements > 0 => {
@@ -131,10 +129,15 @@ impl Sequence<'_> {
         }
     }
 
-    /// Whether a stage has the case's own pressures where it starts from those of lower order.
+    /// Whether a stage has the case's own pressures where a solution with those of lower order stands on its mesh.
     fn raises(&self, stage: &Stage) -> bool {
-        let from = self.previous.as_ref().map(|p| p.stage.pressure_order);
-        self.raised && from.is_some_and(|from| from < stage.pressure_order)
+        let from = self.previous.as_ref().map(|p| &p.stage);
+        let below = |from: &Stage| {
+            from.role == Role::Final
+                && from.pressure_order < stage.pressure_order
+                && from.is_on_mesh_of(stage)
+        };
+        self.raised && from.is_some_and(below)
     }
 
     /// Half of the step to a stage.
@@ -152,9 +155,8 @@ impl Sequence<'_> {
         if let Some(solved) = self.solved.take() {
             self.previous = Some(solved);
         }
-        let raised = self.raised;
-        let measured = |p: &&mut StageSolution| p.stage.refinements == 0 && !raised;
-        if let Some(p) = self.previous.as_mut().filter(measured) {
+        if let Some(p) = (self.previous.as_mut()).filter(|p| p.stage.refinements == 0) {
+            // Only measured so far.
             let level = self.stats.len() - 1;
             let run = StageRun::new(self.problem, &p.stage, level, &p.discretisation);
             let mut effort = NewtonStats::default();
