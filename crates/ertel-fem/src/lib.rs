@@ -5,5 +5,6 @@ pub mod element;
 pub mod linear;
 pub mod locate;
 pub mod mesh;
+pub mod potential;
 pub mod quadrature;
 pub mod space;

@@ -4,6 +4,7 @@ use rustc_hash::FxHashMap;
 
 use crate::element::Lagrange;
 use crate::mesh::SimplexMesh;
+use crate::quadrature::Quadrature;
 
 /// Identity of a node that does not depend on the cell it is seen from: the mesh vertices that
 /// carry it and their barycentric weights in units of 1/order, sorted by vertex.
@@ -80,6 +81,25 @@ impl Space {
     /// Number of elements.
     pub fn n_elements(&self) -> usize {
         self.element_nodes.len() / self.element.n_nodes()
+    }
+
+    /// ∫N of each node.
+    pub fn integrals(&self, mesh: &SimplexMesh) -> Vec<f64> {
+        let rule = Quadrature::simplex(mesh.dim, self.element.order());
+        let mut reference = vec![0.0; self.element.n_nodes()];
+        for (xi, weight) in rule.points.iter().zip(&rule.weights) {
+            for (sum, value) in reference.iter_mut().zip(self.element.values(*xi)) {
+                *sum += weight * value;
+            }
+        }
+        let mut integrals = vec![0.0; self.n_nodes()];
+        for cell in 0..mesh.n_cells() {
+            let determinant = Affine::new(mesh, cell).determinant.abs();
+            for (node, value) in self.nodes_of(cell).iter().zip(&reference) {
+                integrals[*node as usize] += determinant * value;
+            }
+        }
+        integrals
     }
 
     /// The mesh vertices that carry each node (ascending, `u32::MAX` beyond the last): nodes of one

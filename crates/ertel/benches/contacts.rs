@@ -17,7 +17,7 @@ use ertel::params::LinearSolver;
 use ertel::run::{Session, solve};
 use ertel::solution::{Estimate, Solution, Timings};
 use ertel::solve::Silent;
-use ertel::solve::cache::OperatorCache;
+use ertel::elastic::cache::OperatorCache;
 use ertel::study::solve_curve;
 use ertel_rheology::input::Document;
 

@@ -4,6 +4,7 @@
 
 pub mod case;
 pub mod contact;
+pub mod elastic;
 pub mod estimate;
 pub mod film;
 pub mod fit;

@@ -71,8 +71,9 @@ pub struct MeshParams {
     pub side: Option<f64>,
     /// Lagrange order of the pressure, 1 to 5.
     pub pressure_order: usize,
-    /// Lagrange order of the displacement, 1 or 2.
-    pub elastic_order: usize,
+    /// Lagrange order of the displacement: 1 or 2 of finite-element bodies, the pressure's or higher of half-spaces;
+    /// `None`: 2, and the pressure's.
+    pub elastic_order: Option<usize>,
 }
 
 impl MeshParams {
@@ -107,7 +108,7 @@ impl MeshParams {
             outlet: None,
             side: None,
             pressure_order: 3,
-            elastic_order: 2,
+            elastic_order: None,
         }
     }
 }
@@ -172,10 +173,12 @@ pub enum PenaltyScaling {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ElasticModel {
-    /// One equivalent body (appendix A).
+    /// Both bodies as elastic half-spaces, by integrals over the contact area.
     #[default]
+    HalfSpace,
+    /// One equivalent finite-element body (Habchi 2008, appendix A).
     Equivalent,
-    /// Plane and ball solved separately, deflections summed.
+    /// Plane and ball as finite-element bodies of their own, deflections summed.
     TwoBodies,
 }
 
@@ -204,8 +207,8 @@ pub struct SolverParams {
     pub penalty: f64,
     /// Its dependence on the element size.
     pub penalty_scaling: PenaltyScaling,
-    /// Equivalent body or two bodies.
-    pub elasticity: ElasticModel,
+    /// Half-spaces or finite-element bodies; `None`: half-spaces, unless something else asks for a body.
+    pub elasticity: Option<ElasticModel>,
     /// Condensed or monolithic.
     pub linear: LinearSolver,
     /// Newton stops when the largest pressure update falls below this share of p_h, and the
@@ -229,7 +232,7 @@ impl Default for SolverParams {
             elastic_stabilisation: true,
             penalty: 1e4,
             penalty_scaling: PenaltyScaling::default(),
-            elasticity: ElasticModel::default(),
+            elasticity: None,
             linear: LinearSolver::default(),
             tolerance: 1e-8,
             max_iterations: 60,

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use crate::case::{Case, SolidHeat};
 use crate::contact::{ContactKind, EquivalentBody, Groups, Scales, hertz};
+use crate::elastic::Elasticity;
 use crate::film::FilmFluid;
 use crate::forms::energy::{BodyHeat, Heat};
 use crate::params::{ElasticModel, Formulation, MeshParams};
@@ -11,7 +12,7 @@ use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
 use crate::solution::{IterationRecord, Solution, Stats};
 use crate::solve::adapt::AdaptParams;
-use crate::solve::cache::OperatorCache;
+use crate::elastic::cache::OperatorCache;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::heat::column::Column;
 use crate::solve::heat::coupling::CouplingParams;
@@ -48,12 +49,12 @@ pub fn problem(case: &Case) -> Problem {
         film_scale: start_film,
     };
     let dimensionless = |modulus: f64, ratio: f64| (modulus / scales.elastic_stress, ratio);
-    let bodies = match case.solver.elasticity {
+    let bodies = match case.elastic_model() {
         ElasticModel::Equivalent => {
             let body = EquivalentBody::new(case.plane.elasticity, case.ball.elasticity);
             vec![dimensionless(body.youngs_modulus, body.poissons_ratio)]
         }
-        ElasticModel::TwoBodies => [&case.plane, &case.ball]
+        ElasticModel::TwoBodies | ElasticModel::HalfSpace => [&case.plane, &case.ball]
             .map(|b| dimensionless(b.elasticity.youngs_modulus, b.elasticity.poissons_ratio))
             .to_vec(),
     };
@@ -83,8 +84,13 @@ pub fn problem(case: &Case) -> Problem {
             case.shear_thinning().is_some(),
             heat.is_some(),
         ),
-        elastic_order: case.mesh.elastic_order,
-        bodies,
+        elasticity: match case.elastic_model() {
+            ElasticModel::HalfSpace => {
+                let order = case.mesh.elastic_order.unwrap_or(1);
+                Elasticity::half_space(order.max(case.mesh.pressure_order), &bodies)
+            }
+            _ => Elasticity::finite_elements(case.mesh.elastic_order.unwrap_or(2).min(2), &bodies),
+        },
         fluid,
         load: scales.load,
         // A film that starts too thick closes in from the safe side.
@@ -340,7 +346,8 @@ fn describe(
         surface: post::fields::surface(finest, &problem.fluid, &scales),
         body: (case.output.body_field)
             .then(|| post::fields::body(finest, &scales))
-            .transpose()?,
+            .transpose()?
+            .flatten(),
         summary,
         traction,
         film_reduction,

@@ -11,7 +11,7 @@ use ertel::contact::ContactKind;
 use ertel::run::{Session, solve};
 use ertel::solution::Solution;
 use ertel::solve::Silent;
-use ertel::solve::cache::OperatorCache;
+use ertel::elastic::cache::OperatorCache;
 
 /// Changes a file, given another one.
 type Damage = fn(&mut Vec<u8>, &[u8]);

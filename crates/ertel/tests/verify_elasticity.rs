@@ -11,7 +11,7 @@ use common::noise;
 use ertel::contact::{ContactKind, hertz};
 use ertel::forms::elasticity::lame;
 use ertel::solve::discretisation::{
-    BodyConstants, ContactBody, Discretisation, Extents, LevelSizes,
+    BodyConstants, ContactSurface, Discretisation, Extents, LevelSizes,
 };
 use ertel::solve::elastic::BodySpace;
 use ertel::solve::evaluate::fields_at;
@@ -266,7 +266,7 @@ fn block_under_uniform_pressure() {
         body_depth: 3.0,
     };
     for kind in KINDS {
-        let contact = ContactBody::new(kind, &extents, &uniform(0.5), 2, &[(7.0, 0.0)]).unwrap();
+        let contact = ContactSurface::new(kind, &extents, &uniform(0.5), 2, &[(7.0, 0.0)]).unwrap();
         let d = Discretisation::new(&Arc::new(contact), 3);
         let pressure = vec![2.0; d.pressure.n_nodes()];
         for w in d.deflect(&pressure) {
@@ -320,7 +320,7 @@ fn contact(kind: ContactKind, body: f64, size: f64, growth: f64, ratios: &[f64])
         growth,
         depth_growth: growth,
     };
-    let body = ContactBody::new(kind, &extents, &sizes, 2, &bodies(kind, ratios)).unwrap();
+    let body = ContactSurface::new(kind, &extents, &sizes, 2, &bodies(kind, ratios)).unwrap();
     Discretisation::new(&Arc::new(body), 3)
 }
 

@@ -14,7 +14,7 @@ use ertel::film::cross_film::CrossFilm;
 use ertel::forms::energy::{FilmPlace, Heat, Layer, film_column};
 use ertel::params::ThermalParams;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactBody, Discretisation, Extents, LevelSizes};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
 use ertel::solve::heat::column::Column;
 use ertel::solve::heat::newton::{HeatNewton, HeatParams};
 use ertel::solve::sequence::Problem;
@@ -45,7 +45,7 @@ fn rigid(
     heat: &Heat,
 ) -> (Discretisation, State) {
     let bodies = [(1.0, 0.3)];
-    let contact = ContactBody::new(kind, extents, &uniform(size), 2, &bodies).expect("mesh");
+    let contact = ContactSurface::new(kind, extents, &uniform(size), 2, &bodies).expect("mesh");
     let unheated = column.unheated(heat);
     let d = Discretisation::new(&Arc::new(contact), 2).with_heat(order, column, unheated);
     let state = State {

@@ -8,7 +8,7 @@ use common::noise;
 use ertel::contact::{ContactKind, Scales, hertz};
 use ertel::params::{ElasticModel, Formulation};
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactBody, Discretisation, LevelSizes};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, LevelSizes};
 use ertel::solve::system::{FilmConstants, Precision, State, System};
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning, StressLimit};
@@ -93,7 +93,7 @@ fn check(
     let thins = thinned.is_some();
     problem.fluid = problem.fluid.with_shear(thinned.as_ref(), 0.3, &scales);
     let contact =
-        ContactBody::new(kind, &problem.extents, &SIZES, 2, &problem.bodies).expect("mesh");
+        ContactSurface::new(kind, &problem.extents, &SIZES, 2, &problem.bodies).expect("mesh");
     let mut d = Discretisation::new(&Arc::new(contact), order);
     if let Some(heat) = &problem.heat {
         let column = heat.column.clone();

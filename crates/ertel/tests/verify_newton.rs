@@ -10,7 +10,7 @@ use ertel::contact::ContactKind;
 use ertel::params::{ElasticModel, LinearSolver};
 use ertel::run::{problem, solve};
 use ertel::solution::{IterationRecord, Solution};
-use ertel::solve::discretisation::ContactBody;
+use ertel::solve::discretisation::ContactSurface;
 use ertel::solve::sequence::{Problem, Role, StageSolution, solve_stages};
 use ertel::solve::{Observer, Silent, SolveError};
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
@@ -174,7 +174,7 @@ fn results_repeat_beside_other_solves() {
             let other = problem(&common::case(ContactKind::Line, 2e5));
             while !done.load(Ordering::Relaxed) {
                 let sizes = other.stages[0].sizes;
-                ContactBody::new(other.kind, &other.extents, &sizes, 2, &other.bodies).unwrap();
+                ContactSurface::new(other.kind, &other.extents, &sizes, 2, &other.bodies).unwrap();
             }
         });
         let repeats: Vec<bool> = (0..15)

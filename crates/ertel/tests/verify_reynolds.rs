@@ -22,7 +22,7 @@ use ertel::contact::{ContactKind, Scales};
 use ertel::film::FilmFluid;
 use ertel::params::Formulation;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactBody, Discretisation, Extents, LevelSizes};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
 use ertel::solve::evaluate::fields_in;
 use ertel::solve::system::{FilmConstants, State, System};
 use ertel_fem::assembly::CONSTRAINED;
@@ -160,7 +160,7 @@ fn fluid(film: Film) -> FilmFluid {
 }
 
 /// Uniform mesh of the patch [−1, 1] (× [−1, 0]) on a body that grows as fast as it may.
-fn mesh(kind: ContactKind, size: f64) -> Arc<ContactBody> {
+fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
     let extents = Extents {
         inlet: -1.0,
         outlet: 1.0,
@@ -177,12 +177,12 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactBody> {
         growth: 1.0,
         depth_growth: 20.0,
     };
-    Arc::new(ContactBody::new(kind, &extents, &sizes, 2, &[]).unwrap())
+    Arc::new(ContactSurface::new(kind, &extents, &sizes, 2, &[]).unwrap())
 }
 
 /// Errors of the discrete solution on one mesh: mean element size, L2 norm, H1 seminorm.
 fn errors(
-    contact: &Arc<ContactBody>,
+    contact: &Arc<ContactSurface>,
     order: usize,
     film: Film,
     formulation: Formulation,

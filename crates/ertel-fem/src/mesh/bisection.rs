@@ -74,6 +74,22 @@ pub struct Bisection {
     stars: Vec<Vec<u32>>,
 }
 
+/// All orders of a few axes, the given one first.
+fn permutations(axes: &[usize]) -> Vec<Vec<usize>> {
+    if axes.is_empty() {
+        return vec![Vec::new()];
+    }
+    let mut all = Vec::new();
+    for (k, first) in axes.iter().enumerate() {
+        let mut rest = axes.to_vec();
+        rest.remove(k);
+        for tail in permutations(&rest) {
+            all.push([vec![*first], tail].concat());
+        }
+    }
+    all
+}
+
 fn edge_key(a: u32, b: u32) -> u64 {
     (u64::from(a.min(b)) << 32) | u64::from(a.max(b))
 }
@@ -90,25 +106,28 @@ struct Pass {
 impl Bisection {
     /// Kuhn simplices of a grid of cubes of side `side`, `n_cubes[k]` along axis k from `lower[k]`.
     ///
-    /// `dim` 3 spans x, y, z; `dim` 2 spans x, z with y = 0 (`n_cubes[1]` is not read). `maps` takes the grid's
-    /// coordinates to physical ones; sides and corners should be dyadic so that midpoints are exact.
+    /// It spans `axes`; along the others everything lies at 0 (their `n_cubes` and `lower` are not read). `maps` takes the
+    /// grid's coordinates to physical ones; sides and corners should be dyadic so that midpoints are exact.
     #[must_use]
     pub fn from_cubes(
-        dim: usize,
+        axes: &[usize],
         lower: [f64; 3],
         side: f64,
         n_cubes: [usize; 3],
         maps: [AxisMap; 3],
     ) -> Self {
-        let axes = if dim == 2 { [0, 2, 1] } else { [0, 1, 2] };
+        let dim = axes.len();
         let mut n = n_cubes;
         let mut lower = lower;
-        if dim == 2 {
-            (n[1], lower[1]) = (0, 0.0);
+        let mut all_axes = [0; 3];
+        all_axes[..dim].copy_from_slice(axes);
+        for (slot, axis) in (0..3).filter(|axis| !axes.contains(axis)).enumerate() {
+            (n[axis], lower[axis]) = (0, 0.0);
+            all_axes[dim + slot] = axis;
         }
         let mut bisection = Self {
             dim,
-            axes,
+            axes: all_axes,
             maps,
             reference: vec![],
             vertices: vec![],
@@ -126,27 +145,16 @@ impl Bisection {
             }
         }
         let stride = [1, n[0] + 1, (n[0] + 1) * (n[1] + 1)];
-        let paths: &[&[usize]] = if dim == 2 {
-            &[&[0, 2], &[2, 0]]
-        } else {
-            &[
-                &[0, 1, 2],
-                &[0, 2, 1],
-                &[1, 0, 2],
-                &[1, 2, 0],
-                &[2, 0, 1],
-                &[2, 1, 0],
-            ]
-        };
-        for k in 0..n[2] {
+        let paths = permutations(axes);
+        for k in 0..n[2].max(1) {
             for j in 0..n[1].max(1) {
                 for i in 0..n[0] {
                     let corner = i + j * stride[1] + k * stride[2];
-                    for path in paths {
+                    for path in &paths {
                         let mut cell = [u32::MAX; 4];
                         let mut vertex = corner;
                         cell[0] = vertex as u32;
-                        for (step, &axis) in path.iter().enumerate() {
+                        for (step, axis) in path.iter().copied().enumerate() {
                             vertex += stride[axis];
                             cell[step + 1] = vertex as u32;
                         }
@@ -165,7 +173,7 @@ impl Bisection {
             .push([0, 1, 2].map(|k: usize| self.maps[k].apply(reference[k])));
         self.parent_edges.push(parents);
         self.stars
-            .push(Vec::with_capacity(if self.dim == 2 { 8 } else { 24 }));
+            .push(Vec::with_capacity([2, 8, 24][self.dim - 1]));
         index
     }
 

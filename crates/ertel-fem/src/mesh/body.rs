@@ -147,8 +147,9 @@ pub fn body_mesh(
 ) -> Result<BodyMesh, MeshError> {
     params.check()?;
     let layout = choose_layout(params)?;
+    let axes: &[usize] = if params.dim == 2 { &[0, 2] } else { &[0, 1, 2] };
     let mut bisection = Bisection::from_cubes(
-        params.dim,
+        axes,
         layout.lower,
         layout.side,
         layout.n_cubes,

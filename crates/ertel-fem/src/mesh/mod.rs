@@ -1,8 +1,9 @@
-//! Simplicial meshes of a half-space body by conforming bisection driven by a size field.
+//! Simplicial meshes of a body or of its contact patch by conforming bisection driven by a size field.
 //!
 //! - [`SimplexMesh`]: vertices and positively oriented cells, with measures and quality;
 //! - [`Bisection`]: the refinable state (ordered cells with tags), one code for triangles and tetrahedra;
 //! - [`body_mesh`]: the body under a contact patch, from a box of cubes stretched onto the requested size;
+//! - [`surface_mesh`]: the contact patch alone, where no body is needed;
 //! - [`SizeField`]: zones of given cell size with linear growth outside.
 
 mod bisection;
@@ -11,12 +12,14 @@ mod facet;
 mod layout;
 mod simplex;
 mod size_field;
+mod surface;
 
 pub use bisection::{AxisMap, Bisection, RefineInfo};
 pub use body::{BodyMesh, BodyParams, body_mesh};
 pub use facet::{ContactMesh, FacetMesh};
 pub use simplex::{MeshStats, SimplexMesh};
 pub use size_field::{SizeField, SizeZone, Zone};
+pub use surface::{SurfaceMesh, SurfaceParams, surface_mesh};
 
 /// Why a mesh could not be built.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -43,7 +43,9 @@ use ertel_rheology::input::{Document, InputError, Table};
 use ertel_rheology::{Files, ShearThinning};
 
 use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
-use crate::params::{MeshParams, OutputParams, SolverParams, ThermalParams};
+use crate::params::{
+    ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
+};
 
 use bodies::Bodies;
 pub use bodies::Body;
@@ -179,6 +181,16 @@ impl Case {
     pub fn shear_thinning(&self) -> Option<&ShearThinning> {
         let thinning = self.lubricant.shear_thinning.as_ref();
         thinning.filter(|_| !self.solver.newtonian)
+    }
+
+    /// How the bodies are computed: as half-spaces, unless the case says otherwise or asks for what only a body
+    /// can give.
+    pub fn elastic_model(&self) -> ElasticModel {
+        let needs_body = self.solver.linear == LinearSolver::Monolithic || self.output.body_field;
+        self.solver.elasticity.unwrap_or(match needs_body {
+            true => ElasticModel::Equivalent,
+            false => ElasticModel::HalfSpace,
+        })
     }
 
     /// Reduced modulus E' of both bodies, Pa.

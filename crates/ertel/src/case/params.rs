@@ -142,10 +142,7 @@ pub(crate) fn read_mesh(
         &mut mesh.pressure_order,
         order(&mut table, "pressure_order", 5)?,
     );
-    set(
-        &mut mesh.elastic_order,
-        order(&mut table, "elastic_order", 2)?,
-    );
+    mesh.elastic_order = order(&mut table, "elastic_order", 5)?;
     table.finish()?;
     Ok(mesh)
 }
@@ -202,11 +199,12 @@ pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
     let elasticity = table.optional_choice(
         "elasticity",
         &[
+            ("half-space", ElasticModel::HalfSpace),
             ("equivalent", ElasticModel::Equivalent),
             ("two-bodies", ElasticModel::TwoBodies),
         ],
     )?;
-    set(&mut solver.elasticity, elasticity);
+    solver.elasticity = elasticity;
     let linear = table.optional_choice(
         "linear",
         &[

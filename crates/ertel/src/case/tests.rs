@@ -203,7 +203,7 @@ body_field = true
         (mesh.inlet, mesh.outlet, mesh.side),
         (Some(-4.5), Some(1.5), Some(3.0))
     );
-    assert_eq!((mesh.pressure_order, mesh.elastic_order), (5, 1));
+    assert_eq!((mesh.pressure_order, mesh.elastic_order), (5, Some(1)));
     assert_eq!(mesh.rim_size, Some(0.02));
     let solver = &case.solver;
     assert_eq!(solver.formulation, Formulation::Gls);
@@ -213,7 +213,7 @@ body_field = true
         solver.penalty_scaling,
         PenaltyScaling::InverseElementSquared
     );
-    assert_eq!(solver.elasticity, ElasticModel::TwoBodies);
+    assert_eq!(solver.elasticity, Some(ElasticModel::TwoBodies));
     assert_eq!(solver.linear, LinearSolver::Monolithic);
     assert_eq!((solver.tolerance, solver.max_iterations), (1e-6, 20));
     assert!(!solver.error_estimate);

@@ -112,31 +112,34 @@ pub(super) fn sub_cells(space: &Space) -> Vec<[u32; 3]> {
     cells
 }
 
-/// Displacement of the first body (the equivalent one, or the plane).
+/// Displacement of the first body (the equivalent one, or the plane); `None` above a half-space.
 ///
 /// The solve knows the surface alone: the body is factorised once more.
 ///
 /// # Errors
 /// When the factorisation fails.
-pub fn body(solution: &StageSolution, scales: &Scales) -> Result<BodyField, DiscretisationError> {
+pub fn body(
+    solution: &StageSolution,
+    scales: &Scales,
+) -> Result<Option<BodyField>, DiscretisationError> {
     let d = &solution.discretisation;
-    let c = &d.contact;
-    let body = &c.elastic.bodies[0];
-    let mut load = vec![0.0; c.space().dofs.n_dofs];
-    for (f, dof) in d
-        .nodal_loads(&solution.state.pressure)
-        .iter()
-        .zip(&c.space().normal_dofs)
-    {
-        load[*dof] = -f / body.modulus;
+    let Some((body, condensed)) = d.contact.body() else {
+        return Ok(None);
+    };
+    let elastic = &condensed.bodies[0];
+    let trace = body.space(&d.contact.deflection);
+    let mut load = vec![0.0; trace.dofs.n_dofs];
+    let loads = d.trace.loads(&solution.state.pressure);
+    for (f, dof) in loads.iter().zip(&trace.normal_dofs) {
+        load[*dof] = -f / elastic.modulus;
     }
-    c.space()
-        .factorise(&c.body, body.poissons_ratio, Keep::Factor, NEVER)
+    trace
+        .factorise(&body.mesh, elastic.poissons_ratio, Keep::Factor, NEVER)
         .and_then(|k| k.solve_full(&mut load))
         .map_err(DiscretisationError::from)?;
-    let space = &c.space().space;
+    let space = &trace.space;
     // VTK's order of mid-edge nodes, as pairs of corners.
-    let edges: &[(usize, usize)] = match (c.body.mesh.dim, space.element.order()) {
+    let edges: &[(usize, usize)] = match (body.mesh.mesh.dim, space.element.order()) {
         (_, 1) => &[],
         (2, _) => &[(0, 1), (1, 2), (0, 2)],
         _ => &[(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)],
@@ -148,8 +151,8 @@ pub fn body(solution: &StageSolution, scales: &Scales) -> Result<BodyField, Disc
             .position(|l| l[a] == 1 && l[b] == 1)
             .expect("mid-edge node")
     };
-    let local: Vec<usize> = (0..=c.body.mesh.dim).chain(edges.iter().map(mid)).collect();
-    Ok(BodyField {
+    let local: Vec<usize> = (0..=body.mesh.mesh.dim).chain(edges.iter().map(mid)).collect();
+    Ok(Some(BodyField {
         points: space
             .points
             .iter()
@@ -158,11 +161,10 @@ pub fn body(solution: &StageSolution, scales: &Scales) -> Result<BodyField, Disc
         cells: (0..space.n_elements())
             .map(|e| local.iter().map(|l| space.nodes_of(e)[*l]).collect())
             .collect(),
-        displacement: c
-            .space()
+        displacement: trace
             .displacement(&load)
             .into_iter()
             .map(|u| u.map(|v| v * scales.film))
             .collect(),
-    })
+    }))
 }

@@ -93,7 +93,7 @@ pub fn warnings(
     let own = solved(levels);
     let stuck = levels
         .last()
-        .is_some_and(|l| !l.converged && own.is_none_or(|s| s.n_body_cells != l.n_body_cells));
+        .is_some_and(|l| !l.converged && own.is_none_or(|s| s.n_contact_elements != l.n_contact_elements));
     for (name, figure) in [("central", summary.film_central), ("minimum", minimum)] {
         let relative = figure.error.unwrap_or(0.0) / figure.value;
         match target_error {

@@ -182,7 +182,7 @@ impl Stats {
 impl LevelStats {
     /// Whether it has the mesh and the elements of another.
     pub(crate) fn is_beside(&self, other: &LevelStats) -> bool {
-        self.n_body_cells == other.n_body_cells && self.pressure_order == other.pressure_order
+        self.n_contact_elements == other.n_contact_elements && self.pressure_order == other.pressure_order
     }
 }
 

@@ -90,7 +90,7 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
         .rposition(|l| l.converged && !l.role.compares() && l.estimate.is_some() == estimated)?;
     let fine = &levels[last];
     let other_mesh =
-        |l: &&LevelStats| l.converged && !l.role.compares() && l.n_body_cells != fine.n_body_cells;
+        |l: &&LevelStats| l.converged && !l.role.compares() && l.n_contact_elements != fine.n_contact_elements;
     let coarse = levels[..last].iter().rev().find(other_mesh);
     let films = |l: &LevelStats| [l.film_central, l.film_minimum];
     let difference =

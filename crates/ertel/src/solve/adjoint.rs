@@ -19,6 +19,7 @@ use super::discretisation::Discretisation;
 use super::preconditioner::Preconditioner;
 use super::step::{dot, scatter};
 use super::system::System;
+use crate::elastic::Accuracy;
 
 /// Adjoint of the film thickness at one point.
 pub struct Adjoint {
@@ -54,12 +55,11 @@ pub fn adjoints(
                 at[*node as usize] += b;
             }
         }
-        let mut rhs = pressure_loads(d, &d.contact.elastic.deflect(&at));
+        let mut rhs = d.deflect_transposed(&at, Accuracy::Full);
         rhs.push(1.0);
-        let mut single = SingleDeflection::new(at.len());
         let apply = |x: &[f64], y: &mut [f64]| {
             let (by_pressure, by_deflection) = multiply_transposed(d, system, &x[..n]);
-            let through = pressure_loads(d, &single.deflect(d, &by_deflection));
+            let through = d.deflect_transposed(&by_deflection, Accuracy::Krylov);
             for i in 0..n {
                 y[i] = by_pressure[i] + through[i] + d.load[i] * x[n];
             }
@@ -88,36 +88,10 @@ pub fn adjoints(
         }
         Ok(Adjoint {
             film,
-            deflection: d.contact.elastic.deflect(&at),
+            deflection: d.contact.response.respond(&d.trace, &at),
         })
     };
     points.par_iter().with_max_len(1).map(adjoint).collect()
-}
-
-/// Deflections in single precision: enough to weigh errors.
-struct SingleDeflection {
-    loads: Vec<f32>,
-    deflection: Vec<f32>,
-    part: Vec<f32>,
-}
-
-impl SingleDeflection {
-    fn new(n: usize) -> SingleDeflection {
-        SingleDeflection {
-            loads: vec![0.0; n],
-            deflection: vec![0.0; n],
-            part: vec![0.0; n],
-        }
-    }
-
-    fn deflect(&mut self, d: &Discretisation, loads: &[f64]) -> Vec<f64> {
-        for (single, load) in self.loads.iter_mut().zip(loads) {
-            *single = *load as f32;
-        }
-        let elastic = &d.contact.elastic;
-        elastic.deflect_single(&self.loads, &mut self.deflection, &mut self.part);
-        self.deflection.iter().map(|v| f64::from(*v)).collect()
-    }
 }
 
 /// R_Pᵀ z and R_δᵀ z.
@@ -148,25 +122,4 @@ fn multiply_transposed(d: &Discretisation, system: &System, z: &[f64]) -> (Vec<f
         }
     }
     (by_pressure, by_deflection)
-}
-
-/// Mᵀ δ: ∫δ N of each pressure unknown.
-fn pressure_loads(d: &Discretisation, deflection: &[f64]) -> Vec<f64> {
-    let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
-    let mut f = vec![0.0; d.n_pressure];
-    for c in 0..d.contact.n_elements() {
-        let block = &d.coupling[c * n * m..(c + 1) * n * m];
-        let below = d.contact.deflection.nodes_of(c);
-        for (j, node) in d.pressure.nodes_of(c).iter().enumerate() {
-            let dof = d.pressure_dofs[*node as usize];
-            if dof != CONSTRAINED {
-                f[dof as usize] += below
-                    .iter()
-                    .enumerate()
-                    .map(|(i, k)| block[i * n + j] * deflection[*k as usize])
-                    .sum::<f64>();
-            }
-        }
-    }
-    f
 }

@@ -1,24 +1,26 @@
 //! One mesh level: meshes, spaces, elastic operator and everything that Newton's method reuses.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 use std::time::Instant;
 
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::element::Tabulation;
-use ertel_fem::linear::condensed::CholeskyError;
 use ertel_fem::linear::{NEVER, Stop};
 use ertel_fem::locate::Locator;
 use ertel_fem::mesh::{
-    BodyMesh, BodyParams, MeshError, SimplexMesh, SizeField, SizeZone, Zone, body_mesh,
+    BodyParams, SimplexMesh, SizeField, SizeZone, SurfaceMesh, SurfaceParams, Zone, surface_mesh,
 };
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
-use super::cache::{OperatorCache, OperatorKey, SMALLEST};
-use super::elastic::{BodySpace, ElasticBody, ElasticOperator, SurfaceResponse, near_pairs};
 use super::heat::column::Column;
 use super::heat::space::HeatSpace;
 use crate::contact::ContactKind;
+use crate::elastic::cache::OperatorCache;
+use crate::elastic::{
+    Accuracy, BodyModel, Elasticity, FiniteBodies, FiniteBody, FiniteBodyError, HalfSpace,
+    SurfaceResponse, Trace, near_pairs,
+};
 
 /// Cell sizes of one level and the region they cover, in Hertz half-widths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,30 +68,27 @@ pub struct Extents {
 }
 
 /// Building a level failed.
-#[derive(Debug, thiserror::Error)]
-pub enum DiscretisationError {
-    /// The mesh could not be built.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// The elastic problem could not be factorised.
-    #[error(transparent)]
-    Elastic(#[from] CholeskyError),
+pub type DiscretisationError = FiniteBodyError;
+
+/// What the contact area is meshed with.
+enum Support {
+    /// Nothing below it.
+    Surface(SurfaceMesh),
+    /// A body below it, with its condensed answers.
+    Body(Box<FiniteBody>, FiniteBodies),
 }
 
-/// Mesh of one level with its elastic response; pressure spaces of any order stand on it.
-pub struct ContactBody {
+/// Mesh of the contact area with what the bodies answer there; pressure spaces of any order stand on it.
+pub struct ContactSurface {
     /// Line or circular.
     pub kind: ContactKind,
     /// Contact area and body.
     pub extents: Extents,
-    /// Body with its boundary facets.
-    pub body: BodyMesh,
-    /// Order of the displacement.
-    pub elastic_order: usize,
-    /// Displacement unknowns of the body.
+    /// The bodies.
+    pub elasticity: Elasticity,
+    support: Support,
+    /// Displacement unknowns of a finite-element body; 0 for a half-space.
     pub n_displacement: usize,
-    space: OnceLock<BodySpace>,
-    body_vertices: Vec<u32>,
     /// Where elastic responses are kept, if anywhere.
     pub cache: Option<OperatorCache>,
     /// Whether all of this one came from there.
@@ -100,8 +99,8 @@ pub struct ContactBody {
     pub locator: Locator,
     /// Deflection nodes of the contact area.
     pub deflection: Space,
-    /// Elastic response.
-    pub elastic: ElasticOperator,
+    /// What the bodies answer.
+    pub response: Arc<dyn SurfaceResponse>,
     /// Pairs of deflection nodes whose stiffness the preconditioner sees.
     pub near_pairs: Vec<(u32, u32)>,
     /// Affine map of each element.
@@ -130,69 +129,44 @@ impl Default for Means<'_> {
     }
 }
 
-/// Dimensionless elastic constants of one body: E/(R p_h/a) and ν.
-pub type BodyConstants = (f64, f64);
-
-impl ContactBody {
-    /// Meshes the body and factorises its elastic response.
+impl ContactSurface {
+    /// Meshes the contact area, and a body below it where one is asked for, and makes its elastic response.
     ///
     /// # Errors
-    /// When meshing or factorisation fails.
+    /// When meshing or factorisation fails, or the caller wants to stop.
     pub fn new(
         kind: ContactKind,
         extents: &Extents,
         sizes: &LevelSizes,
-        elastic_order: usize,
-        bodies: &[BodyConstants],
-    ) -> Result<ContactBody, DiscretisationError> {
-        ContactBody::with_cache(
-            kind,
-            extents,
-            sizes,
-            elastic_order,
-            bodies,
-            Means::default(),
-        )
-    }
-
-    /// The same with responses from a cache where it has them.
-    ///
-    /// # Errors
-    /// When meshing or factorisation fails, or the caller wants to stop.
-    pub fn with_cache(
-        kind: ContactKind,
-        extents: &Extents,
-        sizes: &LevelSizes,
-        elastic_order: usize,
-        bodies: &[BodyConstants],
+        elasticity: &Elasticity,
         means: Means,
-    ) -> Result<ContactBody, DiscretisationError> {
+    ) -> Result<ContactSurface, DiscretisationError> {
         let start = Instant::now();
-        let body = body_mesh(&body_params(kind, extents), &|x| {
-            size_at(kind, extents, sizes, x)
-        })?;
-        let mesh_seconds = start.elapsed().as_secs_f64();
-        ContactBody::on(
-            kind,
-            extents,
-            body,
-            mesh_seconds,
-            elastic_order,
-            bodies,
-            means,
-        )
+        let mesh = match elasticity.model {
+            BodyModel::HalfSpace => {
+                let params = SurfaceParams {
+                    dim: kind.body_dimension() - 1,
+                    x: [extents.inlet, extents.outlet],
+                    y_side: extents.side,
+                };
+                let size = |x: [f64; 2]| size_at(kind, extents, sizes, [x[0], x[1], 0.0]);
+                Mesh::Surface(surface_mesh(&params, &size)?)
+            }
+            BodyModel::FiniteElements => {
+                let params = body_params(kind, extents);
+                let size = |x: [f64; 3]| size_at(kind, extents, sizes, x);
+                Mesh::Body(Box::new(FiniteBody::new(&params, &size)?))
+            }
+        };
+        let seconds = start.elapsed().as_secs_f64();
+        ContactSurface::on(kind, extents, mesh, seconds, elasticity, means)
     }
 
-    /// The same with elements halved `halvings` times in length, and the cells below as conformity demands.
+    /// The same with elements halved `halvings` times in length, and others as conformity demands.
     ///
     /// # Errors
-    /// As [`ContactBody::with_cache`].
-    pub fn refined(
-        &self,
-        halvings: &[u32],
-        bodies: &[BodyConstants],
-        means: Means,
-    ) -> Result<ContactBody, DiscretisationError> {
+    /// As [`ContactSurface::new`].
+    pub fn refined(&self, halvings: &[u32], means: Means) -> Result<ContactSurface, DiscretisationError> {
         let start = Instant::now();
         let sizes: Vec<f64> = halvings
             .iter()
@@ -203,61 +177,45 @@ impl ContactBody {
                 n => 1.001 * self.surface.longest_edge(c) / f64::from(1u32 << n),
             })
             .collect();
-        let mut body = self.body.clone();
-        body.refine_contact(&sizes)?;
-        let mesh_seconds = start.elapsed().as_secs_f64();
-        ContactBody::on(
-            self.kind,
-            &self.extents,
-            body,
-            mesh_seconds,
-            self.elastic_order,
-            bodies,
-            means,
-        )
+        let mesh = match &self.support {
+            Support::Surface(surface) => Mesh::Surface(surface.refined(&sizes)?),
+            Support::Body(body, _) => Mesh::Body(Box::new(body.refined(&sizes)?)),
+        };
+        let seconds = start.elapsed().as_secs_f64();
+        ContactSurface::on(self.kind, &self.extents, mesh, seconds, &self.elasticity, means)
     }
 
-    /// Factorises the elastic response of a meshed body.
+    /// Makes the elastic response of a mesh.
     fn on(
         kind: ContactKind,
         extents: &Extents,
-        body: BodyMesh,
+        mesh: Mesh,
         mesh_seconds: f64,
-        elastic_order: usize,
-        bodies: &[BodyConstants],
+        elasticity: &Elasticity,
         means: Means,
-    ) -> Result<ContactBody, DiscretisationError> {
+    ) -> Result<ContactSurface, DiscretisationError> {
         let start = Instant::now();
-        let contact = body.contact_mesh();
-        let surface = contact.mesh;
-        let deflection = Space::new(&surface, elastic_order);
-        let near_pairs = near_pairs(&deflection);
-        let mut builder = ResponseBuilder {
-            body: &body,
-            near_pairs: &near_pairs,
-            n: deflection.n_nodes(),
-            new_space: || BodySpace::new(&body, &surface, &contact.body_vertices, &deflection),
-            space: OnceLock::new(),
-            cache: means.cache.filter(|_| body.mesh.n_cells() > SMALLEST),
-            stop: means.stop,
-            elastic_order,
-            n_displacement: 0,
+        let surface = match &mesh {
+            Mesh::Surface(surface) => surface.mesh().clone(),
+            Mesh::Body(body) => body.surface.clone(),
         };
-        let mut elastic = ElasticOperator { bodies: Vec::new() };
-        for &(modulus, poissons_ratio) in bodies {
-            let known = |b: &&ElasticBody| b.poissons_ratio == poissons_ratio;
-            let response = match elastic.bodies.iter().find(known) {
-                Some(b) => Arc::clone(&b.response),
-                None => Arc::new(builder.response(poissons_ratio)?),
-            };
-            elastic.bodies.push(ElasticBody {
-                response,
-                modulus,
-                poissons_ratio,
-            });
-        }
-        let (space, n_displacement) = (builder.space, builder.n_displacement);
-        let from_cache = !bodies.is_empty() && space.get().is_none();
+        let deflection = Space::new(&surface, elasticity.order);
+        let wide = kind == ContactKind::Line;
+        let near_pairs = near_pairs(&deflection, wide);
+        let (mut n_displacement, mut from_cache) = (0, false);
+        let bodies = &elasticity.bodies;
+        let (support, response): (Support, Arc<dyn SurfaceResponse>) = match mesh {
+            Mesh::Surface(mesh) => {
+                let response = HalfSpace::new(&surface, &deflection, bodies, &near_pairs);
+                (Support::Surface(mesh), Arc::new(response))
+            }
+            Mesh::Body(body) => {
+                let condensed;
+                (condensed, n_displacement, from_cache) =
+                    body.condensed(bodies, &deflection, &near_pairs, means.cache, means.stop)?;
+                (Support::Body(body, condensed.clone()), Arc::new(condensed))
+            }
+        };
         let operator_seconds = start.elapsed().as_secs_f64();
         let maps: Vec<Affine> = (0..surface.n_cells())
             .map(|c| Affine::new(&surface, c))
@@ -272,20 +230,18 @@ impl ContactBody {
                 }
             })
             .collect();
-        Ok(ContactBody {
+        Ok(ContactSurface {
             kind,
             extents: *extents,
-            body,
-            elastic_order,
+            elasticity: elasticity.clone(),
+            support,
             n_displacement,
-            space,
-            body_vertices: contact.body_vertices,
             cache: means.cache.cloned(),
             from_cache,
             locator: Locator::new(&surface),
             surface,
             deflection,
-            elastic,
+            response,
             near_pairs,
             maps,
             sizes: element_sizes,
@@ -293,13 +249,12 @@ impl ContactBody {
         })
     }
 
-    /// Displacement space of the body, made when first asked for: a solve whose elastic response is
-    /// in the cache never does.
-    pub fn space(&self) -> &BodySpace {
-        self.space.get_or_init(|| {
-            let trace = &self.deflection;
-            BodySpace::new(&self.body, &self.surface, &self.body_vertices, trace)
-        })
+    /// The finite-element body below the contact area with its condensed answers; `None` above a half-space.
+    pub fn body(&self) -> Option<(&FiniteBody, &FiniteBodies)> {
+        match &self.support {
+            Support::Surface(_) => None,
+            Support::Body(body, condensed) => Some((body, condensed)),
+        }
     }
 
     /// Undeformed gap at a surface point: X²/2 (line), (X² + Y²)/2 (circular).
@@ -325,50 +280,17 @@ impl ContactBody {
     }
 }
 
-/// Finds responses in the cache or builds and keeps them.
-struct ResponseBuilder<'a, F> {
-    body: &'a BodyMesh,
-    near_pairs: &'a [(u32, u32)],
-    /// Surface nodes.
-    n: usize,
-    new_space: F,
-    space: OnceLock<BodySpace>,
-    cache: Option<&'a OperatorCache>,
-    stop: Stop<'a>,
-    elastic_order: usize,
-    n_displacement: usize,
+/// A mesh before its bodies answer.
+enum Mesh {
+    Surface(SurfaceMesh),
+    Body(Box<FiniteBody>),
 }
 
-impl<F: Fn() -> BodySpace> ResponseBuilder<'_, F> {
-    fn response(&mut self, poissons_ratio: f64) -> Result<SurfaceResponse, CholeskyError> {
-        let key = self.cache.map(|c| {
-            (
-                c,
-                OperatorKey::new(self.body, self.elastic_order, poissons_ratio),
-            )
-        });
-        if let Some((cache, key)) = key
-            && let Some((response, n)) = cache.get(key, self.n, self.near_pairs.len())
-        {
-            self.n_displacement = n;
-            return Ok(response);
-        }
-        let space = self.space.get_or_init(&self.new_space);
-        self.n_displacement = space.dofs.n_dofs;
-        let response =
-            SurfaceResponse::new(space, self.body, poissons_ratio, self.near_pairs, self.stop)?;
-        if let Some((cache, key)) = key {
-            cache.put(key, &response, self.n_displacement);
-        }
-        Ok(response)
-    }
-}
-
-/// Pressure space on a contact body, and everything that Newton's method reuses.
+/// Pressure space on a contact surface, and everything that Newton's method reuses.
 #[derive(Clone)]
 pub struct Discretisation {
     /// Mesh and elastic response.
-    pub contact: Arc<ContactBody>,
+    pub contact: Arc<ContactSurface>,
     /// Pressure nodes.
     pub pressure: Space,
     /// Pressure unknown of each node, or `CONSTRAINED` on the edge of the contact area.
@@ -385,15 +307,15 @@ pub struct Discretisation {
     pub deflection_table: Tabulation,
     /// ∫N of each pressure unknown.
     pub load: Vec<f64>,
-    /// Element matrices ∫N_δ N_P, row-major, deflection by pressure node.
-    pub coupling: Vec<f64>,
+    /// What leads from pressures to deflections.
+    pub trace: Arc<Trace>,
     /// Temperatures, where heat counts.
     pub heat: Option<Arc<HeatSpace>>,
 }
 
 impl Discretisation {
-    /// Pressure space of the given order on the contact area of a body.
-    pub fn new(contact: &Arc<ContactBody>, pressure_order: usize) -> Discretisation {
+    /// Pressure space of the given order on a contact area.
+    pub fn new(contact: &Arc<ContactSurface>, pressure_order: usize) -> Discretisation {
         let surface = &contact.surface;
         let pressure = Space::new(surface, pressure_order);
         let mut n_pressure = 0;
@@ -418,11 +340,9 @@ impl Discretisation {
             .min(contact.deflection.element.order())
             .max(1);
         let pressure_unseen = pressure.element.fluctuations(seen, &rule);
-        let (n, m) = (pressure_table.n_nodes, deflection_table.n_nodes);
+        let n = pressure_table.n_nodes;
         let mut load = vec![0.0; n_pressure];
-        let mut coupling = vec![0.0; contact.n_elements() * n * m];
         for (c, map) in contact.maps.iter().enumerate() {
-            let block = &mut coupling[c * n * m..(c + 1) * n * m];
             for (q, weight) in rule.weights.iter().enumerate() {
                 let w = weight * map.determinant;
                 for (j, node) in pressure.nodes_of(c).iter().enumerate() {
@@ -431,14 +351,13 @@ impl Discretisation {
                     if dof != CONSTRAINED {
                         load[dof as usize] += v;
                     }
-                    for i in 0..m {
-                        block[i * n + j] += v * deflection_table.values[q * m + i];
-                    }
                 }
             }
         }
+        let trace = Arc::new(Trace::new(surface, &pressure, &contact.deflection, &rule));
         Discretisation {
             contact: Arc::clone(contact),
+            trace,
             pressure,
             pressure_dofs,
             n_pressure,
@@ -447,7 +366,6 @@ impl Discretisation {
             pressure_unseen,
             deflection_table,
             load,
-            coupling,
             heat: None,
         }
     }
@@ -469,41 +387,33 @@ impl Discretisation {
 
     /// Calls `f(deflection node, pressure unknown, ∫N_δ N_P)` for every entry of M, element by element.
     pub fn for_each_coupling(&self, mut f: impl FnMut(u32, u32, f64)) {
-        let (n, m) = (self.pressure_table.n_nodes, self.deflection_table.n_nodes);
-        for c in 0..self.contact.n_elements() {
-            let block = &self.coupling[c * n * m..(c + 1) * n * m];
-            for (i, node) in self.contact.deflection.nodes_of(c).iter().enumerate() {
-                for (j, other) in self.pressure.nodes_of(c).iter().enumerate() {
+        for (below, nodes, block) in self.trace.elements() {
+            for (row, node) in block.chunks_exact(nodes.len()).zip(below) {
+                for (entry, other) in row.iter().zip(nodes) {
                     let dof = self.pressure_dofs[*other as usize];
                     if dof != CONSTRAINED {
-                        f(*node, dof, block[i * n + j]);
+                        f(*node, dof, *entry);
                     }
                 }
             }
         }
     }
 
-    /// Nodal loads ∫P N_δ of nodal pressures (all nodes, edge included).
-    pub fn nodal_loads(&self, pressure: &[f64]) -> Vec<f64> {
-        let (n, m) = (self.pressure_table.n_nodes, self.deflection_table.n_nodes);
-        let mut f = vec![0.0; self.contact.deflection.n_nodes()];
-        for c in 0..self.contact.n_elements() {
-            let block = &self.coupling[c * n * m..(c + 1) * n * m];
-            let nodes = self.pressure.nodes_of(c);
-            for (i, target) in self.contact.deflection.nodes_of(c).iter().enumerate() {
-                let mut sum = 0.0;
-                for (j, node) in nodes.iter().enumerate() {
-                    sum += block[i * n + j] * pressure[*node as usize];
-                }
-                f[*target as usize] += sum;
-            }
-        }
-        f
+    /// Deflection of the surface nodes under nodal pressures (all nodes, edge included).
+    pub fn deflect(&self, pressure: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        self.contact.response.deflect(&self.trace, pressure, accuracy)
     }
 
-    /// Deflection of the surface nodes under nodal pressures.
-    pub fn deflect(&self, pressure: &[f64]) -> Vec<f64> {
-        self.contact.elastic.deflect(&self.nodal_loads(pressure))
+    /// What weights of the surface nodes' deflections come to as weights of the pressure unknowns.
+    pub fn deflect_transposed(&self, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        let nodes = (self.contact.response).deflect_transposed(&self.trace, weights, accuracy);
+        let mut unknowns = vec![0.0; self.n_pressure];
+        for (value, dof) in nodes.iter().zip(&self.pressure_dofs) {
+            if *dof != CONSTRAINED {
+                unknowns[*dof as usize] = *value;
+            }
+        }
+        unknowns
     }
 
     /// ∫P over the contact area.

@@ -355,11 +355,15 @@ declare_kernel! {
 fn kernel<'a, const S: usize>(d: &Discretisation) -> Kernel<'a> {
     match (d.pressure_table.n_nodes, d.deflection_table.n_nodes) {
         (0..=4, 0..=4) => Assembler::padded::<4, 4, S>,
-        (0..=4, _) => Assembler::padded::<4, 8, S>,
-        (5..=8, _) => Assembler::padded::<8, 8, S>,
-        (9..=12, _) => Assembler::padded::<12, 8, S>,
-        (13..=16, _) => Assembler::padded::<16, 8, S>,
-        _ => Assembler::padded::<24, 8, S>,
+        (0..=4, 5..=8) => Assembler::padded::<4, 8, S>,
+        (5..=8, 0..=8) => Assembler::padded::<8, 8, S>,
+        (0..=8, 9..=12) => Assembler::padded::<8, 12, S>,
+        (9..=12, 0..=8) => Assembler::padded::<12, 8, S>,
+        (9..=12, 9..=12) => Assembler::padded::<12, 12, S>,
+        (13..=16, 0..=8) => Assembler::padded::<16, 8, S>,
+        (0..=16, 0..=16) => Assembler::padded::<16, 16, S>,
+        (17.., 0..=8) => Assembler::padded::<24, 8, S>,
+        _ => Assembler::padded::<24, 24, S>,
     }
 }
 

@@ -2,9 +2,7 @@
 
 pub mod adapt;
 pub mod adjoint;
-pub mod cache;
 pub mod discretisation;
-pub mod elastic;
 mod element;
 pub mod evaluate;
 pub mod heat;

@@ -18,19 +18,25 @@ use super::system::{Column, System};
 /// Stiffness matrices of the bodies, dimensionless.
 pub struct BodyMatrices {
     matrices: Vec<(SymmetricMatrix, f64)>,
+    /// Normal displacement unknown under each surface node.
+    normal: Vec<usize>,
 }
 
 impl BodyMatrices {
     /// Assembles the stiffness of each body.
+    ///
+    /// # Panics
+    /// Above a half-space: input is checked before.
     pub fn new(d: &Discretisation) -> BodyMatrices {
-        let c = &d.contact;
-        let matrices = c
-            .elastic
-            .bodies
-            .iter()
-            .map(|b| (c.space().stiffness(&c.body, b.poissons_ratio), b.modulus))
+        let (body, condensed) = d.contact.body().expect("a finite-element body");
+        let space = body.space(&d.contact.deflection);
+        let matrices = (condensed.bodies.iter())
+            .map(|b| (space.stiffness(&body.mesh, b.poissons_ratio), b.modulus))
             .collect();
-        BodyMatrices { matrices }
+        BodyMatrices {
+            matrices,
+            normal: space.normal_dofs.clone(),
+        }
     }
 }
 
@@ -54,7 +60,7 @@ impl Monolithic {
         let size = d.n_pressure + n_u * bodies.matrices.len() + 1;
         let first = |body: usize| d.n_pressure + body * n_u;
         let separation = size - 1;
-        let normal = &d.contact.space().normal_dofs;
+        let normal = &bodies.normal;
         let mut t = Vec::new();
         System::for_each_entry(d, |row, column, index| {
             let (row, value) = (row as usize, system.blocks[index]);

@@ -15,6 +15,7 @@ use super::preconditioner::{NearStiffness, Preconditioner};
 use super::step::{Method, Step, StepSolver, dot};
 use super::system::{FilmConstants, State};
 use super::{Observer, SolveError};
+use crate::elastic::Accuracy;
 use crate::film::FilmFluid;
 use crate::params::LinearSolver;
 use crate::solution::{IterationRecord, Timings};
@@ -300,7 +301,7 @@ impl<'a> NewtonLevel<'a> {
     ) -> State {
         let mut pressure: Vec<f64> = step.pressure.iter().map(|v| share * v).collect();
         self.limit_pressures(&model.fluid, state, params, &mut pressure);
-        let deflection = self.discretisation.deflect(&pressure);
+        let deflection = self.discretisation.deflect(&pressure, Accuracy::Full);
         let separation = share * step.separation;
         let mut next = state.clone();
         add(&mut next.pressure, &pressure);

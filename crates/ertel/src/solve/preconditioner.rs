@@ -54,7 +54,7 @@ impl NearStiffness {
             near.entries.push((first + node, dof));
             near.fixed.push(-value);
         });
-        let stiffness = d.contact.elastic.near_stiffness();
+        let stiffness = d.contact.response.near_stiffness();
         for (&(i, j), v) in d.contact.near_pairs.iter().zip(stiffness) {
             near.entries.push((first + i, first + j));
             near.fixed.push(v);

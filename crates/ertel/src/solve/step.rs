@@ -11,7 +11,8 @@ use super::discretisation::Discretisation;
 use super::monolithic::{BodyMatrices, Monolithic};
 use super::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats};
 use super::preconditioner::{NearStiffness, Preconditioner};
-use super::system::{Precision, State, System};
+use super::system::{State, System};
+use crate::elastic::Accuracy as Deflections;
 
 /// Newton step at all pressure nodes and of H0.
 pub(super) struct Step {
@@ -217,7 +218,7 @@ impl Bordered {
         let row_scale = jacobian.residual_scale / load;
         let mut rhs: Vec<f64> = residual.iter().map(|v| -v).collect();
         rhs.push(row_scale * load_defect);
-        let mut products = jacobian.products(d, Precision::Single);
+        let mut products = jacobian.products(d, Deflections::Krylov);
         let mut apply = |x: &[f64], y: &mut [f64]| {
             products.multiply(&x[..n], &mut y[..n]);
             for (yi, b) in y[..n].iter_mut().zip(&jacobian.by_separation) {

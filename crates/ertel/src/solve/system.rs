@@ -16,6 +16,7 @@ use rayon::prelude::*;
 
 use super::discretisation::Discretisation;
 use super::element::{Assembler, Element, N_SUMS};
+use crate::elastic::Accuracy;
 use crate::film::FilmFluid;
 use crate::forms::reynolds::ElementConstants;
 use crate::params::{Formulation, PenaltyScaling};
@@ -193,27 +194,14 @@ impl System {
     }
 
     /// Products with R_P + R_δ C M: scratch memory for them.
-    pub fn products<'a>(&'a self, d: &'a Discretisation, precision: Precision) -> Products<'a> {
-        let n = d.contact.deflection.n_nodes();
+    pub fn products<'a>(&'a self, d: &'a Discretisation, accuracy: Accuracy) -> Products<'a> {
         Products {
             system: self,
             d,
-            precision,
+            accuracy,
             pressure: vec![0.0; d.pressure.n_nodes()],
-            loads: vec![0.0; n],
-            deflection: vec![0.0; n],
-            single: std::array::from_fn(|_| vec![0.0; n]),
         }
     }
-}
-
-/// Precision of the elastic response in products with the Jacobian.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precision {
-    /// Enough for a step of Newton's method, whose residual is computed in double.
-    Single,
-    /// Double.
-    Double,
 }
 
 /// Column of an entry of the linearised film equations.
@@ -229,46 +217,34 @@ pub enum Column {
 pub struct Products<'a> {
     system: &'a System,
     d: &'a Discretisation,
-    precision: Precision,
+    accuracy: Accuracy,
     pressure: Vec<f64>,
-    loads: Vec<f64>,
-    deflection: Vec<f64>,
-    /// Loads, deflections and scratch.
-    single: [Vec<f32>; 3],
 }
 
 kernel! {
-    Multiply ['a, 'b] ['a, 'b] (products: &'b mut Products<'a>, x: &'b [f64], y: &'b mut [f64]) -> () {
-        products.multiply_here(x, y)
+    Multiply ['a, 'b] ['a, 'b] (products: &'b Products<'a>, deflection: &'b [f64], y: &'b mut [f64]) -> () {
+        products.multiply_here(deflection, y)
     }
 }
 
 impl Products<'_> {
     /// y = (R_P + R_δ C M) x for the pressure unknowns.
     pub fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
+        for (value, dof) in self.pressure.iter_mut().zip(&self.d.pressure_dofs) {
+            *value = x.get(*dof as usize).copied().unwrap_or(0.0);
+        }
+        let deflection = self.d.deflect(&self.pressure, self.accuracy);
         vectorised(Multiply {
             products: self,
-            x,
+            deflection: &deflection,
             y,
         });
     }
 
     #[inline(always)]
-    fn multiply_here(&mut self, x: &[f64], y: &mut [f64]) {
+    fn multiply_here(&self, deflection: &[f64], y: &mut [f64]) {
         let d = self.d;
-        for (value, dof) in self.pressure.iter_mut().zip(&d.pressure_dofs) {
-            *value = x.get(*dof as usize).copied().unwrap_or(0.0);
-        }
         let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
-        self.loads.fill(0.0);
-        for c in 0..d.contact.n_elements() {
-            let block = &d.coupling[c * n * m..(c + 1) * n * m];
-            let nodes = d.pressure.nodes_of(c);
-            for (row, target) in block.chunks_exact(n).zip(d.contact.deflection.nodes_of(c)) {
-                self.loads[*target as usize] += dot_at(row, nodes, &self.pressure);
-            }
-        }
-        self.deflect();
         y.fill(0.0);
         for c in 0..d.contact.n_elements() {
             let nodes = d.pressure.nodes_of(c);
@@ -278,26 +254,9 @@ impl Products<'_> {
                 let dof = d.pressure_dofs[*node as usize];
                 if dof != CONSTRAINED {
                     y[dof as usize] += dot_at(&row[..n], nodes, &self.pressure)
-                        + dot_at(&row[n..], below, &self.deflection);
+                        + dot_at(&row[n..], below, deflection);
                 }
             }
-        }
-    }
-
-    /// Deflections of the loads.
-    fn deflect(&mut self) {
-        let elastic = &self.d.contact.elastic;
-        if self.precision == Precision::Double {
-            self.deflection = elastic.deflect(&self.loads);
-            return;
-        }
-        let [loads, deflection, part] = &mut self.single;
-        for (single, load) in loads.iter_mut().zip(&self.loads) {
-            *single = *load as f32;
-        }
-        elastic.deflect_single(loads, deflection, part);
-        for (value, single) in self.deflection.iter_mut().zip(&*deflection) {
-            *value = f64::from(*single);
         }
     }
 }

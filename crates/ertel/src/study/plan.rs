@@ -205,7 +205,7 @@ fn features(study: &Study) -> Vec<Features> {
         let problem = problem(&point.case);
         let case = &point.case;
         // Without the noise of the last digits.
-        let bodies: Vec<String> = (problem.bodies.iter())
+        let bodies: Vec<String> = (problem.elasticity.bodies.iter())
             .map(|(modulus, ratio)| format!("{modulus:.8e} {ratio:.8e}"))
             .collect();
         let values = point.values.iter().zip(&scales);

@@ -6,7 +6,8 @@ use crate::case::Case;
 use crate::contact::{ContactKind, hertz};
 use crate::post::profile::Profile;
 use crate::run::problem;
-use crate::solve::discretisation::{ContactBody, Discretisation};
+use crate::elastic::Accuracy;
+use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
 use crate::solve::system::State;
 use crate::solve::{SolveError, discretisation::DiscretisationError};
 
@@ -34,12 +35,12 @@ pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
             n_displacement_dofs: 0,
         });
     };
-    let contact = ContactBody::new(
+    let contact = ContactSurface::new(
         problem.kind,
         &problem.extents,
         &stage.sizes,
-        problem.elastic_order,
-        &problem.bodies,
+        &problem.elasticity,
+        Means::default(),
     )
     .map_err(|e: DiscretisationError| SolveError::from(e))?;
     let contact = Arc::new(contact);
@@ -51,7 +52,7 @@ pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
         .map(|p| hertz::pressure_profile(p[0].hypot(p[1])))
         .collect();
     let state = State {
-        deflection: d.deflect(&pressure),
+        deflection: d.deflect(&pressure, Accuracy::Full),
         pressure,
         rigid_separation: 0.0,
         ..State::default()

@@ -8,7 +8,7 @@ use ertel_fem::space::Space;
 use super::column::Column;
 use crate::film::{MOST_NODES, TemperatureProfile};
 use crate::forms::energy::FilmPlace;
-use crate::solve::discretisation::{ContactBody, Discretisation};
+use crate::solve::discretisation::{ContactSurface, Discretisation};
 use crate::solve::evaluate::fields_from;
 use crate::solve::system::State;
 
@@ -36,7 +36,7 @@ pub struct HeatSpace {
 impl HeatSpace {
     /// Columns over a contact area, at whose points `film_rule` the film equations ask for temperatures.
     pub fn new(
-        contact: &ContactBody,
+        contact: &ContactSurface,
         pressure: &Lagrange,
         film_rule: &Quadrature,
         order: usize,

@@ -18,14 +18,15 @@ mod warm;
 use serde::Serialize;
 
 use super::adapt::AdaptParams;
-use super::cache::OperatorCache;
-use super::discretisation::{BodyConstants, Discretisation, Extents, LevelSizes};
+use super::discretisation::{Discretisation, Extents, LevelSizes};
 use super::evaluate::minimum_film;
 use super::heat::column::Column;
 use super::heat::coupling::{CouplingParams, CouplingStats};
 use super::newton::{NewtonParams, Reached};
 use super::system::{FilmConstants, State};
 use crate::contact::ContactKind;
+use crate::elastic::Elasticity;
+use crate::elastic::cache::OperatorCache;
 use crate::film::FilmFluid;
 use crate::forms::energy::Heat;
 use crate::params::LinearSolver;
@@ -87,10 +88,8 @@ pub struct Problem {
     pub extents: Extents,
     /// Stages, coarse to fine.
     pub stages: Vec<Stage>,
-    /// Order of the displacement.
-    pub elastic_order: usize,
-    /// Elastic bodies: the equivalent one, or plane and ball.
-    pub bodies: Vec<BodyConstants>,
+    /// Elastic bodies.
+    pub elasticity: Elasticity,
     /// Fluid.
     pub fluid: FilmFluid,
     /// Target of ∫P over the (half) contact area.

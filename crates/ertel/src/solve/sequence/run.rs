@@ -10,7 +10,7 @@ use super::start::{cold_start, interpolate};
 use super::{Problem, Role, Stage, StageSolution};
 use crate::solution::LevelStats;
 use crate::solve::adapt::{grading_errors, next_refinement};
-use crate::solve::discretisation::{ContactBody, Discretisation, Means};
+use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
 use crate::solve::evaluate::minimum_film;
 use crate::solve::newton::{NewtonStats, Reached};
 use crate::solve::{Observer, SolveError};
@@ -41,7 +41,7 @@ pub(super) struct Sequence<'a> {
     /// The last solution of a final stage, while a refined mesh is being tried.
     pub(super) solved: Option<StageSolution>,
     /// The last mesh made, and for which stage.
-    pub(super) mesh: Option<(Stage, Arc<ContactBody>)>,
+    pub(super) mesh: Option<(Stage, Arc<ContactSurface>)>,
     /// Halvings of each element that make the next mesh.
     pub(super) halvings: Vec<u32>,
     /// Steps halved on the present way.
@@ -136,7 +136,7 @@ impl<'a> Sequence<'a> {
         &mut self,
         stage: &Stage,
         observer: &dyn Observer,
-    ) -> Result<(Arc<ContactBody>, bool), SolveError> {
+    ) -> Result<(Arc<ContactSurface>, bool), SolveError> {
         let previous = self.previous.as_ref();
         let known = previous
             .map(|p| (&p.stage, &p.discretisation.contact))
@@ -159,14 +159,13 @@ impl<'a> Sequence<'a> {
         self.mesh = None;
         let mesh = Arc::new(match refined {
             Some(p) => {
-                (p.discretisation.contact).refined(&self.halvings, &problem.bodies, means)?
+                (p.discretisation.contact).refined(&self.halvings, means)?
             }
-            None => ContactBody::with_cache(
+            None => ContactSurface::new(
                 problem.kind,
                 &problem.extents,
                 &stage.sizes,
-                problem.elastic_order,
-                &problem.bodies,
+                &problem.elasticity,
                 means,
             )?,
         });

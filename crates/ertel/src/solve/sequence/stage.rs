@@ -213,7 +213,7 @@ impl<'a> StageRun<'a> {
         let contact = &d.contact;
         let mut figures = LevelStats {
             converged,
-            n_body_cells: contact.body.mesh.n_cells(),
+            n_body_cells: contact.body().map_or(0, |(body, _)| body.mesh.mesh.n_cells()),
             n_contact_elements: contact.n_elements(),
             n_pressure_dofs: d.n_pressure,
             n_displacement_dofs: contact.n_displacement,

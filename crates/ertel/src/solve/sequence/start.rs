@@ -2,6 +2,7 @@
 
 use super::{Problem, StageSolution};
 use crate::contact::hertz;
+use crate::elastic::Accuracy;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::system::State;
@@ -14,7 +15,7 @@ pub(super) fn cold_start(problem: &Problem, d: &Discretisation) -> State {
         .iter()
         .map(|p| hertz::pressure_profile(p[0].hypot(p[1])))
         .collect();
-    let deflection = d.deflect(&pressure);
+    let deflection = d.deflect(&pressure, Accuracy::Full);
     let mut state = State {
         pressure,
         deflection,
@@ -61,7 +62,7 @@ pub(super) fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
             pressure_at(from, old, [p[0], p[1]])
         })
         .collect();
-    let deflection = d.deflect(&pressure);
+    let deflection = d.deflect(&pressure, Accuracy::Full);
     let mut state = State {
         pressure,
         deflection,

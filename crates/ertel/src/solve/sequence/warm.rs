@@ -6,7 +6,8 @@ use super::{Problem, Role, Stage, StageSolution};
 use crate::contact::hertz;
 use crate::solution::LevelStats;
 use crate::solve::adapt::{error_bars, grading_errors};
-use crate::solve::discretisation::{BodyConstants, Discretisation, Extents};
+use crate::elastic::{Accuracy, Elasticity};
+use crate::solve::discretisation::{Discretisation, Extents};
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::system::State;
 use crate::solve::{Observer, SolveError};
@@ -14,8 +15,7 @@ use crate::solve::{Observer, SolveError};
 /// A solution from which a similar problem can start, with its mesh and elastic operator.
 pub struct Start {
     solution: StageSolution,
-    bodies: Vec<BodyConstants>,
-    elastic_order: usize,
+    elasticity: Elasticity,
     /// Start film of its problem: the measure by which the film of the next one is foreseen.
     film: f64,
     /// Largest error bar over the target, of the last solution that did not start from another.
@@ -100,8 +100,7 @@ impl Start {
         let miss = miss(problem, &solution, stats);
         Start {
             solution,
-            bodies: problem.bodies.clone(),
-            elastic_order: problem.elastic_order,
+            elasticity: problem.elasticity.clone(),
             film: problem.start_film,
             miss,
         }
@@ -128,9 +127,11 @@ impl Start {
         };
         let contact = &self.solution.discretisation.contact;
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
-        let bodies = self.bodies.len() == problem.bodies.len()
-            && (self.bodies.iter().zip(&problem.bodies))
-                .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1));
+        let (own, its) = (&self.elasticity, &problem.elasticity);
+        let bodies = own.model == its.model
+            && own.order == its.order
+            && own.bodies.len() == its.bodies.len()
+            && (own.bodies.iter().zip(&its.bodies)).all(|(a, b)| close(a.0, b.0) && close(a.1, b.1));
         let film = problem.start_film / self.film;
         let within = |ratio: f64, low: f64, high: f64| (low..=high).contains(&ratio);
         let reach = |e: &Extents| [-e.inlet, e.outlet, e.side, e.body_width, e.body_depth];
@@ -147,7 +148,6 @@ impl Start {
             has.edge / wants.edge,
         ];
         contact.kind == problem.kind
-            && self.elastic_order == problem.elastic_order
             && bodies
             && within(film, 1.0 / FARTHEST_FILM, FARTHEST_FILM)
             && (here.iter().zip(there)).all(|(h, t)| within(h / t, SHORTEST_REACH, LONGEST_REACH))
@@ -167,7 +167,7 @@ impl Start {
         );
         if ratio != 1.0 {
             start.state.pressure = stretched(d, &start.state, ratio.powf(2.0 / 3.0));
-            start.state.deflection = d.deflect(&start.state.pressure);
+            start.state.deflection = d.deflect(&start.state.pressure, Accuracy::Full);
         }
         start.state.rigid_separation += ratio * centre - central_film(d, &start.state);
         // Pressures that are foreseen leave less film at the rim than those to come.

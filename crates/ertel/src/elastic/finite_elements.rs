@@ -1,15 +1,17 @@
-//! The elastic response of the contact surface, condensed from the body.
+//! Finite-element bodies, condensed to their loaded surface (Habchi 2008, section 3.3 and appendix A).
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use ertel_fem::assembly::{CONSTRAINED, DofMap, NodeGraph, assemble_symmetric};
 use ertel_fem::linear::Stop;
 use ertel_fem::linear::compliance::Compliance;
 use ertel_fem::linear::condensed::{CholeskyError, CondensedStiffness, Keep};
-use ertel_fem::mesh::{BodyMesh, SimplexMesh};
+use ertel_fem::mesh::{BodyMesh, BodyParams, MeshError, SimplexMesh, body_mesh};
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
+use super::cache::{OperatorCache, OperatorKey, SMALLEST};
+use super::{Accuracy, BodyConstants, SurfaceResponse, Trace, compliance};
 use crate::forms::elasticity::{lame, stiffness_point};
 
 /// Displacement space of the body with its constraints and its trace on the contact area.
@@ -135,14 +137,14 @@ impl BodySpace {
 /// Condensed response of the contact area of a body with unit Young's modulus: all that Newton's
 /// method needs of a body.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceResponse {
+pub struct CondensedResponse {
     /// Deflection of each surface node under unit loads on the others.
     pub compliance: Compliance,
     /// Condensed stiffness between near nodes, in the order of their list of pairs.
     pub near: Vec<f64>,
 }
 
-impl SurfaceResponse {
+impl CondensedResponse {
     /// Factorises a body and condenses it.
     ///
     /// # Errors
@@ -153,13 +155,13 @@ impl SurfaceResponse {
         poissons_ratio: f64,
         near_pairs: &[(u32, u32)],
         stop: Stop,
-    ) -> Result<SurfaceResponse, CholeskyError> {
+    ) -> Result<CondensedResponse, CholeskyError> {
         let stiffness = space.factorise(body, poissons_ratio, Keep::Condensed, stop)?;
         if stop() {
             return Err(CholeskyError::Interrupted);
         }
         let near = near_pairs.iter();
-        Ok(SurfaceResponse {
+        Ok(CondensedResponse {
             near: near
                 .map(|(i, j)| stiffness.condensed_entry(*i as usize, *j as usize))
                 .collect(),
@@ -168,29 +170,11 @@ impl SurfaceResponse {
     }
 }
 
-/// Pairs of surface nodes (i ≤ j) that share an element, in line contacts also neighbours of neighbours: the stiffness
-/// of the surface is short-ranged, and what a preconditioner needs of it ends there.
-pub fn near_pairs(surface: &Space) -> Vec<(u32, u32)> {
-    let graph = NodeGraph::new(surface);
-    let line = surface.element.dim() == 1;
-    let mut pairs = Vec::new();
-    for i in 0..graph.n_nodes() {
-        let mut near: Vec<u32> = graph.of(i).to_vec();
-        if line {
-            near.extend(graph.of(i).iter().flat_map(|j| graph.of(*j as usize)));
-            near.sort_unstable();
-            near.dedup();
-        }
-        let near = near.into_iter().filter(|j| *j as usize >= i);
-        pairs.extend(near.map(|j| (i as u32, j)));
-    }
-    pairs
-}
-
 /// One elastic body: response for unit modulus, and its dimensionless modulus.
+#[derive(Clone)]
 pub struct ElasticBody {
     /// Response for E = 1; bodies of one Poisson's ratio share it.
-    pub response: Arc<SurfaceResponse>,
+    pub response: Arc<CondensedResponse>,
     /// E/(R p_h/a).
     pub modulus: f64,
     /// Poisson's ratio.
@@ -198,14 +182,15 @@ pub struct ElasticBody {
 }
 
 /// Bodies in series: the deflections under one load add up.
-pub struct ElasticOperator {
+#[derive(Clone)]
+pub struct FiniteBodies {
     /// The equivalent body, or plane and ball.
     pub bodies: Vec<ElasticBody>,
 }
 
-impl ElasticOperator {
+impl FiniteBodies {
     /// Distinct responses with Σ1/E of the bodies that have them.
-    fn responses(&self) -> impl Iterator<Item = (&SurfaceResponse, f64)> {
+    fn responses(&self) -> impl Iterator<Item = (&CondensedResponse, f64)> {
         let shares = |b: &ElasticBody| {
             let same = |o: &&ElasticBody| Arc::ptr_eq(&o.response, &b.response);
             self.bodies
@@ -222,7 +207,7 @@ impl ElasticOperator {
     }
 
     /// Total deflection of the surface nodes under nodal loads ∫P N: δ = Σ_b C_b f/E_b.
-    pub fn deflect(&self, load: &[f64]) -> Vec<f64> {
+    pub fn deflect_loads(&self, load: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; load.len()];
         let mut part = vec![0.0; load.len()];
         for (response, share) in self.responses() {
@@ -234,24 +219,174 @@ impl ElasticOperator {
         sum
     }
 
-    /// The same in single precision, for products with the Jacobian; `part` is scratch.
-    pub fn deflect_single(&self, load: &[f32], sum: &mut [f32], part: &mut [f32]) {
-        sum.fill(0.0);
+    /// The same in single precision, for products with the Jacobian.
+    fn deflect_single(&self, load: &[f64]) -> Vec<f64> {
+        let load: Vec<f32> = load.iter().map(|v| *v as f32).collect();
+        let mut sum = vec![0.0f32; load.len()];
+        let mut part = vec![0.0f32; load.len()];
         for (response, share) in self.responses() {
-            response.compliance.apply_single(load, part);
-            for (s, w) in sum.iter_mut().zip(&*part) {
+            response.compliance.apply_single(&load, &mut part);
+            for (s, w) in sum.iter_mut().zip(&part) {
                 *s += share as f32 * w;
             }
         }
+        sum.into_iter().map(f64::from).collect()
     }
 
-    /// Stiffness of the bodies in series between near surface nodes, approximately: the first
-    /// body's, scaled by its share of the half-space compliance (1 − ν²)/E.
-    pub fn near_stiffness(&self) -> impl Iterator<Item = f64> {
-        let compliance = |b: &ElasticBody| (1.0 - b.poissons_ratio.powi(2)) / b.modulus;
-        let first = &self.bodies[0];
-        let total: f64 = self.bodies.iter().map(compliance).sum();
-        let scale = first.modulus * compliance(first) / total;
-        first.response.near.iter().map(move |s| s * scale)
+    fn deflection_of(&self, load: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        match accuracy {
+            Accuracy::Full => self.deflect_loads(load),
+            Accuracy::Krylov => self.deflect_single(load),
+        }
+    }
+}
+
+/// Loads and deflections belong together as ∫p N and its energy: the condensed compliance is symmetric.
+impl SurfaceResponse for FiniteBodies {
+    fn deflect(&self, trace: &Trace, pressure: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        self.deflection_of(&trace.loads(pressure), accuracy)
+    }
+
+    fn deflect_transposed(&self, trace: &Trace, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        trace.loads_transposed(&self.deflection_of(weights, accuracy))
+    }
+
+    fn respond(&self, _: &Trace, loads: &[f64]) -> Vec<f64> {
+        self.deflect_loads(loads)
+    }
+
+    /// Of bodies in series approximately: the first body's, scaled by its share of the half-space compliance.
+    fn near_stiffness(&self) -> Vec<f64> {
+        let Some(first) = self.bodies.first() else {
+            return Vec::new();
+        };
+        let own = compliance(&[(first.modulus, first.poissons_ratio)]);
+        let scale = first.modulus * own / self.compliance();
+        first.response.near.iter().map(move |s| s * scale).collect()
+    }
+
+    fn compliance(&self) -> f64 {
+        let constants: Vec<BodyConstants> = (self.bodies.iter())
+            .map(|b| (b.modulus, b.poissons_ratio))
+            .collect();
+        compliance(&constants)
+    }
+}
+
+/// Building a finite-element body failed.
+#[derive(Debug, thiserror::Error)]
+pub enum FiniteBodyError {
+    /// The mesh could not be built.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The elastic problem could not be factorised.
+    #[error(transparent)]
+    Elastic(#[from] CholeskyError),
+}
+
+/// A meshed body below the contact area, with its condensed answers.
+pub struct FiniteBody {
+    /// The body with its boundary facets.
+    pub mesh: BodyMesh,
+    /// Contact area.
+    pub surface: SimplexMesh,
+    body_vertices: Vec<u32>,
+    space: OnceLock<BodySpace>,
+}
+
+impl FiniteBody {
+    /// Meshes a body; `size` is the longest edge wanted at a point.
+    ///
+    /// # Errors
+    /// Those of the mesh.
+    pub fn new(params: &BodyParams, size: &dyn Fn([f64; 3]) -> f64) -> Result<FiniteBody, MeshError> {
+        Ok(FiniteBody::on(body_mesh(params, size)?))
+    }
+
+    /// The same with elements of the contact area no longer than `sizes`.
+    ///
+    /// # Errors
+    /// Those of the mesh.
+    pub fn refined(&self, sizes: &[f64]) -> Result<FiniteBody, MeshError> {
+        let mut mesh = self.mesh.clone();
+        mesh.refine_contact(sizes)?;
+        Ok(FiniteBody::on(mesh))
+    }
+
+    fn on(mesh: BodyMesh) -> FiniteBody {
+        let contact = mesh.contact_mesh();
+        FiniteBody {
+            mesh,
+            surface: contact.mesh,
+            body_vertices: contact.body_vertices,
+            space: OnceLock::new(),
+        }
+    }
+
+    /// Displacement space, made when first asked for: a solve whose elastic response is in the cache never does.
+    /// `deflection` is its trace.
+    pub fn space(&self, deflection: &Space) -> &BodySpace {
+        (self.space).get_or_init(|| BodySpace::new(&self.mesh, &self.surface, &self.body_vertices, deflection))
+    }
+
+    /// Condensed answers of bodies of the given constants, from the cache where it has them; with the number of displacement
+    /// unknowns, and whether all came from there.
+    ///
+    /// # Errors
+    /// When a factorisation fails, or `stop` says so.
+    pub fn condensed(
+        &self,
+        bodies: &[BodyConstants],
+        deflection: &Space,
+        near_pairs: &[(u32, u32)],
+        cache: Option<&OperatorCache>,
+        stop: Stop,
+    ) -> Result<(FiniteBodies, usize, bool), CholeskyError> {
+        let cache = cache.filter(|_| self.mesh.mesh.n_cells() > SMALLEST);
+        let mut condensed = FiniteBodies { bodies: Vec::new() };
+        let mut n_displacement = 0;
+        for &(modulus, poissons_ratio) in bodies {
+            let known = |b: &&ElasticBody| b.poissons_ratio == poissons_ratio;
+            let response = match condensed.bodies.iter().find(known) {
+                Some(b) => Arc::clone(&b.response),
+                None => {
+                    let (response, n) =
+                        self.response(poissons_ratio, deflection, near_pairs, cache, stop)?;
+                    n_displacement = n;
+                    Arc::new(response)
+                }
+            };
+            condensed.bodies.push(ElasticBody {
+                response,
+                modulus,
+                poissons_ratio,
+            });
+        }
+        let from_cache = !bodies.is_empty() && self.space.get().is_none();
+        Ok((condensed, n_displacement, from_cache))
+    }
+
+    fn response(
+        &self,
+        poissons_ratio: f64,
+        deflection: &Space,
+        near_pairs: &[(u32, u32)],
+        cache: Option<&OperatorCache>,
+        stop: Stop,
+    ) -> Result<(CondensedResponse, usize), CholeskyError> {
+        let order = deflection.element.order();
+        let key = cache.map(|c| (c, OperatorKey::new(&self.mesh, order, poissons_ratio)));
+        if let Some((cache, key)) = key
+            && let Some(found) = cache.get(key, deflection.n_nodes(), near_pairs.len())
+        {
+            return Ok(found);
+        }
+        let space = self.space(deflection);
+        let n_displacement = space.dofs.n_dofs;
+        let response = CondensedResponse::new(space, &self.mesh, poissons_ratio, near_pairs, stop)?;
+        if let Some((cache, key)) = key {
+            cache.put(key, &response, n_displacement);
+        }
+        Ok((response, n_displacement))
     }
 }

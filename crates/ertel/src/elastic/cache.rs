@@ -15,7 +15,7 @@ use ertel_fem::linear::compliance::Compliance;
 use ertel_fem::mesh::BodyMesh;
 use xxhash_rust::xxh3::Xxh3;
 
-use super::elastic::SurfaceResponse;
+use super::CondensedResponse;
 
 /// Raised whenever the content or the meaning of a file changes, or the numbers in it would.
 const VERSION: u32 = 3;
@@ -123,7 +123,7 @@ impl OperatorCache {
         key: OperatorKey,
         n: usize,
         n_near: usize,
-    ) -> Option<(SurfaceResponse, usize)> {
+    ) -> Option<(CondensedResponse, usize)> {
         let path = self.path(key);
         match read(&path, key, n, n_near) {
             Ok(found) => {
@@ -145,7 +145,7 @@ impl OperatorCache {
     }
 
     /// Keeps a response; a failure is a warning.
-    pub fn put(&self, key: OperatorKey, response: &SurfaceResponse, n_displacement: usize) {
+    pub fn put(&self, key: OperatorKey, response: &CondensedResponse, n_displacement: usize) {
         let n = response.compliance.n();
         let size = file_size(n, response.near.len());
         if size > self.limit {
@@ -163,7 +163,7 @@ impl OperatorCache {
     fn write(
         &self,
         key: OperatorKey,
-        response: &SurfaceResponse,
+        response: &CondensedResponse,
         n_displacement: usize,
     ) -> io::Result<()> {
         fs::create_dir_all(&self.folder)?;
@@ -285,7 +285,7 @@ fn read(
     key: OperatorKey,
     n: usize,
     n_near: usize,
-) -> Result<(SurfaceResponse, usize), Unusable> {
+) -> Result<(CondensedResponse, usize), Unusable> {
     let mut file = File::open(path)?;
     let mut header = [0u8; HEADER];
     file.read_exact(&mut header)
@@ -318,5 +318,5 @@ fn read(
         return Err(Unusable::Content("its checksum is wrong"));
     }
     let compliance = Compliance::from_tiles(n, tiles);
-    Ok((SurfaceResponse { compliance, near }, stored[2] as usize))
+    Ok((CondensedResponse { compliance, near }, stored[2] as usize))
 }

@@ -1,0 +1,107 @@
+//! Elastic half-spaces by closed-form integrals and a fast summation.
+//!
+//! ```text
+//!   δ(x) = C/π ∫ P(y)/|x − y| dA              point contacts   (Johnson 1985, eq. 3.19)
+//!   δ(x) = −2C/π ∫ P(y) ln(|x − y|/d) dy      line contacts    (eq. 2.24b), zero at the distance d of the load
+//!
+//!   C = Σ(1 − ν²)/E over the bodies
+//! ```
+//! The deflection is exact at its nodes for the pressure that the elements carry, and a polynomial between them.
+
+use std::f64::consts::PI;
+
+use ertel_fem::mesh::SimplexMesh;
+use ertel_fem::potential::{Accuracy, Potential, PotentialParams};
+use ertel_fem::space::Space;
+
+use super::near::symbol_stiffness;
+use super::{BodyConstants, SurfaceResponse, Trace, compliance};
+
+/// Distance, in half-widths, at which a line load deflects nothing: the depth of the finite-element body that stands for a
+/// half-space in Habchi's thesis. It shifts the separation alone.
+const LINE_REFERENCE: f64 = 60.0;
+
+/// Half-spaces under one load.
+pub struct HalfSpace {
+    potential: Potential,
+    /// Σ(1 − ν²)/E.
+    compliance: f64,
+    /// Deflection over potential.
+    factor: f64,
+    /// ∫N of each deflection node, times what the reference distance adds to the deflection.
+    lift: Option<Vec<f64>>,
+    near: Vec<f64>,
+}
+
+impl HalfSpace {
+    /// Half-spaces of the given constants below a contact area, with deflections in `space`; `pairs` are those of
+    /// [`near_pairs`](super::near_pairs). A surface ends at the symmetry line y = 0.
+    pub fn new(
+        mesh: &SimplexMesh,
+        space: &Space,
+        bodies: &[BodyConstants],
+        pairs: &[(u32, u32)],
+    ) -> HalfSpace {
+        let line = mesh.dim == 1;
+        let targets: Vec<[f64; 2]> = space.points.iter().map(|p| [p[0], p[1]]).collect();
+        let c = compliance(bodies);
+        let factor = c / PI * if line { 2.0 } else { 1.0 };
+        HalfSpace {
+            potential: Potential::new(mesh, space, &targets, !line, &PotentialParams::default()),
+            compliance: c,
+            factor,
+            lift: line.then(|| {
+                let shift = factor * LINE_REFERENCE.ln();
+                space.integrals(mesh).into_iter().map(|v| shift * v).collect()
+            }),
+            near: symbol_stiffness(mesh, space, pairs, &|k| 2.0 * c / k),
+        }
+    }
+
+    /// Bytes that it takes, about.
+    pub fn bytes(&self) -> usize {
+        self.potential.bytes()
+    }
+
+    /// Deflection under a pressure given at the deflection nodes.
+    fn deflect_values(&self, values: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        let mut deflection = self.potential.apply(values, accuracy);
+        let lift = self.lift.as_ref().map_or(0.0, |lift| dot(lift, values));
+        for d in &mut deflection {
+            *d = self.factor * *d + lift;
+        }
+        deflection
+    }
+}
+
+impl SurfaceResponse for HalfSpace {
+    fn deflect(&self, trace: &Trace, pressure: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        self.deflect_values(&trace.values(pressure), accuracy)
+    }
+
+    fn deflect_transposed(&self, trace: &Trace, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        let mut nodes = self.potential.apply_transposed(weights, accuracy);
+        nodes.iter_mut().for_each(|v| *v *= self.factor);
+        if let Some(lift) = &self.lift {
+            let sum: f64 = weights.iter().sum();
+            nodes.iter_mut().zip(lift).for_each(|(v, l)| *v += l * sum);
+        }
+        trace.values_transposed(&nodes)
+    }
+
+    fn respond(&self, trace: &Trace, loads: &[f64]) -> Vec<f64> {
+        self.deflect_values(&trace.density(loads), Accuracy::Krylov)
+    }
+
+    fn near_stiffness(&self) -> Vec<f64> {
+        self.near.clone()
+    }
+
+    fn compliance(&self) -> f64 {
+        self.compliance
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
