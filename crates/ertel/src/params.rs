@@ -44,8 +44,10 @@ pub struct MeshParams {
     /// Relative error of central and minimum film to reach by local refinement; `None`: the mesh is as the
     /// sizes below say.
     pub target_error: Option<f64>,
-    /// Displacement unknowns that local refinement may go to, about.
-    pub max_unknowns: usize,
+    /// Root-mean-square error of the pressure over the dry contact, in p_h, to reach by it; `None`: films alone count.
+    pub pressure_error: Option<f64>,
+    /// Pressure unknowns that it may go to, about; `None`: as many as the bodies afford.
+    pub max_unknowns: Option<usize>,
     /// Cell size in the Hertz zone.
     pub hertz_size: f64,
     /// Cell size at the outlet constriction and the side lobes.
@@ -95,7 +97,8 @@ impl MeshParams {
         MeshParams {
             preset,
             target_error: None,
-            max_unknowns: DEFAULT_MAX_UNKNOWNS,
+            pressure_error: None,
+            max_unknowns: None,
             hertz_size,
             constriction_size,
             rim_size: None,
@@ -113,12 +116,18 @@ impl MeshParams {
     }
 }
 
-/// Displacement unknowns that refinement may go to unless the user allows more: some seconds of
-/// factorisation.
-pub const DEFAULT_MAX_UNKNOWNS: usize = 80_000;
+/// Pressure unknowns that refinement may go to unless the user allows more: about a minute.
+pub const DEFAULT_MAX_UNKNOWNS: usize = 100_000;
+
+/// The same above finite-element bodies, whose operator costs the square to the cube of them.
+pub const DEFAULT_MAX_UNKNOWNS_OF_BODIES: usize = 8_000;
 
 /// Target of a user who asks for nothing.
 pub const DEFAULT_TARGET_ERROR: f64 = 0.002;
+
+/// Root-mean-square error of the pressure, in p_h, over the relative error of the films, where the user asks for the latter
+/// alone.
+const PRESSURE_SHARE: f64 = 2.0;
 
 impl MeshParams {
     /// Mesh refined locally until central and minimum film are accurate to `target_error`, relative; the sizes
@@ -129,6 +138,7 @@ impl MeshParams {
         let share = (target_error / DEFAULT_TARGET_ERROR).min(1.0).sqrt();
         MeshParams {
             target_error: Some(target_error),
+            pressure_error: Some(PRESSURE_SHARE * target_error),
             depth_growth: share
                 * match kind {
                     ContactKind::Circular => 0.45,

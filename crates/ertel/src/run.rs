@@ -7,7 +7,9 @@ use crate::contact::{ContactKind, EquivalentBody, Groups, Scales, hertz};
 use crate::elastic::Elasticity;
 use crate::film::FilmFluid;
 use crate::forms::energy::{BodyHeat, Heat};
-use crate::params::{ElasticModel, Formulation, MeshParams};
+use crate::params::{
+    DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_OF_BODIES, ElasticModel, Formulation, MeshParams,
+};
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
 use crate::solution::{IterationRecord, Solution, Stats};
@@ -106,8 +108,14 @@ pub fn problem(case: &Case) -> Problem {
         linear: case.solver.linear,
         cache: None,
         error_estimate: case.solver.error_estimate,
-        adapt: (case.mesh.target_error)
-            .map(|target| AdaptParams::new(target, case.mesh.max_unknowns)),
+        adapt: (case.mesh.target_error).map(|target| {
+            let most = match case.elastic_model() {
+                ElasticModel::HalfSpace => DEFAULT_MAX_UNKNOWNS,
+                _ => DEFAULT_MAX_UNKNOWNS_OF_BODIES,
+            };
+            let most = case.mesh.max_unknowns.unwrap_or(most);
+            AdaptParams::new(target, case.mesh.pressure_error, most)
+        }),
         heat,
     }
 }

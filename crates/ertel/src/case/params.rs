@@ -33,6 +33,9 @@ const FIXED_MESH: [&str; 6] = [
 /// Targets that meshes of reasonable size reach, and beyond which no film means anything.
 const TARGET_ERROR: Bounds = Bounds::closed(2e-4, 0.1);
 
+/// The same for the pressure.
+const PRESSURE_ERROR: Bounds = Bounds::closed(1e-4, 0.2);
+
 /// Mesh of a case that says nothing about it.
 pub(super) fn default_mesh(kind: ContactKind, error_estimate: bool) -> MeshParams {
     if error_estimate {
@@ -82,11 +85,9 @@ pub(crate) fn read_mesh(
         (Some(_), None) => MeshParams::preset(preset.unwrap_or_default(), kind),
         (None, None) => default_mesh(kind, error_estimate),
     };
-    let unknowns = table.optional_integer("max_unknowns", 5_000..=2_000_000)?;
-    set(
-        &mut mesh.max_unknowns,
-        unknowns.and_then(|n| usize::try_from(n).ok()),
-    );
+    let unknowns = table.optional_integer("max_unknowns", 1_000..=2_000_000)?;
+    mesh.max_unknowns = unknowns.and_then(|n| usize::try_from(n).ok());
+    read_pressure_error(&mut table, &mut mesh)?;
     // Sizes in Hertz half-widths; below these, no memory is large enough.
     let size = match kind {
         ContactKind::Circular => Bounds::closed(0.01, 2.0),
@@ -145,6 +146,33 @@ pub(crate) fn read_mesh(
     mesh.elastic_order = order(&mut table, "elastic_order", 5)?;
     table.finish()?;
     Ok(mesh)
+}
+
+/// What else the mesh is refined for.
+fn read_pressure_error(table: &mut Table<'_>, mesh: &mut MeshParams) -> Result<(), InputError> {
+    let films_alone = table.optional_choice("refine_for", &[("films", true), ("fields", false)])?;
+    let error = table.optional_number("pressure_error", PRESSURE_ERROR)?;
+    for (key, given) in [
+        ("refine_for", films_alone.is_some()),
+        ("pressure_error", error.is_some()),
+    ] {
+        if given && mesh.target_error.is_none() {
+            return Err(table
+                .error(key, format!("`{key}` is for meshes that are refined to a target"))
+                .with_help("give `target_error`, or leave sizes, growth, preset and error_estimate alone"));
+        }
+    }
+    match (films_alone, error) {
+        (Some(true), Some(_)) => {
+            return Err(table
+                .error("pressure_error", "`pressure_error` is given, but the mesh is refined for films alone")
+                .with_help("remove `refine_for`, or `pressure_error`"));
+        }
+        (Some(true), None) => mesh.pressure_error = None,
+        (_, Some(error)) => mesh.pressure_error = Some(error),
+        _ => {}
+    }
+    Ok(())
 }
 
 /// A Lagrange order from 1 to `highest`.

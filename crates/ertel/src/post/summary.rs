@@ -28,7 +28,7 @@ pub fn summarise(
     let (h_line, x_line) = profile.film_minimum();
     let (p_max, p_at) = largest_pressure(d, state);
     let p_min = state.pressure.iter().fold(0.0_f64, |m, p| m.min(*p));
-    let grading = grading_errors(d.contact.kind, &solution.stage.sizes);
+    let grading = grading_errors(d.contact.kind, d.contact.elasticity.model, &solution.stage.sizes);
     let bars = error_bars(levels, grading).map(|b| b.bars);
     let estimate = |value: f64, figure: usize| Estimate {
         value,

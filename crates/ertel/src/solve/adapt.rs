@@ -3,6 +3,7 @@
 use super::discretisation::LevelSizes;
 use super::indicator::Indicator;
 use crate::contact::ContactKind;
+use crate::elastic::BodyModel;
 use crate::solution::LevelStats;
 
 /// When to refine further, and how far.
@@ -10,23 +11,28 @@ use crate::solution::LevelStats;
 pub struct AdaptParams {
     /// Largest relative error bar of central and minimum film.
     pub target: f64,
-    /// Displacement unknowns that a refined mesh may have, about.
+    /// Largest root-mean-square error of the pressure over the dry contact, in p_h; `None`: films alone count.
+    pub pressure_target: Option<f64>,
+    /// Pressure unknowns that a refined mesh may have, about.
+    pub max_unknowns: usize,
+    /// Displacement unknowns that a finite-element body below it may have, about.
     pub max_displacement_dofs: usize,
-    /// Deflection unknowns that it may have on the contact area, about.
-    pub max_contact_dofs: usize,
     /// Refinements allowed.
     pub max_refinements: usize,
 }
 
+/// Displacement unknowns of a finite-element body per pressure unknown allowed.
+const BODY_SHARE: usize = 10;
+
 impl AdaptParams {
-    /// Refinement to a relative error within a number of displacement unknowns. The dense compliance of
-    /// the contact area weighs as much as the body when the area has a twentieth of them.
-    pub fn new(target: f64, max_displacement_dofs: usize) -> AdaptParams {
+    /// Refinement to errors of films and pressure within a number of pressure unknowns.
+    pub fn new(target: f64, pressure_target: Option<f64>, max_unknowns: usize) -> AdaptParams {
         AdaptParams {
             target,
-            max_displacement_dofs,
-            max_contact_dofs: max_displacement_dofs / 20,
-            max_refinements: 8,
+            pressure_target,
+            max_unknowns,
+            max_displacement_dofs: BODY_SHARE * max_unknowns,
+            max_refinements: 10,
         }
     }
 }
@@ -37,7 +43,10 @@ impl AdaptParams {
 ///
 /// Measured by reducing the growth: circular contacts, M = 20 to 200, at 0.9, where the films of L = 4 to 10 move by no more than
 /// 0.10 and 0.14 %, but those of L = 0 by more (at M = 100, 0.6 moves h_c by 0.2 %); line contacts, M = 5 to 200, at 0.3.
-pub fn grading_errors(kind: ContactKind, sizes: &LevelSizes) -> [f64; 2] {
+pub fn grading_errors(kind: ContactKind, model: BodyModel, sizes: &LevelSizes) -> [f64; 2] {
+    if model == BodyModel::HalfSpace {
+        return [SMALLEST_ERROR; 2];
+    }
     let (errors, growth) = match kind {
         ContactKind::Circular => ([5e-3, 6e-3], 0.9),
         ContactKind::Line => ([6e-4, 8e-4], 0.3),
@@ -121,51 +130,60 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
     Some(ErrorBars { bars, estimated })
 }
 
-/// Share of the estimate that is expected to stay where an element is halved. Smooth errors fall to 1/32;
-/// at free boundaries and spikes much less.
-const LEFT_BY_HALVING: f64 = 0.125;
+/// What refinement is to bring down: shares of the elements that add up to an error, or to its square.
+pub struct Goal<'a> {
+    /// Share of each element.
+    pub shares: &'a [f64],
+    /// What of their sum may stay.
+    pub allowed: f64,
+    /// What of an element's share is expected to stay where it is halved.
+    pub left_by_halving: f64,
+}
+
+/// Of the estimate of a film: smooth errors fall to 1/32; at free boundaries and spikes much less.
+const FILM_LEFT: f64 = 0.125;
+
+/// Of the square of the pressure error: that of a cubic falls to 1/256, of a ridge that is not resolved hardly.
+const PRESSURE_LEFT: f64 = 0.1;
 
 /// Halvings of one element in one refinement.
 const MOST_HALVINGS: u32 = 2;
 
-/// Halvings of each element of a `dim`-dimensional contact area that are expected to bring both estimates
-/// down to `goal` times their present values, the largest shares first, until there are about
-/// `max_growth` times as many elements.
-pub fn halvings(indicator: &Indicator, goal: [f64; 2], dim: usize, max_growth: f64) -> Vec<u32> {
+/// Halvings of each element of a `dim`-dimensional contact area that are expected to bring every goal down to what it allows, the
+/// largest shares first, until there are about `max_growth` times as many elements.
+pub fn halvings(goals: &[Goal], dim: usize, max_growth: f64) -> Vec<u32> {
+    let n = goals.first().map_or(0, |g| g.shares.len());
     let children = (1u64 << dim) as f64;
-    let mut room = (max_growth - 1.0) / CLOSURE * indicator.central.len() as f64;
-    let mut totals = indicator.totals();
-    let goals = [0, 1].map(|j: usize| goal[j] * totals[j]);
-    let mut halvings = vec![0; indicator.central.len()];
-    let share = |c: usize, n: u32| {
-        let left = LEFT_BY_HALVING.powi(n as i32);
-        [left * indicator.central[c], left * indicator.minimum[c]]
-    };
-    // Largest shares first, in units of the goal of the film that is still off.
+    let mut room = (max_growth - 1.0) / CLOSURE * n as f64;
+    let mut totals: Vec<f64> = goals.iter().map(|g| g.shares.iter().sum()).collect();
+    let mut halvings = vec![0; n];
+    let share = |g: &Goal, c: usize, n: u32| g.left_by_halving.powi(n as i32) * g.shares[c];
+    // Largest shares first, in units of what is allowed.
     let weigh = |c: usize, n: u32| {
-        let s = share(c, n);
-        (s[0] / goals[0]).max(s[1] / goals[1])
+        goals.iter().map(|g| share(g, c, n) / g.allowed).fold(0.0, f64::max)
     };
-    let mut heap: std::collections::BinaryHeap<Candidate> = (0..halvings.len())
+    let mut heap: std::collections::BinaryHeap<Candidate> = (0..n)
         .map(|c| Candidate {
             weight: weigh(c, 0),
             element: c,
         })
         .collect();
-    while room > 0.0 && (0..2).any(|j| totals[j] > goals[j]) {
+    let is_off = |totals: &[f64], j: usize| totals[j] > goals[j].allowed;
+    while room > 0.0 && (0..goals.len()).any(|j| is_off(&totals, j)) {
         let Some(Candidate { element, .. }) = heap.pop() else {
             break;
         };
         let n = halvings[element];
-        let (before, after) = (share(element, n), share(element, n + 1));
-        // No use for the film that is still off.
-        if !(0..2)
-            .any(|j| totals[j] > goals[j] && before[j] > 1e-3 * goals[j] / halvings.len() as f64)
-        {
+        // No use for what is still off.
+        let of_use = |j: usize| {
+            let least = 1e-3 * goals[j].allowed / halvings.len() as f64;
+            is_off(&totals, j) && share(&goals[j], element, n) > least
+        };
+        if !(0..goals.len()).any(of_use) {
             continue;
         }
-        for j in 0..2 {
-            totals[j] -= before[j] - after[j];
+        for (total, goal) in totals.iter_mut().zip(goals) {
+            *total -= share(goal, element, n) - share(goal, element, n + 1);
         }
         halvings[element] = n + 1;
         room -= (children - 1.0) * children.powi(n as i32);
@@ -218,7 +236,7 @@ impl PartialEq for Candidate {
 
 impl Eq for Candidate {}
 
-/// Halvings of the next refinement, or `None` when the target is reached or a limit is.
+/// Halvings of the next refinement, or `None` when the targets are reached or a limit is.
 pub fn next_refinement(
     params: &AdaptParams,
     dim: usize,
@@ -229,21 +247,39 @@ pub fn next_refinement(
 ) -> Option<Vec<u32>> {
     let ErrorBars { bars, estimated } = error_bars(levels, grading)?;
     let level = levels.last()?;
-    let body = params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64;
-    let growth = (1.0 + (body - 1.0) / BODY_GROWTH)
-        .min(params.max_contact_dofs as f64 / level.n_contact_dofs as f64);
-    let room = growth > LEAST_GROWTH && n_refinements < params.max_refinements;
-    if bars.iter().all(|b| *b <= params.target) || !room {
+    let mut growth = params.max_unknowns as f64 / level.n_pressure_dofs as f64;
+    if level.n_displacement_dofs > 0 {
+        let body = params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64;
+        growth = growth.min(1.0 + (body - 1.0) / BODY_GROWTH);
+    }
+    if growth <= LEAST_GROWTH || n_refinements >= params.max_refinements {
         return None;
     }
-    let goal = [0, 1].map(|j: usize| {
-        if bars[j] > params.target {
-            (GOAL * params.target / estimated[j]).min(LARGEST_GOAL)
-        } else {
-            1.0
-        }
-    });
-    Some(halvings(indicator, goal, dim, growth))
+    let film = |j: usize, shares: &'_ [f64]| -> Option<f64> {
+        let share = (GOAL * params.target / estimated[j]).min(LARGEST_GOAL);
+        (bars[j] > params.target).then(|| share * shares.iter().sum::<f64>())
+    };
+    let allowed = [film(0, &indicator.central), film(1, &indicator.minimum)];
+    let lists = [&indicator.central, &indicator.minimum];
+    let mut goals: Vec<Goal> = (lists.into_iter().zip(allowed))
+        .filter_map(|(shares, allowed)| {
+            Some(Goal {
+                shares,
+                allowed: allowed?,
+                left_by_halving: FILM_LEFT,
+            })
+        })
+        .collect();
+    let target = params.pressure_target.unwrap_or(f64::INFINITY);
+    if indicator.pressure_error() > target {
+        let sum: f64 = indicator.pressure.iter().sum();
+        goals.push(Goal {
+            shares: &indicator.pressure,
+            allowed: (GOAL * GOAL * target * target).min(LARGEST_GOAL * sum),
+            left_by_halving: PRESSURE_LEFT,
+        });
+    }
+    (!goals.is_empty()).then(|| halvings(&goals, dim, growth))
 }
 
 /// Share of the target that the estimate aims at: refinement may fall short.

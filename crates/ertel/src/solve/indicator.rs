@@ -26,6 +26,7 @@ use super::evaluate::{central_film, fields_in, minimum_film};
 use super::newton::FilmModel;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
+use crate::contact::ContactKind;
 use crate::film::cross_film::CrossFilm;
 
 /// Estimated shares of the error in each element, relative to the film.
@@ -34,12 +35,19 @@ pub struct Indicator {
     pub central: Vec<f64>,
     /// Of the minimum film thickness.
     pub minimum: Vec<f64>,
+    /// Of the mean square error of the pressure over the dry contact, in p_h².
+    pub pressure: Vec<f64>,
 }
 
 impl Indicator {
     /// Estimated relative errors of central and minimum film.
     pub fn totals(&self) -> [f64; 2] {
         [self.central.iter().sum(), self.minimum.iter().sum()]
+    }
+
+    /// Estimated root-mean-square error of the pressure over the dry contact, in p_h.
+    pub fn pressure_error(&self) -> f64 {
+        self.pressure.iter().sum::<f64>().sqrt()
     }
 }
 
@@ -127,7 +135,18 @@ pub fn indicator(
         }
     }
     let [central, minimum] = shares;
-    Ok(Indicator { central, minimum })
+    let zone = match d.contact.kind {
+        ContactKind::Circular => 0.5 * std::f64::consts::PI,
+        ContactKind::Line => 2.0,
+    };
+    let pressure = (d.contact.maps.iter().zip(&film[0]))
+        .map(|(map, error)| map.determinant * reference / zone * error * error)
+        .collect();
+    Ok(Indicator {
+        central,
+        minimum,
+        pressure,
+    })
 }
 
 /// Elements that share a side.

@@ -208,7 +208,7 @@ impl<'a> Sequence<'a> {
         let rough = matches!(
             stage.role,
             Role::Estimate | Role::Comparison | Role::Isothermal
-        ) || last && problem.adapt.is_some() && stage.refinements == 0;
+        ) || last && problem.adapt.is_some();
         let finish = if rough { Finish::Rough } else { Finish::Exact };
         let mut outcome = run.solve(finish, &mut state, &mut effort, observer);
         let wanted = problem.error_estimate && measured && outcome.is_ok();
@@ -227,7 +227,7 @@ impl<'a> Sequence<'a> {
                 adapt,
                 problem.kind.body_dimension() - 1,
                 &self.stats,
-                grading_errors(problem.kind, &stage.sizes),
+                grading_errors(problem.kind, problem.elasticity.model, &stage.sizes),
                 stage.refinements - self.inherited.unwrap_or(0),
                 indicator,
             ),

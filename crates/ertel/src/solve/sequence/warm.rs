@@ -244,7 +244,7 @@ fn miss(problem: &Problem, solution: &StageSolution, stats: &[LevelStats]) -> f6
     let Some(adapt) = &problem.adapt else {
         return 0.0;
     };
-    let grading = grading_errors(problem.kind, &solution.stage.sizes);
+    let grading = grading_errors(problem.kind, problem.elasticity.model, &solution.stage.sizes);
     error_bars(stats, grading).map_or(f64::INFINITY, |b| {
         b.bars
             .iter()
