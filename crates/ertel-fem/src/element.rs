@@ -92,6 +92,12 @@ impl Lagrange {
         &self.lattice
     }
 
+    /// Reference coordinates of the nodes.
+    pub fn points(&self) -> impl Iterator<Item = [f64; 3]> {
+        let order = self.order as f64;
+        (self.lattice.iter()).map(move |a| [a[1], a[2], a[3]].map(|i| f64::from(i) / order))
+    }
+
     /// Value, gradient and Hessian of every shape function at a reference point.
     ///
     /// N_α = Π_i φ(α_i, λ_i), φ(m, λ) = Π_{j<m} (kλ − j)/(j + 1)   (Silvester 1969)

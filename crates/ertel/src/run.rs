@@ -352,6 +352,7 @@ fn describe(
         extents: [extents.inlet, extents.outlet, extents.side],
         centreline: post::fields::centreline(finest, &problem.fluid, &scales),
         surface: post::fields::surface(finest, &problem.fluid, &scales),
+        elements: post::elements::elements(finest, &scales),
         body: (case.output.body_field)
             .then(|| post::fields::body(finest, &scales))
             .transpose()?

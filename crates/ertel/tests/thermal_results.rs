@@ -7,11 +7,14 @@ use approx::assert_relative_eq;
 use common::heated;
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Scales};
+use ertel::post::elements::elements;
 use ertel::post::thermal::{thermal, warnings};
 use ertel::run::{problem, solve};
-use ertel::solution::{LevelStats, Solution, Thermal};
+use ertel::solution::{LevelStats, Polynomials, Solution, Thermal};
 use ertel::solve::Silent;
+use ertel::solve::evaluate::fields_in;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
+use ertel_fem::element::Lagrange;
 use ertel_rheology::provenance::TemperatureRange;
 
 fn case(kind: ContactKind, load: f64, slide_to_roll_ratio: f64) -> Case {
@@ -104,6 +107,52 @@ fn figures_of_made_up_temperatures() {
         let s = z / profile.film_thickness - 0.5;
         let expected = 355.0 + 8.0 * s + 12.0 * (1.0 - 4.0 * s * s);
         assert_relative_eq!(*t, expected, epsilon = 1e-9);
+    }
+}
+
+/// The polynomials that pictures sample are those of the solution, at any point of any element.
+#[test]
+fn pictures_have_the_fields_of_the_solution() {
+    let ball = Case {
+        thermal: None,
+        ..case(ContactKind::Circular, 100.0, 0.0)
+    };
+    for case in [case(ContactKind::Line, 8e4, 0.1), ball] {
+        let (_, solution, _) = stages(&case);
+        let (d, state) = (&solution.discretisation, &solution.state);
+        let scales = scales(&case);
+        let found = elements(&solution, &scales);
+        let xi = match found.dim {
+            1 => [0.37, 0.0, 0.0],
+            _ => [0.37, 0.21, 0.0],
+        };
+        for element in 0..d.contact.n_elements() {
+            let expected = fields_in(d, state, element, xi);
+            let value = |field: &Polynomials| -> f64 {
+                let lagrange = Lagrange::new(found.dim, field.order);
+                let nodes = &field.values[element * lagrange.n_nodes()..];
+                lagrange.values(xi).zip(nodes).map(|(n, v)| n * v).sum()
+            };
+            let [pressure, film] = [&found.pressure, &found.film_thickness].map(value);
+            let expected_pressure = scales.pressure * expected.pressure;
+            assert_relative_eq!(
+                pressure,
+                expected_pressure,
+                epsilon = 1e-9 * scales.pressure
+            );
+            assert_relative_eq!(film, scales.film * expected.film, max_relative = 1e-9);
+            if let Some(profile) = expected.temperature {
+                let t = found.temperatures.as_ref().unwrap();
+                let nodes = &d.heat.as_ref().unwrap().column.film;
+                let values = &profile.temperature;
+                let mid = nodes.through(values).at(0.0);
+                assert_relative_eq!(value(&t.mid), mid, max_relative = 1e-9);
+                assert_relative_eq!(value(&t.mean), nodes.mean(values), max_relative = 1e-9);
+                assert_relative_eq!(value(&t.plane), values[0], max_relative = 1e-9);
+                assert_relative_eq!(value(&t.ball), values[nodes.n() - 1], max_relative = 1e-9);
+            }
+        }
+        assert_eq!(found.temperatures.is_some(), case.thermal.is_some());
     }
 }
 

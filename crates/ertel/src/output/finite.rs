@@ -273,6 +273,14 @@ fn fields(solution: &Solution) -> Option<String> {
         .chain(shear.into_iter().flatten())
         .find(|(_, values)| values.iter().any(|v| !v.is_finite()))
         .map(|(name, _)| name.to_owned());
+    let elements = &solution.elements;
+    let temperatures = elements.temperatures.iter().flat_map(|t| t.all());
+    let elements_ok = [&elements.pressure, &elements.film_thickness]
+        .into_iter()
+        .chain(temperatures)
+        .flat_map(|field| &field.values)
+        .chain(elements.vertices.as_flattened())
+        .all(|v| v.is_finite());
     let points_ok = surface.points.as_flattened().iter().all(|v| v.is_finite());
     let heat_ok = solution.thermal.as_ref().is_none_or(heat_fields_are_finite);
     let body_ok = solution.body.as_ref().is_none_or(|b| {
@@ -284,6 +292,7 @@ fn fields(solution: &Solution) -> Option<String> {
         values.into_iter().all(|v| v.is_finite())
     });
     scalar
+        .or_else(|| (!elements_ok).then(|| "fields of the pictures".to_owned()))
         .or_else(|| (!points_ok).then(|| "points of the contact area".to_owned()))
         .or_else(|| (!heat_ok).then(|| "temperatures of film and bodies".to_owned()))
         .or_else(|| (!body_ok).then(|| "displacement of the body".to_owned()))

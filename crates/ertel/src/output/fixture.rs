@@ -125,7 +125,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         .flat_map(|y| xs.iter().map(move |x| [*x, *y]))
         .collect();
     let id = |i: usize, j: usize| (j * xs.len() + i) as u32;
-    let cells = match kind {
+    let cells: Vec<[u32; 3]> = match kind {
         ContactKind::Line => (0..xs.len() - 1)
             .map(|i| [id(i, 0), id(i + 1, 0), 0])
             .collect(),
@@ -168,6 +168,22 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
     };
     let lowest = films.iter().copied().fold(f64::INFINITY, f64::min);
     let highest = pressures.iter().copied().fold(0.0, f64::max);
+    let dim = kind.body_dimension() - 1;
+    let linear = |values: &[f64]| {
+        let corners = cells.iter().flat_map(|c: &[u32; 3]| &c[..=dim]);
+        Polynomials {
+            order: 1,
+            values: corners.map(|n| values[*n as usize]).collect(),
+        }
+    };
+    let elements = ElementFields {
+        dim,
+        vertices: nodes.iter().map(|p| p.map(|x| a * x)).collect(),
+        pressure: linear(&pressures),
+        film_thickness: linear(&films),
+        temperatures: None,
+        cells: cells.clone(),
+    };
     Solution {
         kind,
         hertz,
@@ -222,6 +238,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             density: densities,
             shear: shear(nodes.len()),
         },
+        elements,
         body: Some(body(kind, a)),
         history: history(),
         stats: Stats {

@@ -3,6 +3,46 @@
 use crate::contact::ContactKind;
 use crate::solution::SurfaceField;
 
+/// A half y ≤ 0 with its mirror image, nodes on y = 0 shared.
+pub(super) struct Mirrored {
+    /// Points: those of the half first.
+    pub points: Vec<[f64; 2]>,
+    /// Triangles: those of the half first.
+    pub cells: Vec<[u32; 3]>,
+    /// For each point, the point of the half that has its values.
+    pub sources: Vec<usize>,
+}
+
+/// The half y ≤ 0 with its mirror image.
+pub(super) fn mirror(points: &[[f64; 2]], cells: &[[u32; 3]]) -> Mirrored {
+    let on_centreline = near_centreline(points);
+    let mut whole = Mirrored {
+        points: points.to_vec(),
+        cells: cells.to_vec(),
+        sources: (0..points.len()).collect(),
+    };
+    let mut image = Vec::with_capacity(points.len());
+    for (i, [x, y]) in points.iter().enumerate() {
+        if on_centreline(*y) {
+            image.push(i as u32);
+            continue;
+        }
+        image.push(whole.points.len() as u32);
+        whole.points.push([*x, -y]);
+        whole.sources.push(i);
+    }
+    // A mirror turns the orientation round; exchanging two corners turns it back
+    let mirrored = (cells.iter()).map(|[a, b, c]| [*a, *c, *b].map(|n| image[n as usize]));
+    whole.cells.extend(mirrored);
+    whole
+}
+
+/// Whether a y is that of the centreline, for all that rounding does.
+pub(super) fn near_centreline(points: &[[f64; 2]]) -> impl Fn(f64) -> bool + use<> {
+    let reach = points.iter().fold(0.0, |r: f64, p| r.max(p[1].abs()));
+    move |y| y.abs() <= 1e-9 * reach
+}
+
 /// Fields on the whole contact area: the half y ≤ 0 of a circular contact with its mirror image,
 /// nodes on y = 0 shared; a line contact as it is.
 pub(super) fn full_surface(kind: ContactKind, half: &SurfaceField) -> SurfaceField {
@@ -10,46 +50,25 @@ pub(super) fn full_surface(kind: ContactKind, half: &SurfaceField) -> SurfaceFie
     if kind == ContactKind::Line {
         return full;
     }
-    let on_centreline = centreline(half);
-    let mut image = Vec::with_capacity(half.points.len());
-    for (i, [x, y]) in half.points.iter().enumerate() {
-        if on_centreline(*y) {
-            image.push(i as u32);
-            continue;
-        }
-        image.push(full.points.len() as u32);
-        full.points.push([*x, -y]);
-        full.pressure.push(half.pressure[i]);
-        full.film_thickness.push(half.film_thickness[i]);
-        full.deflection.push(half.deflection[i]);
-        full.viscosity.push(half.viscosity[i]);
-        full.density.push(half.density[i]);
-        full.shear.repeat(i);
+    let whole = mirror(&half.points, &half.cells);
+    for i in &whole.sources[half.points.len()..] {
+        full.pressure.push(half.pressure[*i]);
+        full.film_thickness.push(half.film_thickness[*i]);
+        full.deflection.push(half.deflection[*i]);
+        full.viscosity.push(half.viscosity[*i]);
+        full.density.push(half.density[*i]);
+        full.shear.repeat(*i);
     }
-    // A mirror turns the orientation round; exchanging two corners turns it back
-    full.cells.extend(
-        half.cells
-            .iter()
-            .map(|[a, b, c]| [*a, *c, *b].map(|n| image[n as usize])),
-    );
+    (full.points, full.cells) = (whole.points, whole.cells);
     full
-}
-
-/// Whether a y is that of the centreline, for all that rounding does.
-fn centreline(half: &SurfaceField) -> impl Fn(f64) -> bool {
-    let reach = half.points.iter().fold(0.0, |r: f64, p| r.max(p[1].abs()));
-    move |y| y.abs() <= 1e-9 * reach
 }
 
 /// For each point of the whole contact area, the point of the half that has its values.
 pub(super) fn sources(kind: ContactKind, half: &SurfaceField) -> Vec<usize> {
-    let n = half.points.len();
-    let mut sources: Vec<usize> = (0..n).collect();
-    if kind == ContactKind::Circular {
-        let on_centreline = centreline(half);
-        sources.extend((0..n).filter(|i| !on_centreline(half.points[*i][1])));
+    match kind {
+        ContactKind::Line => (0..half.points.len()).collect(),
+        ContactKind::Circular => mirror(&half.points, &[]).sources,
     }
-    sources
 }
 
 #[cfg(test)]

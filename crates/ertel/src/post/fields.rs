@@ -53,16 +53,9 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
         ..SurfaceField::default()
     };
     let mut at_nodes = vec![PointFields::default(); n];
-    let lattice = d.pressure.element.lattice();
-    let order = d.pressure.element.order();
     for c in 0..d.contact.n_elements() {
         let nodes = d.pressure.nodes_of(c);
-        for (alpha, node) in lattice.iter().zip(nodes) {
-            let xi = [
-                alpha[1] as f64 / order as f64,
-                alpha[2] as f64 / order as f64,
-                0.0,
-            ];
+        for (xi, node) in d.pressure.element.points().zip(nodes) {
             let f = fields_in(d, &solution.state, c, xi);
             field.film_thickness[*node as usize] = f.film * scales.film;
             field.deflection[*node as usize] = f.deflection * scales.film;

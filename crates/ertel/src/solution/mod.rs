@@ -1,5 +1,6 @@
 //! What a solve returns: plain data in SI, ready for output.
 
+mod elements;
 mod thermal;
 
 use serde::Serialize;
@@ -7,6 +8,7 @@ use serde::Serialize;
 use crate::contact::{ContactKind, Groups, Hertz, Scales};
 use crate::solve::sequence::Role;
 
+pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use thermal::{
     Coupling, CrossProfile, FilmTemperatures, HeatBalance, TemperatureField, Thermal,
     ThermalReduction,
@@ -366,6 +368,8 @@ pub struct Solution {
     pub centreline: Centreline,
     /// Fields on the contact area.
     pub surface: SurfaceField,
+    /// The same fields as polynomials, for pictures.
+    pub elements: ElementFields,
     /// Displacement of the body, if asked for.
     pub body: Option<BodyField>,
     /// Every Newton iteration.

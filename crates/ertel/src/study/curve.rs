@@ -8,8 +8,8 @@ use crate::output::{CaseEcho, digits};
 use crate::reference::film_formulas;
 use crate::run::{Session, Start, groups};
 use crate::solution::{
-    Centreline, FilmReduction, FilmTemperatures, FormulaFilm, Solution, SurfaceField,
-    ThermalReduction,
+    Centreline, ElementFields, FilmReduction, FilmTemperatures, FormulaFilm, Solution,
+    SurfaceField, ThermalReduction,
 };
 use crate::solve::{Observer, SolveError};
 
@@ -271,6 +271,7 @@ fn newtonian_case(case: &Case) -> Case {
 fn drop_fields(solution: &mut Solution) {
     solution.centreline = Centreline::default();
     solution.surface = SurfaceField::default();
+    solution.elements = ElementFields::default();
     solution.body = None;
     if let Some(thermal) = &mut solution.thermal {
         thermal.centreline = FilmTemperatures::default();

@@ -40,19 +40,17 @@ fn panel(name: &str, solution: Option<&Solution>) -> Chart {
         "*H* = *hR*/*a*^{2}",
         [0.0, 3.5 * centre],
     ));
-    let film = s.centreline.film_thickness.iter();
-    let film: Vec<f64> = film.map(|h| h / s.scales.film).collect();
     chart.series = vec![
         Series {
             label: "pressure".into(),
-            points: points(s, &pressure(s)),
+            points: pressure(s),
             look: Look::Line,
             colour: PALETTE[0].into(),
             side: Side::Left,
         },
         Series {
             label: "film".into(),
-            points: points(s, &film),
+            points: plot::profile(s, &s.elements.film_thickness, 1.0 / s.scales.film),
             look: Look::Line,
             colour: PALETTE[1].into(),
             side: Side::Right,
@@ -88,15 +86,12 @@ pub(super) fn overlay(
         Profile::Film => format!("Film thickness *h* ({unit})"),
         Profile::Temperature => "Temperature *T* at mid-film (K)".to_owned(),
     };
-    let values = |s: &Solution| -> Vec<f64> {
+    let points = |s: &Solution| -> Vec<[f64; 2]> {
         match profile {
             Profile::Pressure => pressure(s),
-            Profile::Film => (s.centreline.film_thickness.iter())
-                .map(|h| factor * h)
-                .collect(),
-            Profile::Temperature => {
-                (s.thermal.as_ref()).map_or_else(Vec::new, |thermal| thermal.centreline.mid.clone())
-            }
+            Profile::Film => plot::profile(s, &s.elements.film_thickness, factor),
+            Profile::Temperature => (s.elements.temperatures.as_ref())
+                .map_or_else(Vec::new, |t| plot::profile(s, &t.mid, 1.0)),
         }
     };
     // The inlet gap would leave no room for the contact.
@@ -112,7 +107,7 @@ pub(super) fn overlay(
         .filter_map(|(i, (name, s))| {
             s.map(|s| Series {
                 label: name.clone(),
-                points: points(s, &values(s)),
+                points: points(s),
                 look: if i == 0 { Look::Dashed } else { Look::Line },
                 colour: PALETTE[i % PALETTE.len()].into(),
                 side: Side::Left,
@@ -152,7 +147,7 @@ pub(super) fn temperatures(
             let thermal = s.as_ref()?.thermal.as_ref()?;
             let chart = match across {
                 true => plot::cross_film_chart(title, (*s)?, thermal),
-                false => plot::temperature_chart(title, (*s)?, thermal),
+                false => plot::temperature_chart(title, (*s)?),
             };
             Some(Chart {
                 heading: name.clone(),
@@ -168,16 +163,10 @@ pub(super) fn temperatures(
     Some(side_by_side(title, &charts, columns))
 }
 
-fn pressure(s: &Solution) -> Vec<f64> {
-    let scale = s.scales.pressure;
+fn pressure(s: &Solution) -> Vec<[f64; 2]> {
     // Penalties leave dust below zero where the film is broken, which would cost the axis a tick.
     let shown = |p: f64| if p.abs() < DUST { 0.0 } else { p };
-    (s.centreline.pressure.iter())
-        .map(|p| shown(p / scale))
+    (plot::profile(s, &s.elements.pressure, 1.0 / s.scales.pressure).into_iter())
+        .map(|[x, p]| [x, shown(p)])
         .collect()
-}
-
-fn points(s: &Solution, values: &[f64]) -> Vec<[f64; 2]> {
-    let x = s.centreline.x.iter().map(|x| x / s.scales.length);
-    x.zip(values).map(|(x, v)| [x, *v]).collect()
 }

@@ -1,7 +1,6 @@
 //! Regions and level lines of a field that is linear on triangles.
 
-use std::collections::BTreeMap;
-
+use rayon::prelude::*;
 use rustc_hash::FxHashSet;
 
 /// Corner of a region: a node, or the cut of the level through the edge between two nodes.
@@ -57,13 +56,37 @@ impl<'a> Triangulation<'a> {
         }
     }
 
+    /// Regions {f ≥ level} for rising levels.
+    pub fn regions(&self, values: &[f64], levels: &[f64]) -> Vec<Region> {
+        let mut crossed: Vec<Vec<[u32; 3]>> = vec![Vec::new(); levels.len()];
+        for triangle in &self.triangles {
+            let at = triangle.map(|n| values[n as usize]);
+            let (low, high) = (at[0].min(at[1]).min(at[2]), at[0].max(at[1]).max(at[2]));
+            let first = levels.partition_point(|l| *l <= low);
+            for (of_level, _) in (crossed[first..].iter_mut())
+                .zip(&levels[first..])
+                .take_while(|(_, level)| **level <= high)
+            {
+                of_level.push(*triangle);
+            }
+        }
+        (levels.par_iter().zip(&crossed))
+            .map(|(level, crossed)| self.region(values, *level, crossed))
+            .collect()
+    }
+
+    /// The whole domain.
+    pub fn whole(&self, values: &[f64]) -> Region {
+        self.region(values, f64::NEG_INFINITY, &[])
+    }
+
     /// Region {f ≥ level}: bounded by the level line through the triangles that it crosses, and by those
     /// parts of the domain's boundary where f ≥ level.
-    pub fn region(&self, values: &[f64], level: f64) -> Region {
+    fn region(&self, values: &[f64], level: f64, crossed: &[[u32; 3]]) -> Region {
         let inside = |n: u32| values[n as usize] >= level;
         let cut = |i: u32, j: u32| Corner::Cut(i.min(j), i.max(j));
         let mut level_line: Vec<(Corner, Corner)> = Vec::new();
-        for &[a, b, c] in &self.triangles {
+        for &[a, b, c] in crossed {
             // The line enters through the edge that leaves the region, the region on its left.
             let line = match (inside(a), inside(b), inside(c)) {
                 (true, false, false) => (cut(a, b), cut(c, a)),
@@ -118,32 +141,37 @@ fn position(points: &[[f64; 2]], values: &[f64], level: f64, corner: Corner) -> 
 /// Joins directed edges to chains; closed ones repeat their first corner.
 fn chains(mut edges: Vec<(Corner, Corner)>) -> Vec<Vec<Corner>> {
     edges.sort_unstable();
-    let mut next: BTreeMap<Corner, Vec<Corner>> = BTreeMap::new();
-    let mut arrivals: BTreeMap<Corner, usize> = BTreeMap::new();
-    for (from, to) in edges {
-        next.entry(from).or_default().push(to);
-        *arrivals.entry(to).or_default() += 1;
-    }
+    let mut arrivals: Vec<Corner> = edges.iter().map(|(_, to)| *to).collect();
+    arrivals.sort_unstable();
+    // By the position of the first edge out of a corner: how many of its edges are taken
+    let mut taken = vec![0; edges.len()];
+    let first = |corner: Corner| edges.partition_point(|(from, _)| *from < corner);
+    let mut take = |corner: Corner| {
+        let at = first(corner);
+        let (_, to) = edges.get(at + taken.get(at)?).filter(|e| e.0 == corner)?;
+        taken[at] += 1;
+        Some(*to)
+    };
     // Open chains first, from the corners that more edges leave than reach
-    let open: Vec<Corner> = next
-        .iter()
-        .filter(|(c, out)| out.len() > arrivals.get(c).copied().unwrap_or(0))
-        .map(|(c, _)| *c)
-        .collect();
-    let all: Vec<Corner> = next.keys().copied().collect();
+    let groups = edges.chunk_by(|a, b| a.0 == b.0);
+    let reached = |corner: Corner| {
+        let from = arrivals.partition_point(|c| *c < corner);
+        arrivals[from..]
+            .iter()
+            .take_while(|c| **c == corner)
+            .count()
+    };
+    let open = groups
+        .clone()
+        .filter(|group| group.len() > reached(group[0].0));
     let mut result = Vec::new();
-    for start in open.into_iter().chain(all) {
-        while let Some(first) = next.get_mut(&start).and_then(Vec::pop) {
+    for start in open.chain(groups.clone()).map(|group| group[0].0) {
+        while let Some(first) = take(start) {
             let mut chain = vec![start, first];
             let mut at = first;
-            while at != start {
-                match next.get_mut(&at).and_then(Vec::pop) {
-                    Some(to) => {
-                        chain.push(to);
-                        at = to;
-                    }
-                    None => break,
-                }
+            while let Some(to) = (at != start).then(|| take(at)).flatten() {
+                chain.push(to);
+                at = to;
             }
             result.push(chain);
         }
@@ -188,7 +216,9 @@ mod tests {
     fn plane_field_gives_a_rectangle() {
         let (points, cells) = square(7);
         let values: Vec<f64> = points.iter().map(|p| p[0]).collect();
-        let region = Triangulation::new(&points, &cells).region(&values, 0.3);
+        let region = Triangulation::new(&points, &cells)
+            .regions(&values, &[0.3])
+            .remove(0);
         assert_eq!((region.loops.len(), region.level_lines.len()), (1, 1));
         assert!((area(&region.loops[0]) - 1.4).abs() < 1e-12);
         let line = &region.level_lines[0];
@@ -201,7 +231,9 @@ mod tests {
     fn hole_is_a_loop_of_its_own() {
         let (points, cells) = square(80);
         let values: Vec<f64> = points.iter().map(|p| p[0].hypot(p[1])).collect();
-        let region = Triangulation::new(&points, &cells).region(&values, 0.5);
+        let region = Triangulation::new(&points, &cells)
+            .regions(&values, &[0.5])
+            .remove(0);
         assert_eq!((region.loops.len(), region.level_lines.len()), (2, 1));
         let total: f64 = region.loops.iter().map(|l| area(l)).sum();
         assert!((total - (4.0 - std::f64::consts::PI / 4.0)).abs() < 1e-3);
@@ -212,8 +244,9 @@ mod tests {
         let (points, cells) = square(3);
         let values: Vec<f64> = points.iter().map(|p| p[0]).collect();
         let mesh = Triangulation::new(&points, &cells);
-        assert!(mesh.region(&values, 2.0).loops.is_empty());
-        let all = mesh.region(&values, -2.0);
+        let both = mesh.regions(&values, &[-2.0, 2.0]);
+        let (all, none) = (&both[0], &both[1]);
+        assert!(none.loops.is_empty());
         assert!((area(&all.loops[0]) - 4.0).abs() < 1e-12 && all.level_lines.is_empty());
     }
 }

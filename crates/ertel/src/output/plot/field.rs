@@ -8,14 +8,16 @@ use super::axis::{Axis, tick_label};
 use super::chart::Side;
 use super::contour::Triangulation;
 use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
+use super::sampling::Sampling;
 use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
 
-/// A map of a field given on triangles; lengths in Hertz half-widths.
+/// Height of the frame of a map, px.
+pub(super) const MAP_HEIGHT: f64 = 330.0;
+
+/// A map of a field; lengths in Hertz half-widths.
 pub(super) struct FieldMap<'a> {
     pub title: &'a str,
-    pub points: &'a [[f64; 2]],
-    pub triangles: &'a [[u32; 3]],
-    pub values: &'a [f64],
+    pub field: Sampling,
     /// Lower and upper end of both axes.
     pub window: [[f64; 2]; 2],
     /// Boundaries between the colours, rising.
@@ -36,6 +38,9 @@ pub(super) enum Bar {
     Steps,
 }
 
+/// Area, px², below which a closed level line is a dot: noise of a field that hardly differs from the level there.
+const DOT: f64 = 4.0;
+
 const BAR_GAP: f64 = 22.0;
 const BAR_WIDTH: f64 = 16.0;
 
@@ -43,12 +48,11 @@ impl FieldMap<'_> {
     /// The map as an SVG file.
     pub fn svg(&self) -> String {
         let [[x0, x1], [y0, y1]] = self.window;
-        let height = 330.0;
         let frame = Frame {
             left: 62.0,
             top: 16.0,
-            width: height * (x1 - x0) / (y1 - y0),
-            height,
+            width: MAP_HEIGHT * (x1 - x0) / (y1 - y0),
+            height: MAP_HEIGHT,
         };
         let ticks = self.bar_ticks();
         let widest = ticks
@@ -83,36 +87,31 @@ impl FieldMap<'_> {
 
     fn draw_field(&self, svg: &mut Svg, frame: Frame, x: &Axis, y: &Axis) {
         svg.begin_clip(frame.left, frame.top, frame.width, frame.height);
-        let pixels: Vec<[f64; 2]> = self
-            .points
+        let Sampling {
+            points,
+            triangles,
+            values,
+        } = &self.field;
+        let pixels: Vec<[f64; 2]> = points
             .iter()
             .map(|p| [frame.x(x, p[0]), frame.y(y, p[1])])
             .collect();
-        // Only what reaches into the window
-        let seen: Vec<[u32; 3]> = self
-            .triangles
-            .iter()
-            .filter(|t| in_window(t.map(|i| pixels[i as usize]), frame))
-            .copied()
-            .collect();
-        let mesh = Triangulation::new(&pixels, &seen);
-        let whole = mesh.region(self.values, f64::NEG_INFINITY);
-        svg.fill(&closed(&whole.loops), &self.colours[0]);
-        let mut lines = String::new();
-        let drawn: Vec<(String, String)> = self
-            .levels
-            .par_iter()
-            .map(|level| {
-                let region = mesh.region(self.values, *level);
-                let lines = region.level_lines.iter().map(|line| polyline(line));
-                (closed(&region.loops), lines.collect())
-            })
-            .collect();
-        for ((region, level_lines), colour) in drawn.iter().zip(&self.colours[1..]) {
+        let mesh = Triangulation::new(&pixels, triangles);
+        svg.fill(&closed(&mesh.whole(values).loops), &self.colours[0]);
+        let mut regions = mesh.regions(values, &self.levels);
+        if matches!(self.bar, Bar::Steps) {
+            for region in &mut regions {
+                region.loops.retain(|line| is_seen(line));
+                region.level_lines.retain(|line| is_seen(line));
+            }
+        }
+        let drawn: Vec<String> = (regions.par_iter()).map(|r| closed(&r.loops)).collect();
+        for (region, colour) in drawn.iter().zip(&self.colours[1..]) {
             svg.fill(region, colour);
-            lines.push_str(level_lines);
         }
         if matches!(self.bar, Bar::Steps) {
+            let lines = regions.iter().flat_map(|r| &r.level_lines);
+            let lines: String = lines.map(|line| polyline(line)).collect();
             svg.stroke(&lines, Stroke::solid("#262626", 0.45));
         }
         let radius = frame.x(x, 1.0) - frame.x(x, 0.0);
@@ -187,14 +186,30 @@ fn draw_ticks(svg: &mut Svg, frame: Frame, x: &Axis, y: &Axis) {
     svg.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
-fn in_window(corners: [[f64; 2]; 3], frame: Frame) -> bool {
-    let (right, bottom) = (frame.left + frame.width, frame.top + frame.height);
-    !(corners.iter().all(|c| c[0] < frame.left)
-        || corners.iter().all(|c| c[0] > right)
-        || corners.iter().all(|c| c[1] < frame.top)
-        || corners.iter().all(|c| c[1] > bottom))
+/// Whether a line is open, or goes round an area that is seen.
+fn is_seen(line: &[[f64; 2]]) -> bool {
+    let twice_area: f64 = (line.windows(2))
+        .map(|w| w[0][0] * w[1][1] - w[1][0] * w[0][1])
+        .sum();
+    line.first() != line.last() || 0.5 * twice_area.abs() >= DOT
 }
 
 fn closed(loops: &[Vec<[f64; 2]>]) -> String {
     loops.iter().map(|points| polyline(points) + "Z").collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dots_are_not_seen_but_short_open_lines_are() {
+        let square = |side: f64| {
+            let corners = [[0.0, 0.0], [side, 0.0], [side, side], [0.0, side]];
+            let [first, ..] = corners;
+            corners.into_iter().chain([first]).collect::<Vec<_>>()
+        };
+        assert!(!is_seen(&square(1.9)) && is_seen(&square(2.1)));
+        assert!(is_seen(&square(1.9)[..3]));
+    }
 }

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::axis::{Axis, AxisScale};
 use super::chart::Side;
+use super::simplify::simplify;
 use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
 
 /// Frame of a diagram inside the picture, px.
@@ -40,16 +41,23 @@ const TICK: f64 = 6.0;
 const MINOR_TICK: f64 = 3.0;
 pub(super) const FRAME_WIDTH: f64 = 1.0;
 
-/// Path through pixel points, interrupted where one is not finite.
+/// Distance that nobody sees, px.
+const UNSEEN: f64 = 0.05;
+
+/// Path through pixel points, interrupted where one is not finite; points that make no visible difference are left out.
 pub(super) fn polyline(points: &[[f64; 2]]) -> String {
+    let whole = |p: &[f64; 2]| p.iter().all(|v| v.is_finite());
+    (points.split(|p| !whole(p)))
+        .map(|line| path(&simplify(line, UNSEEN)))
+        .collect()
+}
+
+/// Path through pixel points.
+fn path(points: &[[f64; 2]]) -> String {
     let mut d = String::new();
     // Where the pen is, in hundredths of a pixel: relative steps make short files
     let mut pen: Option<[i64; 2]> = None;
     for point in points {
-        if !point.iter().all(|v| v.is_finite()) {
-            pen = None;
-            continue;
-        }
         let at = point.map(|v| (100.0 * v).round() as i64);
         let (command, shown) = match pen {
             None => ('M', at),

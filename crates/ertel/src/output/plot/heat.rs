@@ -2,23 +2,28 @@
 
 use super::super::heat::profile_label;
 use super::maps::temperature_map;
-use super::{Axis, Chart, Look, PALETTE, Picture, Series, Side, window_x};
+use super::{Axis, Chart, Look, PALETTE, Series, Side, Task, profile, window_x};
 use crate::contact::ContactKind;
-use crate::solution::{Solution, Thermal};
+use crate::solution::{Polynomials, Solution, Thermal};
 
 /// Least range of a colour scale, K: below it, a map would show noise.
 const LEAST_RANGE: f64 = 0.1;
 
 /// Every picture of the temperatures of a solution.
-pub fn heat_pictures(title: &str, solution: &Solution, thermal: &Thermal) -> Vec<Picture> {
-    let mut pictures = vec![Picture {
-        name: "temperature",
-        svg: temperature_chart(title, solution, thermal).svg(),
-    }];
-    if solution.kind == ContactKind::Circular {
-        let t = &thermal.surface;
-        let range = |fields: &[&[f64]]| {
-            let values = fields.iter().flat_map(|f| f.iter().copied());
+pub fn heat_pictures<'a>(
+    title: &'a str,
+    solution: &'a Solution,
+    thermal: &'a Thermal,
+) -> Vec<Task<'a>> {
+    let mut pictures: Vec<Task> = vec![(
+        "temperature",
+        Box::new(|| temperature_chart(title, solution).svg()),
+    )];
+    let fields = (solution.elements.temperatures.as_ref())
+        .filter(|_| solution.kind == ContactKind::Circular);
+    if let Some(t) = fields {
+        let range = |fields: &[&Polynomials]| {
+            let values = fields.iter().flat_map(|f| f.values.iter().copied());
             let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
                 (l.min(v), h.max(v))
             });
@@ -26,49 +31,51 @@ pub fn heat_pictures(title: &str, solution: &Solution, thermal: &Thermal) -> Vec
         };
         // Both surfaces by one scale: which of them is the hotter one is seen.
         let walls = range(&[&t.plane, &t.ball]);
-        for (name, values, place, range) in [
+        for (name, field, place, range) in [
             ("temperature-mid", &t.mid, "mid-film", range(&[&t.mid])),
             ("temperature-plane", &t.plane, "plane", walls),
             ("temperature-ball", &t.ball, "ball", walls),
         ] {
             let label = format!("Temperature *T*, {place} (K)");
-            pictures.push(Picture {
-                name,
-                svg: temperature_map(title, solution, values, &label, range),
-            });
+            let draw = move || temperature_map(title, solution, field, &label, range);
+            pictures.push((name, Box::new(draw)));
         }
     }
     if !thermal.profiles.is_empty() {
-        pictures.push(Picture {
-            name: "cross-film",
-            svg: cross_film_chart(title, solution, thermal).svg(),
-        });
+        pictures.push((
+            "cross-film",
+            Box::new(|| cross_film_chart(title, solution, thermal).svg()),
+        ));
     }
     pictures
 }
 
 /// Temperatures at mid-film, of both surfaces, and across the film on average, along y = 0.
-pub fn temperature_chart(title: &str, solution: &Solution, thermal: &Thermal) -> Chart {
-    let a = solution.hertz.half_width;
-    let t = &thermal.centreline;
+pub fn temperature_chart(title: &str, solution: &Solution) -> Chart {
     let [low, high] = window_x(solution);
-    let x = &solution.centreline.x;
-    let curve = |values: &[f64]| -> Vec<[f64; 2]> {
-        (x.iter().zip(values)).map(|(x, t)| [x / a, *t]).collect()
-    };
     let ball = match solution.kind {
         ContactKind::Circular => "ball",
         ContactKind::Line => "cylinder",
     };
-    let fields = [
-        ("mid-film", &t.mid, Look::Line, PALETTE[1]),
-        ("mean of the film", &t.mean, Look::Dashed, PALETTE[1]),
-        ("plane", &t.plane, Look::Line, PALETTE[0]),
-        (ball, &t.ball, Look::Line, PALETTE[2]),
-    ];
-    let shown = fields
-        .iter()
-        .flat_map(|(_, values, ..)| curve(values))
+    let fields = (solution.elements.temperatures.iter()).flat_map(|t| {
+        [
+            ("mid-film", &t.mid, Look::Line, PALETTE[1]),
+            ("mean of the film", &t.mean, Look::Dashed, PALETTE[1]),
+            ("plane", &t.plane, Look::Line, PALETTE[0]),
+            (ball, &t.ball, Look::Line, PALETTE[2]),
+        ]
+    });
+    let series: Vec<Series> = fields
+        .map(|(label, field, look, colour)| Series {
+            label: label.into(),
+            points: profile(solution, field, 1.0),
+            look,
+            colour: colour.into(),
+            side: Side::Left,
+        })
+        .collect();
+    let shown = (series.iter())
+        .flat_map(|s| s.points.iter())
         .filter(|p| (low..=high).contains(&p[0]))
         .map(|p| p[1]);
     let mut chart = Chart::new(
@@ -76,16 +83,7 @@ pub fn temperature_chart(title: &str, solution: &Solution, thermal: &Thermal) ->
         Axis::linear("*x*/*a*", low, high),
         Axis::linear_around("Temperature *T* (K)", shown),
     );
-    chart.series = fields
-        .into_iter()
-        .map(|(label, values, look, colour)| Series {
-            label: label.into(),
-            points: curve(values),
-            look,
-            colour: colour.into(),
-            side: Side::Left,
-        })
-        .collect();
+    chart.series = series;
     chart
 }
 

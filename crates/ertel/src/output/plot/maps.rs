@@ -1,9 +1,9 @@
 //! Maps of pressure and film thickness over the whole contact.
 
-use super::super::surface::{full_surface, sources};
-use super::field::{Bar, FieldMap};
+use super::field::{Bar, FieldMap, MAP_HEIGHT};
+use super::sampling::{Sampling, View};
 use super::{axis, film_unit, pressure_unit, window_x};
-use crate::solution::Solution;
+use crate::solution::{Polynomials, Solution};
 
 /// Colours of a map that shall look continuous.
 const N_SHADES: usize = 64;
@@ -47,24 +47,51 @@ fn hex(gradient: colorous::Gradient, i: usize, n: usize) -> String {
     format!("#{:x}", gradient.eval_rational(i, n))
 }
 
+/// Samples of a field over the whole contact, in half-widths, for contours at these levels; `factor` by which the field,
+/// SI, is multiplied.
+fn sampled(
+    solution: &Solution,
+    field: &Polynomials,
+    factor: f64,
+    window: [[f64; 2]; 2],
+    levels: &[f64],
+) -> Sampling {
+    let view = View {
+        unit: solution.hertz.half_width,
+        window,
+        pixel: (window[1][1] - window[1][0]) / MAP_HEIGHT,
+        factor,
+        levels,
+    };
+    Sampling::new(&solution.elements, field, &view).mirrored()
+}
+
+/// Levels and colours between two values that look continuous.
+fn shades([low, high]: [f64; 2], gradient: colorous::Gradient) -> (Vec<f64>, Vec<String>) {
+    let share = |i: usize| i as f64 / N_SHADES as f64;
+    let levels = (1..N_SHADES).map(|i| low + (high - low) * share(i));
+    let colours = (0..N_SHADES).map(|i| hex(gradient, i, N_SHADES));
+    (levels.collect(), colours.collect())
+}
+
 /// Pressure over the whole contact, continuous colours.
 pub fn pressure_map(title: &str, solution: &Solution) -> String {
     let (factor, unit) = pressure_unit(solution.hertz.pressure);
-    let surface = full_surface(solution.kind, &solution.surface);
-    let values: Vec<f64> = surface.pressure.iter().map(|p| factor * p).collect();
     let top = factor * solution.summary.pressure_maximum.value;
+    let (levels, colours) = shades([0.0, top], colorous::VIRIDIS);
+    let window = window_map(solution);
     FieldMap {
         title,
-        points: &in_half_widths(&surface.points, solution.hertz.half_width),
-        triangles: &surface.cells,
-        values: &values,
-        window: window_map(solution),
-        levels: (1..N_SHADES)
-            .map(|i| top * i as f64 / N_SHADES as f64)
-            .collect(),
-        colours: (0..N_SHADES)
-            .map(|i| hex(colorous::VIRIDIS, i, N_SHADES))
-            .collect(),
+        field: sampled(
+            solution,
+            &solution.elements.pressure,
+            factor,
+            window,
+            &levels,
+        ),
+        window,
+        levels,
+        colours,
         bar: Bar::Continuous([0.0, top]),
         bar_label: &format!("Pressure *p* ({unit})"),
         circle: "#ffffff",
@@ -72,32 +99,23 @@ pub fn pressure_map(title: &str, solution: &Solution) -> String {
     .svg()
 }
 
-/// Temperature over the whole contact, K at the points of the surface, continuous colours between the bounds.
+/// Temperature over the whole contact, K, continuous colours between the bounds.
 pub fn temperature_map(
     title: &str,
     solution: &Solution,
-    values: &[f64],
+    temperature: &Polynomials,
     label: &str,
-    [low, high]: [f64; 2],
+    bounds: [f64; 2],
 ) -> String {
-    let surface = full_surface(solution.kind, &solution.surface);
-    let values: Vec<f64> = sources(solution.kind, &solution.surface)
-        .into_iter()
-        .map(|i| values[i])
-        .collect();
+    let (levels, colours) = shades(bounds, colorous::INFERNO);
+    let window = warm_window(solution);
     FieldMap {
         title,
-        points: &in_half_widths(&surface.points, solution.hertz.half_width),
-        triangles: &surface.cells,
-        values: &values,
-        window: warm_window(solution),
-        levels: (1..N_SHADES)
-            .map(|i| low + (high - low) * i as f64 / N_SHADES as f64)
-            .collect(),
-        colours: (0..N_SHADES)
-            .map(|i| hex(colorous::INFERNO, i, N_SHADES))
-            .collect(),
-        bar: Bar::Continuous([low, high]),
+        field: sampled(solution, temperature, 1.0, window, &levels),
+        window,
+        levels,
+        colours,
+        bar: Bar::Continuous(bounds),
         bar_label: label,
         circle: "#ffffff",
     }
@@ -109,8 +127,6 @@ pub fn temperature_map(
 pub fn film_map(title: &str, solution: &Solution) -> String {
     let summary = &solution.summary;
     let (factor, unit) = film_unit(FILM_UP_TO * summary.film_central.value);
-    let surface = full_surface(solution.kind, &solution.surface);
-    let values: Vec<f64> = surface.film_thickness.iter().map(|h| factor * h).collect();
     let levels = film_levels(
         factor * summary.film_minimum.value,
         factor * summary.film_central.value,
@@ -118,12 +134,12 @@ pub fn film_map(title: &str, solution: &Solution) -> String {
     let n = levels.len();
     let mut colours: Vec<String> = (0..n).map(|i| hex(colorous::VIRIDIS, i, n)).collect();
     colours.push("#ffffff".to_owned());
+    let window = window_map(solution);
+    let film = &solution.elements.film_thickness;
     FieldMap {
         title,
-        points: &in_half_widths(&surface.points, solution.hertz.half_width),
-        triangles: &surface.cells,
-        values: &values,
-        window: window_map(solution),
+        field: sampled(solution, film, factor, window, &levels),
+        window,
         levels,
         colours,
         bar: Bar::Steps,
@@ -143,10 +159,6 @@ fn film_levels(minimum: f64, central: f64) -> Vec<f64> {
     let fine_levels = (first..=last).map(|i| fine * i as f64);
     let coarse_levels = (last / 5 + 1..=last_coarse).map(|i| coarse * i as f64);
     fine_levels.chain(coarse_levels).collect()
-}
-
-fn in_half_widths(points: &[[f64; 2]], half_width: f64) -> Vec<[f64; 2]> {
-    points.iter().map(|p| p.map(|x| x / half_width)).collect()
 }
 
 #[cfg(test)]

@@ -10,6 +10,9 @@ mod frame;
 mod heat;
 mod maps;
 pub mod png;
+mod profile;
+mod sampling;
+mod simplify;
 mod svg;
 
 pub use axis::{Axis, AxisScale};
@@ -18,6 +21,9 @@ pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use heat::{cross_film_chart, temperature_chart};
 pub use maps::{film_map, pressure_map};
+pub(crate) use profile::profile;
+
+use rayon::prelude::*;
 
 use crate::contact::{ContactKind, hertz};
 use crate::solution::Solution;
@@ -35,29 +41,25 @@ pub struct Picture {
 
 /// Every picture of a solution; the convergence target is drawn where given.
 pub fn pictures(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec<Picture> {
-    let mut pictures = vec![Picture {
-        name: "centreline",
-        svg: centreline(title, solution).svg(),
-    }];
+    let mut tasks: Vec<Task> = vec![("centreline", Box::new(|| centreline(title, solution).svg()))];
     if solution.kind == ContactKind::Circular {
-        pictures.push(Picture {
-            name: "pressure",
-            svg: pressure_map(title, solution),
-        });
-        pictures.push(Picture {
-            name: "film",
-            svg: film_map(title, solution),
-        });
+        tasks.push(("pressure", Box::new(|| pressure_map(title, solution))));
+        tasks.push(("film", Box::new(|| film_map(title, solution))));
     }
     if let Some(thermal) = &solution.thermal {
-        pictures.extend(heat::heat_pictures(title, solution, thermal));
+        tasks.extend(heat::heat_pictures(title, solution, thermal));
     }
-    pictures.push(Picture {
-        name: "convergence",
-        svg: convergence(title, solution, tolerance).svg(),
-    });
-    pictures
+    tasks.push((
+        "convergence",
+        Box::new(move || convergence(title, solution, tolerance).svg()),
+    ));
+    (tasks.into_par_iter())
+        .map(|(name, draw)| Picture { name, svg: draw() })
+        .collect()
 }
+
+/// Name of a picture, and how it is drawn.
+type Task<'a> = (&'static str, Box<dyn FnOnce() -> String + Send + 'a>);
 
 /// Factor and unit in which lengths of this size (m) are shown.
 pub(crate) fn film_unit(size: f64) -> (f64, &'static str) {
@@ -102,19 +104,11 @@ fn window_x(solution: &Solution) -> [f64; 2] {
 /// Pressure (with the Hertz pressure) and film thickness along y = 0.
 pub fn centreline(title: &str, solution: &Solution) -> Chart {
     let a = solution.hertz.half_width;
-    let line = &solution.centreline;
     let (p_factor, p_unit) = pressure_unit(solution.hertz.pressure);
     // Room above the film for the pressure: the film stays in the lower part of the frame
     let film_top = 3.0 * solution.summary.film_central.value;
     let (h_factor, h_unit) = film_unit(film_top);
     let [low, high] = window_x(solution);
-    let curve = |values: &[f64], factor: f64| -> Vec<[f64; 2]> {
-        line.x
-            .iter()
-            .zip(values)
-            .map(|(x, v)| [x / a, factor * v])
-            .collect()
-    };
     let highest = solution
         .summary
         .pressure_maximum
@@ -158,14 +152,14 @@ pub fn centreline(title: &str, solution: &Solution) -> Chart {
         },
         Series {
             label: "pressure".into(),
-            points: curve(&line.pressure, p_factor),
+            points: profile(solution, &solution.elements.pressure, p_factor),
             look: Look::Line,
             colour: PALETTE[0].into(),
             side: Side::Left,
         },
         Series {
             label: "film thickness".into(),
-            points: curve(&line.film_thickness, h_factor),
+            points: profile(solution, &solution.elements.film_thickness, h_factor),
             look: Look::Line,
             colour: PALETTE[1].into(),
             side: Side::Right,

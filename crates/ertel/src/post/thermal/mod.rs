@@ -250,7 +250,7 @@ fn surface(d: &Discretisation, state: &State, space: &HeatSpace) -> FilmTemperat
 
 impl FilmTemperatures {
     /// Adds a point from the temperatures at the film's nodes.
-    fn push(&mut self, film: &FilmNodes, values: &Nodal) {
+    pub(in crate::post) fn push(&mut self, film: &FilmNodes, values: &Nodal) {
         let [plane, ball] = walls(film, values);
         self.mid.push(film.through(values).at(0.0));
         self.mean.push(film.mean(values));

@@ -1,0 +1,86 @@
+//! Fields as polynomials, in SI.
+
+use ertel_fem::element::Lagrange;
+use ertel_fem::space::Space;
+
+use crate::contact::Scales;
+use crate::solution::{ElementFields, FilmTemperatures, Polynomials, TemperaturePolynomials};
+use crate::solve::discretisation::Discretisation;
+use crate::solve::heat::space::HeatSpace;
+use crate::solve::sequence::StageSolution;
+use crate::solve::system::State;
+
+/// The undeformed gap is a polynomial of this order.
+const GAP_ORDER: usize = 2;
+
+/// The polynomials that were solved for.
+pub fn elements(solution: &StageSolution, scales: &Scales) -> ElementFields {
+    let (d, state) = (&solution.discretisation, &solution.state);
+    let surface = &d.contact.surface;
+    let cells = (0..surface.n_cells()).map(|c| {
+        let mut corners = [0; 3];
+        corners[..=surface.dim].copy_from_slice(surface.cell(c));
+        corners
+    });
+    ElementFields {
+        dim: surface.dim,
+        vertices: (surface.vertices.iter())
+            .map(|v| [v[0] * scales.length, v[1] * scales.length])
+            .collect(),
+        cells: cells.collect(),
+        pressure: nodal(&d.pressure, |node| state.pressure[node] * scales.pressure),
+        film_thickness: film(d, state, scales),
+        temperatures: (d.heat.as_ref()).map(|space| temperatures(space, state)),
+    }
+}
+
+/// A field given at the nodes of a space.
+fn nodal(space: &Space, value: impl Fn(usize) -> f64) -> Polynomials {
+    Polynomials {
+        order: space.element.order(),
+        values: (space.element_nodes.iter())
+            .map(|node| value(*node as usize))
+            .collect(),
+    }
+}
+
+/// Film thickness: deflection and gap together, exactly.
+fn film(d: &Discretisation, state: &State, scales: &Scales) -> Polynomials {
+    let deflection = &d.contact.deflection;
+    let order = deflection.element.order().max(GAP_ORDER);
+    let element = Lagrange::new(deflection.element.dim(), order);
+    // Shape functions of the deflection at the nodes of the film, the same in every element
+    let table: Vec<Vec<f64>> = (element.points())
+        .map(|xi| deflection.element.values(xi).collect())
+        .collect();
+    let mut values = Vec::with_capacity(table.len() * d.contact.n_elements());
+    for cell in 0..d.contact.n_elements() {
+        for basis in &table {
+            let (mut film, mut point) = (state.rigid_separation, [0.0; 3]);
+            for (value, node) in basis.iter().zip(deflection.nodes_of(cell)) {
+                film += value * state.deflection[*node as usize];
+                for (x, px) in point.iter_mut().zip(deflection.points[*node as usize]) {
+                    *x += value * px;
+                }
+            }
+            values.push(scales.film * (film + d.contact.undeformed_gap(point)));
+        }
+    }
+    Polynomials { order, values }
+}
+
+/// Temperatures of film and surfaces: each a sum over the column's nodes, so a polynomial as the columns are.
+fn temperatures(space: &HeatSpace, state: &State) -> TemperaturePolynomials {
+    let column = &space.column;
+    let mut at_nodes = FilmTemperatures::default();
+    for values in state.temperature.chunks_exact(column.n()) {
+        at_nodes.push(&column.film, &column.film_of(values));
+    }
+    let field = |values: &[f64]| nodal(&space.surface, |node| values[node]);
+    TemperaturePolynomials {
+        mid: field(&at_nodes.mid),
+        mean: field(&at_nodes.mean),
+        plane: field(&at_nodes.plane),
+        ball: field(&at_nodes.ball),
+    }
+}
