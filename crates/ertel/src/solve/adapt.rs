@@ -1,5 +1,6 @@
 //! Local refinement until the films are as accurate as asked for.
 
+use super::bars::{Compared, compared};
 use super::discretisation::LevelSizes;
 use super::indicator::Indicator;
 use crate::contact::ContactKind;
@@ -84,15 +85,8 @@ pub struct ErrorBars {
 ///
 /// Without estimates the bar is three times the difference of two meshes.
 pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars> {
-    // Diffusive starts on a refined mesh have no estimate and do not count.
-    let estimated = levels.iter().any(|l| l.estimate.is_some());
-    let last = (levels.iter())
-        .rposition(|l| l.converged && !l.role.compares() && l.estimate.is_some() == estimated)?;
-    let fine = &levels[last];
-    let other_mesh =
-        |l: &&LevelStats| l.converged && !l.role.compares() && l.n_body_cells != fine.n_body_cells;
-    let coarse = levels[..last].iter().rev().find(other_mesh);
-    let films = |l: &LevelStats| [l.film_central, l.film_minimum];
+    let Compared { fine, coarse } = compared(levels)?;
+    let films = LevelStats::films;
     let difference =
         |c: &LevelStats| [0, 1].map(|j: usize| (films(c)[j] / films(fine)[j] - 1.0).abs());
     let comparable = coarse.filter(|c| c.estimate.is_some());
