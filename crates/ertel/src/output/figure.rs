@@ -10,6 +10,9 @@ const MOST_DIGITS: i32 = 6;
 /// Digits of a figure without a bar.
 const DIGITS: usize = 4;
 
+/// Decimals of a temperature in K, at the most.
+const KELVIN_DECIMALS: i32 = 2;
+
 /// Decimals of a place in half-widths, at the most.
 const PLACE_DECIMALS: i32 = 3;
 
@@ -108,16 +111,17 @@ pub fn percent(e: Estimate) -> String {
 
 /// A temperature with its rise above that of the inlet, both in K.
 pub fn temperature(e: Estimate, inlet: Option<f64>) -> String {
-    let of_bar = (e.error.filter(|error| *error > 0.0)).map(|error| decimals(e.value, error));
+    let error = e.error.filter(|error| *error > 0.0);
+    let shown = error.map_or(KELVIN_DECIMALS, |error| {
+        decimals(e.value, error).min(KELVIN_DECIMALS)
+    });
+    let error = error.map_or(String::new(), |error| format!(" ± {}", bar(error, shown)));
     let rise = inlet.map_or(String::new(), |inlet| {
-        let rise = rounded(e.value - inlet, of_bar.unwrap_or(2));
+        let rise = rounded(e.value - inlet, shown);
         let sign = if rise.starts_with('-') { "" } else { "+" };
         format!(" ({sign}{rise} K)")
     });
-    match of_bar {
-        Some(_) => in_unit(e, 1.0, "K") + &rise,
-        None => format!("{:.2} K{rise}", e.value),
-    }
+    format!("{}{error} K{rise}", rounded(e.value, shown))
 }
 
 /// A length with a readable unit.
@@ -256,6 +260,7 @@ mod tests {
             temperature(e(312.96, 0.4), Some(313.0)),
             "313.0 ± 0.4 K (+0.0 K)"
         );
+        assert_eq!(temperature(e(318.9634, 0.0193), None), "318.96 ± 0.02 K");
         let plain = Estimate {
             value: 310.0,
             error: None,

@@ -14,7 +14,7 @@ use crate::solution::{Located, Solution, Timings};
 /// Width of the column of names.
 const NAME_WIDTH: usize = 34;
 /// Width of the column of values that have something beside them.
-const VALUE_WIDTH: usize = 28;
+const VALUE_WIDTH: usize = 26;
 
 /// The report as text: the case in SI, Hertz contact, groups, results beside published formulas,
 /// effort, warnings and, where given, the folder of the files.
@@ -236,7 +236,9 @@ fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
 
 /// A figure and what stands beside it.
 pub(super) fn beside(text: &str, other: &str) -> String {
-    format!("{text:<VALUE_WIDTH$}{other}").trim_end().to_owned()
+    format!("{text:<VALUE_WIDTH$}  {other}")
+        .trim_end()
+        .to_owned()
 }
 
 fn write_traction(out: &mut Lines, solution: &Solution) {
