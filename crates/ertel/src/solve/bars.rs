@@ -32,8 +32,8 @@ pub fn compared(levels: &[LevelStats]) -> Option<Compared<'_>> {
 }
 
 /// Error bars of the figures of a solve: of both films their own, `film_bars`, relative; of each other figure
-/// [`SAFETY`] times its difference from mesh to mesh, but not less than [`SHARE_OF_FILM_BAR`] of the films' tells.
-/// Places likewise, by their distance.
+/// `SAFETY` times its difference from mesh to mesh, but not less than `SHARE_OF_FILM_BAR` of the larger relative bar
+/// of the films, times its size. Places likewise, by their distance.
 ///
 /// There is no bar where only one of the meshes has the figure, such as a spike, and none at all where the films have
 /// none.
