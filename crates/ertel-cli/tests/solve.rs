@@ -343,7 +343,7 @@ fn a_thermal_contact_writes_its_temperatures() {
     let thermal = &json["thermal"];
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     let balance = &thermal["balance"];
-    let [plane, ball] = ["to_plane", "to_ball"].map(|key| number(&balance[key]));
+    let [plane, ball] = ["to_plane", "to_ball"].map(|key| number(&balance[key]["value"]));
     // The film is symmetric about its middle: what is left is the tolerance of the coupling.
     assert!(
         plane > 0.0 && (plane / ball - 1.0).abs() < 1e-3,

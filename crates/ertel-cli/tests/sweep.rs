@@ -190,6 +190,11 @@ values = [false, true]
         let expected = 1.0 - value(of, 4) / value(of, 5);
         assert!(expected > 0.0 && (value(name, 4) - expected).abs() < 1e-12);
     }
+    // Its bar is that of both films together.
+    let film = |i| value("film_central_error_m", i) / value("film_central_m", i);
+    let ratio = value("film_central_m", 0) / value("film_central_m", 1);
+    let bar = value("thermal_reduction_central_error", 0);
+    assert!((bar / (ratio * (film(0) + film(1))) - 1.0).abs() < 1e-9);
     // Where nothing slides there is no traction to lose.
     assert_eq!(numbers("thermal_reduction_traction")[0], None);
     for picture in ["film.svg", "traction.svg"] {

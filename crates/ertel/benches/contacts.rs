@@ -13,11 +13,11 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 use common::{Clock, Seconds, Stopwatch};
 use ertel::case::Case;
+use ertel::elastic::cache::OperatorCache;
 use ertel::params::LinearSolver;
 use ertel::run::{Session, solve};
 use ertel::solution::{Estimate, Solution, Timings};
 use ertel::solve::Silent;
-use ertel::elastic::cache::OperatorCache;
 use ertel::study::solve_curve;
 use ertel_rheology::input::Document;
 

@@ -5,6 +5,7 @@ use std::time::Instant;
 use crate::case::{Case, SolidHeat};
 use crate::contact::{ContactKind, EquivalentBody, Groups, Scales, hertz};
 use crate::elastic::Elasticity;
+use crate::elastic::cache::OperatorCache;
 use crate::film::FilmFluid;
 use crate::forms::energy::{BodyHeat, Heat};
 use crate::params::{
@@ -14,8 +15,8 @@ use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
 use crate::solution::{IterationRecord, Solution, Stats};
 use crate::solve::adapt::AdaptParams;
-use crate::elastic::cache::OperatorCache;
 use crate::solve::discretisation::{Extents, LevelSizes};
+use crate::solve::figures::measure;
 use crate::solve::heat::column::Column;
 use crate::solve::heat::coupling::CouplingParams;
 use crate::solve::newton::{FilmModel, NewtonParams};
@@ -97,8 +98,7 @@ pub fn problem(case: &Case) -> Problem {
         load: scales.load,
         // A film that starts too thick closes in from the safe side.
         start_film: 1.5 * start_film,
-        film_scale: scales.film,
-        pressure_scale: scales.pressure,
+        scales,
         newton: NewtonParams {
             update_tolerance: case.solver.tolerance,
             residual_tolerance: case.solver.tolerance,
@@ -303,11 +303,12 @@ fn describe(
         fluid: problem.fluid.clone(),
         constants: finest.stage.constants,
     };
-    let traction = post::shear::traction(finest, &problem.fluid, &scales);
-    let film_reduction = post::summary::film_reduction(levels);
-    let summary = post::summary::summarise(finest, levels, &model, &scales);
+    let measured = measure(problem, finest, levels);
+    let traction = post::summary::traction(&measured);
+    let film_reduction = post::summary::film_reduction(levels, &measured);
+    let summary = post::summary::summarise(finest, &measured, &model, &scales);
     let thermal = (case.thermal())
-        .and_then(|params| post::thermal::thermal(finest, problem, levels, &scales, params));
+        .and_then(|params| post::thermal::thermal(finest, problem, levels, &measured, params));
     let mut warnings = case.warnings.clone();
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {

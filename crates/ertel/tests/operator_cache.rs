@@ -8,10 +8,10 @@ use std::time::{Duration, SystemTime};
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::elastic::cache::OperatorCache;
 use ertel::run::{Session, solve};
 use ertel::solution::Solution;
 use ertel::solve::Silent;
-use ertel::elastic::cache::OperatorCache;
 
 /// Changes a file, given another one.
 type Damage = fn(&mut Vec<u8>, &[u8]);

@@ -7,12 +7,14 @@ use approx::assert_relative_eq;
 use common::heated;
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Scales};
+use ertel::params::ThermalParams;
 use ertel::post::elements::elements;
 use ertel::post::thermal::{thermal, warnings};
 use ertel::run::{problem, solve};
 use ertel::solution::{LevelStats, Polynomials, Solution, Thermal};
 use ertel::solve::Silent;
 use ertel::solve::evaluate::fields_in;
+use ertel::solve::figures::measure;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 use ertel_fem::element::Lagrange;
 use ertel_rheology::provenance::TemperatureRange;
@@ -43,6 +45,16 @@ fn stages(case: &Case) -> (Problem, StageSolution, Vec<LevelStats>) {
     (problem, solution, levels)
 }
 
+fn thermal_of(
+    solution: &StageSolution,
+    problem: &Problem,
+    levels: &[LevelStats],
+    params: &ThermalParams,
+) -> Thermal {
+    let measured = measure(problem, solution, levels);
+    thermal(solution, problem, levels, &measured, params).unwrap()
+}
+
 /// T = 350 + 10 X + 8 s + 12 (1 − 4 s²), K, in the film: at the plane 346 + 10 X, at the ball 354 + 10 X, at mid-film
 /// 362 + 10 X, on average 358 + 10 X; at its largest where s = 1/12, 12 + 1/3 above 350 + 10 X.
 #[test]
@@ -69,7 +81,7 @@ fn figures_of_made_up_temperatures() {
         }
     }
     let params = case.thermal.as_ref().unwrap();
-    let found: Thermal = thermal(&solution, &problem, &levels, &scales, params).unwrap();
+    let found: Thermal = thermal_of(&solution, &problem, &levels, params);
     let outlet = solution.discretisation.contact.extents.outlet;
     // The largest temperature lies between two of the sampled heights: 48 (1/128)².
     assert_relative_eq!(
@@ -83,9 +95,9 @@ fn figures_of_made_up_temperatures() {
     }
     // The Hertz zone is told by quadrature points: its ends err by a share of a cell, times 10 K.
     for (mean, value) in [
-        (found.film_mean, 358.0),
-        (found.plane_mean, 346.0),
-        (found.ball_mean, 354.0),
+        (found.film_mean.value, 358.0),
+        (found.plane_mean.value, 346.0),
+        (found.ball_mean.value, 354.0),
     ] {
         assert_relative_eq!(mean, value, epsilon = 0.1);
     }
@@ -201,25 +213,29 @@ fn heat_is_accounted_for() {
     let thermal = solution.thermal.as_ref().unwrap();
     let b = &thermal.balance;
     assert_relative_eq!(
-        b.shear,
-        solution.traction.friction_power,
+        b.shear.value,
+        solution.traction.friction_power.value,
         max_relative = 2e-3
     );
-    let made = b.shear + b.compression;
+    let made = b.shear.value + b.compression.value;
     assert_relative_eq!(
         made,
-        b.to_plane + b.to_ball + b.by_film,
+        b.to_plane.value + b.to_ball.value + b.by_film.value,
         max_relative = 0.01
     );
     // Glass conducts next to nothing out of the area; steel a little, to where it comes in.
     assert_relative_eq!(
         carried(&case, &solution, 0),
-        b.to_plane,
+        b.to_plane.value,
         max_relative = 0.02
     );
-    assert_relative_eq!(carried(&case, &solution, 2), b.to_ball, max_relative = 0.05);
+    assert_relative_eq!(
+        carried(&case, &solution, 2),
+        b.to_ball.value,
+        max_relative = 0.05
+    );
     let reduction = thermal.reduction.unwrap();
-    assert!(reduction.traction.unwrap() > 0.0 && reduction.film_central > 0.0);
+    assert!(reduction.traction.unwrap().value > 0.0 && reduction.film_central.value > 0.0);
 }
 
 /// The same over both halves of a circular contact.
@@ -229,8 +245,8 @@ fn heat_of_a_circular_contact_counts_both_halves() {
     let thermal = solution.thermal.as_ref().unwrap();
     let b = &thermal.balance;
     assert_relative_eq!(
-        b.shear,
-        solution.traction.friction_power,
+        b.shear.value,
+        solution.traction.friction_power.value,
         max_relative = 5e-3
     );
     assert!(b.error.abs() < 0.01, "{}", b.error);
@@ -252,7 +268,7 @@ fn temperatures_beyond_the_data_are_told() {
     let (problem, solution, levels) = stages(&case);
     let scales = scales(&case);
     let params = case.thermal.clone().unwrap();
-    let found = thermal(&solution, &problem, &levels, &scales, &params).unwrap();
+    let found = thermal_of(&solution, &problem, &levels, &params);
     let top = found.film_maximum.value;
     let mut told = |lowest: f64, highest: f64| {
         case.lubricant.temperature_ranges = vec![TemperatureRange {

@@ -66,8 +66,16 @@ fn equal_plateaus_are_newtonian() {
         }
         assert!(pressure_difference(&a, &b) < 1e-8);
         let (a, b) = (&a.traction, &b.traction);
-        assert_relative_eq!(a.coefficient, b.coefficient, max_relative = 1e-8);
-        assert_relative_eq!(a.friction_power, b.friction_power, max_relative = 1e-8);
+        assert_relative_eq!(
+            a.coefficient.value,
+            b.coefficient.value,
+            max_relative = 1e-8
+        );
+        assert_relative_eq!(
+            a.friction_power.value,
+            b.friction_power.value,
+            max_relative = 1e-8
+        );
         // And plateaus that differ do not.
         let thinned = solved(&case(kind, carreau(0.2), 0.3));
         assert!(films(&thinned)[0] < 0.95 * films(&solved(&newtonian))[0]);
@@ -85,12 +93,12 @@ fn the_sign_of_sliding_turns_the_traction() {
         }
         assert!(pressure_difference(&forward, &backward) < 1e-8);
         let (f, b) = (&forward.traction, &backward.traction);
-        assert!(f.coefficient > 0.01);
+        assert!(f.coefficient.value > 0.01);
         for (x, y) in [
-            (f.coefficient, -b.coefficient),
-            (f.coefficient_ball, -b.coefficient_plane),
-            (f.coefficient_plane, -b.coefficient_ball),
-            (f.friction_power, b.friction_power),
+            (f.coefficient.value, -b.coefficient.value),
+            (f.coefficient_ball.value, -b.coefficient_plane.value),
+            (f.coefficient_plane.value, -b.coefficient_ball.value),
+            (f.friction_power.value, b.friction_power.value),
         ] {
             assert_relative_eq!(x, y, max_relative = 1e-8);
         }
@@ -120,10 +128,10 @@ fn rolling_alone_has_the_traction_of_the_pressure_gradient() {
         let case = case(ContactKind::Line, law, 0.0);
         let solution = solved(&case);
         let t = &solution.traction;
-        assert_eq!(t.coefficient, 0.0);
+        assert_eq!(t.coefficient.value, 0.0);
         assert_relative_eq!(
-            t.coefficient_ball,
-            -t.coefficient_plane,
+            t.coefficient_ball.value,
+            -t.coefficient_plane.value,
             max_relative = 1e-12
         );
         let line = &solution.centreline;
@@ -131,12 +139,12 @@ fn rolling_alone_has_the_traction_of_the_pressure_gradient() {
         let force = integral(line, |i, slope| [h[i - 1], h[i]].map(|h| 0.5 * h * slope));
         println!(
             "{:.5e} {:.5e}",
-            t.coefficient_ball,
+            t.coefficient_ball.value,
             force / case.contact.load
         );
         // The profile's points are dense, and its slopes differences of second order.
         assert_relative_eq!(
-            t.coefficient_ball,
+            t.coefficient_ball.value,
             force / case.contact.load,
             max_relative = 2e-3
         );
@@ -165,7 +173,10 @@ fn sliding_in_eyrings_fluid_has_the_traction_of_its_closed_form() {
                 stress * (mu * sliding / (h * stress) * flattened).asinh()
             })
         });
-        let (ours, expected) = (solution.traction.coefficient, force / case.contact.load);
+        let (ours, expected) = (
+            solution.traction.coefficient.value,
+            force / case.contact.load,
+        );
         println!("tau_0 {stress:e}, SRR {srr}: {ours:.6} {expected:.6}");
         assert_relative_eq!(ours, expected, max_relative = 2e-3);
     }
@@ -190,13 +201,13 @@ fn friction_is_what_the_surfaces_put_in() {
         }
         let t = solved(&case).traction;
         let power = case.contact.load
-            * (t.coefficient_ball * case.motion.ball_speed()
-                - t.coefficient_plane * case.motion.plane_speed());
+            * (t.coefficient_ball.value * case.motion.ball_speed()
+                - t.coefficient_plane.value * case.motion.plane_speed());
         println!(
             "{kind:?}, SRR {srr}: {:.6e} {power:.6e}, sliding {:.6e}",
-            t.friction_power,
-            t.force * (case.motion.ball_speed() - case.motion.plane_speed())
+            t.friction_power.value,
+            t.force.value * (case.motion.ball_speed() - case.motion.plane_speed())
         );
-        assert_relative_eq!(t.friction_power, power, max_relative = 2e-3);
+        assert_relative_eq!(t.friction_power.value, power, max_relative = 2e-3);
     }
 }

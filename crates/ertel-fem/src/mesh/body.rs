@@ -148,13 +148,8 @@ pub fn body_mesh(
     params.check()?;
     let layout = choose_layout(params)?;
     let axes: &[usize] = if params.dim == 2 { &[0, 2] } else { &[0, 1, 2] };
-    let mut bisection = Bisection::from_cubes(
-        axes,
-        layout.lower,
-        layout.side,
-        layout.n_cubes,
-        layout.maps,
-    );
+    let mut bisection =
+        Bisection::from_cubes(axes, layout.lower, layout.side, layout.n_cubes, layout.maps);
     refine_to_size(&mut bisection, params, size)?;
     Ok(BodyMesh::from_bisection(bisection, *params))
 }

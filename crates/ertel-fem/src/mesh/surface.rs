@@ -96,7 +96,10 @@ fn squares(length: f64, side: f64) -> [usize; 2] {
             false => (n as f64, (side / length * n as f64).round().max(1.0)),
         };
         let stretch = (length / nx / (side / ny)).ln().abs();
-        (stretch + SQUARE_WEIGHT * (nx * ny).ln(), [nx as usize, ny as usize])
+        (
+            stretch + SQUARE_WEIGHT * (nx * ny).ln(),
+            [nx as usize, ny as usize],
+        )
     });
     let best = candidates.min_by(|a, b| a.0.total_cmp(&b.0));
     best.expect("there are candidates").1
@@ -126,7 +129,11 @@ impl SurfaceMesh {
     /// When there is not one size for each cell.
     pub fn refined(&self, sizes: &[f64]) -> Result<SurfaceMesh, MeshError> {
         assert_eq!(sizes.len(), self.mesh.n_cells(), "one size for each cell");
-        if let Some((cell, value)) = sizes.iter().enumerate().find(|(_, s)| s.is_nan() || **s <= 0.0) {
+        if let Some((cell, value)) = sizes
+            .iter()
+            .enumerate()
+            .find(|(_, s)| s.is_nan() || **s <= 0.0)
+        {
             return Err(MeshError::Size {
                 value: *value,
                 point: self.mesh.vertices[self.mesh.cell(cell)[0] as usize],

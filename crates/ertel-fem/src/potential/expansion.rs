@@ -59,7 +59,8 @@ impl Basis {
         let along = [quadrant % 2, quadrant / 2].map(|q| half_interval(self.degree, q == 1));
         let mut matrix = Vec::with_capacity(self.len() * self.len());
         for [a, b] in &self.exponents {
-            matrix.extend((self.exponents.iter()).map(|[c, d]| along[0][*a][*c] * along[1][*b][*d]));
+            matrix
+                .extend((self.exponents.iter()).map(|[c, d]| along[0][*a][*c] * along[1][*b][*d]));
         }
         matrix
     }
@@ -75,7 +76,10 @@ impl Basis {
         let transform: Vec<Vec<f64>> = (0..self.degree)
             .map(|a| {
                 let weight = if a == 0 { 1.0 } else { 2.0 } / n as f64;
-                nodes.iter().map(|x| weight * (a as f64 * x.acos()).cos()).collect()
+                nodes
+                    .iter()
+                    .map(|x| weight * (a as f64 * x.acos()).cos())
+                    .collect()
             })
             .collect();
         let second = if dim == 2 { &nodes[..] } else { &[0.0] };
@@ -116,10 +120,12 @@ impl Basis {
             .collect();
         // Those with 0 ≤ dy ≤ dx; the others follow by mirror images and by exchange of the axes.
         let base: Vec<Vec<f64>> = (reach.par_iter())
-            .map(|d| match d[0] > 1 && d[1] >= 0 && d[1] <= d[0] && (dim == 2 || d[1] == 0) {
-                true => self.coefficients(kernel, *d),
-                false => Vec::new(),
-            })
+            .map(
+                |d| match d[0] > 1 && d[1] >= 0 && d[1] <= d[0] && (dim == 2 || d[1] == 0) {
+                    true => self.coefficients(kernel, *d),
+                    false => Vec::new(),
+                },
+            )
             .collect();
         let place = |e: [usize; 2]| {
             let found = self.exponents.iter().position(|own| *own == e);
@@ -142,7 +148,11 @@ impl Basis {
                             true => alpha[axis] + beta[axis],
                             false => 0,
                         };
-                        let sign = if (parity(0) + parity(1)) % 2 == 0 { 1.0 } else { -1.0 };
+                        let sign = if (parity(0) + parity(1)) % 2 == 0 {
+                            1.0
+                        } else {
+                            -1.0
+                        };
                         let (k, l) = match swapped {
                             true => (place([alpha[1], alpha[0]]), place([beta[1], beta[0]])),
                             false => (i, j),
@@ -257,7 +267,11 @@ mod tests {
                             x[0] - y[0] - 2.0 * f64::from(dx),
                             second * (x[1] - y[1] - 2.0 * f64::from(dy)),
                         ];
-                        assert_relative_eq!(found, kernel.at(d[0].hypot(d[1])), epsilon = tolerance);
+                        assert_relative_eq!(
+                            found,
+                            kernel.at(d[0].hypot(d[1])),
+                            epsilon = tolerance
+                        );
                     }
                 }
             }

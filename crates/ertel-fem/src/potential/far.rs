@@ -74,7 +74,10 @@ impl<T: Number> FarField<T> {
         };
         let ends = |ends: &Ends<f64>| {
             let mut values = vec![T::default(); stride * ends.columns.len()];
-            for (to, from) in values.chunks_exact_mut(stride).zip(ends.values.chunks_exact(full)) {
+            for (to, from) in values
+                .chunks_exact_mut(stride)
+                .zip(ends.values.chunks_exact(full))
+            {
                 for (to, from) in to[..n].iter_mut().zip(from) {
                     *to = T::from_f64(*from);
                 }
@@ -94,7 +97,13 @@ impl<T: Number> FarField<T> {
             from_child: children.each_ref().map(|m| columns(m, false)),
             to_child: children.each_ref().map(|m| columns(m, true)),
             across: (across.iter())
-                .map(|m| if m.is_empty() { Vec::new() } else { columns(m, false) })
+                .map(|m| {
+                    if m.is_empty() {
+                        Vec::new()
+                    } else {
+                        columns(m, false)
+                    }
+                })
                 .collect(),
             mirror: (0..stride)
                 .map(|k| match basis.exponents.get(k) {
@@ -170,7 +179,13 @@ impl<T: Number> FarField<T> {
             let (above, below) = local.split_at_mut(tree.levels[level] * stride);
             let first = tree.levels[level - 1];
             // Children of a batch of parents are a range of the next level.
-            self.lower(tree, first, &above[first * stride..], tree.levels[level], below);
+            self.lower(
+                tree,
+                first,
+                &above[first * stride..],
+                tree.levels[level],
+                below,
+            );
         }
         self.values_at(to, &local)
     }
@@ -206,15 +221,17 @@ impl<T: Number> FarField<T> {
             rest = others;
             next += n;
         }
-        parts.into_par_iter().for_each(|(cells, parents, next, own)| {
-            vectorised(Lower {
-                far: self,
-                cells,
-                parents,
-                next,
-                own,
+        parts
+            .into_par_iter()
+            .for_each(|(cells, parents, next, own)| {
+                vectorised(Lower {
+                    far: self,
+                    cells,
+                    parents,
+                    next,
+                    own,
+                });
             });
-        });
     }
 
     /// Values of local expansions at the points of their leaves, each by the column that it has there.
@@ -228,13 +245,16 @@ impl<T: Number> FarField<T> {
             parts.push((cell, range.clone(), own));
             rest = others;
         }
-        parts.into_par_iter().with_min_len(BATCH).for_each(|(cell, range, own)| {
-            vectorised(Spread {
-                columns: &to.values[range.start * stride..range.end * stride],
-                local: &local[cell * stride..(cell + 1) * stride],
-                own,
+        parts
+            .into_par_iter()
+            .with_min_len(BATCH)
+            .for_each(|(cell, range, own)| {
+                vectorised(Spread {
+                    columns: &to.values[range.start * stride..range.end * stride],
+                    local: &local[cell * stride..(cell + 1) * stride],
+                    own,
+                });
             });
-        });
         out
     }
 }

@@ -208,8 +208,8 @@ fn edge_integrals(h: f64, t: [f64; 2], n: usize) -> [f64; MAX_ORDER + 1] {
     let mut powers = t;
     for k in 2..n {
         let m = k as f64;
-        integrals[k] = (powers[1] * r[1] - powers[0] * r[0]) / m
-            - (m - 1.0) / m * square * integrals[k - 2];
+        integrals[k] =
+            (powers[1] * r[1] - powers[0] * r[0]) / m - (m - 1.0) / m * square * integrals[k - 2];
         powers = [powers[0] * t[0], powers[1] * t[1]];
     }
     integrals
@@ -294,7 +294,11 @@ mod tests {
         let mut sum = 0.0;
         for other in [1, 3] {
             let mut found = vec![0.0; 10];
-            integrals.at(&[corners[0], corners[2], corners[other]], [0.0; 2], &mut found);
+            integrals.at(
+                &[corners[0], corners[2], corners[other]],
+                [0.0; 2],
+                &mut found,
+            );
             sum += found.iter().sum::<f64>();
         }
         assert_relative_eq!(sum, 8.0 * 2.0_f64.sqrt().ln_1p(), max_relative = 1e-12);

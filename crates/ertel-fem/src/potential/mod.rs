@@ -167,7 +167,9 @@ impl<'a> Sources<'a> {
         let points = (corners.chunks_exact(n))
             .flat_map(|v| {
                 rule.points.iter().map(move |xi| {
-                    [0, 1].map(|a: usize| v[0][a] + (1..n).map(|k| xi[k - 1] * (v[k][a] - v[0][a])).sum::<f64>())
+                    [0, 1].map(|a: usize| {
+                        v[0][a] + (1..n).map(|k| xi[k - 1] * (v[k][a] - v[0][a])).sum::<f64>()
+                    })
                 })
             })
             .collect();
@@ -223,7 +225,11 @@ impl<'a> Sources<'a> {
     fn weighted_shapes(&self, element: usize, points: &[usize]) -> Vec<f64> {
         let n = self.space.element.n_nodes();
         (0..n)
-            .flat_map(|j| points.iter().map(move |q| self.weight(element, *q) * self.shapes(*q)[j]))
+            .flat_map(|j| {
+                points
+                    .iter()
+                    .map(move |q| self.weight(element, *q) * self.shapes(*q)[j])
+            })
             .collect()
     }
 
@@ -256,7 +262,10 @@ impl<'a> Sources<'a> {
                 for s in own {
                     let (e, q) = (element(s), *s as usize % per_element);
                     let y = self.points[*s as usize];
-                    basis.values([0, 1].map(|a: usize| (y[a] - centre[a]) / half), &mut values);
+                    basis.values(
+                        [0, 1].map(|a: usize| (y[a] - centre[a]) / half),
+                        &mut values,
+                    );
                     let weight = self.weight(e, q);
                     for (node, shape) in self.space.nodes_of(e).iter().zip(self.shapes(q)) {
                         let at = nodes.binary_search(node).expect("listed above") * basis.len();
@@ -286,7 +295,10 @@ fn target_ends(tree: &Tree, targets: &[[f64; 2]], basis: &Basis) -> Ends<f64> {
             let (centre, half) = tree.frame(c);
             let own = cell.targets.clone();
             let mut columns = vec![0.0; own.len() * basis.len()];
-            for (target, column) in tree.target_order[own.clone()].iter().zip(columns.chunks_exact_mut(basis.len())) {
+            for (target, column) in tree.target_order[own.clone()]
+                .iter()
+                .zip(columns.chunks_exact_mut(basis.len()))
+            {
                 let x = targets[*target as usize];
                 basis.values([0, 1].map(|a: usize| (x[a] - centre[a]) / half), column);
             }
@@ -411,7 +423,13 @@ impl Potential {
         let ordered: Vec<T> = (tree.target_order.iter())
             .map(|target| T::from_f64(values[*target as usize]))
             .collect();
-        let parts = far.apply(tree, &self.backward, self.kernel, Direction::Backward, &ordered);
+        let parts = far.apply(
+            tree,
+            &self.backward,
+            self.kernel,
+            Direction::Backward,
+            &ordered,
+        );
         let near = self.near.transposed(&ordered);
         let mut out: Vec<f64> = near.iter().map(|v| v.to_f64()).collect();
         for (node, part) in far.sources.columns.iter().zip(&parts) {

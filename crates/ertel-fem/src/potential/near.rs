@@ -87,13 +87,16 @@ impl<S: Number> NearField<S> {
             parts.push((block, own));
             rest = others;
         }
-        parts.into_par_iter().with_min_len(BATCH).for_each(|(block, own)| {
-            vectorised(AddBlock {
-                block,
-                density,
-                own,
+        parts
+            .into_par_iter()
+            .with_min_len(BATCH)
+            .for_each(|(block, own)| {
+                vectorised(AddBlock {
+                    block,
+                    density,
+                    own,
+                });
             });
-        });
     }
 
     /// The transpose: from values at the targets, in the order of the tree, to nodes.
@@ -165,7 +168,11 @@ fn elements_around(sources: &Sources, tree: &Tree, near: &[Vec<Near>]) -> Vec<Ve
             elements
         })
         .collect();
-    let images: &[bool] = if sources.mirrored { &[false, true] } else { &[false] };
+    let images: &[bool] = if sources.mirrored {
+        &[false, true]
+    } else {
+        &[false]
+    };
     for element in 0..sources.n_elements() {
         let (low, high) = sources.bounds(element);
         let reach = REACH * (high[0] - low[0]).hypot(high[1] - low[1]);
@@ -174,7 +181,10 @@ fn elements_around(sources: &Sources, tree: &Tree, near: &[Vec<Near>]) -> Vec<Ve
                 false => (low[1], high[1]),
                 true => (-high[1], -low[1]),
             };
-            let corners = [[low[0] - reach, bottom - reach], [high[0] + reach, top + reach]];
+            let corners = [
+                [low[0] - reach, bottom - reach],
+                [high[0] + reach, top + reach],
+            ];
             tree.leaves_within(corners[0], corners[1], &mut |leaf| {
                 around[leaf].push((element as u32, *image));
             });
@@ -197,12 +207,7 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     /// The block of a leaf.
-    fn block<S: Number>(
-        &self,
-        leaf: usize,
-        near: &[Near],
-        elements: &[(u32, bool)],
-    ) -> Block<S> {
+    fn block<S: Number>(&self, leaf: usize, near: &[Near], elements: &[(u32, bool)]) -> Block<S> {
         let (sources, tree) = (self.sources, self.tree);
         let range = tree.cells[leaf].targets.clone();
         // Sources that expansions leave out, as ranges of the tree's order.
@@ -238,17 +243,28 @@ impl Builder<'_> {
                 .filter(|q| !is_direct(element * per_element + q, *image))
                 .collect();
             let weighted = sources.weighted_shapes(element, &expanded);
-            for (target, row) in (tree.target_order[range.clone()].iter()).zip(rows.chunks_exact_mut(nodes.len())) {
+            for (target, row) in
+                (tree.target_order[range.clone()].iter()).zip(rows.chunks_exact_mut(nodes.len()))
+            {
                 let mut x = self.targets[*target as usize];
                 if *image {
                     x[1] = -x[1];
                 }
                 self.integrals.at(vertices, x, &mut entries);
                 if !expanded.is_empty() {
-                    let points = expanded.iter().map(|q| sources.points[element * per_element + q]);
+                    let points = expanded
+                        .iter()
+                        .map(|q| sources.points[element * per_element + q]);
                     seen.clear();
-                    seen.extend(points.map(|y| sources.kernel.at(((x[0] - y[0]).powi(2) + (x[1] - y[1]).powi(2)).sqrt())));
-                    for (entry, weights) in entries.iter_mut().zip(weighted.chunks_exact(expanded.len())) {
+                    seen.extend(points.map(|y| {
+                        sources
+                            .kernel
+                            .at(((x[0] - y[0]).powi(2) + (x[1] - y[1]).powi(2)).sqrt())
+                    }));
+                    for (entry, weights) in entries
+                        .iter_mut()
+                        .zip(weighted.chunks_exact(expanded.len()))
+                    {
                         *entry -= mixed_dot(weights, &seen);
                     }
                 }

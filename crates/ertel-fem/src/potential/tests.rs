@@ -29,8 +29,17 @@ fn targets(space: &Space) -> Vec<[f64; 2]> {
 }
 
 /// Every entry by closed forms.
-pub(super) fn dense(mesh: &SimplexMesh, space: &Space, mirrored: bool, density: &[f64]) -> Vec<f64> {
-    let kernel = if mesh.dim == 1 { Kernel::Logarithm } else { Kernel::InverseDistance };
+pub(super) fn dense(
+    mesh: &SimplexMesh,
+    space: &Space,
+    mirrored: bool,
+    density: &[f64],
+) -> Vec<f64> {
+    let kernel = if mesh.dim == 1 {
+        Kernel::Logarithm
+    } else {
+        Kernel::InverseDistance
+    };
     let integrals = ElementIntegrals::new(&space.element, kernel);
     let sources = Sources::new(mesh, space, kernel, mirrored);
     let mut entries = vec![0.0; space.element.n_nodes()];
@@ -51,7 +60,10 @@ pub(super) fn dense(mesh: &SimplexMesh, space: &Space, mirrored: bool, density: 
 
 pub(super) fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     let scale = b.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
-    a.iter().zip(b).fold(0.0, |m: f64, (x, y)| m.max((x - y).abs())) / scale
+    a.iter()
+        .zip(b)
+        .fold(0.0, |m: f64, (x, y)| m.max((x - y).abs()))
+        / scale
 }
 
 #[test]
@@ -64,11 +76,20 @@ fn equals_its_dense_twin() {
         let mesh = mesh(dim);
         let space = Space::new(&mesh, 3);
         let p = density(&space.points);
-        let potential = Potential::new(&mesh, &space, &targets(&space), mirrored, &PotentialParams::default());
+        let potential = Potential::new(
+            &mesh,
+            &space,
+            &targets(&space),
+            mirrored,
+            &PotentialParams::default(),
+        );
         let exact = dense(&mesh, &space, mirrored, &p);
         let error = |accuracy| largest_difference(&potential.apply(&p, accuracy), &exact);
         let (state, single) = (error(Accuracy::Full), error(Accuracy::Krylov));
-        println!("dim {dim} mirrored {mirrored}: {} nodes, {state:.1e} {single:.1e}", space.n_nodes());
+        println!(
+            "dim {dim} mirrored {mirrored}: {} nodes, {state:.1e} {single:.1e}",
+            space.n_nodes()
+        );
         assert!(state < full, "{state}");
         assert!(single < krylov, "{single}");
         // the tree is needed
@@ -83,14 +104,26 @@ fn transpose_is_exact() {
         let mesh = mesh(dim);
         let space = Space::new(&mesh, 3);
         let p = density(&space.points);
-        let potential = Potential::new(&mesh, &space, &targets(&space), mirrored, &PotentialParams::default());
-        let z: Vec<f64> = (0..space.n_nodes()).map(|i| (0.37 * i as f64).sin()).collect();
+        let potential = Potential::new(
+            &mesh,
+            &space,
+            &targets(&space),
+            mirrored,
+            &PotentialParams::default(),
+        );
+        let z: Vec<f64> = (0..space.n_nodes())
+            .map(|i| (0.37 * i as f64).sin())
+            .collect();
         for (accuracy, tolerance) in [(Accuracy::Full, 1e-12), (Accuracy::Krylov, 1e-5)] {
             let forward = potential.apply(&p, accuracy);
             let backward = potential.apply_transposed(&z, accuracy);
             let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
             let size = dot(&forward, &forward).sqrt() * dot(&z, &z).sqrt();
-            assert_relative_eq!(dot(&z, &forward) / size, dot(&backward, &p) / size, epsilon = tolerance);
+            assert_relative_eq!(
+                dot(&z, &forward) / size,
+                dot(&backward, &p) / size,
+                epsilon = tolerance
+            );
         }
     }
 }

@@ -129,7 +129,8 @@ impl Tree {
             targets: own_targets,
             ..
         } = self.cells[index].clone();
-        let quadrant = |p: [f64; 2]| usize::from(p[0] > centre[0]) + 2 * usize::from(p[1] > centre[1]);
+        let quadrant =
+            |p: [f64; 2]| usize::from(p[0] > centre[0]) + 2 * usize::from(p[1] > centre[1]);
         let by_quadrant = |order: &mut [u32], points: &[[f64; 2]], start: usize| -> [usize; 5] {
             order.sort_by_key(|i| quadrant(points[*i as usize]));
             let mut bounds = [start; 5];
@@ -139,8 +140,16 @@ impl Tree {
             }
             bounds
         };
-        let s = by_quadrant(&mut self.source_order[own_sources.clone()], sources, own_sources.start);
-        let t = by_quadrant(&mut self.target_order[own_targets.clone()], targets, own_targets.start);
+        let s = by_quadrant(
+            &mut self.source_order[own_sources.clone()],
+            sources,
+            own_sources.start,
+        );
+        let t = by_quadrant(
+            &mut self.target_order[own_targets.clone()],
+            targets,
+            own_targets.start,
+        );
         for q in 0..4 {
             if s[q] == s[q + 1] && t[q] == t[q + 1] {
                 continue;
@@ -165,7 +174,8 @@ impl Tree {
     pub fn frame(&self, cell: usize) -> ([f64; 2], f64) {
         let cell = &self.cells[cell];
         let half = self.half_side(cell.level);
-        let centre = [0, 1].map(|a: usize| self.corner[a] + half * f64::from(2 * cell.place[a] + 1));
+        let centre =
+            [0, 1].map(|a: usize| self.corner[a] + half * f64::from(2 * cell.place[a] + 1));
         (centre, half)
     }
 
@@ -251,7 +261,12 @@ impl Tree {
             if cell.is_leaf() {
                 f(index);
             }
-            stack.extend(cell.children.iter().filter(|c| **c != NONE).map(|c| *c as usize));
+            stack.extend(
+                cell.children
+                    .iter()
+                    .filter(|c| **c != NONE)
+                    .map(|c| *c as usize),
+            );
         }
     }
 }

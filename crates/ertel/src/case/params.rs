@@ -158,14 +158,22 @@ fn read_pressure_error(table: &mut Table<'_>, mesh: &mut MeshParams) -> Result<(
     ] {
         if given && mesh.target_error.is_none() {
             return Err(table
-                .error(key, format!("`{key}` is for meshes that are refined to a target"))
-                .with_help("give `target_error`, or leave sizes, growth, preset and error_estimate alone"));
+                .error(
+                    key,
+                    format!("`{key}` is for meshes that are refined to a target"),
+                )
+                .with_help(
+                    "give `target_error`, or leave sizes, growth, preset and error_estimate alone",
+                ));
         }
     }
     match (films_alone, error) {
         (Some(true), Some(_)) => {
             return Err(table
-                .error("pressure_error", "`pressure_error` is given, but the mesh is refined for films alone")
+                .error(
+                    "pressure_error",
+                    "`pressure_error` is given, but the mesh is refined for films alone",
+                )
                 .with_help("remove `refine_for`, or `pressure_error`"));
         }
         (Some(true), None) => mesh.pressure_error = None,

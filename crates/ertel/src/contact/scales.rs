@@ -52,4 +52,14 @@ impl Scales {
             load,
         }
     }
+
+    /// By which an integral over the (half) contact area, in half-widths squared or half-widths, becomes one over
+    /// all of it, m² or m.
+    pub fn area(&self, kind: ContactKind) -> f64 {
+        match kind {
+            // The half domain stands for both.
+            ContactKind::Circular => 2.0 * self.length * self.length,
+            ContactKind::Line => self.length,
+        }
+    }
 }

@@ -299,7 +299,10 @@ impl FiniteBody {
     ///
     /// # Errors
     /// Those of the mesh.
-    pub fn new(params: &BodyParams, size: &dyn Fn([f64; 3]) -> f64) -> Result<FiniteBody, MeshError> {
+    pub fn new(
+        params: &BodyParams,
+        size: &dyn Fn([f64; 3]) -> f64,
+    ) -> Result<FiniteBody, MeshError> {
         Ok(FiniteBody::on(body_mesh(params, size)?))
     }
 
@@ -326,7 +329,9 @@ impl FiniteBody {
     /// Displacement space, made when first asked for: a solve whose elastic response is in the cache never does.
     /// `deflection` is its trace.
     pub fn space(&self, deflection: &Space) -> &BodySpace {
-        (self.space).get_or_init(|| BodySpace::new(&self.mesh, &self.surface, &self.body_vertices, deflection))
+        (self.space).get_or_init(|| {
+            BodySpace::new(&self.mesh, &self.surface, &self.body_vertices, deflection)
+        })
     }
 
     /// Condensed answers of bodies of the given constants, from the cache where it has them; with the number of displacement

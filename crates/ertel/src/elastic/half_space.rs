@@ -52,7 +52,11 @@ impl HalfSpace {
             factor,
             lift: line.then(|| {
                 let shift = factor * LINE_REFERENCE.ln();
-                space.integrals(mesh).into_iter().map(|v| shift * v).collect()
+                space
+                    .integrals(mesh)
+                    .into_iter()
+                    .map(|v| shift * v)
+                    .collect()
             }),
             near: symbol_stiffness(mesh, space, pairs, &|k| 2.0 * c / k),
         }

@@ -14,7 +14,9 @@ mod series;
 mod trace;
 
 pub use ertel_fem::potential::Accuracy;
-pub use finite_elements::{BodySpace, CondensedResponse, ElasticBody, FiniteBodies, FiniteBody, FiniteBodyError};
+pub use finite_elements::{
+    BodySpace, CondensedResponse, ElasticBody, FiniteBodies, FiniteBody, FiniteBodyError,
+};
 pub use half_space::HalfSpace;
 pub use near::{near_pairs, symbol_stiffness};
 pub use series::Series;

@@ -45,7 +45,11 @@ impl SurfaceResponse for Series {
     fn near_stiffness(&self) -> Vec<f64> {
         let first = &self.parts[0];
         let share = first.compliance() / self.compliance();
-        first.near_stiffness().into_iter().map(|s| s * share).collect()
+        first
+            .near_stiffness()
+            .into_iter()
+            .map(|s| s * share)
+            .collect()
     }
 
     fn compliance(&self) -> f64 {

@@ -1,7 +1,7 @@
 //! The spaces in which film and bodies meet.
 
-use ertel_fem::linear::dense::vectorised;
 use ertel_fem::kernel;
+use ertel_fem::linear::dense::vectorised;
 use ertel_fem::mesh::SimplexMesh;
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
@@ -27,8 +27,16 @@ pub struct Trace {
 
 impl Trace {
     /// Joins two spaces on a mesh; the rule is exact for their products.
-    pub fn new(mesh: &SimplexMesh, pressure: &Space, deflection: &Space, rule: &Quadrature) -> Trace {
-        let (p, w) = (pressure.element.tabulate(rule), deflection.element.tabulate(rule));
+    pub fn new(
+        mesh: &SimplexMesh,
+        pressure: &Space,
+        deflection: &Space,
+        rule: &Quadrature,
+    ) -> Trace {
+        let (p, w) = (
+            pressure.element.tabulate(rule),
+            deflection.element.tabulate(rule),
+        );
         let (n, m) = (p.n_nodes, w.n_nodes);
         let determinants: Vec<f64> = (0..mesh.n_cells())
             .map(|c| Affine::new(mesh, c).determinant)
@@ -85,7 +93,10 @@ impl Trace {
 
     fn per_element(&self) -> (usize, usize) {
         let n_elements = self.determinants.len().max(1);
-        (self.pressure_nodes.len() / n_elements, self.deflection.element.n_nodes())
+        (
+            self.pressure_nodes.len() / n_elements,
+            self.deflection.element.n_nodes(),
+        )
     }
 
     /// Nodes and matrix ∫N_δ N_P of each element: deflection nodes, pressure nodes, entries row by row.
@@ -126,7 +137,10 @@ impl Trace {
     fn at_node(&self, (element, place): (u32, u32)) -> (&[u32], &[f64]) {
         let (n, _) = self.per_element();
         let (c, i) = (element as usize, place as usize);
-        (&self.pressure_nodes[c * n..(c + 1) * n], &self.lattice[i * n..(i + 1) * n])
+        (
+            &self.pressure_nodes[c * n..(c + 1) * n],
+            &self.lattice[i * n..(i + 1) * n],
+        )
     }
 
     /// Whether pressure and deflection have the same nodes.
@@ -142,7 +156,11 @@ impl Trace {
         (self.owners.iter())
             .map(|owner| {
                 let (nodes, basis) = self.at_node(*owner);
-                nodes.iter().zip(basis).map(|(n, b)| b * pressure[*n as usize]).sum()
+                nodes
+                    .iter()
+                    .zip(basis)
+                    .map(|(n, b)| b * pressure[*n as usize])
+                    .sum()
             })
             .collect()
     }
@@ -165,7 +183,12 @@ impl Trace {
     /// Nodal values q at the deflection nodes of the pressure that has given loads, ∫q N = f, by conjugate gradients.
     pub fn density(&self, loads: &[f64]) -> Vec<f64> {
         let m = self.deflection.element.n_nodes();
-        let elements = || self.deflection.element_nodes.chunks_exact(m).zip(&self.determinants);
+        let elements = || {
+            self.deflection
+                .element_nodes
+                .chunks_exact(m)
+                .zip(&self.determinants)
+        };
         let multiply = |x: &[f64]| {
             let mut y = vec![0.0; x.len()];
             for (nodes, determinant) in elements() {
@@ -183,7 +206,8 @@ impl Trace {
             }
         }
         let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
-        let scaled = |r: &[f64]| -> Vec<f64> { r.iter().zip(&diagonal).map(|(r, d)| r / d).collect() };
+        let scaled =
+            |r: &[f64]| -> Vec<f64> { r.iter().zip(&diagonal).map(|(r, d)| r / d).collect() };
         let mut x = vec![0.0; loads.len()];
         let mut r = loads.to_vec();
         let mut z = scaled(&r);

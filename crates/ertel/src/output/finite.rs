@@ -1,7 +1,7 @@
 //! Guard: no result with a number that is not finite leaves the program.
 
 use super::CaseEcho;
-use crate::solution::{FilmTemperatures, Located, ShearFields, Solution, Thermal};
+use crate::solution::{Estimate, FilmTemperatures, Located, ShearFields, Solution, Thermal};
 
 /// Name of the first number that is not finite, or `None` if all are.
 pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<String> {
@@ -84,53 +84,53 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
         ("half-width", solution.hertz.half_width),
         ("Hertz pressure", solution.hertz.pressure),
         ("reduced modulus", solution.reduced_modulus),
-        ("central film thickness", s.film_central.value),
-        (
-            "error of the central film thickness",
-            s.film_central.error.unwrap_or(0.0),
-        ),
-        ("minimum film thickness", s.film_minimum.value),
-        (
-            "error of the minimum film thickness",
-            s.film_minimum.error.unwrap_or(0.0),
-        ),
-        ("outlet position", s.outlet_position),
         ("smallest pressure", s.pressure_minimum),
         ("film balance error", s.film_balance_error),
         ("load balance error", s.load_balance_error),
         ("rigid separation", s.rigid_separation),
     ];
-    let mut located = |name, at: &Located| list.extend([at.value, at.x, at.y].map(|v| (name, v)));
-    located("place of the minimum film thickness", &s.film_minimum_at);
-    located(
-        "minimum film thickness on the centreline",
-        &s.film_centreline_minimum,
-    );
-    located("largest pressure", &s.pressure_maximum);
-    if let Some(spike) = &s.spike {
-        located("pressure spike", spike);
-    }
     let t = &solution.traction;
-    let traction = [
-        t.coefficient,
-        t.coefficient_plane,
-        t.coefficient_ball,
-        t.force,
-        t.friction_power,
-        t.shear_stress_maximum,
-        t.beyond_first_limit.unwrap_or(0.0),
-        t.beyond_second_limit.unwrap_or(0.0),
+    let mut estimates = vec![
+        ("central film thickness", s.film_central),
+        ("minimum film thickness", s.film_minimum),
+        ("outlet position", s.outlet_position),
+        ("traction", t.coefficient),
+        ("traction", t.coefficient_plane),
+        ("traction", t.coefficient_ball),
+        ("traction", t.force),
+        ("friction power", t.friction_power),
+        ("largest shear stress", t.shear_stress_maximum),
     ];
-    list.extend(traction.map(|v| ("traction", v)));
-    if let Some(thermal) = &solution.thermal {
-        list.extend(
-            heat(thermal)
-                .into_iter()
-                .map(|v| ("temperatures and heat", v)),
-        );
-    }
+    let shares = [t.beyond_first_limit, t.beyond_second_limit];
+    estimates.extend(shares.into_iter().flatten().map(|e| ("thinned share", e)));
     if let Some(r) = solution.film_reduction {
-        list.extend([r.central, r.minimum].map(|v| ("film reduction", v)));
+        estimates.extend([r.central, r.minimum].map(|e| ("film reduction", e)));
+    }
+    let mut located = vec![
+        ("place of the minimum film thickness", &s.film_minimum_at),
+        (
+            "minimum film thickness on the centreline",
+            &s.film_centreline_minimum,
+        ),
+        ("largest pressure", &s.pressure_maximum),
+    ];
+    located.extend(s.spike.iter().map(|spike| ("pressure spike", spike)));
+    if let Some(thermal) = &solution.thermal {
+        let (temperatures, places) = heat(thermal);
+        estimates.extend(temperatures.into_iter().map(|e| (HEAT, e)));
+        located.extend(places.into_iter().map(|at| (HEAT, at)));
+        let (b, c) = (&thermal.balance, &thermal.coupling);
+        let others = [thermal.inlet_temperature, b.error, c.contraction, c.change];
+        list.extend(others.map(|v| (HEAT, v)));
+    }
+    for (name, at) in located {
+        estimates.push((name, at.estimate()));
+        list.extend([at.x, at.y].map(|v| (name, v)));
+        list.extend(at.place_error.map(|v| (name, v)));
+    }
+    for (name, e) in estimates {
+        list.push((name, e.value));
+        list.extend(e.error.map(|v| (name, v)));
     }
     for groups in std::iter::once(&solution.groups).chain(&solution.groups_asymptotic) {
         let values = [
@@ -162,30 +162,32 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
     list.into_iter().map(|(n, v)| (n.to_owned(), v))
 }
 
-fn heat(thermal: &Thermal) -> Vec<f64> {
+const HEAT: &str = "temperatures and heat";
+
+/// Figures of temperatures and heat, without places and with.
+fn heat(thermal: &Thermal) -> (Vec<Estimate>, [&Located; 4]) {
+    let b = &thermal.balance;
     let mut list = vec![
-        thermal.inlet_temperature,
         thermal.film_mean,
         thermal.plane_mean,
         thermal.ball_mean,
+        b.shear,
+        b.compression,
+        b.to_plane,
+        b.to_ball,
+        b.by_film,
     ];
-    for at in [
-        &thermal.film_maximum,
-        &thermal.film_lowest,
-        &thermal.plane_maximum,
-        &thermal.ball_maximum,
-    ] {
-        list.extend([at.value, at.x, at.y]);
-    }
-    let b = &thermal.balance;
-    list.extend([b.shear, b.compression, b.to_plane, b.to_ball, b.by_film]);
-    list.push(b.error);
     if let Some(r) = &thermal.reduction {
         list.extend([r.film_central, r.film_minimum, r.isothermal_traction]);
         list.extend(r.traction);
     }
-    list.extend([thermal.coupling.contraction, thermal.coupling.change]);
-    list
+    let located = [
+        &thermal.film_maximum,
+        &thermal.film_lowest,
+        &thermal.plane_maximum,
+        &thermal.ball_maximum,
+    ];
+    (list, located)
 }
 
 /// Whether all temperatures and profiles are finite.
@@ -230,8 +232,8 @@ fn effort(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
     let levels = solution.stats.levels.iter().enumerate().flat_map(|(i, l)| {
         let t = &l.seconds;
         [
-            l.film_central,
-            l.film_minimum,
+            l.films()[0],
+            l.films()[1],
             t.mesh,
             t.operator,
             t.assembly,
@@ -239,7 +241,6 @@ fn effort(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
             t.krylov,
             t.heat,
             t.other,
-            l.traction.unwrap_or(0.0),
         ]
         .map(|v| (format!("statistics of stage {}", i + 1), v))
     });

@@ -163,8 +163,10 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
     };
     let located = |value: f64, x: f64, y: f64| Located {
         value,
+        error: Some(5e-3 * value),
         x: a * x,
         y: a * y,
+        place_error: Some(0.02 * a),
     };
     let lowest = films.iter().copied().fold(f64::INFINITY, f64::min);
     let highest = pressures.iter().copied().fold(0.0, f64::max);
@@ -205,26 +207,26 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             film_centreline_minimum: located(0.47 * FILM, 0.93, 0.0),
             pressure_maximum: located(highest, -0.05, 0.0),
             spike: Some(located(0.86 * p_h, 0.86, 0.0)),
-            outlet_position: 1.05 * a,
+            outlet_position: bar(1.05 * a),
             pressure_minimum: -1.3e3,
             film_balance_error: 2e-4,
             load_balance_error: 3e-12,
             rigid_separation: -1.4e-6,
         },
         traction: Traction {
-            coefficient: 0.035,
-            coefficient_plane: 0.034,
-            coefficient_ball: 0.036,
-            force: 3.5,
-            friction_power: 0.28,
-            shear_stress_maximum: 2.2e7,
-            beyond_first_limit: Some(0.93),
+            coefficient: bar(0.035),
+            coefficient_plane: bar(0.034),
+            coefficient_ball: bar(0.036),
+            force: bar(3.5),
+            friction_power: bar(0.28),
+            shear_stress_maximum: bar(2.2e7),
+            beyond_first_limit: Some(bar(0.93)),
             beyond_second_limit: None,
         },
         thermal: None,
         film_reduction: Some(FilmReduction {
-            central: 0.31,
-            minimum: 0.28,
+            central: bar(0.31),
+            minimum: bar(0.28),
         }),
         formulas: film_formulas(kind, contact.radius, &groups),
         centreline,
@@ -273,7 +275,23 @@ fn shear(n: usize) -> ShearFields {
     }
 }
 
+/// A figure with an error bar of 2 %.
+fn bar(value: f64) -> Estimate {
+    Estimate {
+        value,
+        error: Some(0.02 * value),
+    }
+}
+
 fn level(n: usize, newton_iterations: usize) -> LevelStats {
+    let mut figures = Figures::default();
+    for (figure, value) in [
+        (Figure::FilmCentral, FILM),
+        (Figure::FilmMinimum, 0.5 * FILM),
+        (Figure::PressureMaximum, 1e9),
+    ] {
+        figures.note(figure, Reading::new(value));
+    }
     LevelStats {
         converged: true,
         n_body_cells: 10 * n,
@@ -287,10 +305,7 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
         newton_iterations,
         krylov_iterations: 9 * newton_iterations,
         factorisations: newton_iterations,
-        film_central: FILM,
-        film_minimum: 0.5 * FILM,
-        pressure_maximum: 1e9,
-        traction: None,
+        figures,
         estimate: None,
         seconds: Timings {
             mesh: 0.2,

@@ -2,10 +2,11 @@
 
 use std::io::{self, Write};
 
-use super::report::{Lines, percent_or_power, place, power};
+use super::figure::{in_unit, number, percent, place, temperature};
+use super::report::{Lines, beside, percent_or_power, power};
 use super::{HeatEcho, ThermalEcho, digits};
 use crate::contact::ContactKind;
-use crate::solution::{CrossProfile, Located, Solution, Thermal};
+use crate::solution::{CrossProfile, Estimate, Located, Solution, Thermal};
 
 /// What carries the heat, `ball` being the word for the second body.
 pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho, ball: &str) {
@@ -35,9 +36,8 @@ pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho, ball: &str) {
 
 /// Temperatures, heat, and what it does to film and traction.
 pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Thermal) {
-    let kelvin = |t: f64| format!("{t:.2} K");
-    let rise = |t: f64| format!("{t:.2} K ({:+.2} K)", t - thermal.inlet_temperature);
-    let largest = |at: &Located| format!("{:<24}{}", rise(at.value), place(solution, at));
+    let rise = |t: Estimate| temperature(t, Some(thermal.inlet_temperature));
+    let largest = |at: &Located| beside(&rise(at.estimate()), &place(solution, at));
     out.heading("Heat");
     out.row("largest film temperature", largest(&thermal.film_maximum));
     if thermal.film_lowest.value < thermal.inlet_temperature - 0.005 {
@@ -53,17 +53,20 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
         (ball, &thermal.ball_maximum, thermal.ball_mean),
     ] {
         out.row(&format!("surface of the {name}"), largest(maximum));
-        out.row("  mean in the Hertz zone", kelvin(mean));
+        out.row("  mean in the Hertz zone", temperature(mean, None));
     }
     let unit = match solution.kind {
         ContactKind::Circular => "W",
         ContactKind::Line => "W/m",
     };
     let b = &thermal.balance;
-    let watts = |heat: f64| {
+    let watts = |heat: Estimate| {
         // Rounding leaves dust of what the laws do not know, such as heat of compression.
-        let dust = heat.abs() < 1e-9 * b.shear.abs();
-        format!("{} {unit}", digits(if dust { 0.0 } else { heat }, 4))
+        if heat.value.abs() < 1e-9 * b.shear.value.abs() {
+            format!("0 {unit}")
+        } else {
+            in_unit(heat, 1.0, unit)
+        }
     };
     out.row(
         "heat made by shear",
@@ -73,23 +76,22 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
             watts(b.compression)
         ),
     );
-    let carried = b.to_plane + b.to_ball + b.by_film;
+    let carried = b.to_plane.value + b.to_ball.value + b.by_film.value;
     for (name, heat) in [
         ("  carried off by the plane", b.to_plane),
         (&format!("  by the {ball}"), b.to_ball),
         ("  by the lubricant", b.by_film),
     ] {
         // Of next to nothing, shares say nothing.
-        let share = if carried.abs() > 1e-6 * b.shear.abs() {
-            format!("{:.1} %", 100.0 * heat / carried)
+        let share = if carried.abs() > 1e-6 * b.shear.value.abs() {
+            format!("{:.1} %", 100.0 * heat.value / carried)
         } else {
             String::new()
         };
-        out.row(name, format!("{:<24}{share}", watts(heat)).trim_end());
+        out.row(name, beside(&watts(heat), &share));
     }
     out.row("heat balance error", percent_or_power(b.error));
     if let Some(r) = &thermal.reduction {
-        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
         let mut text = format!(
             "h_c {}, h_min {}",
             percent(r.film_central),
@@ -99,7 +101,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
             text.push_str(&format!(
                 ", traction {} (isothermal {})",
                 percent(traction),
-                digits(r.isothermal_traction, 4)
+                number(r.isothermal_traction)
             ));
         }
         out.row("reduction by heat", text);

@@ -6,6 +6,7 @@ pub mod centreline;
 pub mod curve;
 mod echo;
 mod estimate;
+mod figure;
 mod file;
 mod finite;
 mod folder;

@@ -3,12 +3,18 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use super::figure::{
+    estimate, in_unit, length_unit, number, percent, place, position, pressure_estimate,
+    pressure_unit,
+};
 use super::{CaseEcho, heat};
 use crate::contact::{ContactKind, Groups, Hertz};
-use crate::solution::{Estimate, Located, Solution, Timings};
+use crate::solution::{Located, Solution, Timings};
 
 /// Width of the column of names.
 const NAME_WIDTH: usize = 34;
+/// Width of the column of values that have something beside them.
+const VALUE_WIDTH: usize = 26;
 
 /// The report as text: the case in SI, Hertz contact, groups, results beside published formulas,
 /// effort, warnings and, where given, the folder of the files.
@@ -192,76 +198,76 @@ fn moes(groups: &Groups) -> String {
 
 fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
     let s = &solution.summary;
-    let a = solution.hertz.half_width;
-    let place = |at: &Located| place(solution, at);
-    let at = |text: String, place: String| format!("{text:<24}{place}");
+    let at = |text: String, at: &Located| beside(&text, &place(solution, at));
     out.heading("Results");
     out.row("central film thickness h_c", estimate(&s.film_central));
     out.row(
         "minimum film thickness h_min",
-        at(estimate(&s.film_minimum), place(&s.film_minimum_at)),
+        at(estimate(&s.film_minimum), &s.film_minimum_at),
     );
     if solution.kind == ContactKind::Circular {
         let line = &s.film_centreline_minimum;
-        out.row("  on the centreline", at(length(line.value), place(line)));
+        out.row("  on the centreline", at(estimate(&line.estimate()), line));
     }
     if let Some(sigma) = case.roughness {
-        let lambda = s.film_minimum.value / sigma;
-        out.row("lambda ratio h_min/σ", digits(lambda, 3));
+        let lambda = match s.film_minimum.error {
+            Some(_) => in_unit(s.film_minimum, 1.0 / sigma, ""),
+            None => digits(s.film_minimum.value / sigma, 3),
+        };
+        out.row("lambda ratio h_min/σ", lambda);
     }
     let p = &s.pressure_maximum;
-    out.row("largest pressure", at(pressure(p.value), place(p)));
+    out.row("largest pressure", at(pressure_estimate(p.estimate()), p));
     match &s.spike {
-        Some(spike) => out.row("pressure spike", at(pressure(spike.value), place(spike))),
+        Some(spike) => out.row(
+            "pressure spike",
+            at(pressure_estimate(spike.estimate()), spike),
+        ),
         None => out.row("pressure spike", "none on the centreline"),
     }
     out.row(
         "film ends (centreline)",
-        format!("at x/a {:.3}", s.outlet_position / a),
+        position(s.outlet_position, solution.hertz.half_width),
     );
     write_traction(out, solution);
     out.row("mass balance error", percent_or_power(s.film_balance_error));
     out.row("load balance error", percent_or_power(s.load_balance_error));
 }
 
-/// Where it is, in half-widths.
-pub(super) fn place(solution: &Solution, at: &Located) -> String {
-    let a = solution.hertz.half_width;
-    match solution.kind {
-        ContactKind::Line => format!("at x/a {:.3}", at.x / a),
-        ContactKind::Circular if at.y == 0.0 => format!("at x/a {:.3}, y/a 0", at.x / a),
-        ContactKind::Circular => format!("at x/a {:.3}, y/a ±{:.3}", at.x / a, at.y.abs() / a),
-    }
+/// A figure and what stands beside it.
+pub(super) fn beside(text: &str, other: &str) -> String {
+    format!("{text:<VALUE_WIDTH$}  {other}")
+        .trim_end()
+        .to_owned()
 }
 
 fn write_traction(out: &mut Lines, solution: &Solution) {
     let t = &solution.traction;
-    let percent = |share: f64| format!("{:.1} %", 100.0 * share);
     if let Some(r) = &solution.film_reduction {
         out.row(
             "film reduction by shear thinning",
             format!("h_c {}, h_min {}", percent(r.central), percent(r.minimum)),
         );
     }
-    out.row("traction coefficient", digits(t.coefficient, 4));
+    out.row("traction coefficient", number(t.coefficient));
     out.row(
         "  at the plane, at the ball",
         format!(
             "{}, {}",
-            digits(t.coefficient_plane, 4),
-            digits(t.coefficient_ball, 4)
+            number(t.coefficient_plane),
+            number(t.coefficient_ball)
         ),
     );
     let (force, power) = match solution.kind {
         ContactKind::Circular => ("N", "W"),
         ContactKind::Line => ("N/m", "W/m"),
     };
-    out.row("traction force", format!("{} {force}", digits(t.force, 4)));
+    out.row("traction force", in_unit(t.force, 1.0, force));
+    out.row("friction power", in_unit(t.friction_power, 1.0, power));
     out.row(
-        "friction power",
-        format!("{} {power}", digits(t.friction_power, 4)),
+        "largest shear stress",
+        pressure_estimate(t.shear_stress_maximum),
     );
-    out.row("largest shear stress", pressure(t.shear_stress_maximum));
     if let Some(share) = t.beyond_first_limit {
         let mut text = format!("{} of the Hertz zone", percent(share));
         if let Some(second) = t.beyond_second_limit {
@@ -281,12 +287,12 @@ fn write_formulas(out: &mut Lines, solution: &Solution) {
         None => "–".to_owned(),
     };
     out.heading("Published formulas (difference from the computed film)");
-    let header = format!("{:<24}{}", "central", "minimum");
+    let header = beside("central", "minimum");
     out.row("", header);
     for f in &solution.formulas {
         let central = cell(f.central, s.film_central.value);
         let minimum = cell(f.minimum, s.film_minimum.value);
-        out.row(f.name, format!("{central:<24}{minimum}"));
+        out.row(f.name, beside(&central, &minimum));
     }
     for f in &solution.formulas {
         let _ = writeln!(out.text, "  · {}", f.source);
@@ -303,7 +309,7 @@ fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
                 level.n_pressure_dofs,
                 level.n_displacement_dofs,
                 level.newton_iterations,
-                length(level.film_central)
+                length(level.films()[0])
             ),
         );
     }
@@ -346,37 +352,6 @@ fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
     }
 }
 
-/// Value with its error bar in the same unit, as many digits as the error bar leaves certain.
-pub(super) fn estimate(e: &Estimate) -> String {
-    let (factor, unit) = length_unit(e.value);
-    match e.error {
-        Some(error) => {
-            let error = factor * error;
-            // Two digits of the error bar, between none and six decimals
-            let decimals = if error > 0.0 {
-                (1.0 - error.log10().floor()).clamp(0.0, 6.0) as usize
-            } else {
-                3
-            };
-            format!(
-                "{:.decimals$} ± {:.decimals$} {unit}",
-                factor * e.value,
-                error
-            )
-        }
-        None => length(e.value),
-    }
-}
-
-fn length_unit(value: f64) -> (f64, &'static str) {
-    match value.abs() {
-        v if v < 1e-6 => (1e9, "nm"),
-        v if v < 1e-3 => (1e6, "µm"),
-        v if v < 1.0 => (1e3, "mm"),
-        _ => (1.0, "m"),
-    }
-}
-
 /// Length with a readable unit, four digits.
 pub fn length(value: f64) -> String {
     let (factor, unit) = length_unit(value);
@@ -385,12 +360,7 @@ pub fn length(value: f64) -> String {
 
 /// Pressure with a readable unit, four digits.
 pub fn pressure(value: f64) -> String {
-    let (factor, unit) = match value.abs() {
-        v if v < 1e3 => (1.0, "Pa"),
-        v if v < 1e6 => (1e-3, "kPa"),
-        v if v < 1e9 => (1e-6, "MPa"),
-        _ => (1e-9, "GPa"),
-    };
+    let (factor, unit) = pressure_unit(value);
     format!("{} {unit}", digits(factor * value, 4))
 }
 
@@ -450,15 +420,6 @@ mod tests {
         assert_eq!(digits(1.23456e-11, 3), "1.23e-11");
     }
 
-    #[test]
-    fn error_bars_set_the_digits() {
-        let e = |value, error| estimate(&Estimate { value, error });
-        assert_eq!(e(244.824e-9, Some(0.82e-9)), "244.82 ± 0.82 nm");
-        assert_eq!(e(1.2345e-6, Some(12.3e-9)), "1.234 ± 0.012 µm");
-        assert_eq!(e(244.824e-9, Some(0.0)), "244.824 ± 0.000 nm");
-        assert_eq!(e(244.824e-9, None), "244.8 nm");
-    }
-
     /// Figures known from elsewhere: a and p_h of the case, speeds 0.8 (1 ± 0.25), the formulas'
     /// films, and 264.066/245 − 1 = 7.8 %.
     #[test]
@@ -474,7 +435,7 @@ mod tests {
             "218.3 µm",
             "1.002 GPa",
             "M 199.3   L 10.36",
-            "245.00 ± 0.80 nm",
+            "245.0 ± 0.8 nm",
             "264.1 nm (+7.8 %)",
             "148.6 nm",
             "! the pressure leaves",

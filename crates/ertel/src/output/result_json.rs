@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::CaseEcho;
-use crate::solution::Solution;
+use crate::solution::{Figure, Solution};
 
 /// Value of the key `format` by which a result is recognised.
 pub const FORMAT: &str = "ertel-result";
@@ -62,22 +62,13 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
 
 /// Unit of each key that has one, wherever it occurs; all others are dimensionless.
 pub(super) fn units() -> Value {
-    const UNITS: [(&str, &[&str]); 14] = [
-        (
-            "m",
-            &[
-                "film_central",
-                "film_minimum",
-                "film_minimum_at",
-                "film_centreline_minimum",
-            ],
-        ),
+    const UNITS: [(&str, &[&str]); 12] = [
         (
             "m",
             &[
                 "x",
                 "y",
-                "outlet_position",
+                "place_error",
                 "rigid_separation",
                 "half_width",
                 "radius",
@@ -86,11 +77,12 @@ pub(super) fn units() -> Value {
         ),
         (
             "Pa",
-            &["pressure", "pressure_maximum", "pressure_minimum", "spike"],
-        ),
-        (
-            "Pa",
-            &["reduced_modulus", "youngs_modulus", "shear_stress_maximum"],
+            &[
+                "pressure",
+                "pressure_minimum",
+                "reduced_modulus",
+                "youngs_modulus",
+            ],
         ),
         ("Pa s", &["viscosity"]),
         ("kg/m^3", &["density"]),
@@ -121,10 +113,17 @@ pub(super) fn units() -> Value {
         ("s", &["seconds", "wall_seconds"]),
         ("byte", &["peak_memory"]),
     ];
-    let pairs = UNITS
+    let others = UNITS
         .iter()
-        .flat_map(|(unit, keys)| keys.iter().map(move |k| (k, unit)));
-    pairs
-        .map(|(k, u)| ((*k).to_owned(), Value::from(*u)))
+        .flat_map(|(unit, keys)| keys.iter().map(|k| ((*k).to_owned(), *unit)));
+    let figures = Figure::ALL.into_iter().flat_map(|figure| {
+        let name = figure.name();
+        let place = (figure.has_place()).then(|| (format!("{name}_at"), "m"));
+        let own = Some((name.to_owned(), figure.unit())).filter(|(_, unit)| !unit.is_empty());
+        own.into_iter().chain(place)
+    });
+    others
+        .chain(figures)
+        .map(|(key, unit)| (key, Value::from(unit)))
         .collect()
 }

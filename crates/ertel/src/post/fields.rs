@@ -144,7 +144,9 @@ pub fn body(
             .position(|l| l[a] == 1 && l[b] == 1)
             .expect("mid-edge node")
     };
-    let local: Vec<usize> = (0..=body.mesh.mesh.dim).chain(edges.iter().map(mid)).collect();
+    let local: Vec<usize> = (0..=body.mesh.mesh.dim)
+        .chain(edges.iter().map(mid))
+        .collect();
     Ok(Some(BodyField {
         points: space
             .points

@@ -4,7 +4,8 @@ pub mod balance;
 pub mod elements;
 pub mod fields;
 pub mod limits;
-pub mod profile;
 pub mod shear;
 pub mod summary;
 pub mod thermal;
+
+pub use crate::solve::profile;

@@ -2,48 +2,31 @@
 
 use super::balance::film_balance_error;
 use super::limits::thin_film_warning;
-use super::profile::Profile;
 use crate::contact::{ContactKind, Scales};
-use crate::solution::{Estimate, FilmReduction, LevelStats, Located, Summary, solved};
-use crate::solve::adapt::{error_bars, grading_errors};
-use crate::solve::evaluate::{central_film, largest_pressure, minimum_film};
+use crate::solution::{Figure, FilmReduction, LevelStats, Measured, Summary, Traction, solved};
+use crate::solve::bars::reduction;
+use crate::solve::evaluate::central_film;
 use crate::solve::newton::FilmModel;
+use crate::solve::profile::Profile;
 use crate::solve::sequence::{Role, StageSolution};
 
-/// Reads the figures off the finest stage.
+/// The figures of the finest stage.
 pub fn summarise(
     solution: &StageSolution,
-    levels: &[LevelStats],
+    measured: &Measured,
     model: &FilmModel,
     scales: &Scales,
 ) -> Summary {
     let (d, state) = (&solution.discretisation, &solution.state);
-    let located = |value: f64, [x, y]: [f64; 2]| Located {
-        value,
-        x: x * scales.length,
-        y: y * scales.length,
-    };
-    let profile = Profile::new(d, state, 16);
-    let (h_m, at) = minimum_film(d, state);
-    let (h_line, x_line) = profile.film_minimum();
-    let (p_max, p_at) = largest_pressure(d, state);
     let p_min = state.pressure.iter().fold(0.0_f64, |m, p| m.min(*p));
-    let grading = grading_errors(d.contact.kind, d.contact.elasticity.model, &solution.stage.sizes);
-    let bars = error_bars(levels, grading).map(|b| b.bars);
-    let estimate = |value: f64, figure: usize| Estimate {
-        value,
-        error: bars.map(|b| b[figure] * value.abs()),
-    };
     Summary {
-        film_central: estimate(central_film(d, state) * scales.film, 0),
-        film_minimum: estimate(h_m * scales.film, 1),
-        film_minimum_at: located(h_m * scales.film, at),
-        film_centreline_minimum: located(h_line * scales.film, [x_line, 0.0]),
-        pressure_maximum: located(p_max * scales.pressure, p_at),
-        spike: profile
-            .spike()
-            .map(|(p, x)| located(p * scales.pressure, [x, 0.0])),
-        outlet_position: profile.outlet() * scales.length,
+        film_central: measured.estimate(Figure::FilmCentral),
+        film_minimum: measured.estimate(Figure::FilmMinimum),
+        film_minimum_at: measured.located(Figure::FilmMinimum),
+        film_centreline_minimum: measured.located(Figure::FilmCentrelineMinimum),
+        pressure_maximum: measured.located(Figure::PressureMaximum),
+        spike: measured.find_located(Figure::Spike),
+        outlet_position: measured.estimate(Figure::OutletPosition),
         pressure_minimum: p_min * scales.pressure,
         film_balance_error: film_balance_error(solution, model),
         load_balance_error: (d.integral(&state.pressure) / scales.load - 1.0).abs(),
@@ -51,19 +34,38 @@ pub fn summarise(
     }
 }
 
+/// Traction and friction of the finest stage.
+pub fn traction(measured: &Measured) -> Traction {
+    Traction {
+        coefficient: measured.estimate(Figure::TractionCoefficient),
+        coefficient_plane: measured.estimate(Figure::TractionCoefficientPlane),
+        coefficient_ball: measured.estimate(Figure::TractionCoefficientBall),
+        force: measured.estimate(Figure::TractionForce),
+        friction_power: measured.estimate(Figure::FrictionPower),
+        shear_stress_maximum: measured.estimate(Figure::ShearStressMaximum),
+        beyond_first_limit: measured.find(Figure::BeyondFirstLimit),
+        beyond_second_limit: measured.find(Figure::BeyondSecondLimit),
+    }
+}
+
 /// Films with and without shear thinning, where both were found on the same mesh.
-pub fn film_reduction(levels: &[LevelStats]) -> Option<FilmReduction> {
-    let at = levels
-        .iter()
-        .rposition(|l| l.role == Role::Comparison && l.converged)?;
-    let newtonian = &levels[at];
-    let thinned = levels[at + 1..]
-        .iter()
-        .find(|l| l.converged && !l.role.leads() && l.is_beside(newtonian))?;
+pub fn film_reduction(levels: &[LevelStats], measured: &Measured) -> Option<FilmReduction> {
+    let [thinned, newtonian] = beside(levels, Role::Comparison)?;
+    let of = |figure| reduction(figure, thinned, newtonian, measured);
     Some(FilmReduction {
-        central: 1.0 - thinned.film_central / newtonian.film_central,
-        minimum: 1.0 - thinned.film_minimum / newtonian.film_minimum,
+        central: of(Figure::FilmCentral)?,
+        minimum: of(Figure::FilmMinimum)?,
     })
+}
+
+/// A stage that only compares, second, and the one on its mesh that it is compared with.
+pub(super) fn beside(levels: &[LevelStats], role: Role) -> Option<[&LevelStats; 2]> {
+    let at = levels.iter().rposition(|l| l.role == role && l.converged)?;
+    let simpler = &levels[at];
+    let full = levels[at + 1..]
+        .iter()
+        .find(|l| l.converged && !l.role.leads() && l.is_beside(simpler))?;
+    Some([full, simpler])
 }
 
 /// Change of the largest pressure from mesh to mesh, relative, up to which it counts as resolved.
@@ -91,9 +93,9 @@ pub fn warnings(
     }
     // On the mesh of the solution itself it was only the case's own pressures that failed.
     let own = solved(levels);
-    let stuck = levels
-        .last()
-        .is_some_and(|l| !l.converged && own.is_none_or(|s| s.n_contact_elements != l.n_contact_elements));
+    let stuck = levels.last().is_some_and(|l| {
+        !l.converged && own.is_none_or(|s| s.n_contact_elements != l.n_contact_elements)
+    });
     for (name, figure) in [("central", summary.film_central), ("minimum", minimum)] {
         let relative = figure.error.unwrap_or(0.0) / figure.value;
         match target_error {
@@ -120,15 +122,17 @@ pub fn warnings(
             solution.reached.update
         ));
     }
-    let converged: Vec<&LevelStats> = levels.iter().filter(|l| l.converged).collect();
-    if let [.., coarse, fine] = converged[..]
-        && (coarse.pressure_maximum / fine.pressure_maximum - 1.0).abs() > PRESSURE_RESOLVED
+    let pressures: Vec<f64> = (levels.iter().filter(|l| l.converged))
+        .filter_map(|l| l.figures.value(Figure::PressureMaximum))
+        .collect();
+    if let [.., coarse, fine] = pressures[..]
+        && (coarse / fine - 1.0).abs() > PRESSURE_RESOLVED
     {
         warnings.push(format!(
             "the largest pressure is that of a spike which the mesh does not resolve: {:.3} GPa on the \
              mesh before, {:.3} GPa here; film thickness does not depend on it",
-            coarse.pressure_maximum / 1e9,
-            fine.pressure_maximum / 1e9
+            coarse / 1e9,
+            fine / 1e9
         ));
     }
     let orders = [

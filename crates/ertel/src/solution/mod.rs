@@ -1,6 +1,7 @@
 //! What a solve returns: plain data in SI, ready for output.
 
 mod elements;
+mod figures;
 mod thermal;
 
 use serde::Serialize;
@@ -9,6 +10,7 @@ use crate::contact::{ContactKind, Groups, Hertz, Scales};
 use crate::solve::sequence::Role;
 
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
+pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, Reading};
 pub use thermal::{
     Coupling, CrossProfile, FilmTemperatures, HeatBalance, TemperatureField, Thermal,
     ThermalReduction,
@@ -23,15 +25,43 @@ pub struct Estimate {
     pub error: Option<f64>,
 }
 
-/// A value with the place where it occurs, coordinates in m.
+impl Estimate {
+    /// 1 − with/without of two solutions, each of which errs on its own.
+    pub fn reduction(with: Estimate, without: Estimate) -> Estimate {
+        let ratio = with.value / without.value;
+        let relative = |e: Estimate| Some(e.error? / e.value.abs());
+        let both = relative(with).zip(relative(without));
+        let error = both.map(|(with, without)| (with + without) * ratio.abs());
+        Estimate {
+            value: 1.0 - ratio,
+            error: error.filter(|error| error.is_finite()),
+        }
+    }
+}
+
+/// A figure with its discretisation error bar and the place where it occurs, coordinates in m.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Located {
-    /// The value.
+    /// The value on the finest mesh.
     pub value: f64,
+    /// Half-width of the error bar, same unit; `None` as in [`Estimate`], and where no coarser mesh has the figure.
+    pub error: Option<f64>,
     /// Position along the motion, m.
     pub x: f64,
     /// Position across it, m (0 for line contacts; reported at y ≤ 0, its mirror image has it too).
     pub y: f64,
+    /// Half-width of the error bar of the place, m; `None` likewise.
+    pub place_error: Option<f64>,
+}
+
+impl Located {
+    /// The figure without its place.
+    pub fn estimate(&self) -> Estimate {
+        Estimate {
+            value: self.value,
+            error: self.error,
+        }
+    }
 }
 
 /// The figures that a tribologist asks for first.
@@ -50,7 +80,7 @@ pub struct Summary {
     /// Pressure spike near the outlet on the centreline, Pa; `None` when the profile has none.
     pub spike: Option<Located>,
     /// Where the film breaks on the centreline, m.
-    pub outlet_position: f64,
+    pub outlet_position: Estimate,
     /// Most negative pressure left by the cavitation penalty, Pa.
     pub pressure_minimum: f64,
     /// (inflow − outflow − side leakage)/inflow over the boundary of the contact area.
@@ -111,15 +141,10 @@ pub struct LevelStats {
     pub krylov_iterations: usize,
     /// Factorisations of the preconditioner or the monolithic matrix.
     pub factorisations: usize,
-    /// Central film thickness reached, m.
-    pub film_central: f64,
-    /// Minimum film thickness reached, m.
-    pub film_minimum: f64,
-    /// Largest pressure reached, Pa.
-    pub pressure_maximum: f64,
-    /// Traction coefficient at mid-film, where heat counts.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub traction: Option<f64>,
+    /// Figures reached: all of a solution, an estimate and an isothermal stage that have converged, else films and
+    /// largest pressure.
+    #[serde(flatten)]
+    pub figures: Figures,
     /// Estimated relative errors of central and minimum film, uncalibrated; `None` where none was made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimate: Option<[f64; 2]>,
@@ -182,9 +207,16 @@ impl Stats {
 }
 
 impl LevelStats {
+    /// Central and minimum film thickness, m; not a number where there is none.
+    pub fn films(&self) -> [f64; 2] {
+        let film = |figure| self.figures.value(figure).unwrap_or(f64::NAN);
+        [film(Figure::FilmCentral), film(Figure::FilmMinimum)]
+    }
+
     /// Whether it has the mesh and the elements of another.
     pub(crate) fn is_beside(&self, other: &LevelStats) -> bool {
-        self.n_contact_elements == other.n_contact_elements && self.pressure_order == other.pressure_order
+        self.n_contact_elements == other.n_contact_elements
+            && self.pressure_order == other.pressure_order
     }
 }
 
@@ -210,31 +242,31 @@ pub struct FormulaFilm {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Traction {
     /// Traction coefficient from the stress at mid-film; positive where the ball is the faster surface.
-    pub coefficient: f64,
+    pub coefficient: Estimate,
     /// The same from the stress at the plane.
-    pub coefficient_plane: f64,
+    pub coefficient_plane: Estimate,
     /// The same from the stress at the ball.
-    pub coefficient_ball: f64,
+    pub coefficient_ball: Estimate,
     /// Traction force at mid-film: N (circular), N/m (line).
-    pub force: f64,
+    pub force: Estimate,
     /// Heat of friction in the film: W (circular), W/m (line).
-    pub friction_power: f64,
+    pub friction_power: Estimate,
     /// Largest shear stress anywhere in the film, Pa.
-    pub shear_stress_maximum: f64,
+    pub shear_stress_maximum: Estimate,
     /// Share of the Hertz zone where the stress, at its largest across the film, thins the fluid by more than
     /// 5 %; `None` for Newtonian fluids.
-    pub beyond_first_limit: Option<f64>,
+    pub beyond_first_limit: Option<Estimate>,
     /// Share where it brings the fluid within 5 % of its second plateau; `None` without one.
-    pub beyond_second_limit: Option<f64>,
+    pub beyond_second_limit: Option<Estimate>,
 }
 
 /// What shear thinning does to the film: both films on one and the same mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FilmReduction {
     /// 1 − h_c/(h_c of the Newtonian fluid).
-    pub central: f64,
+    pub central: Estimate,
     /// 1 − h_min/(h_min of the Newtonian fluid).
-    pub minimum: f64,
+    pub minimum: Estimate,
 }
 
 /// Shear of the film at the points of a profile or a surface, SI. Stresses are those along the motion,

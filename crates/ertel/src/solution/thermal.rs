@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::Located;
+use super::{Estimate, Located};
 
 /// Temperatures and heat.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -14,15 +14,15 @@ pub struct Thermal {
     /// Smallest temperature of the film, K.
     pub film_lowest: Located,
     /// Mean temperature of the film over the Hertz zone and across the film, K.
-    pub film_mean: f64,
+    pub film_mean: Estimate,
     /// Largest temperature of the plane's surface, K.
     pub plane_maximum: Located,
     /// Mean temperature of the plane's surface over the Hertz zone, K.
-    pub plane_mean: f64,
+    pub plane_mean: Estimate,
     /// Largest temperature of the ball's surface, K.
     pub ball_maximum: Located,
     /// Mean temperature of the ball's surface over the Hertz zone, K.
-    pub ball_mean: f64,
+    pub ball_mean: Estimate,
     /// Where the heat comes from and goes to.
     pub balance: HeatBalance,
     /// What heat does to film and traction; `None` where the isothermal film was not found.
@@ -44,18 +44,18 @@ pub struct Thermal {
 }
 
 /// Heat of the whole contact: W (circular) or W/m (line).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct HeatBalance {
     /// Made by shear.
-    pub shear: f64,
+    pub shear: Estimate,
     /// Made by compression, less what expansion takes.
-    pub compression: f64,
+    pub compression: Estimate,
     /// Carried off by the plane.
-    pub to_plane: f64,
+    pub to_plane: Estimate,
     /// Carried off by the ball.
-    pub to_ball: f64,
+    pub to_ball: Estimate,
     /// Carried off by the lubricant.
-    pub by_film: f64,
+    pub by_film: Estimate,
     /// (made − carried off)/(heat of shear + size of the heat of compression).
     pub error: f64,
 }
@@ -65,14 +65,14 @@ pub struct HeatBalance {
 pub struct ThermalReduction {
     /// 1 − h_c/(h_c without heat).
     #[serde(rename = "central")]
-    pub film_central: f64,
+    pub film_central: Estimate,
     /// 1 − h_min/(h_min without heat).
     #[serde(rename = "minimum")]
-    pub film_minimum: f64,
+    pub film_minimum: Estimate,
     /// 1 − traction/(traction without heat); `None` without traction.
-    pub traction: Option<f64>,
+    pub traction: Option<Estimate>,
     /// Traction coefficient without heat.
-    pub isothermal_traction: f64,
+    pub isothermal_traction: Estimate,
 }
 
 /// How film and heat came to rest together.

@@ -1,5 +1,6 @@
 //! Local refinement until the films are as accurate as asked for.
 
+use super::bars::{Compared, compared};
 use super::discretisation::LevelSizes;
 use super::indicator::Indicator;
 use crate::contact::ContactKind;
@@ -93,15 +94,8 @@ pub struct ErrorBars {
 ///
 /// Without estimates the bar is three times the difference of two meshes.
 pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars> {
-    // Diffusive starts on a refined mesh have no estimate and do not count.
-    let estimated = levels.iter().any(|l| l.estimate.is_some());
-    let last = (levels.iter())
-        .rposition(|l| l.converged && !l.role.compares() && l.estimate.is_some() == estimated)?;
-    let fine = &levels[last];
-    let other_mesh =
-        |l: &&LevelStats| l.converged && !l.role.compares() && l.n_contact_elements != fine.n_contact_elements;
-    let coarse = levels[..last].iter().rev().find(other_mesh);
-    let films = |l: &LevelStats| [l.film_central, l.film_minimum];
+    let Compared { fine, coarse } = compared(levels)?;
+    let films = LevelStats::films;
     let difference =
         |c: &LevelStats| [0, 1].map(|j: usize| (films(c)[j] / films(fine)[j] - 1.0).abs());
     let comparable = coarse.filter(|c| c.estimate.is_some());
@@ -160,7 +154,10 @@ pub fn halvings(goals: &[Goal], dim: usize, max_growth: f64) -> Vec<u32> {
     let share = |g: &Goal, c: usize, n: u32| g.left_by_halving.powi(n as i32) * g.shares[c];
     // Largest shares first, in units of what is allowed.
     let weigh = |c: usize, n: u32| {
-        goals.iter().map(|g| share(g, c, n) / g.allowed).fold(0.0, f64::max)
+        goals
+            .iter()
+            .map(|g| share(g, c, n) / g.allowed)
+            .fold(0.0, f64::max)
     };
     let mut heap: std::collections::BinaryHeap<Candidate> = (0..n)
         .map(|c| Candidate {

@@ -166,7 +166,11 @@ impl ContactSurface {
     ///
     /// # Errors
     /// As [`ContactSurface::new`].
-    pub fn refined(&self, halvings: &[u32], means: Means) -> Result<ContactSurface, DiscretisationError> {
+    pub fn refined(
+        &self,
+        halvings: &[u32],
+        means: Means,
+    ) -> Result<ContactSurface, DiscretisationError> {
         let start = Instant::now();
         let sizes: Vec<f64> = halvings
             .iter()
@@ -182,7 +186,14 @@ impl ContactSurface {
             Support::Body(body, _) => Mesh::Body(Box::new(body.refined(&sizes)?)),
         };
         let seconds = start.elapsed().as_secs_f64();
-        ContactSurface::on(self.kind, &self.extents, mesh, seconds, &self.elasticity, means)
+        ContactSurface::on(
+            self.kind,
+            &self.extents,
+            mesh,
+            seconds,
+            &self.elasticity,
+            means,
+        )
     }
 
     /// Makes the elastic response of a mesh.
@@ -401,7 +412,9 @@ impl Discretisation {
 
     /// Deflection of the surface nodes under nodal pressures (all nodes, edge included).
     pub fn deflect(&self, pressure: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        self.contact.response.deflect(&self.trace, pressure, accuracy)
+        self.contact
+            .response
+            .deflect(&self.trace, pressure, accuracy)
     }
 
     /// What weights of the surface nodes' deflections come to as weights of the pressure unknowns.

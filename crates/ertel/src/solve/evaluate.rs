@@ -2,8 +2,7 @@
 
 use ertel_fem::element::{Lagrange, Tabulation};
 
-use crate::film::cross_film::CrossFilm;
-use crate::film::{FilmFluid, TemperatureProfile};
+use crate::film::TemperatureProfile;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
@@ -116,22 +115,6 @@ pub fn fields_from(
     }
     fields.film += fields.deflection + d.contact.undeformed_gap(point);
     (point, fields)
-}
-
-/// Traction coefficient at mid-film; `load` is ∫P over the contact area.
-pub fn traction(d: &Discretisation, state: &State, fluid: &FilmFluid, load: f64) -> f64 {
-    let mut rule = CrossFilm::default();
-    let mut force = 0.0;
-    for c in 0..d.contact.n_elements() {
-        for (q, weight) in d.rule.weights.iter().enumerate() {
-            let (_, f) = fields_at_quadrature(d, state, c, q);
-            let local = fluid.local(f.pressure, f.temperature.as_ref());
-            let (g, omega) = local.demands(f.pressure_gradient, f.film);
-            let stress = local.flow(g, omega, &mut rule).mid_stress[0];
-            force += weight * d.contact.maps[c].determinant * stress;
-        }
-    }
-    force * fluid.stress_scale() / (load * fluid.pressure_scale())
 }
 
 /// Film thickness at the centre of the contact.

@@ -2,15 +2,19 @@
 
 pub mod adapt;
 pub mod adjoint;
+pub mod bars;
 pub mod discretisation;
 mod element;
 pub mod evaluate;
+pub mod figures;
 pub mod heat;
 pub mod indicator;
 pub mod monolithic;
 pub mod newton;
 pub mod preconditioner;
+pub mod profile;
 pub mod sequence;
+pub mod shear;
 mod step;
 pub mod system;
 

@@ -8,7 +8,7 @@ use crate::output::{CaseEcho, digits};
 use crate::reference::film_formulas;
 use crate::run::{Session, Start, groups};
 use crate::solution::{
-    Centreline, ElementFields, FilmReduction, FilmTemperatures, FormulaFilm, Solution,
+    Centreline, ElementFields, Estimate, FilmReduction, FilmTemperatures, FormulaFilm, Solution,
     SurfaceField, ThermalReduction,
 };
 use crate::solve::{Observer, SolveError};
@@ -74,9 +74,10 @@ impl PointSolution {
         let slides = self.case.motion.slide_to_roll_ratio != 0.0;
         let isothermal_traction = cold.traction.coefficient;
         Some(ThermalReduction {
-            film_central: 1.0 - with.film_central.value / without.film_central.value,
-            film_minimum: 1.0 - with.film_minimum.value / without.film_minimum.value,
-            traction: slides.then(|| 1.0 - warm.traction.coefficient / isothermal_traction),
+            film_central: Estimate::reduction(with.film_central, without.film_central),
+            film_minimum: Estimate::reduction(with.film_minimum, without.film_minimum),
+            traction: slides
+                .then(|| Estimate::reduction(warm.traction.coefficient, isothermal_traction)),
             isothermal_traction,
         })
     }
@@ -89,8 +90,8 @@ impl PointSolution {
         };
         let (with, without) = (&thinned.summary, &newtonian.summary);
         Some(FilmReduction {
-            central: 1.0 - with.film_central.value / without.film_central.value,
-            minimum: 1.0 - with.film_minimum.value / without.film_minimum.value,
+            central: Estimate::reduction(with.film_central, without.film_central),
+            minimum: Estimate::reduction(with.film_minimum, without.film_minimum),
         })
     }
 }

@@ -12,6 +12,7 @@ use crate::case::study::{AxisValue, Study};
 use crate::contact::ContactKind;
 use crate::output::curve::{COLUMNS, Cell};
 use crate::output::write_whole;
+use crate::solution::Estimate;
 
 /// Name of the table in the folder of a study.
 pub const TABLE: &str = "results.csv";
@@ -144,7 +145,9 @@ impl StudyEcho {
             for (name, _) in names {
                 text.push(',');
                 match cold.and_then(|cold| reduction(name, record, cold)) {
-                    Some(value) => text.push_str(&format!("{value:e}")),
+                    Some(value) => {
+                        text.push_str(&value.map_or(String::new(), |v| format!("{v:e}")))
+                    }
                     None => text.push_str(&quoted(record.field(name).unwrap_or_default())),
                 }
             }
@@ -157,21 +160,52 @@ impl StudyEcho {
 /// Switch of a case that leaves heat out.
 pub(crate) const ISOTHERMAL: &str = "solver.isothermal";
 
-/// Columns of what heat takes away, as a share of what there is without it, and those that they are of.
-const REDUCTIONS: [(&str, &str); 3] = [
-    ("thermal_reduction_central", "film_central_m"),
-    ("thermal_reduction_minimum", "film_minimum_m"),
-    ("thermal_reduction_traction", "traction_coefficient"),
+/// Columns of what heat takes away, as a share of what there is without it, and those that they are of, with the
+/// columns of the error bars.
+const REDUCTIONS: [[&str; 4]; 3] = [
+    [
+        "thermal_reduction_central",
+        "thermal_reduction_central_error",
+        "film_central_m",
+        "film_central_error_m",
+    ],
+    [
+        "thermal_reduction_minimum",
+        "thermal_reduction_minimum_error",
+        "film_minimum_m",
+        "film_minimum_error_m",
+    ],
+    [
+        "thermal_reduction_traction",
+        "thermal_reduction_traction_error",
+        "traction_coefficient",
+        "traction_coefficient_error",
+    ],
 ];
 
-/// `1 - with heat/without` of a column that asks for it; `None` of the traction where nothing slides.
-fn reduction(name: &str, record: &Record, isothermal: &Record) -> Option<f64> {
-    let (_, of) = REDUCTIONS.iter().find(|(own, _)| *own == name)?;
+/// `1 - with heat/without`, or its error bar, of a column that asks for it; `None` of the traction where nothing
+/// slides; nothing inside where the films or tractions have no error bars.
+fn reduction(name: &str, record: &Record, isothermal: &Record) -> Option<Option<f64>> {
+    let columns = REDUCTIONS
+        .iter()
+        .find(|columns| columns[..2].contains(&name))?;
+    let [own, _, of, error_of] = *columns;
     let number = |record: &Record, name| record.field(name)?.parse::<f64>().ok();
-    if *of == "traction_coefficient" && number(record, "slide_to_roll_ratio")? == 0.0 {
+    if of == "traction_coefficient" && number(record, "slide_to_roll_ratio")? == 0.0 {
         return None;
     }
-    Some(1.0 - number(record, of)? / number(isothermal, of)?)
+    let estimate = |record| {
+        Some(Estimate {
+            value: number(record, of)?,
+            error: number(record, error_of),
+        })
+    };
+    let reduction = Estimate::reduction(estimate(record)?, estimate(isothermal)?);
+    Some(if name == own {
+        Some(reduction.value)
+    } else {
+        reduction.error
+    })
 }
 
 /// A field, quoted where it must be (RFC 4180).
@@ -206,19 +240,15 @@ pub(super) fn fields(point: &PointSolution) -> Vec<(String, String)> {
     let mut fields: Vec<(String, String)> = operating
         .map(|(name, value)| (name.to_owned(), number(value)))
         .into();
-    for column in COLUMNS.iter().filter(|column| belongs(column.name)) {
-        let suffix = if column.per_length && is_line {
-            "_per_m"
-        } else {
-            ""
-        };
-        let value = match (column.value)(point) {
+    let columns = COLUMNS.iter().filter(|column| belongs(column.name));
+    for (title, value) in columns.flat_map(|column| column.fields(is_line)) {
+        let value = match value(point) {
             Cell::Empty => String::new(),
             Cell::Number(value) => number(value),
             Cell::Count(value) => value.to_string(),
             Cell::Text(text) => text.replace(['\n', '\r'], " "),
         };
-        fields.push((format!("{}{suffix}", column.name), value));
+        fields.push((title, value));
     }
     fields
 }

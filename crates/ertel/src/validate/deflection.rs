@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use crate::case::Case;
 use crate::contact::{ContactKind, hertz};
+use crate::elastic::Accuracy;
 use crate::post::profile::Profile;
 use crate::run::problem;
-use crate::elastic::Accuracy;
 use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
 use crate::solve::system::State;
 use crate::solve::{SolveError, discretisation::DiscretisationError};

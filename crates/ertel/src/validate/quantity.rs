@@ -223,7 +223,7 @@ impl Quantity {
                 match self {
                     Quantity::CentralFilm => Some(f.film_central.value / s.scales.film),
                     Quantity::MinimumFilm => Some(f.film_minimum.value / s.scales.film),
-                    Quantity::Outlet => Some(f.outlet_position / s.scales.length),
+                    Quantity::Outlet => Some(f.outlet_position.value / s.scales.length),
                     Quantity::MinimumPressure => Some(f.pressure_minimum / s.scales.pressure),
                     Quantity::MaximumPressure => Some(f.pressure_maximum.value / s.scales.pressure),
                     Quantity::SpikePressure => f.spike.map(|p| p.value / s.scales.pressure),
@@ -254,7 +254,7 @@ impl Quantity {
                     Quantity::MoesMaterialAsymptotic => {
                         s.groups_asymptotic.map(|g| g.moes_material)
                     }
-                    Quantity::Traction => Some(s.traction.coefficient),
+                    Quantity::Traction => Some(s.traction.coefficient.value),
                     Quantity::SpikePosition => f.spike.map(|p| p.x / s.scales.length),
                     Quantity::CentrelineRatio => {
                         Some(f.film_centreline_minimum.value / f.film_minimum.value)
@@ -288,7 +288,7 @@ impl Quantity {
             Quantity::FilmRiseOfTemperature => {
                 Some(thermal.film_maximum.value - thermal.inlet_temperature)
             }
-            Quantity::SurfaceDifference => Some(thermal.plane_mean - thermal.ball_mean),
+            Quantity::SurfaceDifference => Some(thermal.plane_mean.value - thermal.ball_mean.value),
             Quantity::OutletCooling => {
                 let line = &thermal.centreline;
                 let below = |i: usize| 0.5 * (line.plane[i] + line.ball[i]) - line.mid[i];
@@ -297,8 +297,8 @@ impl Quantity {
                     .map(|(i, _)| below(i))
                     .reduce(f64::max)
             }
-            Quantity::IsothermalTraction => Some(thermal.reduction?.isothermal_traction),
-            Quantity::ThermalFilmReduction => Some(thermal.reduction?.film_central),
+            Quantity::IsothermalTraction => Some(thermal.reduction?.isothermal_traction.value),
+            Quantity::ThermalFilmReduction => Some(thermal.reduction?.film_central.value),
             Quantity::HeatBalanceError => Some(thermal.balance.error.abs()),
             _ => None,
         }
@@ -318,8 +318,8 @@ impl Quantity {
         let film = |p: &PointSolution| Some(p.outcome.solution()?.summary.film_central.value);
         let pressure =
             |p: &PointSolution| Some(p.outcome.solution()?.summary.pressure_maximum.value);
-        let traction = |p: &PointSolution| Some(p.outcome.solution()?.traction.coefficient);
-        let reductions = || of_points(curve, |p| Some(p.film_reduction()?.central));
+        let traction = |p: &PointSolution| Some(p.outcome.solution()?.traction.coefficient.value);
+        let reductions = || of_points(curve, |p| Some(p.film_reduction()?.central.value));
         match self {
             Quantity::HertzPressure => {
                 let solved = curve.points.iter().find_map(|p| p.outcome.solution());
@@ -337,7 +337,8 @@ impl Quantity {
             }
             Quantity::MostTraction => largest(of_points(curve, traction)?),
             Quantity::MostTractionRatio => {
-                let ratio = |p| Some(traction(p)? / p.newtonian_solution()?.traction.coefficient);
+                let ratio =
+                    |p| Some(traction(p)? / p.newtonian_solution()?.traction.coefficient.value);
                 let ratios: Option<Vec<f64>> =
                     curve.points.iter().filter(slides).map(ratio).collect();
                 largest(ratios?)

@@ -72,7 +72,7 @@ pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
         return None;
     }
     let mut chart = curve_chart(title, curve, "Traction coefficient");
-    let value = |s: &Solution| s.traction.coefficient;
+    let value = |s: &Solution| s.traction.coefficient.value;
     let label = "traction coefficient";
     chart.series = vec![Series {
         label: label.into(),
@@ -166,7 +166,7 @@ const LEGEND_ROOM: f64 = 1.5;
 /// Traction coefficients of several curves over the same quantity, dashed those of the simpler contact, which may
 /// leave the picture. `None` without curves.
 pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Chart> {
-    let value = |s: &Solution| s.traction.coefficient;
+    let value = |s: &Solution| s.traction.coefficient.value;
     let mut chart = curve_chart(title, curves.first()?.1, "Traction coefficient");
     let beside = simpler(curves);
     let mut simpler = Vec::new();

@@ -4,7 +4,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::CaseEcho;
-use super::super::report::{digits, estimate, pressure};
+use super::super::figure::{estimate, pressure_estimate};
+use super::super::report::digits;
 use crate::study::{CurveSolution, Outcome};
 
 /// The points as a table, failures with their reasons, warnings.
@@ -39,7 +40,7 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
                     value,
                     estimate(&s.summary.film_central),
                     estimate(&s.summary.film_minimum),
-                    pressure(s.summary.pressure_maximum.value),
+                    pressure_estimate(s.summary.pressure_maximum.estimate()),
                     iterations.to_string(),
                     time,
                 ]

@@ -3,24 +3,42 @@
 use std::fmt::Write;
 
 use crate::contact::ContactKind;
+use crate::solution::{Estimate, Thermal};
 use crate::study::{CurveSolution, Outcome, PointSolution};
 
-/// A column of the table: its name with the unit, and its value.
+/// A column of the table, and beside it that of its error bar if it has one.
 pub struct Column {
-    /// Name in the header, with the unit.
+    /// Name in the header, without the unit.
     pub name: &'static str,
+    /// The unit as the name ends with it; empty where there is none.
+    unit: &'static str,
     /// Value in a line.
-    pub value: fn(&PointSolution) -> Cell,
+    value: fn(&PointSolution) -> Cell,
+    /// Half-width of its error bar, if it is a figure that has one.
+    error: Option<fn(&PointSolution) -> Cell>,
     /// Whether a line contact has it per metre of its length, which the unit then says.
-    pub per_length: bool,
+    per_length: bool,
 }
 
 impl Column {
-    const fn new(name: &'static str, value: fn(&PointSolution) -> Cell) -> Column {
+    const fn new(
+        name: &'static str,
+        unit: &'static str,
+        value: fn(&PointSolution) -> Cell,
+    ) -> Column {
         Column {
             name,
+            unit,
             value,
+            error: None,
             per_length: false,
+        }
+    }
+
+    const fn with_error(self, error: fn(&PointSolution) -> Cell) -> Column {
+        Column {
+            error: Some(error),
+            ..self
         }
     }
 
@@ -29,6 +47,26 @@ impl Column {
             per_length: true,
             ..self
         }
+    }
+
+    /// Title and value of the column in line or circular contacts, and of that of its error bar.
+    pub fn fields(
+        &self,
+        is_line: bool,
+    ) -> impl Iterator<Item = (String, fn(&PointSolution) -> Cell)> {
+        let title = |name: &str| {
+            let suffix = if self.per_length && is_line {
+                "_per_m"
+            } else {
+                ""
+            };
+            match self.unit {
+                "" => name.to_owned(),
+                unit => format!("{name}_{unit}{suffix}"),
+            }
+        };
+        let error = (self.error).map(|error| (title(&format!("{}_error", self.name)), error));
+        std::iter::once((title(self.name), self.value)).chain(error)
     }
 }
 
@@ -57,110 +95,91 @@ impl From<Option<usize>> for Cell {
     }
 }
 
+impl From<Option<Estimate>> for Cell {
+    fn from(estimate: Option<Estimate>) -> Cell {
+        estimate.map(|e| e.value).into()
+    }
+}
+
 /// Figure of a solution, empty where there is none.
 macro_rules! figure {
-    ($name:literal, $solution:ident => $value:expr) => {
-        Column::new($name, |point| {
+    ($name:literal, $unit:literal, $solution:ident => $value:expr) => {
+        Column::new($name, $unit, |point| {
             point.outcome.solution().map(|$solution| $value).into()
         })
     };
-    ($name:literal, $solution:ident =>? $value:expr) => {
-        Column::new($name, |point| {
-            point.outcome.solution().and_then(|$solution| $value).into()
+}
+
+/// Figure of a point with its error bar, empty where there is none.
+macro_rules! estimate {
+    ($name:literal, $unit:literal, $point:ident => $value:expr) => {
+        Column::new($name, $unit, |$point| $value.into()).with_error(|$point| {
+            let estimate: Option<Estimate> = $value;
+            estimate.and_then(|e| e.error).into()
         })
     };
 }
 
-/// Figure of the temperatures of a point, likewise.
-macro_rules! thermal {
-    ($name:literal, $thermal:ident => $value:expr) => {
-        Column::new($name, |point| {
-            let solution = point.outcome.solution();
-            let thermal = solution.and_then(|s| s.thermal.as_ref());
-            thermal.map(|$thermal| $value).into()
-        })
-    };
-}
-
-/// Figure of the isothermal solution of a point, likewise.
-macro_rules! isothermal {
-    ($name:literal, $solution:ident => $value:expr) => {
-        Column::new($name, |point| {
-            point.isothermal_solution().map(|$solution| $value).into()
-        })
-    };
-}
-
-/// Figure of the Newtonian solution of a point, likewise.
-macro_rules! newtonian {
-    ($name:literal, $solution:ident => $value:expr) => {
-        Column::new($name, |point| {
-            point.newtonian_solution().map(|$solution| $value).into()
-        })
-    };
+/// Temperatures of a point.
+fn thermal(point: &PointSolution) -> Option<&Thermal> {
+    point.outcome.solution()?.thermal.as_ref()
 }
 
 /// The columns, after the point's number and the quantity.
 pub const COLUMNS: &[Column] = &[
-    Column::new("converged", |point| {
+    Column::new("converged", "", |point| {
         Cell::Text(point.outcome.solution().is_some().to_string())
     }),
-    figure!("film_central_m", s => s.summary.film_central.value),
-    figure!("film_central_error_m", s =>? s.summary.film_central.error),
-    figure!("film_minimum_m", s => s.summary.film_minimum.value),
-    figure!("film_minimum_error_m", s =>? s.summary.film_minimum.error),
-    figure!("pressure_maximum_Pa", s => s.summary.pressure_maximum.value),
-    figure!("hertz_pressure_Pa", s => s.hertz.pressure),
-    figure!("traction_coefficient", s => s.traction.coefficient),
-    figure!("traction_coefficient_plane", s => s.traction.coefficient_plane),
-    figure!("traction_coefficient_ball", s => s.traction.coefficient_ball),
-    figure!("friction_power_W", s => s.traction.friction_power).per_length(),
-    figure!("shear_stress_maximum_Pa", s => s.traction.shear_stress_maximum),
-    Column::new("film_reduction_central", |point| {
-        point.film_reduction().map(|r| r.central).into()
+    estimate!("film_central", "m", p => p.outcome.solution().map(|s| s.summary.film_central)),
+    estimate!("film_minimum", "m", p => p.outcome.solution().map(|s| s.summary.film_minimum)),
+    estimate!("pressure_maximum", "Pa", p => p.outcome.solution().map(|s| s.summary.pressure_maximum.estimate())),
+    figure!("hertz_pressure", "Pa", s => s.hertz.pressure),
+    estimate!("traction_coefficient", "", p => p.outcome.solution().map(|s| s.traction.coefficient)),
+    estimate!("traction_coefficient_plane", "", p => p.outcome.solution().map(|s| s.traction.coefficient_plane)),
+    estimate!("traction_coefficient_ball", "", p => p.outcome.solution().map(|s| s.traction.coefficient_ball)),
+    estimate!("friction_power", "W", p => p.outcome.solution().map(|s| s.traction.friction_power))
+        .per_length(),
+    estimate!("shear_stress_maximum", "Pa", p => p.outcome.solution().map(|s| s.traction.shear_stress_maximum)),
+    estimate!("film_reduction_central", "", p => p.film_reduction().map(|r| r.central)),
+    estimate!("film_reduction_minimum", "", p => p.film_reduction().map(|r| r.minimum)),
+    estimate!("newtonian_film_central", "m", p => p.newtonian_solution().map(|s| s.summary.film_central)),
+    estimate!("newtonian_film_minimum", "m", p => p.newtonian_solution().map(|s| s.summary.film_minimum)),
+    estimate!("newtonian_traction_coefficient", "", p => p.newtonian_solution().map(|s| s.traction.coefficient)),
+    estimate!("film_temperature_maximum", "K", p => thermal(p).map(|t| t.film_maximum.estimate())),
+    estimate!("film_temperature_mean", "K", p => thermal(p).map(|t| t.film_mean)),
+    estimate!("plane_temperature_maximum", "K", p => thermal(p).map(|t| t.plane_maximum.estimate())),
+    estimate!("plane_temperature_mean", "K", p => thermal(p).map(|t| t.plane_mean)),
+    estimate!("ball_temperature_maximum", "K", p => thermal(p).map(|t| t.ball_maximum.estimate())),
+    estimate!("ball_temperature_mean", "K", p => thermal(p).map(|t| t.ball_mean)),
+    estimate!("heat_shear", "W", p => thermal(p).map(|t| t.balance.shear)).per_length(),
+    estimate!("heat_to_plane", "W", p => thermal(p).map(|t| t.balance.to_plane)).per_length(),
+    estimate!("heat_to_ball", "W", p => thermal(p).map(|t| t.balance.to_ball)).per_length(),
+    estimate!("heat_by_film", "W", p => thermal(p).map(|t| t.balance.by_film)).per_length(),
+    Column::new("heat_balance_error", "", |p| {
+        thermal(p).map(|t| t.balance.error).into()
     }),
-    Column::new("film_reduction_minimum", |point| {
-        point.film_reduction().map(|r| r.minimum).into()
+    estimate!("thermal_reduction_central", "", p => p.thermal_reduction().map(|r| r.film_central)),
+    estimate!("thermal_reduction_minimum", "", p => p.thermal_reduction().map(|r| r.film_minimum)),
+    estimate!("thermal_reduction_traction", "", p => p.thermal_reduction().and_then(|r| r.traction)),
+    estimate!("isothermal_film_central", "m", p => p.isothermal_solution().map(|s| s.summary.film_central)),
+    estimate!("isothermal_film_minimum", "m", p => p.isothermal_solution().map(|s| s.summary.film_minimum)),
+    estimate!("isothermal_traction_coefficient", "", p => p.isothermal_solution().map(|s| s.traction.coefficient)),
+    figure!("speed_group", "", s => s.groups.speed),
+    figure!("moes_load", "", s => s.groups.moes_load),
+    figure!("moes_material", "", s => s.groups.moes_material),
+    figure!("newton_iterations", "", s => s.stats.levels.iter().map(|l| l.newton_iterations).sum::<usize>()),
+    figure!("krylov_iterations", "", s => s.stats.levels.iter().map(|l| l.krylov_iterations).sum::<usize>()),
+    Column::new("pressure_unknowns", "", |point| {
+        let solved = point.outcome.solution().and_then(|s| s.stats.solved());
+        solved.map(|level| level.n_pressure_dofs).into()
     }),
-    newtonian!("newtonian_film_central_m", s => s.summary.film_central.value),
-    newtonian!("newtonian_film_minimum_m", s => s.summary.film_minimum.value),
-    newtonian!("newtonian_traction_coefficient", s => s.traction.coefficient),
-    thermal!("film_temperature_maximum_K", t => t.film_maximum.value),
-    thermal!("film_temperature_mean_K", t => t.film_mean),
-    thermal!("plane_temperature_maximum_K", t => t.plane_maximum.value),
-    thermal!("plane_temperature_mean_K", t => t.plane_mean),
-    thermal!("ball_temperature_maximum_K", t => t.ball_maximum.value),
-    thermal!("ball_temperature_mean_K", t => t.ball_mean),
-    thermal!("heat_shear_W", t => t.balance.shear).per_length(),
-    thermal!("heat_to_plane_W", t => t.balance.to_plane).per_length(),
-    thermal!("heat_to_ball_W", t => t.balance.to_ball).per_length(),
-    thermal!("heat_by_film_W", t => t.balance.by_film).per_length(),
-    thermal!("heat_balance_error", t => t.balance.error),
-    Column::new("thermal_reduction_central", |point| {
-        point.thermal_reduction().map(|r| r.film_central).into()
-    }),
-    Column::new("thermal_reduction_minimum", |point| {
-        point.thermal_reduction().map(|r| r.film_minimum).into()
-    }),
-    Column::new("thermal_reduction_traction", |point| {
-        point.thermal_reduction().and_then(|r| r.traction).into()
-    }),
-    isothermal!("isothermal_film_central_m", s => s.summary.film_central.value),
-    isothermal!("isothermal_film_minimum_m", s => s.summary.film_minimum.value),
-    isothermal!("isothermal_traction_coefficient", s => s.traction.coefficient),
-    figure!("speed_group", s => s.groups.speed),
-    figure!("moes_load", s => s.groups.moes_load),
-    figure!("moes_material", s => s.groups.moes_material),
-    figure!("newton_iterations", s => s.stats.levels.iter().map(|l| l.newton_iterations).sum::<usize>()),
-    figure!("krylov_iterations", s => s.stats.levels.iter().map(|l| l.krylov_iterations).sum::<usize>()),
-    figure!("pressure_unknowns", s =>? s.stats.solved().map(|l| l.n_pressure_dofs)),
-    Column::new("start", |point| match point.outcome.solution() {
+    Column::new("start", "", |point| match point.outcome.solution() {
         Some(s) if s.stats.warm => Cell::Text("warm".to_owned()),
         Some(_) => Cell::Text("cold".to_owned()),
         None => Cell::Empty,
     }),
-    Column::new("seconds", |point| Cell::Number(point.seconds)),
-    Column::new("reason", |point| {
+    Column::new("seconds", "", |point| Cell::Number(point.seconds)),
+    Column::new("reason", "", |point| {
         let reason = |outcome: &Option<Outcome>, name: &str| {
             let reason = outcome.as_ref().and_then(Outcome::reason)?;
             Some(format!("{name}: {reason}"))
@@ -177,19 +196,17 @@ pub const COLUMNS: &[Column] = &[
 pub fn curve_table(curve: &CurveSolution) -> String {
     let mut text = format!("point,{}", quantity_column(curve));
     let is_line = (curve.points.first()).is_some_and(|p| p.case.contact.kind == ContactKind::Line);
-    for column in COLUMNS {
+    let fields: Vec<_> = COLUMNS.iter().flat_map(|c| c.fields(is_line)).collect();
+    for (title, _) in &fields {
         text.push(',');
-        text.push_str(column.name);
-        if column.per_length && is_line {
-            text.push_str("_per_m");
-        }
+        text.push_str(title);
     }
     text.push('\n');
     for (i, point) in curve.points.iter().enumerate() {
         let _ = write!(text, "{},{:e}", i + 1, point.value);
-        for column in COLUMNS {
+        for (_, value) in &fields {
             text.push(',');
-            text.push_str(&field((column.value)(point)));
+            text.push_str(&field(value(point)));
         }
         text.push('\n');
     }

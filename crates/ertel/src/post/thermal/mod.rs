@@ -1,22 +1,27 @@
 //! Temperatures and heat of a solution.
 //!
-//! - `balance`: where heat comes from and goes to;
 //! - `cross_film`: profiles across the film;
 //! - `field`: temperature of the whole film and of both bodies.
 
-mod balance;
 mod cross_film;
 mod field;
 
 use crate::case::Lubricant;
-use crate::contact::{ContactKind, Scales};
+use crate::contact::Scales;
 use crate::film::{FilmNodes, Nodal};
 use crate::params::ThermalParams;
-use crate::post::profile::Profile;
-use crate::solution::{Coupling, FilmTemperatures, LevelStats, Located, Thermal, ThermalReduction};
+use crate::post::summary::beside;
+use crate::solution::{
+    Coupling, Estimate, Figure, FilmTemperatures, HeatBalance, LevelStats, Located, Measured,
+    Thermal, ThermalReduction,
+};
+use crate::solve::bars;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::{fields_at_quadrature, fields_in};
+use crate::solve::evaluate::fields_in;
+use crate::solve::heat::balance::heat_balance;
+use crate::solve::heat::figures::walls;
 use crate::solve::heat::space::HeatSpace;
+use crate::solve::profile::Profile;
 use crate::solve::sequence::{Problem, Role, StageSolution};
 use crate::solve::system::State;
 
@@ -25,25 +30,32 @@ pub fn thermal(
     solution: &StageSolution,
     problem: &Problem,
     levels: &[LevelStats],
-    scales: &Scales,
+    measured: &Measured,
     params: &ThermalParams,
 ) -> Option<Thermal> {
     let (d, state) = (&solution.discretisation, &solution.state);
     let (space, heat) = (d.heat.as_ref()?, problem.heat.as_ref()?);
     let stats = solution.coupling.unwrap_or_default();
-    let extremes = Extremes::new(space, state, scales);
-    let [film_mean, plane_mean, ball_mean] = zone_means(d, state, space);
+    let scales = &problem.scales;
+    let balance = heat_balance(d, state, &problem.fluid, &heat.heat, scales);
     Some(Thermal {
         inlet_temperature: heat.heat.inlet_temperature,
-        film_maximum: extremes.film_maximum,
-        film_lowest: extremes.film_minimum,
-        film_mean,
-        plane_maximum: extremes.walls[0],
-        plane_mean,
-        ball_maximum: extremes.walls[1],
-        ball_mean,
-        balance: balance::heat_balance(d, state, &problem.fluid, &heat.heat, scales),
-        reduction: reduction(levels, problem.fluid.slide() != 0.0),
+        film_maximum: measured.located(Figure::FilmTemperatureMaximum),
+        film_lowest: measured.located(Figure::FilmTemperatureLowest),
+        film_mean: measured.estimate(Figure::FilmTemperatureMean),
+        plane_maximum: measured.located(Figure::PlaneTemperatureMaximum),
+        plane_mean: measured.estimate(Figure::PlaneTemperatureMean),
+        ball_maximum: measured.located(Figure::BallTemperatureMaximum),
+        ball_mean: measured.estimate(Figure::BallTemperatureMean),
+        balance: HeatBalance {
+            shear: measured.estimate(Figure::HeatShear),
+            compression: measured.estimate(Figure::HeatCompression),
+            to_plane: measured.estimate(Figure::HeatToPlane),
+            to_ball: measured.estimate(Figure::HeatToBall),
+            by_film: measured.estimate(Figure::HeatByFilm),
+            error: balance.error,
+        },
+        reduction: reduction(levels, measured, problem.fluid.slide() != 0.0),
         coupling: Coupling {
             rounds: stats.rounds,
             contraction: stats.contraction,
@@ -115,101 +127,21 @@ pub fn warnings(
 
 /// Films and tractions with and without heat, where both were found on the same mesh; traction only where the
 /// surfaces slide.
-fn reduction(levels: &[LevelStats], slides: bool) -> Option<ThermalReduction> {
-    let at = levels
-        .iter()
-        .rposition(|l| l.role == Role::Isothermal && l.converged)?;
-    let cold = &levels[at];
-    let warm = levels[at + 1..]
-        .iter()
-        .find(|l| l.converged && !l.role.leads() && l.is_beside(cold))?;
-    let isothermal_traction = cold.traction?;
+fn reduction(levels: &[LevelStats], measured: &Measured, slides: bool) -> Option<ThermalReduction> {
+    let [warm, cold] = beside(levels, Role::Isothermal)?;
+    let of = |figure| bars::reduction(figure, warm, cold, measured);
+    let isothermal_traction = cold.figures.value(Figure::TractionCoefficient)?;
+    let relative = bars::relative_error_on(warm, Figure::TractionCoefficient, measured);
     Some(ThermalReduction {
-        film_central: 1.0 - warm.film_central / cold.film_central,
-        film_minimum: 1.0 - warm.film_minimum / cold.film_minimum,
-        traction: (warm.traction.filter(|_| slides)).map(|t| 1.0 - t / isothermal_traction),
-        isothermal_traction,
+        film_central: of(Figure::FilmCentral)?,
+        film_minimum: of(Figure::FilmMinimum)?,
+        traction: of(Figure::TractionCoefficient).filter(|_| slides),
+        // That mesh errs in it much as in the warm one.
+        isothermal_traction: Estimate {
+            value: isothermal_traction,
+            error: relative.map(|relative| relative * isothermal_traction.abs()),
+        },
     })
-}
-
-/// Heights at which the film's temperature is searched for its extremes, besides its nodes.
-const N_HEIGHTS: usize = 64;
-
-/// Extreme temperatures over the nodes of the contact area.
-struct Extremes {
-    film_maximum: Located,
-    film_minimum: Located,
-    walls: [Located; 2],
-}
-
-impl Extremes {
-    fn new(space: &HeatSpace, state: &State, scales: &Scales) -> Extremes {
-        let (column, film) = (&space.column, &space.column.film);
-        let start = |value: f64| Located {
-            value,
-            x: 0.0,
-            y: 0.0,
-        };
-        let mut extremes = Extremes {
-            film_maximum: start(f64::NEG_INFINITY),
-            film_minimum: start(f64::INFINITY),
-            walls: [start(f64::NEG_INFINITY); 2],
-        };
-        for (node, point) in space.surface.points.iter().enumerate() {
-            let values = column.film_of(&state.temperature[node * column.n()..][..column.n()]);
-            let at = |value: f64| Located {
-                value,
-                x: point[0] * scales.length,
-                // no minus zero
-                y: point[1] * scales.length + 0.0,
-            };
-            let through = film.through(&values);
-            let between = (0..=N_HEIGHTS).map(|k| through.at(k as f64 / N_HEIGHTS as f64 - 0.5));
-            let (low, high) = between
-                .chain(values[..film.n()].iter().copied())
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), t| {
-                    (l.min(t), h.max(t))
-                });
-            if high > extremes.film_maximum.value {
-                extremes.film_maximum = at(high);
-            }
-            if low < extremes.film_minimum.value {
-                extremes.film_minimum = at(low);
-            }
-            for (wall, value) in extremes.walls.iter_mut().zip(walls(film, &values)) {
-                if value > wall.value {
-                    *wall = at(value);
-                }
-            }
-        }
-        extremes
-    }
-}
-
-/// Temperatures of plane and ball.
-fn walls(film: &FilmNodes, values: &Nodal) -> [f64; 2] {
-    [values[0], values[film.n() - 1]]
-}
-
-/// Means over the Hertz zone: of the film, of the plane's and of the ball's surface.
-fn zone_means(d: &Discretisation, state: &State, space: &HeatSpace) -> [f64; 3] {
-    let film = &space.column.film;
-    let (mut sums, mut zone) = ([0.0; 3], 0.0);
-    for c in 0..d.contact.n_elements() {
-        for (q, weight) in d.rule.weights.iter().enumerate() {
-            let ([x, y, _], fields) = fields_at_quadrature(d, state, c, q);
-            let Some(profile) = fields.temperature.filter(|_| x.hypot(y) < 1.0) else {
-                continue;
-            };
-            let area = weight * d.contact.maps[c].determinant;
-            let [plane, ball] = walls(film, &profile.temperature);
-            zone += area;
-            for (sum, t) in (sums.iter_mut()).zip([film.mean(&profile.temperature), plane, ball]) {
-                *sum += area * t;
-            }
-        }
-    }
-    sums.map(|sum| sum / zone)
 }
 
 /// Temperatures at the points of the centreline.
@@ -256,14 +188,5 @@ impl FilmTemperatures {
         self.mean.push(film.mean(values));
         self.plane.push(plane);
         self.ball.push(ball);
-    }
-}
-
-/// By which an integral over the (half) contact area, in half-widths squared or half-widths, becomes one over all
-/// of it, m² or m.
-fn area_scale(kind: ContactKind, scales: &Scales) -> f64 {
-    match kind {
-        ContactKind::Circular => 2.0 * scales.length * scales.length,
-        ContactKind::Line => scales.length,
     }
 }

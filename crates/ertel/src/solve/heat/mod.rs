@@ -6,11 +6,15 @@
 //! - `element`: what an element adds to residual and Jacobian of the energy equation;
 //! - `system`: both as a whole;
 //! - `newton`: temperatures for given pressures and films;
-//! - `coupling`: both in turn, until neither changes.
+//! - `coupling`: both in turn, until neither changes;
+//! - `balance`: where heat comes from and goes to;
+//! - `figures`: temperatures in a few numbers.
 
+pub mod balance;
 pub mod column;
 pub mod coupling;
 mod element;
+pub mod figures;
 mod inflow;
 pub mod newton;
 pub mod space;

@@ -24,7 +24,7 @@ use super::heat::column::Column;
 use super::heat::coupling::{CouplingParams, CouplingStats};
 use super::newton::{NewtonParams, Reached};
 use super::system::{FilmConstants, State};
-use crate::contact::ContactKind;
+use crate::contact::{ContactKind, Scales};
 use crate::elastic::Elasticity;
 use crate::elastic::cache::OperatorCache;
 use crate::film::FilmFluid;
@@ -96,10 +96,8 @@ pub struct Problem {
     pub load: f64,
     /// Central film of the start.
     pub start_film: f64,
-    /// Film scale a²/R, m.
-    pub film_scale: f64,
-    /// Pressure scale p_h, Pa.
-    pub pressure_scale: f64,
+    /// Scales of its variables.
+    pub scales: Scales,
     /// Newton tolerances and limits.
     pub newton: NewtonParams,
     /// Condensed or monolithic.

@@ -158,9 +158,7 @@ impl<'a> Sequence<'a> {
         // Not both at a time
         self.mesh = None;
         let mesh = Arc::new(match refined {
-            Some(p) => {
-                (p.discretisation.contact).refined(&self.halvings, means)?
-            }
+            Some(p) => (p.discretisation.contact).refined(&self.halvings, means)?,
             None => ContactSurface::new(
                 problem.kind,
                 &problem.extents,
@@ -220,8 +218,8 @@ impl<'a> Sequence<'a> {
         } else {
             None
         };
-        let figures = run.figures(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
-        self.stats.push(figures);
+        let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
+        self.stats.push(stats);
         let refinement = match (&problem.adapt, &indicator) {
             (Some(adapt), Some(indicator)) if last => next_refinement(
                 adapt,
@@ -239,8 +237,8 @@ impl<'a> Sequence<'a> {
             outcome = run
                 .solve(Finish::Exact, &mut state, &mut effort, observer)
                 .map(|(reached, coupling)| (reached, coupling.map(|c| c.after(rough))));
-            let figures = run.figures(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
-            self.stats[level] = figures;
+            let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
+            self.stats[level] = stats;
         }
         let (outcome, (reached, coupling)) = match outcome {
             Ok(reached) => (Ok(()), reached),

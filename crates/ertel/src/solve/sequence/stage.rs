@@ -5,7 +5,7 @@ use std::time::Instant;
 use super::{Problem, Role, Stage};
 use crate::solution::LevelStats;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::{central_film, largest_pressure, minimum_film, traction};
+use crate::solve::figures::{Extent, figures};
 use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled};
 use crate::solve::indicator::{Indicator, indicator};
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
@@ -148,7 +148,7 @@ impl<'a> StageRun<'a> {
         let label = RunLabel {
             level: self.level,
             penalty_share,
-            film_scale: self.problem.film_scale,
+            film_scale: self.problem.scales.film,
         };
         let model = self.model(penalty_share);
         let Some(problem) = self.problem.heat.as_ref().filter(|_| self.stage.heated) else {
@@ -201,7 +201,7 @@ impl<'a> StageRun<'a> {
     }
 
     /// What goes into the report.
-    pub fn figures(
+    pub fn stats(
         &self,
         converged: bool,
         state: &State,
@@ -211,9 +211,16 @@ impl<'a> StageRun<'a> {
     ) -> LevelStats {
         let (problem, d) = (self.problem, self.discretisation);
         let contact = &d.contact;
-        let mut figures = LevelStats {
+        // What leads to other stages has no figures that are asked for, nor has what failed.
+        let extent = match self.stage.role {
+            Role::Estimate | Role::Final | Role::Isothermal if converged => Extent::All,
+            _ => Extent::Films,
+        };
+        let mut stats = LevelStats {
             converged,
-            n_body_cells: contact.body().map_or(0, |(body, _)| body.mesh.mesh.n_cells()),
+            n_body_cells: contact
+                .body()
+                .map_or(0, |(body, _)| body.mesh.mesh.n_cells()),
             n_contact_elements: contact.n_elements(),
             n_pressure_dofs: d.n_pressure,
             n_displacement_dofs: contact.n_displacement,
@@ -224,16 +231,11 @@ impl<'a> StageRun<'a> {
             newton_iterations: effort.iterations,
             krylov_iterations: effort.krylov_iterations,
             factorisations: effort.factorisations,
-            film_central: problem.film_scale * central_film(d, state),
-            film_minimum: problem.film_scale * minimum_film(d, state).0,
-            pressure_maximum: problem.pressure_scale * largest_pressure(d, state).0,
-            traction: (problem.heat.as_ref())
-                .map(|_| traction(d, state, &self.model(1.0).fluid, problem.load))
-                .filter(|traction| traction.is_finite()),
+            figures: figures(problem, &self.model(1.0).fluid, d, state, extent),
             estimate: indicator.map(Indicator::totals),
             seconds: effort.seconds,
         };
-        figures.seconds.other = clock.elapsed().as_secs_f64() - figures.seconds.known();
-        figures
+        stats.seconds.other = clock.elapsed().as_secs_f64() - stats.seconds.known();
+        stats
     }
 }

@@ -4,9 +4,9 @@ use super::run::Sequence;
 use super::start::pressure_at;
 use super::{Problem, Role, Stage, StageSolution};
 use crate::contact::hertz;
+use crate::elastic::{Accuracy, Elasticity};
 use crate::solution::LevelStats;
 use crate::solve::adapt::{error_bars, grading_errors};
-use crate::elastic::{Accuracy, Elasticity};
 use crate::solve::discretisation::{Discretisation, Extents};
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::system::State;
@@ -131,7 +131,8 @@ impl Start {
         let bodies = own.model == its.model
             && own.order == its.order
             && own.bodies.len() == its.bodies.len()
-            && (own.bodies.iter().zip(&its.bodies)).all(|(a, b)| close(a.0, b.0) && close(a.1, b.1));
+            && (own.bodies.iter().zip(&its.bodies))
+                .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1));
         let film = problem.start_film / self.film;
         let within = |ratio: f64, low: f64, high: f64| (low..=high).contains(&ratio);
         let reach = |e: &Extents| [-e.inlet, e.outlet, e.side, e.body_width, e.body_depth];
@@ -244,7 +245,11 @@ fn miss(problem: &Problem, solution: &StageSolution, stats: &[LevelStats]) -> f6
     let Some(adapt) = &problem.adapt else {
         return 0.0;
     };
-    let grading = grading_errors(problem.kind, problem.elasticity.model, &solution.stage.sizes);
+    let grading = grading_errors(
+        problem.kind,
+        problem.elasticity.model,
+        &solution.stage.sizes,
+    );
     error_bars(stats, grading).map_or(f64::INFINITY, |b| {
         b.bars
             .iter()

@@ -13,6 +13,9 @@ pub struct Profile {
     pub fields: Vec<PointFields>,
 }
 
+/// Samples per element edge from which figures are read.
+pub const PER_EDGE: usize = 16;
+
 /// Depth, in p_h, of a dip that sets a spike apart from the rest of the profile.
 const SPIKE_DEPTH: f64 = 2e-3;
 

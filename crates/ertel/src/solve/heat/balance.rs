@@ -11,39 +11,54 @@
 
 use std::collections::HashMap;
 
-use super::area_scale;
+use super::space::HeatSpace;
+use super::system::assemble;
 use crate::contact::Scales;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{FilmColumn, FilmPlace, Heat, film_column};
-use crate::solution::HeatBalance;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{PointFields, fields_in};
-use crate::solve::heat::space::HeatSpace;
-use crate::solve::heat::system::assemble;
 use crate::solve::system::State;
 
 /// Pressure over p_h above which an element belongs to the area under pressure.
 const PRESSED: f64 = 1e-8;
 
-/// Heat made and carried off, W or W/m.
-pub(super) fn heat_balance(
+/// Heat of the whole contact: W (circular) or W/m (line).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Balance {
+    /// Made by shear.
+    pub shear: f64,
+    /// Made by compression, less what expansion takes.
+    pub compression: f64,
+    /// Carried off by the plane.
+    pub to_plane: f64,
+    /// Carried off by the ball.
+    pub to_ball: f64,
+    /// Carried off by the lubricant.
+    pub by_film: f64,
+    /// (made − carried off)/(heat of shear + size of the heat of compression).
+    pub error: f64,
+}
+
+/// Heat made and carried off.
+pub fn heat_balance(
     d: &Discretisation,
     state: &State,
     fluid: &FilmFluid,
     heat: &Heat,
     scales: &Scales,
-) -> HeatBalance {
+) -> Balance {
     let unlifted = assemble(d, fluid, heat, state, None, &[], None);
     let system = assemble(d, fluid, heat, state, None, &unlifted.cross_flow, None);
     let account = system.account;
-    let scale = area_scale(d.contact.kind, scales);
+    let scale = scales.area(d.contact.kind);
     let [to_plane, to_ball] = [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b]));
     let by_film = scale * carried_by_film(d, state, fluid, heat, &system.taken_up);
     let (shear, compression) = (scale * account.shear, scale * account.compression);
     let size = shear + scale * account.compression_size;
     let lost = shear + compression - to_plane - to_ball - by_film;
-    HeatBalance {
+    Balance {
         shear,
         compression,
         to_plane,

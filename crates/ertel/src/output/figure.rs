@@ -1,0 +1,294 @@
+//! Figures with their error bars as text.
+
+use super::report::digits;
+use crate::contact::ContactKind;
+use crate::solution::{Estimate, Located, Solution};
+
+/// Most significant digits of a figure, however narrow its bar.
+const MOST_DIGITS: i32 = 6;
+
+/// Digits of a figure without a bar.
+const DIGITS: usize = 4;
+
+/// Decimals of a temperature in K, at the most.
+const KELVIN_DECIMALS: i32 = 2;
+
+/// Decimals of a place in half-widths, at the most.
+const PLACE_DECIMALS: i32 = 3;
+
+/// First three digits of an error bar up to which two of them are printed, beyond it one (Particle Data Group, Review
+/// of Particle Physics, introduction, section 5.3).
+const TWO_DIGITS_UP_TO: f64 = 354.0;
+
+/// Power of ten of the first digit.
+fn exponent(value: f64) -> i32 {
+    value.abs().log10().floor() as i32
+}
+
+/// Decimals that an error bar leaves certain; negative where digits before the point are not.
+fn decimals(value: f64, error: f64) -> i32 {
+    let first = exponent(error);
+    let leading = (error * 10f64.powi(2 - first)).round();
+    // Of 950 and more, which is rounded to the next power of ten, two digits are left.
+    let of_bar = match leading {
+        l if l <= TWO_DIGITS_UP_TO => 1 - first,
+        _ => -first,
+    };
+    of_bar.min(MOST_DIGITS - 1 - exponent(value.abs().max(error)))
+}
+
+/// A number with so many decimals; digits before the point that are not certain become zeros.
+fn rounded(value: f64, decimals: i32) -> String {
+    let text = match usize::try_from(decimals) {
+        Ok(decimals) => format!("{value:.decimals$}"),
+        Err(_) => {
+            let step = 10f64.powi(-decimals);
+            format!("{:.0}", step * (value / step).round())
+        }
+    };
+    // No minus zero.
+    match text.strip_prefix('-') {
+        Some(size) if size.parse() == Ok(0.0) => size.to_owned(),
+        _ => text,
+    }
+}
+
+/// An error bar with so many decimals, never rounded to nothing.
+fn bar(error: f64, decimals: i32) -> String {
+    let text = rounded(error, decimals);
+    if text.parse() == Ok(0.0) && error > 0.0 {
+        rounded(10f64.powi(-decimals), decimals)
+    } else {
+        text
+    }
+}
+
+/// Value and error bar, both with the digits that the bar leaves certain; without a bar, or without an error, with
+/// four.
+fn parts(value: f64, error: Option<f64>) -> (String, Option<String>) {
+    match error {
+        Some(error) if error > 0.0 && error.is_finite() => {
+            let decimals = decimals(value, error);
+            (rounded(value, decimals), Some(bar(error, decimals)))
+        }
+        error => (digits(value, DIGITS), error.map(|error| error.to_string())),
+    }
+}
+
+/// A figure with its error bar and its unit, the value times `factor` having the unit.
+pub fn in_unit(e: Estimate, factor: f64, unit: &str) -> String {
+    let (value, error) = (factor * e.value, e.error.map(|error| factor * error));
+    let largest = value.abs().max(error.unwrap_or(0.0));
+    let text = match error {
+        None | Some(0.0) if value == 0.0 => "0".to_owned(),
+        // Powers of ten where zeros would be counted.
+        Some(error) if error > 0.0 && !(-4..9).contains(&exponent(largest)) => {
+            let power = exponent(largest);
+            let scale = 10f64.powi(-power);
+            let (value, error) = parts(scale * value, Some(scale * error));
+            format!("({value} ± {})e{power}", error.unwrap_or_default())
+        }
+        _ => match parts(value, error) {
+            (value, Some(error)) => format!("{value} ± {error}"),
+            (value, None) => value,
+        },
+    };
+    format!("{text} {unit}").trim_end().to_owned()
+}
+
+/// A figure without a unit.
+pub fn number(e: Estimate) -> String {
+    in_unit(e, 1.0, "")
+}
+
+/// A share in per cent.
+pub fn percent(e: Estimate) -> String {
+    match e.error {
+        Some(_) => in_unit(e, 100.0, "%"),
+        None => format!("{:.1} %", 100.0 * e.value),
+    }
+}
+
+/// A temperature with its rise above that of the inlet, both in K.
+pub fn temperature(e: Estimate, inlet: Option<f64>) -> String {
+    let error = e.error.filter(|error| *error > 0.0);
+    let shown = error.map_or(KELVIN_DECIMALS, |error| {
+        decimals(e.value, error).min(KELVIN_DECIMALS)
+    });
+    let error = error.map_or(String::new(), |error| format!(" ± {}", bar(error, shown)));
+    let rise = inlet.map_or(String::new(), |inlet| {
+        let rise = rounded(e.value - inlet, shown);
+        let sign = if rise.starts_with('-') { "" } else { "+" };
+        format!(" ({sign}{rise} K)")
+    });
+    format!("{}{error} K{rise}", rounded(e.value, shown))
+}
+
+/// A length with a readable unit.
+pub fn estimate(e: &Estimate) -> String {
+    let (factor, unit) = length_unit(largest(e));
+    in_unit(*e, factor, unit)
+}
+
+/// A pressure or stress with a readable unit.
+pub fn pressure_estimate(e: Estimate) -> String {
+    let (factor, unit) = pressure_unit(largest(&e));
+    in_unit(e, factor, unit)
+}
+
+/// The size that asks for a unit: of the value, unless that is lost in its bar.
+fn largest(e: &Estimate) -> f64 {
+    e.value.abs().max(e.error.unwrap_or(0.0))
+}
+
+/// A position along the motion, in half-widths.
+pub fn position(e: Estimate, half_width: f64) -> String {
+    let (x, error) = (
+        e.value / half_width,
+        e.error.map(|error| error / half_width),
+    );
+    let (x, error) = coordinates([x, 0.0], error);
+    let error = error.map_or(String::new(), |error| format!(" ± {error}"));
+    format!("at x/a {}{error}", x[0])
+}
+
+/// Where a figure is, in half-widths.
+pub fn place(solution: &Solution, at: &Located) -> String {
+    let a = solution.hertz.half_width;
+    let along = Estimate {
+        value: at.x,
+        error: at.place_error,
+    };
+    match solution.kind {
+        ContactKind::Line => position(along, a),
+        ContactKind::Circular if at.y == 0.0 => format!("{}, y/a 0", position(along, a)),
+        // The other sign belongs to the mirror image.
+        ContactKind::Circular => {
+            let error = at.place_error.map(|error| error / a);
+            let ([x, y], error) = coordinates([at.x / a, at.y.abs() / a], error);
+            let within = error.map_or(String::new(), |error| format!(", to {error}"));
+            format!("at x/a {x}, y/a ±{y}{within}")
+        }
+    }
+}
+
+/// Coordinates and their error bar in half-widths.
+fn coordinates(place: [f64; 2], error: Option<f64>) -> ([String; 2], Option<String>) {
+    let shown = match error {
+        Some(error) if error > 0.0 => decimals(1.0, error).clamp(0, PLACE_DECIMALS),
+        _ => PLACE_DECIMALS,
+    };
+    let error = error.filter(|error| *error > 0.0);
+    (
+        place.map(|x| rounded(x, shown)),
+        error.map(|error| bar(error, shown)),
+    )
+}
+
+/// Factor from SI and name of a readable unit of length.
+pub(super) fn length_unit(value: f64) -> (f64, &'static str) {
+    match value.abs() {
+        v if v < 1e-6 => (1e9, "nm"),
+        v if v < 1e-3 => (1e6, "µm"),
+        v if v < 1.0 => (1e3, "mm"),
+        _ => (1.0, "m"),
+    }
+}
+
+/// The same of pressure.
+pub(super) fn pressure_unit(value: f64) -> (f64, &'static str) {
+    match value.abs() {
+        v if v < 1e3 => (1.0, "Pa"),
+        v if v < 1e6 => (1e-3, "kPa"),
+        v if v < 1e9 => (1e-6, "MPa"),
+        _ => (1e-9, "GPa"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture;
+    use super::*;
+
+    fn e(value: f64, error: f64) -> Estimate {
+        Estimate {
+            value,
+            error: Some(error),
+        }
+    }
+
+    #[test]
+    fn error_bars_set_the_digits() {
+        for (value, error, text) in [
+            (249.19, 0.34, "249.19 ± 0.34"),
+            (1.0623, 0.05, "1.06 ± 0.05"),
+            (1.0623, 0.052, "1.06 ± 0.05"),
+            (1.2345, 0.0123, "1.234 ± 0.012"),
+            (1.0623, 0.097, "1.06 ± 0.10"),
+            (0.03, 0.05, "0.03 ± 0.05"),
+            (-0.001, 0.5, "0.0 ± 0.5"),
+            (12345.0, 2345.0, "12300 ± 2300"),
+            (12345.0, 678.0, "12300 ± 700"),
+            (1.0, 1e-12, "1.00000 ± 0.00001"),
+            (1.5e-7, 2e-8, "(1.50 ± 0.20)e-7"),
+            (0.0, 0.0, "0"),
+            (0.5, 0.0, "0.5 ± 0"),
+        ] {
+            assert_eq!(number(e(value, error)), text);
+        }
+        assert_eq!(
+            number(Estimate {
+                value: 0.034567,
+                error: None
+            }),
+            "0.03457"
+        );
+    }
+
+    #[test]
+    fn units_suit_value_and_bar() {
+        assert_eq!(estimate(&e(244.824e-9, 0.82e-9)), "244.8 ± 0.8 nm");
+        assert_eq!(estimate(&e(1.2345e-6, 12.3e-9)), "1.234 ± 0.012 µm");
+        assert_eq!(pressure_estimate(e(1.0623e9, 5e7)), "1.06 ± 0.05 GPa");
+        assert_eq!(pressure_estimate(e(0.7e9, 2e9)), "0.7 ± 2.0 GPa");
+        assert_eq!(percent(e(0.3061, 0.0023)), "30.61 ± 0.23 %");
+        assert_eq!(
+            temperature(e(330.042, 0.4), Some(313.0)),
+            "330.0 ± 0.4 K (+17.0 K)"
+        );
+        assert_eq!(
+            temperature(e(312.96, 0.4), Some(313.0)),
+            "313.0 ± 0.4 K (+0.0 K)"
+        );
+        assert_eq!(temperature(e(318.9634, 0.0193), None), "318.96 ± 0.02 K");
+        let plain = Estimate {
+            value: 310.0,
+            error: None,
+        };
+        assert_eq!(temperature(plain, Some(313.0)), "310.00 K (-3.00 K)");
+    }
+
+    #[test]
+    fn places_have_the_digits_of_their_bars() {
+        let solution = fixture::solution(ContactKind::Circular);
+        let a = solution.hertz.half_width;
+        let at = |y: f64, error: Option<f64>| {
+            let at = Located {
+                value: 1.0,
+                error: None,
+                x: 0.8754 * a,
+                y: y * a,
+                place_error: error.map(|error| error * a),
+            };
+            place(&solution, &at)
+        };
+        assert_eq!(at(0.0, None), "at x/a 0.875, y/a 0");
+        assert_eq!(at(0.0, Some(0.04)), "at x/a 0.88 ± 0.04, y/a 0");
+        assert_eq!(
+            at(-0.906, Some(0.012)),
+            "at x/a 0.875, y/a ±0.906, to 0.012"
+        );
+        assert_eq!(at(-0.906, Some(2.7)), "at x/a 0.9, y/a ±0.9, to 2.7");
+        assert_eq!(at(-0.906, Some(1e-7)), "at x/a 0.875, y/a ±0.906, to 0.001");
+    }
+}

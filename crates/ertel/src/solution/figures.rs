@@ -1,0 +1,273 @@
+//! The figures that a solve is asked for, mesh by mesh, and their error bars.
+
+use serde::ser::{Serialize, SerializeMap, Serializer};
+
+use super::{Estimate, Located};
+
+/// Declares the figures with their names and units, once.
+macro_rules! figures {
+    ($($(#[$doc:meta])* $variant:ident, $name:literal, $unit:literal;)*) => {
+        /// A figure that carries an error bar.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Figure {
+            $($(#[$doc])* $variant,)*
+        }
+
+        impl Figure {
+            /// Every figure.
+            pub const ALL: [Figure; [$($name),*].len()] = [$(Figure::$variant),*];
+
+            /// Name in results.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Figure::$variant => $name,)*
+                }
+            }
+
+            /// SI unit; empty where it has none, or another one per length in line contacts.
+            pub fn unit(self) -> &'static str {
+                match self {
+                    $(Figure::$variant => $unit,)*
+                }
+            }
+        }
+    };
+}
+
+figures! {
+    /// Film thickness at the centre of the contact.
+    FilmCentral, "film_central", "m";
+    /// Smallest film thickness.
+    FilmMinimum, "film_minimum", "m";
+    /// Smallest film thickness on the centreline.
+    FilmCentrelineMinimum, "film_centreline_minimum", "m";
+    /// Largest pressure.
+    PressureMaximum, "pressure_maximum", "Pa";
+    /// Pressure spike near the outlet on the centreline.
+    Spike, "spike", "Pa";
+    /// Where the film breaks on the centreline.
+    OutletPosition, "outlet_position", "m";
+    /// Traction coefficient from the stress at mid-film.
+    TractionCoefficient, "traction_coefficient", "";
+    /// The same from the stress at the plane.
+    TractionCoefficientPlane, "traction_coefficient_plane", "";
+    /// The same from the stress at the ball.
+    TractionCoefficientBall, "traction_coefficient_ball", "";
+    /// Traction force at mid-film: N, or N/m.
+    TractionForce, "traction_force", "";
+    /// Heat of friction in the film: W, or W/m.
+    FrictionPower, "friction_power", "";
+    /// Largest shear stress anywhere in the film.
+    ShearStressMaximum, "shear_stress_maximum", "Pa";
+    /// Share of the Hertz zone where stress thins the fluid.
+    BeyondFirstLimit, "beyond_first_limit", "";
+    /// Share where it brings the fluid to its second plateau.
+    BeyondSecondLimit, "beyond_second_limit", "";
+    /// Largest temperature of the film.
+    FilmTemperatureMaximum, "film_temperature_maximum", "K";
+    /// Smallest temperature of the film.
+    FilmTemperatureLowest, "film_temperature_lowest", "K";
+    /// Mean temperature of the film over the Hertz zone.
+    FilmTemperatureMean, "film_temperature_mean", "K";
+    /// Largest temperature of the plane's surface.
+    PlaneTemperatureMaximum, "plane_temperature_maximum", "K";
+    /// Its mean over the Hertz zone.
+    PlaneTemperatureMean, "plane_temperature_mean", "K";
+    /// Largest temperature of the ball's surface.
+    BallTemperatureMaximum, "ball_temperature_maximum", "K";
+    /// Its mean over the Hertz zone.
+    BallTemperatureMean, "ball_temperature_mean", "K";
+    /// Heat made by shear: W, or W/m.
+    HeatShear, "heat_shear", "";
+    /// Heat made by compression, less what expansion takes: W, or W/m.
+    HeatCompression, "heat_compression", "";
+    /// Heat carried off by the plane: W, or W/m.
+    HeatToPlane, "heat_to_plane", "";
+    /// Heat carried off by the ball: W, or W/m.
+    HeatToBall, "heat_to_ball", "";
+    /// Heat carried off by the lubricant: W, or W/m.
+    HeatByFilm, "heat_by_film", "";
+}
+
+impl Figure {
+    /// Whether it is somewhere on the contact area.
+    pub fn has_place(self) -> bool {
+        matches!(
+            self,
+            Figure::FilmMinimum
+                | Figure::FilmCentrelineMinimum
+                | Figure::PressureMaximum
+                | Figure::Spike
+                | Figure::FilmTemperatureMaximum
+                | Figure::FilmTemperatureLowest
+                | Figure::PlaneTemperatureMaximum
+                | Figure::BallTemperatureMaximum
+        )
+    }
+}
+
+/// Something about each figure that there is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PerFigure<T>([Option<T>; Figure::ALL.len()]);
+
+/// The figures of one mesh, SI.
+pub type Figures = PerFigure<Reading>;
+
+/// Their error bars.
+pub type Bars = PerFigure<Bar>;
+
+/// A figure as read off a mesh, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// The figure.
+    pub value: f64,
+    /// What relative errors are relative to: its size, of temperatures that of the rise.
+    pub size: f64,
+    /// Where it is, m.
+    pub place: Option<[f64; 2]>,
+}
+
+/// Half-widths of the error bar of a figure, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bar {
+    /// Of its value.
+    pub value: f64,
+    /// Of its place, m; `None` where it has none.
+    pub place: Option<f64>,
+}
+
+/// The figures of a solution with their bars.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// The figures.
+    pub figures: Figures,
+    /// The bars that could be told.
+    pub bars: Bars,
+}
+
+impl<T> Default for PerFigure<T> {
+    fn default() -> Self {
+        PerFigure(std::array::from_fn(|_| None))
+    }
+}
+
+impl<T: Copy> PerFigure<T> {
+    /// What there is about a figure.
+    pub fn get(&self, figure: Figure) -> Option<T> {
+        self.0[figure as usize]
+    }
+
+    /// Says something about a figure.
+    pub fn set(&mut self, figure: Figure, about: T) {
+        self.0[figure as usize] = Some(about);
+    }
+}
+
+impl Reading {
+    /// A figure without a place.
+    pub fn new(value: f64) -> Reading {
+        Reading {
+            value,
+            size: value.abs(),
+            place: None,
+        }
+    }
+
+    /// The same figure at a place, m.
+    pub fn at(self, place: [f64; 2]) -> Reading {
+        Reading {
+            place: Some(place),
+            ..self
+        }
+    }
+}
+
+impl Figures {
+    /// Notes a figure, unless it is not finite: an unconverged stage may have such.
+    pub fn note(&mut self, figure: Figure, reading: Reading) {
+        let mut place = reading.place.iter().flatten();
+        if reading.value.is_finite() && place.all(|x| x.is_finite()) {
+            self.set(figure, reading);
+        }
+    }
+
+    /// The value of a figure, SI.
+    pub fn value(&self, figure: Figure) -> Option<f64> {
+        self.get(figure).map(|reading| reading.value)
+    }
+}
+
+/// By name, with the places beside as `<name>_at`.
+impl Serialize for Figures {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for figure in Figure::ALL {
+            let Some(reading) = self.get(figure) else {
+                continue;
+            };
+            map.serialize_entry(figure.name(), &reading.value)?;
+            if let Some(place) = reading.place {
+                map.serialize_entry(&format!("{}_at", figure.name()), &place)?;
+            }
+        }
+        map.end()
+    }
+}
+
+impl Measured {
+    /// A figure with its bar, if there is one.
+    pub fn find(&self, figure: Figure) -> Option<Estimate> {
+        Some(self.find_located(figure)?.estimate())
+    }
+
+    /// A figure that every solution has; not a number where it is missing, which no result may hold.
+    pub fn estimate(&self, figure: Figure) -> Estimate {
+        self.located(figure).estimate()
+    }
+
+    /// A figure with its bar and its place, if there is one.
+    pub fn find_located(&self, figure: Figure) -> Option<Located> {
+        let reading = self.figures.get(figure)?;
+        let bar = self.bars.get(figure);
+        let [x, y] = reading.place.unwrap_or_default();
+        Some(Located {
+            value: reading.value,
+            error: bar.map(|bar| bar.value),
+            x,
+            y,
+            place_error: bar.and_then(|bar| bar.place),
+        })
+    }
+
+    /// The same of a figure that every solution has; not a number where it is missing.
+    pub fn located(&self, figure: Figure) -> Located {
+        self.find_located(figure).unwrap_or(Located {
+            value: f64::NAN,
+            error: None,
+            x: f64::NAN,
+            y: f64::NAN,
+            place_error: None,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_are_written_by_name_with_their_places() {
+        let mut figures = Figures::default();
+        figures.note(Figure::FilmCentral, Reading::new(2e-7));
+        figures.note(Figure::Spike, Reading::new(8e8).at([1e-4, 0.0]));
+        figures.note(Figure::FrictionPower, Reading::new(f64::NAN));
+        let json = serde_json::to_value(figures).unwrap();
+        let expected =
+            serde_json::json!({ "film_central": 2e-7, "spike": 8e8, "spike_at": [1e-4, 0.0] });
+        assert_eq!(json, expected);
+        for (i, figure) in Figure::ALL.into_iter().enumerate() {
+            assert_eq!(figure as usize, i);
+            assert!(!Figure::ALL[..i].iter().any(|f| f.name() == figure.name()));
+        }
+    }
+}

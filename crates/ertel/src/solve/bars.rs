@@ -1,0 +1,244 @@
+//! Error bars of all figures, from those of the films and from the meshes of a solve.
+
+use crate::solution::{Bar, Bars, Estimate, Figure, LevelStats, Measured};
+
+/// Error bar over the difference of two meshes. To be calibrated: now that of a film without another estimate.
+const SAFETY: f64 = 3.0;
+
+/// Least error bar of a figure, relative to its size, over the larger relative bar of the films: differences can vanish
+/// by chance. To be calibrated.
+const SHARE_OF_FILM_BAR: f64 = 1.0;
+
+/// The mesh of the solution, and the one that tells its errors.
+#[derive(Clone, Copy, Debug)]
+pub struct Compared<'a> {
+    /// The last converged one.
+    pub fine: &'a LevelStats,
+    /// The last converged one before it on another mesh.
+    pub coarse: Option<&'a LevelStats>,
+}
+
+/// Which stages tell the errors of a solve; `None` without a converged one.
+pub fn compared(levels: &[LevelStats]) -> Option<Compared<'_>> {
+    // Diffusive starts on a refined mesh have no estimate and do not count.
+    let estimated = levels.iter().any(|l| l.estimate.is_some());
+    let last = (levels.iter())
+        .rposition(|l| l.converged && !l.role.compares() && l.estimate.is_some() == estimated)?;
+    let fine = &levels[last];
+    let other_mesh = |l: &&LevelStats| {
+        l.converged && !l.role.compares() && l.n_contact_elements != fine.n_contact_elements
+    };
+    let coarse = levels[..last].iter().rev().find(other_mesh);
+    Some(Compared { fine, coarse })
+}
+
+/// Error bars of the figures of a solve: of both films their own, `film_bars`, relative; of each other figure
+/// `SAFETY` times its difference from mesh to mesh, but not less than `SHARE_OF_FILM_BAR` of the larger relative bar
+/// of the films, times its size. Places likewise, by their distance.
+///
+/// There is no bar where only one of the meshes has the figure, such as a spike, and none at all where the films have
+/// none.
+pub fn bars(levels: &[LevelStats], film_bars: Option<[f64; 2]>) -> Option<Bars> {
+    let film_bars = film_bars?;
+    let Compared { fine, coarse } = compared(levels)?;
+    // Stages that only lead to others solve other equations.
+    let coarse = coarse.filter(|level| !level.role.leads());
+    let floor = SHARE_OF_FILM_BAR * film_bars[0].max(film_bars[1]);
+    let mut bars = Bars::default();
+    for figure in Figure::ALL {
+        let Some(here) = fine.figures.get(figure) else {
+            continue;
+        };
+        let there = coarse.and_then(|level| level.figures.get(figure));
+        let of_value = match figure {
+            Figure::FilmCentral => Some(film_bars[0] * here.size),
+            Figure::FilmMinimum => Some(film_bars[1] * here.size),
+            _ => there.map(|there| {
+                let difference = (here.value - there.value).abs();
+                (SAFETY * difference).max(floor * here.size)
+            }),
+        };
+        let place = here.place.zip(there.and_then(|there| there.place));
+        let of_place = place.map(|([x, y], [x_there, y_there])| {
+            let distance = (x - x_there).hypot(y - y_there);
+            (SAFETY * distance).max(floor * x.hypot(y))
+        });
+        if let Some(value) = of_value {
+            bars.set(
+                figure,
+                Bar {
+                    value,
+                    place: of_place,
+                },
+            );
+        }
+    }
+    Some(bars)
+}
+
+/// 1 − with/without of a figure that two stages on one mesh have: what shear thinning or heat does.
+///
+/// What the mesh errs in the first of them, the solution tells; that in the second is much the same and mostly
+/// cancels: the quotient is taken to be as uncertain as the first one alone.
+pub fn reduction(
+    figure: Figure,
+    with: &LevelStats,
+    without: &LevelStats,
+    solution: &Measured,
+) -> Option<Estimate> {
+    let ratio = with.figures.value(figure)? / without.figures.value(figure)?;
+    let relative = relative_error_on(with, figure, solution);
+    Some(Estimate {
+        value: 1.0 - ratio,
+        error: relative.map(|relative| relative * ratio.abs()),
+    })
+}
+
+/// Error of a figure on the mesh of a stage, relative to the solution: its difference from that, and the error bar
+/// there.
+pub fn relative_error_on(level: &LevelStats, figure: Figure, solution: &Measured) -> Option<f64> {
+    let best = solution.find(figure)?;
+    let error = (level.figures.value(figure)? - best.value).abs() + best.error?;
+    Some(error / best.value.abs()).filter(|error| error.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::solution::{Figures, Reading};
+    use crate::solve::sequence::Role;
+
+    /// A converged stage on a mesh of `n` cells.
+    fn level(n: usize, role: Role, figures: &[(Figure, Reading)]) -> LevelStats {
+        let mut all = Figures::default();
+        for (figure, reading) in figures {
+            all.note(*figure, *reading);
+        }
+        LevelStats {
+            converged: true,
+            n_body_cells: n,
+            n_contact_elements: n,
+            n_pressure_dofs: n,
+            n_displacement_dofs: n,
+            n_contact_dofs: n,
+            operator_cached: false,
+            pressure_order: 2,
+            role,
+            newton_iterations: 1,
+            krylov_iterations: 1,
+            factorisations: 1,
+            figures: all,
+            estimate: None,
+            seconds: Default::default(),
+        }
+    }
+
+    const FILMS: Option<[f64; 2]> = Some([0.01, 0.02]);
+
+    fn two_meshes() -> [LevelStats; 3] {
+        let spike = Reading::new(8e8).at([1.0, 0.0]);
+        let film = |h| (Figure::FilmCentral, Reading::new(h));
+        let pressure = |p| (Figure::PressureMaximum, Reading::new(p));
+        let traction = (Figure::TractionCoefficient, Reading::new(0.04));
+        [
+            level(
+                10,
+                Role::Estimate,
+                &[film(1.1e-7), pressure(0.9e9), traction],
+            ),
+            // Of other equations: it tells nothing of errors.
+            level(20, Role::Comparison, &[pressure(2e9)]),
+            level(
+                40,
+                Role::Final,
+                &[film(1e-7), pressure(1e9), traction, (Figure::Spike, spike)],
+            ),
+        ]
+    }
+
+    /// By hand: 3 times the difference of the pressures, 0.1 GPa; 1 % of the film, whatever its difference; the traction
+    /// that does not differ has the floor, 2 % of 0.04; the spike is on one mesh only.
+    #[test]
+    fn bars_of_two_meshes() {
+        let bars = bars(&two_meshes(), FILMS).unwrap();
+        let bar = |figure| bars.get(figure).map(|bar| bar.value);
+        assert_relative_eq!(
+            bar(Figure::PressureMaximum).unwrap(),
+            3e8,
+            max_relative = 1e-12
+        );
+        assert_relative_eq!(
+            bar(Figure::FilmCentral).unwrap(),
+            1e-9,
+            max_relative = 1e-12
+        );
+        let traction = bar(Figure::TractionCoefficient).unwrap();
+        assert_relative_eq!(traction, 8e-4, max_relative = 1e-12);
+        assert_eq!(bar(Figure::Spike), None);
+        assert_eq!(bar(Figure::FrictionPower), None);
+    }
+
+    /// A spike on both meshes: 3 times the distance of its places, and its own size at the least (2 % of the rise of a
+    /// temperature, too).
+    #[test]
+    fn places_and_temperatures_have_bars() {
+        let hot = |value| Reading {
+            size: value - 300.0,
+            ..Reading::new(value)
+        };
+        let figures = |p: f64, x: f64, t: f64| {
+            let spike = Reading::new(p).at([x, 0.0]);
+            [
+                (Figure::Spike, spike),
+                (Figure::FilmTemperatureMaximum, hot(t)),
+            ]
+        };
+        let levels = [
+            level(10, Role::Final, &figures(8e8, 0.8, 350.0)),
+            level(40, Role::Final, &figures(8e8, 0.9, 350.0)),
+        ];
+        let bars = bars(&levels, FILMS).unwrap();
+        let spike = bars.get(Figure::Spike).unwrap();
+        assert_relative_eq!(spike.place.unwrap(), 0.3, max_relative = 1e-12);
+        assert_relative_eq!(spike.value, 0.02 * 8e8, max_relative = 1e-12);
+        let temperature = bars.get(Figure::FilmTemperatureMaximum).unwrap();
+        assert_relative_eq!(temperature.value, 1.0, max_relative = 1e-12);
+    }
+
+    /// Without another mesh only the films have bars, and none does where they have none or where the other mesh has
+    /// only led to this one.
+    #[test]
+    fn bars_need_another_mesh() {
+        let [mut coarse, comparison, fine] = two_meshes();
+        let alone = bars(std::slice::from_ref(&fine), FILMS).unwrap();
+        assert!(alone.get(Figure::FilmCentral).is_some());
+        assert_eq!(alone.get(Figure::PressureMaximum), None);
+        let levels = [coarse.clone(), comparison.clone(), fine.clone()];
+        assert_eq!(bars(&levels, None), None);
+        coarse.role = Role::Start;
+        let led = bars(&[coarse, comparison, fine], FILMS).unwrap();
+        assert_eq!(led.get(Figure::PressureMaximum), None);
+    }
+
+    /// Both films 10 % too thick on the coarse mesh, one of them half the other: 50 % reduction, uncertain by half of
+    /// 10 % and 1 %.
+    #[test]
+    fn reductions_are_as_uncertain_as_their_mesh() {
+        let [with, mut without, fine] = two_meshes();
+        without
+            .figures
+            .note(Figure::FilmCentral, Reading::new(2.2e-7));
+        let mut solution = Measured {
+            figures: fine.figures,
+            bars: bars(&[with.clone(), fine], FILMS).unwrap(),
+        };
+        let found = reduction(Figure::FilmCentral, &with, &without, &solution).unwrap();
+        assert_relative_eq!(found.value, 0.5, max_relative = 1e-12);
+        assert_relative_eq!(found.error.unwrap(), 0.5 * 0.11, max_relative = 1e-12);
+        solution.bars = Bars::default();
+        let found = reduction(Figure::FilmCentral, &with, &without, &solution).unwrap();
+        assert_eq!(found.error, None);
+    }
+}

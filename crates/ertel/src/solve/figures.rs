@@ -1,0 +1,148 @@
+//! The figures of a state, read off its mesh.
+
+use super::adapt::{error_bars, grading_errors};
+use super::bars::bars;
+use super::discretisation::Discretisation;
+use super::evaluate::{central_film, largest_pressure, minimum_film};
+use super::heat::balance::heat_balance;
+use super::heat::figures::{Extremes, zone_means};
+use super::profile::{PER_EDGE, Profile};
+use super::sequence::{Problem, StageSolution};
+use super::shear::friction;
+use super::system::State;
+use crate::film::FilmFluid;
+use crate::solution::{Figure, Figures, LevelStats, Measured, Reading};
+
+/// Which figures are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Central and minimum film and the largest pressure.
+    Films,
+    /// All of them; the traction costs about as much as an assembly.
+    All,
+}
+
+/// Figures of a state, `fluid` being the one that it is the solution for.
+pub fn figures(
+    problem: &Problem,
+    fluid: &FilmFluid,
+    d: &Discretisation,
+    state: &State,
+    extent: Extent,
+) -> Figures {
+    let scales = &problem.scales;
+    let at = |value: f64, place: [f64; 2]| Reading::new(value).at(place.map(|x| x * scales.length));
+    let mut figures = Figures::default();
+    let (h_m, place) = minimum_film(d, state);
+    let (p_max, p_place) = largest_pressure(d, state);
+    let h_c = scales.film * central_film(d, state);
+    figures.note(Figure::FilmCentral, Reading::new(h_c));
+    figures.note(Figure::FilmMinimum, at(scales.film * h_m, place));
+    let largest = at(scales.pressure * p_max, p_place);
+    figures.note(Figure::PressureMaximum, largest);
+    if extent == Extent::Films {
+        return figures;
+    }
+    let profile = Profile::new(d, state, PER_EDGE);
+    let (h_line, x_line) = profile.film_minimum();
+    let thinnest = at(scales.film * h_line, [x_line, 0.0]);
+    figures.note(Figure::FilmCentrelineMinimum, thinnest);
+    if let Some((p, x)) = profile.spike() {
+        figures.note(Figure::Spike, at(scales.pressure * p, [x, 0.0]));
+    }
+    let outlet = scales.length * profile.outlet();
+    figures.note(Figure::OutletPosition, Reading::new(outlet));
+    note_friction(&mut figures, problem, fluid, d, state);
+    note_heat(&mut figures, problem, fluid, d, state);
+    figures
+}
+
+fn note_friction(
+    figures: &mut Figures,
+    problem: &Problem,
+    fluid: &FilmFluid,
+    d: &Discretisation,
+    state: &State,
+) {
+    let f = friction(d, state, fluid, &problem.scales);
+    let [mid, plane, ball] = f.coefficients;
+    for (figure, value) in [
+        (Figure::TractionCoefficient, mid),
+        (Figure::TractionCoefficientPlane, plane),
+        (Figure::TractionCoefficientBall, ball),
+        (Figure::TractionForce, f.force),
+        (Figure::FrictionPower, f.power),
+        (Figure::ShearStressMaximum, f.stress_maximum),
+    ] {
+        figures.note(figure, Reading::new(value));
+    }
+    let limits = [Figure::BeyondFirstLimit, Figure::BeyondSecondLimit];
+    for (figure, share) in limits.into_iter().zip(f.beyond) {
+        if let Some(share) = share {
+            figures.note(figure, Reading::new(share));
+        }
+    }
+}
+
+fn note_heat(
+    figures: &mut Figures,
+    problem: &Problem,
+    fluid: &FilmFluid,
+    d: &Discretisation,
+    state: &State,
+) {
+    let (Some(space), Some(heat)) = (d.heat.as_deref(), &problem.heat) else {
+        return;
+    };
+    let scales = &problem.scales;
+    let mut temperature = |figure, value: f64, place: Option<[f64; 2]>| {
+        let reading = Reading {
+            value,
+            size: (value - heat.heat.inlet_temperature).abs(),
+            place: place.map(|place| place.map(|x| x * scales.length)),
+        };
+        figures.note(figure, reading);
+    };
+    let extremes = Extremes::new(space, state);
+    for (figure, (value, place)) in [
+        (Figure::FilmTemperatureMaximum, extremes.film_maximum),
+        (Figure::FilmTemperatureLowest, extremes.film_lowest),
+        (Figure::PlaneTemperatureMaximum, extremes.walls[0]),
+        (Figure::BallTemperatureMaximum, extremes.walls[1]),
+    ] {
+        temperature(figure, value, Some(place));
+    }
+    let means = [
+        Figure::FilmTemperatureMean,
+        Figure::PlaneTemperatureMean,
+        Figure::BallTemperatureMean,
+    ];
+    for (figure, value) in means.into_iter().zip(zone_means(d, state, space)) {
+        temperature(figure, value, None);
+    }
+    let balance = heat_balance(d, state, fluid, &heat.heat, scales);
+    for (figure, value) in [
+        (Figure::HeatShear, balance.shear),
+        (Figure::HeatCompression, balance.compression),
+        (Figure::HeatToPlane, balance.to_plane),
+        (Figure::HeatToBall, balance.to_ball),
+        (Figure::HeatByFilm, balance.by_film),
+    ] {
+        figures.note(figure, Reading::new(value));
+    }
+}
+
+/// Figures of the solution of a problem, with the error bars that its stages tell.
+pub fn measure(problem: &Problem, solution: &StageSolution, levels: &[LevelStats]) -> Measured {
+    let (d, state) = (&solution.discretisation, &solution.state);
+    let grading = grading_errors(
+        problem.kind,
+        problem.elasticity.model,
+        &solution.stage.sizes,
+    );
+    let films = error_bars(levels, grading).map(|b| b.bars);
+    Measured {
+        figures: figures(problem, &problem.fluid, d, state, Extent::All),
+        bars: bars(levels, films).unwrap_or_default(),
+    }
+}

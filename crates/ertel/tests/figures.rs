@@ -1,0 +1,143 @@
+//! Figures with error bars: those of the finest stage are those of the summary, and two meshes give each a bar.
+
+mod common;
+
+use common::heated;
+use ertel::contact::ContactKind;
+use ertel::output::{report, result_json};
+use ertel::params::{MeshParams, MeshPreset};
+use ertel::run::solve;
+use ertel::solution::{Estimate, Figure, Located};
+use ertel::solve::Silent;
+use ertel::solve::sequence::Role;
+
+#[test]
+fn every_figure_of_a_thermal_contact_has_its_bar() {
+    let mut case = heated(common::case(ContactKind::Line, 8e4));
+    case.motion.slide_to_roll_ratio = 0.4;
+    // One solution, and one mesh to compare it with.
+    case.mesh = MeshParams {
+        target_error: None,
+        ..MeshParams::preset(MeshPreset::Coarse, ContactKind::Line)
+    };
+    case.solver.error_estimate = true;
+    let solution = solve(&case, &mut Silent).unwrap();
+    let (s, t) = (&solution.summary, &solution.traction);
+    let heat = solution.thermal.as_ref().unwrap();
+    let estimates = [
+        (Figure::FilmCentral, s.film_central),
+        (Figure::FilmMinimum, s.film_minimum),
+        (Figure::OutletPosition, s.outlet_position),
+        (Figure::TractionCoefficient, t.coefficient),
+        (Figure::TractionCoefficientPlane, t.coefficient_plane),
+        (Figure::TractionCoefficientBall, t.coefficient_ball),
+        (Figure::TractionForce, t.force),
+        (Figure::FrictionPower, t.friction_power),
+        (Figure::ShearStressMaximum, t.shear_stress_maximum),
+        (Figure::FilmTemperatureMean, heat.film_mean),
+        (Figure::PlaneTemperatureMean, heat.plane_mean),
+        (Figure::BallTemperatureMean, heat.ball_mean),
+        (Figure::HeatShear, heat.balance.shear),
+        (Figure::HeatCompression, heat.balance.compression),
+        (Figure::HeatToPlane, heat.balance.to_plane),
+        (Figure::HeatToBall, heat.balance.to_ball),
+        (Figure::HeatByFilm, heat.balance.by_film),
+    ];
+    let located = [
+        (Figure::FilmMinimum, s.film_minimum_at),
+        (Figure::FilmCentrelineMinimum, s.film_centreline_minimum),
+        (Figure::PressureMaximum, s.pressure_maximum),
+        (Figure::FilmTemperatureMaximum, heat.film_maximum),
+        (Figure::FilmTemperatureLowest, heat.film_lowest),
+        (Figure::PlaneTemperatureMaximum, heat.plane_maximum),
+        (Figure::BallTemperatureMaximum, heat.ball_maximum),
+    ];
+    let finest = solution.stats.solved().unwrap();
+    let check = |figure: Figure, e: Estimate| {
+        let name = figure.name();
+        assert_eq!(finest.figures.value(figure), Some(e.value), "{name}");
+        assert!(e.error.is_some_and(|error| error > 0.0), "{name}: {e:?}");
+    };
+    for (figure, e) in estimates {
+        check(figure, e);
+    }
+    for (figure, at) in located {
+        let Located { x, y, .. } = at;
+        check(figure, at.estimate());
+        assert!(at.place_error.is_some(), "{}", figure.name());
+        assert_eq!(finest.figures.get(figure).unwrap().place, Some([x, y]));
+    }
+    // Of what heat does, the coarse mesh tells; so do its bars.
+    let reduction = heat.reduction.unwrap();
+    for e in [reduction.film_central, reduction.traction.unwrap()] {
+        assert!(e.error.unwrap() > 0.0, "{e:?}");
+    }
+    // What only leads to other stages has its films and its largest pressure.
+    let start = &solution.stats.levels[0];
+    assert_eq!(start.role, Role::Start);
+    assert!(start.figures.value(Figure::PressureMaximum).is_some());
+    assert_eq!(start.figures.value(Figure::FrictionPower), None);
+
+    let echo = case.echo();
+    let json = result_json(&echo, &solution).unwrap();
+    for path in [
+        "/summary/outlet_position",
+        "/summary/pressure_maximum",
+        "/traction/coefficient",
+        "/traction/friction_power",
+        "/thermal/film_maximum",
+        "/thermal/balance/to_ball",
+        "/thermal/reduction/central",
+    ] {
+        let figure = json.pointer(path).unwrap();
+        assert!(
+            figure["value"].is_f64() && figure["error"].is_f64(),
+            "{path}"
+        );
+    }
+    let level = json.pointer("/stats/levels/0/film_central").unwrap();
+    assert!(level.is_f64());
+    let text = report(&echo, &solution, None);
+    for name in [
+        "largest pressure",
+        "film ends",
+        "traction coefficient",
+        "friction power",
+        "largest shear stress",
+        "mean in the Hertz zone",
+        "heat made by shear",
+        "reduction by heat",
+    ] {
+        let line = result(&text, name);
+        assert!(
+            line.is_some_and(|line| line.contains('±')),
+            "{name}\n{text}"
+        );
+    }
+}
+
+/// Line of the results of a report.
+fn result<'t>(text: &'t str, name: &str) -> Option<&'t str> {
+    let results = text.lines().skip_while(|line| *line != "Results");
+    let mut lines = results.skip(1);
+    lines.find(|line| line.trim().starts_with(name))
+}
+
+/// What only leads to the one mesh tells nothing of its errors: there are no bars, and no digits of them.
+#[test]
+fn without_an_estimate_there_are_no_bars() {
+    let mut case = common::case(ContactKind::Line, 8e4);
+    case.mesh.target_error = None;
+    case.solver.error_estimate = false;
+    let solution = solve(&case, &mut Silent).unwrap();
+    assert_eq!(solution.summary.pressure_maximum.error, None);
+    assert_eq!(solution.traction.friction_power.error, None);
+    let text = report(&case.echo(), &solution, None);
+    for name in ["largest pressure", "film ends", "friction power"] {
+        let line = result(&text, name);
+        assert!(
+            line.is_some_and(|line| !line.contains('±')),
+            "{name}\n{text}"
+        );
+    }
+}
