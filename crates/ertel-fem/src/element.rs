@@ -205,7 +205,7 @@ impl Lagrange {
     }
 
     /// What the best polynomial of a lower degree (in the L² sense) leaves of each shape function, at
-    /// the points of a rule: N − πN, `[point * n_nodes + node]`; zero if the degree, 1 or more, is not
+    /// the points of a rule: N − πN, `[point * n_nodes + node]`; zero if the degree is not
     /// lower. The rule must be exact for twice the order.
     pub fn fluctuations(&self, degree: usize, rule: &Quadrature) -> Vec<f64> {
         let n = self.n_nodes();
@@ -218,7 +218,11 @@ impl Lagrange {
                 table[q * element.n_nodes() + j]
             })
         };
-        let (high, low) = (values(self), values(&Lagrange::new(self.dim, degree)));
+        let low = match degree {
+            0 => Mat::from_fn(rule.len(), 1, |_, _| 1.0),
+            _ => values(&Lagrange::new(self.dim, degree)),
+        };
+        let high = values(self);
         let weighted = Mat::from_fn(low.ncols(), rule.len(), |i, q| {
             rule.weights[q] * low[(q, i)]
         });

@@ -127,7 +127,7 @@ pub const DEFAULT_TARGET_ERROR: f64 = 0.002;
 
 /// Root-mean-square error of the pressure, in p_h, over the relative error of the films, where the user asks for the latter
 /// alone.
-const PRESSURE_SHARE: f64 = 2.0;
+const PRESSURE_SHARE: f64 = 3.5;
 
 impl MeshParams {
     /// Mesh refined locally until central and minimum film are accurate to `target_error`, relative; the sizes

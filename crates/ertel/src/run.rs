@@ -226,6 +226,7 @@ impl Session {
             cache: self.cache.clone(),
             ..problem(case)
         };
+        problem.check_size()?;
         let mut recorder = Recorder {
             observer,
             history: Vec::new(),

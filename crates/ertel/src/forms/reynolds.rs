@@ -58,6 +58,8 @@ pub struct TestCoefficients<D> {
     pub laplacian: D,
     /// d.
     pub unseen: D,
+    /// τ(R − f): about what the elements miss of the pressure.
+    pub missed: D,
 }
 
 /// Deflection of a pressure that varies from element to element, in units of h_e times the pressure: a
@@ -92,6 +94,7 @@ pub fn reynolds_point<D: Number>(
         gradient: [flow.flux[0] - m.density * h, flow.flux[1]],
         laplacian: zero,
         unseen: zero,
+        missed: zero,
     };
     let l2 = 2.0 * e.order as f64;
     if e.isotropic_diffusion != 0.0 {
@@ -115,6 +118,7 @@ pub fn reynolds_point<D: Number>(
     let peclet = beta * (e.size / l2) / epsilon;
     let tau = upwind(peclet) * (e.size * e.size / (l2 * l2)) / epsilon;
     let weight = tau * residual;
+    test.missed = weight;
     test.gradient[0] += weight * beta;
     if e.formulation == Formulation::Gls {
         // ∇ε, as if stress did not change it: any weight leaves the equation consistent.

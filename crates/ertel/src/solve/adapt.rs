@@ -137,8 +137,8 @@ pub struct Goal<'a> {
 /// Of the estimate of a film: smooth errors fall to 1/32; at free boundaries and spikes much less.
 const FILM_LEFT: f64 = 0.125;
 
-/// Of the square of the pressure error: that of a cubic falls to 1/256, of a ridge that is not resolved hardly.
-const PRESSURE_LEFT: f64 = 0.1;
+/// Of the square of the pressure error: at a ridge with a sharp side, half.
+const PRESSURE_LEFT: f64 = 0.4;
 
 /// Halvings of one element in one refinement.
 const MOST_HALVINGS: u32 = 2;
@@ -204,6 +204,9 @@ const BODY_GROWTH: f64 = 0.5;
 /// Growth of a mesh below which refining it is not worth a factorisation.
 const LEAST_GROWTH: f64 = 1.2;
 
+/// Growth of a mesh in one refinement, at most: a ridge is not where a coarse mesh puts it.
+const LARGEST_GROWTH: f64 = 3.0;
+
 /// An element by the weight of its share.
 struct Candidate {
     weight: f64,
@@ -244,11 +247,16 @@ pub fn next_refinement(
 ) -> Option<Vec<u32>> {
     let ErrorBars { bars, estimated } = error_bars(levels, grading)?;
     let level = levels.last()?;
+    if std::env::var_os("DBG").is_some() {
+        eprintln!("DBG n {} pressure error {:.3e} target {:?} bars {:?} estimated {:?} totals {:?}", level.n_pressure_dofs, indicator.pressure_error(), params.pressure_target, bars, estimated, indicator.totals());
+        eprintln!("DBG edges {:?}", indicator.edges);
+    }
     let mut growth = params.max_unknowns as f64 / level.n_pressure_dofs as f64;
     if level.n_displacement_dofs > 0 {
         let body = params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64;
         growth = growth.min(1.0 + (body - 1.0) / BODY_GROWTH);
     }
+    growth = growth.min(LARGEST_GROWTH);
     if growth <= LEAST_GROWTH || n_refinements >= params.max_refinements {
         return None;
     }
@@ -272,7 +280,7 @@ pub fn next_refinement(
         let sum: f64 = indicator.pressure.iter().sum();
         goals.push(Goal {
             shares: &indicator.pressure,
-            allowed: (GOAL * GOAL * target * target).min(LARGEST_GOAL * sum),
+            allowed: (PRESSURE_GOAL * target).powi(2).min(LARGEST_PRESSURE_GOAL * sum),
             left_by_halving: PRESSURE_LEFT,
         });
     }
@@ -281,6 +289,12 @@ pub fn next_refinement(
 
 /// Share of the target that the estimate aims at: refinement may fall short.
 const GOAL: f64 = 0.6;
+
+/// The same for the pressure, whose estimate is no bound.
+const PRESSURE_GOAL: f64 = 0.9;
+
+/// Share of its square that a refinement aims at, at most.
+const LARGEST_PRESSURE_GOAL: f64 = 0.7;
 
 /// Share of its estimate that a refinement aims at, at most. With less refinement the few largest shares
 /// go, and of the error, which is a sum of shares of both signs, much more stays than of the estimate.

@@ -7,50 +7,20 @@ use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::element::Tabulation;
 use ertel_fem::linear::{NEVER, Stop};
 use ertel_fem::locate::Locator;
-use ertel_fem::mesh::{
-    BodyParams, SimplexMesh, SizeField, SizeZone, SurfaceMesh, SurfaceParams, Zone, surface_mesh,
-};
+use ertel_fem::mesh::{BodyParams, SimplexMesh, SurfaceMesh, SurfaceParams, surface_mesh};
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
 use super::heat::column::Column;
 use super::heat::space::HeatSpace;
+use super::sizes::size_at;
+pub use super::sizes::LevelSizes;
 use crate::contact::ContactKind;
 use crate::elastic::cache::OperatorCache;
 use crate::elastic::{
     Accuracy, BodyModel, Elasticity, FiniteBodies, FiniteBody, FiniteBodyError, HalfSpace,
     SurfaceResponse, Trace, near_pairs,
 };
-
-/// Cell sizes of one level and the region they cover, in Hertz half-widths.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LevelSizes {
-    /// Cell size in the Hertz zone.
-    pub hertz: f64,
-    /// Cell size at the outlet constriction and the side lobes.
-    pub constriction: f64,
-    /// Cell size on the rim of the Hertz zone, where a thin film builds up and breaks off.
-    pub rim: f64,
-    /// Half the width of the strip along the rim.
-    pub rim_width: f64,
-    /// Largest cell size within three half-widths; beyond, it grows with the distance.
-    pub edge: f64,
-    /// Growth per distance along the surface.
-    pub growth: f64,
-    /// Growth per depth.
-    pub depth_growth: f64,
-}
-
-impl LevelSizes {
-    /// The same with the cells all around the rim and at the constriction halved.
-    pub fn with_finer_rim(&self) -> LevelSizes {
-        LevelSizes {
-            constriction: 0.5 * self.constriction,
-            rim: 0.5 * self.rim,
-            ..*self
-        }
-    }
-}
 
 /// Geometry of the half-space body, in Hertz half-widths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -457,61 +427,4 @@ pub(super) fn on_edge(kind: ContactKind, e: &Extents, p: [f64; 3]) -> bool {
     p[0] < e.inlet + tiny
         || p[0] > e.outlet - tiny
         || (kind == ContactKind::Circular && p[1] < -e.side + tiny)
-}
-
-/// Size field: fine under the Hertz zone, finer in a crescent at its outlet side, `edge` on the
-/// rest of the contact area, growing into the body.
-fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {
-    let origin = [0.0; 3];
-    let zones = [
-        SizeZone {
-            zone: Zone::Disc {
-                center: origin,
-                radius: 1.0,
-            },
-            size: s.hertz,
-        },
-        SizeZone {
-            zone: Zone::Arc {
-                center: origin,
-                radius: 0.95,
-                half_width: 0.1,
-                x_min: if kind == ContactKind::Circular {
-                    -0.3
-                } else {
-                    0.5
-                },
-            },
-            size: s.constriction,
-        },
-        SizeZone {
-            zone: Zone::Arc {
-                center: origin,
-                radius: 1.0,
-                half_width: s.rim_width,
-                x_min: f64::NEG_INFINITY,
-            },
-            size: s.rim,
-        },
-    ];
-    // Far from the contact the film varies on the scale of the distance; beyond the contact area
-    // there is no film.
-    let r = x[0].hypot(x[1]);
-    let side = if kind == ContactKind::Circular {
-        e.side
-    } else {
-        0.0
-    };
-    let area = Zone::Box {
-        min: [e.inlet, -side, 0.0],
-        max: [e.outlet, 0.0, 0.0],
-    };
-    let outside = area.distance([x[0], x[1], 0.0]);
-    let largest = s.edge * (r / 3.0).max(1.0) + s.growth * outside;
-    let surface = SizeField {
-        zones: zones.to_vec(),
-        growth: s.growth,
-    }
-    .size([x[0], x[1], 0.0]);
-    surface.min(largest) + s.depth_growth * -x[2]
 }

@@ -14,8 +14,8 @@ use crate::forms::flow::{
 };
 use crate::forms::reynolds::{ElementConstants, TestCoefficients, reynolds_point};
 
-/// Sums for each pressure node beside the blocks: ∂R/∂H0, R, entrainment.
-pub const N_SUMS: usize = 3;
+/// Sums for each pressure node beside the blocks: ∂R/∂H0, R, entrainment, and its share of ∫(τR)².
+pub const N_SUMS: usize = 4;
 
 /// Coefficients of a test function: W, W_x, W_y, ΔW, κW.
 const N_TEST: usize = 5;
@@ -68,6 +68,8 @@ struct Point {
     slopes: [[f64; GENERALIZED]; N_TEST],
     /// ρ̄H.
     entrainment: f64,
+    /// τR.
+    missed: f64,
 }
 
 impl<'a> Assembler<'a> {
@@ -242,6 +244,7 @@ impl<'a> Assembler<'a> {
                 value: [0.0; N_TEST],
                 slopes: [[0.0; GENERALIZED]; N_TEST],
                 entrainment: 0.0,
+                missed: 0.0,
             });
         }
     }
@@ -295,6 +298,7 @@ impl<'a> Assembler<'a> {
                 sums[0] += by[4];
                 sums[1] += value;
                 sums[2] += test[1] * point.entrainment;
+                sums[3] += test[0] * point.missed * point.missed;
             }
         }
         for (i, row) in block.chunks_exact_mut(n + m).enumerate() {
@@ -448,6 +452,7 @@ impl Point {
             slopes[..S].copy_from_slice(&t.slopes);
         }
         self.entrainment = density * self.state[4];
+        self.missed = t.missed.re;
     }
 }
 

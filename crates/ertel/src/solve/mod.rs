@@ -14,6 +14,7 @@ pub mod newton;
 pub mod preconditioner;
 pub mod profile;
 pub mod sequence;
+pub mod sizes;
 pub mod shear;
 mod step;
 pub mod system;
@@ -100,6 +101,29 @@ pub enum SolveError {
         change: f64,
         /// Ratio of changes from round to round.
         contraction: f64,
+    },
+    /// No mesh that is allowed resolves the film.
+    #[error(
+        "the film is too thin to resolve: formulas predict a central film of {:.3e} m, {ratio:.1e} of a²/R; its pressure builds up \
+         within {length:.1e} half-widths, so that the first mesh needs cells of {size:.1e} half-widths and about {unknowns:.0} \
+         pressure unknowns, where {limit:.0} are allowed",
+        film
+    )]
+    TooThin {
+        /// Predicted central film thickness, m.
+        film: f64,
+        /// The same over a²/R.
+        ratio: f64,
+        /// Length over which pressure builds up, in half-widths.
+        length: f64,
+        /// Cell size at the rim, in half-widths.
+        size: f64,
+        /// Unknowns of the first mesh, about.
+        unknowns: f64,
+        /// Unknowns allowed for it.
+        limit: f64,
+        /// What to change.
+        help: &'static str,
     },
     /// Heat lacks data.
     #[error("{0}; {help}", help = .0.advice())]

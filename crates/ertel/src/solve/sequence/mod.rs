@@ -22,10 +22,12 @@ use super::discretisation::{Discretisation, Extents, LevelSizes};
 use super::evaluate::minimum_film;
 use super::heat::column::Column;
 use super::heat::coupling::{CouplingParams, CouplingStats};
+use super::SolveError;
 use super::newton::{NewtonParams, Reached};
+use super::sizes::expected_unknowns;
 use super::system::{FilmConstants, State};
 use crate::contact::{ContactKind, Scales};
-use crate::elastic::Elasticity;
+use crate::elastic::{BodyModel, Elasticity};
 use crate::elastic::cache::OperatorCache;
 use crate::film::FilmFluid;
 use crate::forms::energy::Heat;
@@ -142,6 +144,56 @@ pub struct StageSolution {
     pub rough: bool,
     /// How its coupling with the heat went, if there is one.
     pub coupling: Option<CouplingStats>,
+}
+
+/// A refined mesh has this many times the unknowns of the first at least, where films are thin.
+const ROOM_TO_REFINE: f64 = 3.0;
+
+/// Pressure unknowns beyond which a mesh that is not refined is not begun, by half-spaces and by finite-element bodies, whose
+/// operator takes gigabytes.
+const MOST_UNKNOWNS: [f64; 2] = [1e6, 4e4];
+
+impl Problem {
+    /// Refuses what no mesh that is allowed resolves, before any work.
+    ///
+    /// # Errors
+    /// [`SolveError::TooThin`].
+    pub fn check_size(&self) -> Result<(), SolveError> {
+        let (Some(first), Some(last)) = (self.stages.first(), self.stages.last()) else {
+            return Ok(());
+        };
+        let unknowns = |stage: &Stage| {
+            let order = self.stages.iter().map(|s| s.pressure_order).max().unwrap_or(1);
+            expected_unknowns(self.kind, &self.extents, &stage.sizes, order)
+        };
+        let (stage, limit, help) = match &self.adapt {
+            Some(adapt) => (
+                first,
+                adapt.max_unknowns as f64 / ROOM_TO_REFINE,
+                "a more viscous oil, a faster motion or a lower load makes the film thicker; [mesh] max_unknowns allows more",
+            ),
+            None => {
+                let model = usize::from(self.elasticity.model == BodyModel::FiniteElements);
+                let help = "a more viscous oil, a faster motion or a lower load makes the film thicker; [mesh] preset, \
+                            rim_size and the other sizes lay down larger cells";
+                (last, MOST_UNKNOWNS[model], help)
+            }
+        };
+        let n = unknowns(stage);
+        if n <= limit {
+            return Ok(());
+        }
+        let ratio = stage.constants.film_scale;
+        Err(SolveError::TooThin {
+            film: ratio * self.scales.film,
+            ratio,
+            length: stage.sizes.rim_width,
+            size: stage.sizes.rim,
+            unknowns: n,
+            limit,
+            help,
+        })
+    }
 }
 
 impl Role {

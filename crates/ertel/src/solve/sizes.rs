@@ -1,0 +1,134 @@
+//! How large the cells of a contact area are, and how many there will be.
+
+use ertel_fem::mesh::{SizeField, SizeZone, Zone};
+
+use super::discretisation::Extents;
+use crate::contact::ContactKind;
+
+/// Cell sizes of one level and the region they cover, in Hertz half-widths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LevelSizes {
+    /// Cell size in the Hertz zone.
+    pub hertz: f64,
+    /// Cell size at the outlet constriction and the side lobes.
+    pub constriction: f64,
+    /// Cell size on the rim of the Hertz zone, where a thin film builds up and breaks off.
+    pub rim: f64,
+    /// Half the width of the strip along the rim.
+    pub rim_width: f64,
+    /// Largest cell size within three half-widths; beyond, it grows with the distance.
+    pub edge: f64,
+    /// Growth per distance along the surface.
+    pub growth: f64,
+    /// Growth per depth.
+    pub depth_growth: f64,
+}
+
+impl LevelSizes {
+    /// The same with the cells all around the rim and at the constriction halved.
+    pub fn with_finer_rim(&self) -> LevelSizes {
+        LevelSizes {
+            constriction: 0.5 * self.constriction,
+            rim: 0.5 * self.rim,
+            ..*self
+        }
+    }
+}
+
+/// Size field: fine under the Hertz zone, finer in a crescent at its outlet side, `edge` on the
+/// rest of the contact area, growing into the body.
+pub(super) fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {
+    let origin = [0.0; 3];
+    let zones = [
+        SizeZone {
+            zone: Zone::Disc {
+                center: origin,
+                radius: 1.0,
+            },
+            size: s.hertz,
+        },
+        SizeZone {
+            zone: Zone::Arc {
+                center: origin,
+                radius: 0.95,
+                half_width: 0.1,
+                x_min: if kind == ContactKind::Circular {
+                    -0.3
+                } else {
+                    0.5
+                },
+            },
+            size: s.constriction,
+        },
+        SizeZone {
+            zone: Zone::Arc {
+                center: origin,
+                radius: 1.0,
+                half_width: s.rim_width,
+                x_min: f64::NEG_INFINITY,
+            },
+            size: s.rim,
+        },
+    ];
+    // Far from the contact the film varies on the scale of the distance; beyond the contact area
+    // there is no film.
+    let r = x[0].hypot(x[1]);
+    let side = if kind == ContactKind::Circular {
+        e.side
+    } else {
+        0.0
+    };
+    let area = Zone::Box {
+        min: [e.inlet, -side, 0.0],
+        max: [e.outlet, 0.0, 0.0],
+    };
+    let outside = area.distance([x[0], x[1], 0.0]);
+    let largest = s.edge * (r / 3.0).max(1.0) + s.growth * outside;
+    let surface = SizeField {
+        zones: zones.to_vec(),
+        growth: s.growth,
+    }
+    .size([x[0], x[1], 0.0]);
+    surface.min(largest) + s.depth_growth * -x[2]
+}
+
+/// Share of s² or s that a cell of the longest edge s covers on average, in circular and in line contacts: halved until they are
+/// small enough, cells are smaller than that. Measured.
+const COVERED: [f64; 2] = [0.125, 0.75];
+
+/// Pressure unknowns of a given order that a mesh of these sizes has, within a third or so.
+pub fn expected_unknowns(kind: ContactKind, extents: &Extents, sizes: &LevelSizes, order: usize) -> f64 {
+    let reach = (-extents.inlet).max(extents.outlet).max(extents.side);
+    let size = |x: f64, y: f64| size_at(kind, extents, sizes, [x, y, 0.0]);
+    // Rings around the rim whose widths grow with the distance from it, from a fraction of the finest cell on.
+    let mut distances = vec![0.0];
+    let mut step = 0.25 * sizes.rim.min(sizes.constriction).min(sizes.rim_width);
+    while *distances.last().expect("not empty") < reach + 1.0 {
+        distances.push(distances.last().expect("not empty") + step);
+        step *= 1.05;
+    }
+    let mut radii: Vec<f64> = (distances.iter()).flat_map(|d| [1.0 - d, 1.0 + d]).collect();
+    radii.retain(|r| (0.0..=1.5 * reach).contains(r));
+    radii.sort_by(f64::total_cmp);
+    let inside = |x: f64, y: f64| (extents.inlet..=extents.outlet).contains(&x) && y.abs() <= extents.side;
+    let mut cells = 0.0;
+    for pair in radii.windows(2) {
+        let (r, width) = (0.5 * (pair[0] + pair[1]), pair[1] - pair[0]);
+        if kind == ContactKind::Line {
+            let ends = [-r, r].into_iter().filter(|x| inside(*x, 0.0));
+            cells += ends.map(|x| width / (COVERED[1] * size(x, 0.0))).sum::<f64>();
+            continue;
+        }
+        const ANGLES: usize = 48;
+        for k in 0..ANGLES {
+            let angle = std::f64::consts::PI * (k as f64 + 0.5) / ANGLES as f64;
+            let (x, y) = (r * angle.cos(), -r * angle.sin());
+            if inside(x, y) {
+                let area = r * width * std::f64::consts::PI / ANGLES as f64;
+                cells += area / (COVERED[0] * size(x, y).powi(2));
+            }
+        }
+    }
+    let k = order as f64;
+    cells * if kind == ContactKind::Line { k } else { 0.5 * k * k }
+}
