@@ -10,7 +10,7 @@ use ertel::contact::ContactKind;
 use ertel::params::{ElasticModel, LinearSolver};
 use ertel::run::{problem, solve};
 use ertel::solution::{IterationRecord, Solution};
-use ertel::solve::discretisation::ContactSurface;
+use ertel::solve::discretisation::{ContactSurface, Means};
 use ertel::solve::sequence::{Problem, Role, StageSolution, solve_stages};
 use ertel::solve::{Observer, Silent, SolveError};
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
@@ -25,7 +25,7 @@ fn small_case(kind: ContactKind) -> Case {
         case.mesh.hertz_size = 0.4;
         case.mesh.constriction_size = 0.3;
         case.mesh.edge_size = 1.0;
-        case.mesh.elastic_order = 1;
+        case.mesh.elastic_order = Some(1);
         case.mesh.pressure_order = 2;
     }
     case
@@ -63,7 +63,7 @@ fn condensed_path_equals_monolithic_path() {
     for kind in [ContactKind::Line, ContactKind::Circular] {
         for elasticity in [ElasticModel::Equivalent, ElasticModel::TwoBodies] {
             let mut case = small_case(kind);
-            case.solver.elasticity = elasticity;
+            case.solver.elasticity = Some(elasticity);
             let solution = |linear: LinearSolver| -> StageSolution {
                 let mut case = case.clone();
                 case.solver.linear = linear;
@@ -174,7 +174,14 @@ fn results_repeat_beside_other_solves() {
             let other = problem(&common::case(ContactKind::Line, 2e5));
             while !done.load(Ordering::Relaxed) {
                 let sizes = other.stages[0].sizes;
-                ContactSurface::new(other.kind, &other.extents, &sizes, 2, &other.bodies).unwrap();
+                ContactSurface::new(
+                    other.kind,
+                    &other.extents,
+                    &sizes,
+                    &other.elasticity,
+                    Means::default(),
+                )
+                .unwrap();
             }
         });
         let repeats: Vec<bool> = (0..15)

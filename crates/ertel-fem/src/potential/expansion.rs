@@ -55,6 +55,7 @@ impl Basis {
     }
 
     /// Row-major matrix of the moments of a box from those of its child in a quadrant.
+    #[allow(clippy::wrong_self_convention)]
     pub fn from_child(&self, quadrant: usize) -> Vec<f64> {
         let along = [quadrant % 2, quadrant / 2].map(|q| half_interval(self.degree, q == 1));
         let mut matrix = Vec::with_capacity(self.len() * self.len());
