@@ -3,11 +3,10 @@
 
 mod common;
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::noise;
+use common::{hertz_bodies, noise, uniform};
 use ertel::contact::{ContactKind, hertz};
 use ertel::elastic::{Accuracy, BodyConstants, BodySpace, Elasticity, FiniteBodies};
 use ertel::forms::elasticity::lame;
@@ -272,33 +271,6 @@ fn block_under_uniform_pressure() {
     }
 }
 
-fn uniform(size: f64) -> LevelSizes {
-    LevelSizes {
-        hertz: size,
-        constriction: size,
-        rim: size,
-        rim_width: 0.0,
-        edge: size,
-        growth: 1.0,
-        depth_growth: 1.0,
-    }
-}
-
-/// Bodies whose reduced modulus E'/(R p_h/a) is that of a contact in Hertz's scales: π (circular),
-/// 4 (line); 2/E' = Σ (1 − ν²)/E, shared equally.
-fn bodies(kind: ContactKind, poissons_ratios: &[f64]) -> Vec<BodyConstants> {
-    let reduced = match kind {
-        ContactKind::Circular => PI,
-        ContactKind::Line => 4.0,
-    };
-    (poissons_ratios.iter())
-        .map(|nu| {
-            let modulus = 0.5 * reduced * (1.0 - nu * nu) * poissons_ratios.len() as f64;
-            (modulus, *nu)
-        })
-        .collect()
-}
-
 /// Contact area of the thesis on a cubic (square) body; cells of `size` under the Hertz zone.
 fn contact(kind: ContactKind, body: f64, size: f64, growth: f64, ratios: &[f64]) -> Discretisation {
     let extents = Extents {
@@ -317,7 +289,7 @@ fn contact(kind: ContactKind, body: f64, size: f64, growth: f64, ratios: &[f64])
         growth,
         depth_growth: growth,
     };
-    on_bodies(kind, &extents, &sizes, &bodies(kind, ratios))
+    on_bodies(kind, &extents, &sizes, &hertz_bodies(kind, ratios))
 }
 
 /// Cubic pressures on quadratic bodies.

@@ -192,6 +192,7 @@ fn check(
 fn line() {
     check(ContactKind::Line, ElasticModel::Equivalent, 3, None, false);
     check(ContactKind::Line, ElasticModel::TwoBodies, 2, None, false);
+    check(ContactKind::Line, ElasticModel::HalfSpace, 3, None, false);
 }
 
 #[test]
@@ -207,6 +208,13 @@ fn circular() {
         ContactKind::Circular,
         ElasticModel::TwoBodies,
         3,
+        None,
+        false,
+    );
+    check(
+        ContactKind::Circular,
+        ElasticModel::HalfSpace,
+        2,
         None,
         false,
     );
@@ -266,6 +274,13 @@ fn heated() {
     check(
         ContactKind::Circular,
         ElasticModel::Equivalent,
+        2,
+        Some(carreau.clone()),
+        true,
+    );
+    check(
+        ContactKind::Circular,
+        ElasticModel::HalfSpace,
         2,
         Some(carreau),
         true,
