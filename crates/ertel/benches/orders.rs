@@ -35,7 +35,7 @@ struct Args {
     /// Errors of both films to reach, per cent
     #[arg(long, value_delimiter = ',', default_values_t = [0.5, 0.2])]
     targets: Vec<f64>,
-    /// Displacement unknowns that refinement may go to
+    /// Pressure unknowns that refinement may go to
     #[arg(long, default_value_t = DEFAULT_MAX_UNKNOWNS)]
     max_unknowns: usize,
     /// CPU seconds after which a solve is stopped
@@ -70,7 +70,7 @@ fn main() {
                 let mut case = common::moes_case(kind, m, l);
                 case.mesh = MeshParams {
                     pressure_order: *order,
-                    max_unknowns: args.max_unknowns,
+                    max_unknowns: Some(args.max_unknowns),
                     ..MeshParams::adaptive(0.01 * target, kind)
                 };
                 let mut limit = Limit {

@@ -9,6 +9,7 @@ use std::time::{Duration, SystemTime};
 use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::elastic::cache::OperatorCache;
+use ertel::params::ElasticModel;
 use ertel::run::{Session, solve};
 use ertel::solution::Solution;
 use ertel::solve::Silent;
@@ -22,6 +23,7 @@ const LARGE: u64 = 1_000_000_000;
 fn small_case() -> Case {
     let mut case = common::case(ContactKind::Circular, 10.0);
     case.plane.elasticity = common::GLASS;
+    case.solver.elasticity = Some(ElasticModel::Equivalent);
     case.mesh.hertz_size = 0.4;
     case.mesh.constriction_size = 0.3;
     case.mesh.edge_size = 1.0;

@@ -40,7 +40,7 @@ fn equivalent_body_replaces_two_bodies() {
         case.plane.elasticity = common::GLASS;
         cheap(&mut case);
         let [one, two] = [ElasticModel::Equivalent, ElasticModel::TwoBodies].map(|e| {
-            case.solver.elasticity = e;
+            case.solver.elasticity = Some(e);
             solved(&case).summary
         });
         for (a, b, tolerance) in [

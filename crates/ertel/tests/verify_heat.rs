@@ -9,12 +9,13 @@ use approx::assert_relative_eq;
 use common::heated;
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+use ertel::elastic::Elasticity;
 use ertel::film::MOST_NODES;
 use ertel::film::cross_film::CrossFilm;
 use ertel::forms::energy::{FilmPlace, Heat, Layer, film_column};
 use ertel::params::ThermalParams;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
 use ertel::solve::heat::column::Column;
 use ertel::solve::heat::newton::{HeatNewton, HeatParams};
 use ertel::solve::sequence::Problem;
@@ -44,8 +45,10 @@ fn rigid(
     column: Column,
     heat: &Heat,
 ) -> (Discretisation, State) {
-    let bodies = [(1.0, 0.3)];
-    let contact = ContactSurface::new(kind, extents, &uniform(size), 2, &bodies).expect("mesh");
+    let bodies = Elasticity::finite_elements(2, &[(1.0, 0.3)]);
+    let sizes = uniform(size);
+    let contact =
+        ContactSurface::new(kind, extents, &sizes, &bodies, Means::default()).expect("mesh");
     let unheated = column.unheated(heat);
     let d = Discretisation::new(&Arc::new(contact), 2).with_heat(order, column, unheated);
     let state = State {

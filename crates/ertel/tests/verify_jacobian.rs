@@ -6,10 +6,11 @@ use std::sync::Arc;
 
 use common::noise;
 use ertel::contact::{ContactKind, Scales, hertz};
+use ertel::elastic::Accuracy;
 use ertel::params::{ElasticModel, Formulation};
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, LevelSizes};
-use ertel::solve::system::{FilmConstants, Precision, State, System};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, LevelSizes, Means};
+use ertel::solve::system::{FilmConstants, State, System};
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning, StressLimit};
 
@@ -26,7 +27,7 @@ const SIZES: LevelSizes = LevelSizes {
 /// Pressures with the deflection that belongs to them.
 fn state(d: &Discretisation, pressure: Vec<f64>, rigid_separation: f64) -> State {
     State {
-        deflection: d.deflect(&pressure),
+        deflection: d.deflect(&pressure, Accuracy::Full),
         pressure,
         rigid_separation,
         temperature: d.heat.as_ref().map_or_else(Vec::new, |heat| {
@@ -81,7 +82,7 @@ fn check(
             100.0
         },
     );
-    case.solver.elasticity = elasticity;
+    case.solver.elasticity = Some(elasticity);
     case.plane.elasticity = common::GLASS;
     case.motion.slide_to_roll_ratio = 0.3;
     if heat {
@@ -92,8 +93,14 @@ fn check(
     let scales = Scales::new(&case.contact, &hertz, 0.8, 0.04, 870.0);
     let thins = thinned.is_some();
     problem.fluid = problem.fluid.with_shear(thinned.as_ref(), 0.3, &scales);
-    let contact =
-        ContactSurface::new(kind, &problem.extents, &SIZES, 2, &problem.bodies).expect("mesh");
+    let contact = ContactSurface::new(
+        kind,
+        &problem.extents,
+        &SIZES,
+        &problem.elasticity,
+        Means::default(),
+    )
+    .expect("mesh");
     let mut d = Discretisation::new(&Arc::new(contact), order);
     if let Some(heat) = &problem.heat {
         let column = heat.column.clone();
@@ -156,7 +163,7 @@ fn check(
             let system = System::assemble(&d, &problem.fluid, &constants, &base, None);
             let mut product = vec![0.0; d.n_pressure];
             system
-                .products(&d, Precision::Double)
+                .products(&d, Accuracy::Full)
                 .multiply(&unknowns, &mut product);
             for (y, b) in product.iter_mut().zip(&system.by_separation) {
                 *y += d_separation * b;
@@ -185,6 +192,7 @@ fn check(
 fn line() {
     check(ContactKind::Line, ElasticModel::Equivalent, 3, None, false);
     check(ContactKind::Line, ElasticModel::TwoBodies, 2, None, false);
+    check(ContactKind::Line, ElasticModel::HalfSpace, 3, None, false);
 }
 
 #[test]
@@ -200,6 +208,13 @@ fn circular() {
         ContactKind::Circular,
         ElasticModel::TwoBodies,
         3,
+        None,
+        false,
+    );
+    check(
+        ContactKind::Circular,
+        ElasticModel::HalfSpace,
+        2,
         None,
         false,
     );
@@ -259,6 +274,13 @@ fn heated() {
     check(
         ContactKind::Circular,
         ElasticModel::Equivalent,
+        2,
+        Some(carreau.clone()),
+        true,
+    );
+    check(
+        ContactKind::Circular,
+        ElasticModel::HalfSpace,
         2,
         Some(carreau),
         true,

@@ -10,7 +10,7 @@ use ertel::contact::ContactKind;
 use ertel::params::{ElasticModel, LinearSolver};
 use ertel::run::{problem, solve};
 use ertel::solution::{IterationRecord, Solution};
-use ertel::solve::discretisation::ContactSurface;
+use ertel::solve::discretisation::{ContactSurface, Means};
 use ertel::solve::sequence::{Problem, Role, StageSolution, solve_stages};
 use ertel::solve::{Observer, Silent, SolveError};
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
@@ -25,7 +25,7 @@ fn small_case(kind: ContactKind) -> Case {
         case.mesh.hertz_size = 0.4;
         case.mesh.constriction_size = 0.3;
         case.mesh.edge_size = 1.0;
-        case.mesh.elastic_order = 1;
+        case.mesh.elastic_order = Some(1);
         case.mesh.pressure_order = 2;
     }
     case
@@ -52,6 +52,13 @@ fn one_mesh(case: &Case) -> Problem {
     problem
 }
 
+/// A case on one equivalent finite-element body.
+fn on_a_body(case: Case) -> Case {
+    let mut case = case;
+    case.solver.elasticity = Some(ElasticModel::Equivalent);
+    case
+}
+
 fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len());
     (a.iter().zip(b)).fold(0.0, |m, (a, b)| m.max((a - b).abs()))
@@ -63,7 +70,7 @@ fn condensed_path_equals_monolithic_path() {
     for kind in [ContactKind::Line, ContactKind::Circular] {
         for elasticity in [ElasticModel::Equivalent, ElasticModel::TwoBodies] {
             let mut case = small_case(kind);
-            case.solver.elasticity = elasticity;
+            case.solver.elasticity = Some(elasticity);
             let solution = |linear: LinearSolver| -> StageSolution {
                 let mut case = case.clone();
                 case.solver.linear = linear;
@@ -108,7 +115,7 @@ fn newton_converges_quadratically() {
         (ContactKind::Line, LinearSolver::Monolithic, true),
         (ContactKind::Circular, LinearSolver::Monolithic, true),
     ] {
-        let mut case = small_case(kind);
+        let mut case = on_a_body(small_case(kind));
         if thins {
             case = thinned(case);
         }
@@ -166,15 +173,22 @@ fn pinned(case: &Case, expected: &[[usize; 3]]) {
 /// order, and the elimination order is drawn under a lock.
 #[test]
 fn results_repeat_beside_other_solves() {
-    let case = common::case(ContactKind::Line, 3e5);
+    let case = on_a_body(common::case(ContactKind::Line, 3e5));
     let alone = solve(&case, &mut Silent).unwrap();
     let done = AtomicBool::new(false);
     std::thread::scope(|scope| {
         scope.spawn(|| {
-            let other = problem(&common::case(ContactKind::Line, 2e5));
+            let other = problem(&on_a_body(common::case(ContactKind::Line, 2e5)));
             while !done.load(Ordering::Relaxed) {
                 let sizes = other.stages[0].sizes;
-                ContactSurface::new(other.kind, &other.extents, &sizes, 2, &other.bodies).unwrap();
+                ContactSurface::new(
+                    other.kind,
+                    &other.extents,
+                    &sizes,
+                    &other.elasticity,
+                    Means::default(),
+                )
+                .unwrap();
             }
         });
         let repeats: Vec<bool> = (0..15)
@@ -189,26 +203,27 @@ fn results_repeat_beside_other_solves() {
 #[test]
 fn results_do_not_depend_on_the_number_of_threads() {
     for kind in [ContactKind::Line, ContactKind::Circular] {
-        let case = small_case(kind);
-        let [a, b] = [1, 2].map(|n| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build();
-            pool.unwrap().install(|| solve(&case, &mut Silent).unwrap())
-        });
-        let scale = |v: &[f64]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        for (a, b) in [
-            (&a.surface.pressure, &b.surface.pressure),
-            (&a.surface.film_thickness, &b.surface.film_thickness),
-        ] {
-            assert!(largest_difference(a, b) < 1e-10 * scale(a));
+        for case in [small_case(kind), on_a_body(small_case(kind))] {
+            let [a, b] = [1, 2].map(|n| {
+                let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build();
+                pool.unwrap().install(|| solve(&case, &mut Silent).unwrap())
+            });
+            let scale = |v: &[f64]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+            for (a, b) in [
+                (&a.surface.pressure, &b.surface.pressure),
+                (&a.surface.film_thickness, &b.surface.film_thickness),
+            ] {
+                assert!(largest_difference(a, b) < 1e-10 * scale(a));
+            }
+            assert_eq!(effort(&a), effort(&b));
         }
-        assert_eq!(effort(&a), effort(&b));
     }
 }
 
 #[test]
 fn effort_of_a_line_contact() {
     pinned(
-        &common::case(ContactKind::Line, 3e5),
+        &on_a_body(common::case(ContactKind::Line, 3e5)),
         &[[5, 58, 2], [5, 46, 1], [5, 42, 1]],
     );
 }
@@ -216,7 +231,7 @@ fn effort_of_a_line_contact() {
 #[test]
 fn effort_of_a_circular_contact() {
     pinned(
-        &common::case(ContactKind::Circular, 100.0),
+        &on_a_body(common::case(ContactKind::Circular, 100.0)),
         &[[8, 111, 6], [6, 119, 5], [8, 120, 6]],
     );
 }
@@ -225,11 +240,11 @@ fn effort_of_a_circular_contact() {
 #[test]
 fn effort_of_shear_thinning_contacts() {
     pinned(
-        &thinned(common::case(ContactKind::Line, 3e5)),
+        &thinned(on_a_body(common::case(ContactKind::Line, 3e5))),
         &[[5, 58, 2], [5, 46, 1], [10, 130, 2], [3, 23, 1]],
     );
     pinned(
-        &thinned(common::case(ContactKind::Circular, 100.0)),
+        &thinned(on_a_body(common::case(ContactKind::Circular, 100.0))),
         &[[8, 111, 6], [6, 119, 5], [11, 162, 6], [9, 148, 5]],
     );
 }
@@ -255,7 +270,7 @@ impl Observer for Impatient {
 fn a_wish_to_stop_is_heard_inside_the_factorisation() {
     for kind in [ContactKind::Line, ContactKind::Circular] {
         let mut observer = Impatient::default();
-        let outcome = solve(&small_case(kind), &mut observer);
+        let outcome = solve(&on_a_body(small_case(kind)), &mut observer);
         assert!(matches!(outcome, Err(SolveError::Interrupted)));
         assert!(!observer.meshed, "the operator was finished first");
     }

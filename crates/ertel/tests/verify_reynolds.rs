@@ -19,10 +19,11 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use ertel::contact::{ContactKind, Scales};
+use ertel::elastic::Elasticity;
 use ertel::film::FilmFluid;
 use ertel::params::Formulation;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
 use ertel::solve::evaluate::fields_in;
 use ertel::solve::system::{FilmConstants, State, System};
 use ertel_fem::assembly::CONSTRAINED;
@@ -177,7 +178,8 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
         growth: 1.0,
         depth_growth: 20.0,
     };
-    Arc::new(ContactSurface::new(kind, &extents, &sizes, 2, &[]).unwrap())
+    let rigid = Elasticity::finite_elements(2, &[]);
+    Arc::new(ContactSurface::new(kind, &extents, &sizes, &rigid, Means::default()).unwrap())
 }
 
 /// Errors of the discrete solution on one mesh: mean element size, L2 norm, H1 seminorm.

@@ -8,7 +8,7 @@
 //! A black-box fast multipole method (Fong and Darve, J. Comput. Phys. 228 (2009) 8712-8725) in coefficients in place of
 //! values at nodes, cut at a total degree: T_α = T_a(x) T_b(y) with a + b < p.
 
-use rayon::prelude::*;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::Kernel;
 
@@ -55,6 +55,7 @@ impl Basis {
     }
 
     /// Row-major matrix of the moments of a box from those of its child in a quadrant.
+    #[allow(clippy::wrong_self_convention)]
     pub fn from_child(&self, quadrant: usize) -> Vec<f64> {
         let along = [quadrant % 2, quadrant / 2].map(|q| half_interval(self.degree, q == 1));
         let mut matrix = Vec::with_capacity(self.len() * self.len());
@@ -82,34 +83,48 @@ impl Basis {
                     .collect()
             })
             .collect();
-        let second = if dim == 2 { &nodes[..] } else { &[0.0] };
-        let points: Vec<[f64; 2]> = (nodes.iter())
-            .flat_map(|x| second.iter().map(|y| [*x, *y]))
-            .collect();
-        let weights = |[a, b]: [usize; 2]| -> Vec<f64> {
-            let by_y = if dim == 2 { &transform[b][..] } else { &[1.0] };
-            let by_x = transform[a].iter();
-            by_x.flat_map(|x| by_y.iter().map(move |y| x * y)).collect()
+        let one_row = vec![vec![1.0]];
+        let (second, by_y) = match dim {
+            2 => (&nodes[..], &transform),
+            _ => (&[0.0][..], &one_row),
         };
-        let rows: Vec<Vec<f64>> = self.exponents.iter().map(|e| weights(*e)).collect();
-        // Σ_x over the target's nodes first, then over the source's.
-        let half: Vec<Vec<f64>> = (points.iter())
-            .map(|y| {
-                let d = [0, 1].map(|a: usize| y[a] + 2.0 * f64::from(offset[a]));
-                let values: Vec<f64> = (points.iter())
-                    .map(|x| kernel.at((x[0] - d[0]).hypot(x[1] - d[1])))
-                    .collect();
-                rows.iter().map(|row| dot(row, &values)).collect()
-            })
-            .collect();
-        let mut matrix = vec![0.0; self.len() * self.len()];
-        for (row, alpha) in matrix.chunks_exact_mut(self.len()).zip(0..) {
-            let by_source: Vec<f64> = half.iter().map(|h: &Vec<f64>| h[alpha]).collect();
-            for (entry, weights) in row.iter_mut().zip(&rows) {
-                *entry = dot(weights, &by_source);
+        // Values by (x_1, x_2, y_1, y_2), target x and source y; then axis by axis from values to coefficients.
+        let mut table = Vec::new();
+        for x1 in &nodes {
+            for x2 in second {
+                for y1 in &nodes {
+                    let d1 = x1 - y1 - 2.0 * f64::from(offset[0]);
+                    table.extend(
+                        second
+                            .iter()
+                            .map(|y2| kernel.at(d1.hypot(x2 - y2 - 2.0 * f64::from(offset[1])))),
+                    );
+                }
             }
         }
+        // The first axis goes to the end each time: after four times all stand as before.
+        for rows in [&transform, by_y, &transform, by_y] {
+            table = transformed(&table, rows);
+        }
+        let (p, q) = (self.degree, by_y.len());
+        let mut matrix = Vec::with_capacity(self.len() * self.len());
+        for [a, b] in &self.exponents {
+            matrix
+                .extend((self.exponents.iter()).map(|[c, d]| table[((a * q + b) * p + c) * q + d]));
+        }
         matrix
+    }
+
+    /// [`all_coefficients`](Self::all_coefficients), computed once in a program.
+    pub fn shared_coefficients(&self, kernel: Kernel) -> Arc<Vec<Vec<f64>>> {
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = |entry: &&Known| entry.0 == kernel && entry.1 == self.degree;
+        if let Some((_, _, coefficients)) = known.iter().find(same) {
+            return coefficients.clone();
+        }
+        let coefficients = Arc::new(self.all_coefficients(kernel));
+        known.push((kernel, self.degree, coefficients.clone()));
+        coefficients
     }
 
     /// Coefficients for every offset that occurs between boxes of one level, by [`offset_index`].
@@ -119,7 +134,7 @@ impl Basis {
             .flat_map(|dx| (-REACH..=REACH).map(move |dy| [dx, dy]))
             .collect();
         // Those with 0 ≤ dy ≤ dx; the others follow by mirror images and by exchange of the axes.
-        let base: Vec<Vec<f64>> = (reach.par_iter())
+        let base: Vec<Vec<f64>> = (reach.iter())
             .map(
                 |d| match d[0] > 1 && d[1] >= 0 && d[1] <= d[0] && (dim == 2 || d[1] == 0) {
                     true => self.coefficients(kernel, *d),
@@ -166,6 +181,12 @@ impl Basis {
     }
 }
 
+/// Kernel, p and coefficients.
+type Known = (Kernel, usize, Arc<Vec<Vec<f64>>>);
+
+/// Coefficients that operators have asked for so far.
+static KNOWN: Mutex<Vec<Known>> = Mutex::new(Vec::new());
+
 /// Highest p.
 pub const MAX_DEGREE: usize = 24;
 /// Chebyshev nodes beyond p by which the coefficients of the kernel are computed.
@@ -211,6 +232,23 @@ fn half_interval(n: usize, upper: bool) -> Vec<Vec<f64>> {
     rows
 }
 
+/// Σ_k rows[a][k] table[k, ·], stored as [·, a].
+fn transformed(table: &[f64], rows: &[Vec<f64>]) -> Vec<f64> {
+    let (n, p) = (rows[0].len(), rows.len());
+    let rest = table.len() / n;
+    let mut out = vec![0.0; rest * p];
+    for (k, slice) in table.chunks_exact(rest).enumerate() {
+        let column: Vec<f64> = rows.iter().map(|row| row[k]).collect();
+        for (out, value) in out.chunks_exact_mut(p).zip(slice) {
+            for (o, c) in out.iter_mut().zip(&column) {
+                *o += c * value;
+            }
+        }
+    }
+    out
+}
+
+#[cfg(test)]
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

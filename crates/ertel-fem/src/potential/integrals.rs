@@ -13,23 +13,26 @@
 
 use faer::Mat;
 use faer::linalg::solvers::Solve;
+use pulp::{Arch, Simd, WithSimd};
 
 use super::Kernel;
+use super::lanes::{Lanes, logarithms};
 use crate::element::Lagrange;
 
 /// Highest order of a density.
 const MAX_ORDER: usize = 5;
 /// Monomials of that order.
 const MAX_TERMS: usize = (MAX_ORDER + 1) * (MAX_ORDER + 2) / 2;
+/// Numbers of points that [`ElementIntegrals::at_all`] takes are multiples of this, the width of the widest vector.
+pub const POINTS: usize = 8;
 
 /// Integrals of the shape functions of one element type.
 #[derive(Clone, Debug)]
 pub struct ElementIntegrals {
     kernel: Kernel,
     order: usize,
-    /// Exponents (a, b) of the monomials ξ^a η^b.
-    exponents: Vec<[usize; 2]>,
-    /// Shape functions by monomials, `[node * n_terms + term]`.
+    n_nodes: usize,
+    /// Shape functions by the monomials ξ^a η^b, `[node * n_nodes + term]`, all b of one a together.
     coefficients: Vec<f64>,
 }
 
@@ -60,167 +63,353 @@ impl ElementIntegrals {
         ElementIntegrals {
             kernel,
             order,
-            exponents,
+            n_nodes: n,
             coefficients,
         }
     }
 
     /// Number of shape functions.
     pub fn n_nodes(&self) -> usize {
-        self.exponents.len()
+        self.n_nodes
     }
 
     /// ∫ N_j(y) K(|x − y|) dy for every shape function of the element with these vertices (two or three), into
     /// `out`.
     pub fn at(&self, vertices: &[[f64; 2]], x: [f64; 2], out: &mut [f64]) {
-        let mut about_x = [0.0; MAX_TERMS];
-        let origin = match self.kernel {
-            Kernel::InverseDistance => self.triangle(vertices, x, &mut about_x),
-            Kernel::Logarithm => self.segment(vertices, x, &mut about_x),
-        };
-        let moments = self.shifted(&about_x, origin);
-        let n = self.n_nodes();
-        for (value, coefficients) in out.iter_mut().zip(self.coefficients.chunks_exact(n)) {
-            *value = coefficients.iter().zip(&moments).map(|(c, m)| c * m).sum();
+        let points = x.map(|x| [x; POINTS]);
+        let mut all = [0.0; MAX_TERMS * POINTS];
+        let all = &mut all[..self.n_nodes * POINTS];
+        self.at_all(vertices, [&points[0], &points[1]], &mut Vec::new(), all);
+        for (value, all) in out.iter_mut().zip(all.chunks_exact(POINTS)) {
+            *value = all[0];
         }
     }
 
-    /// ∫ U^a V^b/r over a triangle, (U, V) = (ξ, η) − (ξ, η)(x); returns the reference coordinates of x.
-    fn triangle(&self, v: &[[f64; 2]], x: [f64; 2], out: &mut [f64; MAX_TERMS]) -> [f64; 2] {
-        let minus = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
-        let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
-        let (e1, e2, d) = (minus(v[1], v[0]), minus(v[2], v[0]), minus(x, v[0]));
-        let area = cross(e1, e2);
-        let xi = [cross(d, e2) / area, cross(e1, d) / area];
-        let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|c| minus(c, xi));
-        let orientation = area.signum();
-        let width = self.order + 1;
-        for k in 0..3 {
-            let (start, end) = (minus(v[k], x), minus(v[(k + 1) % 3], x));
-            let along = minus(end, start);
-            let length = along[0].hypot(along[1]);
-            let tangent = along.map(|c| c / length);
-            let h = orientation * cross(start, tangent);
-            if h.abs() < 1e-14 * length {
-                continue;
-            }
-            let t = [start, end].map(|p| p[0] * tangent[0] + p[1] * tangent[1]);
-            let integrals = edge_integrals(h, t, width);
-            // U and V are linear along the edge: c_0 + c_1 t.
-            let (from, to) = (corners[k], corners[(k + 1) % 3]);
-            let linear = [0, 1].map(|a: usize| {
-                let slope = (to[a] - from[a]) / length;
-                [from[a] - slope * t[0], slope]
-            });
-            let mut by_u = [0.0; MAX_ORDER + 1];
-            by_u[0] = orientation * h;
-            let mut term = 0;
-            for a in 0..width {
-                let mut polynomial = by_u;
-                for b in 0..width - a {
-                    let degree = a + b;
-                    let sum: f64 = (polynomial[..=degree].iter().zip(&integrals))
-                        .map(|(p, j)| p * j)
-                        .sum();
-                    out[term] += orientation * sum / (degree as f64 + 1.0);
-                    term += 1;
-                    multiply(&mut polynomial, linear[1], degree);
+    /// The same at many points, given by their x and their y: shape function by shape function into `out`. The number of points is
+    /// a multiple of [`POINTS`].
+    pub fn at_all(
+        &self,
+        vertices: &[[f64; 2]],
+        points: [&[f64]; 2],
+        work: &mut Vec<f64>,
+        out: &mut [f64],
+    ) {
+        match self.kernel {
+            Kernel::InverseDistance => Arch::new().dispatch(Triangle {
+                integrals: self,
+                edges: edges(vertices),
+                points,
+                work,
+                out,
+            }),
+            Kernel::Logarithm => {
+                for (k, x) in points[0].iter().enumerate() {
+                    let moments = self.segment(vertices, *x);
+                    let coefficients = self.coefficients.chunks_exact(self.n_nodes);
+                    for (j, coefficients) in coefficients.enumerate() {
+                        out[j * points[0].len() + k] =
+                            coefficients.iter().zip(&moments).map(|(c, m)| c * m).sum();
+                    }
                 }
-                multiply(&mut by_u, linear[0], a);
             }
         }
-        xi
     }
 
-    /// ∫ U^a (−ln r) over a segment, U = ξ − ξ(x); returns ξ(x).
-    fn segment(&self, v: &[[f64; 2]], x: [f64; 2], out: &mut [f64; MAX_TERMS]) -> [f64; 2] {
+    /// ∫ ξ^a (−ln r) over a segment.
+    fn segment(&self, v: &[[f64; 2]], x: f64) -> [f64; MAX_ORDER + 1] {
         let length = v[1][0] - v[0][0];
-        let xi = (x[0] - v[0][0]) / length;
+        let xi = (x - v[0][0]) / length;
         let size = length.abs();
+        // of U = ξ − ξ(x) first
+        let mut moments = [0.0; MAX_ORDER + 1];
         for (u, sign) in [(-xi, -1.0), (1.0 - xi, 1.0)] {
             if u == 0.0 {
                 continue;
             }
             let logarithm = (u.abs() * size).ln();
             let mut power = sign * size * u;
-            for (a, value) in out[..=self.order].iter_mut().enumerate() {
+            for (a, value) in moments[..=self.order].iter_mut().enumerate() {
                 let m = a as f64 + 1.0;
                 *value -= power / m * (logarithm - 1.0 / m);
                 power *= u;
             }
         }
-        [xi, 0.0]
-    }
-
-    /// Moments of ξ^a η^b from those about x.
-    fn shifted(&self, about_x: &[f64; MAX_TERMS], xi: [f64; 2]) -> [f64; MAX_TERMS] {
-        let width = self.order + 1;
-        // Pascal's triangle with powers of the origin: ξ^a = Σ_c (a over c) ξ_x^(a−c) U^c
-        let row = |x: f64| {
-            let mut rows = [[0.0; MAX_ORDER + 1]; MAX_ORDER + 1];
-            rows[0][0] = 1.0;
-            for a in 1..width {
-                for c in 0..=a {
-                    let below = if c > 0 { rows[a - 1][c - 1] } else { 0.0 };
-                    rows[a][c] = below + x * rows[a - 1][c];
-                }
-            }
-            rows
-        };
-        let mut moments = [0.0; MAX_TERMS];
-        let by_xi = row(xi[0]);
-        if self.kernel == Kernel::Logarithm {
-            for a in 0..width {
-                moments[a] = (0..=a).map(|c| by_xi[a][c] * about_x[c]).sum();
-            }
-            return moments;
-        }
-        let by_eta = row(xi[1]);
-        // Place of (a, b) among the terms: rows of falling length.
-        let place = |a: usize, b: usize| a * (2 * width + 1 - a) / 2 + b;
-        for (moment, [a, b]) in moments.iter_mut().zip(&self.exponents) {
-            for c in 0..=*a {
-                for d in 0..=*b {
-                    *moment += by_xi[*a][c] * by_eta[*b][d] * about_x[place(c, d)];
-                }
+        for pass in 1..=self.order {
+            for a in (pass..=self.order).rev() {
+                moments[a] += xi * moments[a - 1];
             }
         }
         moments
     }
 }
 
-/// J_0 to J_(n−1) along an edge from t_0 to t_1 at the distance h ≠ 0.
-fn edge_integrals(h: f64, t: [f64; 2], n: usize) -> [f64; MAX_ORDER + 1] {
-    let square = h * h;
-    let r = t.map(|t| (square + t * t).sqrt());
-    // ln((t_1 + R_1)/(t_0 + R_0)) without cancellation: t + R = h²/(R − t).
-    let ratio = match (t[0] < 0.0, t[1] < 0.0) {
-        (true, true) => (r[0] - t[0]) / (r[1] - t[1]),
-        (true, false) => (t[1] + r[1]) * (r[0] - t[0]) / square,
-        (false, true) => square / ((t[0] + r[0]) * (r[1] - t[1])),
-        (false, false) => (t[1] + r[1]) / (t[0] + r[0]),
-    };
-    let mut integrals = [0.0; MAX_ORDER + 1];
-    integrals[0] = ratio.ln();
-    if n > 1 {
-        integrals[1] = r[1] - r[0];
+/// An edge of a triangle, and reference coordinates of the triangle along it.
+#[derive(Clone, Copy)]
+struct Edge {
+    start: [f64; 2],
+    tangent: [f64; 2],
+    length: f64,
+    /// ξ and η at the start, and their slopes.
+    from: [f64; 2],
+    slopes: [f64; 2],
+    /// Takes tangents to the normal inwards.
+    orientation: f64,
+    /// Gradients of ξ and η.
+    gradients: [[f64; 2]; 2],
+}
+
+fn edges(v: &[[f64; 2]]) -> [Edge; 3] {
+    let minus = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
+    let (e1, e2) = (minus(v[1], v[0]), minus(v[2], v[0]));
+    let area = e1[0] * e2[1] - e1[1] * e2[0];
+    let gradients = [[e2[1] / area, -e2[0] / area], [-e1[1] / area, e1[0] / area]];
+    const CORNERS: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    [0, 1, 2].map(|k: usize| {
+        let along = minus(v[(k + 1) % 3], v[k]);
+        let length = along[0].hypot(along[1]);
+        let (from, to) = (CORNERS[k], CORNERS[(k + 1) % 3]);
+        Edge {
+            start: v[k],
+            tangent: along.map(|c| c / length),
+            length,
+            from,
+            slopes: minus(to, from).map(|c| c / length),
+            orientation: area.signum(),
+            gradients,
+        }
+    })
+}
+
+/// Integrals over one triangle at many points.
+struct Triangle<'a> {
+    integrals: &'a ElementIntegrals,
+    edges: [Edge; 3],
+    points: [&'a [f64]; 2],
+    work: &'a mut Vec<f64>,
+    out: &'a mut [f64],
+}
+
+impl WithSimd for Triangle<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        match self.integrals.order {
+            1 => self.run::<S, 2>(simd),
+            2 => self.run::<S, 3>(simd),
+            3 => self.run::<S, 4>(simd),
+            4 => self.run::<S, 5>(simd),
+            _ => self.run::<S, 6>(simd),
+        }
     }
-    let mut powers = t;
-    for k in 2..n {
+}
+
+impl Triangle<'_> {
+    /// With `W` one more than the order.
+    #[inline(always)]
+    fn run<S: Simd, const W: usize>(self, simd: S) {
+        let n = self.points[0].len();
+        self.work.resize(6 * n, 0.0);
+        let (radii, logs) = self.work.split_at_mut(3 * n);
+        // No closures around vectors here: what they do would be compiled without the wide instructions.
+        let [xs, ys] = self.points;
+        let (xs, ys) = (S::as_simd_f64s(xs).0, S::as_simd_f64s(ys).0);
+        let m = xs.len();
+        let radii = S::as_mut_simd_f64s(radii).0;
+        {
+            let logs = S::as_mut_simd_f64s(logs).0;
+            for i in 0..m {
+                let x = [Lanes(simd, xs[i]), Lanes(simd, ys[i])];
+                let [e0, e1, e2] = &self.edges;
+                let distances = [e0.distance(x), e1.distance(x), e2.distance(x)];
+                for k in 0..3 {
+                    radii[k * m + i] = distances[k].1;
+                    let edge = &self.edges[k];
+                    let ratio = edge.ratio(edge.frame(x), distances[k], distances[(k + 1) % 3]);
+                    logs[k * m + i] = ratio.1;
+                }
+            }
+        }
+        logarithms(logs);
+        let logs = S::as_simd_f64s(logs).0;
+        let out = S::as_mut_simd_f64s(self.out).0;
+        for i in 0..m {
+            let x = [Lanes(simd, xs[i]), Lanes(simd, ys[i])];
+            let xi = self.edges[0].coordinates(x);
+            let mut moments = [Lanes::of(simd, 0.0); MAX_TERMS];
+            for k in 0..3 {
+                let edge = &self.edges[k];
+                let (h, t) = edge.frame(x);
+                let r = [
+                    Lanes(simd, radii[k * m + i]),
+                    Lanes(simd, radii[(k + 1) % 3 * m + i]),
+                ];
+                let j = edge_integrals::<S, W>(h, t, r, Lanes(simd, logs[k * m + i]));
+                // U and V are linear along the edge: c_0 + c_1 t.
+                let linear = [edge.linear(0, xi[0], t[0]), edge.linear(1, xi[1], t[0])];
+                add_moments::<S, W>(h, linear, &j, &mut moments);
+            }
+            shift::<S, W>(&mut moments, xi);
+            let coefficients = &self.integrals.coefficients;
+            let terms = W * (W + 1) / 2;
+            for (j, row) in coefficients.chunks_exact(terms).enumerate() {
+                let mut sum = Lanes::of(simd, 0.0);
+                for term in 0..terms {
+                    sum = Lanes::of(simd, row[term]).times_plus(moments[term], sum);
+                }
+                out[j * m + i] = sum.1;
+            }
+        }
+    }
+}
+
+impl Edge {
+    /// ξ and η of points, for an edge that starts at their origin.
+    #[inline(always)]
+    fn coordinates<S: Simd>(&self, x: [Lanes<S>; 2]) -> [Lanes<S>; 2] {
+        let simd = x[0].0;
+        let dx = x[0] - Lanes::of(simd, self.start[0]);
+        let dy = x[1] - Lanes::of(simd, self.start[1]);
+        let [g, h] = self.gradients;
+        [
+            dx * Lanes::of(simd, g[0]) + dy * Lanes::of(simd, g[1]),
+            dx * Lanes::of(simd, h[0]) + dy * Lanes::of(simd, h[1]),
+        ]
+    }
+
+    /// One of the coordinates about x, as c_0 + c_1 t.
+    #[inline(always)]
+    fn linear<S: Simd>(&self, axis: usize, xi: Lanes<S>, t0: Lanes<S>) -> [Lanes<S>; 2] {
+        let slope = Lanes::of(xi.0, self.slopes[axis]);
+        [Lanes::of(xi.0, self.from[axis]) - xi - slope * t0, slope]
+    }
+
+    /// Distance of points from the start.
+    #[inline(always)]
+    fn distance<S: Simd>(&self, x: [Lanes<S>; 2]) -> Lanes<S> {
+        let dx = Lanes::of(x[0].0, self.start[0]) - x[0];
+        let dy = Lanes::of(x[0].0, self.start[1]) - x[1];
+        dx.times_plus(dx, dy * dy).sqrt()
+    }
+
+    /// h, zero for points on the edge's line, and t at the edge's ends.
+    #[inline(always)]
+    fn frame<S: Simd>(&self, x: [Lanes<S>; 2]) -> (Lanes<S>, [Lanes<S>; 2]) {
+        let simd = x[0].0;
+        let dx = Lanes::of(simd, self.start[0]) - x[0];
+        let dy = Lanes::of(simd, self.start[1]) - x[1];
+        let along = Lanes::of(simd, self.tangent[0]);
+        let up = Lanes::of(simd, self.tangent[1]);
+        let h = Lanes::of(simd, self.orientation) * (dx * up - dy * along);
+        let t = dx * along + dy * up;
+        let (smallest, zero) = (Lanes::of(simd, 1e-14 * self.length), Lanes::of(simd, 0.0));
+        (
+            h.abs().below(smallest, zero, h),
+            [t, t + Lanes::of(simd, self.length)],
+        )
+    }
+
+    /// (t_1 + R_1)/(t_0 + R_0) without cancellation: t + R = h²/(R − t). One for points on the edge's line.
+    #[inline(always)]
+    fn ratio<S: Simd>(
+        &self,
+        (h, t): (Lanes<S>, [Lanes<S>; 2]),
+        r0: Lanes<S>,
+        r1: Lanes<S>,
+    ) -> Lanes<S> {
+        let (zero, one, square) = (Lanes::of(h.0, 0.0), Lanes::of(h.0, 1.0), h * h);
+        let (a, b) = (r0 + t[0].abs(), r1 + t[1].abs());
+        let above = t[1].below(zero, square, b) * t[0].below(zero, a, one);
+        let below = t[1].below(zero, b, one) * t[0].below(zero, square, a);
+        h.abs()
+            .below(Lanes::of(h.0, f64::MIN_POSITIVE), one, above / below)
+    }
+}
+
+/// J_0 to J_(W−1) along an edge.
+#[inline(always)]
+fn edge_integrals<S: Simd, const W: usize>(
+    h: Lanes<S>,
+    t: [Lanes<S>; 2],
+    r: [Lanes<S>; 2],
+    logarithm: Lanes<S>,
+) -> [Lanes<S>; W] {
+    let mut integrals = [logarithm; W];
+    integrals[1] = r[1] - r[0];
+    let square = h * h;
+    let mut ends = r;
+    for k in 2..W {
         let m = k as f64;
-        integrals[k] =
-            (powers[1] * r[1] - powers[0] * r[0]) / m - (m - 1.0) / m * square * integrals[k - 2];
-        powers = [powers[0] * t[0], powers[1] * t[1]];
+        ends = [ends[0] * t[0], ends[1] * t[1]];
+        let by_parts = (ends[1] - ends[0]) * Lanes::of(h.0, 1.0 / m);
+        integrals[k] = by_parts - Lanes::of(h.0, (m - 1.0) / m) * (square * integrals[k - 2]);
     }
     integrals
 }
 
-/// Multiplies a polynomial of the given degree by c_0 + c_1 t.
-fn multiply(polynomial: &mut [f64; MAX_ORDER + 1], linear: [f64; 2], degree: usize) {
-    for k in (0..=(degree + 1).min(MAX_ORDER)).rev() {
-        let below = if k > 0 { polynomial[k - 1] } else { 0.0 };
-        let own = if k <= degree { polynomial[k] } else { 0.0 };
-        polynomial[k] = own * linear[0] + below * linear[1];
+/// Adds h/(m + 1) ∫ U^a V^b/R dt, m = a + b, of one edge.
+#[inline(always)]
+fn add_moments<S: Simd, const W: usize>(
+    h: Lanes<S>,
+    linear: [[Lanes<S>; 2]; 2],
+    integrals: &[Lanes<S>; W],
+    moments: &mut [Lanes<S>; MAX_TERMS],
+) {
+    let mut by_u = [h; W];
+    let mut term = 0;
+    for a in 0..W {
+        let mut polynomial = by_u;
+        for b in 0..W - a {
+            let degree = a + b;
+            let mut sum = polynomial[0] * integrals[0];
+            for k in 1..=degree {
+                sum = polynomial[k].times_plus(integrals[k], sum);
+            }
+            let weight = Lanes::of(h.0, 1.0 / (degree as f64 + 1.0));
+            moments[term] = weight.times_plus(sum, moments[term]);
+            term += 1;
+            multiply(&mut polynomial, linear[1], degree);
+        }
+        multiply(&mut by_u, linear[0], a);
+    }
+}
+
+/// Multiplies a polynomial of the given degree by c_0 + c_1 t, up to the length of the array.
+#[inline(always)]
+fn multiply<S: Simd, const W: usize>(
+    polynomial: &mut [Lanes<S>; W],
+    linear: [Lanes<S>; 2],
+    degree: usize,
+) {
+    if degree + 1 < W {
+        polynomial[degree + 1] = polynomial[degree] * linear[1];
+        for k in (1..=degree).rev() {
+            polynomial[k] = polynomial[k].times_plus(linear[0], polynomial[k - 1] * linear[1]);
+        }
+        polynomial[0] = polynomial[0] * linear[0];
+    }
+}
+
+/// Moments of ξ^a η^b from those of U^a V^b: ξ^a = ξ^(a−1) (U + ξ_x), power by power.
+#[inline(always)]
+fn shift<S: Simd, const W: usize>(moments: &mut [Lanes<S>; MAX_TERMS], xi: [Lanes<S>; 2]) {
+    // Place of (a, b) among the terms: rows of falling length.
+    let place = |a: usize, b: usize| a * (2 * W + 1 - a) / 2 + b;
+    for b in 0..W {
+        for pass in 1..W - b {
+            for a in (pass..W - b).rev() {
+                moments[place(a, b)] =
+                    xi[0].times_plus(moments[place(a - 1, b)], moments[place(a, b)]);
+            }
+        }
+    }
+    for a in 0..W {
+        for pass in 1..W - a {
+            for b in (pass..W - a).rev() {
+                moments[place(a, b)] =
+                    xi[1].times_plus(moments[place(a, b - 1)], moments[place(a, b)]);
+            }
+        }
     }
 }
 

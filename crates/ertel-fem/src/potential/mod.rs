@@ -9,10 +9,12 @@ mod expansion;
 mod far;
 pub mod integrals;
 mod kernel;
+mod lanes;
 mod near;
+mod near_blocks;
 mod tree;
 
-use crate::linear::dense::Real;
+use crate::linear::dense::{Real, add_product, vectorised};
 use crate::mesh::SimplexMesh;
 use crate::quadrature::Quadrature;
 use crate::space::{Affine, Space};
@@ -100,10 +102,16 @@ fn mixed_dot<S: Number, T: Number>(a: &[S], b: &[T]) -> T {
             sums[l] += convert(x[l]) * y[l];
         }
     }
-    let mut sum = T::default();
-    for s in sums {
-        sum += s;
+    // Halves onto halves: vectors, where one by one would wait for each addition.
+    let mut half = L / 2;
+    while half > 0 {
+        for l in 0..half {
+            let other = sums[l + half];
+            sums[l] += other;
+        }
+        half /= 2;
     }
+    let mut sum = sums[0];
     for (x, y) in rest {
         sum += convert(*x) * *y;
     }
@@ -221,18 +229,6 @@ impl<'a> Sources<'a> {
         &self.table[q * n..(q + 1) * n]
     }
 
-    /// Shape functions times weights at some Gauss points of an element, shape function by shape function.
-    fn weighted_shapes(&self, element: usize, points: &[usize]) -> Vec<f64> {
-        let n = self.space.element.n_nodes();
-        (0..n)
-            .flat_map(|j| {
-                points
-                    .iter()
-                    .map(move |q| self.weight(element, *q) * self.shapes(*q)[j])
-            })
-            .collect()
-    }
-
     /// What takes nodal densities to moments of the leaves.
     fn ends(&self, tree: &Tree, basis: &Basis) -> Ends<f64> {
         use rayon::prelude::*;
@@ -258,21 +254,24 @@ impl<'a> Sources<'a> {
                 nodes.dedup();
                 let (centre, half) = tree.frame(c);
                 let mut columns = vec![0.0; nodes.len() * basis.len()];
-                let mut values = vec![0.0; basis.len()];
-                for s in own {
-                    let (e, q) = (element(s), *s as usize % per_element);
-                    let y = self.points[*s as usize];
-                    basis.values(
-                        [0, 1].map(|a: usize| (y[a] - centre[a]) / half),
-                        &mut values,
-                    );
-                    let weight = self.weight(e, q);
-                    for (node, shape) in self.space.nodes_of(e).iter().zip(self.shapes(q)) {
+                let (mut values, mut weights) = (Vec::new(), Vec::new());
+                for own in own.chunk_by(|s, t| element(s) == element(t)) {
+                    let e = element(&own[0]);
+                    values.resize(own.len() * basis.len(), 0.0);
+                    for (s, values) in own.iter().zip(values.chunks_exact_mut(basis.len())) {
+                        let y = self.points[*s as usize];
+                        let y = [0, 1].map(|a: usize| (y[a] - centre[a]) / half);
+                        basis.values(y, values);
+                    }
+                    for (j, node) in self.space.nodes_of(e).iter().enumerate() {
                         let at = nodes.binary_search(node).expect("listed above") * basis.len();
-                        let w = weight * shape;
-                        for (c, v) in columns[at..at + basis.len()].iter_mut().zip(&values) {
-                            *c += w * v;
-                        }
+                        let column = &mut columns[at..at + basis.len()];
+                        weights.clear();
+                        weights.extend(own.iter().map(|s| {
+                            let q = *s as usize % per_element;
+                            self.weight(e, q) * self.shapes(q)[j]
+                        }));
+                        vectorised(|| add_product(&values, &weights, column));
                     }
                 }
                 (nodes, columns)
@@ -353,7 +352,7 @@ impl Potential {
         let backward = reversed(&forward);
         let basis = Basis::new(mesh.dim, degrees[0]);
         let few = Basis::new(mesh.dim, degrees[1]).len();
-        let across = basis.all_coefficients(kernel);
+        let across = basis.shared_coefficients(kernel);
         let ends = [
             sources.ends(&tree, &basis),
             target_ends(&tree, targets, &basis),

@@ -132,11 +132,15 @@ impl Tree {
         let quadrant =
             |p: [f64; 2]| usize::from(p[0] > centre[0]) + 2 * usize::from(p[1] > centre[1]);
         let by_quadrant = |order: &mut [u32], points: &[[f64; 2]], start: usize| -> [usize; 5] {
-            order.sort_by_key(|i| quadrant(points[*i as usize]));
+            // Stable: points of an element stay together.
+            let mut parts: [Vec<u32>; 4] = Default::default();
+            for i in order.iter() {
+                parts[quadrant(points[*i as usize])].push(*i);
+            }
             let mut bounds = [start; 5];
-            for q in 0..4 {
-                let below = |i: &u32| quadrant(points[*i as usize]) <= q;
-                bounds[q + 1] = start + order.partition_point(below);
+            for (q, part) in parts.iter().enumerate() {
+                bounds[q + 1] = bounds[q] + part.len();
+                order[bounds[q] - start..bounds[q + 1] - start].copy_from_slice(part);
             }
             bounds
         };

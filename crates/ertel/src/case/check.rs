@@ -5,6 +5,7 @@ use ertel_rheology::input::{Bounds, InputError, Table};
 use super::Case;
 use crate::contact::{Contact, ContactKind, Hertz};
 use crate::output::{digits, length, pressure};
+use crate::params::ElasticModel;
 
 /// Hertz pressures of lubricated contacts, Pa.
 pub(super) const HERTZ_PRESSURE: Bounds = Bounds::closed(MIN_PRESSURE, MAX_PRESSURE);
@@ -76,6 +77,55 @@ pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<String> {
         ));
     }
     warnings
+}
+
+/// Keys of `[mesh]` that describe a finite-element body.
+const BODY_KEYS: [&str; 3] = ["depth_growth", "body_width", "body_depth"];
+/// Highest Lagrange order of the displacement in such a body.
+const HIGHEST_ORDER_OF_BODIES: usize = 2;
+
+/// Checks `[mesh]` against how the bodies are computed; returns what the user should know.
+///
+/// # Errors
+/// An order of the displacement that finite-element bodies do not have.
+pub(crate) fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<String>, InputError> {
+    let order = case.mesh.elastic_order;
+    if case.elastic_model() != ElasticModel::HalfSpace {
+        return match order {
+            Some(order) if order > HIGHEST_ORDER_OF_BODIES => Err(table
+                .error(
+                    "elastic_order",
+                    format!(
+                        "`elastic_order` is {order}, but displacements of finite-element bodies have the order 1 or \
+                         {HIGHEST_ORDER_OF_BODIES}"
+                    ),
+                )
+                .with_help("half-spaces (`elasticity = \"half-space\"` in [solver]) take up to 5")),
+            _ => Ok(Vec::new()),
+        };
+    }
+    let mut warnings = Vec::new();
+    let mut keys = table.clone();
+    let given: Vec<String> = (BODY_KEYS.into_iter())
+        .filter(|key| keys.contains(key))
+        .map(|key| format!("mesh.{key}"))
+        .collect();
+    if !given.is_empty() {
+        warnings.push(format!(
+            "the bodies are half-spaces, on which {} {} no effect: solver.elasticity = \"equivalent\" makes {} count",
+            given.join(", "),
+            if given.len() == 1 { "has" } else { "have" },
+            if given.len() == 1 { "it" } else { "them" },
+        ));
+    }
+    let pressure = case.mesh.pressure_order;
+    if let Some(order) = order.filter(|order| *order < pressure) {
+        warnings.push(format!(
+            "mesh.elastic_order = {order} is below mesh.pressure_order = {pressure}: deflections of half-spaces \
+             have the order of the pressure"
+        ));
+    }
+    Ok(warnings)
 }
 
 /// Four significant digits, rounded up or down so that the number itself still fits.

@@ -49,6 +49,7 @@ use crate::params::{
 
 use bodies::Bodies;
 pub use bodies::Body;
+pub(crate) use check::mesh_of_bodies as check_mesh_of_bodies;
 pub use curve::Curve;
 pub use lubricant::Lubricant;
 pub(crate) use params::{read_mesh, read_solver};
@@ -140,12 +141,13 @@ impl Case {
         let heat = thermal.is_some() && !solver.isothermal;
         let (lubricant, range_warnings) =
             lubricant::read(&mut root, Files::Folder(folder), hertz.pressure, heat)?;
-        let mesh = match root.optional_table("mesh")? {
+        let mesh_table = root.optional_table("mesh")?;
+        let mesh = match mesh_table.clone() {
             Some(table) => params::read_mesh(table, contact.kind, solver.error_estimate)?,
             None => params::default_mesh(contact.kind, solver.error_estimate),
         };
         let output = match root.optional_table("output")? {
-            Some(table) => params::read_output(table)?,
+            Some(table) => params::read_output(table, &solver)?,
             None => OutputParams::default(),
         };
         root.contains("curve");
@@ -171,6 +173,9 @@ impl Case {
         };
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);
+        if let Some(table) = &mesh_table {
+            case.warnings.extend(check_mesh_of_bodies(&case, table)?);
+        }
         if let Some(table) = &thermal_table {
             case.warnings.extend(thermal::check(&case, table)?);
         }

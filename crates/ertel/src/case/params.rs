@@ -193,6 +193,26 @@ pub(super) fn order(
     Ok(order.and_then(|order| usize::try_from(order).ok()))
 }
 
+/// Refuses what only a finite-element body can give in a case that asks for half-spaces; `wish` stands at `key`.
+fn needs_body(
+    table: &Table<'_>,
+    solver: &SolverParams,
+    key: &str,
+    wish: &str,
+) -> Result<(), InputError> {
+    if solver.elasticity != Some(ElasticModel::HalfSpace) {
+        return Ok(());
+    }
+    Err(table
+        .error(
+            key,
+            format!("{wish} needs a finite-element body, but solver.elasticity is \"half-space\""),
+        )
+        .with_help(format!(
+            "write `elasticity = \"equivalent\"` in [solver], or remove {wish}"
+        )))
+}
+
 /// Rounding keeps the residual from falling below this.
 const MIN_TOLERANCE: f64 = 1e-11;
 
@@ -249,6 +269,9 @@ pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
         ],
     )?;
     set(&mut solver.linear, linear);
+    if solver.linear == LinearSolver::Monolithic {
+        needs_body(&table, &solver, "linear", "`linear = \"monolithic\"`")?;
+    }
     set(
         &mut solver.tolerance,
         table.optional_number("tolerance", Bounds::closed(MIN_TOLERANCE, 1e-2))?,
@@ -268,7 +291,10 @@ pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
     Ok(solver)
 }
 
-pub(super) fn read_output(mut table: Table<'_>) -> Result<OutputParams, InputError> {
+pub(super) fn read_output(
+    mut table: Table<'_>,
+    solver: &SolverParams,
+) -> Result<OutputParams, InputError> {
     let mut output = OutputParams::default();
     if let Some(folder) = table.optional_str("folder")? {
         if folder.trim().is_empty() {
@@ -278,6 +304,9 @@ pub(super) fn read_output(mut table: Table<'_>) -> Result<OutputParams, InputErr
     }
     set(&mut output.png, table.optional_bool("png")?);
     set(&mut output.body_field, table.optional_bool("body_field")?);
+    if output.body_field {
+        needs_body(&table, solver, "body_field", "`body_field = true`")?;
+    }
     table.finish()?;
     Ok(output)
 }

@@ -328,3 +328,90 @@ fn temperatures_and_line_loads_vary_in_their_units() {
         .collect();
     assert_eq!(temperatures, [293.15, 313.15, 333.15]);
 }
+
+/// What only a body can give is refused where the case names half-spaces, and asks for a body where it names nothing.
+#[test]
+fn half_spaces_have_no_inside() {
+    for (lines, line) in [
+        (
+            "[solver]\nelasticity = \"half-space\"\nlinear = \"monolithic\"\n",
+            19,
+        ),
+        (
+            "[output]\nbody_field = true\n[solver]\nelasticity = \"half-space\"\n",
+            18,
+        ),
+    ] {
+        let error = read(&format!("{STEEL}{lines}")).unwrap_err();
+        assert_eq!(error.line(), Some(line), "{error}");
+        assert!(error.message().contains("finite-element body"), "{error}");
+        assert!(
+            error.help()[0].contains("elasticity = \"equivalent\""),
+            "{error}"
+        );
+        let unnamed = lines.replace("elasticity = \"half-space\"\n", "");
+        let case = read(&format!("{STEEL}{unnamed}")).unwrap();
+        assert_eq!(case.elastic_model(), ElasticModel::Equivalent);
+    }
+    assert_eq!(
+        read(STEEL).unwrap().elastic_model(),
+        ElasticModel::HalfSpace
+    );
+}
+
+/// Files from before half-spaces run, with a word about what they say of a body that is none.
+#[test]
+fn keys_of_a_body_are_idle_on_half_spaces() {
+    let idle = "[mesh]\nbody_width = 40\nbody_depth = 50\ndepth_growth = 0.4\nelastic_order = 2\n";
+    let warnings = read(&format!("{STEEL}{idle}")).unwrap().warnings;
+    let [keys, order] = &warnings[..] else {
+        panic!("{warnings:?}")
+    };
+    for words in [
+        "mesh.body_width",
+        "mesh.body_depth",
+        "mesh.depth_growth",
+        "no effect",
+        "solver.elasticity = \"equivalent\"",
+    ] {
+        assert!(keys.contains(words), "{keys}");
+    }
+    assert!(order.contains("the order of the pressure"), "{order}");
+    for quiet in [
+        format!("{STEEL}[solver]\nelasticity = \"equivalent\"\n{idle}"),
+        format!("{STEEL}[mesh]\nelastic_order = 3\n"),
+        STEEL.to_owned(),
+    ] {
+        let warnings = read(&quiet).unwrap().warnings;
+        assert!(warnings.is_empty(), "{warnings:?}");
+    }
+}
+
+/// Displacements of bodies are linear or quadratic; deflections of half-spaces may have any order.
+#[test]
+fn elastic_orders_of_bodies_are_one_or_two() {
+    for solver in ["elasticity = \"two-bodies\"", "linear = \"monolithic\""] {
+        let lines = |order| format!("{STEEL}[mesh]\nelastic_order = {order}\n[solver]\n{solver}\n");
+        let error = read(&lines(3)).unwrap_err();
+        assert_eq!(
+            (error.line(), error.key()),
+            (Some(18), "mesh.elastic_order")
+        );
+        read(&lines(2)).unwrap();
+    }
+    let half_space = read(&format!("{STEEL}[mesh]\nelastic_order = 5\n")).unwrap();
+    assert_eq!(half_space.mesh.elastic_order, Some(5));
+}
+
+/// The limit once counted displacements: numbers of that size are still taken.
+#[test]
+fn limits_of_unknowns_have_bounds() {
+    for n in [1_000, 80_000, 2_000_000] {
+        let case = read(&format!("{STEEL}[mesh]\nmax_unknowns = {n}\n")).unwrap();
+        assert_eq!(case.mesh.max_unknowns, Some(n));
+    }
+    for n in [999, 2_000_001] {
+        let error = message(read(&format!("{STEEL}[mesh]\nmax_unknowns = {n}\n")));
+        assert!(error.contains("from 1000 to 2000000"), "{error}");
+    }
+}

@@ -43,7 +43,7 @@ pub type DiscretisationError = FiniteBodyError;
 /// What the contact area is meshed with.
 enum Support {
     /// Nothing below it.
-    Surface(SurfaceMesh),
+    Surface(Box<SurfaceMesh>),
     /// A body below it, with its condensed answers.
     Body(Box<FiniteBody>, FiniteBodies),
 }
@@ -120,7 +120,7 @@ impl ContactSurface {
                     y_side: extents.side,
                 };
                 let size = |x: [f64; 2]| size_at(kind, extents, sizes, [x[0], x[1], 0.0]);
-                Mesh::Surface(surface_mesh(&params, &size)?)
+                Mesh::Surface(Box::new(surface_mesh(&params, &size)?))
             }
             BodyModel::FiniteElements => {
                 let params = body_params(kind, extents);
@@ -152,7 +152,7 @@ impl ContactSurface {
             })
             .collect();
         let mesh = match &self.support {
-            Support::Surface(surface) => Mesh::Surface(surface.refined(&sizes)?),
+            Support::Surface(surface) => Mesh::Surface(Box::new(surface.refined(&sizes)?)),
             Support::Body(body, _) => Mesh::Body(Box::new(body.refined(&sizes)?)),
         };
         let seconds = start.elapsed().as_secs_f64();
@@ -263,7 +263,7 @@ impl ContactSurface {
 
 /// A mesh before its bodies answer.
 enum Mesh {
-    Surface(SurfaceMesh),
+    Surface(Box<SurfaceMesh>),
     Body(Box<FiniteBody>),
 }
 

@@ -50,7 +50,7 @@ use ertel_rheology::quantity::Dimension;
 use super::check::Subject;
 use super::read_picture::read_picture;
 use super::{Accept, Check, Quantity, Reference, Run, Study, Task};
-use crate::case::{Case, read_mesh, read_solver, read_thermal};
+use crate::case::{Case, check_mesh_of_bodies, read_mesh, read_solver, read_thermal};
 use crate::contact::ContactKind;
 use crate::params::{MeshParams, MeshPreset};
 use crate::reference::FilmFormula;
@@ -151,9 +151,10 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<Run, InputError> {
         let thermal = read_thermal(thermal, case.contact.kind)?;
         change(&mut case, |case| case.thermal = Some(thermal.clone()));
     }
-    let mesh = if let Some(mesh) = table.optional_table("mesh")? {
+    let mesh_table = table.optional_table("mesh")?;
+    let mesh = if let Some(mesh) = &mesh_table {
         Some(read_mesh(
-            mesh,
+            mesh.clone(),
             case.contact.kind,
             case.solver.error_estimate,
         )?)
@@ -167,6 +168,9 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<Run, InputError> {
         change(&mut case, |case| case.mesh = mesh.clone());
     }
     case.output.body_field = false;
+    if let Some(table) = &mesh_table {
+        case.warnings.extend(check_mesh_of_bodies(&case, table)?);
+    }
     let iterations = table.optional_integer("newton_iterations", 1..=10_000)?;
     let run = Run {
         name,

@@ -1,9 +1,13 @@
-//! Cases that several verifications share.
+//! Cases, bodies and meshes that several verifications share.
 #![allow(dead_code)]
+
+use std::f64::consts::PI;
 
 use ertel::case::{Body, Case, Lubricant};
 use ertel::contact::{Contact, ContactKind, Elasticity, Hertz, Motion, reduced_modulus};
+use ertel::elastic::BodyConstants;
 use ertel::params::{MeshParams, MeshPreset, OutputParams, SolverParams, ThermalParams};
+use ertel::solve::discretisation::LevelSizes;
 use ertel_rheology::density::{DowsonHigginson, ThermalExpansion};
 use ertel_rheology::viscosity::Cheng;
 use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, ViscosityLaw};
@@ -123,4 +127,43 @@ pub fn noise(n: usize, seed: u64) -> Vec<f64> {
             (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
         })
         .collect()
+}
+
+/// Bodies whose reduced modulus E'/(R p_h/a) is that of a contact in Hertz's scales: π (circular),
+/// 4 (line); 2/E' = Σ (1 − ν²)/E, shared equally.
+pub fn hertz_bodies(kind: ContactKind, poissons_ratios: &[f64]) -> Vec<BodyConstants> {
+    let reduced = match kind {
+        ContactKind::Circular => PI,
+        ContactKind::Line => 4.0,
+    };
+    (poissons_ratios.iter())
+        .map(|nu| {
+            let modulus = 0.5 * reduced * (1.0 - nu * nu) * poissons_ratios.len() as f64;
+            (modulus, *nu)
+        })
+        .collect()
+}
+
+/// Cells of one size on the contact area, which grow into the body.
+pub fn uniform(size: f64) -> LevelSizes {
+    LevelSizes {
+        hertz: size,
+        constriction: size,
+        rim: size,
+        rim_width: 0.0,
+        edge: size,
+        growth: 1.0,
+        depth_growth: 1.0,
+    }
+}
+
+/// Largest difference of two lists over the largest value of the second.
+pub fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let scale = b.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+    let off = a
+        .iter()
+        .zip(b)
+        .fold(0.0, |m: f64, (x, y)| m.max((x - y).abs()));
+    off / scale
 }
