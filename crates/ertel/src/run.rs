@@ -78,7 +78,7 @@ pub fn problem(case: &Case) -> Problem {
     }
     Problem {
         kind: contact.kind,
-        extents: extents(contact.kind, &case.mesh, start_film),
+        extents: extents(contact.kind, case.elastic_model(), &case.mesh, start_film),
         stages: stages(
             &case.mesh,
             start_film,
@@ -406,7 +406,7 @@ fn flooded(film: f64) -> f64 {
 
 /// Contact area: the thesis's where the film is thin; longer where a thick film builds up further
 /// out. The body grows with it.
-fn extents(kind: ContactKind, mesh: &MeshParams, film: f64) -> Extents {
+fn extents(kind: ContactKind, model: ElasticModel, mesh: &MeshParams, film: f64) -> Extents {
     let gap = |x: f64| {
         0.5 * x * x + hertz::deflection_profile(kind, x)
             - hertz::deflection_profile(kind, 1.0)
@@ -416,6 +416,10 @@ fn extents(kind: ContactKind, mesh: &MeshParams, film: f64) -> Extents {
     let target = flooded(film) * film;
     while gap(reach) < target {
         reach = (1.05 * reach).ceil_half();
+    }
+    if model == ElasticModel::HalfSpace {
+        // Cells far from the contact are few, and no body grows with it: what the edges do to the films falls with the cube.
+        reach *= 2.0;
     }
     let inlet = mesh.inlet.unwrap_or(-reach);
     let outlet = mesh

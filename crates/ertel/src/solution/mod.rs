@@ -145,11 +145,26 @@ pub struct LevelStats {
     /// largest pressure.
     #[serde(flatten)]
     pub figures: Figures,
-    /// Estimated relative errors of central and minimum film, uncalibrated; `None` where none was made.
+    /// Estimated errors, uncalibrated; `None` where none were.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub estimate: Option<[f64; 2]>,
+    pub estimate: Option<ErrorEstimate>,
     /// Wall seconds: mesh, elastic operator, assembly, preconditioner, Krylov, error estimate, the rest.
     pub seconds: Timings,
+}
+
+/// Estimated errors on one mesh, uncalibrated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct ErrorEstimate {
+    /// Relative errors of central and minimum film from the cells.
+    pub films: [f64; 2],
+    /// The same from the edges of the contact area.
+    pub edges: [f64; 2],
+    /// Root-mean-square error of the pressure over the dry contact, over p_h.
+    pub pressure: f64,
+    /// Root-mean-square error of the pressure in the cells around its largest value, Pa.
+    pub largest: f64,
+    /// The same around the spike on the centreline, Pa; zero without one.
+    pub spike: f64,
 }
 
 /// Wall-clock split of the work, s.

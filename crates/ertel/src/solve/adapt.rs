@@ -72,6 +72,10 @@ const CALIBRATION: (f64, f64) = (0.75, 4.0);
 /// The factor where there is no mesh to calibrate by.
 const UNCALIBRATED: f64 = 1.5;
 
+/// Error bar over the estimate of what the edges of the contact area do: that is within a tenth (ball on disc, edges at 2 to 9
+/// half-widths).
+const SAFETY_OF_EDGES: f64 = 1.25;
+
 /// Share of the difference from the mesh before that is the least bar.
 const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.2;
 
@@ -102,7 +106,8 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
     let gone = comparable.map_or([0.0; 2], difference);
     let own = match (fine.estimate, coarse) {
         (Some(e), _) => {
-            let before = comparable.and_then(|c| c.estimate).unwrap_or(e);
+            let before = comparable.and_then(|c| c.estimate).unwrap_or(e).films;
+            let e = e.films;
             [0, 1].map(|j: usize| {
                 let theta = if before[j] > e[j] {
                     gone[j] / (before[j] - e[j])
@@ -116,10 +121,10 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
         (None, None) => return None,
     };
     let estimated = [0, 1].map(|j: usize| own[j].max(0.5 * own[1 - j]));
+    let edges = fine.estimate.map_or([0.0; 2], |e| e.edges);
     let bars = [0, 1].map(|j: usize| {
-        estimated[j]
-            .hypot(grading[j])
-            .max(LEAST_SHARE_OF_DIFFERENCE * gone[j])
+        let cells = estimated[j].hypot(grading[j]);
+        cells.max(LEAST_SHARE_OF_DIFFERENCE * gone[j]) + SAFETY_OF_EDGES * edges[j]
     });
     Some(ErrorBars { bars, estimated })
 }

@@ -1,13 +1,30 @@
 //! Error bars of all figures, from those of the films and from the meshes of a solve.
 
-use crate::solution::{Bar, Bars, Estimate, Figure, LevelStats, Measured};
+use crate::solution::{Bar, Bars, Estimate, Figure, LevelStats, Measured, Reading};
 
-/// Error bar over the difference of two meshes. To be calibrated: now that of a film without another estimate.
-const SAFETY: f64 = 3.0;
+/// Error bar over the difference of two meshes.
+const SAFETY: f64 = 2.0;
 
 /// Least error bar of a figure, relative to its size, over the larger relative bar of the films: differences can vanish
-/// by chance. To be calibrated.
+/// by chance.
 const SHARE_OF_FILM_BAR: f64 = 1.0;
+
+/// The same over the root-mean-square error of the pressure, for what is integrated over the contact.
+const SHARE_OF_PRESSURE: f64 = 0.1;
+
+/// Least error bar of a pressure over the root-mean-square error of the cells around it.
+const SHARE_OF_LOCAL: f64 = 1.5;
+
+/// Least relative error bar of the largest shear stress over the relative one of the largest pressure: viscosity goes with the
+/// exponential of the pressure.
+const SHARE_OF_PRESSURE_MAXIMUM: f64 = 5.0;
+
+/// Least relative error bar of the traction at the walls over what the edges of the contact area do to the films: half of
+/// what the flow drags along in rolling it drags outside of the dry contact.
+const SHARE_OF_EDGES: f64 = 60.0;
+
+/// Factor on least error bars where there is no other mesh.
+const ALONE: f64 = 3.0;
 
 /// The mesh of the solution, and the one that tells its errors.
 #[derive(Clone, Copy, Debug)]
@@ -33,37 +50,37 @@ pub fn compared(levels: &[LevelStats]) -> Option<Compared<'_>> {
 }
 
 /// Error bars of the figures of a solve: of both films their own, `film_bars`, relative; of each other figure
-/// `SAFETY` times its difference from mesh to mesh, but not less than `SHARE_OF_FILM_BAR` of the larger relative bar
-/// of the films, times its size. Places likewise, by their distance.
+/// `SAFETY` times its difference from mesh to mesh, but not less than what the errors of films and pressure come to. Places by the
+/// distance of those of two meshes.
 ///
-/// There is no bar where only one of the meshes has the figure, such as a spike, and none at all where the films have
-/// none.
+/// There is no bar at all where the films have none.
 pub fn bars(levels: &[LevelStats], film_bars: Option<[f64; 2]>) -> Option<Bars> {
     let film_bars = film_bars?;
     let Compared { fine, coarse } = compared(levels)?;
     // Stages that only lead to others solve other equations.
     let coarse = coarse.filter(|level| !level.role.leads());
-    let floor = SHARE_OF_FILM_BAR * film_bars[0].max(film_bars[1]);
+    let film = SHARE_OF_FILM_BAR * film_bars[0].max(film_bars[1]);
     let mut bars = Bars::default();
     for figure in Figure::ALL {
         let Some(here) = fine.figures.get(figure) else {
             continue;
         };
         let there = coarse.and_then(|level| level.figures.get(figure));
-        let of_value = match figure {
-            Figure::FilmCentral => Some(film_bars[0] * here.size),
-            Figure::FilmMinimum => Some(film_bars[1] * here.size),
-            _ => there.map(|there| {
-                let difference = (here.value - there.value).abs();
-                (SAFETY * difference).max(floor * here.size)
+        let alone = if there.is_some() { 1.0 } else { ALONE };
+        let least = alone * least_bar(figure, fine, film);
+        let value = match figure {
+            Figure::FilmCentral => film_bars[0] * here.size,
+            Figure::FilmMinimum => film_bars[1] * here.size,
+            _ => there.map_or(least, |there| {
+                (SAFETY * (here.value - there.value).abs()).max(least)
             }),
         };
         let place = here.place.zip(there.and_then(|there| there.place));
         let of_place = place.map(|([x, y], [x_there, y_there])| {
             let distance = (x - x_there).hypot(y - y_there);
-            (SAFETY * distance).max(floor * x.hypot(y))
+            (SAFETY * distance).max(film * x.hypot(y))
         });
-        if let Some(value) = of_value {
+        if value.is_finite() {
             bars.set(
                 figure,
                 Bar {
@@ -74,6 +91,29 @@ pub fn bars(levels: &[LevelStats], film_bars: Option<[f64; 2]>) -> Option<Bars> 
         }
     }
     Some(bars)
+}
+
+/// What the errors of films (relative) and pressure on a mesh come to in a figure.
+fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
+    let size = |figure| level.figures.get(figure).map_or(0.0, |f: Reading| f.size);
+    let estimate = level.estimate.unwrap_or_default();
+    let local = |figure, error: f64| (film * size(figure)).hypot(SHARE_OF_LOCAL * error);
+    let largest = local(Figure::PressureMaximum, estimate.largest);
+    match figure {
+        Figure::PressureMaximum => largest,
+        Figure::Spike => local(Figure::Spike, estimate.spike),
+        Figure::ShearStressMaximum => {
+            let relative = largest / size(Figure::PressureMaximum);
+            SHARE_OF_PRESSURE_MAXIMUM * relative * size(figure)
+        }
+        Figure::FilmCentrelineMinimum | Figure::OutletPosition => film * size(figure),
+        Figure::TractionCoefficientPlane | Figure::TractionCoefficientBall => {
+            let edges = estimate.edges[0].max(estimate.edges[1]);
+            let integral = film + SHARE_OF_PRESSURE * estimate.pressure;
+            (integral + SHARE_OF_EDGES * edges) * size(figure)
+        }
+        _ => (film + SHARE_OF_PRESSURE * estimate.pressure) * size(figure),
+    }
 }
 
 /// 1 − with/without of a figure that two stages on one mesh have: what shear thinning or heat does.
@@ -107,7 +147,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::solution::{Figures, Reading};
+    use crate::solution::Figures;
     use crate::solve::sequence::Role;
 
     /// A converged stage on a mesh of `n` cells.

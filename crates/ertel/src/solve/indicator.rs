@@ -28,6 +28,7 @@ use super::newton::FilmModel;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
 use crate::contact::ContactKind;
+use crate::solution::ErrorEstimate;
 use crate::film::cross_film::CrossFilm;
 
 /// Estimated shares of the error in each element, relative to the film.
@@ -40,6 +41,8 @@ pub struct Indicator {
     pub edges: [f64; 2],
     /// Of the mean square error of the pressure over the dry contact, in p_h².
     pub pressure: Vec<f64>,
+    /// Root mean square error of the pressure in each element, in p_h.
+    local: Vec<f64>,
 }
 
 impl Indicator {
@@ -48,11 +51,41 @@ impl Indicator {
         [self.central.iter().sum(), self.minimum.iter().sum()]
     }
 
+    /// Estimated errors, those of the pressure around a place (in half-widths) in units of `scale`, Pa.
+    pub fn estimate(&self, d: &Discretisation, places: [Option<[f64; 2]>; 2], scale: f64) -> ErrorEstimate {
+        let [largest, spike] = places.map(|place| place.map_or(0.0, |p| scale * self.around(d, p)));
+        ErrorEstimate {
+            films: self.totals(),
+            edges: self.edges,
+            pressure: self.pressure_error(),
+            largest,
+            spike,
+        }
+    }
+
+    /// Largest error of the pressure in the elements around a place, in p_h.
+    fn around(&self, d: &Discretisation, place: [f64; 2]) -> f64 {
+        let contact = &d.contact;
+        let Some((found, _)) = contact.locator.find(&contact.surface, place) else {
+            return 0.0;
+        };
+        let reach = AROUND * contact.sizes[found];
+        let is_near = |c: &usize| {
+            let vertices = contact.surface.cell(*c).iter();
+            let points = vertices.map(|v| contact.surface.vertices[*v as usize]);
+            points.fold(f64::INFINITY, |m, p| m.min((p[0] - place[0]).hypot(p[1] - place[1]))) < reach
+        };
+        (0..contact.n_elements()).filter(is_near).map(|c| self.local[c]).fold(self.local[found], f64::max)
+    }
+
     /// Estimated root-mean-square error of the pressure over the dry contact, in p_h.
     pub fn pressure_error(&self) -> f64 {
         self.pressure.iter().sum::<f64>().sqrt()
     }
 }
+
+/// Distance, in sizes of the element there, up to which elements are around a place.
+const AROUND: f64 = 1.5;
 
 /// Constants c_U and c_P of the estimate, measured on line and circular contacts.
 const ELASTIC: f64 = 8.0;
@@ -143,14 +176,16 @@ pub fn indicator(
         ContactKind::Line => 2.0,
     };
     let unresolved = unresolved(&d.pressure, &state.pressure);
-    let pressure: Vec<f64> = (d.contact.maps.iter().zip(&unresolved).zip(&system.missed))
-        .map(|((map, error), missed)| (map.determinant * reference * error * error + missed) / zone)
+    let squares: Vec<f64> = (d.contact.maps.iter().zip(&unresolved).zip(&system.missed))
+        .map(|((map, error), missed)| map.determinant * reference * error * error + missed)
         .collect();
+    let local = squares.iter().zip(&d.contact.maps);
     Ok(Indicator {
         central,
         minimum,
         edges: [0, 1].map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / films[j]),
-        pressure,
+        local: local.map(|(s, map)| (s / (map.determinant * reference)).sqrt()).collect(),
+        pressure: squares.iter().map(|s| s / zone).collect(),
     })
 }
 

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use super::{Problem, Role, Stage};
-use crate::solution::LevelStats;
+use crate::solution::{Figure, LevelStats};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::figures::{Extent, figures};
 use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled};
@@ -232,9 +232,15 @@ impl<'a> StageRun<'a> {
             krylov_iterations: effort.krylov_iterations,
             factorisations: effort.factorisations,
             figures: figures(problem, &self.model(1.0).fluid, d, state, extent),
-            estimate: indicator.map(Indicator::totals),
+            estimate: None,
             seconds: effort.seconds,
         };
+        let place = |figure| {
+            let place = stats.figures.get(figure)?.place?;
+            Some(place.map(|x| x / problem.scales.length))
+        };
+        let places = [place(Figure::PressureMaximum), place(Figure::Spike)];
+        stats.estimate = indicator.map(|i| i.estimate(d, places, problem.scales.pressure));
         stats.seconds.other = clock.elapsed().as_secs_f64() - stats.seconds.known();
         stats
     }
