@@ -107,15 +107,20 @@ impl Observer for LastLevel {
 /// order 1.
 #[test]
 fn newton_converges_quadratically() {
-    for (kind, linear, thins) in [
-        (ContactKind::Line, LinearSolver::Condensed, false),
-        (ContactKind::Line, LinearSolver::Monolithic, false),
-        (ContactKind::Circular, LinearSolver::Condensed, false),
-        (ContactKind::Circular, LinearSolver::Monolithic, false),
-        (ContactKind::Line, LinearSolver::Monolithic, true),
-        (ContactKind::Circular, LinearSolver::Monolithic, true),
+    use ElasticModel::{Equivalent, HalfSpace};
+    use LinearSolver::{Condensed, Monolithic};
+    for (kind, elasticity, linear, thins) in [
+        (ContactKind::Line, HalfSpace, Condensed, false),
+        (ContactKind::Line, Equivalent, Condensed, false),
+        (ContactKind::Line, Equivalent, Monolithic, false),
+        (ContactKind::Circular, HalfSpace, Condensed, false),
+        (ContactKind::Circular, Equivalent, Condensed, false),
+        (ContactKind::Circular, Equivalent, Monolithic, false),
+        (ContactKind::Line, Equivalent, Monolithic, true),
+        (ContactKind::Circular, Equivalent, Monolithic, true),
     ] {
-        let mut case = on_a_body(small_case(kind));
+        let mut case = small_case(kind);
+        case.solver.elasticity = Some(elasticity);
         if thins {
             case = thinned(case);
         }
@@ -132,7 +137,7 @@ fn newton_converges_quadratically() {
         };
         let order = (c / b).ln() / (b / a).ln();
         println!(
-            "{kind:?} {linear:?} thins: {thins}: {a:.1e} -> {b:.1e} -> {c:.1e}, order {order:.2}"
+            "{kind:?} {elasticity:?} {linear:?} thins: {thins}: {a:.1e} -> {b:.1e} -> {c:.1e}, order {order:.2}"
         );
         // Single steps scatter upward: an update can be small by chance.
         assert!(c < 1e-5 && order > 1.7, "{updates:?}");
@@ -218,6 +223,18 @@ fn results_do_not_depend_on_the_number_of_threads() {
             assert_eq!(effort(&a), effort(&b));
         }
     }
+}
+
+#[test]
+fn effort_on_half_spaces() {
+    pinned(
+        &common::case(ContactKind::Line, 3e5),
+        &[[5, 68, 2], [10, 162, 1], [5, 55, 1]],
+    );
+    pinned(
+        &common::case(ContactKind::Circular, 100.0),
+        &[[7, 96, 7], [5, 83, 4], [7, 106, 3]],
+    );
 }
 
 #[test]
