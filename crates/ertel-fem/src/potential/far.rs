@@ -5,13 +5,62 @@ use std::ops::Range;
 use rayon::prelude::*;
 
 use super::expansion::{Basis, offset_index};
-use super::tree::{Link, NONE, Tree};
+use super::tree::{self, NONE, Tree};
 use super::{Kernel, Number, mixed_dot};
 use crate::kernel as declare_kernel;
 use crate::linear::dense::{add_product, vectorised};
 
 /// Boxes that a thread takes at a time.
 const BATCH: usize = 16;
+
+/// Boxes whose links are sorted together: of those with one offset, four go through its matrix at once.
+const CROSS_BATCH: usize = 32;
+
+/// A link to one box of a batch.
+#[derive(Clone, Copy, Debug)]
+struct Link {
+    offset: [i8; 2],
+    image: bool,
+    /// Within the batch.
+    to: u32,
+    from: u32,
+}
+
+/// All links, batch of target boxes by batch, in each by offset.
+#[derive(Clone, Debug)]
+pub struct Links {
+    list: Vec<Link>,
+    batches: Vec<Range<usize>>,
+}
+
+impl Links {
+    /// From the links of every box.
+    pub fn new(by_box: &[Vec<tree::Link>]) -> Links {
+        let mut links = Links {
+            list: Vec::with_capacity(by_box.iter().map(Vec::len).sum()),
+            batches: Vec::new(),
+        };
+        for batch in by_box.chunks(CROSS_BATCH) {
+            let start = links.list.len();
+            for (to, own) in batch.iter().enumerate() {
+                links.list.extend(own.iter().map(|link| Link {
+                    offset: link.offset,
+                    image: link.image,
+                    to: to as u32,
+                    from: link.from,
+                }));
+            }
+            links.list[start..].sort_by_key(|link| link.offset);
+            links.batches.push(start..links.list.len());
+        }
+        links
+    }
+
+    /// Bytes that it takes.
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.list[..]) + size_of_val(&self.batches[..])
+    }
+}
 
 /// Numbers of a leaf that take values of a density (or of nodes) to its moments, column by column.
 #[derive(Clone, Debug, Default)]
@@ -124,7 +173,7 @@ impl<T: Number> FarField<T> {
     pub fn apply(
         &self,
         tree: &Tree,
-        links: &[Vec<Link>],
+        links: &Links,
         kernel: Kernel,
         direction: Direction,
         values: &[T],
@@ -153,7 +202,7 @@ impl<T: Number> FarField<T> {
                     });
                 });
         }
-        let mirrored: Vec<T> = match links.iter().flatten().any(|l| l.image) {
+        let mirrored: Vec<T> = match links.list.iter().any(|l| l.image) {
             true => (moments.chunks_exact(stride))
                 .flat_map(|m| m.iter().zip(&self.mirror).map(|(m, s)| *m * *s))
                 .collect(),
@@ -161,15 +210,16 @@ impl<T: Number> FarField<T> {
         };
         let mut local = vec![T::default(); n_cells * stride];
         local
-            .par_chunks_mut(BATCH * stride)
+            .par_chunks_mut(CROSS_BATCH * stride)
+            .zip(&links.batches)
             .enumerate()
-            .for_each(|(batch, local)| {
+            .for_each(|(batch, (local, range))| {
                 vectorised(Cross {
                     far: self,
                     tree,
-                    links,
+                    links: &links.list[range.clone()],
                     kernel,
-                    first: BATCH * batch,
+                    first: CROSS_BATCH * batch,
                     moments: &moments,
                     mirrored: &mirrored,
                     local,
@@ -295,7 +345,7 @@ declare_kernel! {
     (
         far: &'a FarField<T>,
         tree: &'a Tree,
-        links: &'a [Vec<Link>],
+        links: &'a [Link],
         kernel: Kernel,
         first: usize,
         moments: &'a [T],
@@ -303,21 +353,66 @@ declare_kernel! {
         local: &'a mut [T],
     ) -> () {
         let (n, stride) = (far.n, far.stride);
-        for ((local, links), cell) in local.chunks_exact_mut(stride).zip(&links[first..]).zip(&tree.cells[first..]) {
-            let mut total = T::default();
-            for link in links {
-                let at = link.from as usize * stride;
-                let moments = if link.image { mirrored } else { moments };
-                let moments = &moments[at..at + n];
-                total += moments[0];
-                add_product(&far.across[offset_index(link.offset)], moments, local);
+        let of = |link: &Link| {
+            let at = link.from as usize * stride;
+            let moments = if link.image { mirrored } else { moments };
+            &moments[at..at + n]
+        };
+        let mut sums = [T::default(); CROSS_BATCH];
+        for links in links.chunk_by(|a, b| a.offset == b.offset) {
+            let matrix = &far.across[offset_index(links[0].offset)];
+            let fours = links.chunks_exact(4);
+            for link in fours.remainder() {
+                let at = link.to as usize * stride;
+                add_product(matrix, of(link), &mut local[at..at + stride]);
             }
+            for links in fours {
+                let x = [of(&links[0]), of(&links[1]), of(&links[2]), of(&links[3])];
+                let to = [links[0].to, links[1].to, links[2].to, links[3].to];
+                add_four_products(matrix, x, to, local, stride);
+            }
+            for link in links {
+                sums[link.to as usize] += of(link)[0];
+            }
+        }
+        for ((local, total), cell) in local.chunks_exact_mut(stride).zip(sums).zip(&tree.cells[first..]) {
             let (factor, constant) = kernel.scaled(tree.half_side(cell.level));
             let factor = T::from_f64(factor);
             for value in local.iter_mut() {
                 *value = *value * factor;
             }
             local[0] += T::from_f64(constant) * total;
+        }
+    }
+}
+
+/// Adds A x of four vectors to local expansions of four boxes, so that A is read once.
+#[inline(always)]
+fn add_four_products<T: Number>(
+    matrix: &[T],
+    x: [&[T]; 4],
+    to: [u32; 4],
+    local: &mut [T],
+    stride: usize,
+) {
+    const L: usize = 8;
+    let n = x[0].len();
+    let x = x.map(|x| &x[..n]);
+    for row in (0..stride).step_by(L) {
+        let mut sums = [[T::default(); L]; 4];
+        for (k, column) in matrix.chunks_exact(stride).enumerate().take(n) {
+            let column = &column[row..row + L];
+            for v in 0..4 {
+                for l in 0..L {
+                    sums[v][l] += column[l] * x[v][k];
+                }
+            }
+        }
+        for v in 0..4 {
+            let at = to[v] as usize * stride + row;
+            for (y, s) in local[at..at + L].iter_mut().zip(&sums[v]) {
+                *y += *s;
+            }
         }
     }
 }

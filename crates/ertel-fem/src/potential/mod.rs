@@ -20,7 +20,7 @@ use crate::quadrature::Quadrature;
 use crate::space::{Affine, Space};
 
 use expansion::Basis;
-use far::{Direction, Ends, FarField};
+use far::{Direction, Ends, FarField, Links};
 use integrals::ElementIntegrals;
 use near::NearField;
 use tree::{Link, Tree};
@@ -52,7 +52,7 @@ impl Default for PotentialParams {
         PotentialParams {
             surface_degrees: [10, 7],
             line_degrees: [20, 12],
-            elements_per_box: 8,
+            elements_per_box: 12,
         }
     }
 }
@@ -324,8 +324,8 @@ pub struct Potential {
     kernel: Kernel,
     n_nodes: usize,
     tree: Tree,
-    forward: Vec<Vec<Link>>,
-    backward: Vec<Vec<Link>>,
+    forward: Links,
+    backward: Links,
     full: FarField<f64>,
     krylov: FarField<f32>,
     near: Near,
@@ -371,16 +371,24 @@ impl Potential {
                     Near::Double(NearField::new(&sources, targets, &tree, &near, &integrals))
                 }
             },
-            forward,
-            backward,
+            forward: Links::new(&forward),
+            backward: Links::new(&backward),
             tree,
         }
     }
 
     /// Bytes that it takes, about.
     pub fn bytes(&self) -> usize {
-        let links: usize = self.forward.iter().map(Vec::len).sum();
-        self.near.bytes() + self.full.bytes() + self.krylov.bytes() + 2 * links * size_of::<Link>()
+        let links = self.forward.bytes() + self.backward.bytes();
+        self.near.bytes() + self.full.bytes() + self.krylov.bytes() + links
+    }
+
+    /// Entries of the near field.
+    pub fn near_entries(&self) -> usize {
+        match &self.near {
+            Near::Single(near) => near.entries(),
+            Near::Double(near) => near.entries(),
+        }
     }
 
     /// Potential at the targets of nodal densities.
@@ -459,5 +467,3 @@ fn reversed(links: &[Vec<Link>]) -> Vec<Vec<Link>> {
 
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
-mod timing;

@@ -72,6 +72,11 @@ impl<S: Number> NearField<S> {
             .sum()
     }
 
+    /// Number of entries.
+    pub fn entries(&self) -> usize {
+        self.blocks.iter().map(|b| b.values.len()).sum()
+    }
+
     /// Adds the near field of nodal densities to the sums at the targets, in the order of the tree.
     pub fn add<T: Number>(&self, density: &[T], sums: &mut [T]) {
         let mut rest = sums;

@@ -1,10 +1,8 @@
 //! Entries of the near field: closed forms and Gauss sums over the elements around the targets of a leaf.
 //!
 //! ```text
-//!   entry = ∫ N_j K  −  Σ_q w_q N_j K over points that expansions see    for elements within reach
-//!   entry = Σ_q w_q N_j K over the other points                          for elements beyond
+//!   entry = ∫ N_j K  −  Σ_q w_q N_j K over the points that expansions see
 //! ```
-//! Beyond reach both are the same up to the error of the Gauss sum, and the cheaper one is taken.
 
 use std::ops::Range;
 
@@ -18,16 +16,11 @@ use super::{Kernel, Number, Sources};
 
 /// Distance from an element, in its diameters, within which it is integrated in closed form.
 const REACH: f64 = 0.5;
-/// Gauss points in whose time an element is integrated in closed form, about.
-const CLOSED_FORM: usize = 14;
-
 /// An element near a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Around {
     element: u32,
     image: bool,
-    /// Whether the leaf is within reach of it.
-    beyond: bool,
 }
 
 /// Buffers of one task.
@@ -101,7 +94,6 @@ impl<'a> Builder<'a> {
                     around[leaf].push(Around {
                         element: element as u32,
                         image: *image,
-                        beyond: false,
                     });
                 });
             }
@@ -117,14 +109,12 @@ impl<'a> Builder<'a> {
                         around.push(Around {
                             element: last,
                             image: n.image,
-                            beyond: true,
                         });
                     }
                 }
             }
             around.sort_unstable();
-            // Of those twice in the list, the one within reach stands first.
-            around.dedup_by_key(|a| (a.element, a.image));
+            around.dedup();
         });
         around
     }
@@ -174,23 +164,14 @@ impl<'a> Builder<'a> {
             gauss.clear();
             let position = |q: usize| self.position[first + q];
             gauss.extend((0..per_element).filter(|q| !direct.has(position(*q), around.image)));
-            let expanded = gauss.len();
-            let by_points = around.beyond && per_element - expanded < CLOSED_FORM + expanded;
-            if by_points {
-                gauss.clear();
-                gauss.extend((0..per_element).filter(|q| direct.has(position(*q), around.image)));
-                entries.fill(0.0);
-            } else {
-                let vertices = sources.vertices(element);
-                self.integrals
-                    .at_all(vertices, [&points[0], y], work, entries);
-            }
+            let vertices = sources.vertices(element);
+            self.integrals
+                .at_all(vertices, [&points[0], y], work, entries);
             if !gauss.is_empty() {
                 Arch::new().dispatch(GaussSum {
                     sources,
                     element,
                     gauss,
-                    sign: if by_points { 1.0 } else { -1.0 },
                     points: [&points[0], y],
                     entries,
                 });
@@ -233,12 +214,11 @@ impl Direct {
     }
 }
 
-/// Adds ± Σ_q w_q N_j(y_q) K(|x − y_q|) over some Gauss points of an element, at many points x.
+/// Takes off Σ_q w_q N_j(y_q) K(|x − y_q|) over some Gauss points of an element, at many points x.
 struct GaussSum<'a> {
     sources: &'a Sources<'a>,
     element: usize,
     gauss: &'a [usize],
-    sign: f64,
     points: [&'a [f64]; 2],
     /// Shape function by shape function.
     entries: &'a mut [f64],
@@ -277,7 +257,7 @@ impl GaussSum<'_> {
             let mut sums = [Lanes::of(simd, 0.0); N];
             for q in self.gauss {
                 let y = self.sources.points[first + q];
-                let weight = self.sign * self.sources.weight(self.element, *q);
+                let weight = self.sources.weight(self.element, *q);
                 let (dx, dy) = (x[0] - Lanes::of(simd, y[0]), x[1] - Lanes::of(simd, y[1]));
                 let r = dx.times_plus(dx, dy * dy).sqrt();
                 let value = match self.sources.kernel {
@@ -296,7 +276,7 @@ impl GaussSum<'_> {
                 }
             }
             for j in 0..N {
-                entries[j * m + i] = (Lanes(simd, entries[j * m + i]) + sums[j]).1;
+                entries[j * m + i] = (Lanes(simd, entries[j * m + i]) - sums[j]).1;
             }
         }
     }
