@@ -191,7 +191,9 @@ impl From<SolveError> for Failure {
             SolveError::MissingHeatData(error) => {
                 Self::Argument(format!("{error}\n  = help: {}", error.advice()))
             }
-            SolveError::TooThin { help, .. } => Self::Argument(format!("{error}\n  = help: {help}")),
+            SolveError::TooThin { help, .. } => {
+                Self::Argument(format!("{error}\n  = help: {help}"))
+            }
             SolveError::Discretisation(error) => Self::Other(error.to_string()),
             SolveError::NotConverged { .. }
             | SolveError::NotCoupled { .. }

@@ -419,15 +419,18 @@ fn extents(kind: ContactKind, model: ElasticModel, mesh: &MeshParams, film: f64)
     }
     if model == ElasticModel::HalfSpace {
         // Cells far from the contact are few, and no body grows with it: what the edges do to the films falls with the cube.
-        reach *= 2.0;
+        reach *= 2.5;
     }
     let inlet = mesh.inlet.unwrap_or(-reach);
     let outlet = mesh
         .outlet
         .unwrap_or_else(|| 1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half()));
-    let side = mesh
-        .side
-        .unwrap_or_else(|| 3.0_f64.max((reach * 2.0 / 3.0).ceil_half()));
+    // A finite-element body grows with the contact area; half-spaces afford a wider one.
+    let wide = match model {
+        ElasticModel::HalfSpace => reach,
+        _ => reach * 2.0 / 3.0,
+    };
+    let side = mesh.side.unwrap_or_else(|| 3.0_f64.max(wide.ceil_half()));
     let widest = inlet.abs().max(outlet).max(side);
     Extents {
         inlet,

@@ -96,9 +96,17 @@ pub fn warnings(
     let stuck = levels.last().is_some_and(|l| {
         !l.converged && own.is_none_or(|s| s.n_contact_elements != l.n_contact_elements)
     });
-    for (name, figure) in [("central", summary.film_central), ("minimum", minimum)] {
+    let edges = own.and_then(|l| l.estimate).map_or([0.0; 2], |e| e.edges);
+    let figures = [("central", summary.film_central), ("minimum", minimum)];
+    for ((name, figure), edges) in figures.into_iter().zip(edges) {
         let relative = figure.error.unwrap_or(0.0) / figure.value;
         match target_error {
+            Some(target) if relative > target && edges > 0.5 * relative => warnings.push(format!(
+                "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error, because the edges of the \
+                 contact area are near: move them outward ([mesh] inlet{})",
+                100.0 * relative,
+                if kind == ContactKind::Circular { ", side" } else { "" }
+            )),
             Some(target) if relative > target => warnings.push(format!(
                 "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error: refinement \
                  ended at {}",

@@ -84,6 +84,8 @@ const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.2;
 pub struct ErrorBars {
     /// The bars.
     pub bars: [f64; 2],
+    /// What the cells contribute, bodies and free boundary included.
+    pub cells: [f64; 2],
     /// What the cells of the contact area contribute by estimate: refinement lowers it.
     pub estimated: [f64; 2],
 }
@@ -122,11 +124,16 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
     };
     let estimated = [0, 1].map(|j: usize| own[j].max(0.5 * own[1 - j]));
     let edges = fine.estimate.map_or([0.0; 2], |e| e.edges);
-    let bars = [0, 1].map(|j: usize| {
-        let cells = estimated[j].hypot(grading[j]);
-        cells.max(LEAST_SHARE_OF_DIFFERENCE * gone[j]) + SAFETY_OF_EDGES * edges[j]
+    let cells = [0, 1].map(|j: usize| {
+        let sum = estimated[j].hypot(grading[j]);
+        sum.max(LEAST_SHARE_OF_DIFFERENCE * gone[j])
     });
-    Some(ErrorBars { bars, estimated })
+    let bars = [0, 1].map(|j: usize| cells[j] + SAFETY_OF_EDGES * edges[j]);
+    Some(ErrorBars {
+        bars,
+        cells,
+        estimated,
+    })
 }
 
 /// What refinement is to bring down: shares of the elements that add up to an error, or to its square.
@@ -250,12 +257,11 @@ pub fn next_refinement(
     n_refinements: usize,
     indicator: &Indicator,
 ) -> Option<Vec<u32>> {
-    let ErrorBars { bars, estimated } = error_bars(levels, grading)?;
+    // What the edges do, no refinement mends.
+    let ErrorBars {
+        cells, estimated, ..
+    } = error_bars(levels, grading)?;
     let level = levels.last()?;
-    if std::env::var_os("DBG").is_some() {
-        eprintln!("DBG n {} pressure error {:.3e} target {:?} bars {:?} estimated {:?} totals {:?}", level.n_pressure_dofs, indicator.pressure_error(), params.pressure_target, bars, estimated, indicator.totals());
-        eprintln!("DBG edges {:?}", indicator.edges);
-    }
     let mut growth = params.max_unknowns as f64 / level.n_pressure_dofs as f64;
     if level.n_displacement_dofs > 0 {
         let body = params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64;
@@ -267,7 +273,7 @@ pub fn next_refinement(
     }
     let film = |j: usize, shares: &'_ [f64]| -> Option<f64> {
         let share = (GOAL * params.target / estimated[j]).min(LARGEST_GOAL);
-        (bars[j] > params.target).then(|| share * shares.iter().sum::<f64>())
+        (cells[j] > params.target).then(|| share * shares.iter().sum::<f64>())
     };
     let allowed = [film(0, &indicator.central), film(1, &indicator.minimum)];
     let lists = [&indicator.central, &indicator.minimum];
@@ -285,7 +291,9 @@ pub fn next_refinement(
         let sum: f64 = indicator.pressure.iter().sum();
         goals.push(Goal {
             shares: &indicator.pressure,
-            allowed: (PRESSURE_GOAL * target).powi(2).min(LARGEST_PRESSURE_GOAL * sum),
+            allowed: (PRESSURE_GOAL * target)
+                .powi(2)
+                .min(LARGEST_PRESSURE_GOAL * sum),
             left_by_halving: PRESSURE_LEFT,
         });
     }

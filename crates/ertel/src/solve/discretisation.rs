@@ -13,8 +13,8 @@ use ertel_fem::space::{Affine, Space};
 
 use super::heat::column::Column;
 use super::heat::space::HeatSpace;
-use super::sizes::size_at;
 pub use super::sizes::LevelSizes;
+use super::sizes::size_at;
 use crate::contact::ContactKind;
 use crate::elastic::cache::OperatorCache;
 use crate::elastic::{

@@ -28,8 +28,8 @@ use super::newton::FilmModel;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
 use crate::contact::ContactKind;
-use crate::solution::ErrorEstimate;
 use crate::film::cross_film::CrossFilm;
+use crate::solution::ErrorEstimate;
 
 /// Estimated shares of the error in each element, relative to the film.
 pub struct Indicator {
@@ -52,7 +52,12 @@ impl Indicator {
     }
 
     /// Estimated errors, those of the pressure around a place (in half-widths) in units of `scale`, Pa.
-    pub fn estimate(&self, d: &Discretisation, places: [Option<[f64; 2]>; 2], scale: f64) -> ErrorEstimate {
+    pub fn estimate(
+        &self,
+        d: &Discretisation,
+        places: [Option<[f64; 2]>; 2],
+        scale: f64,
+    ) -> ErrorEstimate {
         let [largest, spike] = places.map(|place| place.map_or(0.0, |p| scale * self.around(d, p)));
         ErrorEstimate {
             films: self.totals(),
@@ -73,9 +78,14 @@ impl Indicator {
         let is_near = |c: &usize| {
             let vertices = contact.surface.cell(*c).iter();
             let points = vertices.map(|v| contact.surface.vertices[*v as usize]);
-            points.fold(f64::INFINITY, |m, p| m.min((p[0] - place[0]).hypot(p[1] - place[1]))) < reach
+            points.fold(f64::INFINITY, |m, p| {
+                m.min((p[0] - place[0]).hypot(p[1] - place[1]))
+            }) < reach
         };
-        (0..contact.n_elements()).filter(is_near).map(|c| self.local[c]).fold(self.local[found], f64::max)
+        (0..contact.n_elements())
+            .filter(is_near)
+            .map(|c| self.local[c])
+            .fold(self.local[found], f64::max)
     }
 
     /// Estimated root-mean-square error of the pressure over the dry contact, in p_h.
@@ -183,8 +193,11 @@ pub fn indicator(
     Ok(Indicator {
         central,
         minimum,
-        edges: [0, 1].map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / films[j]),
-        local: local.map(|(s, map)| (s / (map.determinant * reference)).sqrt()).collect(),
+        edges: [0, 1]
+            .map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / films[j]),
+        local: local
+            .map(|(s, map)| (s / (map.determinant * reference)).sqrt())
+            .collect(),
         pressure: squares.iter().map(|s| s / zone).collect(),
     })
 }
@@ -196,7 +209,13 @@ pub fn indicator(
 ///                                 for H = r²/2 (Kapitza 1955) and H = X²/2
 /// ```
 /// with the film at the edge itself; to the pressures of the edge the film answers by −z·(R_P P).
-fn edge_error(d: &Discretisation, model: &FilmModel, state: &State, system: &System, adjoint: &[f64]) -> f64 {
+fn edge_error(
+    d: &Discretisation,
+    model: &FilmModel,
+    state: &State,
+    system: &System,
+    adjoint: &[f64],
+) -> f64 {
     let share = match d.contact.kind {
         ContactKind::Circular => 0.2,
         ContactKind::Line => 1.0 / 3.0,
@@ -242,12 +261,17 @@ pub(super) fn unresolved(space: &Space, field: &[f64]) -> Vec<f64> {
     let element = &space.element;
     let (dim, order) = (element.dim(), element.order());
     let rule = Quadrature::simplex(dim, 2 * order);
-    let parts = [order - 1, order.saturating_sub(2)].map(|degree| element.fluctuations(degree, &rule));
+    let parts =
+        [order - 1, order.saturating_sub(2)].map(|degree| element.fluctuations(degree, &rule));
     let total: f64 = rule.weights.iter().sum();
     let n = element.n_nodes();
     (0..space.n_elements())
         .map(|c| {
-            let values: Vec<f64> = space.nodes_of(c).iter().map(|v| field[*v as usize]).collect();
+            let values: Vec<f64> = space
+                .nodes_of(c)
+                .iter()
+                .map(|v| field[*v as usize])
+                .collect();
             let [s, t] = parts.each_ref().map(|table| {
                 let squares = (table.chunks_exact(n).zip(&rule.weights)).map(|(row, weight)| {
                     let value: f64 = row.iter().zip(&values).map(|(b, v)| b * v).sum();

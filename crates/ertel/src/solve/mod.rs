@@ -14,8 +14,8 @@ pub mod newton;
 pub mod preconditioner;
 pub mod profile;
 pub mod sequence;
-pub mod sizes;
 pub mod shear;
+pub mod sizes;
 mod step;
 pub mod system;
 

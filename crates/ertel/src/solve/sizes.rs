@@ -97,7 +97,12 @@ pub(super) fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3
 const COVERED: [f64; 2] = [0.125, 0.75];
 
 /// Pressure unknowns of a given order that a mesh of these sizes has, within a third or so.
-pub fn expected_unknowns(kind: ContactKind, extents: &Extents, sizes: &LevelSizes, order: usize) -> f64 {
+pub fn expected_unknowns(
+    kind: ContactKind,
+    extents: &Extents,
+    sizes: &LevelSizes,
+    order: usize,
+) -> f64 {
     let reach = (-extents.inlet).max(extents.outlet).max(extents.side);
     let size = |x: f64, y: f64| size_at(kind, extents, sizes, [x, y, 0.0]);
     // Rings around the rim whose widths grow with the distance from it, from a fraction of the finest cell on.
@@ -107,16 +112,21 @@ pub fn expected_unknowns(kind: ContactKind, extents: &Extents, sizes: &LevelSize
         distances.push(distances.last().expect("not empty") + step);
         step *= 1.05;
     }
-    let mut radii: Vec<f64> = (distances.iter()).flat_map(|d| [1.0 - d, 1.0 + d]).collect();
+    let mut radii: Vec<f64> = (distances.iter())
+        .flat_map(|d| [1.0 - d, 1.0 + d])
+        .collect();
     radii.retain(|r| (0.0..=1.5 * reach).contains(r));
     radii.sort_by(f64::total_cmp);
-    let inside = |x: f64, y: f64| (extents.inlet..=extents.outlet).contains(&x) && y.abs() <= extents.side;
+    let inside =
+        |x: f64, y: f64| (extents.inlet..=extents.outlet).contains(&x) && y.abs() <= extents.side;
     let mut cells = 0.0;
     for pair in radii.windows(2) {
         let (r, width) = (0.5 * (pair[0] + pair[1]), pair[1] - pair[0]);
         if kind == ContactKind::Line {
             let ends = [-r, r].into_iter().filter(|x| inside(*x, 0.0));
-            cells += ends.map(|x| width / (COVERED[1] * size(x, 0.0))).sum::<f64>();
+            cells += ends
+                .map(|x| width / (COVERED[1] * size(x, 0.0)))
+                .sum::<f64>();
             continue;
         }
         const ANGLES: usize = 48;
@@ -130,5 +140,10 @@ pub fn expected_unknowns(kind: ContactKind, extents: &Extents, sizes: &LevelSize
         }
     }
     let k = order as f64;
-    cells * if kind == ContactKind::Line { k } else { 0.5 * k * k }
+    cells
+        * if kind == ContactKind::Line {
+            k
+        } else {
+            0.5 * k * k
+        }
 }

@@ -17,18 +17,18 @@ mod warm;
 
 use serde::Serialize;
 
+use super::SolveError;
 use super::adapt::AdaptParams;
 use super::discretisation::{Discretisation, Extents, LevelSizes};
 use super::evaluate::minimum_film;
 use super::heat::column::Column;
 use super::heat::coupling::{CouplingParams, CouplingStats};
-use super::SolveError;
 use super::newton::{NewtonParams, Reached};
 use super::sizes::expected_unknowns;
 use super::system::{FilmConstants, State};
 use crate::contact::{ContactKind, Scales};
-use crate::elastic::{BodyModel, Elasticity};
 use crate::elastic::cache::OperatorCache;
+use crate::elastic::{BodyModel, Elasticity};
 use crate::film::FilmFluid;
 use crate::forms::energy::Heat;
 use crate::params::LinearSolver;
@@ -163,7 +163,12 @@ impl Problem {
             return Ok(());
         };
         let unknowns = |stage: &Stage| {
-            let order = self.stages.iter().map(|s| s.pressure_order).max().unwrap_or(1);
+            let order = self
+                .stages
+                .iter()
+                .map(|s| s.pressure_order)
+                .max()
+                .unwrap_or(1);
             expected_unknowns(self.kind, &self.extents, &stage.sizes, order)
         };
         let (stage, limit, help) = match &self.adapt {
