@@ -55,8 +55,7 @@ impl Basis {
     }
 
     /// Row-major matrix of the moments of a box from those of its child in a quadrant.
-    #[allow(clippy::wrong_self_convention)]
-    pub fn from_child(&self, quadrant: usize) -> Vec<f64> {
+    pub fn parent_from_child(&self, quadrant: usize) -> Vec<f64> {
         let along = [quadrant % 2, quadrant / 2].map(|q| half_interval(self.degree, q == 1));
         let mut matrix = Vec::with_capacity(self.len() * self.len());
         for [a, b] in &self.exponents {
@@ -265,7 +264,7 @@ mod tests {
         let n = basis.len();
         let (mut whole, mut part) = (vec![0.0; n], vec![0.0; n]);
         for quadrant in 0..4 {
-            let matrix = basis.from_child(quadrant);
+            let matrix = basis.parent_from_child(quadrant);
             let centre = [quadrant % 2, quadrant / 2].map(|q| q as f64 - 0.5);
             for xi in [[0.3, -0.8], [-1.0, 1.0]] {
                 basis.values([0, 1].map(|a: usize| centre[a] + 0.5 * xi[a]), &mut whole);

@@ -137,7 +137,7 @@ impl<T: Number> FarField<T> {
                 values,
             }
         };
-        let children = [0, 1, 2, 3].map(|q| basis.from_child(q));
+        let children = [0, 1, 2, 3].map(|q| basis.parent_from_child(q));
         FarField {
             n,
             stride,

@@ -50,7 +50,7 @@ pub struct PotentialParams {
 impl Default for PotentialParams {
     fn default() -> Self {
         PotentialParams {
-            surface_degrees: [10, 7],
+            surface_degrees: [11, 7],
             line_degrees: [20, 12],
             elements_per_box: 12,
         }

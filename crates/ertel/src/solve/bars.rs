@@ -19,7 +19,7 @@ const SHARE_OF_LOCAL: f64 = 1.5;
 /// exponential of the pressure.
 const SHARE_OF_PRESSURE_MAXIMUM: f64 = 5.0;
 
-/// Least relative error bar of the traction at the walls over what the edges of the contact area do to the films: half of
+/// Least relative error bar of the traction at the walls and of the friction power over what the edges of the contact area do to the films: half of
 /// what the flow drags along in rolling it drags outside of the dry contact.
 const SHARE_OF_EDGES: f64 = 60.0;
 
@@ -107,7 +107,10 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
             SHARE_OF_PRESSURE_MAXIMUM * relative * size(figure)
         }
         Figure::FilmCentrelineMinimum | Figure::OutletPosition => film * size(figure),
-        Figure::TractionCoefficientPlane | Figure::TractionCoefficientBall => {
+        Figure::TractionCoefficientPlane
+        | Figure::TractionCoefficientBall
+        | Figure::FrictionPower
+        | Figure::HeatShear => {
             let edges = estimate.edges[0].max(estimate.edges[1]);
             let integral = film + SHARE_OF_PRESSURE * estimate.pressure;
             (integral + SHARE_OF_EDGES * edges) * size(figure)
