@@ -119,6 +119,9 @@ impl MeshParams {
 /// Pressure unknowns that refinement may go to unless the user allows more: about a minute.
 pub const DEFAULT_MAX_UNKNOWNS: usize = 100_000;
 
+/// The same where only the pressure is not as accurate as asked for: some seconds.
+pub const DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE: usize = 16_000;
+
 /// The same above finite-element bodies, whose operator costs the square to the cube of them.
 pub const DEFAULT_MAX_UNKNOWNS_OF_BODIES: usize = 8_000;
 

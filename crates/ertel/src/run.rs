@@ -9,7 +9,8 @@ use crate::elastic::cache::OperatorCache;
 use crate::film::FilmFluid;
 use crate::forms::energy::{BodyHeat, Heat};
 use crate::params::{
-    DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_OF_BODIES, ElasticModel, Formulation, MeshParams,
+    DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE, DEFAULT_MAX_UNKNOWNS_OF_BODIES,
+    ElasticModel, Formulation, MeshParams,
 };
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
@@ -114,7 +115,14 @@ pub fn problem(case: &Case) -> Problem {
                 _ => DEFAULT_MAX_UNKNOWNS_OF_BODIES,
             };
             let most = case.mesh.max_unknowns.unwrap_or(most);
-            AdaptParams::new(target, case.mesh.pressure_error, most)
+            let adapt = AdaptParams::new(target, case.mesh.pressure_error, most);
+            match case.mesh.max_unknowns {
+                Some(_) => adapt,
+                None => AdaptParams {
+                    max_unknowns_for_pressure: most.min(DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE),
+                    ..adapt
+                },
+            }
         }),
         heat,
     }

@@ -16,6 +16,8 @@ pub struct AdaptParams {
     pub pressure_target: Option<f64>,
     /// Pressure unknowns that a refined mesh may have, about.
     pub max_unknowns: usize,
+    /// The same where the films are as accurate as asked for, and the pressure alone is not.
+    pub max_unknowns_for_pressure: usize,
     /// Displacement unknowns that a finite-element body below it may have, about.
     pub max_displacement_dofs: usize,
     /// Refinements allowed.
@@ -32,6 +34,7 @@ impl AdaptParams {
             target,
             pressure_target,
             max_unknowns,
+            max_unknowns_for_pressure: max_unknowns,
             max_displacement_dofs: BODY_SHARE * max_unknowns,
             max_refinements: 10,
         }
@@ -129,7 +132,8 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
         let sum = estimated[j].hypot(grading[j]);
         sum.max(LEAST_SHARE_OF_DIFFERENCE * gone[j])
     });
-    let bars = [0, 1].map(|j: usize| cells[j] + edges[j] * (SAFETY_OF_EDGES[0] + SAFETY_OF_EDGES[1] * edges[j]));
+    let bars = [0, 1]
+        .map(|j: usize| cells[j] + edges[j] * (SAFETY_OF_EDGES[0] + SAFETY_OF_EDGES[1] * edges[j]));
     Some(ErrorBars {
         bars,
         cells,
@@ -249,7 +253,16 @@ impl PartialEq for Candidate {
 
 impl Eq for Candidate {}
 
-/// Halvings of the next refinement, or `None` when the targets are reached or a limit is.
+/// A refinement to come.
+#[derive(Clone, Debug)]
+pub struct Refinement {
+    /// Halvings of each element.
+    pub halvings: Vec<u32>,
+    /// Whether the films are as accurate as asked for already, and only the pressure is not.
+    pub for_pressure_alone: bool,
+}
+
+/// The next refinement, or `None` when the targets are reached or a limit is.
 pub fn next_refinement(
     params: &AdaptParams,
     dim: usize,
@@ -257,13 +270,18 @@ pub fn next_refinement(
     grading: [f64; 2],
     n_refinements: usize,
     indicator: &Indicator,
-) -> Option<Vec<u32>> {
+) -> Option<Refinement> {
     // What the edges do, no refinement mends.
     let ErrorBars {
         cells, estimated, ..
     } = error_bars(levels, grading)?;
     let level = levels.last()?;
-    let mut growth = params.max_unknowns as f64 / level.n_pressure_dofs as f64;
+    let for_pressure_alone = cells.iter().all(|c| *c <= params.target);
+    let most = match for_pressure_alone {
+        true => params.max_unknowns_for_pressure,
+        false => params.max_unknowns,
+    };
+    let mut growth = most as f64 / level.n_pressure_dofs as f64;
     if level.n_displacement_dofs > 0 {
         let body = params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64;
         growth = growth.min(1.0 + (body - 1.0) / BODY_GROWTH);
@@ -298,7 +316,10 @@ pub fn next_refinement(
             left_by_halving: PRESSURE_LEFT,
         });
     }
-    (!goals.is_empty()).then(|| halvings(&goals, dim, growth))
+    (!goals.is_empty()).then(|| Refinement {
+        halvings: halvings(&goals, dim, growth),
+        for_pressure_alone,
+    })
 }
 
 /// Share of the target that the estimate aims at: refinement may fall short.

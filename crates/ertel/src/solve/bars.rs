@@ -93,6 +93,21 @@ pub fn bars(levels: &[LevelStats], film_bars: Option<[f64; 2]>) -> Option<Bars> 
     Some(bars)
 }
 
+/// What linear temperatures over the cells of a default mesh miss of their rise: of the largest 1.1 % (squalane + PIP, 0.74 m/s,
+/// sliding ratio 0.5, against quadratic ones), of means a tenth of that.
+fn of_linear_temperatures(figure: Figure) -> f64 {
+    match figure {
+        Figure::FilmTemperatureMaximum
+        | Figure::FilmTemperatureLowest
+        | Figure::PlaneTemperatureMaximum
+        | Figure::BallTemperatureMaximum => 0.015,
+        Figure::FilmTemperatureMean
+        | Figure::PlaneTemperatureMean
+        | Figure::BallTemperatureMean => 0.002,
+        _ => 0.0,
+    }
+}
+
 /// What the errors of films (relative) and pressure on a mesh come to in a figure.
 fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
     let size = |figure| level.figures.get(figure).map_or(0.0, |f: Reading| f.size);
@@ -115,7 +130,10 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
             let integral = film + SHARE_OF_PRESSURE * estimate.pressure;
             (integral + SHARE_OF_EDGES * edges) * size(figure)
         }
-        _ => (film + SHARE_OF_PRESSURE * estimate.pressure) * size(figure),
+        _ => {
+            (film + SHARE_OF_PRESSURE * estimate.pressure + of_linear_temperatures(figure))
+                * size(figure)
+        }
     }
 }
 

@@ -41,8 +41,9 @@ impl Sequence<'_> {
             Ok(()) => {
                 self.previous = Some(solution);
                 self.solved = None;
-                if let Some(halvings) = refinement {
-                    self.halvings = halvings;
+                if let Some(refinement) = refinement {
+                    self.halvings = refinement.halvings;
+                    self.for_pressure_alone = refinement.for_pressure_alone;
                     self.queue.push_back(Stage {
                         refinements: stage.refinements + 1,
                         near: false,
@@ -55,7 +56,8 @@ impl Sequence<'_> {
             // The refined mesh once more, from a diffusive start; failing that, the mesh before has a
             // solution, with an error bar that says what it is worth.
             Err(_) if stage.refinements > 0 => {
-                if self.restarted == stage.refinements {
+                // Films that are as accurate as asked for need no second try.
+                if self.restarted == stage.refinements || self.for_pressure_alone {
                     return self.stop_refining(observer);
                 }
                 self.restarted = stage.refinements;

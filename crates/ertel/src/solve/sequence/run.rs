@@ -9,7 +9,7 @@ use super::stage::{Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::{Problem, Role, Stage, StageSolution};
 use crate::solution::LevelStats;
-use crate::solve::adapt::{grading_errors, next_refinement};
+use crate::solve::adapt::{Refinement, grading_errors, next_refinement};
 use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
 use crate::solve::evaluate::minimum_film;
 use crate::solve::newton::{NewtonStats, Reached};
@@ -44,6 +44,8 @@ pub(super) struct Sequence<'a> {
     pub(super) mesh: Option<(Stage, Arc<ContactSurface>)>,
     /// Halvings of each element that make the next mesh.
     pub(super) halvings: Vec<u32>,
+    /// Whether that mesh is for the pressure alone.
+    pub(super) for_pressure_alone: bool,
     /// Steps halved on the present way.
     pub(super) detours: usize,
     /// Refinements of the mesh that has been tried once more.
@@ -59,7 +61,7 @@ pub(super) struct StageEnd {
     pub(super) outcome: Result<(), SolveError>,
     pub(super) solution: StageSolution,
     /// How to refine its mesh, if errors are too large.
-    pub(super) refinement: Option<Vec<u32>>,
+    pub(super) refinement: Option<Refinement>,
 }
 
 impl<'a> Sequence<'a> {
@@ -74,6 +76,7 @@ impl<'a> Sequence<'a> {
             solved: None,
             mesh: None,
             halvings: Vec::new(),
+            for_pressure_alone: false,
             detours: 0,
             restarted: 0,
             raised: false,
