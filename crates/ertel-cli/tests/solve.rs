@@ -217,7 +217,11 @@ fn a_mesh_that_cannot_be_built_exits_with_2() {
     let folder = workspace("quick.toml");
     let path = folder.path().join("quick.toml");
     let case = std::fs::read_to_string(&path).unwrap();
-    std::fs::write(&path, case + "body_width = 8\n").unwrap();
+    std::fs::write(
+        &path,
+        case + "body_width = 8\n[solver]\nelasticity = \"equivalent\"\n",
+    )
+    .unwrap();
     let output = solve(&folder, &["quick.toml"]);
     assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
     assert!(text(&output.stderr).contains("see [mesh] in the case file"));
@@ -272,6 +276,10 @@ fn png_without_its_feature_is_told_before_the_solve() {
 fn processes_share_the_cache_of_elastic_operators() {
     let cache = tempfile::tempdir().unwrap();
     let folder = workspace("quick.toml");
+    let path = folder.path().join("quick.toml");
+    let case = std::fs::read_to_string(&path).unwrap();
+    // Only finite-element bodies are kept.
+    std::fs::write(&path, case + "[solver]\nelasticity = \"equivalent\"\n").unwrap();
     let with = |arguments: &[&str]| {
         let mut command = command(&folder, arguments);
         command.env("ERTEL_CACHE", cache.path()).arg("--quiet");

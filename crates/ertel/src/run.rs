@@ -79,7 +79,13 @@ pub fn problem(case: &Case) -> Problem {
     }
     Problem {
         kind: contact.kind,
-        extents: extents(contact.kind, case.elastic_model(), &case.mesh, start_film),
+        extents: extents(
+            contact.kind,
+            case.elastic_model(),
+            heat.is_some(),
+            &case.mesh,
+            start_film,
+        ),
         stages: stages(
             &case.mesh,
             start_film,
@@ -414,7 +420,13 @@ fn flooded(film: f64) -> f64 {
 
 /// Contact area: the thesis's where the film is thin; longer where a thick film builds up further
 /// out. The body grows with it.
-fn extents(kind: ContactKind, model: ElasticModel, mesh: &MeshParams, film: f64) -> Extents {
+fn extents(
+    kind: ContactKind,
+    model: ElasticModel,
+    heats: bool,
+    mesh: &MeshParams,
+    film: f64,
+) -> Extents {
     let gap = |x: f64| {
         0.5 * x * x + hertz::deflection_profile(kind, x)
             - hertz::deflection_profile(kind, 1.0)
@@ -425,8 +437,8 @@ fn extents(kind: ContactKind, model: ElasticModel, mesh: &MeshParams, film: f64)
     while gap(reach) < target {
         reach = (1.05 * reach).ceil_half();
     }
-    if model == ElasticModel::HalfSpace {
-        // Cells far from the contact are few, and no body grows with it: what the edges do to the films falls with the cube.
+    if model == ElasticModel::HalfSpace && !heats {
+        // Cells far from the contact are few where there are no temperatures over them, and no body grows with it: what the edges do to the films falls with the cube.
         reach *= 2.5;
     }
     let inlet = mesh.inlet.unwrap_or(-reach);
@@ -435,7 +447,7 @@ fn extents(kind: ContactKind, model: ElasticModel, mesh: &MeshParams, film: f64)
         .unwrap_or_else(|| 1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half()));
     // A finite-element body grows with the contact area; half-spaces afford a wider one.
     let wide = match model {
-        ElasticModel::HalfSpace => reach,
+        ElasticModel::HalfSpace if !heats => reach,
         _ => reach * 2.0 / 3.0,
     };
     let side = mesh.side.unwrap_or_else(|| 3.0_f64.max(wide.ceil_half()));

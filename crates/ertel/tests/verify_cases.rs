@@ -80,6 +80,8 @@ fn similar_contacts_have_similar_films() {
             let alpha = l / (u.powf(0.25) * reduced);
             case.lubricant.viscosity = ViscosityLaw::barus(viscosity, alpha).unwrap();
             cheap(&mut case);
+            // Cells of half-spaces are halved or not by the last digit of the predicted film.
+            case.solver.elasticity = Some(ElasticModel::Equivalent);
             let s = solved(&case);
             let film = |h: f64| h / (radius * u.sqrt());
             [

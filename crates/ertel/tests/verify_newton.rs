@@ -229,11 +229,11 @@ fn results_do_not_depend_on_the_number_of_threads() {
 fn effort_on_half_spaces() {
     pinned(
         &common::case(ContactKind::Line, 3e5),
-        &[[5, 68, 2], [10, 162, 1], [5, 55, 1]],
+        &[[5, 65, 2], [3, 33, 1], [6, 80, 1]],
     );
     pinned(
         &common::case(ContactKind::Circular, 100.0),
-        &[[7, 96, 7], [5, 83, 4], [7, 106, 3]],
+        &[[9, 107, 7], [5, 81, 3], [10, 132, 5]],
     );
 }
 

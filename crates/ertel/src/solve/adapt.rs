@@ -72,8 +72,8 @@ const SAFETY: f64 = 3.0;
 /// Least and largest factor by which the step from mesh to mesh corrects the estimate.
 const CALIBRATION: (f64, f64) = (0.75, 4.0);
 
-/// The factor where there is no mesh to calibrate by.
-const UNCALIBRATED: f64 = 1.5;
+/// The factor where there is no mesh to calibrate by: first meshes err by up to four times their estimate.
+const UNCALIBRATED: f64 = 3.0;
 
 /// Error bar over the estimate e of what the edges of the contact area do, and how it grows with e: the estimate is linear in the
 /// pressure at the edges. Measured: within a tenth where e is below 0.5 % (ball on disc, M = 200), a half of what it should be
@@ -98,7 +98,7 @@ pub struct ErrorBars {
 ///
 /// The estimate E of the last mesh is corrected by what the step from the mesh before has shown: with
 /// h_1, E_1 there and h_2, E_2 here, |h_1 − h_2| ≈ θ(E_1 − E_2), and the bar is three times θE_2. A difference
-/// can vanish by chance, so that θ does not fall below three quarters; without a mesh before it is 1.5, and the bar not below half of the other
+/// can vanish by chance, so that θ does not fall below three quarters; without a mesh before it is 3, and the bar not below half of the other
 /// film's. Root of the sum of squares with the errors of [`grading_errors`]; not below a fifth of the
 /// difference, since estimates can miss a part.
 ///

@@ -153,6 +153,9 @@ const ROOM_TO_REFINE: f64 = 3.0;
 /// operator takes gigabytes.
 const MOST_UNKNOWNS: [f64; 2] = [1e6, 4e4];
 
+/// Cell size at the rim over that in the Hertz zone, below which a film is thin.
+const THIN_RIM: f64 = 0.2;
+
 impl Problem {
     /// Refuses what no mesh that is allowed resolves, before any work.
     ///
@@ -185,7 +188,9 @@ impl Problem {
             }
         };
         let n = unknowns(stage);
-        if n <= limit {
+        // Only where it is the rim that takes them: large areas around thick films are another matter.
+        let thin = stage.sizes.rim < THIN_RIM * stage.sizes.hertz;
+        if n <= limit || !thin {
             return Ok(());
         }
         let ratio = stage.constants.film_scale;
