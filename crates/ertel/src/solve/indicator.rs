@@ -28,7 +28,7 @@ use super::newton::FilmModel;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
 use crate::contact::ContactKind;
-use crate::solution::ErrorEstimate;
+use crate::solution::{ErrorEstimate, TemperatureErrors};
 use crate::film::cross_film::CrossFilm;
 
 /// Estimated shares of the error in each element, relative to the film.
@@ -60,6 +60,7 @@ impl Indicator {
             pressure: self.pressure_error(),
             largest,
             spike,
+            temperatures: TemperatureErrors::default(),
         }
     }
 
