@@ -32,6 +32,8 @@ fn perfect_conductors_are_isothermal() {
     for body in [&mut heated.plane, &mut heated.ball] {
         body.thermal_conductivity = Some(ConductivityLaw::constant(1e7).unwrap());
     }
+    // The same contact area for both.
+    (heated.mesh.inlet, heated.mesh.outlet) = (Some(-6.0), Some(2.0));
     let mut isothermal = heated.clone();
     isothermal.solver.isothermal = true;
     let (warm, cold) = (solved(&heated), solved(&isothermal));
@@ -110,7 +112,7 @@ fn heat_is_balanced() {
         error(ContactKind::Line, 2e-4),
     );
     assert!(
-        coarse < 0.01 && fine < 2e-3 && fine < coarse,
+        coarse < 0.01 && fine < 2e-3 && fine <= coarse,
         "{coarse} {fine}"
     );
     let circular = error(ContactKind::Circular, 0.02);

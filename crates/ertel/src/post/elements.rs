@@ -6,6 +6,7 @@ use ertel_fem::space::Space;
 use crate::contact::Scales;
 use crate::solution::{ElementFields, FilmTemperatures, Polynomials, TemperaturePolynomials};
 use crate::solve::discretisation::Discretisation;
+use crate::solve::heat::recovery::{self, Recovery};
 use crate::solve::heat::space::HeatSpace;
 use crate::solve::sequence::StageSolution;
 use crate::solve::system::State;
@@ -69,14 +70,22 @@ fn film(d: &Discretisation, state: &State, scales: &Scales) -> Polynomials {
     Polynomials { order, values }
 }
 
-/// Temperatures of film and surfaces: each a sum over the column's nodes, so a polynomial as the columns are.
+/// Temperatures of film and surfaces: each a sum over the column's nodes, so a polynomial as the columns are; of linear
+/// elements the cubics by recovered gradients, whose kinks would be those of the mesh.
 fn temperatures(space: &HeatSpace, state: &State) -> TemperaturePolynomials {
     let column = &space.column;
     let mut at_nodes = FilmTemperatures::default();
     for values in state.temperature.chunks_exact(column.n()) {
         at_nodes.push(&column.film, &column.film_of(values));
     }
-    let field = |values: &[f64]| nodal(&space.surface, |node| values[node]);
+    let recovery = (space.surface.element.order() == 1).then(|| Recovery::new(&space.surface));
+    let field = |values: &[f64]| match &recovery {
+        Some(recovery) => Polynomials {
+            order: recovery::ORDER,
+            values: recovery.cubics(values),
+        },
+        None => nodal(&space.surface, |node| values[node]),
+    };
     TemperaturePolynomials {
         mid: field(&at_nodes.mid),
         mean: field(&at_nodes.mean),

@@ -165,6 +165,17 @@ pub struct ErrorEstimate {
     pub largest: f64,
     /// The same around the spike on the centreline, Pa; zero without one.
     pub spike: f64,
+    /// Errors of the temperatures; zero where there are none, and where they are not of linear elements.
+    pub temperatures: TemperatureErrors,
+}
+
+/// How far temperatures of linear elements are from those by recovered gradients, K.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct TemperatureErrors {
+    /// At most, around the largest and the lowest temperature of the film, and the largest ones of plane and ball.
+    pub local: [f64; 4],
+    /// Root mean square over the Hertz zone, at mid-film.
+    pub rms: f64,
 }
 
 /// Wall-clock split of the work, s.

@@ -67,7 +67,7 @@ const SMALLEST_ERROR: f64 = 1e-4;
 const SAFETY_OF_DIFFERENCE: f64 = 3.0;
 
 /// Error bar over the calibrated estimate.
-const SAFETY: f64 = 3.0;
+const SAFETY: f64 = 4.0;
 
 /// Least and largest factor by which the step from mesh to mesh corrects the estimate.
 const CALIBRATION: (f64, f64) = (0.75, 4.0);
@@ -97,7 +97,7 @@ pub struct ErrorBars {
 /// Relative error bars of central and minimum film from the last converged mesh and the one before.
 ///
 /// The estimate E of the last mesh is corrected by what the step from the mesh before has shown: with
-/// h_1, E_1 there and h_2, E_2 here, |h_1 − h_2| ≈ θ(E_1 − E_2), and the bar is three times θE_2. A difference
+/// h_1, E_1 there and h_2, E_2 here, |h_1 − h_2| ≈ θ(E_1 − E_2), and the bar is four times θE_2. A difference
 /// can vanish by chance, so that θ does not fall below three quarters; without a mesh before it is 3, and the bar not below half of the other
 /// film's. Root of the sum of squares with the errors of [`grading_errors`]; not below a fifth of the
 /// difference, since estimates can miss a part.

@@ -23,6 +23,12 @@ const SHARE_OF_PRESSURE_MAXIMUM: f64 = 5.0;
 /// what the flow drags along in rolling it drags outside of the dry contact.
 const SHARE_OF_EDGES: f64 = 60.0;
 
+/// Least error bar of a largest or lowest temperature over how far the linear elements around it are from recovered ones.
+const SHARE_OF_LOCAL_TEMPERATURE: f64 = 1.0;
+
+/// Least error bar of a mean temperature over the root mean square of the same in the Hertz zone: most of it cancels.
+const SHARE_OF_TEMPERATURE: f64 = 0.1;
+
 /// Factor on least error bars where there is no other mesh.
 const ALONE: f64 = 3.0;
 
@@ -67,7 +73,7 @@ pub fn bars(levels: &[LevelStats], film_bars: Option<[f64; 2]>) -> Option<Bars> 
         };
         let there = coarse.and_then(|level| level.figures.get(figure));
         let alone = if there.is_some() { 1.0 } else { ALONE };
-        let least = alone * least_bar(figure, fine, film);
+        let least = alone * least_bar(figure, fine, film) + temperature_bar(figure, fine);
         let value = match figure {
             Figure::FilmCentral => film_bars[0] * here.size,
             Figure::FilmMinimum => film_bars[1] * here.size,
@@ -98,21 +104,6 @@ fn is_film(figure: Figure) -> bool {
     matches!(figure, Figure::FilmCentral | Figure::FilmMinimum)
 }
 
-/// What linear temperatures over the cells of a default mesh miss of their rise: of the largest 1.1 % (squalane + PIP, 0.74 m/s,
-/// sliding ratio 0.5, against quadratic ones), of means a tenth of that.
-fn of_linear_temperatures(figure: Figure) -> f64 {
-    match figure {
-        Figure::FilmTemperatureMaximum
-        | Figure::FilmTemperatureLowest
-        | Figure::PlaneTemperatureMaximum
-        | Figure::BallTemperatureMaximum => 0.015,
-        Figure::FilmTemperatureMean
-        | Figure::PlaneTemperatureMean
-        | Figure::BallTemperatureMean => 0.002,
-        _ => 0.0,
-    }
-}
-
 /// What the errors of films (relative) and pressure on a mesh come to in a figure.
 fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
     let size = |figure| level.figures.get(figure).map_or(0.0, |f: Reading| f.size);
@@ -135,10 +126,23 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
             let integral = film + SHARE_OF_PRESSURE * estimate.pressure;
             (integral + SHARE_OF_EDGES * edges) * size(figure)
         }
-        _ => {
-            (film + SHARE_OF_PRESSURE * estimate.pressure + of_linear_temperatures(figure))
-                * size(figure)
-        }
+        _ => (film + SHARE_OF_PRESSURE * estimate.pressure) * size(figure),
+    }
+}
+
+/// What the elements of the temperatures add to that, K: it needs no other mesh to be known.
+fn temperature_bar(figure: Figure, level: &LevelStats) -> f64 {
+    let errors = level.estimate.unwrap_or_default().temperatures;
+    let [film_hot, film_cold, plane, ball] = errors.local.map(|e| SHARE_OF_LOCAL_TEMPERATURE * e);
+    match figure {
+        Figure::FilmTemperatureMaximum => film_hot,
+        Figure::FilmTemperatureLowest => film_cold,
+        Figure::PlaneTemperatureMaximum => plane,
+        Figure::BallTemperatureMaximum => ball,
+        Figure::FilmTemperatureMean
+        | Figure::PlaneTemperatureMean
+        | Figure::BallTemperatureMean => SHARE_OF_TEMPERATURE * errors.rms,
+        _ => 0.0,
     }
 }
 
@@ -173,7 +177,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::solution::Figures;
+    use crate::solution::{ErrorEstimate, Figures, TemperatureErrors};
     use crate::solve::sequence::Role;
 
     /// A converged stage on a mesh of `n` cells.
@@ -246,7 +250,7 @@ mod tests {
         assert_eq!(bar(Figure::FrictionPower), None);
     }
 
-    /// A spike on both meshes: twice the distance of its places, and its own size at the least (3.5 % of the rise of a
+    /// A spike on both meshes: twice the distance of its places, and its own size at the least (2 % of the rise of a
     /// temperature).
     #[test]
     fn places_and_temperatures_have_bars() {
@@ -270,7 +274,39 @@ mod tests {
         assert_relative_eq!(spike.place.unwrap(), 0.2, max_relative = 1e-12);
         assert_relative_eq!(spike.value, 0.02 * 8e8, max_relative = 1e-12);
         let temperature = bars.get(Figure::FilmTemperatureMaximum).unwrap();
-        assert_relative_eq!(temperature.value, 0.035 * 50.0, max_relative = 1e-12);
+        assert_relative_eq!(temperature.value, 0.02 * 50.0, max_relative = 1e-12);
+    }
+
+    /// By hand: 2 % of a rise by 50 K, and the 0.2 K that linear elements are off; a tenth of 0.5 K of a mean.
+    #[test]
+    fn temperatures_reckon_with_their_elements() {
+        let warm = |figure| {
+            (
+                figure,
+                Reading {
+                    size: 50.0,
+                    ..Reading::new(350.0)
+                },
+            )
+        };
+        let figures = [Figure::FilmTemperatureMaximum, Figure::FilmTemperatureMean].map(warm);
+        let mut levels = [10, 40].map(|n| level(n, Role::Final, &figures));
+        levels[1].estimate = Some(ErrorEstimate {
+            temperatures: TemperatureErrors {
+                local: [0.2, 0.0, 0.0, 0.0],
+                rms: 0.5,
+            },
+            ..ErrorEstimate::default()
+        });
+        levels[0].estimate = levels[1].estimate;
+        let bars = bars(&levels, FILMS).unwrap();
+        let bar = |figure| bars.get(figure).unwrap().value;
+        assert_relative_eq!(
+            bar(Figure::FilmTemperatureMaximum),
+            1.2,
+            max_relative = 1e-12
+        );
+        assert_relative_eq!(bar(Figure::FilmTemperatureMean), 1.05, max_relative = 1e-12);
     }
 
     /// Without another mesh only the films have bars, and none does where they have none or where the other mesh has

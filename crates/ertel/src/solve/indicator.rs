@@ -29,7 +29,7 @@ use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
 use crate::contact::ContactKind;
 use crate::film::cross_film::CrossFilm;
-use crate::solution::ErrorEstimate;
+use crate::solution::{ErrorEstimate, TemperatureErrors};
 
 /// Estimated shares of the error in each element, relative to the film.
 pub struct Indicator {
@@ -65,6 +65,7 @@ impl Indicator {
             pressure: self.pressure_error(),
             largest,
             spike,
+            temperatures: TemperatureErrors::default(),
         }
     }
 

@@ -8,14 +8,18 @@
 //! - `newton`: temperatures for given pressures and films;
 //! - `coupling`: both in turn, until neither changes;
 //! - `balance`: where heat comes from and goes to;
-//! - `figures`: temperatures in a few numbers.
+//! - `figures`: temperatures in a few numbers;
+//! - `recovery`: smooth temperatures from linear elements;
+//! - `deviation`: how far the linear elements are from them.
 
 pub mod balance;
 pub mod column;
 pub mod coupling;
+pub mod deviation;
 mod element;
 pub mod figures;
 mod inflow;
 pub mod newton;
+pub mod recovery;
 pub mod space;
 pub mod system;

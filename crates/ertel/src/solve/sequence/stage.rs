@@ -7,6 +7,7 @@ use crate::solution::{Figure, LevelStats};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::figures::{Extent, figures};
 use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled};
+use crate::solve::heat::deviation::deviation;
 use crate::solve::indicator::{Indicator, indicator};
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
 use crate::solve::system::{FilmConstants, State};
@@ -241,6 +242,10 @@ impl<'a> StageRun<'a> {
         };
         let places = [place(Figure::PressureMaximum), place(Figure::Spike)];
         stats.estimate = indicator.map(|i| i.estimate(d, places, problem.scales.pressure));
+        let temperatures = d.heat.as_ref().map(|heat| deviation(d, heat, state, place));
+        if let (Some(estimate), Some(found)) = (&mut stats.estimate, temperatures) {
+            estimate.temperatures = found;
+        }
         stats.seconds.other = clock.elapsed().as_secs_f64() - stats.seconds.known();
         stats
     }
