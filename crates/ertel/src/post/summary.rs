@@ -133,7 +133,9 @@ pub fn warnings(
     let pressures: Vec<f64> = (levels.iter().filter(|l| l.converged))
         .filter_map(|l| l.figures.value(Figure::PressureMaximum))
         .collect();
-    if let [.., coarse, fine] = pressures[..]
+    // Its error bar says as much, where there is one.
+    if summary.pressure_maximum.error.is_none()
+        && let [.., coarse, fine] = pressures[..]
         && (coarse / fine - 1.0).abs() > PRESSURE_RESOLVED
     {
         warnings.push(format!(
