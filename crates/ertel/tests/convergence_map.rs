@@ -145,14 +145,14 @@ fn way_with_halved_steps() {
 
 /// Cubic pressures do not converge on the first mesh; quadratic ones do, and it is refined for them. The film is that of
 /// cubic ones on a mesh that is fine everywhere (`--preset coarse`, 238.80 nm). On the refined mesh those are tried once more and
-/// fail, within some 40 iterations.
+/// fail, within some 100 iterations.
 #[test]
 fn pressures_of_lower_order() {
     let solution = solved("circular-barus-M50-L15", None);
     assert!(solution.warnings.iter().any(|w| w.contains("order 2")));
     let film = solution.summary.film_central.value;
     assert!((film / 238.80e-9 - 1.0).abs() < 2e-3, "{film}");
-    assert!(solution.history.len() < 240, "{}", solution.history.len());
+    assert!(solution.history.len() < 360, "{}", solution.history.len());
 }
 
 /// Whether those of lower order lead to a mesh that carries the case's own, or stand. The film is that of a mesh of twice as many

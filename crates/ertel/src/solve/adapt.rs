@@ -81,7 +81,7 @@ const UNCALIBRATED: f64 = 3.0;
 const SAFETY_OF_EDGES: [f64; 2] = [1.5, 100.0];
 
 /// Share of the difference from the mesh before that is the least bar.
-const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.2;
+const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.3;
 
 /// Error bars, relative, of central and minimum film, with their parts.
 #[derive(Clone, Copy, Debug)]
@@ -99,7 +99,7 @@ pub struct ErrorBars {
 /// The estimate E of the last mesh is corrected by what the step from the mesh before has shown: with
 /// h_1, E_1 there and h_2, E_2 here, |h_1 − h_2| ≈ θ(E_1 − E_2), and the bar is four times θE_2. A difference
 /// can vanish by chance, so that θ does not fall below three quarters; without a mesh before it is 3, and the bar not below half of the other
-/// film's. Root of the sum of squares with the errors of [`grading_errors`]; not below a fifth of the
+/// film's. Root of the sum of squares with the errors of [`grading_errors`]; not below three tenths of the
 /// difference, since estimates can miss a part.
 ///
 /// Without estimates the bar is three times the difference of two meshes.
