@@ -9,6 +9,7 @@
 //! The deflection is exact at its nodes for the pressure that the elements carry, and a polynomial between them.
 
 use std::f64::consts::PI;
+use std::sync::{Arc, Mutex};
 
 use ertel_fem::mesh::SimplexMesh;
 use ertel_fem::potential::{Accuracy, Potential, PotentialParams};
@@ -23,7 +24,10 @@ const LINE_REFERENCE: f64 = 60.0;
 
 /// Half-spaces under one load.
 pub struct HalfSpace {
-    potential: Potential,
+    /// None once released.
+    potential: Mutex<Option<Arc<Potential>>>,
+    mesh: SimplexMesh,
+    space: Space,
     /// Σ(1 − ν²)/E.
     compliance: f64,
     /// Deflection over potential.
@@ -43,11 +47,12 @@ impl HalfSpace {
         pairs: &[(u32, u32)],
     ) -> HalfSpace {
         let line = mesh.dim == 1;
-        let targets: Vec<[f64; 2]> = space.points.iter().map(|p| [p[0], p[1]]).collect();
         let c = compliance(bodies);
         let factor = c / PI * if line { 2.0 } else { 1.0 };
         HalfSpace {
-            potential: Potential::new(mesh, space, &targets, !line, &PotentialParams::default()),
+            potential: Mutex::new(Some(Arc::new(potential(mesh, space)))),
+            mesh: mesh.clone(),
+            space: space.clone(),
             compliance: c,
             factor,
             lift: line.then(|| {
@@ -64,12 +69,17 @@ impl HalfSpace {
 
     /// Bytes that it takes, about.
     pub fn bytes(&self) -> usize {
-        self.potential.bytes()
+        self.potential().bytes()
+    }
+
+    fn potential(&self) -> Arc<Potential> {
+        let mut kept = self.potential.lock().unwrap_or_else(|e| e.into_inner());
+        Arc::clone(kept.get_or_insert_with(|| Arc::new(potential(&self.mesh, &self.space))))
     }
 
     /// Deflection under a pressure given at the deflection nodes.
     fn deflect_values(&self, values: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        let mut deflection = self.potential.apply(values, accuracy);
+        let mut deflection = self.potential().apply(values, accuracy);
         let lift = self.lift.as_ref().map_or(0.0, |lift| dot(lift, values));
         for d in &mut deflection {
             *d = self.factor * *d + lift;
@@ -84,7 +94,7 @@ impl SurfaceResponse for HalfSpace {
     }
 
     fn deflect_transposed(&self, trace: &Trace, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
-        let mut nodes = self.potential.apply_transposed(weights, accuracy);
+        let mut nodes = self.potential().apply_transposed(weights, accuracy);
         nodes.iter_mut().for_each(|v| *v *= self.factor);
         if let Some(lift) = &self.lift {
             let sum: f64 = weights.iter().sum();
@@ -104,6 +114,17 @@ impl SurfaceResponse for HalfSpace {
     fn compliance(&self) -> f64 {
         self.compliance
     }
+
+    fn release(&self) {
+        *self.potential.lock().unwrap_or_else(|e| e.into_inner()) = None;
+    }
+}
+
+/// At the nodes of a space; a surface ends at the symmetry line y = 0.
+fn potential(mesh: &SimplexMesh, space: &Space) -> Potential {
+    let targets: Vec<[f64; 2]> = space.points.iter().map(|p| [p[0], p[1]]).collect();
+    let params = PotentialParams::default();
+    Potential::new(mesh, space, &targets, mesh.dim > 1, &params)
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

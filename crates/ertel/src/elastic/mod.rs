@@ -46,6 +46,9 @@ pub trait SurfaceResponse: Send + Sync {
 
     /// Σ(1 − ν²)/E as short waves see it.
     fn compliance(&self) -> f64;
+
+    /// Gives back memory of what can be made anew when it is asked for again.
+    fn release(&self) {}
 }
 
 /// Which bodies deflect, and how they are computed.

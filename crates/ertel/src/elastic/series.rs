@@ -55,4 +55,8 @@ impl SurfaceResponse for Series {
     fn compliance(&self) -> f64 {
         self.parts.iter().map(|part| part.compliance()).sum()
     }
+
+    fn release(&self) {
+        self.parts.iter().for_each(|part| part.release());
+    }
 }

@@ -222,7 +222,7 @@ const BODY_GROWTH: f64 = 0.5;
 const LEAST_GROWTH: f64 = 1.2;
 
 /// Growth of a mesh in one refinement, at most: a ridge is not where a coarse mesh puts it.
-const LARGEST_GROWTH: f64 = 3.0;
+const LARGEST_GROWTH: f64 = 2.5;
 
 /// An element by the weight of its share.
 struct Candidate {
@@ -316,11 +316,21 @@ pub fn next_refinement(
             left_by_halving: PRESSURE_LEFT,
         });
     }
-    (!goals.is_empty()).then(|| Refinement {
-        halvings: halvings(&goals, dim, growth),
+    if goals.is_empty() {
+        return None;
+    }
+    let halvings = halvings(&goals, dim, growth);
+    let halved = halvings.iter().filter(|h| **h > 0).count() as f64;
+    let few = for_pressure_alone && halved < FEW * halvings.len() as f64;
+    (!few).then_some(Refinement {
+        halvings,
         for_pressure_alone,
     })
 }
+
+/// Share of the elements for which alone a mesh is not refined once more, where films are as accurate as asked for: the pressure's
+/// target is as good as reached.
+const FEW: f64 = 0.01;
 
 /// Share of the target that the estimate aims at: refinement may fall short.
 const GOAL: f64 = 0.6;

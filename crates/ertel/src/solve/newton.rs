@@ -41,6 +41,8 @@ pub struct NewtonParams {
     pub growth_limit: f64,
     /// Update, in p_h, below which steps are no longer tested for that: each test costs a linear solve.
     pub safe_update: f64,
+    /// Share to which the residual falls in a step that is not tested either.
+    pub trusted_fall: f64,
     /// Share of the step below which it is taken as it is.
     pub smallest_share: f64,
     /// Whether a run ends where the next update is foreseen to be below the tolerance.
@@ -58,6 +60,7 @@ impl Default for NewtonParams {
             film_loss_limit: 0.5,
             growth_limit: 1.5,
             safe_update: 0.02,
+            trusted_fall: 0.5,
             smallest_share: 0.01,
             foresight: true,
         }
@@ -223,7 +226,8 @@ impl<'a> NewtonLevel<'a> {
                 let trial = self.advance(model, params, state, &step, share);
                 let trial_system = solver.assemble(model, &trial);
                 let finite = trial_system.relative_residual().is_finite();
-                if finite && (converged || !tested) {
+                let fell = trial_system.relative_residual() < params.trusted_fall * residual;
+                if finite && (converged || !tested || fell) {
                     break (trial, trial_system);
                 }
                 // Natural monotonicity (Deuflhard 2004, section 3.3): the next step, were it

@@ -73,7 +73,8 @@ impl Profile {
     /// lies at least 0.2 % of p_h below it and below the pressures before it.
     pub fn spike(&self) -> Option<(f64, f64)> {
         let p = |i: usize| self.fields[i].pressure;
-        let end = self.x.iter().position(|x| *x >= self.outlet())?;
+        let outlet = self.outlet();
+        let end = self.x.iter().position(|x| *x >= outlet)?;
         let start = self.x.iter().position(|x| *x >= 0.0)?;
         let (mut top, mut dip) = (f64::NEG_INFINITY, f64::INFINITY);
         let mut spike: Option<usize> = None;

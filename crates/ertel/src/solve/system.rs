@@ -205,6 +205,7 @@ impl System {
             d,
             accuracy,
             pressure: vec![0.0; d.pressure.n_nodes()],
+            rows: Vec::new(),
         }
     }
 }
@@ -224,11 +225,13 @@ pub struct Products<'a> {
     d: &'a Discretisation,
     accuracy: Accuracy,
     pressure: Vec<f64>,
+    /// Element by element.
+    rows: Vec<f64>,
 }
 
 kernel! {
-    Multiply ['a, 'b] ['a, 'b] (products: &'b Products<'a>, deflection: &'b [f64], y: &'b mut [f64]) -> () {
-        products.multiply_here(deflection, y)
+    Rows ['a, 'b] ['a, 'b] (products: &'b Products<'a>, deflection: &'b [f64], first: usize, rows: &'b mut [f64]) -> () {
+        products.rows_here(deflection, first, rows)
     }
 }
 
@@ -238,29 +241,44 @@ impl Products<'_> {
         for (value, dof) in self.pressure.iter_mut().zip(&self.d.pressure_dofs) {
             *value = x.get(*dof as usize).copied().unwrap_or(0.0);
         }
-        let deflection = self.d.deflect(&self.pressure, self.accuracy);
-        vectorised(Multiply {
-            products: self,
-            deflection: &deflection,
-            y,
-        });
-    }
-
-    #[inline(always)]
-    fn multiply_here(&self, deflection: &[f64], y: &mut [f64]) {
         let d = self.d;
-        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+        let deflection = d.deflect(&self.pressure, self.accuracy);
+        let n = d.pressure_table.n_nodes;
+        let mut rows = std::mem::take(&mut self.rows);
+        rows.resize(d.contact.n_elements() * n, 0.0);
+        (rows.par_chunks_mut(MULTIPLY_BATCH * n).enumerate()).for_each(|(batch, rows)| {
+            vectorised(Rows {
+                products: self,
+                deflection: &deflection,
+                first: MULTIPLY_BATCH * batch,
+                rows,
+            });
+        });
         y.fill(0.0);
-        for c in 0..d.contact.n_elements() {
-            let nodes = d.pressure.nodes_of(c);
-            let below = d.contact.deflection.nodes_of(c);
-            let blocks = &self.system.blocks[c * n * (n + m)..(c + 1) * n * (n + m)];
-            for (row, node) in blocks.chunks_exact(n + m).zip(nodes) {
+        for (c, rows) in rows.chunks_exact(n).enumerate() {
+            for (node, row) in d.pressure.nodes_of(c).iter().zip(rows) {
                 let dof = d.pressure_dofs[*node as usize];
                 if dof != CONSTRAINED {
-                    y[dof as usize] += dot_at(&row[..n], nodes, &self.pressure)
-                        + dot_at(&row[n..], below, deflection);
+                    y[dof as usize] += row;
                 }
+            }
+        }
+        self.rows = rows;
+    }
+
+    /// Rows of the element blocks from element `first` on, times x.
+    #[inline(always)]
+    fn rows_here(&self, deflection: &[f64], first: usize, rows: &mut [f64]) {
+        let d = self.d;
+        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+        let blocks = &self.system.blocks[first * n * (n + m)..];
+        for (k, rows) in rows.chunks_exact_mut(n).enumerate() {
+            let nodes = d.pressure.nodes_of(first + k);
+            let below = d.contact.deflection.nodes_of(first + k);
+            let block = &blocks[k * n * (n + m)..(k + 1) * n * (n + m)];
+            for (row, y) in block.chunks_exact(n + m).zip(rows) {
+                *y = dot_at(&row[..n], nodes, &self.pressure)
+                    + dot_at(&row[n..], below, deflection);
             }
         }
     }
@@ -277,6 +295,9 @@ fn dot_at(row: &[f64], nodes: &[u32], values: &[f64]) -> f64 {
 
 /// Elements that a thread takes at a time.
 const BATCH: usize = 16;
+
+/// The same for products.
+const MULTIPLY_BATCH: usize = 128;
 
 fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()

@@ -161,7 +161,11 @@ impl<'a> Sequence<'a> {
         // Not both at a time
         self.mesh = None;
         let mesh = Arc::new(match refined {
-            Some(p) => (p.discretisation.contact).refined(&self.halvings, means)?,
+            Some(p) => {
+                // The state goes over without it.
+                p.discretisation.contact.response.release();
+                (p.discretisation.contact).refined(&self.halvings, means)?
+            }
             None => ContactSurface::new(
                 problem.kind,
                 &problem.extents,
