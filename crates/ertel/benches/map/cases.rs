@@ -116,38 +116,33 @@ impl Density {
     }
 }
 
-/// Plane and ball by their names in the database, and how they deflect.
+/// Plane and ball by their names in the database.
 #[derive(Clone, Copy)]
 struct Bodies {
     plane: &'static str,
     ball: &'static str,
-    two_bodies: bool,
 }
 
-const fn bodies(plane: &'static str, ball: &'static str, two_bodies: bool) -> Bodies {
-    Bodies {
-        plane,
-        ball,
-        two_bodies,
-    }
+const fn bodies(plane: &'static str, ball: &'static str) -> Bodies {
+    Bodies { plane, ball }
 }
 
-const STEEL: Bodies = bodies("steel", "steel", false);
+const STEEL: Bodies = bodies("steel", "steel");
 
 /// Every sixth or so of the cases by M and L has dissimilar bodies.
 const BODIES: [Bodies; 12] = [
     STEEL,
     STEEL,
     STEEL,
-    bodies("glass", "steel", false),
+    bodies("glass", "steel"),
     STEEL,
     STEEL,
     STEEL,
-    bodies("sapphire", "steel", false),
+    bodies("sapphire", "steel"),
     STEEL,
     STEEL,
     STEEL,
-    bodies("glass", "steel", true),
+    bodies("glass", "steel"),
 ];
 
 const LINE: ContactKind = ContactKind::Line;
@@ -189,7 +184,7 @@ pub fn cases() -> Vec<MapCase> {
             "squalane-pip",
             Family::Doolittle,
             "313 K",
-            bodies("glass", "steel", true),
+            bodies("glass", "steel"),
         );
         list.fluid(kind, pip, &[0.1, 0.3, 0.5], &[0.01, 0.1, 1.0]);
         let pip = Fluid {
@@ -201,7 +196,7 @@ pub fn cases() -> Vec<MapCase> {
             "pao-650",
             Family::Doolittle,
             "348 K",
-            bodies("glass", "steel", false),
+            bodies("glass", "steel"),
         );
         list.fluid(kind, pao, &[0.1, 0.3, 0.528, 0.8], &[0.003, 0.05, 1.0]);
     }
@@ -336,9 +331,6 @@ impl List {
              [lubricant]\n{lubricant}\n[output]\nbody_field = false\n",
             bodies.plane, bodies.ball
         );
-        if bodies.two_bodies {
-            text.push_str("\n[solver]\nelasticity = \"two-bodies\"\n");
-        }
         self.cases.push(MapCase {
             name,
             kind: contact.kind,

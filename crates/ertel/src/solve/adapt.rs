@@ -152,7 +152,7 @@ pub struct Goal<'a> {
 }
 
 /// Of the estimate of a film: smooth errors fall to 1/32; at free boundaries and spikes much less.
-const FILM_LEFT: f64 = 0.125;
+const FILM_LEFT: f64 = 0.06;
 
 /// Of the square of the pressure error: at a ridge with a sharp side, half.
 const PRESSURE_LEFT: f64 = 0.4;
@@ -221,8 +221,9 @@ const BODY_GROWTH: f64 = 0.5;
 /// Growth of a mesh below which refining it is not worth a factorisation.
 const LEAST_GROWTH: f64 = 1.2;
 
-/// Growth of a mesh in one refinement, at most: a ridge is not where a coarse mesh puts it.
-const LARGEST_GROWTH: f64 = 2.5;
+/// Growth of a mesh in one refinement, at most: for the films, and for the pressure alone, whose ridge is not where a coarse mesh
+/// puts it.
+const LARGEST_GROWTH: [f64; 2] = [4.0, 2.5];
 
 /// An element by the weight of its share.
 struct Candidate {
@@ -271,7 +272,7 @@ pub fn next_refinement(
     n_refinements: usize,
     indicator: &Indicator,
 ) -> Option<Refinement> {
-    // What the edges do, no refinement mends.
+    // What the edges do, no refinement mends. Films come first: on meshes that draw the ridge sharply, Newton's method converges worse.
     let ErrorBars {
         cells, estimated, ..
     } = error_bars(levels, grading)?;
@@ -286,7 +287,7 @@ pub fn next_refinement(
         let body = params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64;
         growth = growth.min(1.0 + (body - 1.0) / BODY_GROWTH);
     }
-    growth = growth.min(LARGEST_GROWTH);
+    growth = growth.min(LARGEST_GROWTH[usize::from(for_pressure_alone)]);
     if growth <= LEAST_GROWTH || n_refinements >= params.max_refinements {
         return None;
     }
@@ -306,13 +307,13 @@ pub fn next_refinement(
         })
         .collect();
     let target = params.pressure_target.unwrap_or(f64::INFINITY);
-    if indicator.pressure_error() > target {
+    if for_pressure_alone && indicator.pressure_error() > target {
         let sum: f64 = indicator.pressure.iter().sum();
         goals.push(Goal {
             shares: &indicator.pressure,
             allowed: (PRESSURE_GOAL * target)
                 .powi(2)
-                .min(LARGEST_PRESSURE_GOAL * sum),
+                .clamp(SMALLEST_PRESSURE_GOAL * sum, LARGEST_PRESSURE_GOAL * sum),
             left_by_halving: PRESSURE_LEFT,
         });
     }
@@ -338,7 +339,9 @@ const GOAL: f64 = 0.6;
 /// The same for the pressure, whose estimate is no bound.
 const PRESSURE_GOAL: f64 = 0.9;
 
-/// Share of its square that a refinement aims at, at most.
+/// Share of its square that a refinement aims at, at least and at most: a ridge is not where a coarse mesh puts it, and cells that
+/// are made too fine at a wrong place are of no use.
+const SMALLEST_PRESSURE_GOAL: f64 = 0.2;
 const LARGEST_PRESSURE_GOAL: f64 = 0.7;
 
 /// Share of its estimate that a refinement aims at, at most. With less refinement the few largest shares

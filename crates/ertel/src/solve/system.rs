@@ -277,8 +277,8 @@ impl Products<'_> {
             let below = d.contact.deflection.nodes_of(first + k);
             let block = &blocks[k * n * (n + m)..(k + 1) * n * (n + m)];
             for (row, y) in block.chunks_exact(n + m).zip(rows) {
-                *y = dot_at(&row[..n], nodes, &self.pressure)
-                    + dot_at(&row[n..], below, deflection);
+                *y =
+                    dot_at(&row[..n], nodes, &self.pressure) + dot_at(&row[n..], below, deflection);
             }
         }
     }
