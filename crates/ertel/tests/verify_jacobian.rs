@@ -108,7 +108,7 @@ fn check(
         d = d.with_heat(1, column, unheated);
     }
     let d = d;
-    let rough = noise(d.pressure.n_nodes(), 1);
+    let rough = noise(d.pressure.n_nodes(), 3);
     let pressure: Vec<f64> = (d.pressure.points.iter().zip(&rough).zip(&d.pressure_dofs))
         .map(|((p, r), dof)| {
             if *dof == CONSTRAINED {

@@ -16,7 +16,7 @@ use clap::Parser;
 use common::{Clock, Stopwatch};
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::params::{LinearSolver, MeshParams};
+use ertel::params::{ElasticModel, LinearSolver, MeshParams};
 use ertel::run::solve;
 use serde::{Deserialize, Serialize};
 
@@ -48,14 +48,16 @@ struct Args {
 enum Sweep {
     Line,
     Circular,
+    CircularFinite,
     LineMonolithic,
     CircularMonolithic,
 }
 
 impl Sweep {
-    const ALL: [Sweep; 4] = [
+    const ALL: [Sweep; 5] = [
         Sweep::Line,
         Sweep::Circular,
+        Sweep::CircularFinite,
         Sweep::LineMonolithic,
         Sweep::CircularMonolithic,
     ];
@@ -64,6 +66,7 @@ impl Sweep {
         match self {
             Sweep::Line => "line",
             Sweep::Circular => "circular",
+            Sweep::CircularFinite => "circular-finite-elements",
             Sweep::LineMonolithic => "line-monolithic",
             Sweep::CircularMonolithic => "circular-monolithic",
         }
@@ -76,7 +79,9 @@ impl Sweep {
     fn kind(self) -> ContactKind {
         match self {
             Sweep::Line | Sweep::LineMonolithic => ContactKind::Line,
-            Sweep::Circular | Sweep::CircularMonolithic => ContactKind::Circular,
+            Sweep::Circular | Sweep::CircularFinite | Sweep::CircularMonolithic => {
+                ContactKind::Circular
+            }
         }
     }
 
@@ -84,7 +89,8 @@ impl Sweep {
     fn factors(self) -> (&'static [f64], &'static [f64]) {
         match self {
             Sweep::Line => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625], &[0.03125]),
-            Sweep::Circular => (&[10.0, 7.0, 5.0, 2.8, 2.0, 1.4, 1.0, 0.7], &[0.5, 0.4]),
+            Sweep::Circular => (&[1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.13], &[0.09]),
+            Sweep::CircularFinite => (&[5.0, 2.8, 2.0, 1.4, 1.0], &[0.7, 0.5]),
             Sweep::LineMonolithic => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125], &[0.0625]),
             Sweep::CircularMonolithic => (&[4.0, 2.8, 2.0], &[1.6, 1.2]),
         }
@@ -106,6 +112,9 @@ struct Point {
     case_wall: Option<f64>,
     case_cpu: Option<f64>,
     newton: Option<usize>,
+    /// Wall seconds that the elastic operator of the last stage takes to build, and a Krylov iteration there.
+    operator: Option<f64>,
+    krylov: Option<f64>,
     /// Peak resident memory, bytes.
     memory: Option<u64>,
 }
@@ -218,6 +227,9 @@ fn measure(root: &Path, sweep: Sweep, factor: f64) -> Point {
     case.mesh.growth = (case.mesh.growth * growth).min(FASTEST_GROWTH);
     case.mesh.depth_growth = (case.mesh.depth_growth * growth).min(FASTEST_GROWTH);
     case.output.body_field = false;
+    if sweep == Sweep::CircularFinite {
+        case.solver.elasticity = Some(ElasticModel::Equivalent);
+    }
     let mut watch = if sweep.is_monolithic() {
         Stopwatch::stopping_after(MONOLITHIC_ITERATIONS)
     } else {
@@ -230,6 +242,7 @@ fn measure(root: &Path, sweep: Sweep, factor: f64) -> Point {
     let solution = outcome.ok();
     let stage = watch.stages.last().expect("a stage");
     let iteration = stage.per_iteration();
+    let last = solution.as_ref().and_then(|s| s.stats.levels.last());
     Point {
         sweep,
         factor,
@@ -242,6 +255,8 @@ fn measure(root: &Path, sweep: Sweep, factor: f64) -> Point {
         newton: solution
             .as_ref()
             .map(|s| s.stats.levels.iter().map(|l| l.newton_iterations).sum()),
+        operator: last.map(|l| l.seconds.operator),
+        krylov: last.map(|l| l.seconds.krylov / l.krylov_iterations as f64),
         memory: peak_memory(),
     }
 }

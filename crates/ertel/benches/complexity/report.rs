@@ -47,10 +47,12 @@ const THESIS_CIRCULAR: [[f64; 2]; 7] = [
 ];
 
 /// Quantities over unknowns.
-const QUANTITIES: [(&str, Value); 3] = [
+const QUANTITIES: [(&str, Value); 5] = [
     ("CPU s per Newton iteration", |p| Some(p.iteration_cpu)),
     ("CPU s per case", |p| p.case_cpu),
     ("peak memory", |p| p.memory.map(|m| m as f64)),
+    ("s to build the operator", |p| p.operator),
+    ("s per Krylov iteration", |p| p.krylov),
 ];
 
 /// A quantity of a point.
@@ -58,8 +60,8 @@ type Value = fn(&Point) -> Option<f64>;
 
 pub fn markdown(points: &[Point]) -> String {
     let mut text = String::from(
-        "| contact | unknowns | displacements | pressures | Newton | s per Newton | CPU | s per case | CPU | peak MiB |\n\
-         |---|---|---|---|---|---|---|---|---|---|\n",
+        "| contact | unknowns | displacements | pressures | Newton | s per Newton | CPU | s per case | CPU | operator s | Krylov ms | peak MiB |\n\
+         |---|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
     let shown = |v: Option<f64>| v.map_or(String::new(), |v| format!("{v:.3}"));
     let by_sweep = Sweep::ALL
@@ -69,7 +71,7 @@ pub fn markdown(points: &[Point]) -> String {
         // Writing into a String cannot fail
         let _ = writeln!(
             text,
-            "| {} | {} | {} | {} | {} | {:.4} | {:.4} | {} | {} | {:.0} |",
+            "| {} | {} | {} | {} | {} | {:.4} | {:.4} | {} | {} | {} | {} | {:.0} |",
             p.sweep.name(),
             p.n_displacement + p.n_pressure,
             p.n_displacement,
@@ -79,11 +81,14 @@ pub fn markdown(points: &[Point]) -> String {
             p.iteration_cpu,
             shown(p.case_wall),
             shown(p.case_cpu),
+            shown(p.operator),
+            shown(p.krylov.map(|s| 1e3 * s)),
             p.memory.unwrap_or(0) as f64 / 1048576.0
         );
     }
     text.push_str("\nFitted exponents over the larger half of the meshes, cost ~ unknowns^e:\n\n");
-    text.push_str("| contact | CPU s per Newton iteration | CPU s per case | peak memory |\n|---|---|---|---|\n");
+    let names = QUANTITIES.map(|(name, _)| name).join(" | ");
+    let _ = writeln!(text, "| contact | {names} |\n|---|---|---|---|---|---|");
     for sweep in Sweep::ALL {
         let _ = write!(text, "| {} |", sweep.name());
         for (_, value) in QUANTITIES {
@@ -96,7 +101,7 @@ pub fn markdown(points: &[Point]) -> String {
     }
     let _ = writeln!(
         text,
-        "| Habchi 2008, line | {:.2} | | |\n| Habchi 2008, circular | {:.2} | | |",
+        "| Habchi 2008, line | {:.2} | | | | |\n| Habchi 2008, circular | {:.2} | | | | |",
         exponent(&THESIS_LINE).unwrap_or(f64::NAN),
         exponent(&THESIS_CIRCULAR).unwrap_or(f64::NAN)
     );

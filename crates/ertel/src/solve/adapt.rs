@@ -151,8 +151,8 @@ pub struct Goal<'a> {
     pub left_by_halving: f64,
 }
 
-/// Of the estimate of a film: smooth errors fall to 1/32; at free boundaries and spikes much less.
-const FILM_LEFT: f64 = 0.06;
+/// Of the estimate of a film, in line and in circular contacts: smooth errors fall to 1/32; at free boundaries and spikes much less.
+const FILM_LEFT: [f64; 2] = [0.125, 0.06];
 
 /// Of the square of the pressure error: at a ridge with a sharp side, half.
 const PRESSURE_LEFT: f64 = 0.4;
@@ -302,7 +302,7 @@ pub fn next_refinement(
             Some(Goal {
                 shares,
                 allowed: allowed?,
-                left_by_halving: FILM_LEFT,
+                left_by_halving: FILM_LEFT[dim - 1],
             })
         })
         .collect();

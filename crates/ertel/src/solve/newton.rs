@@ -55,7 +55,7 @@ impl Default for NewtonParams {
             update_tolerance: 1e-8,
             residual_tolerance: 1e-8,
             max_iterations: 60,
-            patience: 10,
+            patience: 20,
             rise_limit: 0.2,
             film_loss_limit: 0.5,
             growth_limit: 1.5,

@@ -157,8 +157,8 @@ impl Sequence<'_> {
         if let Some(solved) = self.solved.take() {
             self.previous = Some(solved);
         }
-        if let Some(p) = (self.previous.as_mut()).filter(|p| p.stage.refinements == 0) {
-            // Only measured so far.
+        // Only measured so far.
+        if let Some(p) = (self.previous.as_mut()).filter(|p| p.stage.role == Role::Final) {
             let level = self.stats.len() - 1;
             let run = StageRun::new(self.problem, &p.stage, level, &p.discretisation);
             let mut effort = NewtonStats::default();

@@ -27,7 +27,7 @@ const START_TOLERANCE: f64 = 3e-2;
 
 /// Update, in p_h, and residual at which a solution is good enough to be measured and refined: what an
 /// update of this size leaves of the error, its square or so, is far below any error bar.
-const ROUGH_TOLERANCE: f64 = 3e-3;
+const ROUGH_TOLERANCE: f64 = 1e-3;
 
 /// Newton iterations that a start may take for each share of the ramp.
 const START_ITERATIONS: usize = 30;
@@ -101,6 +101,7 @@ impl<'a> StageRun<'a> {
             params.residual_tolerance = f64::INFINITY;
             params.max_iterations = START_ITERATIONS;
             params.patience = START_PATIENCE;
+            params.trusted_fall = 0.0;
         }
         let ramp = if self.stage.role == Role::Start {
             &PENALTY_RAMP[..]
