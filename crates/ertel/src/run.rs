@@ -77,15 +77,16 @@ pub fn problem(case: &Case) -> Problem {
     if let Some(heat) = &heat {
         fluid = fluid.with_nodes(heat.column.film.clone());
     }
+    let reach = reach(
+        contact.kind,
+        case.elastic_model(),
+        heat.is_some(),
+        start_film,
+    );
     Problem {
         kind: contact.kind,
-        extents: extents(
-            contact.kind,
-            case.elastic_model(),
-            heat.is_some(),
-            &case.mesh,
-            start_film,
-        ),
+        extents: extents(reach, &case.mesh, start_film),
+        reach: reach.side,
         stages: stages(
             &case.mesh,
             start_film,
@@ -430,38 +431,45 @@ fn widening(kind: ContactKind, film: f64) -> f64 {
     }
 }
 
-/// Contact area: the thesis's where the film is thin; longer where a thick film builds up further
-/// out. The body grows with it.
-fn extents(
-    kind: ContactKind,
-    model: ElasticModel,
-    heats: bool,
-    mesh: &MeshParams,
-    film: f64,
-) -> Extents {
+/// How far the contact area of a case goes where the user does not set its edges.
+#[derive(Clone, Copy)]
+struct Reach {
+    inlet: f64,
+    side: f64,
+}
+
+/// The thesis's contact area where the film is thin; longer where a thick film builds up further out.
+fn reach(kind: ContactKind, model: ElasticModel, heats: bool, film: f64) -> Reach {
     let gap = |x: f64| {
         0.5 * x * x + hertz::deflection_profile(kind, x)
             - hertz::deflection_profile(kind, 1.0)
             - 0.5
     };
-    let mut reach: f64 = 4.5;
+    let mut inlet: f64 = 4.5;
     let target = flooded(film) * film;
-    while gap(reach) < target {
-        reach = (1.05 * reach).ceil_half();
+    while gap(inlet) < target {
+        inlet = (1.05 * inlet).ceil_half();
     }
+    // A finite-element body grows with the contact area; half-spaces afford a wider one.
     if model == ElasticModel::HalfSpace && !heats {
-        reach *= widening(kind, film);
+        inlet *= widening(kind, film);
+        return Reach { inlet, side: inlet };
     }
-    let inlet = mesh.inlet.unwrap_or(-reach);
+    Reach {
+        inlet,
+        side: inlet * 2.0 / 3.0,
+    }
+}
+
+/// Contact area, and the body that grows with it.
+fn extents(reach: Reach, mesh: &MeshParams, film: f64) -> Extents {
+    let inlet = mesh.inlet.unwrap_or(-reach.inlet);
     let outlet = mesh
         .outlet
         .unwrap_or_else(|| 1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half()));
-    // A finite-element body grows with the contact area; half-spaces afford a wider one.
-    let wide = match model {
-        ElasticModel::HalfSpace if !heats => reach,
-        _ => reach * 2.0 / 3.0,
-    };
-    let side = mesh.side.unwrap_or_else(|| 3.0_f64.max(wide.ceil_half()));
+    let side = mesh
+        .side
+        .unwrap_or_else(|| 3.0_f64.max(reach.side.ceil_half()));
     let widest = inlet.abs().max(outlet).max(side);
     Extents {
         inlet,

@@ -165,8 +165,21 @@ pub struct ErrorEstimate {
     pub largest: f64,
     /// The same around the spike on the centreline, Pa; zero without one.
     pub spike: f64,
+    /// Error of the largest shear stress from the slopes of the pressure, Pa.
+    pub shear_stress: f64,
+    /// What rolling drags along beyond the edges of the contact area.
+    pub beyond_edges: BeyondEdges,
     /// Errors of the temperatures; zero where there are none, and where they are not of linear elements.
     pub temperatures: TemperatureErrors,
+}
+
+/// Share of the rolling friction that lies between edges of the contact area that are set by hand and those that it would have otherwise.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct BeyondEdges {
+    /// Traction coefficient at each wall.
+    pub traction: f64,
+    /// Friction power, W or W/m.
+    pub power: f64,
 }
 
 /// How far temperatures of linear elements are from those by recovered gradients, K.

@@ -12,6 +12,9 @@ const SHARE_OF_FILM_BAR: f64 = 1.0;
 /// The same over the root-mean-square error of the pressure, for what is integrated over the contact.
 const SHARE_OF_PRESSURE: f64 = 0.1;
 
+/// The same for what rolling drags along, which has the slopes of the pressure.
+const SHARE_OF_PRESSURE_IN_FRICTION: f64 = 0.3;
+
 /// Least error bar of a pressure over the root-mean-square error of the cells around it.
 const SHARE_OF_LOCAL: f64 = 1.5;
 
@@ -19,9 +22,11 @@ const SHARE_OF_LOCAL: f64 = 1.5;
 /// exponential of the pressure.
 const SHARE_OF_PRESSURE_MAXIMUM: f64 = 5.0;
 
-/// Least relative error bar of the traction at the walls and of the friction power over what the edges of the contact area do to the films: half of
-/// what the flow drags along in rolling it drags outside of the dry contact.
-const SHARE_OF_EDGES: f64 = 60.0;
+/// Error bar of the traction at the walls and of the friction power over what rolling drags along beyond the edges of the contact area.
+const SHARE_OF_BEYOND: f64 = 1.5;
+
+/// Least error bar of the largest shear stress over what the slopes of the pressure err by.
+const SHARE_OF_SLOPE: f64 = 1.0;
 
 /// Least error bar of a largest or lowest temperature over how far the linear elements around it are from recovered ones.
 const SHARE_OF_LOCAL_TEMPERATURE: f64 = 1.0;
@@ -116,15 +121,20 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
         Figure::ShearStressMaximum => {
             let relative = largest / size(Figure::PressureMaximum);
             SHARE_OF_PRESSURE_MAXIMUM * relative * size(figure)
+                + SHARE_OF_SLOPE * estimate.shear_stress
         }
         Figure::FilmCentrelineMinimum | Figure::OutletPosition => film * size(figure),
         Figure::TractionCoefficientPlane
         | Figure::TractionCoefficientBall
         | Figure::FrictionPower
         | Figure::HeatShear => {
-            let edges = estimate.edges[0].max(estimate.edges[1]);
-            let integral = film + SHARE_OF_PRESSURE * estimate.pressure;
-            (integral + SHARE_OF_EDGES * edges) * size(figure)
+            let beyond = estimate.beyond_edges;
+            let beyond = match figure {
+                Figure::FrictionPower | Figure::HeatShear => beyond.power,
+                _ => beyond.traction,
+            };
+            let integral = film + SHARE_OF_PRESSURE_IN_FRICTION * estimate.pressure;
+            integral * size(figure) + SHARE_OF_BEYOND * beyond
         }
         _ => (film + SHARE_OF_PRESSURE * estimate.pressure) * size(figure),
     }

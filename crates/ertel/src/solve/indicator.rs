@@ -29,7 +29,7 @@ use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
 use crate::contact::ContactKind;
 use crate::film::cross_film::CrossFilm;
-use crate::solution::{ErrorEstimate, TemperatureErrors};
+use crate::solution::{BeyondEdges, ErrorEstimate, TemperatureErrors};
 
 /// Estimated shares of the error in each element, relative to the film.
 pub struct Indicator {
@@ -41,6 +41,8 @@ pub struct Indicator {
     pub edges: [f64; 2],
     /// Of the mean square error of the pressure over the dry contact, in p_h².
     pub pressure: Vec<f64>,
+    /// Largest error of the stress at the walls, ½H|∇P|, from the slopes of the pressure, in a p_h/R.
+    pub shear_stress: f64,
     /// Root mean square error of the pressure in each element, in p_h.
     local: Vec<f64>,
 }
@@ -65,6 +67,8 @@ impl Indicator {
             pressure: self.pressure_error(),
             largest,
             spike,
+            shear_stress: 0.0,
+            beyond_edges: BeyondEdges::default(),
             temperatures: TemperatureErrors::default(),
         }
     }
@@ -155,12 +159,14 @@ pub fn indicator(
     let wave = |space: &Space| std::f64::consts::PI * (space.element.order() + 1) as f64;
     let mut shares = [Vec::new(), Vec::new()];
     let mut rule = CrossFilm::default();
+    let mut film_of_element = Vec::with_capacity(d.contact.n_elements());
     for c in 0..d.contact.n_elements() {
         let area = d.contact.maps[c].determinant * reference;
         let size = d.contact.sizes[c];
         let centroid = 1.0 / (surface.dim as f64 + 1.0);
         let xi = [centroid, if surface.dim == 2 { centroid } else { 0.0 }, 0.0];
         let f = fields_in(d, state, c, xi);
+        film_of_element.push(f.film);
         let fluid = model.fluid.local(f.pressure, f.temperature.as_ref());
         let [rho, rho_p, _] = fluid.point().density;
         let [mu, mu_p, _] = fluid.point().viscosity;
@@ -190,15 +196,21 @@ pub fn indicator(
     let squares: Vec<f64> = (d.contact.maps.iter().zip(&unresolved).zip(&system.missed))
         .map(|((map, error), missed)| map.determinant * reference * error * error + missed)
         .collect();
-    let local = squares.iter().zip(&d.contact.maps);
+    let local: Vec<f64> = (squares.iter().zip(&d.contact.maps))
+        .map(|(s, map)| (s / (map.determinant * reference)).sqrt())
+        .collect();
+    // An error e of the wave number κ, in its slope: κe.
+    let slope = |c: usize| 0.5 * wave(&d.pressure) / d.contact.sizes[c] * local[c];
+    let shear_stress = (0..local.len())
+        .map(|c| 0.5 * film_of_element[c] * slope(c))
+        .fold(0.0, f64::max);
     Ok(Indicator {
         central,
         minimum,
+        shear_stress,
+        local,
         edges: [0, 1]
             .map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / films[j]),
-        local: local
-            .map(|(s, map)| (s / (map.determinant * reference)).sqrt())
-            .collect(),
         pressure: squares.iter().map(|s| s / zone).collect(),
     })
 }

@@ -6,14 +6,18 @@
 //!   friction power = ∫∫ τ·γ̇ dz dA = ∫ h S²/μ₁ ∫t·tf ds dA
 //! ```
 
+use std::f64::consts::PI;
+
 use rayon::prelude::*;
 
 use super::discretisation::Discretisation;
 use super::evaluate::{PointFields, fields_at_quadrature};
 use super::system::State;
-use crate::contact::Scales;
+use crate::contact::{ContactKind, Scales};
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
+use crate::solution::BeyondEdges;
+use crate::solve::discretisation::Extents;
 
 /// Shear of the film at one point, SI.
 #[derive(Clone, Copy, Debug)]
@@ -150,6 +154,48 @@ pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &S
         power: sums.power * area,
         stress_maximum: sums.stress_maximum,
         beyond: [0, 1].map(|k: usize| constant[k].map(|_| sums.beyond[k] / sums.zone)),
+    }
+}
+
+/// What rolling drags along between the edges r_0 of the contact area and the distance r_1 to which it would go without being set by hand, where the
+/// surfaces are parabolas and rigid:
+///
+/// ```text
+///   P = −c λ X/H²,  X < 0:   ∫½H ∂P/∂X dA = πcλ ln(r_1/r_0),  H = r²/2,  c = 1/5    around a sphere
+///                                         = 3cλ (1/r_0 − 1/r_1),  H = X²/2,  c = 1/3    along a cylinder
+/// ```
+/// (Kapitza 1955). Around a sphere it grows without end: how much oil there is tells how much friction.
+pub fn beyond_edges(
+    kind: ContactKind,
+    extents: &Extents,
+    reach: f64,
+    stress_scale: f64,
+    scales: &Scales,
+) -> BeyondEdges {
+    let radius = scales.length * scales.length / scales.film;
+    let (edge, full) = match kind {
+        ContactKind::Circular => (extents.inlet.abs().min(extents.side), 2.0 * scales.load),
+        ContactKind::Line => (extents.inlet.abs(), scales.load),
+    };
+    if edge >= reach {
+        return BeyondEdges::default();
+    }
+    let drag = scales.lambda
+        * match kind {
+            ContactKind::Circular => 0.2 * PI * (reach / edge).ln(),
+            ContactKind::Line => 1.0 / edge - 1.0 / reach,
+        };
+    let area = match kind {
+        ContactKind::Circular => scales.length * scales.length,
+        ContactKind::Line => scales.length,
+    };
+    let speed = scales.lambda * scales.length.powi(3) * scales.pressure
+        / (12.0 * scales.viscosity * radius * radius);
+    let force = drag * stress_scale * area;
+    BeyondEdges {
+        traction: drag * stress_scale / (full * scales.pressure),
+        // Of both walls, at the mean speed.
+        power: 2.0 * force * speed,
     }
 }
 

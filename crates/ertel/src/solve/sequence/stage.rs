@@ -10,6 +10,7 @@ use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled}
 use crate::solve::heat::deviation::deviation;
 use crate::solve::indicator::{Indicator, indicator};
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
+use crate::solve::shear::beyond_edges;
 use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
@@ -243,6 +244,17 @@ impl<'a> StageRun<'a> {
         };
         let places = [place(Figure::PressureMaximum), place(Figure::Spike)];
         stats.estimate = indicator.map(|i| i.estimate(d, places, problem.scales.pressure));
+        if let (Some(estimate), Some(i)) = (&mut stats.estimate, indicator) {
+            let unit = problem.fluid.stress_scale();
+            estimate.shear_stress = unit * i.shear_stress;
+            estimate.beyond_edges = beyond_edges(
+                problem.kind,
+                &problem.extents,
+                problem.reach,
+                unit,
+                &problem.scales,
+            );
+        }
         let temperatures = d.heat.as_ref().map(|heat| deviation(d, heat, state, place));
         if let (Some(estimate), Some(found)) = (&mut stats.estimate, temperatures) {
             estimate.temperatures = found;
