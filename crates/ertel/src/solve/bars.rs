@@ -5,6 +5,9 @@ use crate::solution::{Bar, Bars, Estimate, Figure, LevelStats, Measured, Reading
 /// Error bar over the difference of two meshes.
 const SAFETY: f64 = 2.0;
 
+/// The same of the friction power, to which a spike too narrow for both meshes gives a share.
+const SAFETY_OF_POWER: f64 = 4.0;
+
 /// Least error bar of a figure, relative to its size, over the larger relative bar of the films: differences can vanish
 /// by chance.
 const SHARE_OF_FILM_BAR: f64 = 1.0;
@@ -83,7 +86,11 @@ pub fn bars(levels: &[LevelStats], film_bars: Option<[f64; 2]>) -> Option<Bars> 
             Figure::FilmCentral => film_bars[0] * here.size,
             Figure::FilmMinimum => film_bars[1] * here.size,
             _ => there.map_or(least, |there| {
-                (SAFETY * (here.value - there.value).abs()).max(least)
+                let safety = match figure {
+                    Figure::FrictionPower | Figure::HeatShear => SAFETY_OF_POWER,
+                    _ => SAFETY,
+                };
+                (safety * (here.value - there.value).abs()).max(least)
             }),
         };
         let place = here.place.zip(there.and_then(|there| there.place));
