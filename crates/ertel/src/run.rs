@@ -86,7 +86,7 @@ pub fn problem(case: &Case) -> Problem {
     Problem {
         kind: contact.kind,
         extents: extents(reach, &case.mesh, start_film),
-        reach: reach.side,
+        reach: [reach.inlet, reach.side],
         stages: stages(
             &case.mesh,
             start_film,

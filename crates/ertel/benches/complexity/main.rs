@@ -66,7 +66,7 @@ impl Sweep {
         match self {
             Sweep::Line => "line",
             Sweep::Circular => "circular",
-            Sweep::CircularFinite => "circular-finite-elements",
+            Sweep::CircularFinite => "circular-body",
             Sweep::LineMonolithic => "line-monolithic",
             Sweep::CircularMonolithic => "circular-monolithic",
         }

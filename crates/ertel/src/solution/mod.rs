@@ -180,6 +180,8 @@ pub struct BeyondEdges {
     pub traction: f64,
     /// Friction power, W or W/m.
     pub power: f64,
+    /// Share of the distance to the edges that is cut off.
+    pub cut: f64,
 }
 
 /// How far temperatures of linear elements are from those by recovered gradients, K.

@@ -28,6 +28,11 @@ const SHARE_OF_PRESSURE_MAXIMUM: f64 = 5.0;
 /// Error bar of the traction at the walls and of the friction power over what rolling drags along beyond the edges of the contact area.
 const SHARE_OF_BEYOND: f64 = 1.5;
 
+/// Error bars, over the share of the distance that edges set by hand cut off, of what carries heat off, in heat made by shear, and of heat by compression, in
+/// itself: where heat enters and leaves with the lubricant.
+const SHARE_OF_CUT: f64 = 0.2;
+const SHARE_OF_CUT_COMPRESSION: f64 = 3.0;
+
 /// Least error bar of the largest shear stress over what the slopes of the pressure err by.
 const SHARE_OF_SLOPE: f64 = 1.0;
 
@@ -143,7 +148,17 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
             let integral = film + SHARE_OF_PRESSURE_IN_FRICTION * estimate.pressure;
             integral * size(figure) + SHARE_OF_BEYOND * beyond
         }
-        _ => (film + SHARE_OF_PRESSURE * estimate.pressure) * size(figure),
+        _ => {
+            let cut = estimate.beyond_edges.cut
+                * match figure {
+                    Figure::HeatToPlane | Figure::HeatToBall | Figure::HeatByFilm => {
+                        SHARE_OF_CUT * size(Figure::HeatShear)
+                    }
+                    Figure::HeatCompression => SHARE_OF_CUT_COMPRESSION * size(figure),
+                    _ => 0.0,
+                };
+            (film + SHARE_OF_PRESSURE * estimate.pressure) * size(figure) + cut
+        }
     }
 }
 

@@ -168,22 +168,26 @@ pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &S
 pub fn beyond_edges(
     kind: ContactKind,
     extents: &Extents,
-    reach: f64,
+    reach: [f64; 2],
     stress_scale: f64,
     scales: &Scales,
 ) -> BeyondEdges {
     let radius = scales.length * scales.length / scales.film;
-    let (edge, full) = match kind {
-        ContactKind::Circular => (extents.inlet.abs().min(extents.side), 2.0 * scales.load),
-        ContactKind::Line => (extents.inlet.abs(), scales.load),
+    let edge = extents.inlet.abs();
+    let (further, full) = match kind {
+        ContactKind::Circular => (
+            (reach[0] / edge).max(reach[1] / extents.side),
+            2.0 * scales.load,
+        ),
+        ContactKind::Line => (reach[0] / edge, scales.load),
     };
-    if edge >= reach {
+    if further <= 1.0 {
         return BeyondEdges::default();
     }
     let drag = scales.lambda
         * match kind {
-            ContactKind::Circular => 0.2 * PI * (reach / edge).ln(),
-            ContactKind::Line => 1.0 / edge - 1.0 / reach,
+            ContactKind::Circular => 0.2 * PI * further.ln(),
+            ContactKind::Line => (1.0 - 1.0 / further) / edge,
         };
     let area = match kind {
         ContactKind::Circular => scales.length * scales.length,
@@ -196,6 +200,7 @@ pub fn beyond_edges(
         traction: drag * stress_scale / (full * scales.pressure),
         // Of both walls, at the mean speed.
         power: 2.0 * force * speed,
+        cut: 1.0 - 1.0 / further,
     }
 }
 

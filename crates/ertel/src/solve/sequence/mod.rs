@@ -88,8 +88,8 @@ pub struct Problem {
     pub kind: ContactKind,
     /// Contact area and body.
     pub extents: Extents,
-    /// Distance, in half-widths, to which the contact area goes where its edges are not set by hand.
-    pub reach: f64,
+    /// Distances of inlet and side, in half-widths, to which the contact area goes where they are not set by hand.
+    pub reach: [f64; 2],
     /// Stages, coarse to fine.
     pub stages: Vec<Stage>,
     /// Elastic bodies.
