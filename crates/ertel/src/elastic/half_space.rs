@@ -9,7 +9,7 @@
 //! The deflection is exact at its nodes for the pressure that the elements carry, and a polynomial between them.
 
 use std::f64::consts::PI;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ertel_fem::mesh::SimplexMesh;
 use ertel_fem::potential::{Accuracy, Potential, PotentialParams};
@@ -73,8 +73,18 @@ impl HalfSpace {
     }
 
     fn potential(&self) -> Arc<Potential> {
-        let mut kept = self.potential.lock().unwrap_or_else(|e| e.into_inner());
-        Arc::clone(kept.get_or_insert_with(|| Arc::new(potential(&self.mesh, &self.space))))
+        if let Some(kept) = &*self.kept() {
+            return Arc::clone(kept);
+        }
+        // Not under the lock: a thread that waits for others may turn to a task that asks for it, too.
+        let made = Arc::new(potential(&self.mesh, &self.space));
+        Arc::clone(self.kept().get_or_insert(made))
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Option<Arc<Potential>>> {
+        self.potential
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Deflection under a pressure given at the deflection nodes.
@@ -116,7 +126,7 @@ impl SurfaceResponse for HalfSpace {
     }
 
     fn release(&self) {
-        *self.potential.lock().unwrap_or_else(|e| e.into_inner()) = None;
+        *self.kept() = None;
     }
 }
 

@@ -215,6 +215,14 @@ pub fn indicator(
     })
 }
 
+/// c of the pressure −c λ X/H² far from a contact.
+pub(super) fn far_field(kind: ContactKind) -> f64 {
+    match kind {
+        ContactKind::Circular => 0.2,
+        ContactKind::Line => 1.0 / 3.0,
+    }
+}
+
 /// How much a film changes where the pressure beyond the edges of the contact area goes on as it does far from a contact:
 ///
 /// ```text
@@ -229,10 +237,7 @@ fn edge_error(
     system: &System,
     adjoint: &[f64],
 ) -> f64 {
-    let share = match d.contact.kind {
-        ContactKind::Circular => 0.2,
-        ContactKind::Line => 1.0 / 3.0,
-    };
+    let share = far_field(d.contact.kind);
     let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
     let on_edge = |node: &u32| d.pressure_dofs[*node as usize] == CONSTRAINED;
     let order = d.pressure.element.order() as f64;

@@ -41,7 +41,7 @@ pub struct NewtonParams {
     pub growth_limit: f64,
     /// Update, in p_h, below which steps are no longer tested for that: each test costs a linear solve.
     pub safe_update: f64,
-    /// Share to which the residual falls in a step that is not tested either.
+    /// A step after which the residual is less than this share of it is not tested either; 0 to test all.
     pub trusted_fall: f64,
     /// Share of the step below which it is taken as it is.
     pub smallest_share: f64,

@@ -10,14 +10,14 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
-use super::discretisation::Discretisation;
+use super::discretisation::{Discretisation, Extents};
 use super::evaluate::{PointFields, fields_at_quadrature};
+use super::indicator::far_field;
 use super::system::State;
 use crate::contact::{ContactKind, Scales};
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::BeyondEdges;
-use crate::solve::discretisation::Extents;
 
 /// Shear of the film at one point, SI.
 #[derive(Clone, Copy, Debug)]
@@ -164,7 +164,8 @@ pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &S
 ///   P = −c λ X/H²,  X < 0:   ∫½H ∂P/∂X dA = πcλ ln(r_1/r_0),  H = r²/2,  c = 1/5    around a sphere
 ///                                         = 3cλ (1/r_0 − 1/r_1),  H = X²/2,  c = 1/3    along a cylinder
 /// ```
-/// (Kapitza 1955). Around a sphere it grows without end: how much oil there is tells how much friction.
+/// (Kapitza 1955), by both walls against the motion; `reach` is r_1 at the inlet and at the side, in half-widths, `stress_scale` a p_h/R in Pa. Around a sphere it
+/// grows without end with r_1.
 pub fn beyond_edges(
     kind: ContactKind,
     extents: &Extents,
@@ -172,37 +173,103 @@ pub fn beyond_edges(
     stress_scale: f64,
     scales: &Scales,
 ) -> BeyondEdges {
-    let radius = scales.length * scales.length / scales.film;
     let edge = extents.inlet.abs();
-    let (further, full) = match kind {
-        ContactKind::Circular => (
-            (reach[0] / edge).max(reach[1] / extents.side),
-            2.0 * scales.load,
-        ),
-        ContactKind::Line => (reach[0] / edge, scales.load),
+    let further = match kind {
+        ContactKind::Circular => (reach[0] / edge).max(reach[1] / extents.side),
+        ContactKind::Line => reach[0] / edge,
     };
     if further <= 1.0 {
         return BeyondEdges::default();
     }
+    // Over the (half) contact area, as the load.
     let drag = scales.lambda
+        * far_field(kind)
         * match kind {
-            ContactKind::Circular => 0.2 * PI * further.ln(),
-            ContactKind::Line => (1.0 - 1.0 / further) / edge,
+            ContactKind::Circular => 0.5 * PI * further.ln(),
+            ContactKind::Line => 3.0 * (1.0 - 1.0 / further) / edge,
         };
-    let area = match kind {
-        ContactKind::Circular => scales.length * scales.length,
-        ContactKind::Line => scales.length,
-    };
+    let radius = scales.length * scales.length / scales.film;
     let speed = scales.lambda * scales.length.powi(3) * scales.pressure
         / (12.0 * scales.viscosity * radius * radius);
-    let force = drag * stress_scale * area;
     BeyondEdges {
-        traction: drag * stress_scale / (full * scales.pressure),
+        traction: drag * stress_scale / (scales.load * scales.pressure),
         // Of both walls, at the mean speed.
-        power: 2.0 * force * speed,
+        power: 2.0 * drag * stress_scale * scales.area(kind) * speed,
         cut: 1.0 - 1.0 / further,
     }
 }
 
 /// Elements that a thread takes at a time.
 const BATCH: usize = 16;
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// The far field by quadrature in ring and angle, ½H ∂P/∂X by differences, over the half of a ball and the line of a roller.
+    #[test]
+    fn drag_beyond_the_edges() {
+        let scales = Scales {
+            length: 2e-4,
+            pressure: 1e9,
+            film: 2.5e-6,
+            viscosity: 0.04,
+            density: 870.0,
+            lambda: 0.01,
+            elastic_stress: 8e10,
+            load: PI / 3.0,
+        };
+        let extents = |inlet, side| Extents {
+            inlet,
+            outlet: 1.5,
+            side,
+            body_width: 60.0,
+            body_depth: 60.0,
+        };
+        let slope = |p: &dyn Fn(f64) -> f64, x: f64| (p(x + 1e-4) - p(x - 1e-4)) / 2e-4;
+        let n = 2000;
+        let radii = (0..n).map(|i| {
+            (
+                3.0 + 6.0 * (f64::from(i) + 0.5) / f64::from(n),
+                6.0 / f64::from(n),
+            )
+        });
+        let (mut ball, mut roller) = (0.0, 0.0);
+        for (r, width) in radii {
+            for k in 0..64 {
+                // A quarter of the plane: X < 0, one side of Y = 0
+                let angle = 0.5 * PI * (f64::from(k) + 0.5) / 64.0;
+                let (x, y) = (-r * angle.cos(), r * angle.sin());
+                let film = |x: f64| 0.5 * (x * x + y * y);
+                let p = |x: f64| -0.2 * scales.lambda * x / film(x).powi(2);
+                ball += 0.5 * PI / 64.0 * r * width * 0.5 * film(x) * slope(&p, x);
+            }
+            let p = |x: f64| -scales.lambda / 3.0 * x / (0.5 * x * x).powi(2);
+            roller += width * 0.25 * r * r * slope(&p, -r);
+        }
+        let unit = 1.25e7;
+        for (kind, reach, drag) in [
+            (ContactKind::Circular, [9.0, 6.0], ball),
+            (ContactKind::Line, [9.0, 0.0], roller),
+        ] {
+            let found = beyond_edges(kind, &extents(-3.0, 4.0), reach, unit, &scales);
+            let traction = drag * unit / (scales.load * scales.pressure);
+            assert_relative_eq!(found.traction, traction, max_relative = 1e-4);
+            // 2 F u of a force F, with the entrainment speed u = λa³p_h/(12 μ R²).
+            let speed = 0.01 * 8e-12 * 1e9 / (12.0 * 0.04 * 0.016 * 0.016);
+            let force = drag * unit * scales.area(kind);
+            assert_relative_eq!(found.power, 2.0 * force * speed, max_relative = 1e-4);
+            assert_relative_eq!(found.cut, 2.0 / 3.0, max_relative = 1e-12);
+        }
+        let own = beyond_edges(
+            ContactKind::Circular,
+            &extents(-9.0, 6.0),
+            [9.0, 6.0],
+            unit,
+            &scales,
+        );
+        assert_eq!(own, BeyondEdges::default());
+    }
+}

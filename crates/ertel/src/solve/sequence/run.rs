@@ -162,9 +162,12 @@ impl<'a> Sequence<'a> {
         self.mesh = None;
         let mesh = Arc::new(match refined {
             Some(p) => {
-                // The state goes over without it.
-                p.discretisation.contact.response.release();
-                (p.discretisation.contact).refined(&self.halvings, means)?
+                let contact = &p.discretisation.contact;
+                // The state goes over without it; other solves that share the mesh may be at work with it.
+                if Arc::strong_count(contact) == 1 {
+                    contact.response.release();
+                }
+                contact.refined(&self.halvings, means)?
             }
             None => ContactSurface::new(
                 problem.kind,
