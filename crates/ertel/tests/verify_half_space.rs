@@ -426,3 +426,20 @@ fn films_agree_with_those_of_a_large_body() {
         assert_relative_eq!(a.value, b.value, max_relative = 1.5e-3);
     }
 }
+
+/// An operator that was given back is made anew when it is asked for, with the same bits, by several threads at once, too.
+#[test]
+fn released_operators_come_back() {
+    for kind in KINDS {
+        let d = half_space(kind, 0.2, 3);
+        let pressure = noise(d.pressure.n_nodes(), 1);
+        let before = d.deflect(&pressure, Accuracy::Full);
+        d.contact.response.release();
+        let (a, b) = rayon::join(
+            || d.deflect(&pressure, Accuracy::Full),
+            || d.deflect(&pressure, Accuracy::Full),
+        );
+        assert_eq!(a, before);
+        assert_eq!(b, before);
+    }
+}
