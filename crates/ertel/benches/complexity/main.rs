@@ -48,7 +48,7 @@ struct Args {
 enum Sweep {
     Line,
     Circular,
-    CircularFinite,
+    CircularBody,
     LineMonolithic,
     CircularMonolithic,
 }
@@ -57,7 +57,7 @@ impl Sweep {
     const ALL: [Sweep; 5] = [
         Sweep::Line,
         Sweep::Circular,
-        Sweep::CircularFinite,
+        Sweep::CircularBody,
         Sweep::LineMonolithic,
         Sweep::CircularMonolithic,
     ];
@@ -66,7 +66,7 @@ impl Sweep {
         match self {
             Sweep::Line => "line",
             Sweep::Circular => "circular",
-            Sweep::CircularFinite => "circular-body",
+            Sweep::CircularBody => "circular-body",
             Sweep::LineMonolithic => "line-monolithic",
             Sweep::CircularMonolithic => "circular-monolithic",
         }
@@ -79,7 +79,7 @@ impl Sweep {
     fn kind(self) -> ContactKind {
         match self {
             Sweep::Line | Sweep::LineMonolithic => ContactKind::Line,
-            Sweep::Circular | Sweep::CircularFinite | Sweep::CircularMonolithic => {
+            Sweep::Circular | Sweep::CircularBody | Sweep::CircularMonolithic => {
                 ContactKind::Circular
             }
         }
@@ -90,7 +90,7 @@ impl Sweep {
         match self {
             Sweep::Line => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625], &[0.03125]),
             Sweep::Circular => (&[1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.13], &[0.09]),
-            Sweep::CircularFinite => (&[5.0, 2.8, 2.0, 1.4, 1.0], &[0.7, 0.5]),
+            Sweep::CircularBody => (&[5.0, 2.8, 2.0, 1.4, 1.0], &[0.7, 0.5]),
             Sweep::LineMonolithic => (&[8.0, 4.0, 2.0, 1.0, 0.5, 0.25, 0.125], &[0.0625]),
             Sweep::CircularMonolithic => (&[4.0, 2.8, 2.0], &[1.6, 1.2]),
         }
@@ -227,7 +227,7 @@ fn measure(root: &Path, sweep: Sweep, factor: f64) -> Point {
     case.mesh.growth = (case.mesh.growth * growth).min(FASTEST_GROWTH);
     case.mesh.depth_growth = (case.mesh.depth_growth * growth).min(FASTEST_GROWTH);
     case.output.body_field = false;
-    if sweep == Sweep::CircularFinite {
+    if sweep == Sweep::CircularBody {
         case.solver.elasticity = Some(ElasticModel::Equivalent);
     }
     let mut watch = if sweep.is_monolithic() {

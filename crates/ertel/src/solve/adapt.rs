@@ -347,3 +347,6 @@ const LARGEST_PRESSURE_GOAL: f64 = 0.7;
 /// Share of its estimate that a refinement aims at, at most. With less refinement the few largest shares
 /// go, and of the error, which is a sum of shares of both signs, much more stays than of the estimate.
 const LARGEST_GOAL: f64 = 0.125;
+
+#[cfg(test)]
+mod tests;

@@ -205,7 +205,7 @@ pub fn relative_error_on(level: &LevelStats, figure: Figure, solution: &Measured
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
@@ -213,7 +213,7 @@ mod tests {
     use crate::solve::sequence::Role;
 
     /// A converged stage on a mesh of `n` cells.
-    fn level(n: usize, role: Role, figures: &[(Figure, Reading)]) -> LevelStats {
+    pub fn level(n: usize, role: Role, figures: &[(Figure, Reading)]) -> LevelStats {
         let mut all = Figures::default();
         for (figure, reading) in figures {
             all.note(*figure, *reading);

@@ -32,6 +32,7 @@ use crate::film::cross_film::CrossFilm;
 use crate::solution::{BeyondEdges, ErrorEstimate, TemperatureErrors};
 
 /// Estimated shares of the error in each element, relative to the film.
+#[derive(Default)]
 pub struct Indicator {
     /// Of the central film thickness.
     pub central: Vec<f64>,
@@ -44,7 +45,7 @@ pub struct Indicator {
     /// Largest error of the stress at the walls, ½H|∇P|, from the slopes of the pressure, in a p_h/R.
     pub shear_stress: f64,
     /// Root mean square error of the pressure in each element, in p_h.
-    local: Vec<f64>,
+    pub(super) local: Vec<f64>,
 }
 
 impl Indicator {
