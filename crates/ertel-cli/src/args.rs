@@ -55,6 +55,9 @@ pub struct SolveArgs {
     /// Neither use nor keep elastic operators of other solves
     #[arg(long)]
     pub no_cache: bool,
+    /// Exit code 0 also where an error bar is wider than half of a figure
+    #[arg(long)]
+    pub accept_unresolved: bool,
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,
@@ -99,6 +102,9 @@ pub struct SweepArgs {
     /// Neither use nor keep elastic operators of other solves
     #[arg(long)]
     pub no_cache: bool,
+    /// Exit code 0 also where an error bar is wider than half of a figure
+    #[arg(long)]
+    pub accept_unresolved: bool,
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,

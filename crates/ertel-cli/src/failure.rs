@@ -19,6 +19,9 @@ pub enum Failure {
     /// The solver gave up.
     #[error("{0}")]
     NotConverged(String),
+    /// Results are written, but the mesh does not resolve what was asked for.
+    #[error("{0}")]
+    Unresolved(String),
     /// Ctrl-C.
     #[error("interrupted; nothing was written")]
     Interrupted,
@@ -34,12 +37,12 @@ pub enum Failure {
 }
 
 impl Failure {
-    /// 1 other, 2 bad input, 3 not converged, 130 interrupted.
+    /// 1 other, 2 bad input, 3 not converged or not resolved, 130 interrupted.
     pub fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self {
             Self::Output(_) | Self::Other(_) => 1,
             Self::Input(_) | Self::Argument(_) => 2,
-            Self::NotConverged(_) => 3,
+            Self::NotConverged(_) | Self::Unresolved(_) => 3,
             Self::Interrupted | Self::InterruptedCurve(_) => 130,
         })
     }

@@ -6,8 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use ertel::case::{Case, Curve};
 use ertel::output;
 use ertel::run::Session;
+use ertel::solution::Unresolved;
 use ertel::solve::{DiscretisationError, SolveError};
 use ertel::study::{CurveSolution, solve_curve};
+use ertel::warning::{Warning, by_kind};
 
 use crate::args::SolveArgs;
 use crate::cache::user_cache;
@@ -57,7 +59,7 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     if let Some(curve) = &case.curve {
         let solution = solve_curve(&session, curve, &mut progress);
         drop(progress);
-        return write_curve(&case, curve, &solution, &folder, arguments.quiet);
+        return write_curve(&case, curve, &solution, &folder, arguments);
     }
     let solution = session.solve(&case, &mut progress);
     drop(progress);
@@ -70,12 +72,41 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     output::write(&echo, &solution, &folder, &case.output)?;
     WRITING.store(false, Ordering::SeqCst);
     if arguments.quiet {
-        let known = |warning: &&String| !case.warnings.contains(warning);
+        let known = |warning: &&Warning| !case.warnings.contains(warning);
         warn(solution.warnings.iter().filter(known));
-        return Ok(());
+    } else {
+        print::stdout(&output::report(&echo, &solution, Some(&folder)))?;
     }
-    print::stdout(&output::report(&echo, &solution, Some(&folder)))
+    match &solution.unresolved[..] {
+        [] => Ok(()),
+        _ if arguments.accept_unresolved => Ok(()),
+        unresolved => Err(not_resolved(unresolved, &folder)),
+    }
 }
+
+/// Error bars so wide that no one should go on with the figures without noticing.
+fn not_resolved(unresolved: &[Unresolved], folder: &Path) -> Failure {
+    let figures: Vec<String> = unresolved.iter().map(output::unresolved).collect();
+    Failure::Unresolved(format!(
+        "not resolved: {}, with an error bar wider than half of it; the results are in {}, where result.json says \
+         \"unresolved\"\n  = help: {RESOLVE}",
+        figures.join("; "),
+        folder.display()
+    ))
+}
+
+/// The same of points; their table says which.
+pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
+    Failure::Unresolved(format!(
+        "{n} of {all} points are not resolved: error bars wider than half of the figure; which, stands in the column \
+         `unresolved` of {}\n  = help: {RESOLVE}",
+        table.display()
+    ))
+}
+
+/// What to do about figures that are not resolved.
+const RESOLVE: &str = "raise [mesh] max_unknowns, or accept such figures with --accept-unresolved; the warnings say \
+    what the mesh lacks";
 
 /// Writes what was solved of a curve; says what was not.
 fn write_curve(
@@ -83,8 +114,9 @@ fn write_curve(
     curve: &Curve,
     solution: &CurveSolution,
     folder: &Path,
-    quiet: bool,
+    arguments: &SolveArgs,
 ) -> Result<(), Failure> {
+    let (quiet, accept_unresolved) = (arguments.quiet, arguments.accept_unresolved);
     if solution.points.is_empty() {
         return Err(Failure::Interrupted);
     }
@@ -112,24 +144,31 @@ fn write_curve(
             folder.join("curve.csv").display()
         )));
     }
+    let points = solution.points.iter().filter_map(|p| p.outcome.solution());
+    let n_unresolved = points.filter(|s| !s.unresolved.is_empty()).count();
+    if n_unresolved > 0 && !accept_unresolved {
+        return Err(points_not_resolved(
+            n_unresolved,
+            all,
+            &folder.join("curve.csv"),
+        ));
+    }
     Ok(())
 }
 
 /// What to know about the input: of a case, or of the points of its curve.
-fn input_warnings(case: &Case) -> Vec<String> {
+fn input_warnings(case: &Case) -> Vec<Warning> {
     let Some(curve) = &case.curve else {
         return case.warnings.clone();
     };
-    let mut warnings: Vec<String> = Vec::new();
-    for warning in curve.points.iter().flat_map(|p| &p.case.warnings) {
-        if !warnings.contains(warning) {
-            warnings.push(warning.clone());
-        }
-    }
-    warnings
+    let points = curve.points.iter().enumerate();
+    let warnings = points.flat_map(|(i, p)| p.case.warnings.iter().map(move |w| (i, w)));
+    (by_kind(warnings).iter())
+        .map(|merged| Warning::from(merged.line(curve.points.len())))
+        .collect()
 }
 
-fn warn<'a>(warnings: impl IntoIterator<Item = &'a String>) {
+fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     for warning in warnings {
         eprintln!("warning: {warning}");
     }

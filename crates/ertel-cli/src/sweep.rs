@@ -19,7 +19,7 @@ use crate::args::SweepArgs;
 use crate::cache::user_cache;
 use crate::failure::Failure;
 use crate::print;
-use crate::solve::{CANCELLED, listen_for_interrupts};
+use crate::solve::{CANCELLED, listen_for_interrupts, points_not_resolved};
 use crate::table::columns;
 
 /// Failures and warnings that the report shows one by one.
@@ -33,7 +33,7 @@ const MOST_SHOWN: usize = 10;
 pub fn run(arguments: &SweepArgs) -> Result<(), Failure> {
     if let Some([target, parts @ ..]) = arguments.merge.as_deref() {
         let summary = merge(target, parts)?;
-        return merged(&summary, target, arguments.quiet);
+        return merged(&summary, target, arguments);
     }
     let Some(path) = &arguments.study else {
         return Err(Failure::Argument("no study is given".into()));
@@ -63,7 +63,7 @@ pub fn run(arguments: &SweepArgs) -> Result<(), Failure> {
     let progress = Progress::new(arguments.quiet, &CANCELLED);
     let summary = sweep(&session, &study, &folder, &params, &progress);
     drop(progress);
-    report(&summary?, &folder, arguments.quiet)
+    report(&summary?, &folder, arguments)
 }
 
 /// Where the study goes: the command line, or `results/<name of the study file>`.
@@ -113,14 +113,14 @@ fn dry_run(study: &Study, folder: &Path) -> Result<(), Failure> {
     ))
 }
 
-fn report(summary: &SweepSummary, folder: &Path, quiet: bool) -> Result<(), Failure> {
+fn report(summary: &SweepSummary, folder: &Path, arguments: &SweepArgs) -> Result<(), Failure> {
     if summary.n_damaged > 0 {
         eprintln!(
             "warning: {} lines of the journal could not be read; their points were solved again",
             summary.n_damaged
         );
     }
-    if !quiet {
+    if !arguments.quiet {
         let mut text = remarks(summary);
         let kept = match summary.n_kept {
             0 => String::new(),
@@ -153,24 +153,29 @@ fn report(summary: &SweepSummary, folder: &Path, quiet: bool) -> Result<(), Fail
             summary.n_points
         )));
     }
-    failed(summary, folder)
+    failed(summary, folder, arguments.accept_unresolved)
 }
 
-fn failed(summary: &SweepSummary, folder: &Path) -> Result<(), Failure> {
+fn failed(summary: &SweepSummary, folder: &Path, accept_unresolved: bool) -> Result<(), Failure> {
+    let table = folder.join(TABLE);
     if summary.failures.is_empty() {
-        return Ok(());
+        return match summary.n_unresolved {
+            0 => Ok(()),
+            _ if accept_unresolved => Ok(()),
+            n => Err(points_not_resolved(n, summary.n_points, &table)),
+        };
     }
     Err(Failure::NotConverged(format!(
         "{} of {} points failed; the reasons stand in {}",
         summary.failures.len(),
         summary.n_points,
-        folder.join(TABLE).display()
+        table.display()
     )))
 }
 
-fn merged(summary: &SweepSummary, target: &Path, quiet: bool) -> Result<(), Failure> {
+fn merged(summary: &SweepSummary, target: &Path, arguments: &SweepArgs) -> Result<(), Failure> {
     let finished = summary.n_kept + summary.n_new;
-    if !quiet {
+    if !arguments.quiet {
         let text = remarks(summary);
         print::stdout(&format!(
             "{text}{finished} of {} points finished, {} failed\nResults in {}\n",
@@ -186,7 +191,7 @@ fn merged(summary: &SweepSummary, target: &Path, quiet: bool) -> Result<(), Fail
             summary.n_points
         )));
     }
-    failed(summary, target)
+    failed(summary, target, arguments.accept_unresolved)
 }
 
 /// Failures and warnings, each with its points.
@@ -195,13 +200,8 @@ fn remarks(summary: &SweepSummary) -> String {
     for (index, label, reason) in summary.failures.iter().take(MOST_SHOWN) {
         text += &format!("  ! point {} ({label}) failed: {reason}\n", index + 1);
     }
-    for (warning, points) in summary.warnings.iter().take(MOST_SHOWN) {
-        let at = match points[..] {
-            [one] => format!("point {}", one + 1),
-            [first, ..] => format!("{} points, the first {}", points.len(), first + 1),
-            [] => String::new(),
-        };
-        text += &format!("  ! {at}: {warning}\n");
+    for merged in summary.warnings.iter().take(MOST_SHOWN) {
+        text += &format!("  ! {}\n", merged.line(summary.n_points));
     }
     let more = summary.failures.len().saturating_sub(MOST_SHOWN)
         + summary.warnings.len().saturating_sub(MOST_SHOWN);

@@ -12,9 +12,10 @@ use crate::params::{
     DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE, DEFAULT_MAX_UNKNOWNS_OF_BODIES,
     ElasticModel, Formulation, MeshParams,
 };
+use crate::plausible;
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
-use crate::solution::{IterationRecord, Solution, Stats};
+use crate::solution::{IterationRecord, Solution, Stats, Unresolved};
 use crate::solve::adapt::AdaptParams;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::figures::measure;
@@ -27,6 +28,7 @@ use crate::solve::sequence::{
 };
 use crate::solve::system::FilmConstants;
 use crate::solve::{Observer, SolveError};
+use crate::warning::{Warning, WarningKind};
 
 /// Dimensionless problem of a case.
 pub fn problem(case: &Case) -> Problem {
@@ -328,14 +330,15 @@ fn describe(
     let mut warnings = case.warnings.clone();
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {
-        warnings.push(format!(
+        let text = format!(
             "solved with pressures of order {order}: those of order {} did not converge; a finer mesh \
              may carry them",
             case.mesh.pressure_order
-        ));
+        );
+        warnings.push(Warning::new(WarningKind::Convergence, text));
     }
     if let Some(cache) = &problem.cache {
-        warnings.extend(cache.take_warnings());
+        warnings.extend(cache.take_warnings().into_iter().map(Warning::from));
     }
     warnings.extend(post::summary::warnings(
         case.contact.kind,
@@ -358,7 +361,7 @@ fn describe(
         let minimum = summary.film_minimum.value;
         post::limits::roughness_warning("the minimum film thickness", minimum, sigma)
     }));
-    Ok(Solution {
+    let mut solution = Solution {
         kind: case.contact.kind,
         hertz,
         reduced_modulus: case.reduced_modulus(),
@@ -374,6 +377,12 @@ fn describe(
             .then(|| post::fields::body(finest, &scales))
             .transpose()?
             .flatten(),
+        unresolved: Unresolved::all(
+            &summary,
+            &traction,
+            case.motion.slide_to_roll_ratio != 0.0,
+            thermal.as_ref(),
+        ),
         summary,
         traction,
         film_reduction,
@@ -381,7 +390,10 @@ fn describe(
         history,
         stats,
         warnings,
-    })
+    };
+    let doubts = plausible::warnings(case, &solution);
+    solution.warnings.extend(doubts);
+    Ok(solution)
 }
 
 /// Groups of a case for a pressure-viscosity coefficient in 1/Pa.

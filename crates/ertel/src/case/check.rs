@@ -6,6 +6,7 @@ use super::Case;
 use crate::contact::{Contact, ContactKind, Hertz};
 use crate::output::{digits, length, pressure};
 use crate::params::ElasticModel;
+use crate::warning::{Warning, WarningKind};
 
 /// Hertz pressures of lubricated contacts, Pa.
 pub(super) const HERTZ_PRESSURE: Bounds = Bounds::closed(MIN_PRESSURE, MAX_PRESSURE);
@@ -62,19 +63,25 @@ pub(super) fn hertz(
 }
 
 /// What the user should know, one sentence each.
-pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<String> {
+pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let ratio = case.motion.slide_to_roll_ratio;
     if ratio.abs() > 2.0 {
-        warnings.push(format!(
+        let text = format!(
             "the slide-to-roll ratio {ratio} is beyond 2: the surfaces move in opposite directions"
+        );
+        warnings.push(Warning::beyond(
+            WarningKind::OppositeMotion,
+            ratio.abs(),
+            text,
         ));
     }
     let share = hertz.half_width / case.contact.radius;
     if share > POOR_PARABOLA {
-        warnings.push(format!(
+        let text = format!(
             "the contact half-width is {share:.2} of the radius: the parabolic gap of Hertz theory is crude"
-        ));
+        );
+        warnings.push(Warning::beyond(WarningKind::WideContact, share, text));
     }
     warnings
 }
@@ -88,7 +95,7 @@ const HIGHEST_ORDER_OF_BODIES: usize = 2;
 ///
 /// # Errors
 /// An order of the displacement that finite-element bodies do not have.
-pub(crate) fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<String>, InputError> {
+pub(crate) fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, InputError> {
     let order = case.mesh.elastic_order;
     if case.elastic_model() != ElasticModel::HalfSpace {
         return match order {
@@ -111,19 +118,19 @@ pub(crate) fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Strin
         .map(|key| format!("mesh.{key}"))
         .collect();
     if !given.is_empty() {
-        warnings.push(format!(
+        warnings.push(Warning::from(format!(
             "the bodies are half-spaces, on which {} {} no effect: solver.elasticity = \"equivalent\" makes {} count",
             given.join(", "),
             if given.len() == 1 { "has" } else { "have" },
             if given.len() == 1 { "it" } else { "them" },
-        ));
+        )));
     }
     let pressure = case.mesh.pressure_order;
     if let Some(order) = order.filter(|order| *order < pressure) {
-        warnings.push(format!(
+        warnings.push(Warning::from(format!(
             "mesh.elastic_order = {order} is below mesh.pressure_order = {pressure}: deflections of half-spaces \
              have the order of the pressure"
-        ));
+        )));
     }
     Ok(warnings)
 }

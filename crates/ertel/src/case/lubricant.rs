@@ -1,5 +1,6 @@
 //! `lubricant` and `temperature`.
 
+use crate::warning::Warning;
 use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
 use ertel_rheology::provenance::TemperatureRange;
 use ertel_rheology::quantity::Dimension;
@@ -69,7 +70,7 @@ pub(super) fn read(
     files: Files<'_>,
     pressure: f64,
     heat: bool,
-) -> Result<(Lubricant, Vec<String>), InputError> {
+) -> Result<(Lubricant, Vec<Warning>), InputError> {
     match root.required_str_or_table("lubricant")? {
         StrOrTable::Str(name) => {
             let fluid = database::fluid(name).map_err(super::unknown(root, "lubricant"))?;
@@ -128,7 +129,7 @@ fn check(
     temperature: f64,
     pressure: f64,
     heat: bool,
-) -> Result<(Lubricant, Vec<String>), InputError> {
+) -> Result<(Lubricant, Vec<Warning>), InputError> {
     let density = fluid
         .density_law()
         .map_err(|error| table.error(key, error.to_string()))?
@@ -187,8 +188,5 @@ fn check(
             ));
         }
     }
-    Ok((
-        lubricant,
-        warnings.iter().map(ToString::to_string).collect(),
-    ))
+    Ok((lubricant, warnings.iter().map(Warning::from).collect()))
 }

@@ -47,6 +47,7 @@ use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
 };
 
+use crate::warning::Warning;
 use bodies::Bodies;
 pub use bodies::Body;
 pub(crate) use check::mesh_of_bodies as check_mesh_of_bodies;
@@ -83,7 +84,7 @@ pub struct Case {
     /// What is written.
     pub output: OutputParams,
     /// What the user should know about the input, one sentence each.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// The case file as read, kept with the results; empty for a case made in code.
     pub source: String,
     /// Its keys and values as given, quantities with their units; null for a case made in code.

@@ -12,6 +12,7 @@ use super::params::{FARTHEST, order, set};
 use super::{Body, Case};
 use crate::contact::ContactKind;
 use crate::params::ThermalParams;
+use crate::warning::{Warning, WarningKind};
 
 /// Depths of the heated layer, in half-widths: less than the contact's own scale is no body, more is none that the
 /// elastic one goes to.
@@ -253,7 +254,7 @@ impl Body {
 
 /// Whether a case with heat has all its data, and values that a unit mistaken would not give; errors stand at `table`,
 /// the `[thermal]` of the case. Returns what the user should know.
-pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<String>, InputError> {
+pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, InputError> {
     let heat = case.heat().map_err(|error| {
         table
             .error_here(error.to_string())
@@ -312,16 +313,16 @@ pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<String>, Input
     }
     let mut warnings = Vec::new();
     if !case.lubricant.viscosity.depends_on_temperature() {
-        warnings.push(
-            "the viscosity law does not depend on temperature: heat will not thin the lubricant"
-                .to_owned(),
-        );
+        warnings.push(Warning::new(
+            WarningKind::Other,
+            "the viscosity law does not depend on temperature: heat will not thin the lubricant",
+        ));
     }
     if !case.lubricant.density.depends_on_temperature() {
-        warnings.push(
-            "the density law does not depend on temperature: no heating or cooling by compression, no expansion"
-                .to_owned(),
-        );
+        warnings.push(Warning::new(
+            WarningKind::Other,
+            "the density law does not depend on temperature: no heating or cooling by compression, no expansion",
+        ));
     }
     Ok(warnings)
 }

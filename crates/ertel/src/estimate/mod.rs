@@ -11,11 +11,13 @@ pub use regime::{Regime, RegimeEstimate, regime};
 
 use crate::case::Case;
 use crate::contact::{ContactKind, Groups, Hertz};
+use crate::plausible::thick_film;
 use crate::post::limits::{Separation, roughness_warning, thin_film_warning};
 use crate::reference::thermal::{ThermalReduction, thermal_loading};
 use crate::reference::{FilmFormula, film_formulas};
 use crate::run::{groups, predicted_film};
 use crate::solution::FormulaFilm;
+use crate::warning::{Warning, WarningKind};
 
 /// Estimates of a case, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -49,7 +51,7 @@ pub struct CaseEstimate {
     /// Film over roughness, if a roughness is given.
     pub lambda: Option<LambdaRatio>,
     /// What the user should know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// Hamrock and Dowson's parameters of regime charts: g_V = G W³/U² and, for circular contacts, g_E = W^(8/3)/U².
@@ -225,24 +227,30 @@ fn thermal(case: &Case, pressure_over_modulus: f64) -> ThermalEstimate {
     estimate
 }
 
-fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<String> {
+fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if case.curve.is_some() {
-        warnings.push(
-            "the estimates are of the case itself, not of the points of its [curve]".to_owned(),
-        );
+        warnings.push(Warning::new(
+            WarningKind::Other,
+            "the estimates are of the case itself, not of the points of its [curve]",
+        ));
     }
     if estimate.newtonian_only {
-        warnings.push(
+        warnings.push(Warning::new(
+            WarningKind::Other,
             "the lubricant thins by shear; all film formulas and estimates are those of a Newtonian lubricant of its \
-             low-shear viscosity, and films may be thinner"
-                .to_owned(),
-        );
+             low-shear viscosity, and films may be thinner",
+        ));
     }
     if estimate.reynolds.inertia_matters {
-        warnings.push(format!(
+        let text = format!(
             "inertia may matter (Reynolds number of the film {:.3e}, reduced {:.3e}): Reynolds' equation has none",
             estimate.reynolds.reynolds, estimate.reynolds.reduced
+        );
+        warnings.push(Warning::beyond(
+            WarningKind::Inertia,
+            estimate.reynolds.reduced,
+            text,
         ));
     }
     let (name, thickness) = match estimate.film.minimum {
@@ -253,6 +261,7 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<String> {
         ),
     };
     warnings.extend(thin_film_warning(name, thickness));
+    warnings.extend(thick_film(name, thickness, case.contact.radius));
     warnings.extend((case.roughness).and_then(|sigma| roughness_warning(name, thickness, sigma)));
     warnings
 }

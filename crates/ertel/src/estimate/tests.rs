@@ -250,7 +250,10 @@ fn thin_films_are_warned_of() {
         assert_eq!(e.film.minimum, None);
         let thickness = e.film.central;
         let words = e.warnings.iter().find(|w| w.contains("film thickness"));
-        (thickness, words.cloned().unwrap_or_default())
+        (
+            thickness,
+            words.map(ToString::to_string).unwrap_or_default(),
+        )
     };
     for speed in ["50 m/s", "5 m/s", "1 m/s", "0.5 m/s", "0.2 m/s", "0.01 m/s"] {
         let (thickness, words) = warning(speed);

@@ -2,7 +2,7 @@
 
 use super::report::digits;
 use crate::contact::ContactKind;
-use crate::solution::{Estimate, Located, Solution};
+use crate::solution::{Estimate, Figure, Located, Solution, Unresolved};
 
 /// Most significant digits of a figure, however narrow its bar.
 const MOST_DIGITS: i32 = 6;
@@ -134,6 +134,16 @@ pub fn estimate(e: &Estimate) -> String {
 pub fn pressure_estimate(e: Estimate) -> String {
     let (factor, unit) = pressure_unit(largest(&e));
     in_unit(e, factor, unit)
+}
+
+/// A figure that its mesh does not resolve: `the minimum film thickness, 0.4 ± 0.3 nm`.
+pub fn unresolved(u: &Unresolved) -> String {
+    let figure = match u.figure {
+        Figure::FilmCentral | Figure::FilmMinimum => estimate(&u.estimate),
+        Figure::FilmTemperatureMaximum => in_unit(u.estimate, 1.0, "K"),
+        _ => number(u.estimate),
+    };
+    format!("{}, {figure}", u.words())
 }
 
 /// The size that asks for a unit: of the value, unless that is lost in its bar.

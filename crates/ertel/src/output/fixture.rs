@@ -249,7 +249,12 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             wall_seconds: 8.4,
             peak_memory: Some(412 << 20),
         },
-        warnings: vec!["the pressure leaves the range of the viscosity data (0.7 GPa)".into()],
+        unresolved: Vec::new(),
+        warnings: vec![
+            "the pressure leaves the range of the viscosity data (0.7 GPa)"
+                .to_owned()
+                .into(),
+        ],
     }
 }
 

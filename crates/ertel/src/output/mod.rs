@@ -26,6 +26,7 @@ mod tests;
 pub use curve::{curve_report, write_curve};
 pub use echo::{BodyEcho, CaseEcho, FluidEcho, HeatEcho, ThermalEcho};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
+pub use figure::unresolved;
 pub(crate) use file::sync_folder;
 pub use file::write_whole;
 pub use folder::check_target;

@@ -10,6 +10,7 @@ use super::figure::{
 use super::{CaseEcho, heat};
 use crate::contact::{ContactKind, Groups, Hertz};
 use crate::solution::{Located, Solution, Timings};
+use crate::warning::Warning;
 
 /// Width of the column of names.
 const NAME_WIDTH: usize = 34;
@@ -64,7 +65,7 @@ impl Lines {
     }
 
     /// Under a heading of their own, if there are any.
-    pub fn warnings(&mut self, warnings: &[String]) {
+    pub fn warnings(&mut self, warnings: &[Warning]) {
         if warnings.is_empty() {
             return;
         }

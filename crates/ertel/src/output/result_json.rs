@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::CaseEcho;
 use crate::solution::{Figure, Solution};
+use crate::warning::texts;
 
 /// Value of the key `format` by which a result is recognised.
 pub const FORMAT: &str = "ertel-result";
@@ -44,7 +45,8 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "groups": solution.groups,
         "groups_asymptotic": solution.groups_asymptotic,
         "formulas": formulas,
-        "warnings": solution.warnings,
+        "unresolved": solution.unresolved,
+        "warnings": texts(&solution.warnings),
         "ball_speed": case.motion.ball_speed(),
         "plane_speed": case.motion.plane_speed(),
         "case": { "given": case.given, "si": serde_json::to_value(case)? },

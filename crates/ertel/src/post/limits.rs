@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use crate::warning::{Warning, WarningKind};
+
 /// Film that keeps the surfaces of the best rolling bearings apart, m (Habchi 2008, section 6.2).
 pub const SAFE_FILM: f64 = 10e-9;
 
@@ -13,25 +15,24 @@ const MOLECULES: f64 = 1e-9;
 
 /// Says so if the film thickness, m, is below 10 nm, below ten molecular layers, or below a nanometre. `film` names it,
 /// such as "the minimum film thickness".
-pub fn thin_film_warning(film: &str, thickness: f64) -> Option<String> {
+pub fn thin_film_warning(film: &str, thickness: f64) -> Option<Warning> {
     let nm = thickness * 1e9;
-    if thickness < MOLECULES {
-        Some(format!(
-            "{film}, {nm:.2} nm, is below a nanometre: no continuum film exists there"
-        ))
+    let text = if thickness < MOLECULES {
+        format!("{film}, {nm:.2} nm, is below a nanometre: no continuum film exists there")
     } else if thickness < CONTINUUM_FILM {
-        Some(format!(
+        format!(
             "{film}, {nm:.2} nm, is below 5 nm, 10 layers of molecules of 0.5 nm: the laws of a continuum do not \
              hold there, and the asperities of the smoothest surfaces touch"
-        ))
+        )
     } else if thickness < SAFE_FILM {
-        Some(format!(
+        format!(
             "{film}, {nm:.2} nm, is below 10 nm: even the smoothest bearing surfaces may touch, and the laws of a \
              continuum are doubtful where molecules are large (10 layers of 0.5 nm are 5 nm)"
-        ))
+        )
     } else {
-        None
-    }
+        return None;
+    };
+    Some(Warning::beyond(WarningKind::ThinFilm, -nm, text))
 }
 
 /// How much the asperities carry, by the usual bounds of the lambda ratio.
@@ -67,14 +68,17 @@ impl Separation {
 }
 
 /// Says so if the film does not separate the surfaces; film thickness and composite rms roughness in m.
-pub fn roughness_warning(film: &str, thickness: f64, roughness: f64) -> Option<String> {
+pub fn roughness_warning(film: &str, thickness: f64, roughness: f64) -> Option<Warning> {
     let lambda = thickness / roughness;
     match Separation::of(lambda) {
         Separation::Full => None,
-        separation => Some(format!(
-            "{film} is {lambda:.2} times the roughness: {}; the surfaces are computed as smooth",
-            separation.name()
-        )),
+        separation => {
+            let text = format!(
+                "{film} is {lambda:.2} times the roughness: {}; the surfaces are computed as smooth",
+                separation.name()
+            );
+            Some(Warning::beyond(WarningKind::Roughness, -lambda, text))
+        }
     }
 }
 

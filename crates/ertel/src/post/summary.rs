@@ -4,11 +4,13 @@ use super::balance::film_balance_error;
 use super::limits::thin_film_warning;
 use crate::contact::{ContactKind, Scales};
 use crate::solution::{Figure, FilmReduction, LevelStats, Measured, Summary, Traction, solved};
+use crate::solve::adapt::bar_of_edges;
 use crate::solve::bars::reduction;
 use crate::solve::evaluate::central_film;
 use crate::solve::newton::FilmModel;
 use crate::solve::profile::Profile;
 use crate::solve::sequence::{Role, StageSolution};
+use crate::warning::{Warning, WarningKind};
 
 /// The figures of the finest stage.
 pub fn summarise(
@@ -79,7 +81,7 @@ pub fn warnings(
     solution: &StageSolution,
     levels: &[LevelStats],
     target_error: Option<f64>,
-) -> Vec<String> {
+) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let minimum = summary.film_minimum;
     warnings.extend(thin_film_warning(
@@ -87,9 +89,10 @@ pub fn warnings(
         minimum.value,
     ));
     if minimum.error.is_none() {
-        warnings.push(
-            "no error bar: no coarser mesh converged (or solver.error_estimate is off)".to_owned(),
-        );
+        warnings.push(Warning::new(
+            WarningKind::NoErrorBar,
+            "no error bar: no coarser mesh converged (or solver.error_estimate is off)",
+        ));
     }
     // On the mesh of the solution itself it was only the case's own pressures that failed.
     let own = solved(levels);
@@ -97,17 +100,28 @@ pub fn warnings(
         !l.converged && own.is_none_or(|s| s.n_contact_elements != l.n_contact_elements)
     });
     let edges = own.and_then(|l| l.estimate).map_or([0.0; 2], |e| e.edges);
-    let figures = [("central", summary.film_central), ("minimum", minimum)];
-    for ((name, figure), edges) in figures.into_iter().zip(edges) {
+    let figures = [
+        (
+            WarningKind::CentralFilmError,
+            "central",
+            summary.film_central,
+        ),
+        (WarningKind::MinimumFilmError, "minimum", minimum),
+    ];
+    for ((kind_of_error, name, figure), edges) in figures.into_iter().zip(edges) {
         let relative = figure.error.unwrap_or(0.0) / figure.value;
-        match target_error {
-            Some(target) if relative > target && edges > 0.5 * relative => warnings.push(format!(
+        let text = match target_error {
+            Some(target) if relative > target && bar_of_edges(edges) > 0.5 * relative => format!(
                 "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error, because the edges of the \
                  contact area are near: move them outward ([mesh] inlet{})",
                 100.0 * relative,
-                if kind == ContactKind::Circular { ", side" } else { "" }
-            )),
-            Some(target) if relative > target => warnings.push(format!(
+                if kind == ContactKind::Circular {
+                    ", side"
+                } else {
+                    ""
+                }
+            ),
+            Some(target) if relative > target => format!(
                 "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error: refinement \
                  ended at {}",
                 100.0 * relative,
@@ -116,19 +130,21 @@ pub fn warnings(
                 } else {
                     "the largest mesh allowed ([mesh] max_unknowns)"
                 }
-            )),
-            None if relative > 0.05 => warnings.push(format!(
+            ),
+            None if relative > 0.05 => format!(
                 "the {name} film thickness is uncertain by {:.0} %: use a finer mesh ([mesh] preset = \"fine\")",
                 100.0 * relative
-            )),
-            _ => {}
-        }
+            ),
+            _ => continue,
+        };
+        warnings.push(Warning::beyond(kind_of_error, relative, text));
     }
     if solution.rough {
-        warnings.push(format!(
-            "Newton's method ended at a pressure update of {:.0e} p_h: it does not converge further on this mesh",
-            solution.reached.update
-        ));
+        let update = solution.reached.update;
+        let text = format!(
+            "Newton's method ended at a pressure update of {update:.0e} p_h: it does not converge further on this mesh"
+        );
+        warnings.push(Warning::beyond(WarningKind::Convergence, update, text));
     }
     let pressures: Vec<f64> = (levels.iter().filter(|l| l.converged))
         .filter_map(|l| l.figures.value(Figure::PressureMaximum))
@@ -138,12 +154,14 @@ pub fn warnings(
         && let [.., coarse, fine] = pressures[..]
         && (coarse / fine - 1.0).abs() > PRESSURE_RESOLVED
     {
-        warnings.push(format!(
+        let text = format!(
             "the largest pressure is that of a spike which the mesh does not resolve: {:.3} GPa on the \
              mesh before, {:.3} GPa here; film thickness does not depend on it",
             coarse / 1e9,
             fine / 1e9
-        ));
+        );
+        let change = (coarse / fine - 1.0).abs();
+        warnings.push(Warning::beyond(WarningKind::Spike, change, text));
     }
     let orders = [
         solution.discretisation.pressure.element.order(),
@@ -151,11 +169,11 @@ pub fn warnings(
     ];
     if orders.contains(&1) {
         // Measured on a roller: 3 and 4 of the differences that the bars are made of.
-        warnings.push(
+        warnings.push(Warning::new(
+            WarningKind::Other,
             "first-order elements err by more than their error bars: use [mesh] pressure_order 2 or \
-             more and elastic_order 2"
-                .to_owned(),
-        );
+             more and elastic_order 2",
+        ));
     }
     let (d, e) = (
         &solution.discretisation,
@@ -163,21 +181,28 @@ pub fn warnings(
     );
     let profile = Profile::new(d, &solution.state, 2);
     if profile.outlet() > e.outlet - 0.02 {
-        warnings.push(format!(
+        let text = format!(
             "the film does not break before the outlet edge X = {}: move it outward ([mesh] outlet)",
             e.outlet
-        ));
+        );
+        warnings.push(Warning::new(WarningKind::OutletEdge, text));
     }
     let inlet_film = profile.fields.first().map_or(f64::INFINITY, |f| f.film);
     let centre = central_film(d, &solution.state);
     if inlet_film < 20.0 * centre {
-        warnings.push(format!(
+        let text = format!(
             "the film at the inlet edge X = {} is only {:.0} times the central film: the contact is \
              starved by its own contact area; move the edge outward ([mesh] inlet{})",
             e.inlet,
             inlet_film / centre,
-            if kind == ContactKind::Circular { ", side" } else { "" }
-        ));
+            if kind == ContactKind::Circular {
+                ", side"
+            } else {
+                ""
+            }
+        );
+        let shortage = centre / inlet_film;
+        warnings.push(Warning::beyond(WarningKind::InletEdge, shortage, text));
     }
     warnings
 }

@@ -3,11 +3,13 @@
 mod elements;
 mod figures;
 mod thermal;
+mod unresolved;
 
 use serde::Serialize;
 
 use crate::contact::{ContactKind, Groups, Hertz, Scales};
 use crate::solve::sequence::Role;
+use crate::warning::Warning;
 
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, Reading};
@@ -15,6 +17,7 @@ pub use thermal::{
     Coupling, CrossProfile, FilmTemperatures, HeatBalance, TemperatureField, Thermal,
     ThermalReduction,
 };
+pub use unresolved::Unresolved;
 
 /// A figure with its discretisation error bar.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -449,6 +452,8 @@ pub struct Solution {
     pub history: Vec<IterationRecord>,
     /// Effort.
     pub stats: Stats,
+    /// Figures that the case is solved for and that the mesh does not resolve.
+    pub unresolved: Vec<Unresolved>,
     /// What the user should know: ranges left, films below a nanometre, contact area too small.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }

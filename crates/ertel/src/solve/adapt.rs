@@ -80,6 +80,15 @@ const UNCALIBRATED: f64 = 3.0;
 /// at 3 % (M = 5).
 const SAFETY_OF_EDGES: [f64; 2] = [1.5, 100.0];
 
+/// Largest relative bar for what the edges do: beyond it the estimate says no more than that they are far too near.
+const LARGEST_BAR_OF_EDGES: f64 = 10.0;
+
+/// Relative error bar of a film for what the edges of the contact area do to it by estimate.
+pub fn bar_of_edges(estimate: f64) -> f64 {
+    let bar = estimate * (SAFETY_OF_EDGES[0] + SAFETY_OF_EDGES[1] * estimate);
+    bar.min(LARGEST_BAR_OF_EDGES)
+}
+
 /// Share of the difference from the mesh before that is the least bar.
 const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.3;
 
@@ -132,8 +141,7 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
         let sum = estimated[j].hypot(grading[j]);
         sum.max(LEAST_SHARE_OF_DIFFERENCE * gone[j])
     });
-    let bars = [0, 1]
-        .map(|j: usize| cells[j] + edges[j] * (SAFETY_OF_EDGES[0] + SAFETY_OF_EDGES[1] * edges[j]));
+    let bars = [0, 1].map(|j: usize| cells[j] + bar_of_edges(edges[j]));
     Some(ErrorBars {
         bars,
         cells,

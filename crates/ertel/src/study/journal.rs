@@ -14,6 +14,7 @@ use xxhash_rust::xxh3::xxh3_128;
 use super::SweepError;
 use crate::case::Case;
 use crate::output::sync_folder;
+use crate::warning::Warning;
 
 /// Name of the journal in the folder of a study.
 pub const JOURNAL: &str = "journal.jsonl";
@@ -65,12 +66,17 @@ pub struct Record {
     pub fields: Vec<(String, String)>,
     /// What the user should know.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// Wall time, s.
     pub seconds: f64,
 }
 
 impl Record {
+    /// Whether it has figures that its mesh does not resolve.
+    pub fn is_unresolved(&self) -> bool {
+        (self.field("unresolved")).is_some_and(|names| !names.is_empty())
+    }
+
     /// The field of a column.
     pub fn field(&self, name: &str) -> Option<&str> {
         let (_, value) = self.fields.iter().find(|(own, _)| own == name)?;

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::super::CaseEcho;
 use super::super::result_json::{FORMAT_VERSION, units};
 use crate::study::{CurveSolution, Outcome};
+use crate::warning::texts;
 
 /// Value of the key `format` by which the results of a curve are recognised.
 pub const CURVE_FORMAT: &str = "ertel-curve";
@@ -38,7 +39,8 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
                             serde_json::to_value(point.thermal_reduction())?;
                     }
                     json["stats"] = serde_json::to_value(&s.stats)?;
-                    json["warnings"] = json!(s.warnings);
+                    json["unresolved"] = serde_json::to_value(&s.unresolved)?;
+                    json["warnings"] = json!(texts(&s.warnings));
                 }
                 Outcome::Failed(reason) => json["reason"] = json!(reason),
             }
@@ -78,7 +80,7 @@ fn beside(outcome: &Outcome) -> serde_json::Result<Value> {
             "converged": true,
             "summary": serde_json::to_value(&s.summary)?,
             "traction": serde_json::to_value(&s.traction)?,
-            "warnings": s.warnings,
+            "warnings": texts(&s.warnings),
         }),
         Outcome::Failed(reason) => json!({ "converged": false, "reason": reason }),
     })

@@ -7,6 +7,7 @@ use super::super::CaseEcho;
 use super::super::figure::{estimate, pressure_estimate};
 use super::super::report::digits;
 use crate::study::{CurveSolution, Outcome};
+use crate::warning::by_kind;
 
 /// The points as a table, failures with their reasons, warnings.
 pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path>) -> String {
@@ -80,30 +81,16 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
 
 /// Failures, and warnings with the points that they are about.
 fn write_remarks(text: &mut String, curve: &CurveSolution) {
-    let mut warnings: Vec<(&str, Vec<usize>)> = Vec::new();
+    let mut warnings = Vec::new();
     for (i, point) in curve.points.iter().enumerate() {
         match &point.outcome {
             Outcome::Failed(reason) => {
                 let _ = writeln!(text, "\n  ! point {} failed: {reason}", i + 1);
             }
-            Outcome::Solved(s) => {
-                for warning in &s.warnings {
-                    match warnings.iter_mut().find(|(known, _)| known == warning) {
-                        Some((_, points)) => points.push(i + 1),
-                        None => warnings.push((warning, vec![i + 1])),
-                    }
-                }
-            }
+            Outcome::Solved(s) => warnings.extend(s.warnings.iter().map(|w| (i, w))),
         }
     }
-    for (warning, points) in warnings {
-        let at = if points.len() == curve.points.len() {
-            "all points".to_owned()
-        } else {
-            let list: Vec<String> = points.iter().map(usize::to_string).collect();
-            let word = if points.len() == 1 { "point" } else { "points" };
-            format!("{word} {}", list.join(", "))
-        };
-        let _ = writeln!(text, "\n  ! {at}: {warning}");
+    for merged in by_kind(warnings) {
+        let _ = writeln!(text, "\n  ! {}", merged.line(curve.points.len()));
     }
 }

@@ -178,6 +178,13 @@ pub const COLUMNS: &[Column] = &[
         Some(_) => Cell::Text("cold".to_owned()),
         None => Cell::Empty,
     }),
+    Column::new("unresolved", "", |point| match point.outcome.solution() {
+        Some(s) => {
+            let names: Vec<&str> = s.unresolved.iter().map(|u| u.figure.name()).collect();
+            Cell::Text(names.join(" "))
+        }
+        None => Cell::Empty,
+    }),
     Column::new("seconds", "", |point| Cell::Number(point.seconds)),
     Column::new("reason", "", |point| {
         let reason = |outcome: &Option<Outcome>, name: &str| {

@@ -24,6 +24,7 @@ use crate::solve::heat::space::HeatSpace;
 use crate::solve::profile::Profile;
 use crate::solve::sequence::{Problem, Role, StageSolution};
 use crate::solve::system::State;
+use crate::warning::{Warning, WarningKind};
 
 /// Temperatures and heat; `None` for an isothermal solution.
 pub fn thermal(
@@ -86,16 +87,16 @@ pub fn warnings(
     params: &ThermalParams,
     scales: &Scales,
     extents: [f64; 3],
-) -> Vec<String> {
+) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let a = scales.length;
     let place = |at: &Located| match (at.x / a, at.y / a) {
         (x, 0.0) => format!("x/a {x:.2}"),
         (x, y) => format!("x/a {x:.2}, y/a ±{:.2}", y.abs()),
     };
-    for (verb, extreme) in [
-        ("reaches", &thermal.film_maximum),
-        ("falls to", &thermal.film_lowest),
+    for (kind, verb, extreme) in [
+        (WarningKind::HottestFilm, "reaches", &thermal.film_maximum),
+        (WarningKind::ColdestFilm, "falls to", &thermal.film_lowest),
     ] {
         let temperature = extreme.value;
         // A range that the inlet leaves is told by the case.
@@ -107,19 +108,22 @@ pub fn warnings(
         let Some(range) = range else {
             continue;
         };
-        warnings.push(format!(
+        let text = format!(
             "the temperature of the film {verb} {temperature:.1} K at {}; the data of the lubricant hold {range} ({})",
             place(extreme),
             range.basis
-        ));
+        );
+        let excess = (temperature - range.highest).max(range.lowest - temperature);
+        warnings.push(Warning::beyond(kind, excess, text));
     }
     let [inlet, outlet, side] = extents;
     for [x, y] in &params.profiles {
         if !((inlet..=outlet).contains(x) && y.abs() <= side) {
-            warnings.push(format!(
+            let text = format!(
                 "no profile across the film at [{x}, {y}] ([thermal] profiles): the contact area goes from {inlet} to \
                  {outlet} along the motion, and to ±{side} across it"
-            ));
+            );
+            warnings.push(Warning::new(WarningKind::Other, text));
         }
     }
     warnings

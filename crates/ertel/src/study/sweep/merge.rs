@@ -63,7 +63,7 @@ pub fn merge(target: &Path, parts: &[PathBuf]) -> Result<SweepSummary, SweepErro
                 let label = values.join(", ");
                 summary.failures.push((i, label, record.reason.clone()));
             }
-            Some(_) => {}
+            Some(record) => summary.n_unresolved += usize::from(record.is_unresolved()),
             None => summary.interrupted = true,
         }
     }

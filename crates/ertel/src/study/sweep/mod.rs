@@ -16,6 +16,7 @@ use super::plan::Plan;
 use super::table::StudyEcho;
 use crate::case::Study;
 use crate::run::Session;
+use crate::warning::{Merged, by_kind};
 use folder::{has_folder, open, write_results};
 use queue::Queue;
 use work::{Shared, lock};
@@ -102,8 +103,10 @@ pub struct SweepSummary {
     pub n_damaged: usize,
     /// Index, values and reason of the points without solution.
     pub failures: Vec<(usize, String, String)>,
-    /// Warnings, each with the indices of its points.
-    pub warnings: Vec<(String, Vec<usize>)>,
+    /// Points with figures that the mesh does not resolve.
+    pub n_unresolved: usize,
+    /// Warnings, those of one kind together.
+    pub warnings: Vec<Merged>,
     /// Wall time, s.
     pub wall_seconds: f64,
     /// Time of the new points, all together, s.
@@ -232,6 +235,7 @@ pub fn sweep(
             .collect();
         write_results(folder, &echo, &own)?;
     }
+    let mut warnings = Vec::new();
     let mut sorted = mine;
     sorted.sort_unstable();
     for i in sorted {
@@ -242,17 +246,10 @@ pub fn sweep(
             let label = study.points[i].label.clone();
             summary.failures.push((i, label, record.reason.clone()));
         }
-        for warning in &record.warnings {
-            match summary
-                .warnings
-                .iter_mut()
-                .find(|(text, _)| text == warning)
-            {
-                Some((_, points)) => points.push(i),
-                None => summary.warnings.push((warning.clone(), vec![i])),
-            }
-        }
+        summary.n_unresolved += usize::from(record.is_unresolved());
+        warnings.extend(record.warnings.iter().map(|w| (i, w)));
     }
+    summary.warnings = by_kind(warnings);
     summary.wall_seconds = clock.elapsed().as_secs_f64();
     Ok(summary)
 }

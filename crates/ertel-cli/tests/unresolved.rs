@@ -1,0 +1,133 @@
+//! Results that are written and not to be trusted: exit code 3, and by request 0.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+/// An inlet edge so near that what it does to the film is beyond any bar.
+const STARVED: &str = r#"
+[contact]
+kind = "line"
+radius = "10 mm"
+load = "100 kN/m"
+
+[bodies]
+plane = "steel"
+ball = "steel"
+
+[motion]
+entrainment_speed = "2 m/s"
+slide_to_roll_ratio = 0.0
+
+[lubricant]
+temperature = "40 degC"
+density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
+
+[mesh]
+inlet = -1.2
+"#;
+
+const CURVE: &str = "\n[curve]\nquantity = \"motion.entrainment_speed\"\nvalues = [\"1 m/s\", \"1.5 m/s\", \"2 m/s\"]\n";
+
+const STUDY: &str = "case = \"case.toml\"\n[[axis]]\nkey = \"motion.entrainment_speed\"\nvalues = [\"1 m/s\", \"1.5 m/s\"]\n";
+
+fn workspace(case: &str) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("case.toml"), case).unwrap();
+    folder
+}
+
+fn ertel(folder: &TempDir, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(arguments)
+        .current_dir(folder.path())
+        .env("ERTEL_CACHE", "")
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+fn json(path: &Path) -> serde_json::Value {
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}
+
+#[test]
+fn a_case_that_is_not_resolved_is_written_and_told() {
+    let folder = workspace(STARVED);
+    let output = ertel(&folder, &["solve", "case.toml"]);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(3), "{message}");
+    assert!(
+        message.contains("error: not resolved: the central film thickness"),
+        "{message}"
+    );
+    assert!(message.contains("--accept-unresolved"), "{message}");
+    let result = json(&folder.path().join("results/case/result.json"));
+    let names = result["unresolved"].as_array().unwrap();
+    assert!(names.contains(&"film_central".into()) && names.contains(&"film_minimum".into()));
+
+    let accepted = ertel(&folder, &["solve", "case.toml", "--accept-unresolved"]);
+    assert_eq!(
+        accepted.status.code(),
+        Some(0),
+        "{}",
+        text(&accepted.stderr)
+    );
+}
+
+/// Three points, each with its own figures in four kinds of warnings: a line for each kind.
+#[test]
+fn points_that_are_not_resolved_are_counted_and_their_warnings_merged() {
+    let sliding = STARVED.replace("slide_to_roll_ratio = 0.0", "slide_to_roll_ratio = 0.05");
+    let folder = workspace(&format!("{sliding}{CURVE}"));
+    let output = ertel(&folder, &["solve", "case.toml"]);
+    assert_eq!(output.status.code(), Some(3));
+    assert!(text(&output.stderr).contains("3 of 3 points are not resolved"));
+    let report = text(&output.stdout);
+    let warnings: Vec<&str> = report.lines().filter(|l| l.starts_with("  !")).collect();
+    assert_eq!(warnings.len(), 4, "{report}");
+    assert!(
+        warnings.iter().all(|w| w.contains("all 3 points")),
+        "{report}"
+    );
+    assert!(
+        warnings[3].contains("all 3 points, here of point"),
+        "{report}"
+    );
+    let table = std::fs::read_to_string(folder.path().join("results/case/curve.csv")).unwrap();
+    assert!(
+        table
+            .lines()
+            .nth(1)
+            .unwrap()
+            .contains("film_central film_minimum"),
+        "{table}"
+    );
+    let accepted = ertel(&folder, &["solve", "case.toml", "--accept-unresolved"]);
+    assert_eq!(accepted.status.code(), Some(0));
+}
+
+#[test]
+fn studies_count_them_too() {
+    let folder = workspace(STARVED);
+    std::fs::write(folder.path().join("study.toml"), STUDY).unwrap();
+    let output = ertel(&folder, &["sweep", "study.toml"]);
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(3), "{message}");
+    assert!(
+        message.contains("2 of 2 points are not resolved"),
+        "{message}"
+    );
+    let accepted = ertel(&folder, &["sweep", "study.toml", "--accept-unresolved"]);
+    assert_eq!(
+        accepted.status.code(),
+        Some(0),
+        "{}",
+        text(&accepted.stderr)
+    );
+}

@@ -1,0 +1,133 @@
+//! Results that converged and still cannot be true: friction that no lubricant transmits, films that are not small beside the
+//! bodies, air colder than all that flows in.
+
+use crate::case::Case;
+use crate::output::{digits, length, pressure};
+use crate::solution::{Solution, Traction};
+use crate::warning::{Warning, WarningKind};
+
+/// Traction coefficient from which friction is doubted: traction fluids, made for it, reach 0.12 or so (Habchi 2008 computes
+/// none above 0.08).
+pub const LARGEST_TRACTION: f64 = 0.15;
+
+/// Shear stress over the pressure that it is doubted from: limiting stresses measured are 0.03 to 0.1 of the pressure (Johnson,
+/// Contact Mechanics, section 10.4; Habchi 2008, section 4.2).
+pub const LARGEST_STRESS_RATIO: f64 = 0.1;
+
+/// Film thickness over radius from which Reynolds' equation is doubted: surfaces are parallel within √(2h/R), which is 0.14 there,
+/// over the length √(2hR) in which pressure builds up, and the parabola is taken for the circle.
+pub const LARGEST_FILM: f64 = 0.01;
+
+/// Share of the largest rise by which, and K by which at the least, the film may be colder before the contact than what flows in:
+/// no more is left of an unresolved inflow.
+const UNDERSHOOT: (f64, f64) = (0.02, 1.0);
+
+/// Warnings about a solution that cannot be true.
+pub fn warnings(case: &Case, solution: &Solution) -> Vec<Warning> {
+    [
+        friction(case, &solution.traction, solution.hertz.pressure),
+        thick_film(
+            "the central film thickness",
+            solution.summary.film_central.value,
+            case.contact.radius,
+        ),
+        cold_inlet(case, solution),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// What a case leaves out of what limits friction.
+fn left_out(case: &Case) -> Vec<&'static str> {
+    let thinning = case.shear_thinning();
+    [
+        (
+            thinning.is_some(),
+            "shear thinning ([lubricant] shear_thinning)",
+        ),
+        (case.thermal().is_some(), "heat ([thermal])"),
+        (
+            thinning.is_some_and(|law| law.limit.is_some()),
+            "a limiting shear stress ([lubricant] shear_thinning, limit)",
+        ),
+    ]
+    .into_iter()
+    .filter_map(|(has, what)| (!has).then_some(what))
+    .collect()
+}
+
+/// Friction where the surfaces slide; films are hardly touched by it, and rolling alone makes no doubtful friction.
+fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<Warning> {
+    if case.motion.slide_to_roll_ratio == 0.0 {
+        return None;
+    }
+    let coefficient = traction.coefficient.value.abs();
+    let stress = traction.shear_stress_maximum;
+    // Largest stresses stand at spikes, which few meshes resolve: only what is sure.
+    let sure = stress.value - stress.error.unwrap_or(0.0);
+    let (excess, what) = if coefficient > LARGEST_TRACTION {
+        let what = format!(
+            "a traction coefficient of {} is beyond what any lubricant transmits (about 0.12)",
+            digits(traction.coefficient.value, 3)
+        );
+        (coefficient / LARGEST_TRACTION, what)
+    } else if sure > LARGEST_STRESS_RATIO * hertz_pressure {
+        let what = format!(
+            "a shear stress of {} is beyond what lubricants bear (about 0.1 of the pressure, here {})",
+            pressure(stress.value),
+            pressure(LARGEST_STRESS_RATIO * hertz_pressure)
+        );
+        (sure / (LARGEST_STRESS_RATIO * hertz_pressure), what)
+    } else {
+        return None;
+    };
+    let missing = left_out(case);
+    let why = match &missing[..] {
+        [] => "look at the constants of the lubricant's laws".to_owned(),
+        [one] => format!("the case leaves out {one}"),
+        [all @ .., last] => format!("the case leaves out {} and {last}", all.join(", ")),
+    };
+    let text = format!("{what}: {why}; do not use friction, stress and heat of this result");
+    Some(Warning::beyond(WarningKind::Friction, excess, text))
+}
+
+/// Says so if a film thickness, m, is not small beside the radius, m. `film` names it.
+pub fn thick_film(film: &str, thickness: f64, radius: f64) -> Option<Warning> {
+    let ratio = thickness / radius;
+    let share = digits(ratio, 2);
+    let words = if ratio > 1.0 {
+        "thicker than the body itself: there is no such contact; look at speed, viscosity and load"
+    } else if ratio > LARGEST_FILM {
+        "not small beside it: Reynolds' equation and the parabolic gap do not hold"
+    } else {
+        return None;
+    };
+    let text = format!(
+        "{film}, {}, is {share} of the radius, {words}",
+        length(thickness)
+    );
+    Some(Warning::beyond(WarningKind::ThickFilm, ratio, text))
+}
+
+/// Before the contact nothing cools: neither shear nor compression does, and expansion comes behind it.
+fn cold_inlet(case: &Case, solution: &Solution) -> Option<Warning> {
+    let thermal = solution.thermal.as_ref()?;
+    let heat = case.heat().ok().flatten()?;
+    let half_width = solution.scales.length;
+    let lowest = &thermal.film_lowest;
+    let coldest = (thermal.inlet_temperature)
+        .min(heat.plane.temperature)
+        .min(heat.ball.temperature);
+    let below = coldest - lowest.value;
+    let rise = thermal.film_maximum.value - coldest;
+    if lowest.x > -half_width || below < (UNDERSHOOT.0 * rise).max(UNDERSHOOT.1) {
+        return None;
+    }
+    let text = format!(
+        "the film is {below:.1} K colder at x/a {:.2} than all that flows in: the mesh of the inlet does not resolve the \
+         temperature there; set a nearer inlet edge ([mesh] inlet), or a finer mesh ([mesh] target_error)",
+        lowest.x / half_width
+    );
+    Some(Warning::beyond(WarningKind::ColdInlet, below, text))
+}

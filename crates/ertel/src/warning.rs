@@ -1,0 +1,265 @@
+//! What a user should know about a case or its results, by kind, so that many points say it once.
+
+use std::fmt;
+use std::ops::Deref;
+
+use ertel_rheology::provenance::RangeWarning;
+use serde::{Deserialize, Serialize};
+
+/// What a warning is about. Warnings of one kind differ only in their figures, except for [`WarningKind::Other`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WarningKind {
+    /// Something that has no kind of its own.
+    Other,
+    /// Surfaces that move in opposite directions.
+    OppositeMotion,
+    /// A contact too wide for the parabola of Hertz theory.
+    WideContact,
+    /// Pressures beyond the lubricant's data.
+    PressureRange,
+    /// Temperatures beyond the lubricant's data, at the inlet.
+    TemperatureRange,
+    /// The same in the film where it is hottest.
+    HottestFilm,
+    /// The same in the film where it is coldest.
+    ColdestFilm,
+    /// A film that is colder before the contact than all that flows in.
+    ColdInlet,
+    /// A film too thin for a continuum.
+    ThinFilm,
+    /// A film that is not small beside the radius.
+    ThickFilm,
+    /// A film that roughness pierces.
+    Roughness,
+    /// Friction that no lubricant transmits.
+    Friction,
+    /// An error bar of the central film beyond the target.
+    CentralFilmError,
+    /// An error bar of the minimum film beyond the target.
+    MinimumFilmError,
+    /// Films without an error bar.
+    NoErrorBar,
+    /// A largest pressure that the mesh does not resolve.
+    Spike,
+    /// Newton's method or elements that end short of what was asked for.
+    Convergence,
+    /// An outlet edge before the end of the film.
+    OutletEdge,
+    /// An inlet edge that starves the contact.
+    InletEdge,
+    /// Inertia of the lubricant.
+    Inertia,
+}
+
+/// What a user should know, in a sentence or two.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Warning {
+    /// What it is about.
+    pub kind: WarningKind,
+    /// The sentence.
+    pub text: String,
+    /// How far a bound is exceeded, to tell the worst of one kind.
+    #[serde(default)]
+    pub excess: f64,
+}
+
+impl Warning {
+    /// A warning whose kind has no worst.
+    pub fn new(kind: WarningKind, text: impl Into<String>) -> Warning {
+        Warning {
+            kind,
+            text: text.into(),
+            excess: 0.0,
+        }
+    }
+
+    /// A warning about a bound, and how far it is exceeded.
+    pub fn beyond(kind: WarningKind, excess: f64, text: impl Into<String>) -> Warning {
+        Warning {
+            excess,
+            ..Warning::new(kind, text)
+        }
+    }
+
+    /// Whether one line can say both.
+    fn is_like(&self, other: &Warning) -> bool {
+        self.kind == other.kind && (self.kind != WarningKind::Other || self.text == other.text)
+    }
+}
+
+impl From<String> for Warning {
+    fn from(text: String) -> Warning {
+        Warning::new(WarningKind::Other, text)
+    }
+}
+
+impl From<&RangeWarning> for Warning {
+    fn from(warning: &RangeWarning) -> Warning {
+        let (kind, excess) = match warning {
+            RangeWarning::PressureAbove {
+                pressure, limit, ..
+            } => (WarningKind::PressureRange, pressure / limit),
+            RangeWarning::Temperature {
+                temperature, range, ..
+            } => (
+                WarningKind::TemperatureRange,
+                (range.lowest - temperature).max(temperature - range.highest),
+            ),
+        };
+        Warning::beyond(kind, excess, warning.to_string())
+    }
+}
+
+impl Deref for Warning {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.text
+    }
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+/// The sentences alone.
+pub fn texts(warnings: &[Warning]) -> Vec<&str> {
+    warnings.iter().map(|w| &**w).collect()
+}
+
+/// Warnings of one kind at several points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Merged {
+    /// The worst of them.
+    pub worst: Warning,
+    /// Whose it is.
+    pub worst_point: usize,
+    /// The points, in order.
+    pub points: Vec<usize>,
+    /// Whether all say the same.
+    pub alike: bool,
+}
+
+/// Warnings of points, those of one kind together, in the order in which they first occur.
+pub fn by_kind<'a>(warnings: impl IntoIterator<Item = (usize, &'a Warning)>) -> Vec<Merged> {
+    let mut all: Vec<Merged> = Vec::new();
+    for (point, warning) in warnings {
+        let Some(merged) = all.iter_mut().find(|m| m.worst.is_like(warning)) else {
+            all.push(Merged {
+                worst: warning.clone(),
+                worst_point: point,
+                points: vec![point],
+                alike: true,
+            });
+            continue;
+        };
+        if merged.points.last() != Some(&point) {
+            merged.points.push(point);
+        }
+        merged.alike &= merged.worst.text == warning.text;
+        if warning.excess > merged.worst.excess {
+            merged.worst = warning.clone();
+            merged.worst_point = point;
+        }
+    }
+    all
+}
+
+impl Merged {
+    /// In one line, points counted from 1: `points 2 to 5: the film …`; `of` is how many points there are.
+    pub fn line(&self, of: usize) -> String {
+        let text = &self.worst.text;
+        let place = match self.points[..] {
+            [one] => format!("point {}", one + 1),
+            _ if self.points.len() == of => format!("all {of} points"),
+            _ => format!("points {}", ranges(&self.points)),
+        };
+        match self.alike || self.points.len() == 1 {
+            true => format!("{place}: {text}"),
+            false => format!("{place}, here of point {}: {text}", self.worst_point + 1),
+        }
+    }
+}
+
+/// `1, 3 to 5` of indices from 0, in order; long lists end in how many more there are.
+fn ranges(points: &[usize]) -> String {
+    const MOST: usize = 6;
+    let mut runs: Vec<[usize; 2]> = Vec::new();
+    for point in points {
+        match runs.last_mut() {
+            Some([_, last]) if *last + 1 == *point => *last = *point,
+            _ => runs.push([*point, *point]),
+        }
+    }
+    let shown = runs
+        .iter()
+        .take(MOST)
+        .map(|[first, last]| match last - first {
+            0 => format!("{}", first + 1),
+            1 => format!("{}, {}", first + 1, last + 1),
+            _ => format!("{} to {}", first + 1, last + 1),
+        });
+    let mut text = shown.collect::<Vec<_>>().join(", ");
+    let more: usize = runs.iter().skip(MOST).map(|[a, b]| b - a + 1).sum();
+    if more > 0 {
+        text += &format!(" and {more} more");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn thin(nm: f64) -> Warning {
+        Warning::beyond(WarningKind::ThinFilm, -nm, format!("film {nm} nm"))
+    }
+
+    #[test]
+    fn one_kind_is_one_line_with_the_worst() {
+        let other = Warning::from("no title".to_owned());
+        let films = [9.0, 7.0, 8.0].map(thin);
+        let all = [
+            (0, &films[0]),
+            (1, &films[1]),
+            (1, &other),
+            (2, &films[2]),
+            (4, &other),
+        ];
+        let merged = by_kind(all);
+        let lines: Vec<String> = merged.iter().map(|m| m.line(5)).collect();
+        assert_eq!(
+            lines,
+            [
+                "points 1 to 3, here of point 2: film 7 nm",
+                "points 2, 5: no title"
+            ]
+        );
+        let few: Vec<String> = by_kind(all).iter().map(|m| m.line(3)).collect();
+        assert!(
+            few[0].starts_with("all 3 points, here of point 2"),
+            "{few:?}"
+        );
+    }
+
+    /// What has no kind is told apart by its words.
+    #[test]
+    fn other_warnings_keep_their_words() {
+        let warnings = ["a", "b", "a"].map(|text| Warning::from(text.to_owned()));
+        let lines: Vec<String> = by_kind(warnings.iter().enumerate().map(|(i, w)| (2 * i, w)))
+            .iter()
+            .map(|m| m.line(9))
+            .collect();
+        assert_eq!(lines, ["points 1, 5: a", "point 3: b"]);
+    }
+
+    #[test]
+    fn long_lists_are_cut() {
+        let points: Vec<usize> = (0..20).map(|i| 3 * i).collect();
+        assert_eq!(ranges(&points), "1, 4, 7, 10, 13, 16 and 14 more");
+        assert_eq!(ranges(&[0, 1, 2, 5, 6]), "1 to 3, 6, 7");
+    }
+}

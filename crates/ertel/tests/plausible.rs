@@ -1,0 +1,113 @@
+//! Results that converged and cannot be true bring a warning; figures that the mesh does not resolve are named.
+
+use std::path::Path;
+
+use ertel::case::Case;
+use ertel::run::solve;
+use ertel::solution::{Figure, Solution};
+use ertel::solve::Silent;
+use ertel::warning::WarningKind;
+use ertel_rheology::input::Document;
+
+const ROLLER: &str = r#"
+    [contact]
+    kind = "line"
+    radius = "10 mm"
+    load = "100 kN/m"
+    [bodies]
+    plane = "steel"
+    ball = "steel"
+    [motion]
+    entrainment_speed = "2 m/s"
+    slide_to_roll_ratio = 0.05
+    [lubricant]
+    temperature = "40 degC"
+    density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+    viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
+"#;
+
+const EYRING: &str = r#"shear_thinning = { law = "ree-eyring", tau_0 = "5 MPa" }"#;
+
+fn solved(text: &str) -> Solution {
+    let document = Document::parse("roller.toml", text).unwrap();
+    let case = Case::from_document(&document, Path::new("")).unwrap();
+    solve(&case, &mut Silent).unwrap()
+}
+
+fn warning(solution: &Solution, kind: WarningKind) -> Option<&str> {
+    let mut found = solution.warnings.iter().filter(|w| w.kind == kind);
+    let first = found.next().map(|w| w.text.as_str());
+    assert!(found.next().is_none());
+    first
+}
+
+/// A Newtonian isothermal roller slides with a traction coefficient of 0.18, which no lubricant transmits; the same film in pure
+/// rolling is not doubted, nor with Eyring's stress.
+#[test]
+fn friction_that_no_lubricant_transmits() {
+    let newtonian = solved(ROLLER);
+    assert!(newtonian.traction.coefficient.value > 0.15);
+    let words = warning(&newtonian, WarningKind::Friction).unwrap();
+    for missing in [
+        "traction coefficient of 0.175",
+        "shear_thinning)",
+        "[thermal]",
+        "limit)",
+    ] {
+        assert!(words.contains(missing), "{words}");
+    }
+    let rolling = solved(&ROLLER.replace("0.05", "0.0"));
+    assert_eq!(warning(&rolling, WarningKind::Friction), None);
+    let thinning = solved(&format!("{ROLLER}{EYRING}"));
+    assert!(thinning.traction.coefficient.value < 0.08);
+    assert_eq!(warning(&thinning, WarningKind::Friction), None);
+}
+
+/// An Eyring stress of 60 MPa is no law of an oil. What the case has is not named as left out.
+#[test]
+fn a_law_without_limit_is_named() {
+    let eyring = EYRING.replace("5 MPa", "60 MPa");
+    let sliding = ROLLER.replace("0.05", "1.5");
+    let found = solved(&format!("{sliding}{eyring}"));
+    let words = warning(&found, WarningKind::Friction).unwrap();
+    assert!(
+        words.contains("[thermal]") && words.contains("limit)"),
+        "{words}"
+    );
+    assert!(!words.contains("[lubricant] shear_thinning)"), "{words}");
+}
+
+/// Constant viscosity and 10 kN/m: Martin's film between rigid bodies, 4.9 μu R/w, is 0.1 % of the radius at 2 m/s, a tenth at
+/// 200 m/s.
+#[test]
+fn films_that_are_not_small() {
+    let film = |speed: &str| {
+        let constant = r#"{ law = "constant", mu_0 = "1 Pa.s" }"#;
+        let law = r#"{ law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }"#;
+        let text = ROLLER.replace("100 kN/m", "10 kN/m").replace("0.05", "0.0");
+        solved(&text.replace("2 m/s", speed).replace(law, constant))
+    };
+    assert_eq!(warning(&film("2 m/s"), WarningKind::ThickFilm), None);
+    let thick = film("200 m/s");
+    let words = warning(&thick, WarningKind::ThickFilm).unwrap();
+    assert!(
+        words.contains("of the radius, not small beside it"),
+        "{words}"
+    );
+}
+
+/// An inlet edge at 1.2 half-widths starves the contact: what it does to the films is beyond any bar.
+#[test]
+fn what_the_mesh_does_not_resolve() {
+    let fine = solved(ROLLER);
+    assert!(fine.unresolved.is_empty());
+    let starved = solved(&format!("{ROLLER}[mesh]\ninlet = -1.2\n"));
+    let figures: Vec<Figure> = starved.unresolved.iter().map(|u| u.figure).collect();
+    assert!(figures.contains(&Figure::FilmCentral) && figures.contains(&Figure::FilmMinimum));
+    assert!(warning(&starved, WarningKind::InletEdge).is_some());
+    let words = warning(&starved, WarningKind::CentralFilmError).unwrap();
+    assert!(
+        words.contains("the edges of the contact area are near"),
+        "{words}"
+    );
+}
