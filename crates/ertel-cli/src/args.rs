@@ -166,6 +166,9 @@ pub struct ValidateArgs {
     /// Write the page `validation.md` and its pictures into this folder; with NAMEs, only their sections of the page
     #[arg(long, value_name = "DIR")]
     pub write: Option<PathBuf>,
+    /// Bring the Newton iterations that the studies state up to those taken, and show what changes
+    #[arg(long)]
+    pub update: bool,
 }
 
 /// `ertel fit`.

@@ -138,3 +138,43 @@ fn unknown_studies_and_bad_references_exit_with_2() {
         assert!(text(&output.stderr).contains("reference.toml") || bad == "no-case.toml");
     }
 }
+
+/// The stated effort is brought up to the taken one and shown; all else in the file stays as it is, and the next run changes nothing.
+#[test]
+fn stated_efforts_are_updated() {
+    let folder = study(1.0);
+    let path = folder.path().join("roller/reference.toml");
+    let before = std::fs::read_to_string(&path).unwrap();
+    let before = before.replace(
+        "quick = true\n",
+        "quick = true\nnewton_iterations =  3000 # of the coarse mesh\n",
+    );
+    std::fs::write(&path, &before).unwrap();
+    let output = validate(folder.path(), &["--update"]);
+    let shown = text(&output.stdout);
+    assert!(
+        shown.contains("- newton_iterations = 3000\n+ newton_iterations = "),
+        "{shown}"
+    );
+    let after = std::fs::read_to_string(&path).unwrap();
+    let line = |text: &str| {
+        let line = text
+            .lines()
+            .find(|l| l.starts_with("newton_iterations"))
+            .unwrap();
+        line.to_owned()
+    };
+    let taken: usize = line(&after)
+        .trim_start_matches("newton_iterations =  ")
+        .trim_end_matches(" # of the coarse mesh")
+        .parse()
+        .unwrap();
+    assert!((2..100).contains(&taken), "{taken}");
+    assert_eq!(
+        after.replace(&line(&after), ""),
+        before.replace(&line(&before), "")
+    );
+    let again = validate(folder.path(), &["--update"]);
+    assert!(!text(&again.stdout).contains("+ newton_iterations"));
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), after);
+}

@@ -9,6 +9,7 @@ use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::{groups, solve};
 use ertel::solution::{Estimate, IterationRecord};
 use ertel::solve::{Observer, SolveError};
+use ertel::warning::{Warning, texts};
 
 use crate::cases::{Family, MapCase};
 
@@ -40,7 +41,7 @@ pub struct Record {
     pub speed: f64,
     pub film_central: Option<Estimate>,
     pub film_minimum: Option<Estimate>,
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// Newton iterations of all stages.
     pub newton: usize,
     /// Krylov iterations of all stages.
@@ -250,7 +251,7 @@ impl Record {
             format!("{:.3}", self.wall),
             format!("{:.3}", self.cpu),
             quoted(&reason),
-            quoted(&self.warnings.join("; ")),
+            quoted(&texts(&self.warnings).join("; ")),
         ]
         .join(",")
     }

@@ -41,7 +41,8 @@ pub struct NewtonParams {
     pub growth_limit: f64,
     /// Update, in p_h, below which steps are no longer tested for that: each test costs a linear solve.
     pub safe_update: f64,
-    /// A step after which the residual is less than this share of it is not tested either; 0 to test all.
+    /// A step after which the residual is less than this share of it is not tested either, unless one had to be shortened before; 0 to
+    /// test all.
     pub trusted_fall: f64,
     /// Share of the step below which it is taken as it is.
     pub smallest_share: f64,
@@ -196,6 +197,8 @@ impl<'a> NewtonLevel<'a> {
         let mut smallest_update = (0, f64::INFINITY);
         // Update of the iteration before, if its step was taken whole.
         let mut update_before = None;
+        // Whether a step had to be shortened: from then on a small residual is not trusted.
+        let mut shortened = false;
         for iteration in 1..=params.max_iterations {
             let residual = system.relative_residual();
             let update = max_abs(&step.pressure);
@@ -226,7 +229,8 @@ impl<'a> NewtonLevel<'a> {
                 let trial = self.advance(model, params, state, &step, share);
                 let trial_system = solver.assemble(model, &trial);
                 let finite = trial_system.relative_residual().is_finite();
-                let fell = trial_system.relative_residual() < params.trusted_fall * residual;
+                let fell =
+                    !shortened && trial_system.relative_residual() < params.trusted_fall * residual;
                 if finite && (converged || !tested || fell) {
                     break (trial, trial_system);
                 }
@@ -250,6 +254,7 @@ impl<'a> NewtonLevel<'a> {
                     return Err(stopped("no step leads to a finite residual"));
                 }
                 share *= 0.5;
+                shortened = true;
             };
             solver.stats.iterations += 1;
             *state = next_state;

@@ -13,6 +13,7 @@ mod read;
 mod read_picture;
 mod run;
 mod table;
+mod update;
 
 pub use check::{Accept, Check, Reference, Row, Verdict};
 pub use deflection::{Deflection, deflect};
@@ -23,6 +24,7 @@ pub use quantity::Quantity;
 pub use read::{names, read};
 pub use run::{Outcome, Run, Selection, StudyResult, Task};
 pub use table::{csv, summary, text};
+pub use update::{Change, update};
 
 /// A validation study.
 #[derive(Clone, Debug)]
