@@ -6,6 +6,7 @@ mod estimate;
 mod failure;
 mod fit;
 mod fluids;
+mod inputs;
 mod print;
 mod progress;
 mod provenance;

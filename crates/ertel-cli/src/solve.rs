@@ -12,6 +12,7 @@ use ertel::study::{CurveSolution, solve_curve};
 use crate::args::SolveArgs;
 use crate::cache::user_cache;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 use crate::progress::Progress;
 
@@ -48,6 +49,9 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
             false => user_cache()?,
         },
     };
+    let mut read = case.files(arguments.case.parent().unwrap_or(Path::new("")));
+    read.push(arguments.case.clone());
+    inputs::keep_within(&read, &folder)?;
     // A long solve whose results have no place to go would be in vain.
     output::check_target(&folder)?;
     check_writable(&folder)?;

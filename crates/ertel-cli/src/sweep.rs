@@ -10,14 +10,15 @@ use ertel::output::{check_png, digits, length};
 use ertel::run::Session;
 use ertel::study::plan::Plan;
 use ertel::study::{
-    Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary, TABLE,
-    finished_points, merge, sweep,
+    FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
+    TABLE, finished_points, merge, sweep,
 };
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::args::SweepArgs;
 use crate::cache::user_cache;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 use crate::solve::{CANCELLED, listen_for_interrupts};
 use crate::table::columns;
@@ -40,6 +41,7 @@ pub fn run(arguments: &SweepArgs) -> Result<(), Failure> {
     };
     let study = Study::read(path)?;
     let folder = folder(arguments, path);
+    keep_inputs(&study, &folder)?;
     if arguments.dry_run {
         return dry_run(&study, &folder);
     }
@@ -79,6 +81,14 @@ fn folder(arguments: &SweepArgs, path: &Path) -> PathBuf {
         }
         None => folder,
     }
+}
+
+/// Nothing that the study reads is overwritten by what it writes.
+fn keep_inputs(study: &Study, folder: &Path) -> Result<(), Failure> {
+    let written = FILES.map(|name| folder.join(name));
+    let outputs = written.each_ref().map(|path| ("the file", path.as_path()));
+    inputs::keep(&study.files, &outputs)?;
+    inputs::keep_within(&study.files, &folder.join(FOLDERS))
 }
 
 fn dry_run(study: &Study, folder: &Path) -> Result<(), Failure> {

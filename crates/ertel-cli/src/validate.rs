@@ -2,14 +2,16 @@
 
 use std::fs;
 use std::io::ErrorKind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use ertel::output::write_whole;
 use ertel::solve::Silent;
 use ertel::validate::{self, Selection, Study, StudyResult};
 
 use crate::args::ValidateArgs;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 
 /// Runs the command.
@@ -39,6 +41,15 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
         .iter()
         .map(|name| validate::read(&folder.join(name)))
         .collect::<Result<_, _>>()?;
+    let read: Vec<_> = studies.iter().flat_map(|s| s.files.clone()).collect();
+    if let Some(path) = &arguments.table {
+        inputs::keep(&read, &[("--table", path)])?;
+    }
+    if let Some(docs) = &arguments.write {
+        for file in written(&studies, docs) {
+            inputs::keep(&read, &[("the file", &file)])?;
+        }
+    }
     let selection = if arguments.quick {
         Selection::Quick
     } else {
@@ -69,7 +80,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     }
     print::stdout(&format!("{}\n", validate::summary(&results)))?;
     if let Some(docs) = &arguments.write {
-        let path = docs.join("validation.md");
+        let path = docs.join(PAGE);
         // Of chosen studies, the sections of the others stay.
         let old = match arguments.names.is_empty() {
             true => String::new(),
@@ -85,6 +96,18 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
             failed.join(", ")
         )))
     }
+}
+
+/// The page and every picture that `--write` makes.
+fn written(studies: &[Study], docs: &Path) -> Vec<PathBuf> {
+    let picture = |study: &Study, name: &str| {
+        let name = format!("{PICTURES}/{}-{name}.svg", study.name);
+        docs.join(name)
+    };
+    let pictures = studies
+        .iter()
+        .flat_map(|s| s.pictures.iter().map(move |p| picture(s, &p.name)));
+    pictures.chain([docs.join(PAGE)]).collect()
 }
 
 /// Writes the pictures of a study; returns its part of the page.
@@ -110,6 +133,8 @@ fn read_page(path: &Path) -> Result<String, Failure> {
     }
 }
 
+/// The page.
+const PAGE: &str = "validation.md";
 /// Folder of the pictures beside the page.
 const PICTURES: &str = "validation";
 
@@ -118,5 +143,5 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(failed)?;
     }
-    fs::write(path, text).map_err(failed)
+    write_whole(path, text.as_bytes()).map_err(failed)
 }

@@ -31,6 +31,7 @@ mod check;
 mod contact;
 pub mod curve;
 mod echo;
+mod files;
 mod lubricant;
 mod params;
 pub mod study;

@@ -17,6 +17,8 @@ use crate::output::sync_folder;
 
 /// Name of the journal in the folder of a study.
 pub const JOURNAL: &str = "journal.jsonl";
+/// Name of the file there that a run locks.
+pub const LOCK: &str = ".lock";
 
 /// Hash of all that a solve sees of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -133,7 +135,7 @@ impl Journal {
     /// # Errors
     /// [`SweepError::Locked`] where another run holds it; [`SweepError::Io`].
     pub fn open(folder: &Path) -> Result<(Journal, Entries), SweepError> {
-        let lock_path = folder.join(".lock");
+        let lock_path = folder.join(LOCK);
         let failed = |path: &Path| {
             let path = path.to_owned();
             move |e| SweepError::io(&path, e)

@@ -24,6 +24,7 @@ mod axis;
 mod points;
 mod text;
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -49,6 +50,8 @@ pub struct Study {
     pub columns: Vec<StudyColumn>,
     /// The points, the last axis varying fastest.
     pub points: Vec<StudyPoint>,
+    /// Every file that it was read from: the study, its base case, its points, and the tables that its cases name.
+    pub files: Vec<PathBuf>,
     /// Text of the study file.
     pub source: String,
     /// Line or circular, the same in all points.
@@ -106,10 +109,13 @@ impl Study {
                 .with_help("make an [[axis]] of it"));
         }
         let (case, offset) = case.beside(study.file(), study.text());
+        let mut files = vec![path.to_owned(), base.clone()];
         let (case, mut groups) = match root.optional_str("points")? {
             None => (case, Vec::new()),
             Some(name) => {
-                let (case, group) = points::read(case, &folder.join(name), &study)?;
+                let table = folder.join(name);
+                let (case, group) = points::read(case, &table, &study)?;
+                files.push(table);
                 (case, vec![group])
             }
         };
@@ -136,6 +142,10 @@ impl Study {
                 point(&case, base_folder, &study, index, &settings)
             })
             .collect::<Result<_, _>>()?;
+        let tables: BTreeSet<PathBuf> = (points.iter())
+            .flat_map(|point| point.case.files(base_folder))
+            .collect();
+        files.extend(tables);
         let kind = points[0].case.contact.kind;
         if let Some(i) = points.iter().position(|p| p.case.contact.kind != kind) {
             return Err(study.root().error_here(format!(
@@ -157,6 +167,7 @@ impl Study {
             base,
             columns,
             points,
+            files,
             source: study.text().to_owned(),
             kind,
         })

@@ -7,11 +7,13 @@ use std::path::{Path, PathBuf};
 use super::SweepError;
 use crate::case::Study;
 use crate::output;
-use crate::study::journal::{Entries, JOURNAL, Journal, PointKey, Record};
-use crate::study::table::{StudyEcho, TABLE};
+use crate::study::journal::{Entries, JOURNAL, Journal, LOCK, PointKey, Record};
+use crate::study::table::{POINTS, StudyEcho, TABLE};
 
+/// Every file that a study writes into its folder.
+pub const FILES: [&str; 6] = [LOCK, JOURNAL, POINTS, TABLE, FILMS, TRACTIONS];
 /// Folder within that of a study, with the results of its points where these are asked for.
-const FOLDERS: &str = "points";
+pub const FOLDERS: &str = "points";
 /// Name of the picture of its films, and of that of its tractions.
 const FILMS: &str = "film.svg";
 const TRACTIONS: &str = "traction.svg";

@@ -21,6 +21,7 @@ use queue::Queue;
 use work::{Shared, lock};
 
 pub use error::SweepError;
+pub use folder::{FILES, FOLDERS};
 pub use merge::merge;
 
 /// How a study is run.
