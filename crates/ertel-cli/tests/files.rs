@@ -222,3 +222,59 @@ fn a_table_of_comparisons_does_not_overwrite_a_study() {
         refused(&folder, &arguments, 2, "would overwrite");
     }
 }
+
+/// A journal of another program, in a folder without a study and in one with a study.
+#[test]
+fn journals_of_others_are_not_adopted() {
+    let folder = workspace();
+    let foreign = "{\"event\": \"start\"}\nthe last line has no end";
+    write(&folder, "theirs/journal.jsonl", foreign);
+    let sweep = |out: &'static str| ["sweep", "study.toml", "-q", "-o", out];
+    refused(&folder, &sweep("theirs"), 1, "theirs");
+    let dry = ["sweep", "study.toml", "--dry-run", "-o", "theirs"];
+    refused(&folder, &dry, 1, "theirs");
+
+    assert!(ertel(&folder, &sweep("out")).status.success());
+    write(&folder, "out/journal.jsonl", foreign);
+    refused(&folder, &sweep("out"), 1, "out/journal.jsonl");
+    write(&folder, "empty/journal.jsonl", "not a line");
+    refused(&folder, &sweep("empty"), 1, "empty");
+    write(&folder, "locked/.lock", "1234\n");
+    refused(&folder, &sweep("locked"), 1, ".lock");
+    // A part to be joined.
+    refused(
+        &folder,
+        &["sweep", "--merge", "whole", "out"],
+        1,
+        "out/journal.jsonl",
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn links_in_the_folder_of_a_study_are_not_followed() {
+    use std::os::unix::fs::symlink;
+    let folder = workspace();
+    write(&folder, "precious.txt", "precious, without an end");
+    let arguments = ["sweep", "study.toml", "-q", "-o", "out"];
+    let out = folder.path().join("out");
+    std::fs::create_dir(&out).unwrap();
+    for name in [".lock", "journal.jsonl", "study.json"] {
+        for target in ["../precious.txt", "../nothing"] {
+            symlink(target, out.join(name)).unwrap();
+            refused(&folder, &arguments, 1, name);
+            std::fs::remove_file(out.join(name)).unwrap();
+        }
+    }
+    // Likewise where there is a study.
+    assert!(ertel(&folder, &arguments).status.success());
+    for name in [".lock", "journal.jsonl", "results.csv", "study.json"] {
+        let copy = folder.path().join(format!("copy-{name}"));
+        std::fs::rename(out.join(name), &copy).unwrap();
+        symlink(&copy, out.join(name)).unwrap();
+        refused(&folder, &arguments, 1, name);
+        std::fs::remove_file(out.join(name)).unwrap();
+        std::fs::rename(&copy, out.join(name)).unwrap();
+    }
+    assert!(ertel(&folder, &arguments).status.success());
+}

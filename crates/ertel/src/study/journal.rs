@@ -4,7 +4,7 @@
 //! known by the hash of their case, so that a study whose axes or base case have changed keeps what is unchanged.
 
 use std::collections::HashMap;
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -19,6 +19,9 @@ use crate::output::sync_folder;
 pub const JOURNAL: &str = "journal.jsonl";
 /// Name of the file there that a run locks.
 pub const LOCK: &str = ".lock";
+
+/// How every record begins.
+const RECORD_START: &[u8] = br#"{"key":""#;
 
 /// Hash of all that a solve sees of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -86,7 +89,7 @@ pub struct Journal {
     path: PathBuf,
     file: File,
     /// Held as long as the journal.
-    _lock: File,
+    _lock: Lock,
 }
 
 /// What stands in a journal.
@@ -98,6 +101,10 @@ pub struct Entries {
     pub n_damaged: usize,
     /// Bytes up to the end of the last whole line.
     length: u64,
+    /// Whether there is a journal.
+    exists: bool,
+    /// Whether what follows the last whole line is no part of a record.
+    foreign_end: bool,
 }
 
 impl Entries {
@@ -112,10 +119,14 @@ impl Entries {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Entries::default()),
             Err(e) => return Err(SweepError::io(&path, e)),
         };
-        let mut entries = Entries::default();
+        let mut entries = Entries {
+            exists: true,
+            ..Entries::default()
+        };
         for line in bytes.split_inclusive(|b| *b == b'\n') {
             let Some(line) = line.strip_suffix(b"\n") else {
-                break; // Torn.
+                entries.foreign_end = !is_torn_record(line);
+                break;
             };
             entries.length += line.len() as u64 + 1;
             match serde_json::from_slice::<Record>(line) {
@@ -127,51 +138,86 @@ impl Entries {
         }
         Ok(entries)
     }
+
+    /// Whether it is the journal of another program: a line in it is no record, or its end is no part of one. Beside a
+    /// list of points (`has_points`) lines may be damaged, but not all.
+    pub fn is_foreign(&self, has_points: bool) -> bool {
+        let damaged = self.n_damaged > 0 && (!has_points || self.records.is_empty());
+        damaged || self.foreign_end
+    }
+
+    /// Whether there is a journal, be it an empty one.
+    pub fn exists(&self) -> bool {
+        self.exists
+    }
 }
 
-impl Journal {
-    /// Opens the journal in a folder that exists, and returns what it holds; a torn last line is cut off.
+/// Whether a line without end is the beginning of a record, as a kill or a crash of the machine leaves it.
+fn is_torn_record(line: &[u8]) -> bool {
+    let n = line.iter().rposition(|b| *b != 0).map_or(0, |i| i + 1);
+    let n = n.min(RECORD_START.len());
+    line[..n] == RECORD_START[..n]
+}
+
+/// The lock of a study's folder, held as long as the value.
+#[derive(Debug)]
+pub struct Lock {
+    _file: File,
+}
+
+impl Lock {
+    /// Locks a folder that exists.
     ///
     /// # Errors
     /// [`SweepError::Locked`] where another run holds it; [`SweepError::Io`].
-    pub fn open(folder: &Path) -> Result<(Journal, Entries), SweepError> {
-        let lock_path = folder.join(LOCK);
+    pub fn new(folder: &Path) -> Result<Lock, SweepError> {
+        let path = folder.join(LOCK);
+        let file = options().open(&path);
+        let file = file.map_err(|e| SweepError::io(&path, e))?;
+        match file.try_lock() {
+            Ok(()) => Ok(Lock { _file: file }),
+            Err(fs::TryLockError::WouldBlock) => Err(SweepError::Locked {
+                folder: folder.to_owned(),
+            }),
+            Err(fs::TryLockError::Error(e)) => Err(SweepError::io(&path, e)),
+        }
+    }
+}
+
+/// A file to be written, made where there is none; links are not followed.
+fn options() -> OpenOptions {
+    let mut options = File::options();
+    options.create(true).write(true).truncate(false);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags(rustix::fs::OFlags::NOFOLLOW.bits().cast_signed());
+    }
+    options
+}
+
+impl Journal {
+    /// Opens the journal in a folder that is locked, where `entries` were read; a torn last line is cut off.
+    ///
+    /// # Errors
+    /// [`SweepError::Io`].
+    pub fn open(folder: &Path, lock: Lock, entries: &Entries) -> Result<Journal, SweepError> {
+        let path = folder.join(JOURNAL);
         let failed = |path: &Path| {
             let path = path.to_owned();
             move |e| SweepError::io(&path, e)
         };
-        let lock = File::create(&lock_path).map_err(failed(&lock_path))?;
-        match lock.try_lock() {
-            Ok(()) => {}
-            Err(fs::TryLockError::WouldBlock) => {
-                return Err(SweepError::Locked {
-                    folder: folder.to_owned(),
-                });
-            }
-            Err(fs::TryLockError::Error(e)) => return Err(SweepError::io(&lock_path, e)),
-        }
-        let entries = Entries::read(folder)?;
-        let path = folder.join(JOURNAL);
         // Not by the handle that appends: some systems do not let that one cut.
-        let whole = File::options()
-            .create(true)
-            .write(true)
-            .truncate(false)
-            .open(&path)
-            .map_err(failed(&path))?;
+        let whole = options().open(&path).map_err(failed(&path))?;
         whole.set_len(entries.length).map_err(failed(&path))?;
         whole.sync_all().map_err(failed(&path))?;
-        let file = File::options()
-            .append(true)
-            .open(&path)
-            .map_err(failed(&path))?;
+        let file = options().append(true).open(&path).map_err(failed(&path))?;
         sync_folder(folder).map_err(failed(folder))?;
-        let journal = Journal {
+        Ok(Journal {
             path,
             file,
             _lock: lock,
-        };
-        Ok((journal, entries))
+        })
     }
 
     /// Appends a finished point and brings it to the disk.
