@@ -53,6 +53,7 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     read.push(arguments.case.clone());
     inputs::keep_within(&read, &folder)?;
     // A long solve whose results have no place to go would be in vain.
+    output::clear_leftovers(&folder);
     output::check_target(&folder)?;
     check_writable(&folder)?;
     listen_for_interrupts();
