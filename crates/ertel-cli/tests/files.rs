@@ -278,3 +278,48 @@ fn links_in_the_folder_of_a_study_are_not_followed() {
     }
     assert!(ertel(&folder, &arguments).status.success());
 }
+
+/// A user's own things under the names of ertel's files, in a former result.
+#[test]
+fn a_former_result_with_things_of_others_is_kept() {
+    let folder = workspace();
+    let curve = "[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"30 kN/m\"]\nfolders = true\n";
+    let base = std::fs::read_to_string(folder.path().join("base.toml")).unwrap();
+    write(&folder, "curve.toml", &(base + curve));
+    for case in ["base.toml", "curve.toml"] {
+        let arguments = ["solve", case, "-q", "-o", "out"];
+        let out = folder.path().join("out");
+        let solved = || assert!(ertel(&folder, &arguments).status.success());
+        solved();
+        // One of ertel's own names as a folder.
+        std::fs::remove_file(out.join("report.txt")).unwrap();
+        write(&folder, "out/report.txt/keep", "mine");
+        refused(&folder, &arguments, 1, "report.txt");
+        std::fs::remove_dir_all(&out).unwrap();
+        solved();
+        // Folders of points.
+        let names: &[&str] = match case {
+            "base.toml" => &["points/1/report.txt", "points/report.txt"],
+            _ => &["points/mine/report.txt", "points/3/report.txt"],
+        };
+        for name in names {
+            write(&folder, &format!("out/{name}"), "mine");
+            refused(
+                &folder,
+                &arguments,
+                1,
+                "out: beside a former result it holds points",
+            );
+            std::fs::remove_dir_all(&out).unwrap();
+            solved();
+        }
+        #[cfg(unix)]
+        {
+            write(&folder, "mine.txt", "mine");
+            std::fs::remove_file(out.join("report.txt")).unwrap();
+            std::os::unix::fs::symlink("../mine.txt", out.join("report.txt")).unwrap();
+            refused(&folder, &arguments, 1, "report.txt");
+        }
+        std::fs::remove_dir_all(&out).unwrap();
+    }
+}
