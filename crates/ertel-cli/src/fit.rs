@@ -57,7 +57,7 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
         Failure::Argument(format!("{}: {error}{help}", data.file))
     })?;
     for warning in &fit.warnings {
-        eprintln!("warning: {warning}");
+        print::stderr(&format!("warning: {warning}"));
     }
     let stem = arguments
         .data

@@ -97,9 +97,10 @@ fn write_curve(
     let echo = case.echo();
     output::write_curve(&echo, solution, folder, &case.output, curve.folders)?;
     WRITING.store(false, Ordering::SeqCst);
-    if !quiet {
-        print::stdout(&output::curve_report(&echo, solution, Some(folder)))?;
-    }
+    let shown = match quiet {
+        true => Ok(()),
+        false => print::stdout(&output::curve_report(&echo, solution, Some(folder))),
+    };
     let (n, all, failed) = (
         solution.points.len(),
         solution.n_points,
@@ -117,7 +118,7 @@ fn write_curve(
             folder.join("curve.csv").display()
         )));
     }
-    Ok(())
+    shown
 }
 
 /// What to know about the input: of a case, or of the points of its curve.
@@ -136,7 +137,7 @@ fn input_warnings(case: &Case) -> Vec<String> {
 
 fn warn<'a>(warnings: impl IntoIterator<Item = &'a String>) {
     for warning in warnings {
-        eprintln!("warning: {warning}");
+        print::stderr(&format!("warning: {warning}"));
     }
 }
 
@@ -176,11 +177,13 @@ pub fn listen_for_interrupts() {
                 std::process::exit(130);
             }
         } else {
-            eprintln!("stopping after this iteration; press Ctrl-C again to stop at once");
+            print::stderr("stopping after this iteration; press Ctrl-C again to stop at once");
         }
     };
     if let Err(error) = ctrlc::set_handler(handler) {
-        eprintln!("warning: Ctrl-C will stop the program at once ({error})");
+        print::stderr(&format!(
+            "warning: Ctrl-C will stop the program at once ({error})"
+        ));
     }
 }
 

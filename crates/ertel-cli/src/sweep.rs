@@ -124,11 +124,12 @@ fn dry_run(study: &Study, folder: &Path) -> Result<(), Failure> {
 }
 
 fn report(summary: &SweepSummary, folder: &Path, quiet: bool) -> Result<(), Failure> {
+    let mut shown = Ok(());
     if summary.n_damaged > 0 {
-        eprintln!(
+        print::stderr(&format!(
             "warning: {} lines of the journal could not be read; their points were solved again",
             summary.n_damaged
-        );
+        ));
     }
     if !quiet {
         let mut text = remarks(summary);
@@ -154,7 +155,7 @@ fn report(summary: &SweepSummary, folder: &Path, quiet: bool) -> Result<(), Fail
         if !summary.interrupted {
             text += &format!("Results in {}\n", folder.join(TABLE).display());
         }
-        print::stdout(&text)?;
+        shown = print::stdout(&text);
     }
     if summary.interrupted {
         return Err(Failure::InterruptedCurve(format!(
@@ -163,7 +164,8 @@ fn report(summary: &SweepSummary, folder: &Path, quiet: bool) -> Result<(), Fail
             summary.n_points
         )));
     }
-    failed(summary, folder)
+    // How the study ended matters more than a report that could not be shown.
+    failed(summary, folder).and(shown)
 }
 
 fn failed(summary: &SweepSummary, folder: &Path) -> Result<(), Failure> {
@@ -180,14 +182,15 @@ fn failed(summary: &SweepSummary, folder: &Path) -> Result<(), Failure> {
 
 fn merged(summary: &SweepSummary, target: &Path, quiet: bool) -> Result<(), Failure> {
     let finished = summary.n_kept + summary.n_new;
+    let mut shown = Ok(());
     if !quiet {
         let text = remarks(summary);
-        print::stdout(&format!(
+        shown = print::stdout(&format!(
             "{text}{finished} of {} points finished, {} failed\nResults in {}\n",
             summary.n_points,
             summary.failures.len(),
             target.join(TABLE).display()
-        ))?;
+        ));
     }
     if summary.interrupted {
         return Err(Failure::Other(format!(
@@ -196,7 +199,7 @@ fn merged(summary: &SweepSummary, target: &Path, quiet: bool) -> Result<(), Fail
             summary.n_points
         )));
     }
-    failed(summary, target)
+    failed(summary, target).and(shown)
 }
 
 /// Failures and warnings, each with its points.
@@ -262,7 +265,9 @@ impl SweepObserver for Progress<'_> {
             return;
         }
         if n_kept > 0 {
-            eprintln!("{n_kept} of {n_points} points are finished already");
+            print::stderr(&format!(
+                "{n_kept} of {n_points} points are finished already"
+            ));
         }
         if std::io::stderr().is_terminal() {
             let bar = ProgressBar::new(n_points as u64);
@@ -299,14 +304,14 @@ impl SweepObserver for Progress<'_> {
                 let left = left.trim_start_matches("; ");
                 bar.set_message(format!("{left}: {}, {outcome}", progress.label));
             }
-            None => eprintln!(
+            None => print::stderr(&format!(
                 "{}/{}: point {} ({}), {outcome}, {} s{left}",
                 progress.n_finished,
                 progress.n_points,
                 progress.index + 1,
                 progress.label,
                 digits(record.seconds, 2),
-            ),
+            )),
         }
     }
 

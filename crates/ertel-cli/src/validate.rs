@@ -58,14 +58,17 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     let mut failed = Vec::new();
     let mut sections = Vec::new();
     let mut results = Vec::new();
+    // Tables and pages are written even if nothing can be shown.
+    let mut shown = Ok(());
     for study in &studies {
         let clock = Instant::now();
         let result = study.run(selection, &mut Silent, &mut |run| {
-            eprintln!("{}: {}", study.name, run.name);
+            print::stderr(&format!("{}: {}", study.name, run.name));
         })?;
         let seconds = clock.elapsed().as_secs_f64();
-        print::stdout(&format!("{}\n", validate::text(study, &result)))?;
-        eprintln!("{}: {seconds:.0} s", study.name);
+        let text = validate::text(study, &result);
+        shown = shown.and(print::stdout(&format!("{text}\n")));
+        print::stderr(&format!("{}: {seconds:.0} s", study.name));
         if !result.holds() {
             failed.push(study.name.as_str());
         }
@@ -78,7 +81,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     if let Some(path) = &arguments.table {
         write(path, &validate::csv(&results))?;
     }
-    print::stdout(&format!("{}\n", validate::summary(&results)))?;
+    shown = shown.and(print::stdout(&format!("{}\n", validate::summary(&results))));
     if let Some(docs) = &arguments.write {
         let path = docs.join(PAGE);
         // Of chosen studies, the sections of the others stay.
@@ -89,6 +92,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
         write(&path, &validate::splice(&old, &sections))?;
     }
     if failed.is_empty() {
+        shown?;
         print::stdout("all comparisons hold\n")
     } else {
         Err(Failure::Other(format!(

@@ -51,7 +51,7 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
             let fit = fit::fit_film(&films, arguments.confidence)
                 .map_err(|error| Failure::Argument(format!("{file}: {error}")))?;
             for warning in &fit.warnings {
-                eprintln!("warning: {} film: {warning}", kind.name());
+                print::stderr(&format!("warning: {} film: {warning}", kind.name()));
             }
             fits.push((fit, films));
         }
