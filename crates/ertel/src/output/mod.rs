@@ -3,6 +3,7 @@
 //! [`write()`] puts everything into one folder that appears as a whole or not at all.
 
 pub mod centreline;
+mod csv;
 pub mod curve;
 mod echo;
 mod estimate;
@@ -27,6 +28,7 @@ mod tests;
 #[cfg(test)]
 mod workplace_tests;
 
+pub(crate) use csv::{quoted, text_field};
 pub use curve::{curve_report, write_curve};
 pub use echo::{BodyEcho, CaseEcho, FluidEcho, HeatEcho, ThermalEcho};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};

@@ -1,0 +1,80 @@
+//! Studies that are wrong are refused at once, with file, line and reason; tables are safe to open.
+
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+fn write(folder: &TempDir, name: &str, text: &str) {
+    std::fs::write(folder.path().join(name), text).unwrap();
+}
+
+fn workspace(study: &str) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    write(&folder, "base.toml", include_str!("good/quick.toml"));
+    write(&folder, "study.toml", study);
+    folder
+}
+
+fn ertel(folder: &TempDir, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(arguments)
+        .current_dir(folder)
+        .env("ERTEL_CACHE", "")
+        .output()
+        .unwrap()
+}
+
+/// Exit code 2 and words on stderr, in a dry run and without it.
+fn refused(folder: &TempDir, words: &[&str]) {
+    for more in [&["--dry-run"][..], &[]] {
+        let arguments = [&["sweep", "study.toml"], more].concat();
+        let output = ertel(folder, &arguments);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{message}");
+        for words in words {
+            assert!(
+                message.contains(words),
+                "`{words}` is missing in\n{message}"
+            );
+        }
+        assert!(!folder.path().join("results").exists());
+    }
+}
+
+const LOADS: &str = "[[axis]]\nkey = \"contact.load\"\nvalues = [\"20 kN/m\", \"30 kN/m\"]\n";
+
+/// Spreadsheets take texts that begin like formulas as texts.
+#[test]
+fn formulas_in_texts_are_no_formulas_in_the_table() {
+    let study = r#"
+case = "base.toml"
+[[axis]]
+key = "title"
+values = ["=cmd|' /C calc'!A0", "@sum(1)", "+x, y", "-\t1", "\t=1", "plain"]
+zip = "points"
+[[axis]]
+key = "contact.load"
+values = ["20 kN/m", "21 kN/m", "22 kN/m", "23 kN/m", "24 kN/m", "25 kN/m"]
+zip = "points"
+[[axis]]
+key = "motion.slide_to_roll_ratio"
+values = [-0.1]
+"#;
+    let folder = workspace(study);
+    let output = ertel(&folder, &["sweep", "study.toml", "-q", "-o", "out"]);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    let table = std::fs::read_to_string(folder.path().join("out/results.csv")).unwrap();
+    let starts = [
+        "1,\"'=cmd|' /C calc'!A0\",2e4,-1e-1,",
+        "2,\"'@sum(1)\",2.1e4,-1e-1,",
+        "3,\"'+x, y\",2.2e4,-1e-1,",
+        "4,\"'-\t1\",2.3e4,-1e-1,",
+        "5,\"'\t=1\",2.4e4,-1e-1,",
+        "6,plain,2.5e4,-1e-1,",
+    ];
+    for (line, start) in table.lines().skip(1).zip(starts) {
+        assert!(line.starts_with(start), "{line}");
+    }
+    assert_eq!(table.lines().count(), 7);
+}
