@@ -78,3 +78,57 @@ values = [-0.1]
     }
     assert_eq!(table.lines().count(), 7);
 }
+
+#[test]
+fn a_base_case_that_is_missing_is_named_with_its_place() {
+    let folder = workspace(&format!("title = \"t\"\ncase = \"nothing.toml\"\n{LOADS}"));
+    let place = ["nothing.toml cannot be read", "study.toml:2:8", "case = "];
+    refused(&folder, &place);
+
+    // Likewise the case of a validation.
+    std::fs::create_dir_all(folder.path().join("studies/roller")).unwrap();
+    write(
+        &folder,
+        "studies/roller/reference.toml",
+        "title = \"Roller\"\nsource = \"made up\"\n[[run]]\nname = \"roller\"\ncase = \"nothing.toml\"\n",
+    );
+    let output = ertel(&folder, &["validate", "--folder", "studies"]);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("reference.toml:5:8"), "{message}");
+}
+
+#[test]
+fn a_bad_value_in_a_table_is_named_with_file_and_line() {
+    let folder = workspace("case = \"base.toml\"\npoints = \"points.csv\"\n");
+    write(
+        &folder,
+        "points.csv",
+        "lubricant.temperature_degC,contact.load_kN_per_m,motion.entrainment_speed_m_per_s\n40,50,1\n40,50,-2\n",
+    );
+    refused(&folder, &["points.csv:3:7", "entrainment speed", "point 2"]);
+
+    // The same line in the table of a law.
+    let law = "{ law = \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"20 1/GPa\" }";
+    let base = include_str!("good/quick.toml");
+    assert!(base.contains(law));
+    let table = "{ law = \"table\", file = \"points.csv\" }";
+    write(&folder, "base.toml", &base.replace(law, table));
+    write(
+        &folder,
+        "study.toml",
+        &format!("case = \"base.toml\"\n{LOADS}"),
+    );
+    write(
+        &folder,
+        "points.csv",
+        "temperature [degC],pressure [MPa],viscosity [mPa.s]\n40,0,40\n40,50,-2\n",
+    );
+    refused(
+        &folder,
+        &[
+            "points.csv: line 3: viscosity: -2 mPa.s is impossible",
+            "base.toml:20:37",
+        ],
+    );
+}

@@ -55,6 +55,7 @@ pub use curve::Curve;
 pub use lubricant::Lubricant;
 pub(crate) use params::{read_mesh, read_solver};
 pub use study::Study;
+pub(crate) use study::read_named;
 pub(crate) use thermal::read as read_thermal;
 pub use thermal::{Heat, MissingDatum, MissingHeatData, SolidHeat};
 

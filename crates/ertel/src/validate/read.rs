@@ -50,7 +50,7 @@ use ertel_rheology::quantity::Dimension;
 use super::check::Subject;
 use super::read_picture::read_picture;
 use super::{Accept, Check, Quantity, Reference, Run, Study, Task};
-use crate::case::{Case, check_mesh_of_bodies, read_mesh, read_solver, read_thermal};
+use crate::case::{Case, check_mesh_of_bodies, read_mesh, read_named, read_solver, read_thermal};
 use crate::contact::ContactKind;
 use crate::params::{MeshParams, MeshPreset};
 use crate::reference::FilmFormula;
@@ -116,8 +116,9 @@ pub fn read(folder: &Path) -> Result<Study, InputError> {
 fn read_run(mut table: Table<'_>, folder: &Path) -> Result<(Run, Vec<PathBuf>), InputError> {
     let name = table.required_str("name")?.to_owned();
     let path = folder.join(table.required_str("case")?);
-    let mut case = Case::read(&path)?;
-    let mut files = case.files(path.parent().unwrap_or(folder));
+    let case_folder = path.parent().unwrap_or(folder);
+    let mut case = Case::from_document(&read_named(&table, "case", &path)?, case_folder)?;
+    let mut files = case.files(case_folder);
     files.push(path);
     if case.title.is_empty() {
         case.title.clone_from(&name);

@@ -29,7 +29,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use ertel_rheology::input::tree::{Node, Value};
-use ertel_rheology::input::{Document, InputError};
+use ertel_rheology::input::{Document, InputError, Table};
 
 use super::Case;
 use crate::contact::ContactKind;
@@ -102,7 +102,7 @@ impl Study {
         let base = folder.join(root.required_str("case").map_err(|error| {
             error.with_help("the case that the axes start from, as in case = \"base.toml\"")
         })?);
-        let case = Document::read(&base)?;
+        let case = read_named(&root, "case", &base)?;
         if case.tree().entry("curve").is_some() {
             return Err(root
                 .error("case", "the base case of a study has a [curve] of its own")
@@ -172,6 +172,18 @@ impl Study {
             kind,
         })
     }
+}
+
+/// Reads a file that the key `key` of a table names: where it cannot be read, the error points at that key.
+pub(crate) fn read_named(
+    table: &Table<'_>,
+    key: &str,
+    path: &Path,
+) -> Result<Document, InputError> {
+    Document::read(path).map_err(|error| match error.line() {
+        Some(_) => error,
+        None => table.error(key, format!("{} {}", error.file(), error.message())),
+    })
 }
 
 /// The same key twice would leave one of its values without effect.
