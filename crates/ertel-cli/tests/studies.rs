@@ -132,3 +132,46 @@ fn a_bad_value_in_a_table_is_named_with_file_and_line() {
         ],
     );
 }
+
+#[test]
+fn axes_that_change_nothing_are_refused_with_the_reason() {
+    let curve = "values = [{ quantity = \"contact.load\", values = [\"60 kN/m\", \"70 kN/m\"] }]";
+    for (key, values, words) in [
+        ("curve", curve, "have no [curve]"),
+        (
+            "curve.quantity",
+            "values = [\"contact.load\"]",
+            "have no [curve]",
+        ),
+        ("title", "values = [\"a\", \"b\"]", "the same contact"),
+        (
+            "output.folder",
+            "values = [\"a\", \"b\"]",
+            "does not change what is solved",
+        ),
+        (
+            "output",
+            "values = [{ folder = \"a\" }]",
+            "does not change what is solved",
+        ),
+    ] {
+        let axis = format!("[[axis]]\nkey = \"{key}\"\n{values}\n");
+        let folder = workspace(&format!("case = \"base.toml\"\n{LOADS}{axis}"));
+        refused(&folder, &[words, "study.toml:6:7", "= help: "]);
+    }
+    // A column of the table of points.
+    let folder = workspace("case = \"base.toml\"\npoints = \"points.csv\"\n");
+    write(
+        &folder,
+        "points.csv",
+        "contact.load_N_per_m,output.folder\n20000,a\n30000,b\n",
+    );
+    refused(&folder, &["points.csv:1:22"]);
+    // The same contact under two titles.
+    write(
+        &folder,
+        "points.csv",
+        "contact.load_N_per_m,title\n20000,a\n20000,b\n",
+    );
+    refused(&folder, &["points 1 and 2 are the same case"]);
+}

@@ -198,7 +198,37 @@ fn check_keys(case: &Document, groups: &[Group]) -> Result<(), InputError> {
             ));
         }
     }
+    for group in groups {
+        let is_contact = |axis: &axis::Axis| axis.key != "title" && axis.values.len() > 1;
+        let is_beside_contact = group.axes.iter().any(is_contact);
+        for axis in &group.axes {
+            if let Some((reason, help)) = without_effect(axis, is_beside_contact) {
+                let error = case.error_at(axis.key_span.clone(), &axis.key, reason);
+                return Err(error.with_help(help));
+            }
+        }
+    }
     Ok(())
+}
+
+/// Why an axis does not change what is solved, and what to do; `is_beside_contact` if another one of its group does.
+fn without_effect(axis: &axis::Axis, is_beside_contact: bool) -> Option<(String, &'static str)> {
+    let key = &axis.key;
+    match key.split('.').next().unwrap_or_default() {
+        "curve" => Some((
+            format!("`{key}` cannot be an axis: the points of a study have no [curve]"),
+            "make an [[axis]] of the quantity of the curve, crossed with the others",
+        )),
+        "output" => Some((
+            format!("`{key}` cannot be an axis: what is written does not change what is solved"),
+            "set it in the base case; `ertel sweep --folders` writes each point into a folder of its own",
+        )),
+        "title" if axis.values.len() > 1 && !is_beside_contact => Some((
+            "`title` cannot be an axis of its own: its points would be the same contact".to_owned(),
+            "give it the same `zip` as an axis of a contact's input, or a column beside such inputs in the table of points",
+        )),
+        _ => None,
+    }
 }
 
 /// The settings of a point: the last group varies fastest.
