@@ -1,6 +1,7 @@
 //! Studies that are wrong are refused at once, with file, line and reason; tables are safe to open.
 
 use std::process::{Command, Output};
+use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
@@ -174,4 +175,42 @@ fn axes_that_change_nothing_are_refused_with_the_reason() {
         "contact.load_N_per_m,title\n20000,a\n20000,b\n",
     );
     refused(&folder, &["points 1 and 2 are the same case"]);
+}
+
+#[test]
+fn an_axis_that_is_too_long_is_refused_at_once() {
+    let values: Vec<String> = (0..200_000)
+        .map(|i| format!("\"{} N/m\"", 20_000 + i))
+        .collect();
+    let axis = format!(
+        "[[axis]]\nkey = \"contact.load\"\nvalues = [{}]\n",
+        values.join(", ")
+    );
+    let folder = workspace(&format!("case = \"base.toml\"\n{axis}"));
+    let clock = Instant::now();
+    refused(
+        &folder,
+        &["200000 values", "at most 20000", "study.toml:4:"],
+    );
+    assert!(
+        clock.elapsed() < Duration::from_secs(20),
+        "{:?}",
+        clock.elapsed()
+    );
+
+    // A table of as many points.
+    let rows: String = (0..200_000).map(|i| format!("{}\n", 20_000 + i)).collect();
+    let folder = workspace("case = \"base.toml\"\npoints = \"points.csv\"\n");
+    write(
+        &folder,
+        "points.csv",
+        &format!("contact.load_N_per_m\n{rows}"),
+    );
+    let clock = Instant::now();
+    refused(&folder, &["more than 20000 points"]);
+    assert!(
+        clock.elapsed() < Duration::from_secs(20),
+        "{:?}",
+        clock.elapsed()
+    );
 }
