@@ -13,6 +13,7 @@ use ertel_rheology::{DensityLaw, Files, database};
 
 use crate::args::{FitArgs, FitCommand, FitLawArgs};
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 use crate::table::{columns, paragraph};
 
@@ -42,6 +43,7 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
             ))
         })?;
     let plot = plot_path(arguments)?;
+    keep_inputs(arguments, plot.as_deref())?;
     let params = params(arguments, law)?;
     let data = read(&arguments.data, property)?;
     let fit = fit::fit(&data, law, &params).map_err(|error| {
@@ -55,7 +57,7 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
         Failure::Argument(format!("{}: {error}{help}", data.file))
     })?;
     for warning in &fit.warnings {
-        eprintln!("warning: {warning}");
+        print::stderr(&format!("warning: {warning}"));
     }
     let stem = arguments
         .data
@@ -97,6 +99,33 @@ fn plot_path(arguments: &FitLawArgs) -> Result<Option<PathBuf>, Failure> {
         .output
         .as_ref()
         .map(|path| path.with_extension("svg")))
+}
+
+/// Neither the data nor the equation of state is overwritten, and the entry not by its own picture.
+fn keep_inputs(arguments: &FitLawArgs, plot: Option<&Path>) -> Result<(), Failure> {
+    let mut read = vec![arguments.data.clone()];
+    let density = arguments.density.as_ref();
+    read.extend(density.filter(|d| is_entry(d)).map(PathBuf::from));
+    let entry = arguments.output.as_deref();
+    inputs::keep(
+        &read,
+        &[
+            entry.map(|path| ("--output", path)),
+            plot.map(|path| ("the picture", path)),
+        ]
+        .into_iter()
+        .flatten()
+        .collect::<Vec<_>>(),
+    )?;
+    match (entry, plot) {
+        (Some(entry), Some(plot)) if inputs::is_one_place(entry, plot) => {
+            Err(Failure::Argument(format!(
+                "--output {} names both the entry and the picture beside it; give the entry a name that ends in .toml",
+                entry.display()
+            )))
+        }
+        _ => Ok(()),
+    }
 }
 
 fn check_svg(path: &Path) -> Result<(), Failure> {
@@ -149,9 +178,14 @@ fn params(arguments: &FitLawArgs, law: LawName) -> Result<Params, Failure> {
     })
 }
 
+/// Whether `--density` names a file, not a fluid of the database.
+fn is_entry(name: &str) -> bool {
+    name.ends_with(".toml")
+}
+
 /// The Tait equation of a fluid of the database, or of an entry in a file.
 fn volume(name: &str) -> Result<TaitVolume, Failure> {
-    let density = if name.ends_with(".toml") {
+    let density = if is_entry(name) {
         let path = Path::new(name);
         let document = Document::read(path)?;
         let folder = path.parent().unwrap_or(Path::new("."));

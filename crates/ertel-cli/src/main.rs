@@ -1,11 +1,16 @@
 //! The `ertel` command.
 
+// These panic where the output is closed or its disk is full: `print` does not.
+#![deny(clippy::print_stdout, clippy::print_stderr)]
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used))]
+
 mod args;
 mod cache;
 mod estimate;
 mod failure;
 mod fit;
 mod fluids;
+mod inputs;
 mod print;
 mod progress;
 mod provenance;
@@ -36,7 +41,7 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            print::stderr(&format!("error: {failure}"));
             failure.exit_code()
         }
     }

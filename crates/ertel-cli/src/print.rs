@@ -1,4 +1,5 @@
-//! Writing to stdout: a closed pipe (`ertel fluids | head`) ends the output, not the program.
+//! Writing to stdout and stderr. A closed pipe (`ertel fluids | head`) ends the output, not the program, and nothing here
+//! panics, as `println!` and `eprintln!` do.
 
 use std::io::{self, Write};
 
@@ -17,4 +18,12 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
         }
         _ => Ok(()),
     }
+}
+
+/// Writes a line to stderr. Where that fails there is no place left to say so, and the work matters more.
+pub fn stderr(line: &str) {
+    // In one piece, so that lines of several threads do not mix.
+    let _ = io::stderr()
+        .lock()
+        .write_all(format!("{line}\n").as_bytes());
 }

@@ -9,6 +9,8 @@ use ertel::solve::Observer;
 use ertel::study::CurveObserver;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::print;
+
 /// Shows the iterations and passes on that the user wants to stop.
 pub struct Progress<'a> {
     display: Display,
@@ -51,7 +53,7 @@ impl<'a> Progress<'a> {
     fn show(&self, line: String) {
         match &self.display {
             Display::Quiet => {}
-            Display::Lines => eprintln!("{line}"),
+            Display::Lines => print::stderr(&line),
             Display::Terminal(bar) => bar.set_message(line),
         }
     }

@@ -14,6 +14,7 @@ use ertel::warning::{Warning, by_kind};
 use crate::args::SolveArgs;
 use crate::cache::user_cache;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 use crate::progress::Progress;
 
@@ -50,7 +51,11 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
             false => user_cache()?,
         },
     };
+    let mut read = case.files(arguments.case.parent().unwrap_or(Path::new("")));
+    read.push(arguments.case.clone());
+    inputs::keep_within(&read, &folder)?;
     // A long solve whose results have no place to go would be in vain.
+    output::clear_leftovers(&folder);
     output::check_target(&folder)?;
     check_writable(&folder)?;
     listen_for_interrupts();
@@ -71,15 +76,16 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     let echo = case.echo();
     output::write(&echo, &solution, &folder, &case.output)?;
     WRITING.store(false, Ordering::SeqCst);
-    if arguments.quiet {
+    let shown = if arguments.quiet {
         let known = |warning: &&Warning| !case.warnings.contains(warning);
         warn(solution.warnings.iter().filter(known));
+        Ok(())
     } else {
-        print::stdout(&output::report(&echo, &solution, Some(&folder)))?;
-    }
+        print::stdout(&output::report(&echo, &solution, Some(&folder)))
+    };
     match &solution.unresolved[..] {
-        [] => Ok(()),
-        _ if arguments.accept_unresolved => Ok(()),
+        [] => shown,
+        _ if arguments.accept_unresolved => shown,
         unresolved => Err(not_resolved(unresolved, &folder)),
     }
 }
@@ -124,9 +130,10 @@ fn write_curve(
     let echo = case.echo();
     output::write_curve(&echo, solution, folder, &case.output, curve.folders)?;
     WRITING.store(false, Ordering::SeqCst);
-    if !quiet {
-        print::stdout(&output::curve_report(&echo, solution, Some(folder)))?;
-    }
+    let shown = match quiet {
+        true => Ok(()),
+        false => print::stdout(&output::curve_report(&echo, solution, Some(folder))),
+    };
     let (n, all, failed) = (
         solution.points.len(),
         solution.n_points,
@@ -153,7 +160,7 @@ fn write_curve(
             &folder.join("curve.csv"),
         ));
     }
-    Ok(())
+    shown
 }
 
 /// What to know about the input: of a case, or of the points of its curve.
@@ -170,7 +177,7 @@ fn input_warnings(case: &Case) -> Vec<Warning> {
 
 fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     for warning in warnings {
-        eprintln!("warning: {warning}");
+        print::stderr(&format!("warning: {warning}"));
     }
 }
 
@@ -210,11 +217,13 @@ pub fn listen_for_interrupts() {
                 std::process::exit(130);
             }
         } else {
-            eprintln!("stopping after this iteration; press Ctrl-C again to stop at once");
+            print::stderr("stopping after this iteration; press Ctrl-C again to stop at once");
         }
     };
     if let Err(error) = ctrlc::set_handler(handler) {
-        eprintln!("warning: Ctrl-C will stop the program at once ({error})");
+        print::stderr(&format!(
+            "warning: Ctrl-C will stop the program at once ({error})"
+        ));
     }
 }
 

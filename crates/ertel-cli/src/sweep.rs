@@ -10,14 +10,15 @@ use ertel::output::{check_png, digits, length};
 use ertel::run::Session;
 use ertel::study::plan::Plan;
 use ertel::study::{
-    Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary, TABLE,
-    finished_points, merge, sweep,
+    FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
+    TABLE, finished_points, merge, sweep,
 };
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::args::SweepArgs;
 use crate::cache::user_cache;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 use crate::solve::{CANCELLED, listen_for_interrupts, points_not_resolved};
 use crate::table::columns;
@@ -40,6 +41,7 @@ pub fn run(arguments: &SweepArgs) -> Result<(), Failure> {
     };
     let study = Study::read(path)?;
     let folder = folder(arguments, path);
+    keep_inputs(&study, &folder)?;
     if arguments.dry_run {
         return dry_run(&study, &folder);
     }
@@ -81,6 +83,14 @@ fn folder(arguments: &SweepArgs, path: &Path) -> PathBuf {
     }
 }
 
+/// Nothing that the study reads is overwritten by what it writes.
+fn keep_inputs(study: &Study, folder: &Path) -> Result<(), Failure> {
+    let written = FILES.map(|name| folder.join(name));
+    let outputs = written.each_ref().map(|path| ("the file", path.as_path()));
+    inputs::keep(&study.files, &outputs)?;
+    inputs::keep_within(&study.files, &folder.join(FOLDERS))
+}
+
 fn dry_run(study: &Study, folder: &Path) -> Result<(), Failure> {
     let plan = Plan::new(study);
     let finished = finished_points(study, folder)?;
@@ -114,11 +124,12 @@ fn dry_run(study: &Study, folder: &Path) -> Result<(), Failure> {
 }
 
 fn report(summary: &SweepSummary, folder: &Path, arguments: &SweepArgs) -> Result<(), Failure> {
+    let mut shown = Ok(());
     if summary.n_damaged > 0 {
-        eprintln!(
+        print::stderr(&format!(
             "warning: {} lines of the journal could not be read; their points were solved again",
             summary.n_damaged
-        );
+        ));
     }
     if !arguments.quiet {
         let mut text = remarks(summary);
@@ -144,7 +155,7 @@ fn report(summary: &SweepSummary, folder: &Path, arguments: &SweepArgs) -> Resul
         if !summary.interrupted {
             text += &format!("Results in {}\n", folder.join(TABLE).display());
         }
-        print::stdout(&text)?;
+        shown = print::stdout(&text);
     }
     if summary.interrupted {
         return Err(Failure::InterruptedCurve(format!(
@@ -153,7 +164,8 @@ fn report(summary: &SweepSummary, folder: &Path, arguments: &SweepArgs) -> Resul
             summary.n_points
         )));
     }
-    failed(summary, folder, arguments.accept_unresolved)
+    // How the study ended matters more than a report that could not be shown.
+    failed(summary, folder, arguments.accept_unresolved).and(shown)
 }
 
 fn failed(summary: &SweepSummary, folder: &Path, accept_unresolved: bool) -> Result<(), Failure> {
@@ -175,14 +187,15 @@ fn failed(summary: &SweepSummary, folder: &Path, accept_unresolved: bool) -> Res
 
 fn merged(summary: &SweepSummary, target: &Path, arguments: &SweepArgs) -> Result<(), Failure> {
     let finished = summary.n_kept + summary.n_new;
+    let mut shown = Ok(());
     if !arguments.quiet {
         let text = remarks(summary);
-        print::stdout(&format!(
+        shown = print::stdout(&format!(
             "{text}{finished} of {} points finished, {} failed\nResults in {}\n",
             summary.n_points,
             summary.failures.len(),
             target.join(TABLE).display()
-        ))?;
+        ));
     }
     if summary.interrupted {
         return Err(Failure::Other(format!(
@@ -191,7 +204,7 @@ fn merged(summary: &SweepSummary, target: &Path, arguments: &SweepArgs) -> Resul
             summary.n_points
         )));
     }
-    failed(summary, target, arguments.accept_unresolved)
+    failed(summary, target, arguments.accept_unresolved).and(shown)
 }
 
 /// Failures and warnings, each with its points.
@@ -252,7 +265,9 @@ impl SweepObserver for Progress<'_> {
             return;
         }
         if n_kept > 0 {
-            eprintln!("{n_kept} of {n_points} points are finished already");
+            print::stderr(&format!(
+                "{n_kept} of {n_points} points are finished already"
+            ));
         }
         if std::io::stderr().is_terminal() {
             let bar = ProgressBar::new(n_points as u64);
@@ -289,14 +304,14 @@ impl SweepObserver for Progress<'_> {
                 let left = left.trim_start_matches("; ");
                 bar.set_message(format!("{left}: {}, {outcome}", progress.label));
             }
-            None => eprintln!(
+            None => print::stderr(&format!(
                 "{}/{}: point {} ({}), {outcome}, {} s{left}",
                 progress.n_finished,
                 progress.n_points,
                 progress.index + 1,
                 progress.label,
                 digits(record.seconds, 2),
-            ),
+            )),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::ErrorKind;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use ertel::output::write_whole;
@@ -11,6 +11,7 @@ use ertel::validate::{self, Quantity, Row, Selection, Study, StudyResult, Verdic
 
 use crate::args::ValidateArgs;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 
 /// Runs the command.
@@ -40,6 +41,15 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
         .iter()
         .map(|name| validate::read(&folder.join(name)))
         .collect::<Result<_, _>>()?;
+    let read: Vec<_> = studies.iter().flat_map(|s| s.files.clone()).collect();
+    if let Some(path) = &arguments.table {
+        inputs::keep(&read, &[("--table", path)])?;
+    }
+    if let Some(docs) = &arguments.write {
+        for file in written(&studies, docs) {
+            inputs::keep(&read, &[("the file", &file)])?;
+        }
+    }
     let selection = if arguments.quick {
         Selection::Quick
     } else {
@@ -48,16 +58,20 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     let mut failed = Vec::new();
     let mut sections = Vec::new();
     let mut results = Vec::new();
+    // Tables and pages are written even if nothing can be shown.
+    let mut shown = Ok(());
     for study in &studies {
         let clock = Instant::now();
         let result = study.run(selection, &mut Silent, &mut |run| {
-            eprintln!("{}: {}", study.name, run.name);
+            print::stderr(&format!("{}: {}", study.name, run.name));
         })?;
         let seconds = clock.elapsed().as_secs_f64();
-        print::stdout(&format!("{}\n", validate::text(study, &result)))?;
-        eprintln!("{}: {seconds:.0} s", study.name);
+        let text = validate::text(study, &result);
+        shown = shown.and(print::stdout(&format!("{text}\n")));
+        print::stderr(&format!("{}: {seconds:.0} s", study.name));
         if arguments.update {
-            update(study, &result, &folder.join(&study.name))?;
+            let changes = update(study, &result, &folder.join(&study.name))?;
+            shown = shown.and(print::stdout(&changes));
         }
         let counts = |row: &&Row| {
             let is_effort = row.label == Quantity::NewtonIterations.label();
@@ -75,9 +89,9 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     if let Some(path) = &arguments.table {
         write(path, &validate::csv(&results))?;
     }
-    print::stdout(&format!("{}\n", validate::summary(&results)))?;
+    shown = shown.and(print::stdout(&format!("{}\n", validate::summary(&results))));
     if let Some(docs) = &arguments.write {
-        let path = docs.join("validation.md");
+        let path = docs.join(PAGE);
         // Of chosen studies, the sections of the others stay.
         let old = match arguments.names.is_empty() {
             true => String::new(),
@@ -86,6 +100,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
         write(&path, &validate::splice(&old, &sections))?;
     }
     if failed.is_empty() {
+        shown?;
         print::stdout("all comparisons hold\n")
     } else {
         Err(Failure::Other(format!(
@@ -96,17 +111,29 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
 }
 
 /// Brings the stated efforts of a study up to those taken.
-fn update(study: &Study, result: &StudyResult, folder: &Path) -> Result<(), Failure> {
+fn update(study: &Study, result: &StudyResult, folder: &Path) -> Result<String, Failure> {
     let path = folder.join("reference.toml");
     let failed = |error: String| Failure::Other(format!("{}: {error}", path.display()));
     let text = fs::read_to_string(&path).map_err(|error| failed(error.to_string()))?;
     let (updated, changes) = validate::update(&text, study, result).map_err(failed)?;
     if changes.is_empty() {
-        return Ok(());
+        return Ok(String::new());
     }
     write_whole(&path, updated.as_bytes()).map_err(|error| failed(error.to_string()))?;
     let changes: Vec<String> = changes.iter().map(ToString::to_string).collect();
-    print::stdout(&format!("{}\n{}\n", path.display(), changes.join("\n")))
+    Ok(format!("{}\n{}\n", path.display(), changes.join("\n")))
+}
+
+/// The page and every picture that `--write` makes.
+fn written(studies: &[Study], docs: &Path) -> Vec<PathBuf> {
+    let picture = |study: &Study, name: &str| {
+        let name = format!("{PICTURES}/{}-{name}.svg", study.name);
+        docs.join(name)
+    };
+    let pictures = studies
+        .iter()
+        .flat_map(|s| s.pictures.iter().map(move |p| picture(s, &p.name)));
+    pictures.chain([docs.join(PAGE)]).collect()
 }
 
 /// Writes the pictures of a study; returns its part of the page.
@@ -132,6 +159,8 @@ fn read_page(path: &Path) -> Result<String, Failure> {
     }
 }
 
+/// The page.
+const PAGE: &str = "validation.md";
 /// Folder of the pictures beside the page.
 const PICTURES: &str = "validation";
 
@@ -140,5 +169,5 @@ fn write(path: &Path, text: &str) -> Result<(), Failure> {
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder).map_err(failed)?;
     }
-    fs::write(path, text).map_err(failed)
+    write_whole(path, text.as_bytes()).map_err(failed)
 }

@@ -473,8 +473,10 @@ fn what_cannot_be_run_is_refused() {
     std::fs::write(folder.path().join("mine/notes.txt"), "mine").unwrap();
     refused(&["study.toml", "-o", "mine"], 1, "no study of ertel");
     // The same case in two points.
-    let twice = "case = \"base.toml\"\n[[axis]]\nkey = \"title\"\nvalues = [\"a\", \"b\"]\n";
+    let twice = "case = \"base.toml\"\npoints = \"twice.csv\"\n";
     std::fs::write(folder.path().join("twice.toml"), twice).unwrap();
+    let points = "title,contact.load_kN_per_m\na,20\nb,20\n";
+    std::fs::write(folder.path().join("twice.csv"), points).unwrap();
     refused(&["twice.toml"], 2, "points 1 and 2 are the same case");
     // Two runs at a time.
     let mut child = command(&folder, &["study.toml", "-j", "1"])

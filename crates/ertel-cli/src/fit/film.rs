@@ -1,5 +1,7 @@
 //! `ertel fit film`.
 
+use std::slice;
+
 use ertel::contact::ContactKind;
 use ertel::fit::{self, FilmFit, FilmForm, FilmKind, Films};
 use ertel::output::{digits, length, write_whole};
@@ -8,6 +10,7 @@ use ertel_rheology::quantity::{self, Dimension};
 use super::check_svg;
 use crate::args::FitFilmArgs;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 use crate::table::columns;
 
@@ -19,6 +22,7 @@ use crate::table::columns;
 pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
     if let Some(path) = &arguments.plot {
         check_svg(path)?;
+        inputs::keep(slice::from_ref(&arguments.results), &[("--plot", path)])?;
     }
     let radius = arguments
         .radius
@@ -47,7 +51,7 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
             let fit = fit::fit_film(&films, arguments.confidence)
                 .map_err(|error| Failure::Argument(format!("{file}: {error}")))?;
             for warning in &fit.warnings {
-                eprintln!("warning: {} film: {warning}", kind.name());
+                print::stderr(&format!("warning: {} film: {warning}", kind.name()));
             }
             fits.push((fit, films));
         }

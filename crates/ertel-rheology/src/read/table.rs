@@ -120,17 +120,25 @@ impl Columns {
         let header = Header::parse(header, name, pressures)
             .map_err(|problem| format!("line {number}: {problem}"))?;
 
-        let mut states: Vec<[f64; 3]> = Vec::new();
+        let mut states: Vec<(usize, [f64; 3])> = Vec::new();
         for (number, line) in lines {
             let state = header
-                .state(line, dimension)
+                .state(line, name, dimension)
                 .map_err(|problem| format!("line {number}: {problem}"))?;
-            states.extend(state);
+            states.extend(state.map(|state| (number, state)));
         }
-        // A stable sort: within an isotherm the order of the file stays and is checked later.
-        states.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        // A stable sort: within an isotherm the order of the file stays.
+        states.sort_by(|(_, a), (_, b)| a[0].total_cmp(&b[0]));
+        let unordered = states
+            .windows(2)
+            .find(|pair| pair[0].1[0] == pair[1].1[0] && pair[1].1[1] <= pair[0].1[1]);
+        if let Some([(former, _), (number, _)]) = unordered {
+            return Err(format!(
+                "line {number}: pressure: at one temperature the pressures must increase, but this one does not exceed that of line {former}"
+            ));
+        }
         let mut columns = Self::default();
-        for [temperature, pressure, value] in states {
+        for (_, [temperature, pressure, value]) in states {
             if columns.temperatures.last() != Some(&temperature) {
                 columns.temperatures.push(temperature);
                 columns.pressures.push(Vec::new());
@@ -216,13 +224,32 @@ impl Header {
     }
 
     /// Temperature, pressure and value of a line; `None` if the value is left out.
-    fn state(&self, line: &str, dimension: Dimension) -> Result<Option<[f64; 3]>, String> {
+    fn state(
+        &self,
+        line: &str,
+        name: &str,
+        dimension: Dimension,
+    ) -> Result<Option<[f64; 3]>, String> {
         let cells: Vec<&str> = line.split(',').map(str::trim).collect();
         let number = |(column, unit): &(usize, String), dimension| {
             let cell = cells
                 .get(*column)
                 .ok_or_else(|| format!("there are only {} columns", cells.len()))?;
             quantity::parse(&format!("{cell} {unit}"), dimension).map_err(|error| error.to_string())
+        };
+        let positive = |title: &str, column: &(usize, String), dimension| {
+            let value = number(column, dimension)?;
+            if value > 0.0 {
+                return Ok(value);
+            }
+            let (cell, unit) = (cells[column.0], &column.1);
+            Err(format!(
+                "{title}: {cell} {unit} is impossible: it must be above {}",
+                match title {
+                    "temperature" => "absolute zero",
+                    _ => "zero",
+                }
+            ))
         };
         if cells.get(self.value.0).is_none_or(|cell| cell.is_empty()) {
             return Ok(None);
@@ -232,13 +259,13 @@ impl Header {
             None => 0.0,
         };
         Ok(Some([
-            number(&self.temperature, Dimension::TEMPERATURE)?,
+            positive("temperature", &self.temperature, Dimension::TEMPERATURE)?,
             if self.absolute {
                 pressure - STANDARD_ATMOSPHERE
             } else {
                 pressure
             },
-            number(&self.value, dimension)?,
+            positive(name, &self.value, dimension)?,
         ]))
     }
 }

@@ -208,6 +208,25 @@ fn a_table_at_fault_names_what_is_wrong() {
     );
     let header = "temperature [K], pressure [MPa], viscosity [mPa.s]\n";
     assert!(file_error(&format!("{header}300, zero, 1")).contains("line 2: `zero MPa`"));
+    for (rows, problem) in [
+        (
+            "300,0,1\n300,50,-2",
+            "line 3: viscosity: -2 mPa.s is impossible",
+        ),
+        ("300,0,0", "line 2: viscosity: 0 mPa.s is impossible"),
+        ("-300,0,1", "line 2: `-300 K` is below absolute zero"),
+        ("0,0,1", "line 2: temperature: 0 K is impossible"),
+        (
+            "300,0,1\n310,0,1\n300,0,2",
+            "line 4: pressure: at one temperature",
+        ),
+    ] {
+        let message = file_error(&format!("{header}{rows}"));
+        assert!(
+            message.starts_with("oil.csv: ") && message.contains(problem),
+            "{message}"
+        );
+    }
     assert!(
         file_error("temperature [K], pressure [MPa], viscosity [m]\n300, 0, 1")
             .contains("is a length")

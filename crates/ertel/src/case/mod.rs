@@ -31,6 +31,7 @@ mod check;
 mod contact;
 pub mod curve;
 mod echo;
+mod files;
 mod lubricant;
 mod params;
 pub mod study;
@@ -55,6 +56,7 @@ pub use curve::Curve;
 pub use lubricant::Lubricant;
 pub(crate) use params::{read_mesh, read_solver};
 pub use study::Study;
+pub(crate) use study::read_named;
 pub(crate) use thermal::read as read_thermal;
 pub use thermal::{Heat, MissingDatum, MissingHeatData, SolidHeat};
 

@@ -5,6 +5,9 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::path::Path;
 
+/// How the names of files in the making begin.
+pub(crate) const TEMPORARY: &str = ".ertel-";
+
 /// Writes a file so that it is whole, or as before.
 ///
 /// # Errors
@@ -15,7 +18,7 @@ pub fn write_whole(path: &Path, content: &[u8]) -> io::Result<()> {
         _ => Path::new("."),
     };
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".ertel-");
+    builder.prefix(TEMPORARY);
     #[cfg(unix)]
     {
         // The usual rights of a new file; the umask is taken off.

@@ -3,6 +3,7 @@
 //! [`write()`] puts everything into one folder that appears as a whole or not at all.
 
 pub mod centreline;
+mod csv;
 pub mod curve;
 mod echo;
 mod estimate;
@@ -16,24 +17,30 @@ mod report;
 mod result_json;
 mod study;
 mod surface;
+mod target;
 pub mod vtu;
+mod workplace;
 
 #[cfg(test)]
 mod fixture;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod workplace_tests;
 
+pub(crate) use csv::{quoted, text_field};
 pub use curve::{curve_report, write_curve};
 pub use echo::{BodyEcho, CaseEcho, FluidEcho, HeatEcho, ThermalEcho};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use figure::unresolved;
-pub(crate) use file::sync_folder;
 pub use file::write_whole;
-pub use folder::check_target;
+pub(crate) use file::{TEMPORARY, sync_folder};
+pub use folder::clear_leftovers;
 pub use plot::png::{PngError, check as check_png};
 pub use report::{digits, length, pressure, report};
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
 pub use study::{study_films, study_tractions};
+pub use target::check_target;
 
 use std::io;
 use std::path::{Path, PathBuf};

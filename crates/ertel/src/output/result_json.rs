@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use super::CaseEcho;
+use crate::run::NUMERICS;
 use crate::solution::{Figure, Solution};
 use crate::warning::texts;
 
@@ -35,6 +36,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
         "ertel_version": env!("CARGO_PKG_VERSION"),
+        "numerics_version": NUMERICS,
         "title": case.title,
         "kind": solution.kind,
         "summary": s,

@@ -4,7 +4,7 @@
 //! known by the hash of their case, so that a study whose axes or base case have changed keeps what is unchanged.
 
 use std::collections::HashMap;
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -14,10 +14,16 @@ use xxhash_rust::xxh3::xxh3_128;
 use super::SweepError;
 use crate::case::Case;
 use crate::output::sync_folder;
+use crate::run::NUMERICS;
 use crate::warning::Warning;
 
 /// Name of the journal in the folder of a study.
 pub const JOURNAL: &str = "journal.jsonl";
+/// Name of the file there that a run locks.
+pub const LOCK: &str = ".lock";
+
+/// How every record begins.
+const RECORD_START: &[u8] = br#"{"key":""#;
 
 /// Hash of all that a solve sees of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -25,15 +31,16 @@ pub const JOURNAL: &str = "journal.jsonl";
 pub struct PointKey(u128);
 
 impl PointKey {
-    /// The key of a case for this version of the program. Titles and places of results do not count.
+    /// The key of a case for this version of the numerics. Titles, warnings and places of results do not count.
     pub fn new(case: &Case) -> PointKey {
         let mut case = case.clone();
         case.title.clear();
         case.source.clear();
         case.given = serde_json::Value::Null;
         case.output = crate::params::OutputParams::default();
+        case.warnings.clear();
         // Whatever a case comes to hold, its debug text holds, too.
-        let text = format!("{} {case:?}", env!("CARGO_PKG_VERSION"));
+        let text = format!("{NUMERICS} {case:?}");
         PointKey(xxh3_128(text.as_bytes()))
     }
 }
@@ -90,7 +97,7 @@ pub struct Journal {
     path: PathBuf,
     file: File,
     /// Held as long as the journal.
-    _lock: File,
+    _lock: Lock,
 }
 
 /// What stands in a journal.
@@ -102,6 +109,10 @@ pub struct Entries {
     pub n_damaged: usize,
     /// Bytes up to the end of the last whole line.
     length: u64,
+    /// Whether there is a journal.
+    exists: bool,
+    /// Whether what follows the last whole line is no part of a record.
+    foreign_end: bool,
 }
 
 impl Entries {
@@ -116,10 +127,14 @@ impl Entries {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Entries::default()),
             Err(e) => return Err(SweepError::io(&path, e)),
         };
-        let mut entries = Entries::default();
+        let mut entries = Entries {
+            exists: true,
+            ..Entries::default()
+        };
         for line in bytes.split_inclusive(|b| *b == b'\n') {
             let Some(line) = line.strip_suffix(b"\n") else {
-                break; // Torn.
+                entries.foreign_end = !is_torn_record(line);
+                break;
             };
             entries.length += line.len() as u64 + 1;
             match serde_json::from_slice::<Record>(line) {
@@ -131,51 +146,86 @@ impl Entries {
         }
         Ok(entries)
     }
+
+    /// Whether it is the journal of another program: a line in it is no record, or its end is no part of one. Beside a
+    /// list of points (`has_points`) lines may be damaged, but not all.
+    pub fn is_foreign(&self, has_points: bool) -> bool {
+        let damaged = self.n_damaged > 0 && (!has_points || self.records.is_empty());
+        damaged || self.foreign_end
+    }
+
+    /// Whether there is a journal, be it an empty one.
+    pub fn exists(&self) -> bool {
+        self.exists
+    }
 }
 
-impl Journal {
-    /// Opens the journal in a folder that exists, and returns what it holds; a torn last line is cut off.
+/// Whether a line without end is the beginning of a record, as a kill or a crash of the machine leaves it.
+fn is_torn_record(line: &[u8]) -> bool {
+    let n = line.iter().rposition(|b| *b != 0).map_or(0, |i| i + 1);
+    let n = n.min(RECORD_START.len());
+    line[..n] == RECORD_START[..n]
+}
+
+/// The lock of a study's folder, held as long as the value.
+#[derive(Debug)]
+pub struct Lock {
+    _file: File,
+}
+
+impl Lock {
+    /// Locks a folder that exists.
     ///
     /// # Errors
     /// [`SweepError::Locked`] where another run holds it; [`SweepError::Io`].
-    pub fn open(folder: &Path) -> Result<(Journal, Entries), SweepError> {
-        let lock_path = folder.join(".lock");
+    pub fn new(folder: &Path) -> Result<Lock, SweepError> {
+        let path = folder.join(LOCK);
+        let file = options().open(&path);
+        let file = file.map_err(|e| SweepError::io(&path, e))?;
+        match file.try_lock() {
+            Ok(()) => Ok(Lock { _file: file }),
+            Err(fs::TryLockError::WouldBlock) => Err(SweepError::Locked {
+                folder: folder.to_owned(),
+            }),
+            Err(fs::TryLockError::Error(e)) => Err(SweepError::io(&path, e)),
+        }
+    }
+}
+
+/// A file to be written, made where there is none; links are not followed.
+fn options() -> OpenOptions {
+    let mut options = File::options();
+    options.create(true).write(true).truncate(false);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags(rustix::fs::OFlags::NOFOLLOW.bits().cast_signed());
+    }
+    options
+}
+
+impl Journal {
+    /// Opens the journal in a folder that is locked, where `entries` were read; a torn last line is cut off.
+    ///
+    /// # Errors
+    /// [`SweepError::Io`].
+    pub fn open(folder: &Path, lock: Lock, entries: &Entries) -> Result<Journal, SweepError> {
+        let path = folder.join(JOURNAL);
         let failed = |path: &Path| {
             let path = path.to_owned();
             move |e| SweepError::io(&path, e)
         };
-        let lock = File::create(&lock_path).map_err(failed(&lock_path))?;
-        match lock.try_lock() {
-            Ok(()) => {}
-            Err(fs::TryLockError::WouldBlock) => {
-                return Err(SweepError::Locked {
-                    folder: folder.to_owned(),
-                });
-            }
-            Err(fs::TryLockError::Error(e)) => return Err(SweepError::io(&lock_path, e)),
-        }
-        let entries = Entries::read(folder)?;
-        let path = folder.join(JOURNAL);
         // Not by the handle that appends: some systems do not let that one cut.
-        let whole = File::options()
-            .create(true)
-            .write(true)
-            .truncate(false)
-            .open(&path)
-            .map_err(failed(&path))?;
+        let whole = options().open(&path).map_err(failed(&path))?;
         whole.set_len(entries.length).map_err(failed(&path))?;
         whole.sync_all().map_err(failed(&path))?;
-        let file = File::options()
-            .append(true)
-            .open(&path)
-            .map_err(failed(&path))?;
+        let file = options().append(true).open(&path).map_err(failed(&path))?;
         sync_folder(folder).map_err(failed(folder))?;
-        let journal = Journal {
+        Ok(Journal {
             path,
             file,
             _lock: lock,
-        };
-        Ok((journal, entries))
+        })
     }
 
     /// Appends a finished point and brings it to the disk.
@@ -190,5 +240,55 @@ impl Journal {
             self.file.sync_data()
         };
         write().map_err(|e| SweepError::io(&self.path, e))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use ertel_rheology::input::Document;
+
+    use super::*;
+    use crate::warning::Warning;
+
+    const ROLLER: &str = r#"
+        [contact]
+        kind = "line"
+        radius = "10 mm"
+        load = "100 kN/m"
+        [bodies]
+        plane = "steel"
+        ball = "steel"
+        [motion]
+        entrainment_speed = "2 m/s"
+        slide_to_roll_ratio = 0.0
+        [lubricant]
+        temperature = "40 degC"
+        density = { law = "constant", rho_0 = "870 kg/m^3" }
+        viscosity = { law = "constant", mu_0 = "40 mPa.s" }
+    "#;
+
+    /// What a solve does not see leaves the key as it is, whatever it sees changes it.
+    #[test]
+    fn keys_know_what_a_solve_sees() {
+        let read = |text: &str| {
+            let document = Document::parse("roller.toml", text).unwrap();
+            Case::from_document(&document, Path::new("")).unwrap()
+        };
+        let case = read(ROLLER);
+        let key = PointKey::new(&case);
+        let mut other = case.clone();
+        other.title = "a roller".to_owned();
+        other.warnings.push(Warning::from("words".to_owned()));
+        other.output.png = true;
+        assert_eq!(PointKey::new(&other), key);
+        for [from, to] in [
+            ["100 kN", "101 kN"],
+            ["40 degC", "41 degC"],
+            ["2 m/s", "3 m/s"],
+        ] {
+            assert_ne!(PointKey::new(&read(&ROLLER.replace(from, to))), key, "{to}");
+        }
     }
 }

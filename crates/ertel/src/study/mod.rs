@@ -8,8 +8,8 @@ mod table;
 
 pub use curve::{CurveObserver, CurveSolution, Outcome, PointSolution, solve_curve};
 pub use sweep::{
-    Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary, finished_points,
-    merge, sweep,
+    FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
+    finished_points, merge, sweep,
 };
 pub(crate) use table::ISOTHERMAL;
 pub use table::{POINTS, STUDY_FORMAT, StudyEcho, TABLE};

@@ -11,7 +11,7 @@ use super::{Outcome, PointSolution, SweepError};
 use crate::case::study::{AxisValue, Study};
 use crate::contact::ContactKind;
 use crate::output::curve::{COLUMNS, Cell};
-use crate::output::write_whole;
+use crate::output::{text_field, write_whole};
 use crate::solution::Estimate;
 
 /// Name of the table in the folder of a study.
@@ -132,7 +132,7 @@ impl StudyEcho {
             .chain(names.iter().map(|(name, _)| name))
         {
             text.push(',');
-            text.push_str(&quoted(title));
+            text.push_str(&text_field(title));
         }
         text.push('\n');
         for (i, values, record) in finished {
@@ -140,7 +140,7 @@ impl StudyEcho {
             let cold = isothermal.get(&i).and_then(|key| records.get(key));
             for value in values {
                 text.push(',');
-                text.push_str(&quoted(value));
+                text.push_str(&text_field(value));
             }
             for (name, _) in names {
                 text.push(',');
@@ -148,7 +148,7 @@ impl StudyEcho {
                     Some(value) => {
                         text.push_str(&value.map_or(String::new(), |v| format!("{v:e}")))
                     }
-                    None => text.push_str(&quoted(record.field(name).unwrap_or_default())),
+                    None => text.push_str(&text_field(record.field(name).unwrap_or_default())),
                 }
             }
             text.push('\n');
@@ -206,15 +206,6 @@ fn reduction(name: &str, record: &Record, isothermal: &Record) -> Option<Option<
     } else {
         reduction.error
     })
-}
-
-/// A field, quoted where it must be (RFC 4180).
-fn quoted(text: &str) -> String {
-    if text.contains([',', ';', '\t', '"', '\n', '\r']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_owned()
-    }
 }
 
 /// Columns of a curve's table that a study has no use for: times differ from run to run, and the table must not.

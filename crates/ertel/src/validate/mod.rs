@@ -3,6 +3,8 @@
 //! A study is a folder with case files and a `reference.toml` that says which runs to make of them
 //! and which published values, tolerances and reasons belong to the results.
 
+use std::path::PathBuf;
+
 mod check;
 mod deflection;
 mod page;
@@ -35,6 +37,8 @@ pub struct Study {
     pub title: String,
     /// Where the published values stand.
     pub source: String,
+    /// Every file that it was read from.
+    pub files: Vec<PathBuf>,
     /// What is computed.
     pub runs: Vec<Run>,
     /// What is compared.

@@ -41,7 +41,7 @@
 //! A check of a change has `run` and `relative_to`; one of the order of convergence has
 //! `order = [...]`, three runs with cells halved from one to the next.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use ertel_rheology::ViscosityLaw;
 use ertel_rheology::input::{Bounds, Document, InputError, Table};
@@ -50,7 +50,7 @@ use ertel_rheology::quantity::Dimension;
 use super::check::Subject;
 use super::read_picture::read_picture;
 use super::{Accept, Check, Quantity, Reference, Run, Study, Task};
-use crate::case::{Case, check_mesh_of_bodies, read_mesh, read_solver, read_thermal};
+use crate::case::{Case, check_mesh_of_bodies, read_mesh, read_named, read_solver, read_thermal};
 use crate::contact::ContactKind;
 use crate::params::{MeshParams, MeshPreset};
 use crate::reference::FilmFormula;
@@ -79,7 +79,8 @@ const REFERENCE: &str = "reference.toml";
 /// # Errors
 /// [`InputError`] with file, line and key, of `reference.toml` or a case file.
 pub fn read(folder: &Path) -> Result<Study, InputError> {
-    let document = Document::read(&folder.join(REFERENCE))?;
+    let path = folder.join(REFERENCE);
+    let document = Document::read(&path)?;
     let mut root = document.root();
     let name = folder
         .file_name()
@@ -89,12 +90,15 @@ pub fn read(folder: &Path) -> Result<Study, InputError> {
         name,
         title: root.required_str("title")?.to_owned(),
         source: root.required_str("source")?.to_owned(),
+        files: vec![path],
         runs: Vec::new(),
         checks: Vec::new(),
         pictures: Vec::new(),
     };
     for table in root.tables("run")? {
-        study.runs.push(read_run(table, folder)?);
+        let (run, files) = read_run(table, folder)?;
+        study.runs.push(run);
+        study.files.extend(files);
     }
     for table in root.tables("check")? {
         let check = read_check(table, &study)?;
@@ -108,9 +112,14 @@ pub fn read(folder: &Path) -> Result<Study, InputError> {
     Ok(study)
 }
 
-fn read_run(mut table: Table<'_>, folder: &Path) -> Result<Run, InputError> {
+/// The run, and the files that it was read from.
+fn read_run(mut table: Table<'_>, folder: &Path) -> Result<(Run, Vec<PathBuf>), InputError> {
     let name = table.required_str("name")?.to_owned();
-    let mut case = Case::read(&folder.join(table.required_str("case")?))?;
+    let path = folder.join(table.required_str("case")?);
+    let case_folder = path.parent().unwrap_or(folder);
+    let mut case = Case::from_document(&read_named(&table, "case", &path)?, case_folder)?;
+    let mut files = case.files(case_folder);
+    files.push(path);
     if case.title.is_empty() {
         case.title.clone_from(&name);
     }
@@ -180,7 +189,7 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<Run, InputError> {
         newton_iterations: iterations.and_then(|n| usize::try_from(n).ok()),
     };
     table.finish()?;
-    Ok(run)
+    Ok((run, files))
 }
 
 /// Changes a case and the points of its curve.

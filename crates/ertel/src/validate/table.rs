@@ -2,6 +2,7 @@
 
 use super::check::{Accept, Row, Verdict};
 use super::{Study, StudyResult};
+use crate::output::{quoted, text_field};
 
 /// Columns of the table.
 pub(super) const HEAD: [&str; 8] = [
@@ -72,17 +73,18 @@ fn counts(name: &str, hold: usize, fail: usize, seconds: f64) -> [String; 5] {
 
 /// All comparisons of all studies as CSV.
 pub fn csv(studies: &[(&Study, &StudyResult, f64)]) -> String {
-    let quoted = |cell: &String| match cell.contains([',', '"', '\n']) {
-        true => format!("\"{}\"", cell.replace('"', "\"\"")),
-        false => cell.clone(),
-    };
     let mut out = String::from(
         "study,run,quantity,published,ours,difference,tolerance,verdict,published_by\n",
     );
     for (study, result, _) in studies {
         for row in &result.rows {
-            let cells: Vec<String> = cells(row).iter().map(quoted).collect();
-            out.push_str(&format!("{},{}\n", study.name, cells.join(",")));
+            let [run, label, figures @ .., source] = cells(row);
+            let mut fields = [&study.name, &run, &label].map(|t| text_field(t)).to_vec();
+            // Differences and tolerances have signs and units: no texts of a user.
+            fields.extend(figures.iter().map(|cell| quoted(cell)));
+            fields.push(text_field(&source));
+            out.push_str(&fields.join(","));
+            out.push('\n');
         }
     }
     out

@@ -1,5 +1,6 @@
 //! `[[axis]]`: lists and ranges.
 
+use std::collections::HashSet;
 use std::fmt;
 use std::ops::Range;
 
@@ -39,6 +40,15 @@ impl AxisValue {
         match self {
             Self::Number(value, _) => Some(*value),
             Self::Text(_) => None,
+        }
+    }
+
+    /// Equal for equal values of one axis.
+    fn identity(&self) -> (Option<u64>, &str) {
+        match self {
+            // Both zeros are one.
+            Self::Number(value, _) => (Some((value + 0.0).to_bits()), ""),
+            Self::Text(text) => (None, text),
         }
     }
 
@@ -139,9 +149,8 @@ pub(super) fn read(
             return Err(table.error("key", format!("`{key}` is no key of a case file")));
         }
         let values = read_values(&mut table, node)?;
-        if let Some(i) =
-            (0..values.len()).find(|i| values[..*i].iter().any(|v| v.1 == values[*i].1))
-        {
+        let mut seen = HashSet::new();
+        if let Some(i) = (values.iter()).position(|(_, value)| !seen.insert(value.identity())) {
             return Err(table.error(
                 "values",
                 format!("value {} of the axis repeats an earlier one", i + 1),
@@ -212,6 +221,13 @@ fn read_values(table: &mut Table<'_>, node: &Node) -> Result<Values, InputError>
     };
     if nodes.is_empty() {
         return Err(table.error("values", "the axis has no values"));
+    }
+    if nodes.len() > MOST_POINTS {
+        let message = format!(
+            "the axis has {} values, but a study has at most {MOST_POINTS} points",
+            nodes.len()
+        );
+        return Err(table.error("values", message));
     }
     let values: Values = nodes
         .iter()

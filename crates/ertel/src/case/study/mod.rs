@@ -24,11 +24,12 @@ mod axis;
 mod points;
 mod text;
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use ertel_rheology::input::tree::{Node, Value};
-use ertel_rheology::input::{Document, InputError};
+use ertel_rheology::input::{Document, InputError, Table};
 
 use super::Case;
 use crate::contact::ContactKind;
@@ -49,6 +50,8 @@ pub struct Study {
     pub columns: Vec<StudyColumn>,
     /// The points, the last axis varying fastest.
     pub points: Vec<StudyPoint>,
+    /// Every file that it was read from: the study, its base case, its points, and the tables that its cases name.
+    pub files: Vec<PathBuf>,
     /// Text of the study file.
     pub source: String,
     /// Line or circular, the same in all points.
@@ -99,17 +102,20 @@ impl Study {
         let base = folder.join(root.required_str("case").map_err(|error| {
             error.with_help("the case that the axes start from, as in case = \"base.toml\"")
         })?);
-        let case = Document::read(&base)?;
+        let case = read_named(&root, "case", &base)?;
         if case.tree().entry("curve").is_some() {
             return Err(root
                 .error("case", "the base case of a study has a [curve] of its own")
                 .with_help("make an [[axis]] of it"));
         }
         let (case, offset) = case.beside(study.file(), study.text());
+        let mut files = vec![path.to_owned(), base.clone()];
         let (case, mut groups) = match root.optional_str("points")? {
             None => (case, Vec::new()),
             Some(name) => {
-                let (case, group) = points::read(case, &folder.join(name), &study)?;
+                let table = folder.join(name);
+                let (case, group) = points::read(case, &table, &study)?;
+                files.push(table);
                 (case, vec![group])
             }
         };
@@ -136,6 +142,10 @@ impl Study {
                 point(&case, base_folder, &study, index, &settings)
             })
             .collect::<Result<_, _>>()?;
+        let tables: BTreeSet<PathBuf> = (points.iter())
+            .flat_map(|point| point.case.files(base_folder))
+            .collect();
+        files.extend(tables);
         let kind = points[0].case.contact.kind;
         if let Some(i) = points.iter().position(|p| p.case.contact.kind != kind) {
             return Err(study.root().error_here(format!(
@@ -157,10 +167,23 @@ impl Study {
             base,
             columns,
             points,
+            files,
             source: study.text().to_owned(),
             kind,
         })
     }
+}
+
+/// Reads a file that the key `key` of a table names: where it cannot be read, the error points at that key.
+pub(crate) fn read_named(
+    table: &Table<'_>,
+    key: &str,
+    path: &Path,
+) -> Result<Document, InputError> {
+    Document::read(path).map_err(|error| match error.line() {
+        Some(_) => error,
+        None => table.error(key, format!("{} {}", error.file(), error.message())),
+    })
 }
 
 /// The same key twice would leave one of its values without effect.
@@ -175,7 +198,37 @@ fn check_keys(case: &Document, groups: &[Group]) -> Result<(), InputError> {
             ));
         }
     }
+    for group in groups {
+        let is_contact = |axis: &axis::Axis| axis.key != "title" && axis.values.len() > 1;
+        let is_beside_contact = group.axes.iter().any(is_contact);
+        for axis in &group.axes {
+            if let Some((reason, help)) = without_effect(axis, is_beside_contact) {
+                let error = case.error_at(axis.key_span.clone(), &axis.key, reason);
+                return Err(error.with_help(help));
+            }
+        }
+    }
     Ok(())
+}
+
+/// Why an axis does not change what is solved, and what to do; `is_beside_contact` if another one of its group does.
+fn without_effect(axis: &axis::Axis, is_beside_contact: bool) -> Option<(String, &'static str)> {
+    let key = &axis.key;
+    match key.split('.').next().unwrap_or_default() {
+        "curve" => Some((
+            format!("`{key}` cannot be an axis: the points of a study have no [curve]"),
+            "make an [[axis]] of the quantity of the curve, crossed with the others",
+        )),
+        "output" => Some((
+            format!("`{key}` cannot be an axis: what is written does not change what is solved"),
+            "set it in the base case; `ertel sweep --folders` writes each point into a folder of its own",
+        )),
+        "title" if axis.values.len() > 1 && !is_beside_contact => Some((
+            "`title` cannot be an axis of its own: its points would be the same contact".to_owned(),
+            "give it the same `zip` as an axis of a contact's input, or a column beside such inputs in the table of points",
+        )),
+        _ => None,
+    }
 }
 
 /// The settings of a point: the last group varies fastest.

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::super::CaseEcho;
 use super::super::result_json::{FORMAT_VERSION, units};
+use crate::run::NUMERICS;
 use crate::study::{CurveSolution, Outcome};
 use crate::warning::texts;
 
@@ -57,6 +58,7 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
         "format": CURVE_FORMAT,
         "format_version": FORMAT_VERSION,
         "ertel_version": env!("CARGO_PKG_VERSION"),
+        "numerics_version": NUMERICS,
         "title": case.title,
         "quantity": {
             "path": curve.quantity.path,

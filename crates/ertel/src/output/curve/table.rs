@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use crate::contact::ContactKind;
+use crate::output::text_field;
 use crate::solution::{Estimate, Thermal};
 use crate::study::{CurveSolution, Outcome, PointSolution};
 
@@ -229,15 +230,12 @@ fn quantity_column(curve: &CurveSolution) -> String {
     }
 }
 
-/// A field, quoted where it must be (RFC 4180).
+/// A value as text.
 fn field(cell: Cell) -> String {
     match cell {
         Cell::Empty => String::new(),
         Cell::Number(value) => format!("{value:e}"),
         Cell::Count(value) => value.to_string(),
-        Cell::Text(text) if text.contains([',', '"', '\n', '\r']) => {
-            format!("\"{}\"", text.replace('"', "\"\""))
-        }
-        Cell::Text(text) => text,
+        Cell::Text(text) => text_field(&text),
     }
 }

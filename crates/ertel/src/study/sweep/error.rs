@@ -23,10 +23,12 @@ pub enum SweepError {
         folder: PathBuf,
     },
     /// The folder is somebody else's.
-    #[error("will not write a study to {}: it holds files, but no study of ertel. Choose another folder", folder.display())]
+    #[error("cannot use the folder {} for a study: {reason}. Choose another folder", folder.display())]
     Foreign {
         /// The folder.
         folder: PathBuf,
+        /// What it holds.
+        reason: String,
     },
     /// Two points are one.
     #[error("points {first} and {second} are the same case ({label})")]

@@ -2,32 +2,96 @@
 
 use std::collections::HashMap;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use super::SweepError;
 use crate::case::Study;
 use crate::output;
-use crate::study::journal::{Entries, JOURNAL, Journal, PointKey, Record};
-use crate::study::table::{StudyEcho, TABLE};
+use crate::study::journal::{Entries, JOURNAL, Journal, LOCK, Lock, PointKey, Record};
+use crate::study::table::{POINTS, StudyEcho, TABLE};
 
+/// Every file that a study writes into its folder.
+pub const FILES: [&str; 6] = [LOCK, JOURNAL, POINTS, TABLE, FILMS, TRACTIONS];
 /// Folder within that of a study, with the results of its points where these are asked for.
-const FOLDERS: &str = "points";
+pub const FOLDERS: &str = "points";
 /// Name of the picture of its films, and of that of its tractions.
 const FILMS: &str = "film.svg";
 const TRACTIONS: &str = "traction.svg";
 
-/// Makes the folder of a study, or opens a former one.
-pub(super) fn open(folder: &Path) -> Result<(Journal, Entries), SweepError> {
+/// Makes the folder of a study, or opens a former one, and writes the list of points there.
+pub(super) fn open(folder: &Path, echo: &StudyEcho) -> Result<(Journal, Entries), SweepError> {
+    // Not even a lock goes into a folder of somebody else.
+    look(folder)?;
     fs::create_dir_all(folder).map_err(|e| SweepError::io(folder, e))?;
-    let names = fs::read_dir(folder).map_err(|e| SweepError::io(folder, e))?;
-    let mut names = names.filter_map(|e| Some(e.ok()?.file_name()));
-    let known = StudyEcho::read(folder)?.is_some() || folder.join(JOURNAL).exists();
-    if !known && names.any(|name| !name.to_string_lossy().starts_with('.') && name != "shards") {
-        return Err(SweepError::Foreign {
-            folder: folder.to_owned(),
-        });
+    let lock = Lock::new(folder)?;
+    let entries = look(folder)?;
+    clear_leftovers(folder);
+    // Before the journal: one without a list of points is taken for another program's.
+    echo.write(folder)?;
+    let journal = Journal::open(folder, lock, &entries)?;
+    Ok((journal, entries))
+}
+
+/// Reads the journal of a study, of which there may be none yet; touches nothing.
+///
+/// # Errors
+/// [`SweepError::Foreign`] for a folder that is not ertel's, and for links and folders under the names of its files;
+/// [`SweepError::Io`].
+pub(super) fn look(folder: &Path) -> Result<Entries, SweepError> {
+    let foreign = |reason: String| SweepError::Foreign {
+        folder: folder.to_owned(),
+        reason,
+    };
+    for name in FILES.into_iter().chain([FOLDERS]) {
+        let path = folder.join(name);
+        let (is_own, what) = match fs::symlink_metadata(&path) {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => continue,
+            Err(e) => return Err(SweepError::io(&path, e)),
+            Ok(meta) if name == FOLDERS => (meta.is_dir(), "a folder"),
+            // Nothing is ever written into it.
+            Ok(meta) if name == LOCK => (meta.is_file() && meta.len() == 0, "an empty file"),
+            Ok(meta) => (meta.is_file(), "a file"),
+        };
+        if !is_own {
+            return Err(foreign(format!(
+                "{} is not {what} of ertel",
+                path.display()
+            )));
+        }
     }
-    Journal::open(folder)
+    let is_study = StudyEcho::read(folder)?.is_some();
+    let entries = Entries::read(folder)?;
+    if entries.is_foreign(is_study) {
+        let path = folder.join(JOURNAL);
+        return Err(foreign(format!(
+            "{} is no journal of a study",
+            path.display()
+        )));
+    }
+    let names = match fs::read_dir(folder) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(entries),
+        names => names.map_err(|e| SweepError::io(folder, e))?,
+    };
+    let mut names = names.filter_map(|e| Some(e.ok()?.file_name()));
+    let is_known = is_study || entries.exists();
+    if !is_known && names.any(|name| !name.to_string_lossy().starts_with('.') && name != "shards") {
+        return Err(foreign("it holds files, but no study of ertel".into()));
+    }
+    Ok(entries)
+}
+
+/// Removes the files that a killed run had not finished; the folder is locked. One that cannot be removed does no harm.
+fn clear_leftovers(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let is_ours = entry
+            .file_name()
+            .to_string_lossy()
+            .starts_with(output::TEMPORARY);
+        if is_ours && entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// The table and the pictures that it makes.

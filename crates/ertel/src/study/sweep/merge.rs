@@ -3,9 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use super::folder::{open, write_results};
+use super::folder::{look, open, write_results};
 use super::{SweepError, SweepSummary};
-use crate::study::journal::Entries;
 use crate::study::table::StudyEcho;
 
 /// Joins parts of one study: their journals and their table, in a folder that may hold a part of it.
@@ -32,13 +31,12 @@ pub fn merge(target: &Path, parts: &[PathBuf]) -> Result<SweepSummary, SweepErro
             Some(_) => {}
             None => study = Some((echo, part)),
         }
-        all.push(Entries::read(part)?);
+        all.push(look(part)?);
     }
     let Some((echo, _)) = study else {
         return Ok(SweepSummary::default());
     };
-    let (mut journal, former) = open(target)?;
-    echo.write(target)?;
+    let (mut journal, former) = open(target, &echo)?;
     let mut records = former.records;
     let mut summary = SweepSummary {
         n_points: echo.points.len(),

@@ -11,17 +11,18 @@ use std::path::Path;
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Instant;
 
-use super::journal::{Entries, PointKey, Record};
+use super::journal::{PointKey, Record};
 use super::plan::Plan;
 use super::table::StudyEcho;
 use crate::case::Study;
 use crate::run::Session;
 use crate::warning::{Merged, by_kind};
-use folder::{has_folder, open, write_results};
+use folder::{has_folder, look, open, write_results};
 use queue::Queue;
 use work::{Shared, lock};
 
 pub use error::SweepError;
+pub use folder::{FILES, FOLDERS};
 pub use merge::merge;
 
 /// How a study is run.
@@ -133,8 +134,7 @@ pub fn sweep(
     let clock = Instant::now();
     let echo = StudyEcho::new(study);
     check_distinct(study, &echo)?;
-    let (mut journal, entries) = open(folder)?;
-    echo.write(folder)?;
+    let (mut journal, entries) = open(folder, &echo)?;
     let plan = Plan::new(study);
     let part = match params.shard {
         Some(shard) => shard.range(plan.order.len()),
@@ -257,9 +257,10 @@ pub fn sweep(
 /// Points of the study that are finished, of those in the folder.
 ///
 /// # Errors
-/// [`SweepError::Io`].
+/// [`SweepError`], as [`sweep`] has it before it begins.
 pub fn finished_points(study: &Study, folder: &Path) -> Result<Vec<Option<Record>>, SweepError> {
-    let entries = Entries::read(folder)?;
+    check_distinct(study, &StudyEcho::new(study))?;
+    let entries = look(folder)?;
     let record = |p: &crate::case::study::StudyPoint| {
         let key = PointKey::new(&p.case);
         entries.records.get(&key).cloned()

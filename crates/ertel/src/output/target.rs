@@ -1,0 +1,160 @@
+//! Which folders a result may replace: those that hold nothing but a former result.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use super::OutputError;
+use super::curve::CURVE_FORMAT;
+use super::result_json::FORMAT;
+
+/// Files that a result may hold; with any other file in it, a folder is not replaced.
+pub(super) const OWN_FILES: [&str; 32] = [
+    "result.json",
+    "curve.json",
+    "curve.csv",
+    "film-curve.svg",
+    "film-curve.png",
+    "traction-curve.svg",
+    "traction-curve.png",
+    "report.txt",
+    "case.toml",
+    "centreline.csv",
+    "surface.vtu",
+    "body.vtu",
+    "centreline.svg",
+    "pressure.svg",
+    "film.svg",
+    "convergence.svg",
+    "centreline.png",
+    "pressure.png",
+    "film.png",
+    "convergence.png",
+    "cross-film.csv",
+    "temperature.vtu",
+    "temperature.svg",
+    "temperature.png",
+    "temperature-mid.svg",
+    "temperature-mid.png",
+    "temperature-plane.svg",
+    "temperature-plane.png",
+    "temperature-ball.svg",
+    "temperature-ball.png",
+    "cross-film.svg",
+    "cross-film.png",
+];
+
+/// Folder within the results of a curve, with a folder for each of its points.
+pub(super) const POINTS: &str = "points";
+
+/// Whether a result may be written here: nothing yet, an empty folder, or a former result.
+///
+/// # Errors
+/// [`OutputError::NotAFolder`] and [`OutputError::ForeignFolder`] for what is somebody else's;
+/// [`OutputError::Io`] where it cannot be read.
+pub fn check_target(target: &Path) -> Result<(), OutputError> {
+    let failed = |e| OutputError::io(target, e);
+    if target.as_os_str().is_empty() {
+        let error = io::Error::new(io::ErrorKind::InvalidInput, "the name is empty");
+        return Err(OutputError::io(Path::new("the result folder"), error));
+    }
+    match fs::symlink_metadata(target) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(e) => return Err(failed(e)),
+        Ok(_) if !target.is_dir() => {
+            return Err(OutputError::NotAFolder {
+                path: target.to_owned(),
+            });
+        }
+        Ok(_) => {}
+    }
+    match foreign(target).map_err(failed)? {
+        Some(reason) => Err(OutputError::ForeignFolder {
+            path: target.to_owned(),
+            reason,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Why a folder is not ertel's to replace; `None` of an empty one and of a former result.
+pub(super) fn foreign(folder: &Path) -> io::Result<Option<String>> {
+    if fs::read_dir(folder)?.next().is_none() {
+        return Ok(None);
+    }
+    let is_curve = has_format(&folder.join("curve.json"), CURVE_FORMAT);
+    if !is_curve && !has_format(&folder.join("result.json"), FORMAT) {
+        return Ok(Some("it holds files, but no result of ertel".into()));
+    }
+    let stray = match stray(folder)? {
+        // A result of one contact has no points, and each point has a result of its own.
+        None if folder.join(POINTS).is_dir() => match is_curve {
+            true => point_without_result(folder)?,
+            false => Some(POINTS.into()),
+        },
+        found => found,
+    };
+    Ok(stray.map(|name| format!("beside a former result it holds {}", name.display())))
+}
+
+/// The first thing in a result folder, or in those of its points, that no result holds: a file of another name, and a
+/// folder or a link under the name of a file.
+pub(super) fn stray(folder: &Path) -> io::Result<Option<PathBuf>> {
+    let mut has_points = false;
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let (name, kind) = (entry.file_name(), entry.file_type()?);
+        if name == POINTS && kind.is_dir() {
+            has_points = true;
+        } else if !is_own_file(&name, kind) {
+            return Ok(Some(name.into()));
+        }
+    }
+    if !has_points {
+        return Ok(None);
+    }
+    for point in fs::read_dir(folder.join(POINTS))? {
+        let point = point?;
+        let path = Path::new(POINTS).join(point.file_name());
+        if !point.file_type()?.is_dir() || !is_number(&point.file_name()) {
+            return Ok(Some(path));
+        }
+        for entry in fs::read_dir(point.path())? {
+            let entry = entry?;
+            if !is_own_file(&entry.file_name(), entry.file_type()?) {
+                return Ok(Some(path.join(entry.file_name())));
+            }
+        }
+    }
+    Ok(None)
+}
+
+fn is_own_file(name: &OsStr, kind: fs::FileType) -> bool {
+    kind.is_file() && OWN_FILES.iter().any(|own| name == *own)
+}
+
+/// `007`
+fn is_number(name: &OsStr) -> bool {
+    let name = name.to_string_lossy();
+    name.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// The first folder of a point that holds files, but no result.
+fn point_without_result(folder: &Path) -> io::Result<Option<PathBuf>> {
+    for point in fs::read_dir(folder.join(POINTS))? {
+        let point = point?;
+        let is_empty = fs::read_dir(point.path())?.next().is_none();
+        if !is_empty && !has_format(&point.path().join("result.json"), FORMAT) {
+            return Ok(Some(Path::new(POINTS).join(point.file_name())));
+        }
+    }
+    Ok(None)
+}
+
+fn has_format(path: &Path, format: &str) -> bool {
+    fs::read(path)
+        .ok()
+        .and_then(|bytes| serde_json::from_slice::<serde_json::Value>(&bytes).ok())
+        .is_some_and(|json| json["format"] == format)
+}
