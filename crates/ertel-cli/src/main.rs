@@ -18,6 +18,7 @@ mod validate;
 use std::process::ExitCode;
 
 use clap::Parser;
+use ertel_rheology::input::escaped;
 
 use args::{Cli, Command};
 
@@ -36,7 +37,7 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            eprintln!("error: {}", escaped(&failure.to_string()));
             failure.exit_code()
         }
     }

@@ -7,6 +7,7 @@ use ertel::output::length;
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::CurveObserver;
+use ertel_rheology::input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
 
 /// Shows the iterations and passes on that the user wants to stop.
@@ -49,6 +50,7 @@ impl<'a> Progress<'a> {
     }
 
     fn show(&self, line: String) {
+        let line = escaped(&line).into_owned();
         match &self.display {
             Display::Quiet => {}
             Display::Lines => eprintln!("{line}"),

@@ -8,6 +8,7 @@ use ertel::output;
 use ertel::run::Session;
 use ertel::solve::{DiscretisationError, SolveError};
 use ertel::study::{CurveSolution, solve_curve};
+use ertel_rheology::input::escaped;
 
 use crate::args::SolveArgs;
 use crate::cache::user_cache;
@@ -131,7 +132,7 @@ fn input_warnings(case: &Case) -> Vec<String> {
 
 fn warn<'a>(warnings: impl IntoIterator<Item = &'a String>) {
     for warning in warnings {
-        eprintln!("warning: {warning}");
+        eprintln!("warning: {}", escaped(warning));
     }
 }
 
