@@ -49,6 +49,7 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
         let help = match error {
             fit::FitError::NoEquationOfState => " (--density NAME of a fluid, or FILE.toml)",
             fit::FitError::Undetermined { .. }
+            | fit::FitError::NoInterval { .. }
             | fit::FitError::TooFew { .. } => " (--hold KEY=VALUE)",
             _ => "",
         };

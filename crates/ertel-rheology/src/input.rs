@@ -19,6 +19,7 @@
 //! ```
 
 mod bounds;
+pub mod csv;
 mod error;
 pub mod file;
 mod shown;
