@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use ertel::fit::{self, Data, Fit, FittedLaw, Heading, LawName, Params, Property, Residual};
 use ertel::output::{digits, pressure, write_whole};
 use ertel_rheology::density::TaitVolume;
-use ertel_rheology::input::Document;
+use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
+use ertel_rheology::input::{Document, escaped};
 use ertel_rheology::quantity::{self, Dimension, Unit};
 use ertel_rheology::{DensityLaw, Files, database};
 
@@ -49,15 +50,15 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
     let fit = fit::fit(&data, law, &params).map_err(|error| {
         let help = match error {
             fit::FitError::NoEquationOfState => " (--density NAME of a fluid, or FILE.toml)",
-            fit::FitError::Undetermined { .. } | fit::FitError::TooFew { .. } => {
-                " (--hold KEY=VALUE)"
-            }
+            fit::FitError::Undetermined { .. }
+            | fit::FitError::NoInterval { .. }
+            | fit::FitError::TooFew { .. } => " (--hold KEY=VALUE)",
             _ => "",
         };
         Failure::Argument(format!("{}: {error}{help}", data.file))
     })?;
     for warning in &fit.warnings {
-        print::stderr(&format!("warning: {warning}"));
+        print::stderr(&format!("warning: {}", escaped(warning)));
     }
     let stem = arguments
         .data
@@ -139,9 +140,8 @@ fn check_svg(path: &Path) -> Result<(), Failure> {
 }
 
 fn read(path: &Path, property: Property) -> Result<Data, Failure> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        Failure::Argument(format!("{} cannot be read: {error}", path.display()))
-    })?;
+    let text = read_text(path, LARGEST_TABLE)
+        .map_err(|error| Failure::Argument(format!("{} {error}", path.display())))?;
     Data::parse(&path.display().to_string(), &text, property)
         .map_err(|error| Failure::Argument(error.to_string()))
 }

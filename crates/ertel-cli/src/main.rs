@@ -23,6 +23,7 @@ mod validate;
 use std::process::ExitCode;
 
 use clap::Parser;
+use ertel_rheology::input::escaped;
 
 use args::{Cli, Command};
 
@@ -41,7 +42,7 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            print::stderr(&format!("error: {failure}"));
+            print::stderr(&format!("error: {}", escaped(&failure.to_string())));
             failure.exit_code()
         }
     }

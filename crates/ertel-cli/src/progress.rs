@@ -7,6 +7,7 @@ use ertel::output::length;
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::CurveObserver;
+use ertel_rheology::input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::print;
@@ -51,6 +52,7 @@ impl<'a> Progress<'a> {
     }
 
     fn show(&self, line: String) {
+        let line = escaped(&line).into_owned();
         match &self.display {
             Display::Quiet => {}
             Display::Lines => print::stderr(&line),

@@ -10,6 +10,7 @@ use ertel::solution::Unresolved;
 use ertel::solve::{DiscretisationError, SolveError};
 use ertel::study::{CurveSolution, solve_curve};
 use ertel::warning::{Warning, by_kind};
+use ertel_rheology::input::escaped;
 
 use crate::args::SolveArgs;
 use crate::cache::user_cache;
@@ -177,7 +178,7 @@ fn input_warnings(case: &Case) -> Vec<Warning> {
 
 fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     for warning in warnings {
-        print::stderr(&format!("warning: {warning}"));
+        print::stderr(&format!("warning: {}", escaped(warning)));
     }
 }
 

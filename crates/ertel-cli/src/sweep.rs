@@ -13,6 +13,7 @@ use ertel::study::{
     FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
     TABLE, finished_points, merge, sweep,
 };
+use ertel_rheology::input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::args::SweepArgs;
@@ -302,14 +303,15 @@ impl SweepObserver for Progress<'_> {
             Some(bar) => {
                 bar.set_position(progress.n_finished as u64);
                 let left = left.trim_start_matches("; ");
-                bar.set_message(format!("{left}: {}, {outcome}", progress.label));
+                let message = format!("{left}: {}, {outcome}", progress.label);
+                bar.set_message(escaped(&message).into_owned());
             }
             None => print::stderr(&format!(
                 "{}/{}: point {} ({}), {outcome}, {} s{left}",
                 progress.n_finished,
                 progress.n_points,
                 progress.index + 1,
-                progress.label,
+                escaped(progress.label),
                 digits(record.seconds, 2),
             )),
         }

@@ -95,6 +95,13 @@ impl Check {
         self.that(value > 0.0, key, value, "positive")
     }
 
+    /// Requires a stress (Pa) whose square, and that of any stress of a film over it, are far from the ends of floating
+    /// point.
+    pub(crate) fn stress(&self, key: &'static str, value: f64) -> Result<(), LawError> {
+        let allowed = "between 1e-3 Pa and 1e20 Pa";
+        self.that((1e-3..=1e20).contains(&value), key, value, allowed)
+    }
+
     /// Requires a finite value that is zero or above.
     pub(crate) fn not_negative(&self, key: &'static str, value: f64) -> Result<(), LawError> {
         self.that(value >= 0.0, key, value, "zero or positive")

@@ -19,7 +19,10 @@
 //! ```
 
 mod bounds;
+pub mod csv;
 mod error;
+pub mod file;
+mod shown;
 mod table;
 pub mod tree;
 
@@ -29,6 +32,7 @@ use std::sync::Arc;
 
 pub use bounds::Bounds;
 pub use error::InputError;
+pub use shown::{LONGEST_EXCERPT, escaped, excerpt};
 pub use table::{StrOrTable, Table};
 
 use tree::{Entry, Node, Value};
@@ -96,19 +100,12 @@ impl Document {
     ///
     /// # Errors
     ///
-    /// A file that cannot be read or is not UTF-8, and the errors of [`Document::parse`].
+    /// A file that is no regular file, is larger than [`file::LARGEST_DOCUMENT`], cannot be read or is not UTF-8, and the
+    /// errors of [`Document::parse`].
     pub fn read(path: &Path) -> Result<Self, InputError> {
         let file = path.display().to_string();
-        let bytes = std::fs::read(path)
-            .map_err(|error| InputError::of_file(&file, format!("cannot be read: {error}")))?;
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let valid = error.utf8_error().valid_up_to();
-            let line = 1 + error.as_bytes()[..valid]
-                .iter()
-                .filter(|byte| **byte == b'\n')
-                .count();
-            InputError::of_file(&file, format!("is not UTF-8 text (line {line})"))
-        })?;
+        let text = file::read_text(path, file::LARGEST_DOCUMENT)
+            .map_err(|error| InputError::of_file(&file, error.to_string()))?;
         Self::parse(file, text)
     }
 

@@ -486,6 +486,142 @@ fn check_derivatives(law: &ShearThinning, x: [f64; 2]) -> Result<(), TestCaseErr
     Ok(())
 }
 
+/// A law with constants anywhere within what a case file may give.
+fn extreme_law() -> impl Strategy<Value = ShearThinning> {
+    let decades = |from: f64, to: f64| (from..=to).prop_map(|x: f64| 10.0_f64.powf(x));
+    let ratio = || prop_oneof![Just(0.0), decades(-49.999, 0.0)];
+    let exponent = || prop_oneof![Just(0.01), 0.01..1.0_f64];
+    let width = || prop_oneof![Just(0.2), Just(50.0), 0.2..50.0_f64];
+    let stress = || decades(-2.999, 19.999);
+    let limit = (stress(), 0.0..=10.0_f64).prop_map(|(s, l)| StressLimit::new(s, l).unwrap());
+    let law = prop_oneof![
+        (stress(), exponent(), width(), ratio()).prop_map(|(g, n, a, r)| carreau(g, n, a, r)),
+        (stress(), exponent(), width(), ratio())
+            .prop_map(|(g, n, a, r)| carreau_yasuda(g, n, a, r)),
+        stress().prop_map(eyring),
+        (stress(), exponent()).prop_map(|(s, n)| rabinowitsch(s, n)),
+    ];
+    (law, proptest::option::of(limit)).prop_map(|(law, limit)| ShearThinning { limit, ..law })
+}
+
+/// `ln(1 + exp x)`.
+fn ln_one_plus_exp(x: f64) -> f64 {
+    if x > 0.0 {
+        x + (-x).exp().ln_1p()
+    } else {
+        x.exp().ln_1p()
+    }
+}
+
+/// `ln(μ₁/η)` of a law without limit at the logarithm of a stress (Pa), from the formula of the law as it is written; that
+/// of Carreau and Yasuda by bisection for the logarithm of the shear rate.
+fn ln_fluidity(law: &ShearLaw, ln_stress: f64) -> f64 {
+    let thinned = |r: f64, ln_power: f64| -(r + (1.0 - r) * ln_power.exp()).ln();
+    match law {
+        ShearLaw::Carreau(law) => {
+            let bracket = ln_one_plus_exp(law.transition * (ln_stress - law.critical_stress.ln()));
+            let outer = (law.exponent.recip() - 1.0) / law.transition;
+            if law.plateau_ratio == 0.0 {
+                return outer * bracket;
+            }
+            thinned(law.plateau_ratio, -outer * bracket)
+        }
+        ShearLaw::CarreauYasuda(law) => {
+            let ln_relative = ln_stress - law.shear_modulus.ln();
+            // ln η/μ₁ at ln λγ̇.
+            let ln_eta = |ln_rate: f64| {
+                let ln_power = (law.exponent - 1.0) / law.transition
+                    * ln_one_plus_exp(law.transition * ln_rate);
+                match law.plateau_ratio {
+                    0.0 => ln_power,
+                    r => -thinned(r, ln_power),
+                }
+            };
+            let (mut low, mut high) = (-1e4, 1e6);
+            for _ in 0..200 {
+                let middle = 0.5 * (low + high);
+                if ln_eta(middle) + middle > ln_relative {
+                    high = middle;
+                } else {
+                    low = middle;
+                }
+            }
+            high - ln_relative
+        }
+        ShearLaw::ReeEyring(law) => {
+            let y = (ln_stress - law.eyring_stress.ln()).exp();
+            if y < 1e-4 {
+                return y * y / 6.0;
+            }
+            y + (-(-2.0 * y).exp()).ln_1p() - (2.0 * y).ln()
+        }
+        ShearLaw::Rabinowitsch(law) => {
+            let m = law.exponent.recip() - 1.0;
+            ln_one_plus_exp(m * (ln_stress - law.critical_stress.ln()))
+        }
+    }
+}
+
+/// A solver's iterate may be no number: no law panics, and what follows is no number either.
+#[test]
+fn a_stress_that_is_no_number_gives_none() {
+    for law in laws() {
+        for stress in [f64::NAN, f64::INFINITY] {
+            let phi = law.relative_fluidity(stress, 0.0);
+            assert!(!phi.is_finite() || stress.is_infinite(), "{law:?}: {phi}");
+        }
+        assert!(
+            !law.relative_fluidity(HyperDual64::from(f64::NAN), 1e9.into())
+                .re
+                .is_finite()
+        );
+        let _ = law.newtonian_limits(f64::NAN);
+    }
+}
+
+/// Constants for which the numbers of a law would leave floating point are refused, with what is allowed.
+#[test]
+fn constants_far_from_any_lubricant_are_refused() {
+    for (error, key, allowed) in [
+        (
+            Carreau::new(1e-200, 0.5, 2.0, 0.0).unwrap_err(),
+            "g_c",
+            "1e-3 Pa",
+        ),
+        (Carreau::new(1e5, 1e-5, 2.0, 0.0).unwrap_err(), "n", "0.01"),
+        (
+            Carreau::new(1e5, 0.5, 1e-3, 0.0).unwrap_err(),
+            "beta_c",
+            "0.2 and 50",
+        ),
+        (
+            CarreauYasuda::new(1e200, 0.5, 2.0, 0.0).unwrap_err(),
+            "g",
+            "1e20 Pa",
+        ),
+        (
+            CarreauYasuda::new(1e5, 0.5, 0.05, 0.0).unwrap_err(),
+            "a",
+            "0.2 and 50",
+        ),
+        (
+            CarreauYasuda::new(1e5, 0.5, 1e4, 0.0).unwrap_err(),
+            "a",
+            "0.2 and 50",
+        ),
+        (ReeEyring::new(1e-9).unwrap_err(), "tau_0", "1e-3 Pa"),
+        (Rabinowitsch::new(1e6, 1e-3).unwrap_err(), "n", "0.01"),
+        (
+            StressLimit::new(1e6, 1e200).unwrap_err(),
+            "lambda",
+            "0 and 10",
+        ),
+    ] {
+        assert_eq!(error.key(), key);
+        assert!(error.to_string().contains(allowed), "{error}");
+    }
+}
+
 proptest! {
     /// From far below the first plateau's end to far beyond any limit.
     #[test]
@@ -535,5 +671,45 @@ proptest! {
         // Smoothing at zero stress moves the power by (1 - a/2) 1e-12/rate².
         let smoothing = 1e-11 / (rate * rate) * rate.powf(a).min(1.0);
         prop_assert!((eta * rate / stress - 1.0).abs() < 1e-12 + smoothing);
+    }
+
+    /// Any constants that a case file may give, and any stress: finite with two derivatives, never below the last, and
+    /// what the formula says.
+    #[test]
+    fn extreme_constants_are_sound(law in extreme_law(), ln_stress in -30.0..69.0_f64) {
+        let at = |ln_stress: f64| {
+            let square = (2.0 * ln_stress).exp();
+            let square = HyperDual64::new(square, square, square, 0.0);
+            law.relative_fluidity(square, HyperDual64::new(1e9, 0.0, 1e6, 0.0))
+        };
+        let phi = at(ln_stress);
+        for number in [phi.re, phi.eps1, phi.eps2, phi.eps1eps2] {
+            prop_assert!(number.is_finite(), "{law:?}: {phi}");
+        }
+        prop_assert!(at(ln_stress + 0.1).re >= phi.re * (1.0 - 1e-12));
+        // Below ambient the limit is lowest.
+        prop_assert!(law.relative_fluidity((2.0 * ln_stress).exp(), -1e9).is_finite());
+        let alone = law.law.as_ref().unwrap();
+        let found = alone.relative_fluidity((2.0 * ln_stress).exp());
+        let expected = ln_fluidity(alone, ln_stress);
+        // Smoothing at zero stress moves the power by (1 - k/2) 1e-12/r², r the stress or rate over that of the knee;
+        // beyond 1e65 the fluidity goes on as a parabola.
+        let smoothing = law.scales(0.0).knee.map_or(0.0, |knee| {
+            let ln_rate = match alone {
+                ShearLaw::CarreauYasuda(_) => expected,
+                _ => 0.0,
+            };
+            50.0 * 1e-12 / (2.0 * (ln_stress + ln_rate - knee.ln())).exp()
+        });
+        if expected < 140.0 && smoothing < 1e-3 {
+            let tolerance = 1e-9 * expected.max(1.0) + smoothing * expected;
+            prop_assert!(
+                (found.ln() - expected).abs() < tolerance,
+                "{law:?}: {} and {expected}", found.ln()
+            );
+        }
+        for stress in law.newtonian_limits(1e9).into_iter().flatten() {
+            prop_assert!(stress.is_finite() && stress > 0.0);
+        }
     }
 }

@@ -20,6 +20,7 @@ fn grid(property: Property, temperatures: &[f64], law: impl Fn(f64, f64) -> f64)
                 pressure,
                 temperature: *temperature,
                 value: law(pressure, *temperature),
+                line: states.len() + 2,
             });
         }
     }

@@ -5,6 +5,7 @@ use std::slice;
 use ertel::contact::ContactKind;
 use ertel::fit::{self, FilmFit, FilmForm, FilmKind, Films};
 use ertel::output::{digits, length, write_whole};
+use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
 use ertel_rheology::quantity::{self, Dimension};
 
 use super::check_svg;
@@ -33,8 +34,8 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
         return Err(Failure::Argument("--radius must be above zero".into()));
     }
     let file = arguments.results.display().to_string();
-    let text = std::fs::read_to_string(&arguments.results)
-        .map_err(|error| Failure::Argument(format!("{file} cannot be read: {error}")))?;
+    let text = read_text(&arguments.results, LARGEST_TABLE)
+        .map_err(|error| Failure::Argument(format!("{file} {error}")))?;
     let contact = fit::contact_of_films(&text);
     let form = FilmForm::named(&arguments.form, contact)
         .map_err(|error| Failure::Argument(format!("{file}: {error}")))?;

@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use super::Source;
+use super::shown::{LONGEST_EXCERPT, escaped, excerpt, message};
 
 /// Something wrong in an input file: what, where, and what would be right.
 ///
@@ -36,8 +37,11 @@ struct Report {
 struct Place {
     line: usize,
     column: usize,
-    width: usize,
+    /// The line, or a part of it around the column, without control characters.
     text: String,
+    /// Characters of the text before the caret, and below it.
+    indent: usize,
+    width: usize,
 }
 
 impl InputError {
@@ -135,43 +139,63 @@ impl Place {
         let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
         let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
         // A tab would shift the caret; both lines show one blank for it.
-        let shown = |part: &str| part.trim_end_matches('\r').replace('\t', " ");
-        let width = text[start..end.clamp(start, line_end)].chars().count();
+        let shown =
+            |part: &str| escaped(&part.trim_end_matches('\r').replace('\t', " ")).into_owned();
+        let (before, after) = (&text[line_start..start], &text[start..line_end]);
+        let marked = &after[..end.max(start).min(line_end) - start];
+        // Of a long line half the excerpt before the caret at most.
+        let half = LONGEST_EXCERPT / 2;
+        let n_before = before.chars().count();
+        let n_cut = n_before.saturating_sub(half);
+        let mut lead: String = shown(&before.chars().skip(n_cut).collect::<String>());
+        let room = LONGEST_EXCERPT - (n_before - n_cut);
+        let mut tail = shown(&after.chars().take(room).collect::<String>());
+        if n_cut > 0 {
+            lead.insert(0, '…');
+        }
+        if after.chars().nth(room).is_some() {
+            tail.push('…');
+        }
+        let width = shown(&marked.chars().take(room).collect::<String>());
         Self {
             line: 1 + text[..start].matches('\n').count(),
-            column: 1 + text[line_start..start].chars().count(),
-            width: width.max(1),
-            text: shown(&text[line_start..line_end]),
+            column: 1 + n_before,
+            indent: lead.chars().count(),
+            width: width.chars().count().max(1),
+            text: lead + &tail,
         }
     }
 }
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let text = message(&self.message);
         let Some(place) = &self.place else {
-            write!(f, "{} {}", self.file, self.message)?;
+            write!(f, "{} {}", excerpt(&self.file), text)?;
             for help in &self.help {
-                write!(f, "\n  = help: {help}")?;
+                write!(f, "\n  = help: {}", message(help))?;
             }
             return Ok(());
         };
         let gutter = place.line.to_string().len().max(2);
         let blank = " ".repeat(gutter);
-        writeln!(f, "{}", self.message)?;
+        writeln!(f, "{text}")?;
         writeln!(
             f,
             "{blank}--> {}:{}:{}",
-            self.file, place.line, place.column
+            excerpt(&self.file),
+            place.line,
+            place.column
         )?;
         writeln!(f, "{blank} |")?;
         writeln!(f, "{:>gutter$} | {}", place.line, place.text)?;
-        let indent = " ".repeat(place.column - 1);
+        let indent = " ".repeat(place.indent);
         write!(f, "{blank} | {indent}{}", "^".repeat(place.width))?;
         if !self.label.is_empty() {
-            write!(f, " {}", self.label)?;
+            write!(f, " {}", message(&self.label))?;
         }
         for help in &self.help {
-            write!(f, "\n{blank} = help: {help}")?;
+            write!(f, "\n{blank} = help: {}", message(help))?;
         }
         Ok(())
     }

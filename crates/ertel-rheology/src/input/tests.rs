@@ -369,3 +369,61 @@ fn errors_of_later_checks_point_at_their_value() {
     assert_eq!(contact.error("absent", "x").line(), Some(3));
     assert_eq!(contact.error_here("x").key(), "contact");
 }
+
+#[test]
+fn user_text_is_escaped_and_cut() {
+    let document = Document::parse("e\u{1b}sc.toml", "title = \"x\"\n\"\u{1b}[2J\u{9b}\" = 1\n");
+    let error = match document {
+        Ok(document) => {
+            let mut root = document.root();
+            let _ = root.optional_str("title");
+            root.finish().unwrap_err()
+        }
+        Err(error) => error,
+    };
+    let shown = error.to_string();
+    assert!(
+        shown.chars().all(|c| c == '\n' || !c.is_control()),
+        "{shown:?}"
+    );
+    assert!(
+        shown.contains("\\u001b[2J") && shown.contains("e\\u001bsc.toml"),
+        "{shown}"
+    );
+    // The caret stands below the fault, and the line is cut on both sides.
+    let text = format!("a = \"{}\" ! \"{}\"\n", "µ".repeat(5000), "x".repeat(5000));
+    let shown = Document::parse("c.toml", text).unwrap_err().to_string();
+    let lines: Vec<&str> = shown.lines().collect();
+    let caret = lines.iter().position(|line| line.contains('^')).unwrap();
+    let column = lines[caret].chars().position(|c| c == '^').unwrap();
+    assert_eq!(lines[caret - 1].chars().nth(column), Some('!'), "{shown}");
+    assert!(shown.chars().count() < 700, "{shown}");
+    let long = format!("{} = 1\n", "k".repeat(100_000));
+    let document = Document::parse("c.toml", long).unwrap();
+    let shown = document.root().finish().unwrap_err().to_string();
+    assert!(shown.chars().count() < 5000, "{}", shown.len());
+}
+
+#[test]
+fn files_that_are_none_are_refused_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = |path: &std::path::Path| Document::read(path).unwrap_err().to_string();
+    assert!(error(folder.path()).contains("it is a folder, not a file"));
+    let path = folder.path().join("deep.toml");
+    std::fs::write(&path, "[".repeat(3_000_000)).unwrap();
+    assert!(error(&path).contains("is too large: 3000000 bytes, and at most 2000000 are read"));
+    for deep in [
+        "a = ".to_owned() + &"[".repeat(100_000),
+        "a = ".to_owned() + &"{a = ".repeat(100_000),
+        format!("[{}]\n", vec!["a"; 100_000].join(".")),
+    ] {
+        std::fs::write(&path, deep).unwrap();
+        assert!(
+            error(&path).contains("nested too deeply"),
+            "{}",
+            error(&path)
+        );
+    }
+    #[cfg(target_os = "linux")]
+    assert!(error(std::path::Path::new("/dev/zero")).contains("not a regular file"));
+}

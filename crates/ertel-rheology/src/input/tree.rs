@@ -117,12 +117,14 @@ pub(super) fn parse(source: &Source) -> Result<Node, InputError> {
     let table = DeTable::parse(&source.text).map_err(|error| {
         let end = source.text.len();
         let span = error.span().unwrap_or(end..end);
-        InputError::at(
-            source,
-            span,
-            "",
-            format!("not valid TOML: {}", error.message()),
-        )
+        let problem = error.message();
+        // Words of the parser where it stops before its stack ends.
+        let message = if problem.contains("recurs") {
+            "nested too deeply: tables and arrays go into each other 80 times at most".to_owned()
+        } else {
+            format!("not valid TOML: {problem}")
+        };
+        InputError::at(source, span, "", message)
     })?;
     let span = table.span();
     Ok(Node {

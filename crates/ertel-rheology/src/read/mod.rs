@@ -13,6 +13,7 @@ use std::borrow::Cow;
 use std::path::Path;
 
 use crate::LawError;
+use crate::input::file::{LARGEST_TABLE, read_text};
 use crate::input::{Bounds, InputError, Table};
 use crate::linear::LinearFactor;
 use crate::quantity::Dimension;
@@ -30,11 +31,9 @@ impl<'a> Files<'a> {
     /// Text of the file `name`, or why there is none.
     fn read(&self, name: &str) -> Result<Cow<'a, str>, String> {
         match self {
-            Self::Folder(folder) => std::fs::read_to_string(folder.join(name))
+            Self::Folder(folder) => read_text(&folder.join(name), LARGEST_TABLE)
                 .map(Cow::Owned)
-                .map_err(|error| {
-                    format!("{} cannot be read: {error}", folder.join(name).display())
-                }),
+                .map_err(|error| format!("{} {error}", folder.join(name).display())),
             Self::Embedded(files) => files
                 .iter()
                 .find(|(file, _)| *file == name)

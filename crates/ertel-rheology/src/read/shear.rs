@@ -125,6 +125,14 @@ fn plateau_ratio(
         ));
     };
     let mu_1 = viscosity.viscosity(0.0, temperature);
+    if !(mu_1.is_finite() && mu_1 > 0.0) {
+        return Err(table.error(
+            "mu_2",
+            format!(
+                "the viscosity law gives the first plateau as {mu_1} Pa.s at {temperature} K: there is no ratio to it"
+            ),
+        ));
+    }
     // The law gives its own constant back to round-off only; equal plateaus are allowed.
     if mu_2 > mu_1 * (1.0 + 1e-9) {
         let mu_1 = format!("{mu_1:.5e}").parse().unwrap_or(mu_1);

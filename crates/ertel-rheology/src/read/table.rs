@@ -2,6 +2,7 @@
 
 use super::{Files, locate};
 use crate::LawError;
+use crate::input::csv::{Column, CsvError, CsvTable, Row};
 use crate::input::{Bounds, InputError, Table};
 use crate::quantity::{self, Dimension, STANDARD_ATMOSPHERE};
 
@@ -23,14 +24,13 @@ impl Columns {
     /// ]
     /// ```
     ///
-    /// A CSV file has a header such as `temperature [K], pressure [MPa], viscosity [mPa.s]` and one state on a line;
-    /// lines that start with `#` are comments, other columns are ignored, a state without a value is left out. A
-    /// column `absolute pressure` is reduced by one standard atmosphere. A property of two words, `heat capacity`, is
+    /// A CSV file ([`crate::input::csv`]) has a header such as `temperature [K], pressure [MPa], viscosity [mPa.s]` and one
+    /// state on a line; other columns are ignored, a state without a value is left out. A column `absolute pressure` is reduced by one standard atmosphere. A property of two words, `heat capacity`, is
     /// the key `heat_capacity` in a table. Where `pressures` allows, they may be left out altogether.
     pub(super) fn read(
         table: &mut Table<'_>,
         files: Files<'_>,
-        name: &str,
+        name: &'static str,
         dimension: Dimension,
         pressures: Pressures,
     ) -> Result<Self, InputError> {
@@ -42,10 +42,11 @@ impl Columns {
                     "`file` replaces `isotherms` and `units`: give one form",
                 ));
             }
-            let columns = files
-                .read(file)
-                .and_then(|text| Self::from_csv(&text, name, dimension, pressures));
-            return columns.map_err(|problem| table.error("file", format!("{file}: {problem}")));
+            let columns = files.read(file).and_then(|text| {
+                Self::from_csv(file, &text, name, dimension, pressures)
+                    .map_err(|error| error.to_string())
+            });
+            return columns.map_err(|problem| table.error("file", problem));
         }
         if !table.contains("isotherms") {
             return Err(table
@@ -104,38 +105,37 @@ impl Columns {
         new(self.temperatures, self.pressures, self.values).map_err(locate(table))
     }
 
-    /// Reads a CSV file; the error is a sentence that begins with the line.
+    /// Reads a CSV file.
     fn from_csv(
+        file: &str,
         text: &str,
-        name: &str,
+        name: &'static str,
         dimension: Dimension,
         pressures: Pressures,
-    ) -> Result<Self, String> {
-        let mut lines = text
-            .lines()
-            .enumerate()
-            .map(|(i, line)| (i + 1, line.trim()))
-            .filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-        let (number, header) = lines.next().ok_or("the file is empty")?;
-        let header = Header::parse(header, name, pressures)
-            .map_err(|problem| format!("line {number}: {problem}"))?;
-
-        let mut states: Vec<(usize, [f64; 3])> = Vec::new();
-        for (number, line) in lines {
-            let state = header
-                .state(line, name, dimension)
-                .map_err(|problem| format!("line {number}: {problem}"))?;
-            states.extend(state.map(|state| (number, state)));
+    ) -> Result<Self, CsvError> {
+        let table = CsvTable::parse(file, text)?;
+        let header = Header::of(&table, name, dimension, pressures)?;
+        let mut states: Vec<(&Row, [f64; 3])> = Vec::new();
+        for row in table.rows() {
+            states.extend(header.state(&table, row)?.map(|state| (row, state)));
         }
         // A stable sort: within an isotherm the order of the file stays.
-        states.sort_by(|(_, a), (_, b)| a[0].total_cmp(&b[0]));
-        let unordered = states
-            .windows(2)
-            .find(|pair| pair[0].1[0] == pair[1].1[0] && pair[1].1[1] <= pair[0].1[1]);
-        if let Some([(former, _), (number, _)]) = unordered {
-            return Err(format!(
-                "line {number}: pressure: at one temperature the pressures must increase, but this one does not exceed that of line {former}"
-            ));
+        states.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+        for pair in states.windows(2) {
+            let [(before, [t, p, _]), (row, [next_t, next_p, _])] = pair else {
+                continue;
+            };
+            if t == next_t && next_p <= p {
+                let (index, must) = match &header.pressure {
+                    Some(pressure) => (pressure.index, "pressures must increase"),
+                    None => (header.temperature.index, "temperatures must differ"),
+                };
+                let problem = format!(
+                    "{must}, but this line follows line {} at the same temperature",
+                    before.line
+                );
+                return Err(table.error(row, index, problem));
+            }
         }
         let mut columns = Self::default();
         for (_, [temperature, pressure, value]) in states {
@@ -144,16 +144,10 @@ impl Columns {
                 columns.pressures.push(Vec::new());
                 columns.values.push(Vec::new());
             }
-            columns
-                .pressures
-                .last_mut()
-                .into_iter()
-                .for_each(|row| row.push(pressure));
-            columns
-                .values
-                .last_mut()
-                .into_iter()
-                .for_each(|row| row.push(value));
+            let rows = [&mut columns.pressures, &mut columns.values];
+            for (rows, number) in rows.into_iter().zip([pressure, value]) {
+                rows.last_mut().into_iter().for_each(|row| row.push(number));
+            }
         }
         Ok(columns)
     }
@@ -168,104 +162,80 @@ pub(super) enum Pressures {
     Optional,
 }
 
-/// Position and unit of the columns in use.
+/// The columns in use.
 struct Header {
-    temperature: (usize, String),
+    temperature: Column,
     /// `None` for a table over temperature alone.
-    pressure: Option<(usize, String)>,
+    pressure: Option<Column>,
     absolute: bool,
-    value: (usize, String),
+    value: Column,
 }
 
 impl Header {
-    fn parse(line: &str, name: &str, pressures: Pressures) -> Result<Self, String> {
-        let columns: Vec<(&str, &str)> = line
-            .split(',')
-            .map(|cell| {
-                let (title, unit) = cell.split_once('[').unwrap_or((cell, ""));
-                (title.trim(), unit.trim().trim_end_matches(']'))
-            })
-            .collect();
-        let find = |title: &str| {
-            columns
-                .iter()
-                .position(|(found, _)| *found == title)
-                .map(|i| (i, columns[i].1.to_owned()))
-        };
-        let titles = || {
-            columns
-                .iter()
-                .map(|(title, _)| *title)
-                .collect::<Vec<_>>()
-                .join(", ")
-        };
-        let need = |title: &str| {
-            find(title).ok_or_else(|| {
-                format!(
+    fn of(
+        table: &CsvTable,
+        name: &'static str,
+        dimension: Dimension,
+        pressures: Pressures,
+    ) -> Result<Self, CsvError> {
+        let need = |found: Option<Column>, title: &str| {
+            found.ok_or_else(|| {
+                let problem = format!(
                     "there is no column `{title} [unit]`; the columns are {}",
-                    titles()
-                )
+                    table.header().cells().join(", ")
+                );
+                table.error(table.header(), 0, problem)
             })
         };
-        let (pressure, absolute) = match (find("pressure"), find("absolute pressure")) {
-            (Some(_), Some(_)) => {
-                return Err("give `pressure` or `absolute pressure`, not both".into());
+        let find = |title, dimension| table.find_with_unit(title, dimension);
+        let gauge = find("pressure", Dimension::PRESSURE)?;
+        let (pressure, absolute) = match (gauge, find("absolute pressure", Dimension::PRESSURE)?) {
+            (Some(_), Some(second)) => {
+                let problem = "give `pressure` or `absolute pressure`, not both";
+                return Err(table.error(table.header(), second.index, problem));
             }
             (None, Some(column)) => (Some(column), true),
             (None, None) if pressures == Pressures::Optional => (None, false),
-            _ => (Some(need("pressure")?), false),
+            (found, None) => (Some(need(found, "pressure")?), false),
         };
+        let temperature = find("temperature", Dimension::TEMPERATURE)?;
         Ok(Self {
-            temperature: need("temperature")?,
+            temperature: need(temperature, "temperature")?,
             pressure,
             absolute,
-            value: need(name)?,
+            value: need(find(name, dimension)?, name)?,
         })
     }
 
     /// Temperature, pressure and value of a line; `None` if the value is left out.
-    fn state(
-        &self,
-        line: &str,
-        name: &str,
-        dimension: Dimension,
-    ) -> Result<Option<[f64; 3]>, String> {
-        let cells: Vec<&str> = line.split(',').map(str::trim).collect();
-        let number = |(column, unit): &(usize, String), dimension| {
-            let cell = cells
-                .get(*column)
-                .ok_or_else(|| format!("there are only {} columns", cells.len()))?;
-            quantity::parse(&format!("{cell} {unit}"), dimension).map_err(|error| error.to_string())
-        };
-        let positive = |title: &str, column: &(usize, String), dimension| {
-            let value = number(column, dimension)?;
+    fn state(&self, table: &CsvTable, row: &Row) -> Result<Option<[f64; 3]>, CsvError> {
+        if row.cell(self.value.index).is_empty() {
+            return Ok(None);
+        }
+        let positive = |column: &Column| {
+            let value = table.required_number(row, column)?;
             if value > 0.0 {
                 return Ok(value);
             }
-            let (cell, unit) = (cells[column.0], &column.1);
-            Err(format!(
-                "{title}: {cell} {unit} is impossible: it must be above {}",
-                match title {
-                    "temperature" => "absolute zero",
-                    _ => "zero",
-                }
-            ))
+            let problem = format!(
+                "{}: {} is impossible: it must be above zero (absolute zero for a temperature)",
+                column.name,
+                row.cell(column.index)
+            );
+            Err(table.error(row, column.index, problem))
         };
-        if cells.get(self.value.0).is_none_or(|cell| cell.is_empty()) {
-            return Ok(None);
-        }
         let pressure = match &self.pressure {
-            Some(column) => number(column, Dimension::PRESSURE)?,
+            Some(column) => table.required_number(row, column)?,
             None => 0.0,
         };
         Ok(Some([
-            positive("temperature", &self.temperature, Dimension::TEMPERATURE)?,
+            positive(&self.temperature)?,
             if self.absolute {
                 pressure - STANDARD_ATMOSPHERE
             } else {
                 pressure
             },
-            positive(name, &self.value, dimension)?,
+            positive(&self.value)?,
         ]))
     }
 }

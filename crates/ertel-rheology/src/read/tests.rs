@@ -185,6 +185,49 @@ fn a_table_is_read_from_isotherms_and_from_a_file() {
     );
 }
 
+/// As spreadsheets write it: a mark of the byte order, quotes, semicolons with decimal commas, units after underscores.
+#[test]
+fn a_table_is_read_as_spreadsheets_write_it() {
+    let plain = "temperature [degC], pressure [MPa], viscosity [mPa.s]\n40,0,40\n40,500,4000.5\n";
+    let read = |csv: &str| {
+        let files = [("oil.csv", csv)];
+        let text = "viscosity = { law = 'table', file = 'oil.csv' }";
+        fluid_with(text, Files::Embedded(&files)).unwrap().viscosity
+    };
+    for csv in [
+        "\u{feff}temperature_degC;pressure_MPa;viscosity_mPa_s\r\n40;0;40\r\n40;500;4000,5\r\n",
+        "\"temperature [degC]\",\"pressure [MPa]\",\"viscosity [mPa.s]\"\n\"40\",\"0\",\"40\"\n40,500,4000.5",
+        "temperature_degC\tpressure_GPa\tviscosity_Pa_s\n40\t0\t0,04\n40\t0,5\t4,0005\n",
+    ] {
+        let (found, expected) = (read(csv), read(plain));
+        for p in [0.0, 1e8, 5e8] {
+            assert_relative_eq!(
+                found.viscosity(p, 313.15),
+                expected.viscosity(p, 313.15),
+                max_relative = 1e-12
+            );
+        }
+    }
+}
+
+/// No pipe, device, folder, or file of the kernel is read as a table, and nothing of it is shown.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_table_is_a_regular_file() {
+    let folder = tempfile::tempdir().unwrap();
+    for (file, part) in [
+        ("/proc/self/environ", "not a regular file"),
+        ("/dev/zero", "not a regular file"),
+        (".", "it is a folder"),
+    ] {
+        let text = format!("viscosity = {{ law = 'table', file = '{file}' }}");
+        let error = fluid_with(&text, Files::Folder(folder.path())).unwrap_err();
+        assert_eq!(error.key(), "viscosity.file");
+        assert!(error.message().contains(part), "{error}");
+        assert!(!error.to_string().contains("PATH="), "{error}");
+    }
+}
+
 #[test]
 fn a_table_at_fault_names_what_is_wrong() {
     let file_error = |csv: &str| {
@@ -204,33 +247,33 @@ fn a_table_at_fault_names_what_is_wrong() {
     assert!(file_error("").contains("empty"));
     assert!(
         file_error("temperature [K], pressure [MPa]\n")
-            .contains("line 1: there is no column `viscosity [unit]`")
+            .contains("oil.csv:1:1: there is no column `viscosity [unit]`")
     );
     let header = "temperature [K], pressure [MPa], viscosity [mPa.s]\n";
-    assert!(file_error(&format!("{header}300, zero, 1")).contains("line 2: `zero MPa`"));
-    for (rows, problem) in [
-        (
-            "300,0,1\n300,50,-2",
-            "line 3: viscosity: -2 mPa.s is impossible",
-        ),
-        ("300,0,0", "line 2: viscosity: 0 mPa.s is impossible"),
-        ("-300,0,1", "line 2: `-300 K` is below absolute zero"),
-        ("0,0,1", "line 2: temperature: 0 K is impossible"),
-        (
-            "300,0,1\n310,0,1\n300,0,2",
-            "line 4: pressure: at one temperature",
-        ),
-    ] {
-        let message = file_error(&format!("{header}{rows}"));
-        assert!(
-            message.starts_with("oil.csv: ") && message.contains(problem),
-            "{message}"
-        );
-    }
+    assert!(file_error(&format!("{header}300, zero, 1")).contains("oil.csv:2:2: pressure: `zero`"));
     assert!(
         file_error("temperature [K], pressure [MPa], viscosity [m]\n300, 0, 1")
-            .contains("is a length")
+            .contains("oil.csv:1:3: the column `viscosity [m]` has a unit of a length")
     );
+
+    for (rows, part) in [
+        (
+            "300, 50, 2\n280, 0, 1\n300, 0, 1",
+            "oil.csv:4:2: pressures must increase",
+        ),
+        ("300, 0, -1", "oil.csv:2:3: viscosity: -1 is impossible"),
+        ("-1, 0, 1", "oil.csv:2:1: temperature: -1 is impossible"),
+        (
+            "300, 0, 1e400",
+            "oil.csv:2:3: viscosity: `1e400` is not a number",
+        ),
+    ] {
+        let error = file_error(&format!("{header}{rows}"));
+        assert!(error.contains(part), "{error}");
+    }
+    let twice =
+        "temperature [degC], pressure [MPa], viscosity [mPa.s], viscosity [Pa.s]\n40,0,40,7\n";
+    assert!(file_error(twice).contains("oil.csv:1:4: there is a second column `viscosity`"));
 
     let descending = viscosity(
         "law = 'table', units = { pressure = 'MPa', viscosity = 'mPa.s' }, \

@@ -1,6 +1,6 @@
 //! The modified Carreau law in shear stress.
 
-use super::numbers::{bounded_exp, ln_one_plus_power, smooth_power};
+use super::numbers::{SMALLEST_EXPONENT, bounded_exp, ln_one_plus_power, smooth_power};
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
@@ -30,8 +30,8 @@ const LARGEST_SQUARE: f64 = 1e12;
 const LARGEST_SLOPE: f64 = 10.0;
 
 impl Carreau {
-    /// `critical_stress` G_c in Pa; `exponent` n_c in (0, 1], `transition` β_c > 0 and `plateau_ratio` `μ₂/μ₁` in
-    /// \[0, 1\] without dimension.
+    /// `critical_stress` G_c in Pa; `exponent` n_c in \[0.01, 1\], `transition` β_c in \[0.2, 50\] and
+    /// `plateau_ratio` `μ₂/μ₁` in \[0, 1\] without dimension.
     pub fn new(
         critical_stress: f64,
         exponent: f64,
@@ -39,9 +39,9 @@ impl Carreau {
         plateau_ratio: f64,
     ) -> Result<Self, LawError> {
         let check = Check("carreau");
-        check.positive("g_c", critical_stress)?;
+        check.stress("g_c", critical_stress)?;
         check_exponent(&check, exponent)?;
-        check.positive("beta_c", transition)?;
+        check_transition(&check, "beta_c", transition)?;
         check_plateaus(&check, plateau_ratio)?;
         Ok(Self {
             critical_stress,
@@ -58,7 +58,7 @@ impl Carreau {
         let slope = self.exponent.recip() - 1.0;
         let outer = slope / self.transition;
         let moderate =
-            square.re() < LARGEST_SQUARE && self.transition < 20.0 && slope < LARGEST_SLOPE;
+            square.re() < LARGEST_SQUARE && self.transition < 10.0 && slope < LARGEST_SLOPE;
         let thinning = if moderate {
             (smooth_power(square, self.transition) + 1.0).powf(outer)
         } else {
@@ -71,15 +71,26 @@ impl Carreau {
 
 /// Exponents of the power law between the plateaus.
 pub(super) fn check_exponent(check: &Check, n: f64) -> Result<(), LawError> {
-    check.that(n > 0.0 && n <= 1.0, "n", n, "above 0 and not above 1")
+    check.that(
+        (SMALLEST_EXPONENT..=1.0).contains(&n),
+        "n",
+        n,
+        "between 0.01 and 1",
+    )
 }
 
-/// The second plateau must not lie above the first.
+/// Width exponents of the transition. With smaller ones the smoothing at zero stress would be seen, and the equation of
+/// Carreau and Yasuda's fluidity would have more than one root.
+pub(super) fn check_transition(check: &Check, key: &'static str, a: f64) -> Result<(), LawError> {
+    check.that((0.2..=50.0).contains(&a), key, a, "between 0.2 and 50")
+}
+
+/// The second plateau must not lie above the first; the square of a smaller share would leave floating point.
 pub(super) fn check_plateaus(check: &Check, ratio: f64) -> Result<(), LawError> {
     check.that(
-        (0.0..=1.0).contains(&ratio),
+        ratio == 0.0 || (1e-50..=1.0).contains(&ratio),
         "mu_2",
         ratio,
-        "between 0 and 1 as a share of the first plateau",
+        "0, or between 1e-50 and 1, as a share of the first plateau",
     )
 }

@@ -1,6 +1,6 @@
 //! The Carreau-Yasuda law in shear rate.
 
-use super::carreau::{check_exponent, check_plateaus};
+use super::carreau::{check_exponent, check_plateaus, check_transition};
 use super::numbers::{
     bounded_exp, increasing_root, ln_one_plus_power, ln_one_plus_power_and_slope,
     ln_one_plus_scaled_power,
@@ -34,8 +34,8 @@ pub struct CarreauYasuda {
 }
 
 impl CarreauYasuda {
-    /// `shear_modulus` G in Pa; `exponent` n in (0, 1], `transition` a > 0 and `plateau_ratio` `μ₂/μ₁` in \[0, 1\]
-    /// without dimension.
+    /// `shear_modulus` G in Pa; `exponent` n in \[0.01, 1\], `transition` a in \[0.2, 50\] and `plateau_ratio`
+    /// `μ₂/μ₁` in \[0, 1\] without dimension.
     pub fn new(
         shear_modulus: f64,
         exponent: f64,
@@ -43,9 +43,9 @@ impl CarreauYasuda {
         plateau_ratio: f64,
     ) -> Result<Self, LawError> {
         let check = Check("carreau-yasuda");
-        check.positive("g", shear_modulus)?;
+        check.stress("g", shear_modulus)?;
         check_exponent(&check, exponent)?;
-        check.positive("a", transition)?;
+        check_transition(&check, "a", transition)?;
         check_plateaus(&check, plateau_ratio)?;
         Ok(Self {
             shear_modulus,

@@ -41,11 +41,16 @@ impl StressLimit {
     /// E-folds beyond that after which it grows as a parabola only.
     pub const MOST_FOLDS: f64 = LARGEST_EXPONENT;
 
-    /// `ambient_limit` τ_L0 in Pa, positive; `pressure_coefficient` Λ without dimension, not negative.
+    /// `ambient_limit` τ_L0 in Pa, `pressure_coefficient` Λ from 0 to 10 without dimension.
     pub fn new(ambient_limit: f64, pressure_coefficient: f64) -> Result<Self, LawError> {
         let check = Check("limiting-stress");
-        check.positive("tau_l0", ambient_limit)?;
-        check.not_negative("lambda", pressure_coefficient)?;
+        check.stress("tau_l0", ambient_limit)?;
+        check.that(
+            (0.0..=10.0).contains(&pressure_coefficient),
+            "lambda",
+            pressure_coefficient,
+            "between 0 and 10",
+        )?;
         Ok(Self {
             ambient_limit,
             pressure_coefficient,

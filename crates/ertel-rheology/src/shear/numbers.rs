@@ -2,6 +2,9 @@
 
 use crate::Scalar;
 
+/// Smallest exponent n of a power law: the fluidity grows with the stress to the power 99.
+pub(super) const SMALLEST_EXPONENT: f64 = 0.01;
+
 /// Squares of relative stresses below this are too small to matter; a power of them is smoothed here.
 const SMALLEST_SQUARE: f64 = 1e-12;
 
@@ -78,7 +81,7 @@ pub(super) fn bounded_exp<D: Scalar>(x: D) -> D {
 
 /// Root of an increasing function between `low` and `high` by Newton's method from `start`, to round-off; a step that
 /// leaves the bracket is replaced by bisection. `f` returns value and slope, and both are smooth: an error of 1e-9 is
-/// squared by the next step.
+/// squared by the next step. NaN where an end of the bracket or a value of the function is NaN, or `low > high`.
 pub(super) fn increasing_root(
     f: impl Fn(f64) -> (f64, f64),
     mut low: f64,
@@ -86,23 +89,53 @@ pub(super) fn increasing_root(
     start: f64,
 ) -> f64 {
     const MAX_ITERATIONS: usize = 200;
-    let mut x = start.clamp(low, high);
+    // An iterate that is no number must come back as one, for the solver to refuse.
+    if low.is_nan() || high.is_nan() || low > high {
+        return f64::NAN;
+    }
+    let mut x = if start.is_nan() {
+        low
+    } else {
+        start.max(low).min(high)
+    };
     for _ in 0..MAX_ITERATIONS {
         let (value, slope) = f(x);
+        if value.is_nan() {
+            return f64::NAN;
+        }
         if value > 0.0 {
             high = x;
         } else {
             low = x;
         }
         let newton = x - value / slope;
-        if (newton - x).abs() <= 1e-9 * x.abs().max(1.0) {
+        let is_step = slope > 0.0 && slope.is_finite();
+        if is_step && (newton - x).abs() <= 1e-9 * x.abs().max(1.0) {
             return newton;
         }
-        x = if newton > low && newton < high {
+        x = if is_step && newton > low && newton < high {
             newton
         } else {
             0.5 * (low + high)
         };
     }
     x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::increasing_root;
+
+    #[test]
+    fn a_root_that_is_no_number_is_no_panic() {
+        let line = |x: f64| (x - 0.5, 1.0);
+        assert_eq!(increasing_root(line, 0.0, 1.0, f64::NAN), 0.5);
+        for (low, high) in [(f64::NAN, 1.0), (0.0, f64::NAN), (1.0, 0.0)] {
+            assert!(increasing_root(line, low, high, 0.5).is_nan());
+        }
+        assert!(increasing_root(|_| (f64::NAN, 1.0), 0.0, 1.0, 0.5).is_nan());
+        // A step with a slope that is none is a bisection.
+        let steep = |x: f64| (x - 0.3, if x < 0.4 { 1.0 } else { f64::INFINITY });
+        assert_eq!(increasing_root(steep, 0.0, 1.0, 1.0), 0.3);
+    }
 }

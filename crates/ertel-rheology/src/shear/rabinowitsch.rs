@@ -1,6 +1,8 @@
 //! The power law with a Newtonian start.
 
-use super::numbers::{LARGEST_EXPONENT, bounded_exp, ln_smooth_power, smooth_power};
+use super::numbers::{
+    LARGEST_EXPONENT, SMALLEST_EXPONENT, bounded_exp, ln_smooth_power, smooth_power,
+};
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
@@ -20,15 +22,15 @@ pub struct Rabinowitsch {
 }
 
 impl Rabinowitsch {
-    /// `critical_stress` τ₀ in Pa; `exponent` n between 0 and 1 without dimension.
+    /// `critical_stress` τ₀ in Pa; `exponent` n from 0.01 to below 1 without dimension.
     pub fn new(critical_stress: f64, exponent: f64) -> Result<Self, LawError> {
         let check = Check("rabinowitsch");
-        check.positive("tau_0", critical_stress)?;
+        check.stress("tau_0", critical_stress)?;
         check.that(
-            exponent > 0.0 && exponent < 1.0,
+            (SMALLEST_EXPONENT..1.0).contains(&exponent),
             "n",
             exponent,
-            "between 0 and 1, both excluded",
+            "0.01 or more and below 1",
         )?;
         Ok(Self {
             critical_stress,

@@ -18,7 +18,7 @@ pub struct ReeEyring {
 impl ReeEyring {
     /// `eyring_stress` τ₀ in Pa.
     pub fn new(eyring_stress: f64) -> Result<Self, LawError> {
-        Check("ree-eyring").positive("tau_0", eyring_stress)?;
+        Check("ree-eyring").stress("tau_0", eyring_stress)?;
         Ok(Self { eyring_stress })
     }
 

@@ -216,7 +216,7 @@ impl CrossFilm {
     /// Gauss points between two ends, mapped to s with the slope of the map.
     #[inline(always)]
     fn interval(&mut self, n: usize, from: f64, to: f64, map: impl Fn(f64) -> (f64, f64)) {
-        for [x, w] in gauss(n.min(LONGEST)) {
+        for [x, w] in gauss(n.clamp(1, LONGEST)) {
             let (s, slope) = map(from + (to - from) * x);
             self.points[self.n] = [s, w * (to - from) * slope];
             self.n += 1;

@@ -1,8 +1,10 @@
 //! Measured states from a CSV file.
 
-use ertel_rheology::quantity::{Dimension, STANDARD_ATMOSPHERE, Unit};
+use ertel_rheology::input::Bounds;
+use ertel_rheology::input::csv::{Column, CsvTable, Row};
+use ertel_rheology::quantity::{Dimension, STANDARD_ATMOSPHERE};
 
-use super::csv::{cells, rows};
+pub use ertel_rheology::input::csv::CsvError as DataError;
 
 /// What was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,6 +41,8 @@ pub struct State {
     pub temperature: f64,
     /// Viscosity (Pa·s) or density (kg/m³).
     pub value: f64,
+    /// Line of the file, from 1.
+    pub line: usize,
 }
 
 /// Measured states.
@@ -52,54 +56,31 @@ pub struct Data {
     pub states: Vec<State>,
 }
 
-/// What is wrong with a file, and where.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{file}:{line}:{column}: {problem}")]
-pub struct DataError {
-    /// Name of the file.
-    pub file: String,
-    /// Line, from 1.
-    pub line: usize,
-    /// Column of the table, from 1.
-    pub column: usize,
-    /// What is wrong, with the choices.
-    pub problem: String,
-}
-
 impl Data {
     /// Reads a table of states from the text of a CSV file.
     ///
-    /// The first line that is neither empty nor a comment (`#`) names the columns with their units, as
-    /// `pressure_MPa, temperature_degC, viscosity_mPa_s` or `pressure [MPa], temperature [degC], viscosity [mPa.s]`. Cells are
-    /// separated by commas, semicolons or tabs. In names with underscores `_per_` divides: `density_kg_per_m3`. A column
-    /// `absolute_pressure` is reduced by one standard atmosphere. Other columns are ignored; a state without a value is
-    /// left out.
+    /// The file is a table of [`ertel_rheology::input::csv`] whose columns have units, as `pressure_MPa, temperature_degC,
+    /// viscosity_mPa_s` or `pressure [MPa], temperature [degC], viscosity [mPa.s]`. A column `absolute_pressure` is reduced
+    /// by one standard atmosphere. Other columns are ignored; a state without a value is left out.
     ///
     /// # Errors
     ///
     /// Missing columns, units and numbers, with line and column; impossible values.
     pub fn parse(file: &str, text: &str, property: Property) -> Result<Self, DataError> {
-        let at = |line, column, problem: String| DataError {
-            file: file.to_owned(),
-            line,
-            column,
-            problem,
-        };
-        let mut lines = rows(text);
-        let (number, head, separator) = lines
-            .next()
-            .ok_or_else(|| at(1, 1, format!("the file is empty; {}", expected(property))))?;
-        let header = Header::parse(head, separator, property)
-            .map_err(|(column, problem)| at(number, column, problem))?;
+        let table = CsvTable::parse(file, text).map_err(|mut error| {
+            if error.line == 1 && error.problem.contains("empty") {
+                error.problem += &format!("; {}", expected(property));
+            }
+            error
+        })?;
+        let header = Header::of(&table, property)?;
         let mut states = Vec::new();
-        for (number, line, _) in lines {
-            let state = header
-                .state(line, separator)
-                .map_err(|(column, problem)| at(number, column, problem))?;
-            states.extend(state);
+        for row in table.rows() {
+            states.extend(header.state(&table, row)?);
         }
         if states.is_empty() {
-            return Err(at(number, 1, "there are no states below the header".into()));
+            let problem = "there are no states below the header";
+            return Err(table.error(table.header(), 0, problem));
         }
         Ok(Self {
             file: file.to_owned(),
@@ -136,174 +117,103 @@ fn expected(property: Property) -> String {
     )
 }
 
-/// Place of a cell (from 1) and what is wrong with it.
-pub(super) type Problem = (usize, String);
-
-/// A column in use.
-pub(super) struct Column {
-    pub(super) index: usize,
-    pub(super) name: &'static str,
-    pub(super) unit: Unit,
-}
-
-impl Column {
-    /// Its number among the cells of a line, in SI.
-    pub(super) fn number(&self, cells: &[&str]) -> Result<f64, Problem> {
-        let place = self.index + 1;
-        let cell = cells.get(self.index).ok_or_else(|| {
-            let problem = format!("there are only {} cells in this line", cells.len());
-            (place, problem)
-        })?;
-        let number = cell.parse::<f64>().ok().filter(|number| number.is_finite());
-        let number = number.ok_or_else(|| {
-            let problem = format!(
-                "{}: `{cell}` is not a number (write 1.5 or 2e-3)",
-                self.name
-            );
-            (place, problem)
-        })?;
-        Ok(self.unit.to_si(number))
-    }
-}
+/// Values beyond which no lubricant was measured; the laws' numbers leave floating point far from there.
+const TEMPERATURES: [f64; 2] = [1.0, 1e4];
+const LARGEST_PRESSURE: f64 = 1e12;
+const VISCOSITIES: [f64; 2] = [1e-9, 1e30];
+const DENSITIES: [f64; 2] = [1e-6, 1e6];
 
 struct Header {
     pressure: Column,
     absolute: bool,
     temperature: Column,
     value: Column,
+    values: [f64; 2],
 }
 
 impl Header {
-    fn parse(line: &str, separator: char, property: Property) -> Result<Self, Problem> {
-        let cells: Vec<&str> = cells(line, separator);
-        let column = |name: &'static str, dimension| find(&cells, name, dimension);
+    fn of(table: &CsvTable, property: Property) -> Result<Self, DataError> {
+        let find = |name, dimension| table.find_with_unit(name, dimension);
         let need = |found: Option<Column>, name: &str| {
             found.ok_or_else(|| {
                 let problem = format!(
                     "there is no column `{name}`; {}; the columns are {}",
                     expected(property),
-                    cells.join(", ")
+                    table.header().cells().join(", ")
                 );
-                (1, problem)
+                table.error(table.header(), 0, problem)
             })
         };
-        let pressure = column("pressure", Dimension::PRESSURE)?;
-        let absolute = column("absolute pressure", Dimension::PRESSURE)?;
-        let (pressure, absolute) = match (pressure, absolute) {
+        let gauge = find("pressure", Dimension::PRESSURE)?;
+        let (pressure, absolute) = match (gauge, find("absolute pressure", Dimension::PRESSURE)?) {
             (Some(_), Some(second)) => {
                 let problem = "give `pressure` or `absolute_pressure`, not both";
-                return Err((second.index + 1, problem.into()));
+                return Err(table.error(table.header(), second.index, problem));
             }
             (None, Some(absolute)) => (absolute, true),
             (pressure, None) => (need(pressure, "pressure")?, false),
         };
-        let temperature = column("temperature", Dimension::TEMPERATURE)?;
-        let value = column(property.name(), property.dimension())?;
+        let temperature = find("temperature", Dimension::TEMPERATURE)?;
+        let value = find(property.name(), property.dimension())?;
         Ok(Self {
             pressure,
             absolute,
             temperature: need(temperature, "temperature")?,
             value: need(value, property.name())?,
+            values: match property {
+                Property::Viscosity => VISCOSITIES,
+                Property::Density => DENSITIES,
+            },
         })
     }
 
     /// The state of a line; `None` if the value is left out.
-    fn state(&self, line: &str, separator: char) -> Result<Option<State>, Problem> {
-        let cells: Vec<&str> = cells(line, separator);
-        if cells
-            .get(self.value.index)
-            .is_none_or(|cell| cell.is_empty())
-        {
+    fn state(&self, table: &CsvTable, row: &Row) -> Result<Option<State>, DataError> {
+        if row.cell(self.value.index).is_empty() {
             return Ok(None);
         }
-        let positive = |column: &Column| {
-            let value = column.number(&cells)?;
-            if value > 0.0 {
-                Ok(value)
+        let within = |column: &Column, [low, high]: [f64; 2]| {
+            let value = table.required_number(row, column)?;
+            let cell = row.cell(column.index);
+            let problem = if value <= 0.0 {
+                format!(
+                    "{}: {cell} is impossible: it must be above zero (absolute zero for a temperature)",
+                    column.name
+                )
+            } else if value < low || value > high {
+                let unit = column.unit.dimension().si_unit();
+                let range = Bounds::closed(low, high).describe(&unit);
+                format!(
+                    "{}: {cell} is far from any lubricant: it must be {range}",
+                    column.name
+                )
             } else {
-                let problem = format!(
-                    "{}: {} is impossible: it must be above zero (absolute zero for a temperature)",
-                    column.name, cells[column.index]
-                );
-                Err((column.index + 1, problem))
-            }
+                return Ok(value);
+            };
+            Err(table.error(row, column.index, problem))
         };
-        let mut pressure = self.pressure.number(&cells)?;
+        let mut pressure = table.required_number(row, &self.pressure)?;
         if self.absolute {
             pressure -= STANDARD_ATMOSPHERE;
         }
-        if pressure < -STANDARD_ATMOSPHERE {
-            let problem = format!(
-                "{}: {} is below vacuum",
-                self.pressure.name, cells[self.pressure.index]
-            );
-            return Err((self.pressure.index + 1, problem));
+        let problem = if pressure < -STANDARD_ATMOSPHERE {
+            Some("is below vacuum".to_owned())
+        } else if pressure > LARGEST_PRESSURE {
+            Some(format!("is above {LARGEST_PRESSURE:e} Pa"))
+        } else {
+            None
+        };
+        if let Some(problem) = problem {
+            let cell = row.cell(self.pressure.index);
+            let problem = format!("{}: {cell} {problem}", self.pressure.name);
+            return Err(table.error(row, self.pressure.index, problem));
         }
         Ok(Some(State {
             pressure,
-            temperature: positive(&self.temperature)?,
-            value: positive(&self.value)?,
+            temperature: within(&self.temperature, TEMPERATURES)?,
+            value: within(&self.value, self.values)?,
+            line: row.line,
         }))
-    }
-}
-
-/// The column `name` among the titles; `None` if there is none.
-fn find(
-    cells: &[&str],
-    name: &'static str,
-    dimension: Dimension,
-) -> Result<Option<Column>, Problem> {
-    let mut found = None;
-    for (index, cell) in cells.iter().enumerate() {
-        let Some(unit) = unit_text(cell, name) else {
-            continue;
-        };
-        if found.is_some() {
-            return Err((index + 1, format!("there is a second column `{name}`")));
-        }
-        let units = format!("write one of {}", dimension.examples());
-        if unit.is_empty() {
-            let problem = format!(
-                "the column `{cell}` has no unit; {units}, as in `{}_{}`",
-                name.replace(' ', "_"),
-                dimension
-                    .si_unit()
-                    .replace(['.', ' '], "_")
-                    .replace('/', "_per_")
-                    .replace('^', "")
-            );
-            return Err((index + 1, problem));
-        }
-        let unit = Unit::parse(&unit)
-            .map_err(|error| (index + 1, format!("the column `{cell}`: {error}; {units}")))?;
-        if !unit.dimension().same_exponents(dimension) {
-            let problem = format!(
-                "the column `{cell}` has a unit of {}, but {} is needed; {units}",
-                unit.dimension().name(),
-                dimension.name()
-            );
-            return Err((index + 1, problem));
-        }
-        found = Some(Column { index, name, unit });
-    }
-    Ok(found)
-}
-
-/// Text of the unit if the title is that of the column `name`: `MPa` of `Pressure_MPa`, `pressure [MPa]`, `pressure (MPa)`.
-pub(super) fn unit_text(title: &str, name: &str) -> Option<String> {
-    let head = title.get(..name.len())?;
-    if !head.replace('_', " ").eq_ignore_ascii_case(name) {
-        return None;
-    }
-    let rest = &title[name.len()..];
-    let bracketed = rest.trim().strip_prefix(['[', '(']);
-    if let Some(unit) = bracketed {
-        let unit = unit.trim_end();
-        return Some(unit.strip_suffix([']', ')']).unwrap_or(unit).to_owned());
-    }
-    match rest.strip_prefix(['_', ' ']) {
-        Some(unit) => Some(unit.replace("_per_", "/").replace('_', " ")),
-        None => rest.is_empty().then(String::new),
     }
 }
 
@@ -371,6 +281,27 @@ mod tests {
             (&format!("{head}1,-300,2\n"), 2, 2, "above zero"),
             (&format!("{head}-5,300,2\n"), 2, 1, "below vacuum"),
             (&format!("{head}nan,300,2\n"), 2, 1, "not a number"),
+            (&format!("{head}1,300,inf\n"), 2, 3, "not a number"),
+            (&format!("{head}1e305,300,2\n"), 2, 1, "not a number"),
+            (
+                &format!("{head}1,1e15,2\n"),
+                2,
+                2,
+                "between 1 K and 10000 K",
+            ),
+            (
+                &format!("{head}1,300,1e-200\n"),
+                2,
+                3,
+                "far from any lubricant",
+            ),
+            (&format!("{head}1e9,300,1\n"), 2, 1, "above 1e12 Pa"),
+            (
+                "pressure_MPa,temperature_K,viscosity_cP,viscosity [Pa.s]\n",
+                1,
+                4,
+                "second column",
+            ),
         ] {
             let error = error(text);
             assert_eq!((error.line, error.column), (line, column), "{error}");

@@ -11,7 +11,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub(crate) mod csv;
 mod data;
 mod entry;
 mod film;
@@ -137,6 +136,22 @@ pub enum FitError {
         law: LawName,
         /// Why.
         reason: String,
+    },
+    /// The fitted law has no value at a state.
+    #[error("the law `{}` fitted to the data has no finite value at the state of line {line}: leave it out, or fit another law", law.name())]
+    NotFinite {
+        /// The law.
+        law: LawName,
+        /// Line of the state in its file.
+        line: usize,
+    },
+    /// A constant, or its interval, is not finite.
+    #[error("`{key}` of the law `{}` and its interval are not finite: the data do not determine it; hold it", law.name())]
+    NoInterval {
+        /// The law.
+        law: LawName,
+        /// The constant.
+        key: &'static str,
     },
     /// The best constants are none that the law allows.
     #[error("the best constants are not allowed: {0}")]
@@ -292,11 +307,21 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
         let ends = [minimum.x[j] - half, minimum.x[j] + half];
         constants[*i].interval = Some(ends.map(|x| model.constants[*i].unscaled(x)));
     }
-    let deviations = data
-        .states
-        .iter()
-        .map(|s| (fitted.ln_value(s.pressure, s.temperature) - s.value.ln()).exp_m1())
-        .collect();
+    let deviation =
+        |s: &State| (fitted.ln_value(s.pressure, s.temperature) - s.value.ln()).exp_m1();
+    let deviations: Vec<f64> = data.states.iter().map(deviation).collect();
+    if let Some(i) = deviations.iter().position(|d| !d.is_finite()) {
+        let line = data.states[i].line;
+        return Err(FitError::NotFinite { law, line });
+    }
+    let is_finite = |c: &FittedConstant| {
+        let ends = c.interval.unwrap_or_default();
+        c.value.is_finite() && ends.iter().all(|end| end.is_finite())
+    };
+    if let Some(constant) = constants.iter().find(|c| !is_finite(c)) {
+        let key = constant.key;
+        return Err(FitError::NoInterval { law, key });
+    }
     let mut warnings = warnings(&minimum, &free, &model.constants, &constants);
     let [low, high] = data.temperature_range();
     if law == LawName::Barus && high - low > law::ISOTHERM {

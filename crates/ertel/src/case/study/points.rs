@@ -3,12 +3,13 @@
 use std::ops::Range;
 use std::path::Path;
 
+use ertel_rheology::input::csv::{CsvTable, Row};
+use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
 use ertel_rheology::input::tree::{Node, Value};
 use ertel_rheology::input::{Document, InputError};
 use ertel_rheology::quantity::Unit;
 
 use super::axis::{Axis, AxisValue, Group};
-use crate::fit::csv::{cells, rows};
 
 /// A column: its key, where it stands, and the unit of its cells.
 struct Header {
@@ -24,24 +25,20 @@ pub(super) fn read(
     study: &Document,
 ) -> Result<(Document, Group), InputError> {
     let file = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        study
-            .root()
-            .error("points", format!("{file} cannot be read: {error}"))
-    })?;
+    let text = read_text(path, LARGEST_TABLE)
+        .map_err(|error| study.root().error("points", format!("{file} {error}")))?;
     let (case, offset) = case.beside(&file, &text);
-    let span_of = |part: &str| {
-        let start = part.as_ptr() as usize - text.as_ptr() as usize + offset;
-        start..start + part.len()
-    };
-    let mut lines = rows(&text);
-    let Some((_, head, separator)) = lines.next() else {
-        return Err(case.error_at(offset..offset, "", "the table of points is empty"));
-    };
-    let headers: Vec<Header> = cells(head, separator)
-        .into_iter()
-        .map(|title| {
-            let span = span_of(title);
+    let moved = |span: Range<usize>| span.start + offset..span.end + offset;
+    let table = CsvTable::parse(&file, &text).map_err(|error| {
+        let at = moved(line_span(&text, error.line));
+        let message = format!("column {}: {}", error.column, error.problem);
+        case.error_at(at, "", message)
+    })?;
+    let span_of = |row: &Row, index| moved(table.cell_span(&text, row, index));
+    let titles = table.header().cells().iter().enumerate();
+    let headers: Vec<Header> = titles
+        .map(|(index, title)| {
+            let span = span_of(table.header(), index);
             let (key, unit) = split_title(&case, title).ok_or_else(|| {
                 case.error_at(span.clone(), "", format!("`{title}` is no key with a unit"))
                     .with_help("name the column as in `contact.load_N` or `contact.load [N]`")
@@ -57,34 +54,34 @@ pub(super) fn read(
             values: Vec::new(),
         })
         .collect();
-    for (_, line, _) in lines {
-        let row = cells(line, separator);
-        if row.len() != headers.len() {
-            let message = format!(
-                "this line has {} cells, but the header has {}",
-                row.len(),
-                headers.len()
-            );
-            return Err(case.error_at(span_of(line), "", message));
-        }
-        for ((cell, header), axis) in row.into_iter().zip(&headers).zip(&mut axes) {
+    for row in table.rows() {
+        for (index, (header, axis)) in headers.iter().zip(&mut axes).enumerate() {
+            let cell = table.with_point(row.cell(index));
             if cell.is_empty() {
-                let message = format!("`{}` is left out", header.key);
-                return Err(case.error_at(span_of(line), &header.key, message));
+                let message = format!("column {}: `{}` is left out", index + 1, header.key);
+                return Err(case.error_at(moved(row.span.clone()), &header.key, message));
             }
             let node = Node {
-                span: span_of(cell),
-                value: value_of(cell, &header.unit),
+                span: span_of(row, index),
+                value: value_of(&cell, &header.unit),
             };
             let value = AxisValue::of(&node);
             axis.values.push((node, value));
         }
     }
     if axes[0].values.is_empty() {
-        return Err(case.error_at(span_of(head), "", "there are no points below the header"));
+        let head = moved(table.header().span.clone());
+        return Err(case.error_at(head, "", "there are no points below the header"));
     }
     let name = None;
     Ok((case, Group { name, axes }))
+}
+
+/// The bytes of a line, from 1.
+fn line_span(text: &str, line: usize) -> Range<usize> {
+    let mut lines = text.split('\n');
+    let start: usize = lines.by_ref().take(line - 1).map(|l| l.len() + 1).sum();
+    start..start + lines.next().map_or(0, |l| l.trim_end().len())
 }
 
 /// The value that a cell puts into the case.

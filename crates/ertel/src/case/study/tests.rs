@@ -290,7 +290,16 @@ fn errors_point_to_the_study() {
             1,
             "varies twice",
         ),
-        ("contact.load_N_per_m\n20000\n5,6\n", 3, "2 cells"),
+        (
+            "contact.load_N_per_m\n20000\n5,6\n",
+            3,
+            "column 2: this line has 2 cells",
+        ),
+        (
+            "contact.load_N_per_m\n20000\n\"5\n",
+            3,
+            "not closed on its line",
+        ),
         (
             "contact.load_N_per_m, lubricant.temperature_K\n20000,\n",
             2,

@@ -94,7 +94,7 @@ impl CrossFilm {
             let half = (0.5 * singular).clamp(start, xi_joint);
             if half > start {
                 let knee = scales.knee.map(|k| k.hypot(side.across));
-                let n = if token { TOKEN } else { 12 } + growing(start, half) as usize;
+                let n = if token { TOKEN } else { 12 } + growing(start, half).min(1e3) as usize;
                 self.crowded(side, [start, half], knee, n);
             }
             if xi_joint > half {
@@ -141,11 +141,11 @@ impl CrossFilm {
         let more = 3.4 * (1.0 + length).ln();
         if length < 50.0 {
             let [low, high] = [from, to].map(f64::sqrt);
-            let n = n + (more * (1.0 - low / high)) as usize;
+            let n = n + (more * (1.0 - low / high)).min(1e3) as usize;
             self.panel(side, n, [low, high], |x| (x * x, 2.0 * x));
         } else {
             let [low, high] = [from, to].map(f64::cbrt);
-            let n = n + (more * (1.0 - low / high)) as usize;
+            let n = n + (more * (1.0 - low / high)).min(1e3) as usize;
             self.panel(side, n, [low, high], |x| (x * x * x, 3.0 * x * x));
         }
     }

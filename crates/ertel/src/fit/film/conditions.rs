@@ -1,10 +1,10 @@
 //! What differs between the films of a table beside the variables of a form.
 
+use ertel_rheology::input::csv::{Column, CsvTable, Row};
 use ertel_rheology::quantity::Dimension;
 
 use super::FilmForm;
-use super::header::Header;
-use crate::fit::data::Column;
+use crate::fit::DataError;
 use crate::output::digits;
 use crate::study::ISOTHERMAL;
 
@@ -38,36 +38,43 @@ pub(super) struct Conditions {
 
 impl Conditions {
     /// Those that a form leaves out, of a table with this header.
-    pub(super) fn new(header: &Header<'_>, form: FilmForm) -> Conditions {
+    ///
+    /// # Errors
+    ///
+    /// Two columns of one name.
+    pub(super) fn new(table: &CsvTable, form: FilmForm) -> Result<Conditions, DataError> {
         let names = match form {
             FilmForm::Speed => &CONDITIONS[..],
             FilmForm::SpeedLoad(_) => &CONDITIONS[2..],
             _ => &[],
         };
         let none = [f64::INFINITY, f64::NEG_INFINITY];
-        let column = |(name, word, dimension): &(&'static str, &'static str, Dimension)| {
-            Some((*word, header.find(name, *dimension)?, none))
-        };
-        let temperature = header.find("film temperature maximum", Dimension::TEMPERATURE);
-        let switch = || header.cells.iter().position(|cell| *cell == ISOTHERMAL);
-        Conditions {
-            columns: names.iter().filter_map(column).collect(),
+        let mut columns = Vec::new();
+        for (name, word, dimension) in names {
+            let found = table.find(name, *dimension)?;
+            columns.extend(found.map(|column| (*word, column, none)));
+        }
+        let temperature = table.find("film temperature maximum", Dimension::TEMPERATURE)?;
+        let titles = table.header().cells();
+        let switch = || titles.iter().position(|cell| *cell == ISOTHERMAL);
+        Ok(Conditions {
+            columns,
             heat: temperature
                 .map(|column| Heat::Temperature(column.index))
                 .or_else(|| switch().map(Heat::Switch)),
             n_thermal: 0,
             n_isothermal: 0,
-        }
+        })
     }
 
     /// Takes the conditions of a film in.
-    pub(super) fn add(&mut self, cells: &[&str]) {
+    pub(super) fn add(&mut self, table: &CsvTable, row: &Row) {
         for (_, column, [low, high]) in &mut self.columns {
-            if let Ok(value) = column.number(cells) {
+            if let Ok(Some(value)) = table.number(row, column) {
                 (*low, *high) = (low.min(value), high.max(value));
             }
         }
-        let cell = |index: usize| cells.get(index).copied().unwrap_or_default();
+        let cell = |index: usize| row.cell(index);
         match self.heat {
             Some(Heat::Temperature(index)) if !cell(index).is_empty() => self.n_thermal += 1,
             Some(Heat::Temperature(_)) => self.n_isothermal += 1,
@@ -78,7 +85,7 @@ impl Conditions {
     }
 
     /// What varies.
-    pub(super) fn warnings(&self, header: &Header<'_>) -> Vec<String> {
+    pub(super) fn warnings(&self, table: &CsvTable) -> Vec<String> {
         let mut warnings = Vec::new();
         for (word, column, [low, high]) in &self.columns {
             if *high > LEAST_VARIATION * low {
@@ -86,7 +93,7 @@ impl Conditions {
                     "{word} varies from {} to {} ({}): the form leaves it out",
                     digits(column.unit.from_si(*low), 4),
                     digits(column.unit.from_si(*high), 4),
-                    header.cells[column.index]
+                    table.header().cell(column.index)
                 ));
             }
         }

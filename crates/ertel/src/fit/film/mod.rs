@@ -129,6 +129,16 @@ pub enum FilmFitError {
     /// The confidence is no probability.
     #[error("the confidence {0} is not between 0 and 1")]
     Confidence(f64),
+    /// The formula has no value at a film, from 1.
+    #[error(
+        "the formula fitted to the films has no finite value at film {0}: leave it out, or take another form"
+    )]
+    NotFinite(usize),
+    /// A constant or its interval is not finite, by its name.
+    #[error(
+        "{0} and its interval are not finite: the films do not determine it; take another form"
+    )]
+    NoInterval(&'static str),
     /// The search did not end.
     #[error(transparent)]
     Minimum(#[from] MinimumError),
@@ -169,6 +179,20 @@ pub fn fit_film(films: &Films, confidence: f64) -> Result<FilmFit, FilmFitError>
         FilmForm::Blend(contact) => blend::fit(films, contact, confidence)?,
         _ => power::fit(films, &ranges, confidence)?,
     };
+    let deviations: Vec<f64> = found.residuals.iter().map(|r| r.exp_m1()).collect();
+    if let Some(i) = deviations.iter().position(|d| !d.is_finite()) {
+        return Err(FilmFitError::NotFinite(i + 1));
+    }
+    let is_finite = |e: &Estimate| {
+        let [low, high] = e.interval;
+        e.value.is_finite() && low.is_finite() && high.is_finite()
+    };
+    let constants = found.constants.iter().zip(films.form.constants());
+    for (constant, name) in constants {
+        if constant.as_ref().is_some_and(|e| !is_finite(e)) {
+            return Err(FilmFitError::NoInterval(name));
+        }
+    }
     let has_bars = films.states.iter().all(|s| s.error.is_some());
     Ok(FilmFit {
         form: films.form,
@@ -176,7 +200,7 @@ pub fn fit_film(films: &Films, confidence: f64) -> Result<FilmFit, FilmFitError>
         constants: found.constants,
         widened: has_bars.then_some(found.widened),
         ranges,
-        deviations: found.residuals.iter().map(|r| r.exp_m1()).collect(),
+        deviations,
         confidence,
         warnings: [films.warnings.clone(), found.warnings].concat(),
     })

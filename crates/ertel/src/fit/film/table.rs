@@ -1,14 +1,13 @@
 //! Films from a table.
 
-use ertel_rheology::quantity::{Dimension, Unit};
+use ertel_rheology::input::csv::{Column, CsvTable};
+use ertel_rheology::quantity::Dimension;
 
 use super::conditions::Conditions;
-use super::header::Header;
+use super::header::{need, positive};
 use super::{FilmForm, FilmKind, FilmState};
 use crate::contact::ContactKind;
 use crate::fit::DataError;
-use crate::fit::csv::{cells as cells_of, rows};
-use crate::fit::data::{Column, unit_text};
 
 /// Names of the column of the entrainment speed, as results and curves have it, and a short one.
 const SPEED_NAMES: [&str; 3] = ["entrainment speed", "motion.entrainment speed", "speed"];
@@ -55,41 +54,27 @@ pub fn read_films(
     kind: FilmKind,
     radius: Option<f64>,
 ) -> Result<Option<Films>, DataError> {
-    let mut lines = rows(text);
-    let Some((line, head, separator)) = lines.next() else {
-        return Err(DataError {
-            file: file.to_owned(),
-            line: 1,
-            column: 1,
-            problem: "the file is empty".to_owned(),
-        });
-    };
-    let header = Header {
-        file,
-        line,
-        cells: cells_of(head, separator),
-    };
+    let table = CsvTable::parse(file, text)?;
     let [name, error_name] = match kind {
         FilmKind::Central => ["film central", "film central error"],
         FilmKind::Minimum => ["film minimum", "film minimum error"],
     };
-    let Some(film) = header.find(name, Dimension::LENGTH) else {
+    let Some(film) = table.find(name, Dimension::LENGTH)? else {
         return Ok(None);
     };
-    let error = header.find(error_name, Dimension::LENGTH);
-    let source = source(&header, form, radius)?;
-    let mut conditions = Conditions::new(&header, form);
+    let error = table.find(error_name, Dimension::LENGTH)?;
+    let source = source(&table, form, radius)?;
+    let mut conditions = Conditions::new(&table, form)?;
     let mut states = Vec::new();
     let (mut n_isoviscous, mut first_isoviscous) = (0, None);
-    for (line, row, _) in lines {
-        let cells: Vec<&str> = cells_of(row, separator);
-        if cells.get(film.index).is_none_or(|cell| cell.is_empty()) {
+    for row in table.rows() {
+        if row.cell(film.index).is_empty() {
             continue;
         }
-        let thickness = header.positive(line, &cells, &film, false)?;
+        let thickness = positive(&table, row, &film, false)?;
         let (scale, variables) = match &source {
             Source::Columns(columns) => {
-                let value = |c: &Column| header.positive(line, &cells, c, false);
+                let value = |c: &Column| positive(&table, row, c, false);
                 (1.0, columns.iter().map(value).collect::<Result<_, _>>()?)
             }
             Source::Groups {
@@ -98,27 +83,25 @@ pub fn read_films(
                 speed,
                 radius,
             } => {
-                let load = header.positive(line, &cells, load, false)?;
-                let speed = header.positive(line, &cells, speed, false)?;
-                let l = header.positive(line, &cells, material, true)?;
+                let load = positive(&table, row, load, false)?;
+                let speed = positive(&table, row, speed, false)?;
+                let l = positive(&table, row, material, true)?;
                 if l == 0.0 {
                     n_isoviscous += 1;
-                    first_isoviscous.get_or_insert((line, material.index + 1));
+                    first_isoviscous.get_or_insert((row, material.index));
                 }
                 let radius = match radius {
                     Ok(radius) => *radius,
-                    Err(column) => header.positive(line, &cells, column, false)?,
+                    Err(column) => positive(&table, row, column, false)?,
                 };
                 groups(form, radius, speed, load, l)
             }
         };
-        conditions.add(&cells);
+        conditions.add(&table, row);
         // A film without an error bar has an empty cell.
-        let given = error
-            .as_ref()
-            .filter(|e| cells.get(e.index).is_some_and(|c| !c.is_empty()));
+        let given = error.as_ref().filter(|e| !row.cell(e.index).is_empty());
         let bar = match given {
-            Some(error) => Some(header.positive(line, &cells, error, true)?),
+            Some(error) => Some(positive(&table, row, error, true)?),
             None => None,
         };
         states.push(FilmState {
@@ -129,31 +112,31 @@ pub fn read_films(
         });
     }
     // The blend has L in a term of its own; a power law has its logarithm, unless there is none in any film.
-    if let Some((line, column)) = first_isoviscous
+    if let Some((row, index)) = first_isoviscous
         && n_isoviscous < states.len()
         && !matches!(form, FilmForm::Blend(_))
     {
         let problem =
             "moes material: 0 has no logarithm: it must be above zero in all films, or zero in all";
-        return Err(header.error(line, column, problem.to_owned()));
+        return Err(table.error(row, index, problem));
     }
     Ok(Some(Films {
         form,
         kind,
         states,
-        warnings: conditions.warnings(&header),
+        warnings: conditions.warnings(&table),
     }))
 }
 
 /// The columns that a form needs.
-fn source(header: &Header<'_>, form: FilmForm, radius: Option<f64>) -> Result<Source, DataError> {
+fn source(table: &CsvTable, form: FilmForm, radius: Option<f64>) -> Result<Source, DataError> {
     let load = |dimension, unit: &str| {
         let help = format!(" with a unit, such as `load_{unit}`");
-        header.need(&["load"], dimension, &help)
+        need(table, &["load"], dimension, &help)
     };
     let speed = || {
         let help = " with a unit, such as `entrainment_speed_m_per_s`";
-        header.need(&SPEED_NAMES, Dimension::SPEED, help)
+        need(table, &SPEED_NAMES, Dimension::SPEED, help)
     };
     let none = Dimension::DIMENSIONLESS;
     match form {
@@ -167,12 +150,13 @@ fn source(header: &Header<'_>, form: FilmForm, radius: Option<f64>) -> Result<So
             load(Dimension::FORCE_PER_LENGTH, "N_per_m")?,
         ])),
         FilmForm::Moes | FilmForm::HamrockDowson(_) | FilmForm::Blend(_) => Ok(Source::Groups {
-            load: header.need(&["moes load"], none, "")?,
-            material: header.need(&["moes material"], none, "")?,
-            speed: header.need(&["speed group"], none, "")?,
+            load: need(table, &["moes load"], none, "")?,
+            material: need(table, &["moes material"], none, "")?,
+            speed: need(table, &["speed group"], none, "")?,
             radius: match radius {
                 Some(radius) => Ok(radius),
-                None => Err(header.need(
+                None => Err(need(
+                    table,
                     &["radius"],
                     Dimension::LENGTH,
                     " with a unit, such as `radius_m`, and no radius for all is given (`--radius`)",
@@ -198,13 +182,8 @@ fn groups(form: FilmForm, radius: f64, u: f64, m: f64, l: f64) -> (f64, Vec<f64>
 
 /// Which contact the films of a table belong to, by its column `load_N` or `load_N_per_m`; `None` without one of these.
 pub fn contact_of_films(text: &str) -> Option<ContactKind> {
-    let (_, head, separator) = rows(text).next()?;
-    let cells = cells_of(head, separator);
-    let has = |dimension: Dimension| {
-        let unit = |cell: &&str| Unit::parse(&unit_text(cell, "load")?).ok();
-        let mut units = cells.iter().filter_map(unit);
-        units.any(|unit| unit.dimension().same_exponents(dimension))
-    };
+    let table = CsvTable::parse("", text).ok()?;
+    let has = |dimension| table.find("load", dimension).ok().flatten().is_some();
     match (has(Dimension::FORCE), has(Dimension::FORCE_PER_LENGTH)) {
         (true, false) => Some(ContactKind::Circular),
         (false, true) => Some(ContactKind::Line),

@@ -179,7 +179,7 @@ pub(super) fn number(value: f64) -> String {
 fn escape(text: &str) -> String {
     text.chars()
         // XML 1.0 knows no control characters
-        .filter(|c| !c.is_control())
+        .filter(|c| !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}'))
         .map(|c| match c {
             '&' => "&amp;".to_owned(),
             '<' => "&lt;".to_owned(),

@@ -44,7 +44,8 @@ pub(super) fn pressure_at(d: &Discretisation, state: &State, point: [f64; 2]) ->
     let value: f64 = (basis.zip(nodes))
         .map(|(b, n)| b * state.pressure[*n as usize])
         .sum();
-    value.clamp(low, high)
+    // No clamp: it panics where the nodal values are no numbers.
+    value.max(low).min(high)
 }
 
 /// Pressures of a coarser level, without new extrema; same central film.

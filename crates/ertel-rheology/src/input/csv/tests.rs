@@ -1,0 +1,115 @@
+//! Tables as spreadsheets and instruments write them, and what is wrong with others.
+
+use super::*;
+
+const PRESSURE: Dimension = Dimension::PRESSURE;
+
+/// The numbers of the columns `pressure` and `viscosity`.
+fn numbers(text: &str) -> Result<Vec<[f64; 2]>, CsvError> {
+    let table = CsvTable::parse("t.csv", text)?;
+    let pressure = table.find_with_unit("pressure", PRESSURE)?.unwrap();
+    let viscosity = table
+        .find_with_unit("viscosity", Dimension::VISCOSITY)?
+        .unwrap();
+    let row = |row| {
+        Ok([
+            table.required_number(row, &pressure)?,
+            table.required_number(row, &viscosity)?,
+        ])
+    };
+    table.rows().iter().map(row).collect()
+}
+
+#[test]
+fn one_table_in_many_spellings() {
+    for text in [
+        "pressure_MPa,viscosity_mPa_s\n1,2.5\n3,4\n",
+        "\u{feff}pressure [MPa], viscosity [mPa.s]\r\n1, 2.5\r\n3, 4",
+        "\u{feff}# from a viscometer\n\nPressure (MPa);Viscosity (mPa.s)\n1;2,5\n  # \"hot\n3,0;4\n",
+        "\"pressure [MPa]\",\"viscosity [mPa.s]\",\"remark, \"\"old\"\"\"\n\"1\",\"2.5\",\"a, b\"\n3,4\n",
+        "pressure_bar\tremark\tviscosity_cP\n10\tx;y\t2,5\n\n30\t\t4.0\n",
+        "viscosity_mPa_s,viscosity_ratio,pressure_MPa,,\n2.5,1,1,,\n4,1,3,,\n",
+    ] {
+        assert_eq!(
+            numbers(text).unwrap(),
+            [[1e6, 2.5e-3], [3e6, 4e-3]],
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn errors_name_file_line_and_column() {
+    let head = "pressure_MPa;viscosity_mPa_s\n";
+    for (text, line, column, part) in [
+        ("\n# nothing\n", 1, 1, "the file is empty"),
+        (
+            "pressure_MPa,pressure [bar],viscosity_cP\n",
+            1,
+            2,
+            "second column `pressure`",
+        ),
+        (
+            "pressure_MPa,viscosity [Pa.s],viscosity [mPas]\n",
+            1,
+            3,
+            "second column `viscosity`",
+        ),
+        (
+            "pressure_MPa,viscosity [m],viscosity_cP\n",
+            1,
+            3,
+            "second column `viscosity`",
+        ),
+        ("pressure_MPa,viscosity_mPas\n", 1, 2, "mPa.s"),
+        ("pressure_MPa,viscosity\n", 1, 2, "has no unit"),
+        ("pressure_MPa,viscosity_m\n", 1, 2, "unit of a length"),
+        (
+            &format!("{head}1;2\n\n# x\n1;2;3\n"),
+            5,
+            3,
+            "3 cells, but the header has 2",
+        ),
+        (
+            &format!("{head}1;1.234,5\n"),
+            2,
+            2,
+            "`1.234,5` is not a number",
+        ),
+        (&format!("{head}1;1,234,5\n"), 2, 2, "not a number"),
+        (&format!("{head}1;inf\n"), 2, 2, "not a number"),
+        (&format!("{head}1e305;2\n"), 2, 1, "not a number"),
+        (&format!("{head}1;\n"), 2, 2, "the cell is empty"),
+        (&format!("{head}1\n"), 2, 2, "only 1 cells"),
+        (
+            &format!("{head}1;2\n3;\"4\n5;6\n"),
+            3,
+            2,
+            "not closed on its line",
+        ),
+        (&format!("{head}1;\"2\n"), 2, 2, "not closed on its line"),
+        (&format!("{head}1; \"2\"\n"), 2, 2, "follow the separator"),
+    ] {
+        let error = numbers(text).unwrap_err();
+        assert_eq!((error.line, error.column), (line, column), "{error}");
+        let start = format!("t.csv:{line}:{column}: ");
+        assert!(error.to_string().starts_with(&start), "{error}");
+        assert!(error.problem.contains(part), "{error}");
+    }
+    let long = format!("{head}1;{}\u{1b}\n", "x".repeat(1000));
+    let shown = numbers(&long).unwrap_err().to_string();
+    assert!(
+        shown.chars().count() < 400 && !shown.contains('\u{1b}'),
+        "{shown}"
+    );
+}
+
+#[test]
+fn spans_are_those_of_the_lines() {
+    let text = "\u{feff}# c\n\na,b\r\n 1,2\n\n# d\n3,\"4\"";
+    let table = CsvTable::parse("t.csv", text).unwrap();
+    let lines = |row: &Row| (row.line, &text[row.span.clone()]);
+    assert_eq!(lines(table.header()), (3, "a,b"));
+    let rows: Vec<_> = table.rows().iter().map(lines).collect();
+    assert_eq!(rows, [(4, " 1,2"), (7, "3,\"4\"")]);
+}
