@@ -7,6 +7,8 @@
 //! Columns have their unit in the title: `pressure_MPa`, `pressure [MPa]` or `pressure (MPa)`, with `_per_` for a quotient
 //! in the first spelling, `density_kg_per_m3`.
 
+mod title;
+
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -14,6 +16,7 @@ use csv::{ReaderBuilder, StringRecord};
 
 use super::{escaped, excerpt};
 use crate::quantity::{Dimension, Unit};
+use title::Title;
 
 /// What is wrong with a table, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -338,45 +341,6 @@ impl Row {
     #[must_use]
     pub fn cell(&self, index: usize) -> &str {
         self.cells.get(index).map_or("", String::as_str)
-    }
-}
-
-/// What follows the name in the title of a column.
-struct Title {
-    unit: String,
-    /// Whether the name ends there for certain: a bracket follows, or nothing.
-    is_exact: bool,
-}
-
-impl Title {
-    /// `MPa` of `Pressure_MPa`, `pressure [MPa]`, `pressure (MPa)`; `None` of another column.
-    fn of(title: &str, name: &str) -> Option<Self> {
-        let head = title.get(..name.len())?;
-        if !head.replace('_', " ").eq_ignore_ascii_case(name) {
-            return None;
-        }
-        let rest = &title[name.len()..];
-        if let Some(unit) = rest.trim().strip_prefix(['[', '(']) {
-            let unit = unit.trim_end();
-            return Some(Self {
-                unit: unit
-                    .strip_suffix([']', ')'])
-                    .unwrap_or(unit)
-                    .trim()
-                    .to_owned(),
-                is_exact: true,
-            });
-        }
-        match rest.strip_prefix(['_', ' ']) {
-            Some(unit) => Some(Self {
-                unit: unit.replace("_per_", "/").replace('_', " "),
-                is_exact: false,
-            }),
-            None => rest.is_empty().then(|| Self {
-                unit: String::new(),
-                is_exact: true,
-            }),
-        }
     }
 }
 
