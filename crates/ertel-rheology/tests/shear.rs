@@ -225,6 +225,29 @@ fn the_limit_goes_on_smoothly() {
     assert!(flow(1.0066) < 1e3 && flow(1.0135) < 1e6);
 }
 
+/// A softened limit is the inverse hyperbolic tangent up to its joint, goes on with the same value and two derivatives, and
+/// its shear rate grows e-fold per (1 − r₁²)/(2r₁) far beyond: γ̇ ~ e^{(r − r₁)/ε}/(2r₁).
+#[test]
+fn a_softened_limit_goes_on_smoothly() {
+    for joint in [0.5, 0.92, 0.992] {
+        let limit = StressLimit::new(1.0, 0.0).unwrap().softened(joint);
+        let at = |square: f64| {
+            let dual = limit.factor(HyperDual64::new(square, 1.0, 1.0, 0.0), 0.0.into());
+            [dual.re, dual.eps1, dual.eps1eps2]
+        };
+        let square = joint * joint;
+        let (below, above) = (at(square * (1.0 - 1e-12)), at(square * (1.0 + 1e-12)));
+        for (a, b) in below.into_iter().zip(above) {
+            assert_relative_eq!(a, b, max_relative = 1e-8);
+        }
+        let flow = |r: f64| r * limit.factor(r * r, 0.0);
+        assert_relative_eq!(flow(0.4), 0.4_f64.atanh(), max_relative = 1e-12);
+        let fold = (1.0 - square) / (2.0 * joint);
+        let far = joint + 20.0 * fold;
+        assert_relative_eq!(flow(far), 20f64.exp() / (2.0 * joint), max_relative = 1e-7);
+    }
+}
+
 #[test]
 fn the_limiting_stress_follows_the_pressure() {
     let limit = limit();

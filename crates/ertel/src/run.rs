@@ -100,6 +100,8 @@ pub fn problem(case: &Case) -> Problem {
             case.solver.error_estimate,
             case.shear_thinning().is_some(),
             heat.is_some(),
+            // Ways through sliding or through softer limits are known.
+            fluid.has_limit() || (heat.is_some() && fluid.slide() != 0.0),
         ),
         elasticity: match case.elastic_model() {
             ElasticModel::HalfSpace => {
@@ -521,6 +523,7 @@ fn stages(
     error_estimate: bool,
     thins: bool,
     heats: bool,
+    impatient: bool,
 ) -> Vec<Stage> {
     // A film thicker than the dry contact is flat sets the length √H over which pressure varies.
     let stretch = film.sqrt().max(1.0);
@@ -566,10 +569,13 @@ fn stages(
         pressure_order: order,
         constants,
         thickening: 1.0,
+        softness: 1.0,
+        sliding: 1.0,
         newtonian: false,
         heated: heats,
         cold: false,
         near: false,
+        impatient,
         role: Role::Final,
     };
     let start = Stage {
@@ -579,6 +585,7 @@ fn stages(
         newtonian: thins,
         heated: false,
         cold: true,
+        impatient: false,
         role: Role::Start,
         ..solution
     };
@@ -587,6 +594,7 @@ fn stages(
         sizes: coarse,
         newtonian: true,
         heated: false,
+        impatient: false,
         role: Role::Comparison,
         ..solution
     }));

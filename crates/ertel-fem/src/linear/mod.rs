@@ -4,6 +4,7 @@ pub mod block_ilu;
 pub mod compliance;
 pub mod condensed;
 pub mod dense;
+pub mod equilibrate;
 pub mod frontal_lu;
 pub mod fronts;
 pub mod gmres;

@@ -21,6 +21,9 @@ use crate::error::{Check, LawError};
 ///
 /// It grows e-fold per 0.1 % of τ_L, so that `μ₁ γ̇/τ_L = 1000` needs 0.7 % more stress than the limit, and 1e6 1.4 %.
 ///
+/// A smaller r₁ makes a softer limit, that more stress passes: a way for solvers to the law itself
+/// ([`StressLimit::softened`]).
+///
 /// Below ambient pressure τ_L falls less and less and stays positive; two derivatives are continuous at `p = 0`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StressLimit {
@@ -28,6 +31,8 @@ pub struct StressLimit {
     pub ambient_limit: f64,
     /// Its growth Λ with pressure (-).
     pub pressure_coefficient: f64,
+    /// Share r₁ of the limiting stress from which the exponential takes over (-); 0.999 but in softened limits.
+    pub joint: f64,
 }
 
 /// Share of the limiting stress from which the exponential takes over.
@@ -36,8 +41,6 @@ const LARGEST_RATIO: f64 = 0.999;
 impl StressLimit {
     /// Share of the limiting stress up to which the law is the inverse hyperbolic tangent.
     pub const LARGEST_RATIO: f64 = LARGEST_RATIO;
-    /// Stress, over the limiting one, by which the fluidity grows e-fold beyond that.
-    pub const E_FOLD: f64 = (1.0 - LARGEST_RATIO * LARGEST_RATIO) / (2.0 * LARGEST_RATIO);
     /// E-folds beyond that after which it grows as a parabola only.
     pub const MOST_FOLDS: f64 = LARGEST_EXPONENT;
 
@@ -54,7 +57,24 @@ impl StressLimit {
         Ok(Self {
             ambient_limit,
             pressure_coefficient,
+            joint: LARGEST_RATIO,
         })
+    }
+
+    /// The same limit with the exponential from a smaller share r₁ of it on, `joint`, above 0: stresses pass the
+    /// limit by an e-fold of the shear rate per (1 − r₁²)/(2r₁) of it.
+    #[must_use]
+    pub fn softened(&self, joint: f64) -> Self {
+        Self {
+            joint,
+            ..self.clone()
+        }
+    }
+
+    /// Stress, over the limiting one, by which the fluidity grows e-fold beyond r₁.
+    #[inline]
+    pub fn e_fold(&self) -> f64 {
+        (1.0 - self.joint * self.joint) / (2.0 * self.joint)
     }
 
     /// τ_L (Pa) at `pressure` (Pa above ambient).
@@ -85,12 +105,12 @@ impl StressLimit {
             return sum;
         }
         let r = square.sqrt();
-        let area = if r.re() <= LARGEST_RATIO {
+        let area = if r.re() <= self.joint {
             (r.ln_1p() - (-r).ln_1p()) * 0.5
         } else {
-            let rate = Self::E_FOLD.recip();
-            let growth = bounded_exp((r - LARGEST_RATIO) * rate) - 1.0;
-            growth / (2.0 * LARGEST_RATIO) + LARGEST_RATIO.atanh()
+            let rate = self.e_fold().recip();
+            let growth = bounded_exp((r - self.joint) * rate) - 1.0;
+            growth / (2.0 * self.joint) + self.joint.atanh()
         };
         area / r
     }

@@ -14,9 +14,7 @@
 
 use std::ops::{Add, Mul};
 
-use ertel_rheology::shear::StressLimit;
-
-use super::cross_film::{CrossFilm, StressScales};
+use super::cross_film::{CrossFilm, LimitScale, StressScales};
 use super::fluidity::{Fluidity, UniformFluidity};
 
 /// Number of quantities that the flow depends on: G_x, G_y, Ω, P.
@@ -63,7 +61,7 @@ pub fn mid_stress(
         rule.lay(&scales, [0.0; 2], g);
         return [0.0; 2];
     }
-    let limit = scales.limit.map(|limit| Limit::new(limit, g, slide));
+    let limit = scales.limit.map(|limit| Limit::new(&limit, g, slide));
     let mut tau = [0.0; 2];
     if slide != 0.0 {
         tau[0] = without_pressure(law, &scales, slide);
@@ -153,7 +151,7 @@ const NEGLIGIBLE: f64 = 1e-6;
 /// The same in films that are not symmetric: there it is the difference of what the halves want.
 const NEGLIGIBLE_ASKEW: f64 = 1e-3;
 
-/// What the solution knows of a limiting stress: shear rates that grow e-fold by 0.1 % of it.
+/// What the solution knows of a limiting stress: shear rates that grow e-fold by a small share of it.
 struct Limit {
     /// Stress by which the fluidity grows e-fold beyond the limit.
     fold: f64,
@@ -162,14 +160,14 @@ struct Limit {
 }
 
 impl Limit {
-    fn new(limit: f64, g: [f64; 2], slide: f64) -> Limit {
-        let fold = limit * StressLimit::E_FOLD;
+    fn new(limit: &LimitScale, g: [f64; 2], slide: f64) -> Limit {
+        let fold = limit.fold;
         // A layer at the wall, of thickness δ = fold/(|G| + fold), where tf = eᴱτ_L/2, carries all of Ω.
         let thickness = fold / (dot(g, g).sqrt() + fold);
-        let folds = (2.0 * slide.abs() / (limit * thickness)).ln_1p();
+        let folds = (2.0 * slide.abs() / (limit.stress * thickness)).ln_1p();
         Limit {
             fold,
-            ceiling: limit * StressLimit::LARGEST_RATIO + (folds + 1.0) * fold,
+            ceiling: limit.joint + (folds + 1.0) * fold,
         }
     }
 
@@ -226,7 +224,7 @@ fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f
         tau = tau.min(growth * (goal / growth).asinh());
     }
     if let Some(limit) = scales.limit {
-        tau = tau.min(limit * (goal / limit).tanh());
+        tau = tau.min(limit.stress * (goal / limit.stress).tanh());
     }
     let (mut low, mut high) = (0.0_f64, f64::INFINITY);
     // Newton's method for ln τ + ln f = ln Ω, of slope at least one, within a bracket.

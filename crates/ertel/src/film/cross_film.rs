@@ -16,7 +16,6 @@
 use std::sync::OnceLock;
 
 use ertel_fem::quadrature::Quadrature;
-use ertel_rheology::shear::StressLimit;
 
 use super::fluidity::Fluidity;
 use super::lanes::{Lanes, WIDTH};
@@ -31,9 +30,20 @@ pub struct StressScales {
     /// Stress by which the fluidity grows exponentially.
     pub growth: Option<f64>,
     /// Stress that the fluid cannot pass.
-    pub limit: Option<f64>,
+    pub limit: Option<LimitScale>,
     /// e-folds by which the fluidity varies across the film for its temperature.
     pub variation: Option<f64>,
+}
+
+/// A limiting stress as a quadrature sees it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LimitScale {
+    /// The limit τ_L.
+    pub stress: f64,
+    /// Stress r₁τ_L beyond which the fluidity is exponential.
+    pub joint: f64,
+    /// Stress by which it then grows e-fold.
+    pub fold: f64,
 }
 
 /// Points s and weights; the weights sum to one.
@@ -150,9 +160,9 @@ impl CrossFilm {
         if let Some(limit) = scales.limit {
             // The limit lies at a distance of (τ_L − |t|)/|G| beyond the walls.
             let g = gg.sqrt();
-            let room = limit * StressLimit::LARGEST_RATIO - tt.sqrt() - 0.5 * g;
-            if room < NEAR_LIMIT * g && g > NEGLIGIBLE * limit * StressLimit::E_FOLD {
-                self.lay_panels(scales, limit, mid_stress, pressure_stress);
+            let room = limit.joint - tt.sqrt() - 0.5 * g;
+            if room < NEAR_LIMIT * g && g > NEGLIGIBLE * limit.fold {
+                self.lay_panels(scales, &limit, mid_stress, pressure_stress);
                 return;
             }
             extra += (6.0 / (room / g.max(1e-30)).max(NEAR_LIMIT).sqrt()) as usize;

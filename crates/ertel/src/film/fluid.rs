@@ -261,6 +261,36 @@ impl FilmFluid {
         }
     }
 
+    /// The same fluid with shear rates that grow less with the stress where they grow exponentially, by a factor `softness` ≥ 1
+    /// ([`Thinning::softened`]): an easier one, on the way to the fluid itself.
+    pub fn with_softness(&self, softness: f64) -> FilmFluid {
+        match &self.shear_thinning {
+            Some(law) if softness != 1.0 => FilmFluid {
+                shear_thinning: Some(Arc::new(law.softened(softness))),
+                ..self.clone()
+            },
+            _ => self.clone(),
+        }
+    }
+
+    /// The same fluid between surfaces that slide by a share of their sliding.
+    pub fn with_sliding(&self, share: f64) -> FilmFluid {
+        FilmFluid {
+            slide: share * self.slide,
+            ..self.clone()
+        }
+    }
+
+    /// Whether stress cannot pass a limit.
+    pub fn has_limit(&self) -> bool {
+        (self.shear_thinning.as_ref()).is_some_and(|law| law.law.limit.is_some())
+    }
+
+    /// Whether the shear rate grows exponentially with the stress: beyond a limit, or in Eyring's fluid.
+    pub fn is_exponential(&self) -> bool {
+        (self.shear_thinning.as_ref()).is_some_and(|law| law.is_exponential())
+    }
+
     /// ρ̄, μ̄ and their first two derivatives by P.
     pub fn at(&self, pressure: f64) -> PointFluid {
         let [mut rho, ln_mu] = self.properties.at(pressure.max(0.0));

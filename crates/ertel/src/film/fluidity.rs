@@ -6,10 +6,12 @@
 //! A is the thinning law, a function of stress alone, and B the limiting stress. A closure asks for A
 //! hundreds of times; where A varies by powers it is read from a table.
 
-use ertel_rheology::shear::{ShearLaw, ShearThinning, StressLimit};
+use std::sync::Arc;
+
+use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning, StressLimit};
 use num_dual::{Dual2_64, DualNum};
 
-use super::cross_film::StressScales;
+use super::cross_film::{LimitScale, StressScales};
 use super::lanes::Lanes;
 use super::quintic::Quintic;
 
@@ -65,7 +67,7 @@ pub trait UniformFluidity: Fluidity {
 pub struct Thinning {
     /// The law.
     pub law: ShearThinning,
-    table: Option<FluidityTable>,
+    table: Option<Arc<FluidityTable>>,
 }
 
 impl Thinning {
@@ -73,13 +75,39 @@ impl Thinning {
     pub fn new(law: &ShearThinning) -> Thinning {
         let scales = law.scales(0.0);
         let table = match (&law.law, scales.knee) {
-            (Some(thinning), Some(knee)) => Some(FluidityTable::new(thinning, knee)),
+            (Some(thinning), Some(knee)) => Some(Arc::new(FluidityTable::new(thinning, knee))),
             _ => None,
         };
         Thinning {
             law: law.clone(),
             table,
         }
+    }
+
+    /// The same law with exponentials that grow less, by a factor `softness` ≥ 1 in the stress of an e-fold beyond a limiting
+    /// stress, and by its root in Eyring's stress.
+    ///
+    /// ε = (1 − r₁²)/(2r₁), hence r₁ = √(1 + ε²) − ε
+    pub fn softened(&self, softness: f64) -> Thinning {
+        let limit = self.law.limit.as_ref().map(|limit| {
+            let fold = softness * limit.e_fold();
+            limit.softened(fold.hypot(1.0) - fold)
+        });
+        let law = match &self.law.law {
+            Some(ShearLaw::ReeEyring(law)) => Some(ShearLaw::ReeEyring(ReeEyring {
+                eyring_stress: softness.sqrt() * law.eyring_stress,
+            })),
+            law => law.clone(),
+        };
+        Thinning {
+            law: ShearThinning { law, limit },
+            table: self.table.clone(),
+        }
+    }
+
+    /// Whether the shear rate grows exponentially with the stress.
+    pub fn is_exponential(&self) -> bool {
+        self.law.limit.is_some() || matches!(self.law.law, Some(ShearLaw::ReeEyring(_)))
     }
 
     /// The law at P, in units of a stress and a pressure, both in Pa.
@@ -99,7 +127,13 @@ impl Thinning {
             scales: StressScales {
                 knee: scaled(scales.knee),
                 growth: scaled(scales.growth),
-                limit: scaled(scales.limit),
+                limit: scaled(scales.limit)
+                    .zip(self.law.limit.as_ref())
+                    .map(|(stress, limit)| LimitScale {
+                        stress,
+                        joint: stress * limit.joint,
+                        fold: stress * limit.e_fold(),
+                    }),
                 variation: None,
             },
         }

@@ -62,6 +62,22 @@ pub struct Heat {
     pub entrainment_speed: f64,
 }
 
+impl Heat {
+    /// The same contact between surfaces that slide by a share of their sliding, at the same entrainment.
+    #[must_use]
+    pub fn with_sliding(&self, share: f64) -> Heat {
+        let mut heat = self.clone();
+        if share == 1.0 {
+            return heat;
+        }
+        let mean = 0.5 * (self.bodies[0].velocity + self.bodies[1].velocity);
+        for body in &mut heat.bodies {
+            body.velocity = mean + share * (body.velocity - mean);
+        }
+        heat
+    }
+}
+
 /// A place in one of the layers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Layer {

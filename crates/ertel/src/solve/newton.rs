@@ -4,6 +4,9 @@
 //!   m = d ln μ̄/dP: linearly, one step could undo many decades of viscosity.
 //! - Rising pressures are capped at a share of the Hertz pressure.
 //! - The surfaces are lifted where a point would lose more than half of its film.
+//! - Where shear rates grow exponentially with the stress and the residual exceeds the entrained flow, it is far out on an
+//!   exponential: a whole step takes off one e-fold, whatever the distance. Steps are lengthened while the residual falls, steps
+//!   that would lead out there are shortened, and a falling residual counts as progress.
 //!
 //! Near the solution none of these acts beyond second order, and convergence is quadratic.
 
@@ -195,6 +198,8 @@ impl<'a> NewtonLevel<'a> {
         let mut system = solver.assemble(model, state);
         let mut step = solver.newton_step(&system, state)?;
         let mut smallest_update = (0, f64::INFINITY);
+        let mut smallest_residual = f64::INFINITY;
+        let exponential = model.fluid.is_exponential();
         // Update of the iteration before, if its step was taken whole.
         let mut update_before = None;
         // Whether a step had to be shortened: from then on a small residual is not trusted.
@@ -213,30 +218,43 @@ impl<'a> NewtonLevel<'a> {
             if !(residual.is_finite() && update.is_finite()) {
                 return Err(stopped("the residual is not finite"));
             }
+            let far_out = exponential && residual > FAR_OUT;
             if update < 0.9 * smallest_update.1 {
                 smallest_update = (iteration, update);
+            } else if far_out && residual < 0.5 * smallest_residual {
+                smallest_update.0 = iteration;
             } else if iteration >= smallest_update.0 + params.patience {
                 return Err(stopped("the updates no longer shrink"));
             }
+            smallest_residual = smallest_residual.min(residual);
             let converged =
                 update < params.update_tolerance && residual < params.residual_tolerance;
             // Small steps are not tested, unless they go round in circles.
             let circling = iteration > smallest_update.0 + 2;
             let tested = update >= params.safe_update || circling;
-            let mut share = 1.0;
+            let mut share = match far_out {
+                true => self.stride(model, params, state, &step, &mut solver),
+                false => 1.0,
+            };
+            let smallest_share = match exponential {
+                true => SMALLEST_EXPONENTIAL_SHARE,
+                false => params.smallest_share,
+            };
             let (next_state, next_system) = loop {
                 go_on(observer)?;
                 let trial = self.advance(model, params, state, &step, share);
                 let trial_system = solver.assemble(model, &trial);
                 let finite = trial_system.relative_residual().is_finite();
-                let fell =
-                    !shortened && trial_system.relative_residual() < params.trusted_fall * residual;
-                if finite && (converged || !tested || fell) {
+                let there = trial_system.relative_residual();
+                let fell = (!shortened && there < params.trusted_fall * residual)
+                    || (far_out && there < 0.5 * residual);
+                let admissible = !exponential || there < MOST_RISE * residual.max(FAR_OUT);
+                if finite && admissible && (converged || !tested || fell) {
                     break (trial, trial_system);
                 }
                 // Natural monotonicity (Deuflhard 2004, section 3.3): the next step, were it
                 // taken with this Jacobian, must not grow.
-                let growth = if finite {
+                let growth = if finite && admissible {
                     solver
                         .simplified_step(&system, &trial_system, &trial)
                         .map_or(f64::INFINITY, |s| rms(&s.pressure) / rms(&step.pressure))
@@ -247,10 +265,11 @@ impl<'a> NewtonLevel<'a> {
                     true => 1.0 - 0.25 * share,
                     false => params.growth_limit,
                 };
-                if growth < growth_limit || (finite && share < params.smallest_share) {
+                if growth < growth_limit || (finite && admissible && share < params.smallest_share)
+                {
                     break (trial, trial_system);
                 }
-                if share < params.smallest_share {
+                if share < smallest_share {
                     return Err(stopped("no step leads to a finite residual"));
                 }
                 share *= 0.5;
@@ -271,7 +290,7 @@ impl<'a> NewtonLevel<'a> {
             });
             // The state is as good as the next update is small: the step after two whole ones is
             // foreseen, and the residual that would go with it is known.
-            let whole = share == 1.0;
+            let whole = share >= 1.0;
             let foreseen = match update_before {
                 Some(before) if whole && update < before => {
                     update * (update / before).powf(FORESEEN_ORDER)
@@ -297,6 +316,31 @@ impl<'a> NewtonLevel<'a> {
             step = solver.newton_step(&system, state)?;
         }
         unreachable!("the last iteration returns")
+    }
+
+    /// Multiple of a step, a power of two, up to which the residual falls by half with each doubling.
+    fn stride(
+        &self,
+        model: &FilmModel,
+        params: &NewtonParams,
+        state: &State,
+        step: &Step,
+        solver: &mut StepSolver,
+    ) -> f64 {
+        let mut residual_at = |share| {
+            let trial = self.advance(model, params, state, step, share);
+            solver.assemble(model, &trial).relative_residual()
+        };
+        let mut share = 1.0;
+        let mut residual = residual_at(share);
+        while residual > FAR_OUT && share < LONGEST_STRIDE {
+            let further = residual_at(2.0 * share);
+            if further.is_nan() || further > 0.5 * residual {
+                break;
+            }
+            (share, residual) = (2.0 * share, further);
+        }
+        share
     }
 
     /// State after a share of the step, kept within the physical limits.
@@ -380,6 +424,18 @@ impl<'a> NewtonLevel<'a> {
         lift
     }
 }
+
+/// Residual, over the entrained flow, beyond which an exponential rules it.
+const FAR_OUT: f64 = 2.0;
+
+/// Factor by which one step may raise it there: some e-folds, which the next takes off.
+const MOST_RISE: f64 = 1e4;
+
+/// Multiple of a step that is tried at most.
+const LONGEST_STRIDE: f64 = 64.0;
+
+/// Share of a step below which an exponential is not to be kept off.
+const SMALLEST_EXPONENTIAL_SHARE: f64 = 1e-4;
 
 /// Order of convergence by which the next update is foreseen: below 2, for linear systems are solved
 /// inexactly.

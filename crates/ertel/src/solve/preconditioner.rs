@@ -10,6 +10,7 @@
 use std::sync::{Arc, OnceLock};
 
 use ertel_fem::assembly::{CONSTRAINED, NodeGraph};
+use ertel_fem::linear::equilibrate::{Equilibration, unit_of};
 use ertel_fem::linear::frontal_lu::{FrontalLu, FrontalPattern};
 use ertel_fem::linear::fronts::Blocks;
 use ertel_fem::linear::lu::LuError;
@@ -172,6 +173,8 @@ impl Groups {
 #[derive(Clone)]
 pub struct Preconditioner {
     lu: FrontalLu,
+    /// Scaling of rows and columns, where single precision does not span the entries as they are.
+    equilibration: Option<Equilibration>,
     n_pressure: usize,
     scratch: Vec<f64>,
 }
@@ -191,12 +194,25 @@ impl Preconditioner {
         for (value, index) in values.iter_mut().zip(&near.from_blocks) {
             *value = system.blocks[*index as usize];
         }
-        let lu = FrontalLu::new(near.pattern(d)?, &values).map_err(|e| LuError {
+        let pattern = near.pattern(d)?;
+        let mut equilibration = None;
+        let lu = FrontalLu::new(pattern, &values).or_else(|e| {
+            // Film equations span many decades where films are thick beside the dry contact, or stresses near a limit.
+            let scaling = Equilibration::new(n, &near.entries, &values).ok_or(e)?;
+            let scaled = scaling.scale(&near.entries, &values);
+            equilibration = Some(scaling);
+            FrontalLu::new(pattern, &scaled)
+        });
+        let lu = lu.map_err(|e| LuError {
             n,
-            reason: e.to_string(),
+            reason: match values.iter().all(|v| v.is_finite()) {
+                true => e.to_string(),
+                false => "an entry of the matrix is not finite".to_owned(),
+            },
         })?;
         Ok(Preconditioner {
             lu,
+            equilibration,
             n_pressure: d.n_pressure,
             scratch: vec![0.0; n],
         })
@@ -204,17 +220,38 @@ impl Preconditioner {
 
     /// Solves approximately for the pressure update, in place.
     pub fn solve(&mut self, rhs: &mut [f64]) {
-        self.scratch.fill(0.0);
-        self.scratch[..self.n_pressure].copy_from_slice(rhs);
-        self.lu.solve(&mut self.scratch);
-        rhs.copy_from_slice(&self.scratch[..self.n_pressure]);
+        self.solve_with(rhs, FrontalLu::solve, |e| [&e.rows, &e.columns]);
     }
 
     /// The same with the transposed matrix.
     pub fn solve_transposed(&mut self, rhs: &mut [f64]) {
-        self.scratch.fill(0.0);
-        self.scratch[..self.n_pressure].copy_from_slice(rhs);
-        self.lu.solve_transposed(&mut self.scratch);
-        rhs.copy_from_slice(&self.scratch[..self.n_pressure]);
+        self.solve_with(rhs, FrontalLu::solve_transposed, |e| [&e.columns, &e.rows]);
+    }
+
+    /// Solves in place; `factors` are those of the right side and of the solution.
+    fn solve_with(
+        &mut self,
+        rhs: &mut [f64],
+        solve: impl Fn(&mut FrontalLu, &mut [f64]),
+        factors: impl Fn(&Equilibration) -> [&Vec<f64>; 2],
+    ) {
+        let x = &mut self.scratch;
+        x.fill(0.0);
+        x[..self.n_pressure].copy_from_slice(rhs);
+        let mut unit = 1.0;
+        if let Some(e) = &self.equilibration {
+            for (x, f) in x.iter_mut().zip(factors(e)[0]) {
+                *x *= f;
+            }
+            unit = unit_of(x);
+            x.iter_mut().for_each(|x| *x /= unit);
+        }
+        solve(&mut self.lu, x);
+        if let Some(e) = &self.equilibration {
+            for (x, f) in x.iter_mut().zip(factors(e)[1]) {
+                *x *= f * unit;
+            }
+        }
+        rhs.copy_from_slice(&x[..self.n_pressure]);
     }
 }

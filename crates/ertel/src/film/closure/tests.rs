@@ -309,10 +309,11 @@ fn composite(law: &impl Fluidity, tau: [f64; 2], g: [f64; 2]) -> [f64; 5] {
     sums
 }
 
-/// Pressure stresses up to and beyond the limit, slides from rolling to what no film bears.
+/// Pressure stresses up to and beyond the limit, slides from rolling to what no film bears; the limit as it is, and softened.
 #[test]
 fn limited_film_matches_brute_force() {
-    for thinning in &limited_laws() {
+    let softened = [750.0, 81.0, 9.0].map(|softness| limited(None).softened(softness));
+    for thinning in limited_laws().iter().chain(&softened) {
         let law = thinning.at(0.5, 1e6, 1e9);
         for size in [1e-4, 0.01, 0.3, 3.0, 10.0, 30.0, 49.0, 53.0, 60.0] {
             for angle in [0.0, 0.3, 1.2, FRAC_PI_2, 2.0] {

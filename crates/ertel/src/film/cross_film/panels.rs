@@ -8,7 +8,7 @@
 
 use ertel_rheology::shear::StressLimit;
 
-use super::{CrossFilm, StressScales};
+use super::{CrossFilm, LimitScale, StressScales};
 
 /// One side of the film, from its least stress to a wall.
 struct Side {
@@ -45,7 +45,7 @@ impl CrossFilm {
     pub(super) fn lay_panels(
         &mut self,
         scales: &StressScales,
-        limit: f64,
+        limit: &LimitScale,
         mid_stress: [f64; 2],
         pressure_stress: [f64; 2],
     ) {
@@ -72,9 +72,8 @@ impl CrossFilm {
         }
     }
 
-    fn lay_side(&mut self, scales: &StressScales, limit: f64, largest: f64, side: &Side) {
-        let fold = limit * StressLimit::E_FOLD;
-        let joint = limit * StressLimit::LARGEST_RATIO;
+    fn lay_side(&mut self, scales: &StressScales, limit: &LimitScale, largest: f64, side: &Side) {
+        let (fold, joint) = (limit.fold, limit.joint);
         let start = side.ends[0];
         // Points for what else grows exponentially.
         let growing = |from: f64, to: f64| {
@@ -90,7 +89,8 @@ impl CrossFilm {
         if xi_joint > start {
             let token = counts > joint;
             // Half way to the limit the law's own scale is resolved, from there on the limit.
-            let singular = ((limit - side.across) * (limit + side.across)).sqrt();
+            let stress = limit.stress;
+            let singular = ((stress - side.across) * (stress + side.across)).sqrt();
             let half = (0.5 * singular).clamp(start, xi_joint);
             if half > start {
                 let knee = scales.knee.map(|k| k.hypot(side.across));

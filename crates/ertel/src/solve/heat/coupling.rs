@@ -4,7 +4,8 @@
 //! temperatures. The heat of shearing answers to the temperature inside the first, with its derivative; what is
 //! left between the rounds is that films and pressures answer to the heat, mostly of the inlet, and that is
 //! weak. How much the changes shrink from round to round is reported. Where the film equations do not converge at new
-//! temperatures, half of their change is tried first.
+//! temperatures, half of their change is tried first. Where the changes hardly shrink, as where film and heat overshoot each other
+//! in turn, only a share of each new temperature is taken.
 
 use super::newton::{HeatNewton, HeatParams, HeatStats};
 use crate::forms::energy::Heat;
@@ -20,6 +21,8 @@ pub struct CouplingParams {
     pub tolerance: f64,
     /// Rounds allowed.
     pub max_rounds: usize,
+    /// Share of new temperatures below which they are not halved further.
+    pub smallest_share: f64,
     /// Temperatures for given films.
     pub heat: HeatParams,
 }
@@ -29,6 +32,7 @@ impl Default for CouplingParams {
         CouplingParams {
             tolerance: 1e-4,
             max_rounds: 40,
+            smallest_share: 0.1,
             heat: HeatParams::default(),
         }
     }
@@ -76,8 +80,11 @@ const NEGLIGIBLE_RISE: f64 = 1e-3;
 /// Steps for the temperatures in one round.
 const MOST_STEPS: usize = 25;
 
-/// Share of new temperatures below which they are not halved further.
-const SMALLEST_SHARE: f64 = 0.1;
+/// Ratio of one round's change to that before beyond which smaller shares of new temperatures are taken, below which larger
+/// ones, and the smallest.
+const SLOW: f64 = 0.7;
+const FAST: f64 = 0.4;
+const SMALLEST_RELAXATION: f64 = 0.25;
 
 /// Share of a round's change to which each of its halves is solved.
 const INNER_SHARE: f64 = 0.1;
@@ -103,6 +110,8 @@ pub fn solve_coupled(
     let mut coupling = CouplingStats::default();
     let mut first_change = 0.0;
     let mut change: f64 = 1.0;
+    // T ← T + ω(T_new − T)
+    let mut relaxation: f64 = 1.0;
     for round in 1..=params.max_rounds {
         if observer.cancelled() {
             return Err(SolveError::Interrupted);
@@ -134,15 +143,20 @@ pub fn solve_coupled(
             ..*newton
         };
         let heated = state.temperature.clone();
-        let mut share = 1.0;
+        let mixed = |share: f64| -> Vec<f64> {
+            let pairs = before.temperature.iter().zip(&heated);
+            pairs.map(|(t, new)| t + share * (new - t)).collect()
+        };
+        let mut share = relaxation;
+        if share < 1.0 {
+            state.temperature = mixed(share);
+        }
         let reached = loop {
             match level.run(model, &inner, label, state, stats, observer) {
-                Err(SolveError::NotConverged { .. }) if share > SMALLEST_SHARE => {
+                Err(SolveError::NotConverged { .. }) if share > params.smallest_share => {
                     share *= 0.5;
-                    let mixed = before.temperature.iter().zip(&heated);
-                    let temperature = mixed.map(|(t, new)| t + share * (new - t)).collect();
                     *state = State {
-                        temperature,
+                        temperature: mixed(share),
                         ..before.clone()
                     };
                 }
@@ -160,7 +174,10 @@ pub fn solve_coupled(
             largest(&state.pressure, &before.pressure),
             (film - central_film(d, &before)).abs() / film,
         ];
-        change = changes.into_iter().fold(0.0, f64::max);
+        // As if the whole of the new temperatures had been taken
+        let change_before = change;
+        change = changes.into_iter().fold(0.0, f64::max) / share;
+        let ratio = change / change_before;
         observer.round(round, change, rise(state));
         coupling.rounds = round;
         coupling.change = change;
@@ -170,8 +187,13 @@ pub fn solve_coupled(
         } else {
             coupling.contraction = (change / first_change).powf(1.0 / (round - 1) as f64);
         }
-        if change < params.tolerance && share == 1.0 {
+        if change < params.tolerance && share == relaxation {
             return Ok((reached, coupling));
+        }
+        if round > 2 && ratio > SLOW {
+            relaxation = (0.5 * relaxation).max(SMALLEST_RELAXATION);
+        } else if ratio < FAST {
+            relaxation = (1.5 * relaxation).min(1.0);
         }
     }
     Err(SolveError::NotCoupled {

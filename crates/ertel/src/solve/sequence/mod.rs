@@ -6,9 +6,11 @@
 //! - `stage`: Newton's method on one of them;
 //! - `start`: from which pressures;
 //! - `rescue`: what is tried when that fails;
+//! - `paths`: ways to the case's own contact through easier ones;
 //! - `warm`: from the solution of a similar problem instead.
 
 mod next;
+mod paths;
 mod rescue;
 mod run;
 mod stage;
@@ -51,6 +53,10 @@ pub struct Stage {
     pub constants: FilmConstants,
     /// Share of the fluid's thickening under pressure.
     pub thickening: f64,
+    /// Softness of a fluid whose shear rate grows exponentially with the stress; 1 is the law itself.
+    pub softness: f64,
+    /// Share of the sliding of the surfaces.
+    pub sliding: f64,
     /// Whether the fluid keeps its low-shear viscosity.
     pub newtonian: bool,
     /// Whether film and bodies heat up.
@@ -59,6 +65,8 @@ pub struct Stage {
     pub cold: bool,
     /// Whether it starts near enough to the solution that Newton's steps need no damping.
     pub near: bool,
+    /// Whether it is given up early, because a way to it through easier contacts is known.
+    pub impatient: bool,
     /// What it is for.
     pub role: Role,
 }

@@ -1,6 +1,7 @@
 //! What follows from the end of a stage: which comes next, and where it starts.
 
-use super::rescue::{diffusion_path, halfway, of_lower_order, rescues};
+use super::paths::{diffusion_path, halfway};
+use super::rescue::{of_lower_order, rescues};
 use super::run::{Sequence, StageEnd};
 use super::stage::{Finish, StageRun};
 use super::{Role, Stage};
@@ -47,6 +48,7 @@ impl Sequence<'_> {
                     self.queue.push_back(Stage {
                         refinements: stage.refinements + 1,
                         near: false,
+                        impatient: false,
                         ..*stage
                     });
                 } else {
@@ -111,6 +113,8 @@ impl Sequence<'_> {
             && from.converged
             && from.stage.role != Role::Start
             && from.stage.thickening == stage.thickening
+            && from.stage.softness == stage.softness
+            && from.stage.sliding == stage.sliding
             && from.stage.is_on_mesh_of(stage);
         of_lower_order(stage).filter(|_| led)
     }

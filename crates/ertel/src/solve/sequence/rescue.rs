@@ -1,50 +1,13 @@
 //! What is tried when a contact does not converge at once.
 
+use super::paths::{diffusion_path, hardening_path, sliding_path};
 use super::{Problem, Role, Stage};
-use crate::solve::system::FilmConstants;
 
 /// Shares of the fluid's thickening through which a contact is led that does not start otherwise.
 const THICKENING: [f64; 5] = [0.4, 0.6, 0.75, 0.88, 1.0];
 
 /// Order of pressures that overshoot little at a spike that the mesh does not resolve.
 const LOWER_ORDER: usize = 2;
-
-/// Diffusion between that of a start and none.
-const DIFFUSION: [f64; 4] = [1.0, 0.25, 0.06, 0.015];
-
-/// Steps from a diffusive start towards the stage `end`.
-pub(super) fn diffusion_path(start: &Stage, end: &Stage) -> impl Iterator<Item = Stage> + use<> {
-    let (start, end) = (*start, end.constants.isotropic_diffusion);
-    let between = move |d: &f64| (end..start.constants.isotropic_diffusion).contains(d);
-    DIFFUSION
-        .into_iter()
-        .filter(between)
-        .map(move |isotropic_diffusion| Stage {
-            constants: FilmConstants {
-                isotropic_diffusion,
-                ..start.constants
-            },
-            cold: false,
-            role: Role::Path,
-            ..start
-        })
-}
-
-/// Between a stage and the one before on a way, if they differ enough.
-pub(super) fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {
-    let diffusion = |s: &Stage| s.constants.isotropic_diffusion;
-    let thickening = 0.5 * (from.thickening + to.thickening);
-    let isotropic_diffusion = (diffusion(from) * diffusion(to)).sqrt();
-    let near = to.thickening - thickening < 0.02 && isotropic_diffusion < 1.4 * diffusion(to);
-    (to.role == Role::Path && !near).then_some(Stage {
-        thickening,
-        constants: FilmConstants {
-            isotropic_diffusion,
-            ..to.constants
-        },
-        ..*to
-    })
-}
 
 /// A stage with pressures that overshoot less at a spike that the mesh does not resolve, unless its own are as low.
 pub(super) fn of_lower_order(stage: &Stage) -> Option<Stage> {
@@ -56,6 +19,9 @@ pub(super) fn of_lower_order(stage: &Stage) -> Option<Stage> {
 
 /// What is tried, in turn, when the first start or the final stage does not converge:
 ///
+/// - with heat: the way through sliding, from what was reached without heat;
+/// - with a limiting stress, or in Eyring's fluid: the way through softer laws, with little sliding and then more where there is
+///   heat, and with the sliding of the case;
 /// - the way from the start to the case in steps of diminishing diffusion;
 /// - a start with a fluid that thickens less, made thicker step by step;
 /// - the start and then the second of these on a mesh of finer rim, where a film thinner than foreseen builds up its pressure (or, where
@@ -67,8 +33,23 @@ pub(super) fn rescues(problem: &Problem, started: bool) -> Vec<Vec<Stage>> {
     let (Some(start), Some(last)) = (problem.stages.first(), problem.stages.last()) else {
         return Vec::new();
     };
+    // What was given up early is tried in earnest.
+    let stages: Vec<Stage> = (problem.stages.iter())
+        .map(|stage| Stage {
+            impatient: false,
+            ..*stage
+        })
+        .collect();
     let mut path: Vec<Stage> = diffusion_path(start, last).collect();
-    path.extend(&problem.stages[1..]);
+    path.extend(&stages[1..]);
+    let exponential = exponential_ways(problem, &stages);
+    let sliding = match exponential.is_empty() {
+        true => sliding_way(problem, start, &stages),
+        false => Vec::new(),
+    };
+    if let Some(way) = exponential.last() {
+        path.clone_from(way);
+    }
     let thickening = |start: &Stage| -> Vec<Stage> {
         let steps = THICKENING.iter().enumerate().map(|(i, thickening)| Stage {
             thickening: *thickening,
@@ -87,8 +68,13 @@ pub(super) fn rescues(problem: &Problem, started: bool) -> Vec<Vec<Stage>> {
     };
     let on_finer = |stage: &Stage| Stage { sizes, ..*stage };
     let mut restart = vec![on_finer(start)];
-    restart.extend(diffusion_path(&restart[0], last));
-    restart.push(on_finer(last));
+    match exponential.last() {
+        Some(way) => restart.extend(way.iter().map(on_finer)),
+        None => {
+            restart.extend(diffusion_path(&restart[0], last));
+            restart.extend(stages.last().map(on_finer));
+        }
+    }
     let mut finer_continuation = thickening(&restart[0]);
     finer_continuation.extend(&restart[1..]);
     let lower_orders = (1..last.pressure_order)
@@ -99,11 +85,78 @@ pub(super) fn rescues(problem: &Problem, started: bool) -> Vec<Vec<Stage>> {
                 pressure_order: stage.pressure_order.min(pressure_order),
                 ..*stage
             };
-            problem.stages.iter().map(lower).collect()
+            match exponential.last() {
+                Some(way) => stages[..1].iter().chain(way).map(lower).collect(),
+                None => stages.iter().map(lower).collect(),
+            }
         });
     let mut rescues = Vec::new();
-    rescues.extend(started.then_some(path));
+    if started {
+        rescues.extend(Some(sliding).filter(|way| !way.is_empty()));
+        rescues.extend(exponential.iter().map(|way| [&[*start], &way[..]].concat()));
+        rescues.extend(exponential.is_empty().then_some(path));
+    }
     rescues.extend([continuation, restart, finer_continuation]);
     rescues.extend(lower_orders);
     rescues
+}
+
+/// Through sliding to a heated contact, on the mesh of the start.
+fn sliding_way(problem: &Problem, start: &Stage, stages: &[Stage]) -> Vec<Stage> {
+    let Some(heated) = stages.iter().find(|stage| stage.heated) else {
+        return Vec::new();
+    };
+    let first = Stage {
+        sizes: start.sizes,
+        ..*heated
+    };
+    let mut way = sliding_path(problem, &first);
+    // Without heat first: what was reached so far slides more.
+    if let Some(slow) = way.first().copied() {
+        let unheated = Stage {
+            heated: false,
+            ..slow
+        };
+        way.insert(0, unheated);
+    }
+    if !way.is_empty() {
+        way.extend(stages.iter().filter(|stage| stage.heated));
+    }
+    way
+}
+
+/// From a start without limiting stress to the case: the sliding of the case after its limit, or before it. Nothing for fluids
+/// without limit.
+fn exponential_ways(problem: &Problem, stages: &[Stage]) -> Vec<Vec<Stage>> {
+    let (Some(start), Some(last)) = (stages.first(), stages.last()) else {
+        return Vec::new();
+    };
+    let goals = |stage: &&Stage| !stage.role.compares() && !stage.role.leads();
+    let through = |start: &Stage| -> Vec<Stage> {
+        let mut way = hardening_path(problem, start);
+        if let Some(sharp) = way.last().copied() {
+            way.extend(diffusion_path(&sharp, last));
+        }
+        way
+    };
+    let whole = through(start);
+    if whole.is_empty() {
+        return Vec::new();
+    }
+    let end = |mut way: Vec<Stage>| {
+        way.extend(stages.iter().filter(goals));
+        way
+    };
+    let heated = sliding_way(problem, start, stages);
+    let mut ways = Vec::new();
+    if let Some(first) = heated.first() {
+        let mut way = through(&Stage {
+            sliding: first.sliding,
+            ..*start
+        });
+        way.extend(&heated);
+        ways.push(way);
+    }
+    ways.push(end(whole));
+    ways
 }

@@ -30,6 +30,10 @@ const START_TOLERANCE: f64 = 3e-2;
 /// update of this size leaves of the error, its square or so, is far below any error bar.
 const ROUGH_TOLERANCE: f64 = 1e-3;
 
+/// Update and residual at which a step of a way through fluids whose shear rate grows exponentially with the stress is good
+/// enough: there small updates may leave a large residual, and the next step would start far from its solution.
+const EXPONENTIAL_TOLERANCE: f64 = 1e-2;
+
 /// Newton iterations that a start may take for each share of the ramp.
 const START_ITERATIONS: usize = 30;
 
@@ -39,6 +43,9 @@ pub(super) const HOPELESS: f64 = 0.5;
 
 /// Iterations without a smaller update that a start may take.
 const START_PATIENCE: usize = 12;
+
+/// The same for a stage to which a way through easier contacts is known.
+const IMPATIENCE: usize = 8;
 
 /// Iterations without a smaller update from a start that was thought to be near.
 const NEAR_PATIENCE: usize = 5;
@@ -97,12 +104,22 @@ impl<'a> StageRun<'a> {
             params.safe_update = f64::INFINITY;
             params.patience = NEAR_PATIENCE;
         }
+        if self.stage.impatient {
+            params.patience = params.patience.min(IMPATIENCE);
+        }
         if leads {
             params.update_tolerance = START_TOLERANCE;
             params.residual_tolerance = f64::INFINITY;
             params.max_iterations = START_ITERATIONS;
             params.patience = START_PATIENCE;
             params.trusted_fall = 0.0;
+        }
+        if self.stage.role == Role::Path
+            && self.problem.fluid.is_exponential()
+            && !self.stage.newtonian
+        {
+            params.update_tolerance = EXPONENTIAL_TOLERANCE;
+            params.residual_tolerance = EXPONENTIAL_TOLERANCE;
         }
         let ramp = if self.stage.role == Role::Start {
             &PENALTY_RAMP[..]
@@ -120,7 +137,7 @@ impl<'a> StageRun<'a> {
             }
         }
         let circling = matches!(outcome, Err(SolveError::NotConverged { .. }));
-        if !circling || leads || self.stage.near {
+        if !circling || leads || self.stage.near || self.stage.impatient {
             return outcome;
         }
         let mut trial = from;
@@ -160,12 +177,17 @@ impl<'a> StageRun<'a> {
         };
         let coupling = CouplingParams {
             tolerance: problem.coupling.tolerance.max(params.update_tolerance),
+            // Where a way through easier contacts is known, or this is one, its steps are halved instead.
+            smallest_share: match self.stage.impatient || self.stage.role == Role::Path {
+                true => 1.0,
+                false => problem.coupling.smallest_share,
+            },
             ..problem.coupling
         };
         let (reached, coupling) = solve_coupled(
             &self.newton,
             &model,
-            &problem.heat,
+            &problem.heat.with_sliding(self.stage.sliding),
             params,
             &coupling,
             &label,
@@ -179,7 +201,11 @@ impl<'a> StageRun<'a> {
     /// The film equations with a share of the cavitation penalty.
     fn model(&self, penalty_share: f64) -> FilmModel {
         let constants = self.stage.constants;
-        let fluid = self.problem.fluid.with_thickening(self.stage.thickening);
+        let stage = &self.stage;
+        let fluid = (self.problem.fluid)
+            .with_thickening(stage.thickening)
+            .with_softness(stage.softness)
+            .with_sliding(stage.sliding);
         FilmModel {
             fluid: if self.stage.newtonian {
                 fluid.newtonian()

@@ -223,6 +223,7 @@ pub fn solve_warm(
             sizes: start.solution.stage.sizes,
             refinements: start.solution.stage.refinements,
             cold: false,
+            impatient: false,
             near,
             role: Role::Final,
             ..*last
