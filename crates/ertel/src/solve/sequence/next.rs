@@ -130,6 +130,8 @@ impl Sequence<'_> {
             self.raised = true;
             self.queue.push_back(Stage {
                 pressure_order,
+                // Those of lower order stand, and an exponential seldom bears the overshoots of others.
+                impatient: self.problem.fluid.is_exponential(),
                 ..*stage
             });
         }

@@ -3,7 +3,7 @@
 //! ```text
 //!   limiting stress   γ̇ ~ e^{(τ/τ_L − r₁)/ε} beyond r₁τ_L, ε = (1 − r₁²)/(2r₁)      ε from 0.75 to 0.001
 //!   Eyring's fluid    γ̇ = (τ₀/μ₁) sinh(τ/τ₀)                                        τ₀ from 27 times to that of the case
-//!   sliding           u = u_e ± θ Δu/2, with the heat that goes with it              θ from 0.1 to 1
+//!   sliding           u = u_e ± θ Δu/2, with the heat that goes with it              θ from 0.03 to 1
 //! ```
 //! With a large ε stress passes its limit by much, and the film is that of a thinning oil; as ε falls the limit becomes as sharp
 //! as the law's. (Interior-point methods sharpen a bound in the same way: Nocedal and Wright 2006, chapter 19.) The way is
@@ -19,7 +19,7 @@ use crate::solve::system::FilmConstants;
 const SOFTNESS: [f64; 7] = [750.0, 250.0, 81.0, 27.0, 9.0, 3.0, 1.0];
 
 /// Shares θ of the sliding.
-const SLIDING: [f64; 6] = [0.1, 0.25, 0.45, 0.65, 0.85, 1.0];
+const SLIDING: [f64; 7] = [0.03, 0.1, 0.25, 0.45, 0.65, 0.85, 1.0];
 
 /// Differences of softness, as a ratio, and of θ, that need not be halved.
 const NEAR_SOFTNESS: f64 = 1.2;

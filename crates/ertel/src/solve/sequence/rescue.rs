@@ -13,13 +13,14 @@ const LOWER_ORDER: usize = 2;
 pub(super) fn of_lower_order(stage: &Stage) -> Option<Stage> {
     (stage.pressure_order > LOWER_ORDER).then_some(Stage {
         pressure_order: LOWER_ORDER,
+        impatient: false,
         ..*stage
     })
 }
 
 /// What is tried, in turn, when the first start or the final stage does not converge:
 ///
-/// - with heat: the way through sliding, from what was reached without heat;
+/// - with heat: the way through sliding;
 /// - with a limiting stress, or in Eyring's fluid: the way through softer laws, with little sliding and then more where there is
 ///   heat, and with the sliding of the case;
 /// - the way from the start to the case in steps of diminishing diffusion;
@@ -106,9 +107,18 @@ fn sliding_way(problem: &Problem, start: &Stage, stages: &[Stage]) -> Vec<Stage>
     let Some(heated) = stages.iter().find(|stage| stage.heated) else {
         return Vec::new();
     };
-    let first = Stage {
-        sizes: start.sizes,
-        ..*heated
+    // Where an exponential would punish the overshoots of pressures, in those of the start, and with its diffusion.
+    let first = match problem.fluid.is_exponential() {
+        true => Stage {
+            heated: true,
+            newtonian: false,
+            ..*start
+        },
+        false => Stage {
+            sizes: start.sizes,
+            pressure_order: start.pressure_order.min(heated.pressure_order),
+            ..*heated
+        },
     };
     let mut way = sliding_path(problem, &first);
     // Without heat first: what was reached so far slides more.
@@ -119,44 +129,54 @@ fn sliding_way(problem: &Problem, start: &Stage, stages: &[Stage]) -> Vec<Stage>
         };
         way.insert(0, unheated);
     }
+    if let Some(sliding) = way.last().copied() {
+        way.extend(diffusion_path(&sliding, heated));
+    }
     if !way.is_empty() {
-        way.extend(stages.iter().filter(|stage| stage.heated));
+        let heated = stages.iter().filter(|stage| stage.heated);
+        way.extend(heated.map(|stage| goal(problem, stage)));
     }
     way
 }
 
-/// From a start without limiting stress to the case: the sliding of the case after its limit, or before it. Nothing for fluids
-/// without limit.
+/// A stage at the end of a way: that of an exponential fluid is given up early, because quadratic pressures, which overshoot less,
+/// stand in for those of higher order.
+fn goal(problem: &Problem, stage: &Stage) -> Stage {
+    Stage {
+        impatient: problem.fluid.is_exponential() && of_lower_order(stage).is_some(),
+        ..*stage
+    }
+}
+
+/// From a Newtonian start to a fluid whose shear rate grows exponentially with the stress: the sliding of the case after the
+/// fluid of the case, where there is heat, and before it. Nothing for other fluids.
 fn exponential_ways(problem: &Problem, stages: &[Stage]) -> Vec<Vec<Stage>> {
     let (Some(start), Some(last)) = (stages.first(), stages.last()) else {
         return Vec::new();
     };
     let goals = |stage: &&Stage| !stage.role.compares() && !stage.role.leads();
-    let through = |start: &Stage| -> Vec<Stage> {
-        let mut way = hardening_path(problem, start);
-        if let Some(sharp) = way.last().copied() {
-            way.extend(diffusion_path(&sharp, last));
-        }
-        way
-    };
-    let whole = through(start);
-    if whole.is_empty() {
+    let mut whole = hardening_path(problem, start);
+    let Some(hard) = whole.last().copied() else {
         return Vec::new();
-    }
-    let end = |mut way: Vec<Stage>| {
-        way.extend(stages.iter().filter(goals));
-        way
     };
+    whole.extend(diffusion_path(&hard, last));
+    whole.extend(
+        stages
+            .iter()
+            .filter(goals)
+            .map(|stage| goal(problem, stage)),
+    );
     let heated = sliding_way(problem, start, stages);
     let mut ways = Vec::new();
     if let Some(first) = heated.first() {
-        let mut way = through(&Stage {
+        let slow = Stage {
             sliding: first.sliding,
             ..*start
-        });
+        };
+        let mut way = hardening_path(problem, &slow);
         way.extend(&heated);
         ways.push(way);
     }
-    ways.push(end(whole));
+    ways.push(whole);
     ways
 }

@@ -34,6 +34,10 @@ const ROUGH_TOLERANCE: f64 = 1e-3;
 /// enough: there small updates may leave a large residual, and the next step would start far from its solution.
 const EXPONENTIAL_TOLERANCE: f64 = 1e-2;
 
+/// Change of film and temperature from round to round at which a step of a way is good enough, and its rounds.
+const PATH_COUPLING: f64 = 5e-2;
+const PATH_ROUNDS: usize = 15;
+
 /// Newton iterations that a start may take for each share of the ramp.
 const START_ITERATIONS: usize = 30;
 
@@ -46,6 +50,9 @@ const START_PATIENCE: usize = 12;
 
 /// The same for a stage to which a way through easier contacts is known.
 const IMPATIENCE: usize = 8;
+
+/// Its iterations.
+const IMPATIENT_ITERATIONS: usize = 25;
 
 /// Iterations without a smaller update from a start that was thought to be near.
 const NEAR_PATIENCE: usize = 5;
@@ -106,6 +113,7 @@ impl<'a> StageRun<'a> {
         }
         if self.stage.impatient {
             params.patience = params.patience.min(IMPATIENCE);
+            params.max_iterations = params.max_iterations.min(IMPATIENT_ITERATIONS);
         }
         if leads {
             params.update_tolerance = START_TOLERANCE;
@@ -175,15 +183,19 @@ impl<'a> StageRun<'a> {
             let reached = (self.newton).run(&model, params, &label, state, effort, observer)?;
             return Ok((reached, None));
         };
-        let coupling = CouplingParams {
+        let path = self.stage.role == Role::Path;
+        let mut coupling = CouplingParams {
             tolerance: problem.coupling.tolerance.max(params.update_tolerance),
-            // Where a way through easier contacts is known, or this is one, its steps are halved instead.
-            smallest_share: match self.stage.impatient || self.stage.role == Role::Path {
-                true => 1.0,
-                false => problem.coupling.smallest_share,
-            },
             ..problem.coupling
         };
+        // Where a way through easier contacts is known, or this is one, its steps are halved instead.
+        if self.stage.impatient || path {
+            coupling.smallest_share = 1.0;
+        }
+        if path {
+            coupling.tolerance = coupling.tolerance.max(PATH_COUPLING);
+            coupling.max_rounds = coupling.max_rounds.min(PATH_ROUNDS);
+        }
         let (reached, coupling) = solve_coupled(
             &self.newton,
             &model,
