@@ -313,7 +313,9 @@ fn composite(law: &impl Fluidity, tau: [f64; 2], g: [f64; 2]) -> [f64; 5] {
 #[test]
 fn limited_film_matches_brute_force() {
     let softened = [750.0, 81.0, 9.0].map(|softness| limited(None).softened(softness));
-    for thinning in limited_laws().iter().chain(&softened) {
+    // Softened limits, whose panels are those of the sharp one, only lead to it.
+    let sharp = limited_laws().into_iter().map(|law| (law, 1e-9));
+    for (thinning, tolerance) in sharp.chain(softened.map(|law| (law, 1e-5))) {
         let law = thinning.at(0.5, 1e6, 1e9);
         for size in [1e-4, 0.01, 0.3, 3.0, 10.0, 30.0, 49.0, 53.0, 60.0] {
             for angle in [0.0, 0.3, 1.2, FRAC_PI_2, 2.0] {
@@ -325,7 +327,7 @@ fn limited_film_matches_brute_force() {
                     let off = [ax - slide, ay, q[0] - bx, q[1] - by];
                     let worst = off.iter().fold(0.0, |m, v| v.abs().max(m));
                     assert!(
-                        tau[0].is_finite() && worst < 1e-9 * mean,
+                        tau[0].is_finite() && worst < tolerance * mean,
                         "{} {g:?} {slide:e} {tau:?}: {:e}",
                         thinning.law.describe(),
                         worst / mean
