@@ -11,6 +11,9 @@ use crate::solve::{Observer, SolveError};
 /// Steps that may be halved on one way to a contact.
 const MAX_DETOURS: usize = 6;
 
+/// The same for fluids whose shear rate grows exponentially with the stress, whose steps are small and cheap.
+const MAX_EXPONENTIAL_DETOURS: usize = 12;
+
 impl Sequence<'_> {
     /// Draws the conclusions of a stage: what the next one starts from, and which comes next.
     pub(super) fn proceed(
@@ -150,10 +153,11 @@ impl Sequence<'_> {
 
     /// Half of the step to a stage.
     fn halfway(&self, stage: &Stage) -> Option<Stage> {
-        let from = self
-            .previous
-            .as_ref()
-            .filter(|_| self.detours < MAX_DETOURS)?;
+        let most = match self.problem.fluid.is_exponential() {
+            true => MAX_EXPONENTIAL_DETOURS,
+            false => MAX_DETOURS,
+        };
+        let from = self.previous.as_ref().filter(|_| self.detours < most)?;
         halfway(&from.stage, stage)
     }
 

@@ -18,12 +18,15 @@ use crate::solve::system::FilmConstants;
 /// the shear rate of a stress beyond the limit gains as many e-folds as it had twice over.
 const SOFTNESS: [f64; 7] = [750.0, 250.0, 81.0, 27.0, 9.0, 3.0, 1.0];
 
+/// The one of them at which friction, and the heat of it, is already near that of the law.
+pub(super) const MEDIUM_SOFTNESS: f64 = 27.0;
+
 /// Shares θ of the sliding.
 const SLIDING: [f64; 7] = [0.03, 0.1, 0.25, 0.45, 0.65, 0.85, 1.0];
 
-/// Differences of softness, as a ratio, and of θ, that need not be halved.
+/// Ratios of softnesses and of θ that need not be halved.
 const NEAR_SOFTNESS: f64 = 1.2;
-const NEAR_SLIDING: f64 = 0.02;
+const NEAR_SLIDING: f64 = 1.04;
 
 /// From a start with a Newtonian fluid to the case's own, whose shear rate grows exponentially with the stress; nothing for
 /// other fluids.
@@ -97,7 +100,7 @@ pub(super) fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {
     let near = to.thickening - thickening < 0.02
         && isotropic_diffusion < 1.4 * diffusion(to)
         && between < NEAR_SOFTNESS * to.softness
-        && to.sliding - sliding < NEAR_SLIDING;
+        && to.sliding < NEAR_SLIDING * sliding;
     (to.role == Role::Path && !near).then_some(Stage {
         thickening,
         softness: between,

@@ -1,6 +1,6 @@
 //! What is tried when a contact does not converge at once.
 
-use super::paths::{diffusion_path, hardening_path, sliding_path};
+use super::paths::{MEDIUM_SOFTNESS, diffusion_path, hardening_path, sliding_path};
 use super::{Problem, Role, Stage};
 
 /// Shares of the fluid's thickening through which a contact is led that does not start otherwise.
@@ -166,8 +166,42 @@ fn exponential_ways(problem: &Problem, stages: &[Stage]) -> Vec<Vec<Stage>> {
             .filter(goals)
             .map(|stage| goal(problem, stage)),
     );
-    let heated = sliding_way(problem, start, stages);
     let mut ways = Vec::new();
+    // Hardened when hot: heat thins the film and its spikes.
+    let soft = Stage {
+        heated: true,
+        softness: MEDIUM_SOFTNESS,
+        newtonian: false,
+        ..*start
+    };
+    let sliding = sliding_path(problem, &soft);
+    if let (true, Some(slow)) = (last.heated, sliding.first()) {
+        let slow = Stage {
+            sliding: slow.sliding,
+            ..*start
+        };
+        let mut way = hardening_path(problem, &slow);
+        way.retain(|stage| stage.softness >= MEDIUM_SOFTNESS);
+        way.extend(sliding);
+        let mut harder = hardening_path(problem, &soft);
+        harder.retain(|stage| stage.softness < MEDIUM_SOFTNESS);
+        way.extend(harder);
+        way.extend(diffusion_path(
+            &Stage {
+                heated: true,
+                ..hard
+            },
+            last,
+        ));
+        way.extend(
+            stages
+                .iter()
+                .filter(goals)
+                .map(|stage| goal(problem, stage)),
+        );
+        ways.push(way);
+    }
+    let heated = sliding_way(problem, start, stages);
     if let Some(first) = heated.first() {
         let slow = Stage {
             sliding: first.sliding,
