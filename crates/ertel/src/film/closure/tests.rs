@@ -5,7 +5,7 @@ use approx::assert_relative_eq;
 use std::f64::consts::FRAC_PI_2;
 
 use ertel_rheology::Scalar;
-use ertel_rheology::shear::{Carreau, ReeEyring, ShearLaw, ShearThinning};
+use ertel_rheology::shear::{Carreau, ReeEyring, ShearLaw, ShearThinning, StressLimit};
 use nalgebra::SVector;
 use num_dual::{Dual2SVec64, hessian};
 
