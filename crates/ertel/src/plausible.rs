@@ -3,7 +3,7 @@
 
 use crate::case::Case;
 use crate::output::{digits, length, pressure};
-use crate::solution::{Solution, Traction};
+use crate::solution::{Located, Solution, Traction};
 use crate::warning::{Warning, WarningKind};
 
 /// Traction coefficient from which friction is doubted: traction fluids, made for it, reach 0.12 or so (Habchi 2008 computes
@@ -114,13 +114,17 @@ pub fn thick_film(film: &str, thickness: f64, radius: f64) -> Option<Warning> {
 fn cold_inlet(case: &Case, solution: &Solution) -> Option<Warning> {
     let thermal = solution.thermal.as_ref()?;
     let heat = case.heat().ok().flatten()?;
-    let half_width = solution.scales.length;
-    let lowest = &thermal.film_lowest;
     let coldest = (thermal.inlet_temperature)
         .min(heat.plane.temperature)
         .min(heat.ball.temperature);
-    let below = coldest - lowest.value;
     let rise = thermal.film_maximum.value - coldest;
+    undershoot(&thermal.film_lowest, coldest, rise, solution.scales.length)
+}
+
+/// Says so if the lowest temperature of the film is before the contact and below `coldest`, K, that of all that flows in; `rise`
+/// is the largest rise, K, `half_width` in m.
+fn undershoot(lowest: &Located, coldest: f64, rise: f64, half_width: f64) -> Option<Warning> {
+    let below = coldest - lowest.value;
     if lowest.x > -half_width || below < (UNDERSHOOT.0 * rise).max(UNDERSHOOT.1) {
         return None;
     }
@@ -130,4 +134,32 @@ fn cold_inlet(case: &Case, solution: &Solution) -> Option<Warning> {
         lowest.x / half_width
     );
     Some(Warning::beyond(WarningKind::ColdInlet, below, text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 55 K below at the inlet edge is told; half a kelvin is not, nor 2 K beside a rise by 200 K, nor what expansion cools behind.
+    #[test]
+    fn a_film_colder_than_what_flows_in() {
+        let words = |value, x, rise| {
+            let lowest = Located {
+                value,
+                error: None,
+                x,
+                y: 0.0,
+                place_error: None,
+            };
+            undershoot(&lowest, 313.0, rise, 1e-4).map(|w| w.text)
+        };
+        let told = words(258.0, -4.5e-4, 6.4).unwrap();
+        assert!(
+            told.starts_with("the film is 55.0 K colder at x/a -4.50"),
+            "{told}"
+        );
+        assert_eq!(words(312.5, -4.5e-4, 6.4), None);
+        assert_eq!(words(311.0, -4.5e-4, 200.0), None);
+        assert_eq!(words(258.0, 1.2e-4, 6.4), None);
+    }
 }
