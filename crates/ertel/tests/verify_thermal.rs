@@ -36,30 +36,30 @@ fn perfect_conductors_are_isothermal() {
     (heated.mesh.inlet, heated.mesh.outlet) = (Some(-6.0), Some(2.0));
     let mut isothermal = heated.clone();
     isothermal.solver.isothermal = true;
-    let (warm, cold) = (solved(&heated), solved(&isothermal));
-    for (warm, cold) in [
+    let (thermal, isothermal) = (solved(&heated), solved(&isothermal));
+    for (thermal, isothermal) in [
         (
-            warm.summary.film_central.value,
-            cold.summary.film_central.value,
+            thermal.summary.film_central.value,
+            isothermal.summary.film_central.value,
         ),
         (
-            warm.summary.film_minimum.value,
-            cold.summary.film_minimum.value,
+            thermal.summary.film_minimum.value,
+            isothermal.summary.film_minimum.value,
         ),
         (
-            warm.summary.pressure_maximum.value,
-            cold.summary.pressure_maximum.value,
+            thermal.summary.pressure_maximum.value,
+            isothermal.summary.pressure_maximum.value,
         ),
         (
-            warm.traction.coefficient.value,
-            cold.traction.coefficient.value,
+            thermal.traction.coefficient.value,
+            isothermal.traction.coefficient.value,
         ),
         (
-            warm.traction.friction_power.value,
-            cold.traction.friction_power.value,
+            thermal.traction.friction_power.value,
+            isothermal.traction.friction_power.value,
         ),
     ] {
-        assert_relative_eq!(warm, cold, max_relative = 2e-5);
+        assert_relative_eq!(thermal, isothermal, max_relative = 2e-5);
     }
 }
 

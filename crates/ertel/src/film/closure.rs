@@ -346,11 +346,11 @@ pub struct FilmFlow {
     pub work: f64,
 }
 
-/// Solves the local problem; q = ∫ e tf ds with the lever e(s), which is s where the density is uniform.
+/// Solves the local problem; q = ∫ e tf ds with the moment weight e(s), which is s where the density is uniform.
 #[inline(always)]
 pub fn flow(
     law: &impl Fluidity,
-    lever: impl Fn(f64) -> f64,
+    moment_weight: impl Fn(f64) -> f64,
     pressure_stress: [f64; 2],
     slide: f64,
     rule: &mut CrossFilm,
@@ -366,7 +366,7 @@ pub fn flow(
         let square = dot(t, t);
         let factor = if even { 1.0 } else { rule.factors()[k] };
         let f = factor * law.slope(square)[0];
-        let e = lever(s);
+        let e = moment_weight(s);
         film.flow[0] += w * e * f * t[0];
         film.flow[1] += w * e * f * t[1];
         film.work += w * f * square;
@@ -407,7 +407,7 @@ pub fn close(
         }
     }
     // q_yz = ∫(s − K¹(K⁰)⁻¹) d²(tf)[y, z] ds, t moving by t_y = τ_y + s e_y.
-    let lever = [inverse([k1[0], k1[1]]), inverse([k1[1], k1[2]])];
+    let moment_weight = [inverse([k1[0], k1[1]]), inverse([k1[1], k1[2]])];
     let moves = [[1.0, 0.0], [0.0, 1.0], [0.0; 2], [0.0; 2]];
     for y in 0..N_DEMANDS {
         for z in 0..=y {
@@ -435,7 +435,7 @@ pub fn close(
             };
             let (zeroth, first) = (moment(0), moment(1));
             for i in 0..2 {
-                let value = first[i] - dot(lever[i], zeroth);
+                let value = first[i] - dot(moment_weight[i], zeroth);
                 closure.curvatures[i][y][z] = value;
                 closure.curvatures[i][z][y] = value;
             }

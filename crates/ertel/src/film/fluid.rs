@@ -15,8 +15,8 @@ use super::cross_film::CrossFilm;
 use super::fluidity::{Fluidity, PointThinning, Thinning};
 use super::polynomial::{FilmNodes, Nodal};
 use super::properties::Properties;
-use super::warm::{Jet2, TemperatureProfile, WarmFluid, WarmLaw};
-use super::warm_closure::{WarmClosure, close_warm};
+use super::thermal::{Jet2, TemperatureProfile, ThermalFluid, ThermalLaw};
+use super::thermal_closure::{ThermalClosure, close_thermal};
 use crate::contact::Scales;
 
 /// Fluid at a point: value, first and second derivative by P.
@@ -102,35 +102,35 @@ impl FilmFluid {
 
     /// The fluid at a point, for its pressure and, where heat counts, its temperature.
     pub fn local(&self, pressure: f64, temperature: Option<&TemperatureProfile>) -> LocalFluid<'_> {
-        let warm = temperature.map(|profile| self.warm(pressure, profile));
+        let thermal = temperature.map(|profile| self.thermal(pressure, profile));
         LocalFluid {
             fluid: self,
             pressure,
-            point: (warm.as_ref()).map_or_else(|| self.at(pressure), WarmFluid::point),
-            warm,
+            point: (thermal.as_ref()).map_or_else(|| self.at(pressure), ThermalFluid::point),
+            thermal,
         }
     }
 
     /// The fluid of a film of some temperature at P.
     #[inline(always)]
-    pub fn warm(&self, pressure: f64, profile: &TemperatureProfile) -> WarmFluid {
+    pub fn thermal(&self, pressure: f64, profile: &TemperatureProfile) -> ThermalFluid {
         let nodes = self.nodes.as_ref().expect("a fluid with film nodes");
         let mut properties = self.properties.over_temperature(pressure.max(0.0));
-        WarmFluid::new(nodes, profile, |t| {
+        ThermalFluid::new(nodes, profile, |t| {
             self.in_force(pressure, properties.at(t))
         })
     }
 
     /// The same without derivatives by P and along X and Y.
     #[inline(always)]
-    pub fn warm_values(&self, pressure: f64, temperature: &Nodal) -> WarmFluid {
+    pub fn thermal_values(&self, pressure: f64, temperature: &Nodal) -> ThermalFluid {
         let nodes = self.nodes.as_ref().expect("a fluid with film nodes");
         let mut properties = self.properties.over_temperature(pressure.max(0.0));
         let profile = TemperatureProfile {
             temperature: *temperature,
             ..TemperatureProfile::default()
         };
-        WarmFluid::values(nodes, &profile, |t| {
+        ThermalFluid::values(nodes, &profile, |t| {
             self.in_force(pressure, properties.at(t))
         })
     }
@@ -175,24 +175,24 @@ impl FilmFluid {
         self.nodes.as_deref()
     }
 
-    /// The law of a warm film at P.
-    pub fn warm_law<'a>(&'a self, pressure: f64, fluid: &'a WarmFluid) -> WarmLaw<'a> {
-        WarmLaw {
+    /// The law of a thermal film at P.
+    pub fn thermal_law<'a>(&'a self, pressure: f64, fluid: &'a ThermalFluid) -> ThermalLaw<'a> {
+        ThermalLaw {
             thinning: self.thinning_at(pressure),
             fluid,
         }
     }
 
-    /// Flow across a warm film at P, for G = H∇P and Ω = σμ̄/H with its standing viscosity.
-    pub fn close_warm(
+    /// Flow across a thermal film at P, for G = H∇P and Ω = σμ̄/H with its standing viscosity.
+    pub fn close_thermal(
         &self,
         pressure: f64,
-        fluid: &WarmFluid,
+        fluid: &ThermalFluid,
         pressure_stress: [f64; 2],
         sliding_stress: f64,
         rule: &mut CrossFilm,
-    ) -> WarmClosure {
-        let law = self.warm_law(pressure, fluid);
+    ) -> ThermalClosure {
+        let law = self.thermal_law(pressure, fluid);
         vectorised(CloseWarm {
             law: &law,
             pressure_stress,
@@ -310,12 +310,12 @@ impl FilmFluid {
 
 kernel! {
     CloseWarm ['a] ['a] (
-        law: &'a WarmLaw<'a>,
+        law: &'a ThermalLaw<'a>,
         pressure_stress: [f64; 2],
         sliding_stress: f64,
         rule: &'a mut CrossFilm,
-    ) -> WarmClosure {
-        close_warm(law, pressure_stress, sliding_stress, rule)
+    ) -> ThermalClosure {
+        close_thermal(law, pressure_stress, sliding_stress, rule)
     }
 }
 
@@ -335,18 +335,18 @@ pub struct LocalFluid<'a> {
     fluid: &'a FilmFluid,
     pressure: f64,
     point: PointFluid,
-    warm: Option<WarmFluid>,
+    thermal: Option<ThermalFluid>,
 }
 
 impl LocalFluid<'_> {
-    /// Density and viscosity; of a warm film its mean density and the viscosity that stands for it.
+    /// Density and viscosity; of a thermal film its mean density and the viscosity that stands for it.
     pub fn point(&self) -> &PointFluid {
         &self.point
     }
 
     /// The fluid across the film, where its temperature varies.
-    pub fn warm(&self) -> Option<&WarmFluid> {
-        self.warm.as_ref()
+    pub fn thermal(&self) -> Option<&ThermalFluid> {
+        self.thermal.as_ref()
     }
 
     /// G and Ω of a pressure gradient and a film thickness.
@@ -357,10 +357,10 @@ impl LocalFluid<'_> {
 
     /// Stress and flow for G and Ω.
     pub fn flow(&self, g: [f64; 2], omega: f64, rule: &mut CrossFilm) -> FilmFlow {
-        if let Some(warm) = &self.warm {
-            let law = self.fluid.warm_law(self.pressure, warm);
-            let lever = |s: f64| warm.lever.by_p[0].at(s);
-            return vectorised(|| closure::flow(&law, lever, g, omega, rule));
+        if let Some(thermal) = &self.thermal {
+            let law = self.fluid.thermal_law(self.pressure, thermal);
+            let moment_weight = |s: f64| thermal.moment_weight.by_p[0].at(s);
+            return vectorised(|| closure::flow(&law, moment_weight, g, omega, rule));
         }
         match self.fluid.thinning_at(self.pressure) {
             None => FilmFlow {
@@ -374,11 +374,11 @@ impl LocalFluid<'_> {
 
     /// Flow and its derivatives for G and Ω.
     pub fn close(&self, g: [f64; 2], omega: f64, rule: &mut CrossFilm) -> Closure {
-        match &self.warm {
+        match &self.thermal {
             None => self.fluid.close(self.pressure, g, omega, rule),
-            Some(warm) => {
+            Some(thermal) => {
                 (self.fluid)
-                    .close_warm(self.pressure, warm, g, omega, rule)
+                    .close_thermal(self.pressure, thermal, g, omega, rule)
                     .closure
             }
         }
@@ -386,8 +386,8 @@ impl LocalFluid<'_> {
 
     /// μ̄/η at a height of the film and the square of a stress, in units of a p_h/R.
     pub fn relative_fluidity(&self, s: f64, stress_squared: f64) -> f64 {
-        if let Some(warm) = &self.warm {
-            let law = self.fluid.warm_law(self.pressure, warm);
+        if let Some(thermal) = &self.thermal {
+            let law = self.fluid.thermal_law(self.pressure, thermal);
             return law.factor(s) * law.slope(stress_squared)[0];
         }
         (self.fluid.thinning_at(self.pressure)).map_or(1.0, |law| law.slope(stress_squared)[0])

@@ -9,10 +9,10 @@ mod patches;
 pub mod polynomial;
 mod properties;
 mod quintic;
-pub mod warm;
-pub mod warm_closure;
+pub mod thermal;
+pub mod thermal_closure;
 
 pub use closure::Closure;
 pub use fluid::{FilmFluid, PointFluid};
 pub use polynomial::{FilmNodes, MOST_NODES, Nodal, Polynomial};
-pub use warm::{TemperatureProfile, WarmFluid};
+pub use thermal::{TemperatureProfile, ThermalFluid};

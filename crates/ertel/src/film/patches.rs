@@ -8,7 +8,7 @@
 
 use std::sync::OnceLock;
 
-use super::warm::Jet2;
+use super::thermal::Jet2;
 
 /// Patches to each p_h, and how far they reach, in p_h.
 const PER_UNIT: f64 = 32.0;

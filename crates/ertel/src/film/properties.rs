@@ -7,7 +7,7 @@ use num_dual::Dual2_64;
 
 use super::patches::{Isobar, Laws, Patches};
 use super::quintic::Quintic;
-use super::warm::Jet2;
+use super::thermal::Jet2;
 
 /// ρ̄ and ln μ̄ at P ≥ 0, each with two derivatives by P. Smooth laws are read from a table.
 #[derive(Clone, Debug)]

@@ -234,9 +234,9 @@ fn evaluate(
     place: &FilmPlace,
     rule: &mut CrossFilm,
 ) -> FilmColumn {
-    let warm = fluid.warm_values(place.pressure, &place.temperature);
-    let law = fluid.warm_law(place.pressure, &warm);
-    let mu = warm.viscosity[0];
+    let thermal = fluid.thermal_values(place.pressure, &place.temperature);
+    let law = fluid.thermal_law(place.pressure, &thermal);
+    let mu = thermal.viscosity[0];
     let g = place.pressure_gradient.map(|p| place.film * p);
     let omega = fluid.slide() * mu / place.film;
     let tau = mid_stress(&law, g, omega, rule);
@@ -247,7 +247,7 @@ fn evaluate(
     let rate_scale = stress / (heat.viscosity * mu);
     let mut column = FilmColumn {
         heights: [FilmHeat::default(); MOST_NODES],
-        thinning: warm.ln_viscosities[1].map(|v| -v),
+        thinning: thermal.ln_viscosities[1].map(|v| -v),
         stress_slopes: [[0.0; 2]; MOST_NODES],
     };
     let mut rates = [[0.0; 2]; MOST_NODES];
@@ -292,8 +292,8 @@ fn evaluate(
             velocity[1] += by_speed * share * rate[1];
         }
         let temperature = dot(&place.temperature);
-        let rho = dot(&warm.densities[0]);
-        let by_temperature = dot(&warm.densities[1]);
+        let rho = dot(&thermal.densities[0]);
+        let by_temperature = dot(&thermal.densities[1]);
         let capacity = heat.heat_capacity.heat_capacity(p.max(0.0), temperature);
         let conductivity = heat.conductivity.conductivity(p.max(0.0), temperature);
         let point = &mut column.heights[k];

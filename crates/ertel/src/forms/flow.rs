@@ -7,11 +7,11 @@
 //! Mass flows by ρ̄H e_x − Q. A generalized-Newtonian film has one viscosity at each height; its Q,
 //! from the stress across the film, contains what sliding does to the flow (Habchi 2008, eqs. 4.9 and
 //! 4.11, where the same is written with integrals of 1/η). With q = G/12 it is the Newtonian one. Where the
-//! temperature varies, ρ̄ is the mean over the film and μ̄ the geometric mean of the viscosity (see [`crate::film::warm`]).
+//! temperature varies, ρ̄ is the mean over the film and μ̄ the geometric mean of the viscosity (see [`crate::film::thermal`]).
 
 use crate::film::closure::N_DEMANDS;
-use crate::film::warm::Mean;
-use crate::film::warm_closure::WarmClosure;
+use crate::film::thermal::Mean;
+use crate::film::thermal_closure::ThermalClosure;
 use crate::film::{Closure, PointFluid};
 use crate::forms::dual::Number;
 
@@ -165,12 +165,12 @@ fn expanded<D: Number>(value: f64, slopes: &[f64; N_DEMANDS], changes: &[D; N_DE
 /// Flow of a film whose temperature varies, `density` its mean: what the temperature does along the film
 /// comes on top.
 #[inline(always)]
-pub fn warm<D: Number>(
+pub fn thermal<D: Number>(
     s: &PointState<D>,
     m: &Properties<D>,
     lambda: f64,
     slide: f64,
-    closure: &WarmClosure,
+    closure: &ThermalClosure,
     density: &Mean,
 ) -> Flow<D> {
     let mut flow = generalized(s, m, lambda, slide, &closure.closure);

@@ -312,7 +312,7 @@ pub(super) mod tests {
     /// By hand: 2 % of a rise by 50 K, and the 0.2 K that linear elements are off; a tenth of 0.5 K of a mean.
     #[test]
     fn temperatures_reckon_with_their_elements() {
-        let warm = |figure| {
+        let thermal = |figure| {
             (
                 figure,
                 Reading {
@@ -321,7 +321,7 @@ pub(super) mod tests {
                 },
             )
         };
-        let figures = [Figure::FilmTemperatureMaximum, Figure::FilmTemperatureMean].map(warm);
+        let figures = [Figure::FilmTemperatureMaximum, Figure::FilmTemperatureMean].map(thermal);
         let mut levels = [10, 40].map(|n| level(n, Role::Final, &figures));
         levels[1].estimate = Some(ErrorEstimate {
             temperatures: TemperatureErrors {

@@ -10,7 +10,7 @@ use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, TemperatureProfile};
 use crate::forms::dual::Dual;
 use crate::forms::flow::{
-    PointState, Properties, generalized, newtonian, pressure_stress, sliding_stress, warm,
+    PointState, Properties, generalized, newtonian, pressure_stress, sliding_stress, thermal,
 };
 use crate::forms::reynolds::{ElementConstants, TestCoefficients, reynolds_point};
 
@@ -140,7 +140,7 @@ impl<'a> Assembler<'a> {
                 }),
                 Some(heat) => {
                     let profile = heat.profile_at(d, self.state, c, q);
-                    vectorised(WarmIntegrand {
+                    vectorised(ThermalIntegrand {
                         point,
                         fluid: self.fluid,
                         profile: &profile,
@@ -342,7 +342,7 @@ declare_kernel! {
 }
 
 declare_kernel! {
-    WarmIntegrand ['a] ['a]
+    ThermalIntegrand ['a] ['a]
     (
         point: &'a mut Point,
         fluid: &'a FilmFluid,
@@ -351,7 +351,7 @@ declare_kernel! {
         source: f64,
         rule: &'a mut CrossFilm,
     ) -> () {
-        warm_integrand(point, fluid, profile, local, source, rule)
+        thermal_integrand(point, fluid, profile, local, source, rule)
     }
 }
 
@@ -400,7 +400,7 @@ fn integrand<const S: usize>(
 
 /// The same where the temperature varies.
 #[inline(always)]
-fn warm_integrand(
+fn thermal_integrand(
     point: &mut Point,
     fluid: &FilmFluid,
     profile: &TemperatureProfile,
@@ -409,13 +409,13 @@ fn warm_integrand(
     rule: &mut CrossFilm,
 ) {
     let s = point.variables::<GENERALIZED>();
-    let film = fluid.warm(point.state[0], profile);
+    let film = fluid.thermal(point.state[0], profile);
     let m = Properties::around(s.pressure, &film.point());
     let slide = fluid.slide();
     let g = pressure_stress(&s).map(|g| g.re);
     let omega = sliding_stress(&s, &m, slide).re;
-    let closure = fluid.close_warm(point.state[0], &film, g, omega, rule);
-    let flow = warm(&s, &m, local.lambda, slide, &closure, &film.density);
+    let closure = fluid.close_thermal(point.state[0], &film, g, omega, rule);
+    let flow = thermal(&s, &m, local.lambda, slide, &closure, &film.density);
     point.keep(
         &reynolds_point(&s, &m, &flow, local, source),
         film.density.by_p[0],

@@ -66,18 +66,18 @@ impl PointSolution {
 
     /// What heat does to film and traction: beside the point's isothermal solution, else as its own stages tell.
     pub fn thermal_reduction(&self) -> Option<ThermalReduction> {
-        let warm = self.outcome.solution()?;
-        let Some(cold) = self.isothermal_solution() else {
-            return warm.thermal.as_ref()?.reduction;
+        let thermal = self.outcome.solution()?;
+        let Some(isothermal) = self.isothermal_solution() else {
+            return thermal.thermal.as_ref()?.reduction;
         };
-        let (with, without) = (&warm.summary, &cold.summary);
+        let (with, without) = (&thermal.summary, &isothermal.summary);
         let slides = self.case.motion.slide_to_roll_ratio != 0.0;
-        let isothermal_traction = cold.traction.coefficient;
+        let isothermal_traction = isothermal.traction.coefficient;
         Some(ThermalReduction {
             film_central: Estimate::reduction(with.film_central, without.film_central),
             film_minimum: Estimate::reduction(with.film_minimum, without.film_minimum),
             traction: slides
-                .then(|| Estimate::reduction(warm.traction.coefficient, isothermal_traction)),
+                .then(|| Estimate::reduction(thermal.traction.coefficient, isothermal_traction)),
             isothermal_traction,
         })
     }

@@ -137,14 +137,14 @@ impl StudyEcho {
         text.push('\n');
         for (i, values, record) in finished {
             let _ = write!(text, "{}", i + 1);
-            let cold = isothermal.get(&i).and_then(|key| records.get(key));
+            let isothermal = isothermal.get(&i).and_then(|key| records.get(key));
             for value in values {
                 text.push(',');
                 text.push_str(&text_field(value));
             }
             for (name, _) in names {
                 text.push(',');
-                match cold.and_then(|cold| reduction(name, record, cold)) {
+                match isothermal.and_then(|isothermal| reduction(name, record, isothermal)) {
                     Some(value) => {
                         text.push_str(&value.map_or(String::new(), |v| format!("{v:e}")))
                     }

@@ -29,7 +29,7 @@ pub(super) fn profile(
     let fields = fields_at(d, state, [x, -y.abs()])?;
     let temperatures = fluid.nodes()?.through(&fields.temperature?.temperature);
     let local = fluid.local(fields.pressure, fields.temperature.as_ref());
-    let law = fluid.warm_law(fields.pressure, local.warm()?);
+    let law = fluid.thermal_law(fields.pressure, local.thermal()?);
     let (g, omega) = local.demands(fields.pressure_gradient, fields.film);
     let tau = mid_stress(&law, g, omega, &mut CrossFilm::default());
     let viscosity = local.point().viscosity[0] * scales.viscosity;

@@ -132,15 +132,15 @@ pub fn warnings(
 /// Films and tractions with and without heat, where both were found on the same mesh; traction only where the
 /// surfaces slide.
 fn reduction(levels: &[LevelStats], measured: &Measured, slides: bool) -> Option<ThermalReduction> {
-    let [warm, cold] = beside(levels, Role::Isothermal)?;
-    let of = |figure| bars::reduction(figure, warm, cold, measured);
-    let isothermal_traction = cold.figures.value(Figure::TractionCoefficient)?;
-    let relative = bars::relative_error_on(warm, Figure::TractionCoefficient, measured);
+    let [thermal, isothermal] = beside(levels, Role::Isothermal)?;
+    let of = |figure| bars::reduction(figure, thermal, isothermal, measured);
+    let isothermal_traction = isothermal.figures.value(Figure::TractionCoefficient)?;
+    let relative = bars::relative_error_on(thermal, Figure::TractionCoefficient, measured);
     Some(ThermalReduction {
         film_central: of(Figure::FilmCentral)?,
         film_minimum: of(Figure::FilmMinimum)?,
         traction: of(Figure::TractionCoefficient).filter(|_| slides),
-        // That mesh errs in it much as in the warm one.
+        // That mesh errs in it much as in the thermal one.
         isothermal_traction: Estimate {
             value: isothermal_traction,
             error: relative.map(|relative| relative * isothermal_traction.abs()),

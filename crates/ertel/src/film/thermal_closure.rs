@@ -3,24 +3,24 @@
 //! ```text
 //!   F(t) = t f(|t|², P) e^{E(s)},   t(s) = τ + sG              shear rate over 12H/(λμ̄)
 //!   ∫ F ds = Ω e_x                                             the surfaces slide: for τ
-//!   q = ∫ e F ds                                               with the lever e(s) of the density
+//!   q = ∫ e F ds                                               with the moment weight e(s) of the density
 //!
 //!   q_d  = ∫ e(F_t t_d + F_d) + e_d F ds,       t_d = τ_d + ∂(sG)/∂d
 //!   q_dg = ∫ (e − K)S ds + ∫ e_d(F_t t_g + F_g) + e_g(F_t t_d + F_d) + e_dg F ds
 //!   S = F_tt[t_d, t_g] + F_td t_g + F_tg t_d + F_dg,   K = ∫eF_t ds (∫F_t ds)⁻¹
 //! ```
-//! As [`super::closure`], with E and e of [`super::warm`]; d and g stand for G_x, G_y, Ω, P and for X, Y, along
+//! As [`super::closure`], with E and e of [`super::thermal`]; d and g stand for G_x, G_y, Ω, P and for X, Y, along
 //! which the temperature changes. Of the latter only what a divergence needs is kept.
 
 use super::closure::{Closure, N_DEMANDS, contract, mid_stress, multiply, plus, solve};
 use super::cross_film::CrossFilm;
 use super::fluidity::{Jet, UniformFluidity};
 use super::lanes::{Lanes, WIDTH};
-use super::warm::WarmLaw;
+use super::thermal::ThermalLaw;
 
 /// Solution of the local problem.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct WarmClosure {
+pub struct ThermalClosure {
     /// As in a film of one temperature.
     pub closure: Closure,
     /// ∂q_x/∂X + ∂q_y/∂Y by the temperature alone.
@@ -33,7 +33,7 @@ pub struct WarmClosure {
 const N: usize = N_DEMANDS + 2;
 const P: usize = 3;
 
-/// F and the lever at several heights of the film, with their direct derivatives by P, X and Y.
+/// F and the moment weight at several heights of the film, with their direct derivatives by P, X and Y.
 struct Heights {
     /// s and the weights.
     points: [Lanes; 2],
@@ -48,27 +48,27 @@ struct Heights {
     /// F_PP, F_PX, F_PY.
     direct_by_p: [[Lanes; 2]; 3],
     /// e; e_P, e_X, e_Y; e_PP, e_PX, e_PY.
-    lever: Lanes,
-    lever_by: [Lanes; 3],
-    lever_by_p: [Lanes; 3],
+    moment_weight: Lanes,
+    moment_weight_by: [Lanes; 3],
+    moment_weight_by_p: [Lanes; 3],
 }
 
 impl Heights {
     /// Heights (s, weight), at most [`WIDTH`], with e^E at each. Lanes that are left over weigh nothing.
     #[inline(always)]
     fn new(
-        law: &WarmLaw,
+        law: &ThermalLaw,
         points: &[[f64; 2]],
         factors: &[f64],
         tau: [f64; 2],
         g: [f64; 2],
     ) -> Heights {
         let (mut s, mut weights) = (Lanes::default(), Lanes::default());
-        let mut warmth = Lanes::default();
+        let mut thinning_by_heat = Lanes::default();
         for (k, ([height, weight], factor)) in points.iter().zip(factors).enumerate() {
             s.0[k] = *height;
             weights.0[k] = *weight;
-            warmth.0[k] = *factor;
+            thinning_by_heat.0[k] = *factor;
         }
         let x = s * g[0] + Lanes::all(tau[0]);
         let y = s * g[1] + Lanes::all(tau[1]);
@@ -85,18 +85,18 @@ impl Heights {
         let exponent = &law.fluid.exponent;
         let (a1, a2) = (exponent.by_p[1].at_lanes(s), exponent.by_p[2].at_lanes(s));
         // f e^E and its derivatives: by x = |t|², P, X, Y
-        let f = warmth * b.f;
-        let [d, dd] = [warmth * b.x * 2.0, warmth * b.xx * 4.0];
-        let f_p = warmth * (b.p + b.f * a1);
-        let d_p = warmth * (b.xp + b.x * a1) * 2.0;
-        let f_pp = warmth * (b.pp + b.p * a1 * 2.0 + b.f * (a1 * a1 + a2));
-        let lever = &law.fluid.lever;
+        let f = thinning_by_heat * b.f;
+        let [d, dd] = [thinning_by_heat * b.x * 2.0, thinning_by_heat * b.xx * 4.0];
+        let f_p = thinning_by_heat * (b.p + b.f * a1);
+        let d_p = thinning_by_heat * (b.xp + b.x * a1) * 2.0;
+        let f_pp = thinning_by_heat * (b.pp + b.p * a1 * 2.0 + b.f * (a1 * a1 + a2));
+        let moment_weight = &law.fluid.moment_weight;
         let mut along = [[Lanes::default(); 2]; 2];
-        let mut lever_along = [[Lanes::default(); 2]; 2];
+        let mut moment_weight_along = [[Lanes::default(); 2]; 2];
         for i in 0..2 {
             for k in 0..2 {
                 along[i][k] = exponent.along[i][k].at_lanes(s);
-                lever_along[i][k] = lever.along[i][k].at_lanes(s);
+                moment_weight_along[i][k] = moment_weight.along[i][k].at_lanes(s);
             }
         }
         let tensor = |f: Lanes, d: Lanes| [f + d * x * x, d * x * y, f + d * y * y];
@@ -126,16 +126,16 @@ impl Heights {
                 vector(f_p * along[0][0] + f * along[0][1]),
                 vector(f_p * along[1][0] + f * along[1][1]),
             ],
-            lever: lever.by_p[0].at_lanes(s),
-            lever_by: [
-                lever.by_p[1].at_lanes(s),
-                lever_along[0][0],
-                lever_along[1][0],
+            moment_weight: moment_weight.by_p[0].at_lanes(s),
+            moment_weight_by: [
+                moment_weight.by_p[1].at_lanes(s),
+                moment_weight_along[0][0],
+                moment_weight_along[1][0],
             ],
-            lever_by_p: [
-                lever.by_p[2].at_lanes(s),
-                lever_along[0][1],
-                lever_along[1][1],
+            moment_weight_by_p: [
+                moment_weight.by_p[2].at_lanes(s),
+                moment_weight_along[0][1],
+                moment_weight_along[1][1],
             ],
         }
     }
@@ -175,12 +175,12 @@ fn sums<const C: usize>(lanes: &[Lanes; C]) -> [f64; C] {
 
 /// Solves the local problem and differentiates it.
 #[inline(always)]
-pub fn close_warm(
-    law: &WarmLaw,
+pub fn close_thermal(
+    law: &ThermalLaw,
     pressure_stress: [f64; 2],
     slide: f64,
     rule: &mut CrossFilm,
-) -> WarmClosure {
+) -> ThermalClosure {
     let tau = mid_stress(law, pressure_stress, slide, rule);
     let g = pressure_stress;
     let mut heights = Vec::with_capacity(rule.points().len().div_ceil(WIDTH));
@@ -195,7 +195,7 @@ pub fn close_warm(
             let k = w * h.by_stress[0][i];
             stiffness[0][i] += k;
             stiffness[1][i] += s * k;
-            stiffness[2][i] += h.lever * k;
+            stiffness[2][i] += h.moment_weight * k;
             for a in 0..2 {
                 direct[i][a] += w * h.direct[i][a];
             }
@@ -225,13 +225,13 @@ pub fn close_warm(
     let mut flow = [Lanes::default(); 2];
     for h in &heights {
         let [s, w] = h.points;
-        let lever = w * h.lever;
+        let moment_weight = w * h.moment_weight;
         // −K by the weight
         let mut held = [[Lanes::default(); 2]; 2];
         let mut rate = [Lanes::default(); 2];
         for i in 0..2 {
             rate[i] = w * h.rate[i];
-            flow[i] += h.lever * rate[i];
+            flow[i] += h.moment_weight * rate[i];
             for a in 0..2 {
                 held[i][a] = w * -rows[i][a];
             }
@@ -249,12 +249,16 @@ pub fn close_warm(
                 change[d] = plus(change[d], h.direct[d - P]);
             }
         }
-        let lever_by = [w * h.lever_by[0], w * h.lever_by[1], w * h.lever_by[2]];
+        let moment_weight_by = [
+            w * h.moment_weight_by[0],
+            w * h.moment_weight_by[1],
+            w * h.moment_weight_by[2],
+        ];
         for d in 0..N {
             for i in 0..2 {
-                first[i][d] += lever * change[d][i];
+                first[i][d] += moment_weight * change[d][i];
                 if d >= P {
-                    first[i][d] += lever_by[d - P] * h.rate[i];
+                    first[i][d] += moment_weight_by[d - P] * h.rate[i];
                 }
             }
         }
@@ -269,13 +273,14 @@ pub fn close_warm(
                     sum = plus(sum, multiply(h.by_stress[e - P + 1], shift[d]));
                 }
                 for i in 0..2 {
-                    let mut value = lever * sum[i] + held[i][0] * sum[0] + held[i][1] * sum[1];
+                    let mut value =
+                        moment_weight * sum[i] + held[i][0] * sum[0] + held[i][1] * sum[1];
                     if d >= P {
-                        value += lever_by[d - P] * change[e][i];
-                        value += h.lever_by_p[e - P] * rate[i];
+                        value += moment_weight_by[d - P] * change[e][i];
+                        value += h.moment_weight_by_p[e - P] * rate[i];
                     }
                     if e >= P {
-                        value += lever_by[e - P] * change[d][i];
+                        value += moment_weight_by[e - P] * change[d][i];
                     }
                     second[i][d][e] += value;
                 }
@@ -291,7 +296,7 @@ pub fn close_warm(
         }
     }
     let second = totals;
-    let mut warm = WarmClosure {
+    let mut thermal = ThermalClosure {
         closure: Closure {
             mid_stress: tau,
             flow,
@@ -302,14 +307,14 @@ pub fn close_warm(
     };
     for i in 0..2 {
         for d in 0..N_DEMANDS {
-            warm.closure.slopes[i][d] = first[i][d];
+            thermal.closure.slopes[i][d] = first[i][d];
             for e in d..N_DEMANDS {
-                warm.closure.curvatures[i][d][e] = second[i][d][e];
-                warm.closure.curvatures[i][e][d] = second[i][d][e];
+                thermal.closure.curvatures[i][d][e] = second[i][d][e];
+                thermal.closure.curvatures[i][e][d] = second[i][d][e];
             }
         }
     }
-    warm
+    thermal
 }
 
 #[cfg(test)]

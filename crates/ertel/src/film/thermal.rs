@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   1/η(s) = f(|t|², P) e^{E(s)}/μ̄,   E = ln μ̄ − ln μ(P, T(s))      ln μ̄ = ∫ln μ ds
-//!   ρ_m = ∫ρ ds,   e(s) = ½ − ∫_s^½ ρ ds'/ρ_m                        mean density, lever of the shear rate
+//!   ρ_m = ∫ρ ds,   e(s) = ½ − ∫_s^½ ρ ds'/ρ_m                        mean density, moment weight of the shear rate
 //!
 //!   mass flow = H∫ρu ds = ρ_m H e_x + H∫ ρ_m e ∂u/∂s ds             (by parts; e = s where ρ is uniform)
 //! ```
@@ -95,11 +95,11 @@ pub struct Mean {
 
 /// Fluid of the film at one point and pressure.
 #[derive(Clone, Copy, Debug)]
-pub struct WarmFluid {
+pub struct ThermalFluid {
     /// E.
     pub exponent: Field,
     /// e.
-    pub lever: Field,
+    pub moment_weight: Field,
     /// ρ_m.
     pub density: Mean,
     /// μ̄, the geometric mean over the film, with two derivatives by P. It cancels, and has no others.
@@ -112,15 +112,15 @@ pub struct WarmFluid {
     pub variation: f64,
 }
 
-impl WarmFluid {
+impl ThermalFluid {
     /// Fluid from ρ̄ and ln μ̄ at the nodes.
     #[inline(always)]
     pub fn new(
         nodes: &FilmNodes,
         profile: &TemperatureProfile,
         properties: impl FnMut(f64) -> [Jet2; 2],
-    ) -> WarmFluid {
-        WarmFluid::sampled::<true>(nodes, profile, properties)
+    ) -> ThermalFluid {
+        ThermalFluid::sampled::<true>(nodes, profile, properties)
     }
 
     /// The same with nothing but the values of E and e: derivatives by P and along X and Y are left out.
@@ -129,8 +129,8 @@ impl WarmFluid {
         nodes: &FilmNodes,
         profile: &TemperatureProfile,
         properties: impl FnMut(f64) -> [Jet2; 2],
-    ) -> WarmFluid {
-        WarmFluid::sampled::<false>(nodes, profile, properties)
+    ) -> ThermalFluid {
+        ThermalFluid::sampled::<false>(nodes, profile, properties)
     }
 
     #[inline(always)]
@@ -138,7 +138,7 @@ impl WarmFluid {
         nodes: &FilmNodes,
         profile: &TemperatureProfile,
         mut properties: impl FnMut(f64) -> [Jet2; 2],
-    ) -> WarmFluid {
+    ) -> ThermalFluid {
         let n = nodes.n();
         let mut density = Sampled::default();
         let mut ln_mu = Sampled::default();
@@ -165,9 +165,9 @@ impl WarmFluid {
         }
         let [l, l1, l2] = reference;
         let mu = l.exp();
-        WarmFluid {
+        ThermalFluid {
             exponent,
-            lever: lever::<DERIVATIVES>(nodes, &density, &rho),
+            moment_weight: moment_weight::<DERIVATIVES>(nodes, &density, &rho),
             density: rho,
             viscosity: [mu, mu * l1, mu * (l1 * l1 + l2)],
             ln_viscosities: [ln_mu.by_p[0], ln_mu.by_t],
@@ -202,7 +202,11 @@ fn affine(a: f64, b: f64, values: &Nodal) -> Nodal {
 
 /// e = ½ − ∫_s^½ r ds' and its derivatives, r = ρ/ρ_m.
 #[inline(always)]
-fn lever<const DERIVATIVES: bool>(nodes: &FilmNodes, density: &Sampled, mean: &Mean) -> Field {
+fn moment_weight<const DERIVATIVES: bool>(
+    nodes: &FilmNodes,
+    density: &Sampled,
+    mean: &Mean,
+) -> Field {
     let [rho, rho_p, rho_pp] = mean.by_p;
     let scale = 1.0 / rho;
     // (a − Σ bᵢ cᵢ)/ρ_m
@@ -272,15 +276,15 @@ impl Sampled {
     }
 }
 
-/// The law of a warm film: shear thinning times the effect of temperature.
-pub struct WarmLaw<'a> {
+/// The law of a thermal film: shear thinning times the effect of temperature.
+pub struct ThermalLaw<'a> {
     /// How stress thins the fluid, if it does.
     pub thinning: Option<PointThinning<'a>>,
     /// The fluid.
-    pub fluid: &'a WarmFluid,
+    pub fluid: &'a ThermalFluid,
 }
 
-impl WarmLaw<'_> {
+impl ThermalLaw<'_> {
     /// e^E at some heights, no more than there can be nodes.
     #[inline(always)]
     pub fn factors_at(&self, heights: &[f64]) -> Nodal {
@@ -295,7 +299,7 @@ impl WarmLaw<'_> {
     }
 }
 
-impl Fluidity for WarmLaw<'_> {
+impl Fluidity for ThermalLaw<'_> {
     #[inline(always)]
     fn slope(&self, stress_squared: f64) -> [f64; 2] {
         match &self.thinning {

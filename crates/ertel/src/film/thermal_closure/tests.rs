@@ -1,4 +1,4 @@
-//! The warm film against the film of one temperature, closed forms, Yang and Wen's integrals, and differences.
+//! the thermal film against the film of one temperature, closed forms, Yang and Wen's integrals, and differences.
 
 use approx::assert_relative_eq;
 use ertel_rheology::ShearThinning;
@@ -9,19 +9,22 @@ use super::*;
 use crate::film::closure;
 use crate::film::fluidity::Thinning;
 use crate::film::polynomial::FilmNodes;
-use crate::film::warm::{Jet2, TemperatureProfile, WarmFluid};
+use crate::film::thermal::{Jet2, TemperatureProfile, ThermalFluid};
 
 /// ρ̄ and ln μ̄ of a fluid that thins by heat, more so under pressure.
 fn properties(p: f64, t: f64) -> [Jet2; 2] {
-    let warmth = |t: num_dual::Dual2SVec64<2>| (t - 310.0) / 40.0;
+    let thinning_by_heat = |t: num_dual::Dual2SVec64<2>| (t - 310.0) / 40.0;
     [
         Jet2::of(
-            |p, t| (p * 0.3 + 1.0).ln() * 0.5 + 1.0 - warmth(t) * 0.03 / (p + 1.0),
+            |p, t| (p * 0.3 + 1.0).ln() * 0.5 + 1.0 - thinning_by_heat(t) * 0.03 / (p + 1.0),
             p,
             t,
         ),
         Jet2::of(
-            |p, t| p * 4.0 - warmth(t) * (p * 0.8 + 1.0) * 1.5 + warmth(t).powi(2) * 0.2,
+            |p, t| {
+                p * 4.0 - thinning_by_heat(t) * (p * 0.8 + 1.0) * 1.5
+                    + thinning_by_heat(t).powi(2) * 0.2
+            },
             p,
             t,
         ),
@@ -54,16 +57,16 @@ fn thinning() -> Thinning {
 
 fn close(
     thinning: Option<&Thinning>,
-    fluid: &WarmFluid,
+    fluid: &ThermalFluid,
     p: f64,
     g: [f64; 2],
     slide: f64,
-) -> WarmClosure {
-    let law = WarmLaw {
+) -> ThermalClosure {
+    let law = ThermalLaw {
         thinning: thinning.map(|t| t.at(p, 1e6, 1e9)),
         fluid,
     };
-    close_warm(&law, g, slide, &mut CrossFilm::default())
+    close_thermal(&law, g, slide, &mut CrossFilm::default())
 }
 
 /// One temperature: the closure of a film that has one.
@@ -80,19 +83,27 @@ fn uniform_temperature() {
         (0.9, [2.0, 0.7], 5.0),
         (0.1, [0.02, 0.0], -0.4),
     ] {
-        let fluid = WarmFluid::new(&nodes, &flat, |t| properties(p, t));
-        let warm = close(Some(&thinning), &fluid, p, g, slide).closure;
-        let cold = closure::close(
+        let fluid = ThermalFluid::new(&nodes, &flat, |t| properties(p, t));
+        let thermal = close(Some(&thinning), &fluid, p, g, slide).closure;
+        let isothermal = closure::close(
             &thinning.at(p, 1e6, 1e9),
             g,
             slide,
             &mut CrossFilm::default(),
         );
         for i in 0..2 {
-            assert_relative_eq!(warm.mid_stress[i], cold.mid_stress[i], epsilon = 1e-8);
-            assert_relative_eq!(warm.flow[i], cold.flow[i], epsilon = 1e-8);
+            assert_relative_eq!(
+                thermal.mid_stress[i],
+                isothermal.mid_stress[i],
+                epsilon = 1e-8
+            );
+            assert_relative_eq!(thermal.flow[i], isothermal.flow[i], epsilon = 1e-8);
             for d in 0..4 {
-                assert_relative_eq!(warm.slopes[i][d], cold.slopes[i][d], epsilon = 1e-7);
+                assert_relative_eq!(
+                    thermal.slopes[i][d],
+                    isothermal.slopes[i][d],
+                    epsilon = 1e-7
+                );
             }
         }
         assert_relative_eq!(
@@ -120,12 +131,12 @@ fn yang_and_wen() {
         pp: 0.0,
         pt: 0.0,
     };
-    let fluid = WarmFluid::new(&nodes, &profile, |t| {
+    let fluid = ThermalFluid::new(&nodes, &profile, |t| {
         let s = t - 300.0;
         [flat(1.0 + c * s), flat(-b * s)]
     });
     let (g, slide) = ([0.8, -0.3], 0.5);
-    let warm = close(None, &fluid, 0.2, g, slide).closure;
+    let thermal = close(None, &fluid, 0.2, g, slide).closure;
     // Simpson's rule on 2000 intervals for every integral of the thesis
     let integral = |f: &dyn Fn(f64) -> f64, to: f64| -> f64 {
         let n = 2000;
@@ -142,12 +153,12 @@ fn yang_and_wen() {
     for i in 0..2 {
         let omega = if i == 0 { slide } else { 0.0 };
         let tau = (omega - g[i] * e1) / e0;
-        assert_relative_eq!(warm.mid_stress[i], tau, epsilon = 1e-9);
+        assert_relative_eq!(thermal.mid_stress[i], tau, epsilon = 1e-9);
         // velocity beyond that of the plane, then its mean over the mass
         let rate = |s: f64| (tau + s * g[i]) * fluidity(s);
         let mass = integral(&|s| (1.0 + c * s) * integral(&rate, s), 0.5);
         // ρ_m (½Ω − q) where entrainment is counted with the mean velocity of the surfaces
-        assert_relative_eq!(0.5 * omega - warm.flow[i], mass, epsilon = 1e-7);
+        assert_relative_eq!(0.5 * omega - thermal.flow[i], mass, epsilon = 1e-7);
     }
 }
 
@@ -162,12 +173,12 @@ fn derivatives_match_differences() {
         (0.8, [1.5, 0.4], 4.0),
         (0.2, [0.6, 0.2], -1.0),
     ] {
-        let reference = WarmFluid::new(&nodes, &base, |t| properties(p, t));
+        let reference = ThermalFluid::new(&nodes, &base, |t| properties(p, t));
         // The viscosity that stands for the film stays what it is when the temperature moves.
         let at = |x: [f64; 6]| {
             let profile = moved(&moved(&base, 0, x[4]), 1, x[5]);
-            let mut fluid = WarmFluid::new(&nodes, &profile, |t| properties(x[3], t));
-            let still = WarmFluid::new(&nodes, &base, |t| properties(x[3], t));
+            let mut fluid = ThermalFluid::new(&nodes, &profile, |t| properties(x[3], t));
+            let still = ThermalFluid::new(&nodes, &base, |t| properties(x[3], t));
             let shift = (still.viscosity[0] / fluid.viscosity[0]).ln();
             fluid.exponent.by_p[0] = fluid.exponent.by_p[0].plus(shift);
             (
