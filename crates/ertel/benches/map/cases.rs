@@ -1,4 +1,4 @@
-//! The cases of the convergence map: a fixed list over load, material, laws, bodies and speeds.
+//! The cases of the map of rolling: a fixed list over load, material, laws, bodies and speeds.
 //!
 //! Cases by Moes' groups M (load) and L (material) take the pressure-viscosity coefficient from a
 //! list and let viscosity times speed follow from L; the first coefficient whose Hertz pressure
@@ -39,7 +39,7 @@ impl MapCase {
     }
 }
 
-/// Viscosity laws of the map.
+/// Laws of the maps: of the viscosity under pressure in rolling, of the shear in sliding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Family {
     Constant,
@@ -47,15 +47,25 @@ pub enum Family {
     Roelands,
     Wlf,
     Doolittle,
+    Newtonian,
+    Carreau,
+    CarreauYasuda,
+    ReeEyring,
+    Limiting,
 }
 
 impl Family {
-    pub const ALL: [Family; 5] = [
+    pub const ALL: [Family; 10] = [
         Family::Constant,
         Family::Barus,
         Family::Roelands,
         Family::Wlf,
         Family::Doolittle,
+        Family::Newtonian,
+        Family::Carreau,
+        Family::CarreauYasuda,
+        Family::ReeEyring,
+        Family::Limiting,
     ];
 
     pub fn name(self) -> &'static str {
@@ -65,6 +75,11 @@ impl Family {
             Family::Roelands => "Roelands",
             Family::Wlf => "WLF",
             Family::Doolittle => "Doolittle",
+            Family::Newtonian => "Newtonian",
+            Family::Carreau => "Carreau",
+            Family::CarreauYasuda => "Carreau-Yasuda",
+            Family::ReeEyring => "Ree-Eyring",
+            Family::Limiting => "limiting stress",
         }
     }
 }

@@ -6,6 +6,7 @@
 mod cases;
 mod picture;
 mod record;
+mod sliding;
 mod summary;
 
 use std::fs;
@@ -25,6 +26,15 @@ enum Kind {
     Circular,
 }
 
+/// Which contacts.
+#[derive(Clone, Copy, ValueEnum)]
+enum Map {
+    /// Isothermal Newtonian contacts in pure rolling, by load and material
+    Rolling,
+    /// Sliding, heat and fluids that thin or limit their stress
+    Sliding,
+}
+
 #[derive(Clone, Copy, ValueEnum)]
 enum Preset {
     Coarse,
@@ -37,6 +47,9 @@ enum Preset {
 struct Args {
     /// Only cases whose names contain all of these, such as `barus` or `M10000-L1`
     filters: Vec<String>,
+    /// Which of the two maps
+    #[arg(long, value_enum, default_value_t = Map::Rolling)]
+    map: Map,
     /// Only line or only circular contacts
     #[arg(long)]
     kind: Option<Kind>,
@@ -71,7 +84,10 @@ struct Args {
 
 fn main() -> std::io::Result<()> {
     let args = Args::parse();
-    let all = cases::cases();
+    let all = match args.map {
+        Map::Rolling => cases::cases(),
+        Map::Sliding => sliding::cases(),
+    };
     let n_all = all.len();
     let selected: Vec<_> = all
         .into_iter()

@@ -41,6 +41,10 @@ pub struct Record {
     pub speed: f64,
     pub film_central: Option<Estimate>,
     pub film_minimum: Option<Estimate>,
+    /// Traction coefficient, where the surfaces slide.
+    pub traction: Option<f64>,
+    /// What the heat balance lacks, over the heat that is made.
+    pub heat_balance: Option<f64>,
     pub warnings: Vec<Warning>,
     /// Newton iterations of all stages.
     pub newton: usize,
@@ -158,6 +162,12 @@ pub fn run(map_case: &MapCase, settings: Settings) -> Record {
         speed: case.motion.entrainment_speed,
         film_central: summary.map(|s| s.film_central),
         film_minimum: summary.map(|s| s.film_minimum),
+        traction: (solution.as_ref())
+            .filter(|_| case.motion.slide_to_roll_ratio != 0.0)
+            .map(|s| s.traction.coefficient.value),
+        heat_balance: (solution.as_ref())
+            .and_then(|s| s.thermal.as_ref())
+            .map(|t| t.balance.error),
         warnings: solution
             .as_ref()
             .map_or_else(|| case.warnings.clone(), |s| s.warnings.clone()),
@@ -197,11 +207,12 @@ impl Record {
             None => " ".repeat(16),
         };
         format!(
-            "{:<36} {:5.2} GPa  h {} {} nm  N {:3} K {:4}  {:6.2} s {:6.2} cpu  {}{}",
+            "{:<36} {:5.2} GPa  h {} {} nm{}  N {:3} K {:4}  {:6.2} s {:6.2} cpu  {}{}",
             self.name,
             self.pressure / 1e9,
             film(self.film_central),
             film(self.film_minimum),
+            self.sliding(),
             self.newton,
             self.krylov,
             self.wall,
@@ -215,7 +226,16 @@ impl Record {
         )
     }
 
-    pub const CSV_HEAD: &str = "name,kind,viscosity,M,L,hertz_pressure_GPa,speed_m_s,converged,film_central_nm,bar_central_nm,film_minimum_nm,bar_minimum_nm,newton,krylov,stages,pressure_dofs,displacement_dofs,wall_s,cpu_s,reason,warnings";
+    /// Traction and heat balance, where there are such.
+    fn sliding(&self) -> String {
+        let traction = self.traction.map(|t| format!("  mu {t:7.4}"));
+        let balance = self
+            .heat_balance
+            .map(|b| format!("  heat {:+.2}%", 100.0 * b));
+        [traction, balance].into_iter().flatten().collect()
+    }
+
+    pub const CSV_HEAD: &str = "name,kind,viscosity,M,L,hertz_pressure_GPa,speed_m_s,converged,film_central_nm,bar_central_nm,film_minimum_nm,bar_minimum_nm,traction_coefficient,heat_balance,newton,krylov,stages,pressure_dofs,displacement_dofs,wall_s,cpu_s,reason,warnings";
 
     /// One line of the CSV table.
     pub fn csv(&self) -> String {
@@ -243,6 +263,9 @@ impl Record {
             nm(self.film_central.and_then(|e| e.error)),
             nm(self.film_minimum.map(|e| e.value)),
             nm(self.film_minimum.and_then(|e| e.error)),
+            self.traction.map_or(String::new(), |t| format!("{t:.6}")),
+            self.heat_balance
+                .map_or(String::new(), |b| format!("{b:.2e}")),
             self.newton.to_string(),
             self.krylov.to_string(),
             self.stages.to_string(),
