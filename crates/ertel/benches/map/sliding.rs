@@ -27,15 +27,23 @@ const RADII: [f64; 4] = [10.0, 12.7, 20.0, 5.0];
 
 /// Plane and ball, the largest Hertz pressure that they bear, GPa, and their share of the pressures of the list.
 const BODIES: [(&str, &str, f64, f64); 7] = [
-    ("steel", "steel", 2.5, 1.0),
-    ("gear-steel", "gear-steel", 2.5, 1.0),
-    ("glass", "steel", 0.9, 1.0),
-    ("steel", "silicon-nitride", 2.5, 1.0),
-    ("sapphire", "steel", 1.9, 1.0),
-    ("steel", "steel", 2.5, 1.0),
+    (STEEL, STEEL, 2.5, 1.0),
+    (GEAR_STEEL, GEAR_STEEL, 2.5, 1.0),
+    (GLASS, STEEL, 0.9, 1.0),
+    (STEEL, NITRIDE, 2.5, 1.0),
+    ("\"sapphire\"", STEEL, 1.9, 1.0),
+    (STEEL, STEEL, 2.5, 1.0),
     // Polymers bear less, and heat stays in them.
-    ("peek", "steel", 0.12, 0.05),
+    (PEEK, STEEL, 0.12, 0.05),
 ];
+
+const STEEL: &str = "\"steel\"";
+const GEAR_STEEL: &str = "\"gear-steel\"";
+const GLASS: &str = "\"glass\"";
+const PEEK: &str = "\"peek\"";
+
+// Thermal data are nominal: the sources of the database print none.
+const NITRIDE: &str = "{ name = \"silicon-nitride\", thermal_conductivity = \"29 W/(m.K)\", heat_capacity = \"680 J/(kg.K)\" }";
 
 /// A lubricant with its temperature, as a case file names it.
 struct Oil {
@@ -148,7 +156,7 @@ const LIMITING: [Oil; 3] = [
         true,
     ),
     oil(
-        "name = \"squalane-pip\"\ntemperature = \"313 K\"\nshear_thinning = { law = \"carreau\", mu_2 = \"15.7 mPa.s\", g_c = \"0.01 MPa\", limit = { tau_l0 = \"5 MPa\", lambda = 0.07 } }\n",
+        "name = \"squalane-pip\"\ntemperature = \"313 K\"\nshear_thinning = { law = \"carreau\", mu_2 = \"15.7 mPa.s\", g_c = \"0.01 MPa\", n = 0.8, beta_c = 2.198, limit = { tau_l0 = \"5 MPa\", lambda = 0.07 } }\n",
         2.5,
         true,
     ),
@@ -208,7 +216,7 @@ fn case(
     );
     let text = format!(
         "title = \"{name}\"\n\n[contact]\nkind = \"{contact}\"\nradius = \"{radius} mm\"\n\
-         hertz_pressure = \"{pressure} MPa\"\n\n[bodies]\nplane = \"{plane}\"\nball = \"{ball}\"\n\n\
+         hertz_pressure = \"{pressure} MPa\"\n\n[bodies]\nplane = {plane}\nball = {ball}\n\n\
          [motion]\nentrainment_speed = \"{speed} m/s\"\nslide_to_roll_ratio = {sliding}\n\n\
          [lubricant]\n{}\n{heat}[output]\nbody_field = false\n",
         oil.text
