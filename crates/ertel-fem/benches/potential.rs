@@ -56,7 +56,7 @@ fn graded(fine: f64) -> SimplexMesh {
     let params = SurfaceParams {
         dim: 2,
         x: [-4.5, 1.5],
-        y_side: 3.0,
+        y: [-3.0, 0.0],
     };
     let size = |x: [f64; 2]| {
         let r = x[0].hypot(x[1]);

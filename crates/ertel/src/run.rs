@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use crate::case::{Case, SolidHeat};
-use crate::contact::{ContactKind, EquivalentBody, Groups, Scales, hertz};
+use crate::contact::{ContactKind, EquivalentBody, Groups, Hertz, Scales, Shape, hertz};
 use crate::elastic::Elasticity;
 use crate::elastic::cache::OperatorCache;
 use crate::film::FilmFluid;
@@ -36,8 +36,8 @@ pub const NUMERICS: u32 = 1;
 
 /// Dimensionless problem of a case.
 pub fn problem(case: &Case) -> Problem {
-    let contact = case.contact;
-    let hertz = case.hertz();
+    let contact = case.contact.along_motion();
+    let hertz = Hertz::new(&contact, case.reduced_modulus());
     let lubricant = &case.lubricant;
     let viscosity = lubricant.ambient_viscosity();
     let u_m = case.motion.entrainment_speed;
@@ -48,6 +48,7 @@ pub fn problem(case: &Case) -> Problem {
         viscosity,
         lubricant.ambient_density(),
     );
+    let shape = Shape::new(&contact, &hertz);
     let start_film = predicted_film(case) / scales.film;
     let constants = FilmConstants {
         lambda: scales.lambda,
@@ -90,8 +91,8 @@ pub fn problem(case: &Case) -> Problem {
         start_film,
     );
     Problem {
-        kind: contact.kind,
-        extents: extents(reach, &case.mesh, start_film),
+        shape,
+        extents: extents(reach, &case.mesh, start_film, &shape),
         reach: [reach.inlet, reach.side],
         stages: stages(
             &case.mesh,
@@ -129,12 +130,15 @@ pub fn problem(case: &Case) -> Problem {
                 ElasticModel::HalfSpace => DEFAULT_MAX_UNKNOWNS,
                 _ => DEFAULT_MAX_UNKNOWNS_OF_BODIES,
             };
-            let most = case.mesh.max_unknowns.unwrap_or(most);
+            // Where both halves are solved, each counts.
+            let parts = (2.0 / shape.symmetry.multiplicity()) as usize;
+            let parts = if shape.kind.is_point() { parts } else { 1 };
+            let most = case.mesh.max_unknowns.unwrap_or(parts * most);
             let adapt = AdaptParams::new(target, case.mesh.pressure_error, most);
             match case.mesh.max_unknowns {
                 Some(_) => adapt,
                 None => AdaptParams {
-                    max_unknowns_for_pressure: most.min(DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE),
+                    max_unknowns_for_pressure: most.min(parts * DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE),
                     ..adapt
                 },
             }
@@ -304,7 +308,8 @@ fn describe(
 ) -> Result<Solution, SolveError> {
     let levels = &stats.levels;
     let extents = finest.discretisation.contact.extents;
-    let hertz = case.hertz();
+    let contact = case.contact.along_motion();
+    let hertz = Hertz::new(&contact, case.reduced_modulus());
     let slope = case
         .lubricant
         .viscosity
@@ -317,7 +322,7 @@ fn describe(
     let groups = groups(case, slope);
     let groups_asymptotic = asymptotic.map(|alpha| self::groups(case, alpha));
     let scales = Scales::new(
-        &case.contact,
+        &contact,
         &hertz,
         case.motion.entrainment_speed,
         case.lubricant.ambient_viscosity(),
@@ -368,10 +373,10 @@ fn describe(
         post::limits::roughness_warning("the minimum film thickness", minimum, sigma)
     }));
     let mut solution = Solution {
-        kind: case.contact.kind,
+        shape: problem.shape,
         hertz,
         reduced_modulus: case.reduced_modulus(),
-        formulas: crate::reference::film_formulas(case.contact.kind, case.contact.radius, &groups),
+        formulas: crate::reference::film_formulas(&case.contact, &groups),
         groups,
         groups_asymptotic,
         scales,
@@ -413,18 +418,21 @@ pub fn groups(case: &Case, pressure_viscosity_coefficient: f64) -> Groups {
     )
 }
 
-/// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular) predict.
+/// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular, elliptical) predict.
 pub(crate) fn predicted_film(case: &Case) -> f64 {
     let slope = case
         .lubricant
         .viscosity
         .pressure_viscosity_slope(case.lubricant.temperature);
     let g = groups(case, slope.max(0.0));
+    let [along, across] = case.contact.radii_along_and_across();
     let h = match case.contact.kind {
         ContactKind::Line => moes_line_film(g.moes_load, g.moes_material),
-        ContactKind::Circular => nijenbanning_venner_moes_film(g.moes_load, g.moes_material),
+        ContactKind::Circular | ContactKind::Elliptical => {
+            nijenbanning_venner_moes_film(g.moes_load, g.moes_material, along / across)
+        }
     };
-    h * case.contact.radius * (2.0 * g.speed).sqrt()
+    h * along * (2.0 * g.speed).sqrt()
 }
 
 /// Ratio of the gap at the inlet edge to the central film from which the inlet counts as flooded.
@@ -445,7 +453,7 @@ fn flooded(film: f64) -> f64 {
 fn widening(kind: ContactKind, film: f64) -> f64 {
     match kind {
         ContactKind::Line => 2.5,
-        ContactKind::Circular => 5.0 + 15.0 * film.min(1.0),
+        ContactKind::Circular | ContactKind::Elliptical => 5.0 + 15.0 * film.min(1.0),
     }
 }
 
@@ -480,14 +488,23 @@ fn reach(kind: ContactKind, model: ElasticModel, heats: bool, film: f64) -> Reac
 }
 
 /// Contact area, and the body that grows with it.
-fn extents(reach: Reach, mesh: &MeshParams, film: f64) -> Extents {
+fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents {
+    let turned = !shape.zone.turn.is_none();
     let inlet = mesh.inlet.unwrap_or(-reach.inlet);
-    let outlet = mesh
-        .outlet
-        .unwrap_or_else(|| 1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half()));
-    let side = mesh
-        .side
-        .unwrap_or_else(|| 3.0_f64.max(reach.side.ceil_half()));
+    let outlet = mesh.outlet.unwrap_or_else(|| {
+        let outlet = 1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half());
+        // An edge at an angle to the motion comes nearer to the places where the film breaks off.
+        if turned { outlet + 1.5 } else { outlet }
+    });
+    let side = mesh.side.unwrap_or_else(|| {
+        // Where the motion is at an angle, a part of the lubricant comes from the side.
+        let reach = if turned {
+            reach.side.max(reach.inlet)
+        } else {
+            reach.side
+        };
+        3.0_f64.max(reach.ceil_half())
+    });
     let widest = inlet.abs().max(outlet).max(side);
     Extents {
         inlet,

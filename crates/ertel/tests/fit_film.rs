@@ -159,7 +159,7 @@ fn forms() -> Vec<FormCase> {
     let materials: &[f64] = &[0.1, 0.5, 2.0, 8.0];
     let speeds: &[f64] = &[0.1, 0.3, 1.0, 3.0];
     let asymptotes = [
-        (Circular, nijenbanning_venner_moes_asymptotes(1.0, 1.0)),
+        (Circular, nijenbanning_venner_moes_asymptotes(1.0, 1.0, 1.0)),
         (Line, moes_line_asymptotes(1.0, 1.0)),
     ];
     let mut cases = vec![
@@ -227,7 +227,9 @@ fn the_constants_of_exact_films_are_found_in_every_form() {
 fn the_blend_has_the_published_asymptotes() {
     type Published = fn(f64, f64) -> ertel::reference::Asymptotes;
     let kinds: [(ContactKind, Published); 2] = [
-        (ContactKind::Circular, nijenbanning_venner_moes_asymptotes),
+        (ContactKind::Circular, |m, l| {
+            nijenbanning_venner_moes_asymptotes(m, l, 1.0)
+        }),
         (ContactKind::Line, moes_line_asymptotes),
     ];
     for (contact, asymptotes) in kinds {

@@ -4,7 +4,7 @@ mod common;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
-use ertel::contact::{ContactKind, reduced_modulus};
+use ertel::contact::{Contact, ContactKind, reduced_modulus};
 use ertel::params::ElasticModel;
 use ertel::run::solve;
 use ertel::solution::Solution;
@@ -70,11 +70,11 @@ fn similar_contacts_have_similar_films() {
             }
             let reduced = reduced_modulus(case.plane.elasticity, case.ball.elasticity);
             let u = 2.0 * viscosity * speed / (reduced * radius);
-            case.contact.radius = radius;
-            case.contact.load = match kind {
+            let load = match kind {
                 ContactKind::Line => m * reduced * radius * u.sqrt(),
-                ContactKind::Circular => m * reduced * radius * radius * u.powf(0.75),
+                _ => m * reduced * radius * radius * u.powf(0.75),
             };
+            case.contact = Contact::of_one_radius(kind, radius, load);
             case.motion.entrainment_speed = speed;
             case.lubricant.density = DensityLaw::constant(density).unwrap();
             let alpha = l / (u.powf(0.25) * reduced);

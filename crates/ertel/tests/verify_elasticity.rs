@@ -300,7 +300,14 @@ fn on_bodies(
     bodies: &[BodyConstants],
 ) -> Discretisation {
     let elasticity = Elasticity::finite_elements(2, bodies);
-    let contact = ContactSurface::new(kind, extents, sizes, &elasticity, Means::default()).unwrap();
+    let contact = ContactSurface::new(
+        &common::shape(kind),
+        extents,
+        sizes,
+        &elasticity,
+        Means::default(),
+    )
+    .unwrap();
     Discretisation::new(&Arc::new(contact), 3)
 }
 

@@ -37,7 +37,13 @@ fn discretised(
     body: f64,
     pressure_order: usize,
 ) -> Discretisation {
-    let contact = ContactSurface::new(kind, &extents(body), sizes, elasticity, Means::default());
+    let contact = ContactSurface::new(
+        &common::shape(kind),
+        &extents(body),
+        sizes,
+        elasticity,
+        Means::default(),
+    );
     Discretisation::new(&Arc::new(contact.unwrap()), pressure_order)
 }
 

@@ -47,8 +47,14 @@ fn rigid(
 ) -> (Discretisation, State) {
     let bodies = Elasticity::finite_elements(2, &[(1.0, 0.3)]);
     let sizes = uniform(size);
-    let contact =
-        ContactSurface::new(kind, extents, &sizes, &bodies, Means::default()).expect("mesh");
+    let contact = ContactSurface::new(
+        &common::shape(kind),
+        extents,
+        &sizes,
+        &bodies,
+        Means::default(),
+    )
+    .expect("mesh");
     let unheated = column.unheated(heat);
     let d = Discretisation::new(&Arc::new(contact), 2).with_heat(order, column, unheated);
     let state = State {

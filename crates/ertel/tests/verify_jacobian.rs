@@ -94,7 +94,7 @@ fn check(
     let thins = thinned.is_some();
     problem.fluid = problem.fluid.with_shear(thinned.as_ref(), 0.3, &scales);
     let contact = ContactSurface::new(
-        kind,
+        &problem.shape,
         &problem.extents,
         &SIZES,
         &problem.elasticity,
@@ -213,6 +213,13 @@ fn circular() {
     );
     check(
         ContactKind::Circular,
+        ElasticModel::HalfSpace,
+        2,
+        None,
+        false,
+    );
+    check(
+        ContactKind::Elliptical,
         ElasticModel::HalfSpace,
         2,
         None,

@@ -187,7 +187,7 @@ fn results_repeat_beside_other_solves() {
             while !done.load(Ordering::Relaxed) {
                 let sizes = other.stages[0].sizes;
                 ContactSurface::new(
-                    other.kind,
+                    &other.shape,
                     &other.extents,
                     &sizes,
                     &other.elasticity,

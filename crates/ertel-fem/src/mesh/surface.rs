@@ -1,4 +1,4 @@
-//! The contact patch alone: a line, or the half y ≤ 0 of a rectangle.
+//! The contact patch alone: a line or a rectangle.
 
 use super::MeshError;
 use super::bisection::{AxisMap, Bisection};
@@ -11,8 +11,8 @@ pub struct SurfaceParams {
     pub dim: usize,
     /// from and to along x
     pub x: [f64; 2],
-    /// y in `[-y_side, 0]` (not read for `dim` 1)
-    pub y_side: f64,
+    /// from and to along y (not read for `dim` 1)
+    pub y: [f64; 2],
 }
 
 /// Mesh of the patch, refinable in place. The patch is met exactly.
@@ -49,8 +49,10 @@ pub fn surface_mesh(
     let length = x1 - x0;
     let along = length.is_finite() && length > 0.0;
     require(along, "x_outlet", x1, "must exceed x_inlet")?;
-    let across = params.dim == 1 || (params.y_side.is_finite() && params.y_side > 0.0);
-    require(across, "y_side", params.y_side, "must be positive")?;
+    let [y0, y1] = params.y;
+    let width = y1 - y0;
+    let across = params.dim == 1 || (width.is_finite() && width > 0.0);
+    require(across, "y_side", width, "must be positive")?;
 
     let linear = |n: usize, low: f64, high: f64| AxisMap {
         knots: vec![[0.0, low], [n as f64, high]],
@@ -59,12 +61,17 @@ pub fn surface_mesh(
         let maps = [linear(1, x0, x1), AxisMap::default(), AxisMap::default()];
         Bisection::from_cubes(&[0], [0.0; 3], 1.0, [1, 0, 0], maps)
     } else {
-        let [nx, ny] = squares(length, params.y_side);
-        let maps = [
-            linear(nx, x0, x1),
-            linear(ny, -params.y_side, 0.0),
-            AxisMap::default(),
-        ];
+        // The line y = 0 is met exactly: profiles and symmetric meshes go by it.
+        let crossed = y0 < 0.0 && y1 > 0.0;
+        let [nx, half] = squares(length, if crossed { 0.5 * width } else { width });
+        let ny = if crossed { 2 * half } else { half };
+        let across = match crossed {
+            true => AxisMap {
+                knots: vec![[0.0, y0], [half as f64, 0.0], [ny as f64, y1]],
+            },
+            false => linear(ny, y0, y1),
+        };
+        let maps = [linear(nx, x0, x1), across, AxisMap::default()];
         Bisection::from_cubes(&[0, 1], [0.0; 3], 1.0, [nx, ny, 0], maps)
     };
     let positive = |p: [f64; 3]| {

@@ -8,7 +8,7 @@ fn mesh(dim: usize) -> SimplexMesh {
     let params = SurfaceParams {
         dim,
         x: [-4.5, 1.5],
-        y_side: 3.0,
+        y: [-3.0, 0.0],
     };
     let size = |x: [f64; 2]| {
         let r = x[0].hypot(x[1]);

@@ -3,14 +3,14 @@
 use std::borrow::Cow;
 use std::fmt;
 
-/// The physical dimension of a quantity: integer exponents of length, mass, time and temperature.
+/// The physical dimension of a quantity: integer exponents of length, mass, time, temperature and angle.
 ///
 /// A temperature and a temperature difference have the same exponents but convert differently from `degC`,
 /// so [`Dimension::TEMPERATURE_DIFFERENCE`] is a dimension of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dimension {
-    /// Exponents of length, mass, time, temperature.
-    exponents: [i8; 4],
+    /// Exponents of length, mass, time, temperature, angle.
+    exponents: [i8; 5],
     is_difference: bool,
 }
 
@@ -30,8 +30,13 @@ impl Dimension {
     pub const TEMPERATURE: Self = Self::new(0, 0, 0, 1);
     /// Difference of two temperatures, K.
     pub const TEMPERATURE_DIFFERENCE: Self = Self {
-        exponents: [0, 0, 0, 1],
+        exponents: [0, 0, 0, 1, 0],
         is_difference: true,
+    };
+    /// Plane angle, rad; a dimension of its own, so that no bare number is taken for degrees.
+    pub const ANGLE: Self = Self {
+        exponents: [0, 0, 0, 0, 1],
+        is_difference: false,
     };
     /// Area, m².
     pub const AREA: Self = Self::new(2, 0, 0, 0);
@@ -83,6 +88,7 @@ impl Dimension {
             "a temperature difference",
             &["K"],
         ),
+        (Self::ANGLE, "an angle", &["rad", "deg"]),
         (Self::AREA, "an area", &["m^2", "mm^2"]),
         (Self::VOLUME, "a volume", &["m^3", "mm^3"]),
         (Self::SPEED, "a speed", &["m/s", "mm/s"]),
@@ -148,7 +154,7 @@ impl Dimension {
     #[must_use]
     pub const fn new(length: i8, mass: i8, time: i8, temperature: i8) -> Self {
         Self {
-            exponents: [length, mass, time, temperature],
+            exponents: [length, mass, time, temperature, 0],
             is_difference: false,
         }
     }
@@ -178,15 +184,17 @@ impl Dimension {
     }
 
     const fn combine(self, other: Self, power: i8) -> Self {
-        let [a, b, c, d] = self.exponents;
-        let [e, f, g, h] = other.exponents;
-        // Saturation instead of overflow: an absurd power is then simply a wrong dimension.
-        Self::new(
-            a.saturating_add(e.saturating_mul(power)),
-            b.saturating_add(f.saturating_mul(power)),
-            c.saturating_add(g.saturating_mul(power)),
-            d.saturating_add(h.saturating_mul(power)),
-        )
+        let mut exponents = self.exponents;
+        let mut k = 0;
+        while k < exponents.len() {
+            // Saturation instead of overflow: an absurd power is then simply a wrong dimension.
+            exponents[k] = exponents[k].saturating_add(other.exponents[k].saturating_mul(power));
+            k += 1;
+        }
+        Self {
+            exponents,
+            is_difference: false,
+        }
     }
 
     /// Whether the exponents agree; a temperature and a temperature difference do.
@@ -235,9 +243,15 @@ impl Dimension {
 impl fmt::Display for Dimension {
     /// Writes the exponents as a unit that [`parse`](super::parse) reads: `kg.m^-1.s^-2`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [length, mass, time, temperature] = self.exponents;
-        let factors: Vec<String> = [("kg", mass), ("m", length), ("s", time), ("K", temperature)]
-            .into_iter()
+        let [length, mass, time, temperature, angle] = self.exponents;
+        let units = [
+            ("kg", mass),
+            ("m", length),
+            ("s", time),
+            ("K", temperature),
+            ("rad", angle),
+        ];
+        let factors: Vec<String> = (units.into_iter())
             .filter(|(_, power)| *power != 0)
             .map(|(symbol, power)| match power {
                 1 => symbol.to_owned(),

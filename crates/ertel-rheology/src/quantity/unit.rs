@@ -87,6 +87,8 @@ const SYMBOLS: &[Symbol] = &[
     symbol("K", Dimension::TEMPERATURE, 1.0, 1.0, ""),
     symbol("degC", Dimension::TEMPERATURE, 1.0, 1.0, ""),
     symbol("degF", Dimension::TEMPERATURE, 5.0, 9.0, ""),
+    symbol("rad", Dimension::ANGLE, 1.0, 1.0, "m"),
+    symbol("deg", Dimension::ANGLE, std::f64::consts::PI, 180.0, ""),
     symbol("N", Dimension::FORCE, 1.0, 1.0, "numkMG"),
     symbol("lbf", Dimension::FORCE, 4.448_221_615_260_5, 1.0, ""),
     symbol("Pa", Dimension::PRESSURE, 1.0, 1.0, "numhkMGT"),
@@ -279,7 +281,7 @@ fn near_symbols(name: &str) -> Vec<String> {
         }
     }
     match name {
-        "C" | "deg" | "celsius" | "Celsius" => near.push((0, "degC".to_owned())),
+        "C" | "celsius" | "Celsius" => near.push((0, "degC".to_owned())),
         "F" => near.push((0, "degF".to_owned())),
         _ => {}
     }

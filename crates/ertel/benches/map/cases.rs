@@ -259,7 +259,7 @@ impl List {
             let (load, _) = moes_pressure(kind, modulus, radius, *m, group);
             let name = format!("constant{}-M{m}", density.tag());
             let lubricant = lubricant(density, &viscosity);
-            let contact = Contact { kind, radius, load };
+            let contact = Contact::of_one_radius(kind, radius, load);
             self.push(Family::Constant, &name, contact, bodies, speed, &lubricant);
         }
     }
@@ -294,7 +294,7 @@ impl List {
                 );
                 let name = format!("{law}{}-M{m}-L{l}", density.tag());
                 let lubricant = lubricant(density, &viscosity);
-                let contact = Contact { kind, radius, load };
+                let contact = Contact::of_one_radius(kind, radius, load);
                 self.push(family, &name, contact, bodies, speed, &lubricant);
             }
         }
@@ -313,7 +313,7 @@ impl List {
                     "name = \"{}\"\ntemperature = \"{}\"\n",
                     fluid.name, fluid.temperature
                 );
-                let contact = Contact { kind, radius, load };
+                let contact = Contact::of_one_radius(kind, radius, load);
                 let bodies = fluid.bodies;
                 self.push(fluid.family, &name, contact, bodies, *speed, &lubricant);
             }
@@ -388,7 +388,7 @@ fn moes_pressure(kind: ContactKind, modulus: f64, radius: f64, m: f64, two_u: f6
         LINE => m * modulus * radius * two_u.sqrt(),
         CIRCULAR => m * modulus * radius * radius * two_u.powf(0.75),
     };
-    let contact = Contact { kind, radius, load };
+    let contact = Contact::of_one_radius(kind, radius, load);
     (load, Hertz::new(&contact, modulus).pressure)
 }
 

@@ -25,13 +25,8 @@ pub(super) fn hertz(
     // A Hertz pressure given as such was checked before the round trip through the load.
     let rounding = Bounds::closed(MIN_PRESSURE * (1.0 - 1e-12), MAX_PRESSURE * (1.0 + 1e-12));
     if !rounding.contains(hertz.pressure) {
-        let unit = match contact.kind {
-            ContactKind::Circular => "N",
-            ContactKind::Line => "N/m",
-        };
-        let load = |pressure| {
-            Hertz::load_for_pressure(contact.kind, contact.radius, reduced_modulus, pressure)
-        };
+        let unit = if contact.kind.is_point() { "N" } else { "N/m" };
+        let load = |pressure| Hertz::load_for_pressure(contact, reduced_modulus, pressure);
         return Err(table
             .error(
                 "load",
@@ -46,13 +41,26 @@ pub(super) fn hertz(
                 rounded(load(MAX_PRESSURE), f64::floor)
             )));
     }
-    if hertz.half_width >= contact.radius {
+    let along_y = hertz
+        .half_width_y
+        .map(|b| (b, contact.radius_y, "radius_y"));
+    let key = if along_y.is_some() {
+        "radius_x"
+    } else {
+        "radius"
+    };
+    let along_x = (hertz.half_width, contact.radius, key);
+    let wide = [Some(along_x), along_y]
+        .into_iter()
+        .flatten()
+        .find(|(half_width, radius, _)| half_width >= radius);
+    if let Some((half_width, _, key)) = wide {
         return Err(table
             .error(
-                "radius",
+                key,
                 format!(
                     "the contact half-width, {}, exceeds the radius",
-                    length(hertz.half_width)
+                    length(half_width)
                 ),
             )
             .with_help(
@@ -76,7 +84,8 @@ pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
             text,
         ));
     }
-    let share = hertz.half_width / case.contact.radius;
+    let share_y = (hertz.half_width_y).map_or(0.0, |b| b / case.contact.radius_y);
+    let share = (hertz.half_width / case.contact.radius).max(share_y);
     if share > POOR_PARABOLA {
         let text = format!(
             "the contact half-width is {share:.2} of the radius: the parabolic gap of Hertz theory is crude"
@@ -133,6 +142,21 @@ pub(crate) fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warni
         )));
     }
     Ok(warnings)
+}
+
+/// Refuses finite-element bodies below elliptical contacts: their meshes are made around circles.
+pub(super) fn body_of_ellipse(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
+    if case.contact.kind != ContactKind::Elliptical
+        || case.elastic_model() == ElasticModel::HalfSpace
+    {
+        return Ok(());
+    }
+    Err(table
+        .error(
+            "kind",
+            "an elliptical contact needs half-spaces, but this case asks for finite-element bodies",
+        )
+        .with_help("remove `elasticity` and `linear` from [solver] and `body_field` from [output]"))
 }
 
 /// Four significant digits, rounded up or down so that the number itself still fits.

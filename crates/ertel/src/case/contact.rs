@@ -7,6 +7,10 @@ use crate::contact::{Contact, ContactKind, Hertz, Motion};
 
 /// Radii from asperities to rolls, m: beyond these a unit was mistaken.
 const RADIUS: Bounds = Bounds::closed(1e-6, 1e3);
+/// Ratio of the reduced radii of an ellipse.
+const MOST_SLENDER: f64 = 1000.0;
+/// Directions of the motion, rad.
+const ANGLE: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI);
 /// Surfaces that move almost exactly against each other have ratios far beyond 2, but not these.
 const SLIDE_TO_ROLL: Bounds = Bounds::closed(-1e6, 1e6);
 /// Speeds, m/s, as for the radii.
@@ -22,10 +26,17 @@ pub(super) fn read_contact(
         &[
             ("circular", ContactKind::Circular),
             ("line", ContactKind::Line),
+            ("elliptical", ContactKind::Elliptical),
         ],
     )?;
-    let radius = table.required_quantity("radius", Dimension::LENGTH, RADIUS)?;
-    let load = if table.contains("hertz_pressure") {
+    let mut contact = match kind {
+        ContactKind::Elliptical => read_ellipse(table)?,
+        kind => {
+            let radius = table.required_quantity("radius", Dimension::LENGTH, RADIUS)?;
+            Contact::of_one_radius(kind, radius, 0.0)
+        }
+    };
+    contact.load = if table.contains("hertz_pressure") {
         let pressure = table.required_quantity(
             "hertz_pressure",
             Dimension::PRESSURE,
@@ -37,22 +48,41 @@ pub(super) fn read_contact(
                 "`load` and `hertz_pressure` say the same thing twice; keep one of them",
             ));
         }
-        Hertz::load_for_pressure(kind, radius, reduced_modulus, pressure)
+        Hertz::load_for_pressure(&contact, reduced_modulus, pressure)
     } else {
-        let dimension = match kind {
-            ContactKind::Circular => Dimension::FORCE,
-            ContactKind::Line => Dimension::FORCE_PER_LENGTH,
+        let dimension = match kind.is_point() {
+            true => Dimension::FORCE,
+            false => Dimension::FORCE_PER_LENGTH,
         };
         table
             .required_quantity("load", dimension, Bounds::POSITIVE)
-            .map_err(|error| match kind {
-                ContactKind::Circular => error,
-                ContactKind::Line => {
+            .map_err(|error| match kind.is_point() {
+                true => error,
+                false => {
                     error.with_help("the load of a line contact is per length, such as \"50 kN/m\"")
                 }
             })?
     };
-    Ok(Contact { kind, radius, load })
+    Ok(contact)
+}
+
+/// Radii and direction of the motion of an elliptical contact, without its load.
+fn read_ellipse(table: &mut Table<'_>) -> Result<Contact, InputError> {
+    let radii = [
+        table.required_quantity("radius_x", Dimension::LENGTH, RADIUS)?,
+        table.required_quantity("radius_y", Dimension::LENGTH, RADIUS)?,
+    ];
+    let ratio = radii[1] / radii[0];
+    if !(1.0 / MOST_SLENDER..=MOST_SLENDER).contains(&ratio) {
+        return Err(table
+            .error(
+                "radius_y",
+                format!("`radius_y` over `radius_x` is {ratio:.3e}, outside 1/{MOST_SLENDER} to {MOST_SLENDER}"),
+            )
+            .with_help("a contact so wide is a line contact: kind = \"line\" with the load per length"));
+    }
+    let angle = table.optional_quantity("entrainment_angle", Dimension::ANGLE, ANGLE)?;
+    Ok(Contact::elliptical(radii, 0.0, angle.unwrap_or(0.0)))
 }
 
 /// Reads `[motion]`: entrainment speed and slide-to-roll ratio, or the speeds of both surfaces.

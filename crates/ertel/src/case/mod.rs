@@ -154,7 +154,7 @@ impl Case {
             None => OutputParams::default(),
         };
         root.contains("curve");
-        contact_table.finish()?;
+        contact_table.clone().finish()?;
         motion_table.finish()?;
         root.finish()?;
         let mut case = Self {
@@ -174,6 +174,7 @@ impl Case {
             given: echo::json_of(document.tree()),
             curve: None,
         };
+        check::body_of_ellipse(&case, &contact_table)?;
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);
         if let Some(table) = &mesh_table {

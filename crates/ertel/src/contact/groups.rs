@@ -6,7 +6,7 @@ use super::{Contact, ContactKind};
 
 /// Load, speed and material groups for one pressure-viscosity coefficient.
 ///
-/// Circular: W = F/(E'R²), M = W (2U)^(−3/4); line: W = w/(E'R), M = W (2U)^(−1/2);
+/// Circular: W = F/(E'R²), R along the entrainment of ellipses, M = W (2U)^(−3/4); line: W = w/(E'R), M = W (2U)^(−1/2);
 /// U = μ₀ u_m/(E'R), G = αE', L = G (2U)^(1/4).
 ///
 /// Source: Habchi 2008, eqs. 2.33, 2.34 (corrected).
@@ -34,11 +34,13 @@ impl Groups {
         entrainment_speed: f64,
         pressure_viscosity_coefficient: f64,
     ) -> Groups {
-        let r = contact.radius;
+        let [r, _] = contact.radii_along_and_across();
         let speed = viscosity * entrainment_speed / (reduced_modulus * r);
         let material = pressure_viscosity_coefficient * reduced_modulus;
         let load = match contact.kind {
-            ContactKind::Circular => contact.load / (reduced_modulus * r * r),
+            ContactKind::Circular | ContactKind::Elliptical => {
+                contact.load / (reduced_modulus * r * r)
+            }
             ContactKind::Line => contact.load / (reduced_modulus * r),
         };
         Groups {
@@ -59,11 +61,7 @@ mod tests {
     /// Independently computed figures of the thesis's main case (section 3.7.2): W, U, G, M, L.
     #[test]
     fn thesis_main_case() {
-        let contact = Contact {
-            kind: ContactKind::Circular,
-            radius: 0.016,
-            load: 100.0,
-        };
+        let contact = Contact::circular(0.016, 100.0);
         let g = Groups::new(&contact, 230.769_230_77e9, 0.04, 0.8, 22e-9);
         assert_relative_eq!(g.load, 1.69271e-6, max_relative = 1e-5);
         assert_relative_eq!(g.speed, 8.66667e-12, max_relative = 1e-6);
@@ -76,11 +74,7 @@ mod tests {
     /// W = 5e-5, U = 1e-11, (2U)^½ = 4.472136e-6, M = 11.18034.
     #[test]
     fn line_groups_by_hand() {
-        let contact = Contact {
-            kind: ContactKind::Line,
-            radius: 0.01,
-            load: 1e5,
-        };
+        let contact = Contact::line(0.01, 1e5);
         let g = Groups::new(&contact, 2e11, 0.02, 1.0, 2e-8);
         assert_relative_eq!(g.moes_load, 11.180_34, max_relative = 1e-6);
         assert_relative_eq!(

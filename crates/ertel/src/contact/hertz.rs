@@ -4,13 +4,17 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
+use super::ellipse::Ellipse;
 use super::{Contact, ContactKind};
 
 /// Dry contact after Hertz (1881).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Hertz {
-    /// Radius of the contact circle, or half-width of the line contact, a, m.
+    /// Radius of the contact circle, half-width of the line contact, or semi-axis of the ellipse along x, a, m.
     pub half_width: f64,
+    /// Semi-axis of the ellipse along y, m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub half_width_y: Option<f64>,
     /// Largest pressure p_h, Pa.
     pub pressure: f64,
 }
@@ -20,13 +24,15 @@ impl Hertz {
     ///
     /// Circular: a³ = 3FR/(2E'), p_h = 3F/(2πa²) (Habchi 2008, eqs. 2.25, 2.26, corrected).
     /// Line: a² = 8wR/(πE'), p_h = 2w/(πa) (Johnson 1985, eqs. 4.43, 4.45).
+    /// Elliptical: see [`Ellipse`].
     pub fn new(contact: &Contact, reduced_modulus: f64) -> Hertz {
-        let Contact { kind, radius, load } = *contact;
-        match kind {
+        let Contact { radius, load, .. } = *contact;
+        match contact.kind {
             ContactKind::Circular => {
                 let half_width = (1.5 * load * radius / reduced_modulus).cbrt();
                 Hertz {
                     half_width,
+                    half_width_y: None,
                     pressure: 1.5 * load / (PI * half_width * half_width),
                 }
             }
@@ -34,20 +40,26 @@ impl Hertz {
                 let half_width = (8.0 * load * radius / (PI * reduced_modulus)).sqrt();
                 Hertz {
                     half_width,
+                    half_width_y: None,
                     pressure: 2.0 * load / (PI * half_width),
+                }
+            }
+            ContactKind::Elliptical => {
+                let [half_width, along_y] =
+                    Ellipse::of_radii([radius, contact.radius_y]).semi_axes(load, reduced_modulus);
+                Hertz {
+                    half_width,
+                    half_width_y: Some(along_y),
+                    pressure: 1.5 * load / (PI * half_width * along_y),
                 }
             }
         }
     }
 
-    /// Load of a contact that has the given Hertz pressure (Pa): N, or N/m for a line.
-    pub fn load_for_pressure(
-        kind: ContactKind,
-        radius: f64,
-        reduced_modulus: f64,
-        pressure: f64,
-    ) -> f64 {
-        match kind {
+    /// Load under which a contact has the given Hertz pressure (Pa): N, or N/m for a line. The load of `contact` is not read.
+    pub fn load_for_pressure(contact: &Contact, reduced_modulus: f64, pressure: f64) -> f64 {
+        let radius = contact.radius;
+        match contact.kind {
             // p_h = E' a/(π R)
             ContactKind::Circular => {
                 let a = PI * radius * pressure / reduced_modulus;
@@ -58,6 +70,14 @@ impl Hertz {
                 let a = 4.0 * radius * pressure / reduced_modulus;
                 0.5 * PI * a * pressure
             }
+            // p_h grows with the cube root of the load.
+            ContactKind::Elliptical => {
+                let unit = Contact {
+                    load: 1.0,
+                    ..*contact
+                };
+                (pressure / Hertz::new(&unit, reduced_modulus).pressure).powi(3)
+            }
         }
     }
 }
@@ -67,10 +87,10 @@ pub fn pressure_profile(r: f64) -> f64 {
     (1.0 - r * r).max(0.0).sqrt()
 }
 
-/// Dimensionless integral of P over the whole contact: 2π/3 (circular), π/2 (line).
+/// Dimensionless integral of P over the whole contact: 2π/3 (circular; elliptical in units of both semi-axes), π/2 (line).
 pub fn load_integral(kind: ContactKind) -> f64 {
     match kind {
-        ContactKind::Circular => 2.0 * PI / 3.0,
+        ContactKind::Circular | ContactKind::Elliptical => 2.0 * PI / 3.0,
         ContactKind::Line => 0.5 * PI,
     }
 }
@@ -82,11 +102,15 @@ pub fn load_integral(kind: ContactKind) -> f64 {
 ///
 /// Line: relative to the centre, since the plane displacement has no far-field limit:
 /// δ = −r²/2 inside, δ = −r²/2 + [r√(r²−1) − ln(r + √(r²−1))]/2 outside.
+///
+/// Elliptical: that of the circle, which it resembles.
 pub fn deflection_profile(kind: ContactKind, r: f64) -> f64 {
     let r = r.abs();
     match kind {
-        ContactKind::Circular if r <= 1.0 => 1.0 - 0.5 * r * r,
-        ContactKind::Circular => ((2.0 - r * r) * (1.0 / r).asin() + (r * r - 1.0).sqrt()) / PI,
+        ContactKind::Circular | ContactKind::Elliptical if r <= 1.0 => 1.0 - 0.5 * r * r,
+        ContactKind::Circular | ContactKind::Elliptical => {
+            ((2.0 - r * r) * (1.0 / r).asin() + (r * r - 1.0).sqrt()) / PI
+        }
         ContactKind::Line if r <= 1.0 => -0.5 * r * r,
         ContactKind::Line => {
             let s = (r * r - 1.0).sqrt();
@@ -104,11 +128,7 @@ mod tests {
     /// by an independent script: a = 218.279 µm, p_h = 1.00212 GPa, E' = 230.769 GPa.
     #[test]
     fn circular_steel_contact() {
-        let contact = Contact {
-            kind: ContactKind::Circular,
-            radius: 0.016,
-            load: 100.0,
-        };
+        let contact = Contact::circular(0.016, 100.0);
         let hertz = Hertz::new(&contact, 230.769e9);
         assert_relative_eq!(hertz.half_width, 218.279e-6, max_relative = 1e-5);
         assert_relative_eq!(hertz.pressure, 1.00212e9, max_relative = 1e-5);
@@ -117,15 +137,9 @@ mod tests {
     #[test]
     fn load_for_pressure_inverts_hertz() {
         for kind in [ContactKind::Line, ContactKind::Circular] {
-            let load = Hertz::load_for_pressure(kind, 0.01, 2.2e11, 7e8);
-            let hertz = Hertz::new(
-                &Contact {
-                    kind,
-                    radius: 0.01,
-                    load,
-                },
-                2.2e11,
-            );
+            let mut contact = Contact::of_one_radius(kind, 0.01, 1.0);
+            contact.load = Hertz::load_for_pressure(&contact, 2.2e11, 7e8);
+            let hertz = Hertz::new(&contact, 2.2e11);
             assert_relative_eq!(hertz.pressure, 7e8, max_relative = 1e-12);
         }
     }
@@ -133,11 +147,7 @@ mod tests {
     /// Line contact, Johnson (1985) eq. 4.43-4.45 with E* = E'/2: p_h² = w E*/(π R).
     #[test]
     fn line_contact_pressure() {
-        let contact = Contact {
-            kind: ContactKind::Line,
-            radius: 0.015,
-            load: 2.0e5,
-        };
+        let contact = Contact::line(0.015, 2.0e5);
         let hertz = Hertz::new(&contact, 2.3e11);
         assert_relative_eq!(
             hertz.pressure.powi(2),

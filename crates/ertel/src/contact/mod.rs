@@ -1,14 +1,25 @@
 //! The dry contact: geometry, Hertz theory, dimensionless groups and scales.
 
+mod ellipse;
 pub mod equivalent;
+pub mod gap;
 pub mod groups;
 pub mod hertz;
 pub mod scales;
+pub mod shape;
+pub mod turn;
+pub mod zone;
 
 pub use equivalent::EquivalentBody;
+pub use gap::Gap;
 pub use groups::Groups;
 pub use hertz::Hertz;
 pub use scales::Scales;
+pub use shape::{Shape, Symmetry};
+pub use turn::Turn;
+pub use zone::HertzZone;
+
+use std::f64::consts::FRAC_PI_2;
 
 use serde::Serialize;
 
@@ -18,8 +29,10 @@ use serde::Serialize;
 pub enum ContactKind {
     /// Infinitely long cylinder on a plane (plane strain); loads are per length.
     Line,
-    /// Ball on plane; the half domain y ≤ 0 is solved.
+    /// Ball on plane.
     Circular,
+    /// Bodies with two radii of curvature each; the axes of the contact lie along x and y.
+    Elliptical,
 }
 
 impl ContactKind {
@@ -27,28 +40,124 @@ impl ContactKind {
     pub fn body_dimension(self) -> usize {
         match self {
             ContactKind::Line => 2,
-            ContactKind::Circular => 3,
+            ContactKind::Circular | ContactKind::Elliptical => 3,
         }
+    }
+
+    /// Whether the contact ends along y, too; its load is a force then, and not one per length.
+    pub fn is_point(self) -> bool {
+        self != ContactKind::Line
     }
 
     /// The power k of Moes' load group, `M = W (2U)^(-k)`.
     pub fn moes_power(self) -> f64 {
         match self {
             ContactKind::Line => 0.5,
-            ContactKind::Circular => 0.75,
+            ContactKind::Circular | ContactKind::Elliptical => 0.75,
         }
     }
 }
 
-/// A loaded contact of a ball (or cylinder) on a plane.
+/// A loaded contact.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Contact {
-    /// Line or circular.
+    /// Line, circular or elliptical.
     pub kind: ContactKind,
-    /// Reduced radius of curvature R, m.
+    /// Reduced radius of curvature R in the plane of x, m.
     pub radius: f64,
-    /// Load: F in N (circular) or w in N/m (line).
+    /// The same in the plane of y: R again of a ball, infinite of a cylinder.
+    pub radius_y: f64,
+    /// Load: F in N, or w in N/m of a line.
     pub load: f64,
+    /// Direction of the entrainment velocity, from x towards y, rad; 0 but for ellipses.
+    pub entrainment_angle: f64,
+}
+
+impl Contact {
+    /// A cylinder of the reduced radius R (m) under a load per length (N/m).
+    pub fn line(radius: f64, load: f64) -> Contact {
+        Contact {
+            kind: ContactKind::Line,
+            radius,
+            radius_y: f64::INFINITY,
+            load,
+            entrainment_angle: 0.0,
+        }
+    }
+
+    /// A ball of the reduced radius R (m) under a load (N).
+    pub fn circular(radius: f64, load: f64) -> Contact {
+        Contact {
+            kind: ContactKind::Circular,
+            radius,
+            radius_y: radius,
+            load,
+            entrainment_angle: 0.0,
+        }
+    }
+
+    /// Bodies of the reduced radii R_x and R_y (m) under a load (N), with the entrainment at an angle (rad) to x.
+    pub fn elliptical(radii: [f64; 2], load: f64, entrainment_angle: f64) -> Contact {
+        Contact {
+            kind: ContactKind::Elliptical,
+            radius: radii[0],
+            radius_y: radii[1],
+            load,
+            entrainment_angle,
+        }
+    }
+
+    /// Line or circular.
+    ///
+    /// # Panics
+    /// For ellipses, which have two radii.
+    pub fn of_one_radius(kind: ContactKind, radius: f64, load: f64) -> Contact {
+        match kind {
+            ContactKind::Line => Contact::line(radius, load),
+            ContactKind::Circular => Contact::circular(radius, load),
+            ContactKind::Elliptical => panic!("an ellipse has two radii"),
+        }
+    }
+
+    /// Axis ratio of the Hertz zone, across the motion over along it where that is along an axis; 1 of circles and lines.
+    pub fn ellipticity(&self) -> f64 {
+        match self.kind {
+            ContactKind::Elliptical => {
+                let [along, across] = self.radii_along_and_across();
+                let [a, b] = ellipse::Ellipse::of_radii([along, across]).semi_axes(1.0, 1.0);
+                b / a
+            }
+            ContactKind::Circular | ContactKind::Line => 1.0,
+        }
+    }
+
+    /// The same contact with the principal direction nearest to the motion as its first one: the angle lies between
+    /// −45 and 45 degrees then.
+    #[must_use]
+    pub fn along_motion(&self) -> Contact {
+        let quarters = (self.entrainment_angle / FRAC_PI_2).round();
+        let angle = self.entrainment_angle - quarters * FRAC_PI_2;
+        let [radius, radius_y] = match quarters as i64 % 2 {
+            0 => [self.radius, self.radius_y],
+            _ => [self.radius_y, self.radius],
+        };
+        Contact {
+            radius,
+            radius_y,
+            // A quarter turn in binary digits is not quite one.
+            entrainment_angle: if angle.abs() < 1e-14 { 0.0 } else { angle },
+            ..*self
+        }
+    }
+
+    /// Radii of curvature in the planes along and across the entrainment, m (Euler's theorem).
+    ///
+    /// 1/R_e = cos²θ/R_x + sin²θ/R_y,  1/R_s = sin²θ/R_x + cos²θ/R_y
+    pub fn radii_along_and_across(&self) -> [f64; 2] {
+        let (s, c) = self.entrainment_angle.sin_cos();
+        let (x, y) = (1.0 / self.radius, 1.0 / self.radius_y);
+        [c * c * x + s * s * y, s * s * x + c * c * y].map(f64::recip)
+    }
 }
 
 /// Motion of the two surfaces along x.

@@ -2,13 +2,13 @@
 
 use serde::Serialize;
 
-use super::{Contact, ContactKind, Hertz, hertz};
+use super::{Contact, Hertz, Shape};
 
 /// Scales of the dimensionless variables (Habchi 2008, eq. 2.28):
 /// X = x/a, P = p/p_h, H = hR/a², ρ̄ = ρ/ρ_R, μ̄ = μ/μ_R.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Scales {
-    /// Length a, m (Hertz half-width).
+    /// Length a, m (Hertz half-width; of ellipses the semi-axis along x).
     pub length: f64,
     /// Pressure p_h, Pa.
     pub pressure: f64,
@@ -23,7 +23,7 @@ pub struct Scales {
     /// Stress scale of the elastic problem, R p_h/a, Pa: a body of modulus E has the
     /// dimensionless modulus E/(R p_h/a) (eq. 3.6).
     pub elastic_stress: f64,
-    /// ∫P over the half domain (circular, π/3) or the whole line (π/2).
+    /// ∫P over the part that is solved: π/2 of a line, π/3 of half a circle.
     pub load: f64,
 }
 
@@ -37,10 +37,7 @@ impl Scales {
         density: f64,
     ) -> Scales {
         let (a, p_h, r) = (hertz.half_width, hertz.pressure, contact.radius);
-        let load = match contact.kind {
-            ContactKind::Circular => 0.5 * hertz::load_integral(contact.kind),
-            ContactKind::Line => hertz::load_integral(contact.kind),
-        };
+        let load = Shape::new(contact, hertz).load();
         Scales {
             length: a,
             pressure: p_h,
@@ -53,13 +50,13 @@ impl Scales {
         }
     }
 
-    /// By which an integral over the (half) contact area, in half-widths squared or half-widths, becomes one over
-    /// all of it, m² or m.
-    pub fn area(&self, kind: ContactKind) -> f64 {
-        match kind {
-            // The half domain stands for both.
-            ContactKind::Circular => 2.0 * self.length * self.length,
-            ContactKind::Line => self.length,
-        }
+    /// By which an integral over the part of the contact area that is solved, in half-widths squared or half-widths,
+    /// becomes one over all of it, m² or m.
+    pub fn area(&self, shape: &Shape) -> f64 {
+        let part = match shape.kind.is_point() {
+            true => self.length * self.length,
+            false => self.length,
+        };
+        shape.symmetry.multiplicity() * part
     }
 }

@@ -17,6 +17,7 @@ use ertel_fem::space::Space;
 
 use super::near::symbol_stiffness;
 use super::{BodyConstants, SurfaceResponse, Trace, compliance};
+use crate::contact::{Shape, Symmetry};
 
 /// Distance, in half-widths, at which a line load deflects nothing: the depth of the finite-element body that stands for a
 /// half-space in Habchi's thesis. It shifts the separation alone.
@@ -30,6 +31,8 @@ pub struct HalfSpace {
     space: Space,
     /// Σ(1 − ν²)/E.
     compliance: f64,
+    /// Whether the pressure goes on beyond y = 0.
+    mirrored: bool,
     /// Deflection over potential.
     factor: f64,
     /// ∫N of each deflection node, times what the reference distance adds to the deflection.
@@ -39,21 +42,24 @@ pub struct HalfSpace {
 
 impl HalfSpace {
     /// Half-spaces of the given constants below a contact area, with deflections in `space`; `pairs` are those of
-    /// [`near_pairs`](super::near_pairs). A surface ends at the symmetry line y = 0.
+    /// [`near_pairs`](super::near_pairs).
     pub fn new(
         mesh: &SimplexMesh,
         space: &Space,
         bodies: &[BodyConstants],
         pairs: &[(u32, u32)],
+        shape: &Shape,
     ) -> HalfSpace {
         let line = mesh.dim == 1;
+        let mirrored = shape.symmetry == Symmetry::Half;
         let c = compliance(bodies);
         let factor = c / PI * if line { 2.0 } else { 1.0 };
         HalfSpace {
-            potential: Mutex::new(Some(Arc::new(potential(mesh, space)))),
+            potential: Mutex::new(Some(Arc::new(potential(mesh, space, mirrored)))),
             mesh: mesh.clone(),
             space: space.clone(),
             compliance: c,
+            mirrored,
             factor,
             lift: line.then(|| {
                 let shift = factor * LINE_REFERENCE.ln();
@@ -63,7 +69,7 @@ impl HalfSpace {
                     .map(|v| shift * v)
                     .collect()
             }),
-            near: symbol_stiffness(mesh, space, pairs, &|k| 2.0 * c / k),
+            near: symbol_stiffness(mesh, space, pairs, shape.zone.axis_ratio, &|k| 2.0 * c / k),
         }
     }
 
@@ -77,7 +83,7 @@ impl HalfSpace {
             return Arc::clone(kept);
         }
         // Not under the lock: a thread that waits for others may turn to a task that asks for it, too.
-        let made = Arc::new(potential(&self.mesh, &self.space));
+        let made = Arc::new(potential(&self.mesh, &self.space, self.mirrored));
         Arc::clone(self.kept().get_or_insert(made))
     }
 
@@ -130,11 +136,11 @@ impl SurfaceResponse for HalfSpace {
     }
 }
 
-/// At the nodes of a space; a surface ends at the symmetry line y = 0.
-fn potential(mesh: &SimplexMesh, space: &Space) -> Potential {
+/// At the nodes of a space.
+fn potential(mesh: &SimplexMesh, space: &Space, mirrored: bool) -> Potential {
     let targets: Vec<[f64; 2]> = space.points.iter().map(|p| [p[0], p[1]]).collect();
     let params = PotentialParams::default();
-    Potential::new(mesh, space, &targets, mesh.dim > 1, &params)
+    Potential::new(mesh, space, &targets, mirrored, &params)
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {

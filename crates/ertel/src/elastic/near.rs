@@ -37,6 +37,7 @@ pub fn symbol_stiffness(
     mesh: &SimplexMesh,
     space: &Space,
     pairs: &[(u32, u32)],
+    axis_ratio: f64,
     answer: &dyn Fn(f64) -> f64,
 ) -> Vec<f64> {
     let rule = Quadrature::simplex(mesh.dim, 2 * space.element.order());
@@ -51,7 +52,8 @@ pub fn symbol_stiffness(
         let map = Affine::new(mesh, c);
         let size = match mesh.dim {
             1 => map.determinant,
-            _ => map.determinant.sqrt(),
+            // The shorter way across a cell as stretched as the Hertz zone.
+            _ => (map.determinant / axis_ratio.max(axis_ratio.recip())).sqrt(),
         };
         let kappa = 2.0 * std::f64::consts::PI * WAVE_SHARE / size;
         let s = 1.0 / answer(kappa);

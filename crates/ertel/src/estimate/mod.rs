@@ -122,8 +122,8 @@ pub fn estimate(case: &Case) -> CaseEstimate {
         .ok();
     let g = groups(case, slope);
     let groups_asymptotic = asymptotic.map(|alpha| groups(case, alpha));
-    let formulas = |g: &Groups| film_formulas(contact.kind, contact.radius, g);
-    let regime = regime(contact.kind, contact.radius, &g);
+    let formulas = |g: &Groups| film_formulas(contact, g);
+    let regime = regime(contact, &g);
     let film = film(case, &g, regime.regime);
     let mut estimate = CaseEstimate {
         kind: contact.kind,
@@ -159,7 +159,7 @@ pub fn estimate(case: &Case) -> CaseEstimate {
 
 fn chart(kind: ContactKind, groups: &Groups) -> ChartParameters {
     let (w, u, g) = (groups.load, groups.speed, groups.material);
-    let circular = |value: f64| (kind == ContactKind::Circular).then_some(value);
+    let circular = |value: f64| kind.is_point().then_some(value);
     ChartParameters {
         viscosity_parameter: circular(g * w.powi(3) / (u * u)),
         elasticity_parameter: circular(w.powf(8.0 / 3.0) / (u * u)),
@@ -171,14 +171,15 @@ fn chart(kind: ContactKind, groups: &Groups) -> ChartParameters {
 /// isoviscous ones they make films that are far too thin.
 fn film(case: &Case, groups: &Groups, regime: Regime) -> FilmEstimate {
     let (central, minimum) = match case.contact.kind {
-        ContactKind::Circular => (
+        ContactKind::Circular | ContactKind::Elliptical => (
             FilmFormula::NijenbanningVennerMoes,
             FilmFormula::HamrockDowson,
         ),
         ContactKind::Line => (FilmFormula::MoesLine, FilmFormula::DowsonHigginson),
     };
     let isoviscous = matches!(regime, Regime::IsoviscousRigid | Regime::IsoviscousElastic);
-    let minimum_film = (minimum.film(case.contact.radius, groups).1).filter(|_| !isoviscous);
+    let minimum_film = (minimum.film(&case.contact, groups).1)
+        .filter(|_| !isoviscous && minimum.applies(&case.contact));
     FilmEstimate {
         central: predicted_film(case),
         central_formula: central.name(),

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::contact::{ContactKind, Groups};
+use crate::contact::{Contact, ContactKind, Groups};
 use crate::reference::{Asymptotes, moes_line_asymptotes, nijenbanning_venner_moes_asymptotes};
 
 /// What the film thickness depends on.
@@ -50,10 +50,13 @@ pub struct RegimeEstimate {
 /// A film formula over all regimes blends four asymptotes: of the isoviscous ones the thicker film holds, of the
 /// piezoviscous ones the thinner, and of these two the thicker. Asymptotes of Nijenbanning, Venner and Moes 1994
 /// (circular) and Moes (line). A lubricant that thins with pressure (L < 0) counts as isoviscous.
-pub fn regime(kind: ContactKind, radius: f64, groups: &Groups) -> RegimeEstimate {
+pub fn regime(contact: &Contact, groups: &Groups) -> RegimeEstimate {
     let (m, l) = (groups.moes_load, groups.moes_material.max(0.0));
-    let a = match kind {
-        ContactKind::Circular => nijenbanning_venner_moes_asymptotes(m, l),
+    let [radius, across] = contact.radii_along_and_across();
+    let a = match contact.kind {
+        ContactKind::Circular | ContactKind::Elliptical => {
+            nijenbanning_venner_moes_asymptotes(m, l, radius / across)
+        }
         ContactKind::Line => moes_line_asymptotes(m, l),
     };
     let rigid = (a.isoviscous_rigid, Regime::IsoviscousRigid);

@@ -4,6 +4,7 @@ use approx::assert_relative_eq;
 use ertel_rheology::input::Document;
 
 use super::*;
+use crate::contact::Contact;
 use crate::reference::venner_isoviscous_film;
 
 const STEEL: &str = r#"
@@ -179,7 +180,7 @@ fn regimes_of_known_contacts() {
         (Line, 500.0, 14.0, Regime::PiezoviscousElastic),
         (Line, 2.0, 14.0, Regime::PiezoviscousRigid),
     ] {
-        let e = regime(kind, 0.01, &groups_of(m, l));
+        let e = regime(&Contact::of_one_radius(kind, 0.01, 1.0), &groups_of(m, l));
         assert_eq!(e.regime, expected, "{kind:?} M {m} L {l}: {e:?}");
     }
 }
@@ -188,7 +189,7 @@ fn regimes_of_known_contacts() {
 /// 4.633074 (elastic), 7 % apart. At M = 9381 they are 30 % apart.
 #[test]
 fn a_neighbouring_regime_is_named() {
-    let e = regime(ContactKind::Circular, 0.01, &groups_of(199.26, 10.3591));
+    let e = regime(&Contact::circular(0.01, 1.0), &groups_of(199.26, 10.3591));
     assert_eq!(e.regime, Regime::PiezoviscousRigid);
     assert_eq!(e.neighbour, Some(Regime::PiezoviscousElastic));
     let scale = 0.01 * 1e-6;
@@ -213,7 +214,7 @@ fn a_neighbouring_regime_is_named() {
         1.041_323_356e-3,
         max_relative = 1e-9
     );
-    let far = regime(ContactKind::Circular, 0.01, &groups_of(9381.37, 8.97869));
+    let far = regime(&Contact::circular(0.01, 1.0), &groups_of(9381.37, 8.97869));
     assert_eq!(far.neighbour, None);
 }
 
@@ -222,7 +223,7 @@ fn a_neighbouring_regime_is_named() {
 #[test]
 fn isoviscous_elastic_asymptotes_agree() {
     for (m, tolerance) in [(1e3, 0.06), (1e4, 0.01)] {
-        let e = regime(ContactKind::Circular, 0.01, &groups_of(m, 0.0));
+        let e = regime(&Contact::circular(0.01, 1.0), &groups_of(m, 0.0));
         let venner = 0.01 * 1e-6 * venner_isoviscous_film(m);
         assert_relative_eq!(e.films.isoviscous_elastic, venner, max_relative = tolerance);
     }

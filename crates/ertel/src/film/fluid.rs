@@ -426,18 +426,14 @@ fn level_off(p: Dual2_64, value: f64, slope: f64) -> Dual2_64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Contact, ContactKind, Hertz};
+    use crate::contact::{Contact, Hertz};
     use approx::assert_relative_eq;
 
     /// Values and slopes meet at P = 0, and nothing runs away below: ρ̄ = (1 + 2.266e-9 p)/
     /// (1 + 1.683e-9 p) and Barus' law have the slopes 5.83e-10 and 2.2e-8 1/Pa by hand.
     #[test]
     fn properties_pass_through_ambient_pressure() {
-        let contact = Contact {
-            kind: ContactKind::Circular,
-            radius: 0.016,
-            load: 100.0,
-        };
+        let contact = Contact::circular(0.016, 100.0);
         let hertz = Hertz::new(&contact, 230e9);
         let scales = Scales::new(&contact, &hertz, 1.0, 0.04, 870.0);
         let density = DensityLaw::dowson_higginson(870.0).unwrap();

@@ -1,7 +1,7 @@
 //! Figures with their error bars as text.
 
 use super::report::digits;
-use crate::contact::ContactKind;
+use crate::contact::{ContactKind, Symmetry};
 use crate::solution::{Estimate, Figure, Located, Solution, Unresolved};
 
 /// Most significant digits of a figure, however narrow its bar.
@@ -169,15 +169,19 @@ pub fn place(solution: &Solution, at: &Located) -> String {
         value: at.x,
         error: at.place_error,
     };
-    match solution.kind {
+    match solution.shape.kind {
         ContactKind::Line => position(along, a),
-        ContactKind::Circular if at.y == 0.0 => format!("{}, y/a 0", position(along, a)),
-        // The other sign belongs to the mirror image.
-        ContactKind::Circular => {
+        _ if at.y == 0.0 => format!("{}, y/a 0", position(along, a)),
+        ContactKind::Circular | ContactKind::Elliptical => {
             let error = at.place_error.map(|error| error / a);
-            let ([x, y], error) = coordinates([at.x / a, at.y.abs() / a], error);
+            // The other sign belongs to the mirror image.
+            let (sign, y) = match solution.shape.symmetry {
+                Symmetry::Half => ("±", at.y.abs()),
+                Symmetry::Full => ("", at.y),
+            };
+            let ([x, y], error) = coordinates([at.x / a, y / a], error);
             let within = error.map_or(String::new(), |error| format!(", to {error}"));
-            format!("at x/a {x}, y/a ±{y}{within}")
+            format!("at x/a {x}, y/a {sign}{y}{within}")
         }
     }
 }

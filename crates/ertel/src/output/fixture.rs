@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::{BodyEcho, CaseEcho, FluidEcho};
 use crate::contact::hertz::{deflection_profile, pressure_profile};
-use crate::contact::{Contact, ContactKind, Elasticity, Groups, Hertz, Motion, Scales};
+use crate::contact::{Contact, ContactKind, Elasticity, Groups, Hertz, Motion, Scales, Shape};
 use crate::params::{MeshParams, MeshPreset, SolverParams};
 use crate::reference::film_formulas;
 use crate::solution::*;
@@ -20,16 +20,9 @@ const STEEL: Elasticity = Elasticity {
 
 pub(super) fn contact(kind: ContactKind) -> Contact {
     match kind {
-        ContactKind::Circular => Contact {
-            kind,
-            radius: 0.016,
-            load: 100.0,
-        },
-        ContactKind::Line => Contact {
-            kind,
-            radius: 0.015,
-            load: 2e5,
-        },
+        ContactKind::Circular => Contact::circular(0.016, 100.0),
+        ContactKind::Elliptical => Contact::elliptical([0.016, 0.032], 100.0, 0.0),
+        ContactKind::Line => Contact::line(0.015, 2e5),
     }
 }
 
@@ -85,7 +78,7 @@ fn film(kind: ContactKind, x: f64, y: f64, gap: f64) -> f64 {
     let open = 0.5 * r * r + deflection_profile(kind, r) - deflection_profile(kind, 0.0);
     let lobe = match kind {
         ContactKind::Line => f64::from(u8::from(x > 0.0)),
-        ContactKind::Circular => {
+        ContactKind::Circular | ContactKind::Elliptical => {
             (0.5 + 0.9 * y.abs() / r.max(1e-9) - 0.45)
                 .clamp(0.0, 1.0)
                 .max(f64::from(u8::from(x > 0.0)) * 0.55)
@@ -116,7 +109,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         .collect();
     let ys: Vec<f64> = match kind {
         ContactKind::Line => vec![0.0],
-        ContactKind::Circular => (0..=n)
+        ContactKind::Circular | ContactKind::Elliptical => (0..=n)
             .map(|j| -3.0 * (1.0 - f64::from(j) / f64::from(n)).powf(1.3))
             .collect(),
     };
@@ -129,7 +122,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         ContactKind::Line => (0..xs.len() - 1)
             .map(|i| [id(i, 0), id(i + 1, 0), 0])
             .collect(),
-        ContactKind::Circular => (0..ys.len() - 1)
+        ContactKind::Circular | ContactKind::Elliptical => (0..ys.len() - 1)
             .flat_map(|j| (0..xs.len() - 1).map(move |i| (i, j)))
             .flat_map(|(i, j)| {
                 [
@@ -187,7 +180,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         cells: cells.clone(),
     };
     Solution {
-        kind,
+        shape: Shape::new(&contact, &hertz),
         hertz,
         reduced_modulus: MODULUS,
         groups,
@@ -228,7 +221,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             central: bar(0.31),
             minimum: bar(0.28),
         }),
-        formulas: film_formulas(kind, contact.radius, &groups),
+        formulas: film_formulas(&contact, &groups),
         centreline,
         surface: SurfaceField {
             points: nodes.iter().map(|p| p.map(|x| a * x)).collect(),

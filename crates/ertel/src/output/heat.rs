@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use super::figure::{in_unit, number, percent, place, temperature};
 use super::report::{Lines, beside, percent_or_power, power};
 use super::{HeatEcho, ThermalEcho, digits};
-use crate::contact::ContactKind;
+use crate::output::name_of_ball;
 use crate::solution::{CrossProfile, Estimate, Located, Solution, Thermal};
 
 /// What carries the heat, `ball` being the word for the second body.
@@ -44,10 +44,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
         out.row("lowest film temperature", largest(&thermal.film_lowest));
     }
     out.row("mean in the Hertz zone", rise(thermal.film_mean));
-    let ball = match solution.kind {
-        ContactKind::Circular => "ball",
-        ContactKind::Line => "cylinder",
-    };
+    let ball = name_of_ball(solution.shape.kind);
     for (name, maximum, mean) in [
         ("plane", &thermal.plane_maximum, thermal.plane_mean),
         (ball, &thermal.ball_maximum, thermal.ball_mean),
@@ -55,9 +52,10 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
         out.row(&format!("surface of the {name}"), largest(maximum));
         out.row("  mean in the Hertz zone", temperature(mean, None));
     }
-    let unit = match solution.kind {
-        ContactKind::Circular => "W",
-        ContactKind::Line => "W/m",
+    let unit = if solution.shape.kind.is_point() {
+        "W"
+    } else {
+        "W/m"
     };
     let b = &thermal.balance;
     let watts = |heat: Estimate| {

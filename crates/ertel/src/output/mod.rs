@@ -47,6 +47,7 @@ use std::path::{Path, PathBuf};
 
 use folder::{NewFolder, Part};
 
+use crate::contact::ContactKind;
 use crate::params::OutputParams;
 use crate::solution::Solution;
 
@@ -101,6 +102,14 @@ impl OutputError {
     }
 }
 
+/// What the second body is called.
+pub(crate) fn name_of_ball(kind: ContactKind) -> &'static str {
+    match kind {
+        ContactKind::Circular | ContactKind::Elliptical => "ball",
+        ContactKind::Line => "cylinder",
+    }
+}
+
 /// Writes a result folder: `result.json`, `report.txt`, `case.toml`, `centreline.csv`,
 /// `surface.vtu`, `body.vtu` and the pictures, as `params` asks (its `folder` is not looked at); of a thermal contact
 /// `cross-film.csv` and `temperature.vtu`, too.
@@ -152,7 +161,7 @@ fn write_files(
     })?;
     folder.file("surface.vtu", |out| {
         let temperatures = thermal.map(|t| &t.surface);
-        vtu::write_surface(out, solution.kind, &solution.surface, temperatures)
+        vtu::write_surface(out, &solution.shape, &solution.surface, temperatures)
     })?;
     if let Some(profiles) = thermal.map(|t| &t.profiles).filter(|p| !p.is_empty()) {
         folder.file("cross-film.csv", |out| {
@@ -161,11 +170,13 @@ fn write_files(
     }
     if let Some(field) = thermal.and_then(|t| t.field.as_ref()) {
         folder.file("temperature.vtu", |out| {
-            vtu::write_temperature(out, solution.kind, field)
+            vtu::write_temperature(out, solution.shape.kind, field)
         })?;
     }
     if let Some(body) = solution.body.as_ref().filter(|_| params.body_field) {
-        folder.file("body.vtu", |out| vtu::write_body(out, solution.kind, body))?;
+        folder.file("body.vtu", |out| {
+            vtu::write_body(out, solution.shape.kind, body)
+        })?;
     }
     for picture in plot::pictures(&case.title, solution, Some(case.solver.tolerance)) {
         write_picture(folder, &picture, params.png)?;

@@ -7,6 +7,7 @@ use super::figure::{
     estimate, in_unit, length_unit, number, percent, place, position, pressure_estimate,
     pressure_unit,
 };
+use super::name_of_ball;
 use super::{CaseEcho, heat};
 use crate::contact::{ContactKind, Groups, Hertz};
 use crate::solution::{Located, Solution, Timings};
@@ -79,19 +80,27 @@ impl Lines {
 pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     let (load_unit, shape) = match case.contact.kind {
         ContactKind::Circular => ("N", "circular (ball on plane)"),
+        ContactKind::Elliptical => ("N", "elliptical"),
         ContactKind::Line => ("N/m", "line (cylinder on plane)"),
     };
     out.heading("Case");
     out.row("contact", shape);
-    out.row("radius R", length(case.contact.radius));
+    match case.contact.kind {
+        ContactKind::Elliptical => {
+            out.row("radius R_x", length(case.contact.radius));
+            out.row("radius R_y", length(case.contact.radius_y));
+            let angle = case.contact.entrainment_angle.to_degrees();
+            out.row("entrainment to x", format!("{} deg", digits(angle, 6)));
+        }
+        ContactKind::Circular | ContactKind::Line => {
+            out.row("radius R", length(case.contact.radius));
+        }
+    }
     out.row(
         "load",
         format!("{} {load_unit}", digits(case.contact.load, 6)),
     );
-    let ball = match case.contact.kind {
-        ContactKind::Circular => "ball",
-        ContactKind::Line => "cylinder",
-    };
+    let ball = name_of_ball(case.contact.kind);
     for (role, body) in [("plane", &case.plane), (ball, &case.ball)] {
         let e = &body.elasticity;
         let text = format!(
@@ -206,7 +215,7 @@ fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
         "minimum film thickness h_min",
         at(estimate(&s.film_minimum), &s.film_minimum_at),
     );
-    if solution.kind == ContactKind::Circular {
+    if solution.shape.kind.is_point() {
         let line = &s.film_centreline_minimum;
         out.row("  on the centreline", at(estimate(&line.estimate()), line));
     }
@@ -259,9 +268,9 @@ fn write_traction(out: &mut Lines, solution: &Solution) {
             number(t.coefficient_ball)
         ),
     );
-    let (force, power) = match solution.kind {
-        ContactKind::Circular => ("N", "W"),
-        ContactKind::Line => ("N/m", "W/m"),
+    let (force, power) = match solution.shape.kind.is_point() {
+        true => ("N", "W"),
+        false => ("N/m", "W/m"),
     };
     out.row("traction force", in_unit(t.force, 1.0, force));
     out.row("friction power", in_unit(t.friction_power, 1.0, power));

@@ -38,7 +38,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "ertel_version": env!("CARGO_PKG_VERSION"),
         "numerics_version": NUMERICS,
         "title": case.title,
-        "kind": solution.kind,
+        "kind": solution.shape.kind,
         "summary": s,
         "traction": solution.traction,
         "film_reduction": solution.film_reduction,

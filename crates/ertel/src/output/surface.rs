@@ -1,6 +1,6 @@
-//! The whole contact area from the half that is solved.
+//! The whole contact area from the part that is solved.
 
-use crate::contact::ContactKind;
+use crate::contact::Symmetry;
 use crate::solution::SurfaceField;
 
 /// A half y ≤ 0 with its mirror image, nodes on y = 0 shared.
@@ -43,11 +43,11 @@ pub(super) fn near_centreline(points: &[[f64; 2]]) -> impl Fn(f64) -> bool + use
     move |y| y.abs() <= 1e-9 * reach
 }
 
-/// Fields on the whole contact area: the half y ≤ 0 of a circular contact with its mirror image,
-/// nodes on y = 0 shared; a line contact as it is.
-pub(super) fn full_surface(kind: ContactKind, half: &SurfaceField) -> SurfaceField {
+/// Fields on the whole contact area: a half y ≤ 0 with its mirror image, nodes on y = 0 shared; one that was solved whole as
+/// it is.
+pub(super) fn full_surface(symmetry: Symmetry, half: &SurfaceField) -> SurfaceField {
     let mut full = half.clone();
-    if kind == ContactKind::Line {
+    if symmetry == Symmetry::Full {
         return full;
     }
     let whole = mirror(&half.points, &half.cells);
@@ -63,11 +63,11 @@ pub(super) fn full_surface(kind: ContactKind, half: &SurfaceField) -> SurfaceFie
     full
 }
 
-/// For each point of the whole contact area, the point of the half that has its values.
-pub(super) fn sources(kind: ContactKind, half: &SurfaceField) -> Vec<usize> {
-    match kind {
-        ContactKind::Line => (0..half.points.len()).collect(),
-        ContactKind::Circular => mirror(&half.points, &[]).sources,
+/// For each point of the whole contact area, the point of the part that is solved that has its values.
+pub(super) fn sources(symmetry: Symmetry, half: &SurfaceField) -> Vec<usize> {
+    match symmetry {
+        Symmetry::Full => (0..half.points.len()).collect(),
+        Symmetry::Half => mirror(&half.points, &[]).sources,
     }
 }
 
@@ -96,15 +96,15 @@ mod tests {
                 generalized_viscosity: values,
             },
         };
-        let full = full_surface(ContactKind::Circular, &half);
+        let full = full_surface(Symmetry::Half, &half);
         assert_eq!(full.points[3], [0.0, 1.0]);
         assert_eq!(full.cells, [[0, 1, 2], [0, 2, 3]]);
         assert_eq!(full.density, [1.0, 2.0, 3.0, 2.0]);
         for (_, values) in full.shear.columns() {
             assert_eq!(values, [1.0, 2.0, 3.0, 2.0]);
         }
-        assert_eq!(sources(ContactKind::Circular, &half), [0, 1, 2, 1]);
-        assert_eq!(sources(ContactKind::Line, &half), [0, 1, 2]);
-        assert_eq!(full_surface(ContactKind::Line, &half), half);
+        assert_eq!(sources(Symmetry::Half, &half), [0, 1, 2, 1]);
+        assert_eq!(sources(Symmetry::Full, &half), [0, 1, 2]);
+        assert_eq!(full_surface(Symmetry::Full, &half), half);
     }
 }

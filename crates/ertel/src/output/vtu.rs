@@ -9,7 +9,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::surface::{full_surface, sources};
-use crate::contact::ContactKind;
+use crate::contact::{ContactKind, Shape};
 use crate::solution::{BodyField, FilmTemperatures, SurfaceField, TemperatureField};
 
 /// VTK cell types by number of nodes: triangles and segments, or tetrahedra, too.
@@ -59,15 +59,15 @@ impl Data {
 /// Those of the writer.
 pub fn write_surface(
     out: impl Write,
-    kind: ContactKind,
+    shape: &Shape,
     half: &SurfaceField,
     temperatures: Option<&FilmTemperatures>,
 ) -> io::Result<()> {
-    let field = full_surface(kind, half);
+    let field = full_surface(shape.symmetry, half);
     let points: Vec<[f64; 3]> = field.points.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
-    let n_nodes = match kind {
+    let n_nodes = match shape.kind {
         ContactKind::Line => 2,
-        ContactKind::Circular => 3,
+        ContactKind::Circular | ContactKind::Elliptical => 3,
     };
     let cells: Vec<&[u32]> = field.cells.iter().map(|c| &c[..n_nodes]).collect();
     let scalar = |name, values| Array {
@@ -84,7 +84,7 @@ pub fn write_surface(
         scalar("density_kg_per_m3", field.density),
     ];
     fields.extend(shear.map(|(name, values)| scalar(name, values.to_vec())));
-    let sources = sources(kind, half);
+    let sources = sources(shape.symmetry, half);
     let temperatures = temperatures.map(FilmTemperatures::columns);
     for (name, values) in temperatures.into_iter().flatten() {
         let whole = sources.iter().map(|i| values[*i]).collect();
@@ -305,7 +305,7 @@ mod tests {
             density: vec![1.0; 3],
             shear: ShearFields::default(),
         };
-        let file = text(|out| write_surface(out, ContactKind::Line, &field, None));
+        let file = text(|out| write_surface(out, &Shape::LINE, &field, None));
         assert!(file.contains("NumberOfPoints=\"3\" NumberOfCells=\"2\""));
         assert_eq!(payload(&file, "pressure_Pa"), PRESSURE);
         assert_eq!(payload(&file, "connectivity"), CONNECTIVITY);

@@ -1,34 +1,36 @@
 //! Mass balance of the film between its inlet and its centre.
 
+use crate::contact::Symmetry;
 use crate::film::cross_film::CrossFilm;
 use crate::solve::evaluate::fields_at;
 use crate::solve::newton::FilmModel;
 use crate::solve::sequence::StageSolution;
 use crate::solve::system::System;
 
-/// Relative mass balance upstream of the section X = 0:
+/// Relative mass balance upstream of the section along the second axis of the Hertz zone, X = 0 where the motion is along the first:
 /// (inflow − side leakage − flow through the section)/inflow.
 ///
 /// Inflow and leakage are the fluxes that the edge nodes take up in the weak form; the flow
 /// through the section is integrated from the discrete gradients, m_x = ρ̄H − Q_x, which the
-/// weak form never asks for there. Side nodes count where X < 0.
+/// weak form never asks for there. Side nodes count upstream of it.
 pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
     let (d, state) = (&solution.discretisation, &solution.state);
     let edge_flux = System::edge_flux(d, &model.fluid, &model.constants, state);
-    let e = &d.contact.extents;
+    let (e, zone) = (&d.contact.extents, &d.contact.shape.zone);
     let mut net_inflow = 0.0;
     let mut inflow = 0.0;
     for (flux, p) in edge_flux.iter().zip(&d.pressure.points) {
-        let inlet = p[0] < e.inlet + 1e-9 * (e.outlet - e.inlet);
-        if p[0] < 0.0 {
+        let [x, _] = zone.unit([p[0], p[1]]);
+        if x < 0.0 {
             net_inflow += flux;
         }
-        if inlet {
+        if x < e.inlet + 1e-9 * (e.outlet - e.inlet) {
             inflow += flux;
         }
     }
+    let normal = zone.turn.to_motion([1.0, 0.0]);
     let flux = |y: f64| {
-        let Some(f) = fields_at(d, state, [0.0, y]) else {
+        let Some(f) = fields_at(d, state, zone.place([0.0, y])) else {
             return f64::NAN;
         };
         let fluid = model.fluid.local(f.pressure, f.temperature.as_ref());
@@ -36,12 +38,15 @@ pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
         let (g, omega) = fluid.demands(f.pressure_gradient, f.film);
         let flow = fluid.flow(g, omega, &mut CrossFilm::default()).flow;
         let factor = 12.0 * rho * f.film.powi(2) / (mu * model.constants.lambda);
-        rho * f.film - factor * flow[0]
+        let [along, across] = [rho * f.film - factor * flow[0], -factor * flow[1]];
+        along * normal[0] + across * normal[1]
     };
-    let section = if d.contact.surface.dim == 1 {
-        flux(0.0)
-    } else {
-        integrate(-e.side, 0.0, flux)
+    let section = match (d.contact.surface.dim, d.contact.shape.symmetry) {
+        (1, _) => flux(0.0),
+        (_, Symmetry::Half) => zone.axis_ratio * integrate(-e.side, 0.0, flux),
+        (_, Symmetry::Full) => {
+            zone.axis_ratio * (integrate(-e.side, 0.0, flux) + integrate(0.0, e.side, flux))
+        }
     };
     (net_inflow - section) / inflow
 }

@@ -64,7 +64,7 @@ fn film(d: &Discretisation, state: &State, scales: &Scales) -> Polynomials {
                     *x += value * px;
                 }
             }
-            values.push(scales.film * (film + d.contact.undeformed_gap(point)));
+            values.push(scales.film * (film + d.contact.shape.gap.value([point[0], point[1]])));
         }
     }
     Polynomials { order, values }

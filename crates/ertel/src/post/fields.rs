@@ -4,7 +4,7 @@ use ertel_fem::linear::NEVER;
 use ertel_fem::linear::condensed::Keep;
 use ertel_fem::space::Space;
 
-use crate::contact::{Scales, hertz};
+use crate::contact::Scales;
 use crate::film::FilmFluid;
 use crate::post::profile::Profile;
 use crate::solution::{BodyField, Centreline, SurfaceField};
@@ -17,7 +17,8 @@ pub(super) const PER_EDGE: usize = 4;
 
 /// Profiles along y = 0, four samples per element edge.
 pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> Centreline {
-    let profile = Profile::new(&solution.discretisation, &solution.state, PER_EDGE);
+    let d = &solution.discretisation;
+    let profile = Profile::new(d, &solution.state, PER_EDGE);
     let mut line = Centreline::default();
     for (x, f) in profile.x.iter().zip(&profile.fields) {
         let local = fluid.local(f.pressure, f.temperature.as_ref());
@@ -30,7 +31,7 @@ pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) 
             .push(properties.viscosity[0] * scales.viscosity);
         line.density.push(properties.density[0] * scales.density);
         line.hertz_pressure
-            .push(hertz::pressure_profile(*x) * scales.pressure);
+            .push(d.contact.shape.zone.pressure([*x, 0.0]) * scales.pressure);
     }
     line.shear = super::shear::fields(fluid, scales, &profile.fields);
     line

@@ -115,11 +115,7 @@ pub fn warnings(
                 "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error, because the edges of the \
                  contact area are near: move them outward ([mesh] inlet{})",
                 100.0 * relative,
-                if kind == ContactKind::Circular {
-                    ", side"
-                } else {
-                    ""
-                }
+                if kind.is_point() { ", side" } else { "" }
             ),
             Some(target) if relative > target => format!(
                 "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error: refinement \
@@ -195,11 +191,7 @@ pub fn warnings(
              starved by its own contact area; move the edge outward ([mesh] inlet{})",
             e.inlet,
             inlet_film / centre,
-            if kind == ContactKind::Circular {
-                ", side"
-            } else {
-                ""
-            }
+            if kind.is_point() { ", side" } else { "" }
         );
         let shortage = centre / inlet_film;
         warnings.push(Warning::beyond(WarningKind::InletEdge, shortage, text));

@@ -52,7 +52,7 @@ impl ElasticExponents {
     /// [`nijenbanning_venner_moes_asymptotes`](super::nijenbanning_venner_moes_asymptotes).
     pub fn of(contact: ContactKind) -> ElasticExponents {
         match contact {
-            ContactKind::Circular => nijenbanning_venner_moes::EXPONENTS,
+            ContactKind::Circular | ContactKind::Elliptical => nijenbanning_venner_moes::EXPONENTS,
             ContactKind::Line => moes_line::EXPONENTS,
         }
     }

@@ -3,6 +3,7 @@
 //! Every formula carries its source and how sure its constants are. The film is h = H R in metres;
 //! groups follow [`Groups`].
 
+mod chittenden;
 mod dowson_higginson;
 mod dowson_toyoda;
 mod exponents;
@@ -12,6 +13,7 @@ mod nijenbanning_venner_moes;
 pub mod thermal;
 mod venner_isoviscous;
 
+pub use chittenden::{chittenden_central, chittenden_minimum};
 pub use dowson_higginson::{dowson_higginson_1966_line_minimum, dowson_higginson_line_minimum};
 pub use dowson_toyoda::dowson_toyoda_line_central;
 pub use exponents::{ElasticExponents, Fraction};
@@ -24,7 +26,7 @@ pub use venner_isoviscous::venner_isoviscous_film;
 
 use serde::Serialize;
 
-use crate::contact::{ContactKind, Groups};
+use crate::contact::{Contact, ContactKind, Groups};
 use crate::solution::FormulaFilm;
 
 /// Central film of a contact in the four lubrication regimes, in the unit of whoever fills it: H = h/(R √(2U))
@@ -47,12 +49,14 @@ const ISOVISCOUS_L: f64 = 1.0;
 /// The closed family of formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FilmFormula {
-    /// Hamrock and Dowson 1977, circular, central and minimum film.
+    /// Hamrock and Dowson 1977, circles and wide ellipses, central and minimum film.
     HamrockDowson,
-    /// Nijenbanning, Venner and Moes 1994, circular, central film.
+    /// Nijenbanning, Venner and Moes 1994, circles and ellipses, central film.
     NijenbanningVennerMoes,
     /// Isoviscous-elastic limit, circular, central film.
     VennerIsoviscous,
+    /// Chittenden et al. 1985, ellipses with the motion at any angle, central and minimum film.
+    Chittenden,
     /// Moes, line, central film.
     MoesLine,
     /// Dowson and Higginson 1977, line, minimum film.
@@ -65,26 +69,34 @@ pub enum FilmFormula {
 
 impl FilmFormula {
     /// Every formula, in the order of the report.
-    pub const ALL: [FilmFormula; 7] = [
+    pub const ALL: [FilmFormula; 8] = [
         FilmFormula::HamrockDowson,
         FilmFormula::NijenbanningVennerMoes,
         FilmFormula::VennerIsoviscous,
+        FilmFormula::Chittenden,
         FilmFormula::DowsonToyoda,
         FilmFormula::DowsonHigginson,
         FilmFormula::DowsonHigginson1966,
         FilmFormula::MoesLine,
     ];
 
-    /// Shape of contact that the formula was made for.
-    pub fn kind(self) -> ContactKind {
+    /// Whether the formula was made for a contact of this shape and direction of motion.
+    pub fn applies(self, contact: &Contact) -> bool {
+        let point = contact.kind.is_point();
+        let along_an_axis = (2.0 * contact.entrainment_angle).sin().abs() < 1e-9;
         match self {
-            FilmFormula::HamrockDowson
-            | FilmFormula::NijenbanningVennerMoes
-            | FilmFormula::VennerIsoviscous => ContactKind::Circular,
+            // Fitted from circles to ellipses eight times as wide as long.
+            FilmFormula::HamrockDowson => {
+                let [along, across] = contact.radii_along_and_across();
+                point && along_an_axis && across >= along * (1.0 - 1e-9)
+            }
+            FilmFormula::NijenbanningVennerMoes => point && along_an_axis,
+            FilmFormula::VennerIsoviscous => contact.kind == ContactKind::Circular,
+            FilmFormula::Chittenden => contact.kind == ContactKind::Elliptical,
             FilmFormula::MoesLine
             | FilmFormula::DowsonHigginson
             | FilmFormula::DowsonHigginson1966
-            | FilmFormula::DowsonToyoda => ContactKind::Line,
+            | FilmFormula::DowsonToyoda => !point,
         }
     }
 
@@ -94,6 +106,7 @@ impl FilmFormula {
             FilmFormula::HamrockDowson => "Hamrock-Dowson 1977",
             FilmFormula::NijenbanningVennerMoes => "Nijenbanning-Venner-Moes 1994",
             FilmFormula::VennerIsoviscous => "Venner isoviscous-elastic",
+            FilmFormula::Chittenden => "Chittenden et al. 1985",
             FilmFormula::MoesLine => "Moes (line)",
             FilmFormula::DowsonHigginson => "Dowson-Higginson 1977",
             FilmFormula::DowsonHigginson1966 => "Dowson-Higginson 1966",
@@ -107,6 +120,7 @@ impl FilmFormula {
             FilmFormula::HamrockDowson => hamrock_dowson::SOURCE,
             FilmFormula::NijenbanningVennerMoes => nijenbanning_venner_moes::SOURCE,
             FilmFormula::VennerIsoviscous => venner_isoviscous::SOURCE,
+            FilmFormula::Chittenden => chittenden::SOURCE,
             FilmFormula::MoesLine => moes_line::SOURCE,
             FilmFormula::DowsonHigginson => dowson_higginson::SOURCE,
             FilmFormula::DowsonHigginson1966 => dowson_higginson::SOURCE_1966,
@@ -114,22 +128,29 @@ impl FilmFormula {
         }
     }
 
-    /// Central and minimum film in m for the radius R in m, where the formula gives them.
+    /// Central and minimum film in m, where the formula gives them.
     ///
     /// Outside of what it was made for (power laws in G of an isoviscous fluid, the isoviscous
     /// limit of a piezoviscous one) both are `None`.
-    pub fn film(self, radius: f64, groups: &Groups) -> (Option<f64>, Option<f64>) {
+    pub fn film(self, contact: &Contact, groups: &Groups) -> (Option<f64>, Option<f64>) {
+        let [radius, across] = contact.radii_along_and_across();
+        let ratio = radius / across;
         let (m, l) = (groups.moes_load, groups.moes_material);
         // h = H R √(2U) of the formulas in Moes' groups
         let moes_scale = radius * (2.0 * groups.speed).sqrt();
         let (central, minimum) = match self {
             FilmFormula::HamrockDowson => (
-                Some(radius * hamrock_dowson_central(groups)),
-                Some(radius * hamrock_dowson_minimum(groups)),
+                Some(radius * hamrock_dowson_central(groups, contact.ellipticity())),
+                Some(radius * hamrock_dowson_minimum(groups, contact.ellipticity())),
             ),
-            FilmFormula::NijenbanningVennerMoes => {
-                (Some(moes_scale * nijenbanning_venner_moes_film(m, l)), None)
-            }
+            FilmFormula::NijenbanningVennerMoes => (
+                Some(moes_scale * nijenbanning_venner_moes_film(m, l, ratio)),
+                None,
+            ),
+            FilmFormula::Chittenden => (
+                Some(radius * chittenden_central(groups, ratio)),
+                Some(radius * chittenden_minimum(groups, ratio)),
+            ),
             FilmFormula::VennerIsoviscous if l <= ISOVISCOUS_L => {
                 (Some(moes_scale * venner_isoviscous_film(m)), None)
             }
@@ -152,13 +173,13 @@ impl FilmFormula {
     }
 }
 
-/// Every formula that applies to a contact of the given kind, with films in m; R in m.
-pub fn film_formulas(kind: ContactKind, radius: f64, groups: &Groups) -> Vec<FormulaFilm> {
+/// Every formula that applies to a contact, with films in m.
+pub fn film_formulas(contact: &Contact, groups: &Groups) -> Vec<FormulaFilm> {
     FilmFormula::ALL
         .into_iter()
-        .filter(|formula| formula.kind() == kind)
+        .filter(|formula| formula.applies(contact))
         .filter_map(|formula| {
-            let (central, minimum) = formula.film(radius, groups);
+            let (central, minimum) = formula.film(contact, groups);
             (central.is_some() || minimum.is_some()).then(|| FormulaFilm {
                 name: formula.name(),
                 central,

@@ -87,7 +87,8 @@ const TABLE_TOLERANCE: f64 = 1e-5;
 #[test]
 fn hamrock_dowson_films_match_independent_values() {
     for case in &CASES {
-        let (central, minimum) = FilmFormula::HamrockDowson.film(case.radius, &case.groups());
+        let (central, minimum) =
+            FilmFormula::HamrockDowson.film(&Contact::circular(case.radius, 1.0), &case.groups());
         let (expected_central, expected_minimum) = case.hamrock_dowson;
         assert_relative_eq!(
             central.unwrap() * 1e9,
@@ -105,7 +106,8 @@ fn hamrock_dowson_films_match_independent_values() {
 #[test]
 fn nijenbanning_venner_moes_films_match_independent_values() {
     for case in &CASES {
-        let (central, _) = FilmFormula::NijenbanningVennerMoes.film(case.radius, &case.groups());
+        let (central, _) = FilmFormula::NijenbanningVennerMoes
+            .film(&Contact::circular(case.radius, 1.0), &case.groups());
         assert_relative_eq!(
             central.unwrap() * 1e9,
             case.nijenbanning_venner_moes,
@@ -140,11 +142,11 @@ fn line_power_laws_match_independent_values() {
         moes_load: 11.18034,
         moes_material: 8.45897,
     };
-    let (_, minimum) = FilmFormula::DowsonHigginson.film(0.01, &groups);
+    let (_, minimum) = FilmFormula::DowsonHigginson.film(&Contact::line(0.01, 1.0), &groups);
     assert_relative_eq!(minimum.unwrap(), 168.84654e-9, max_relative = 1e-6);
-    let (central, _) = FilmFormula::DowsonToyoda.film(0.01, &groups);
+    let (central, _) = FilmFormula::DowsonToyoda.film(&Contact::line(0.01, 1.0), &groups);
     assert_relative_eq!(central.unwrap(), 220.28150e-9, max_relative = 1e-6);
-    let names: Vec<_> = film_formulas(ContactKind::Line, 0.01, &groups)
+    let names: Vec<_> = film_formulas(&Contact::line(0.01, 1.0), &groups)
         .into_iter()
         .map(|f| f.name)
         .collect();
@@ -158,7 +160,7 @@ fn line_power_laws_match_independent_values() {
         ]
     );
     // 1.6 U^0.7 G^0.6 W^(-0.13), Python
-    let (_, minimum) = FilmFormula::DowsonHigginson1966.film(0.01, &groups);
+    let (_, minimum) = FilmFormula::DowsonHigginson1966.film(&Contact::line(0.01, 1.0), &groups);
     assert_relative_eq!(minimum.unwrap(), 167.68332e-9, max_relative = 1e-6);
 }
 
@@ -210,7 +212,7 @@ fn isoviscous_contact_lists_only_what_applies() {
         moes_load: 1000.0,
         moes_material: 0.0,
     };
-    let films = film_formulas(ContactKind::Circular, 0.01, &groups);
+    let films = film_formulas(&Contact::circular(0.01, 1.0), &groups);
     let names: Vec<_> = films.iter().map(|f| f.name).collect();
     assert_eq!(
         names,

@@ -7,7 +7,7 @@ mod unresolved;
 
 use serde::Serialize;
 
-use crate::contact::{ContactKind, Groups, Hertz, Scales};
+use crate::contact::{Groups, Hertz, Scales, Shape};
 use crate::solve::sequence::Role;
 use crate::warning::Warning;
 
@@ -415,8 +415,8 @@ pub struct BodyField {
 /// The solution of a case.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// Line or circular.
-    pub kind: ContactKind,
+    /// Geometry of the contact.
+    pub shape: Shape,
     /// Hertz contact.
     pub hertz: Hertz,
     /// Reduced modulus E', Pa.

@@ -3,7 +3,7 @@
 use super::bars::{Compared, compared};
 use super::discretisation::LevelSizes;
 use super::indicator::Indicator;
-use crate::contact::ContactKind;
+use crate::contact::{ContactKind, Shape};
 use crate::elastic::BodyModel;
 use crate::solution::LevelStats;
 
@@ -47,12 +47,12 @@ impl AdaptParams {
 ///
 /// Measured by reducing the growth: circular contacts, M = 20 to 200, at 0.9, where the films of L = 4 to 10 move by no more than
 /// 0.10 and 0.14 %, but those of L = 0 by more (at M = 100, 0.6 moves h_c by 0.2 %); line contacts, M = 5 to 200, at 0.3.
-pub fn grading_errors(kind: ContactKind, model: BodyModel, sizes: &LevelSizes) -> [f64; 2] {
+pub fn grading_errors(shape: &Shape, model: BodyModel, sizes: &LevelSizes) -> [f64; 2] {
     if model == BodyModel::HalfSpace {
         return [SMALLEST_ERROR; 2];
     }
-    let (errors, growth) = match kind {
-        ContactKind::Circular => ([5e-3, 6e-3], 0.9),
+    let (errors, growth) = match shape.kind {
+        ContactKind::Circular | ContactKind::Elliptical => ([5e-3, 6e-3], 0.9),
         ContactKind::Line => ([6e-4, 8e-4], 0.3),
     };
     let ratio = sizes.depth_growth / growth;

@@ -15,21 +15,21 @@ use super::heat::column::Column;
 use super::heat::space::HeatSpace;
 pub use super::sizes::LevelSizes;
 use super::sizes::size_at;
-use crate::contact::ContactKind;
+use crate::contact::{ContactKind, HertzZone, Shape, Symmetry};
 use crate::elastic::cache::OperatorCache;
 use crate::elastic::{
     Accuracy, BodyModel, Elasticity, FiniteBodies, FiniteBody, FiniteBodyError, HalfSpace,
     SurfaceResponse, Trace, near_pairs,
 };
 
-/// Geometry of the half-space body, in Hertz half-widths.
+/// Contact area, and the body below it, in Hertz half-widths.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extents {
     /// Inlet edge X of the contact area.
     pub inlet: f64,
     /// Outlet edge X.
     pub outlet: f64,
-    /// Side edge |Y|.
+    /// Side edge |Y|, of ellipses in semi-axes along y.
     pub side: f64,
     /// Width of the body.
     pub body_width: f64,
@@ -50,8 +50,8 @@ enum Support {
 
 /// Mesh of the contact area with what the bodies answer there; pressure spaces of any order stand on it.
 pub struct ContactSurface {
-    /// Line or circular.
-    pub kind: ContactKind,
+    /// Geometry of the contact.
+    pub shape: Shape,
     /// Contact area and body.
     pub extents: Extents,
     /// The bodies.
@@ -75,7 +75,7 @@ pub struct ContactSurface {
     pub near_pairs: Vec<(u32, u32)>,
     /// Affine map of each element.
     pub maps: Vec<Affine>,
-    /// Size h_e of each element: √(2 area), the leg of a right isosceles triangle, or length.
+    /// Size h_e of each element along the motion: √(2 area) around a circle, the leg of a right isosceles triangle, or length.
     pub sizes: Vec<f64>,
     /// Seconds spent on the mesh and on the elastic operator.
     pub seconds: (f64, f64),
@@ -105,7 +105,7 @@ impl ContactSurface {
     /// # Errors
     /// When meshing or factorisation fails, or the caller wants to stop.
     pub fn new(
-        kind: ContactKind,
+        shape: &Shape,
         extents: &Extents,
         sizes: &LevelSizes,
         elasticity: &Elasticity,
@@ -115,21 +115,24 @@ impl ContactSurface {
         let mesh = match elasticity.model {
             BodyModel::HalfSpace => {
                 let params = SurfaceParams {
-                    dim: kind.body_dimension() - 1,
+                    dim: shape.kind.body_dimension() - 1,
                     x: [extents.inlet, extents.outlet],
-                    y_side: extents.side,
+                    y: match shape.symmetry {
+                        Symmetry::Half => [-extents.side, 0.0],
+                        Symmetry::Full => [-extents.side, extents.side],
+                    },
                 };
-                let size = |x: [f64; 2]| size_at(kind, extents, sizes, [x[0], x[1], 0.0]);
+                let size = |x: [f64; 2]| size_at(shape, extents, sizes, [x[0], x[1], 0.0]);
                 Mesh::Surface(Box::new(surface_mesh(&params, &size)?))
             }
             BodyModel::FiniteElements => {
-                let params = body_params(kind, extents);
-                let size = |x: [f64; 3]| size_at(kind, extents, sizes, x);
+                let params = body_params(shape.kind, extents);
+                let size = |x: [f64; 3]| size_at(shape, extents, sizes, x);
                 Mesh::Body(Box::new(FiniteBody::new(&params, &size)?))
             }
         };
         let seconds = start.elapsed().as_secs_f64();
-        ContactSurface::on(kind, extents, mesh, seconds, elasticity, means)
+        ContactSurface::on(shape, extents, mesh, seconds, elasticity, means)
     }
 
     /// The same with elements halved `halvings` times in length, and others as conformity demands.
@@ -148,7 +151,7 @@ impl ContactSurface {
             .map(|(c, n)| match n {
                 0 => f64::INFINITY,
                 // a little more, for rounding
-                n => 1.001 * self.surface.longest_edge(c) / f64::from(1u32 << n),
+                n => 1.001 * self.longest_unit_edge(c) / f64::from(1u32 << n),
             })
             .collect();
         let mesh = match &self.support {
@@ -157,7 +160,7 @@ impl ContactSurface {
         };
         let seconds = start.elapsed().as_secs_f64();
         ContactSurface::on(
-            self.kind,
+            &self.shape,
             &self.extents,
             mesh,
             seconds,
@@ -168,7 +171,7 @@ impl ContactSurface {
 
     /// Makes the elastic response of a mesh.
     fn on(
-        kind: ContactKind,
+        shape: &Shape,
         extents: &Extents,
         mesh: Mesh,
         mesh_seconds: f64,
@@ -177,17 +180,17 @@ impl ContactSurface {
     ) -> Result<ContactSurface, DiscretisationError> {
         let start = Instant::now();
         let surface = match &mesh {
-            Mesh::Surface(surface) => surface.mesh().clone(),
+            Mesh::Surface(surface) => stretched(surface.mesh(), &shape.zone),
             Mesh::Body(body) => body.surface.clone(),
         };
         let deflection = Space::new(&surface, elasticity.order);
-        let wide = kind == ContactKind::Line;
+        let wide = !shape.kind.is_point();
         let near_pairs = near_pairs(&deflection, wide);
         let (mut n_displacement, mut from_cache) = (0, false);
         let bodies = &elasticity.bodies;
         let (support, response): (Support, Arc<dyn SurfaceResponse>) = match mesh {
             Mesh::Surface(mesh) => {
-                let response = HalfSpace::new(&surface, &deflection, bodies, &near_pairs);
+                let response = HalfSpace::new(&surface, &deflection, bodies, &near_pairs, shape);
                 (Support::Surface(mesh), Arc::new(response))
             }
             Mesh::Body(body) => {
@@ -201,18 +204,20 @@ impl ContactSurface {
         let maps: Vec<Affine> = (0..surface.n_cells())
             .map(|c| Affine::new(&surface, c))
             .collect();
+        let along = shape.zone.stretch_along_motion();
         let element_sizes = maps
             .iter()
             .map(|m| {
                 if surface.dim == 1 {
                     m.determinant
                 } else {
-                    m.determinant.sqrt()
+                    // Cells are as stretched as the zone.
+                    along * (m.determinant / shape.zone.axis_ratio).sqrt()
                 }
             })
             .collect();
         Ok(ContactSurface {
-            kind,
+            shape: *shape,
             extents: *extents,
             elasticity: elasticity.clone(),
             support,
@@ -230,17 +235,20 @@ impl ContactSurface {
         })
     }
 
+    /// Longest edge of an element where the Hertz zone is the unit circle, as it was meshed.
+    fn longest_unit_edge(&self, element: usize) -> f64 {
+        match &self.support {
+            Support::Surface(mesh) => mesh.mesh().longest_edge(element),
+            Support::Body(..) => self.surface.longest_edge(element),
+        }
+    }
+
     /// The finite-element body below the contact area with its condensed answers; `None` above a half-space.
     pub fn body(&self) -> Option<(&FiniteBody, &FiniteBodies)> {
         match &self.support {
             Support::Surface(_) => None,
             Support::Body(body, condensed) => Some((body, condensed)),
         }
-    }
-
-    /// Undeformed gap at a surface point: X²/2 (line), (X² + Y²)/2 (circular).
-    pub fn undeformed_gap(&self, point: [f64; 3]) -> f64 {
-        0.5 * (point[0] * point[0] + point[1] * point[1])
     }
 
     /// (X, Y) of reference coordinates in an element.
@@ -304,7 +312,7 @@ impl Discretisation {
             .points
             .iter()
             .map(|p| {
-                if on_edge(contact.kind, &contact.extents, *p) {
+                if on_edge(&contact.shape, &contact.extents, *p) {
                     CONSTRAINED
                 } else {
                     n_pressure += 1;
@@ -421,10 +429,22 @@ fn body_params(kind: ContactKind, e: &Extents) -> BodyParams {
     }
 }
 
+/// A mesh around the unit circle drawn out to one around the Hertz zone.
+fn stretched(mesh: &SimplexMesh, zone: &HertzZone) -> SimplexMesh {
+    let mut mesh = mesh.clone();
+    for v in &mut mesh.vertices {
+        let [x, y] = zone.place([v[0], v[1]]);
+        (v[0], v[1]) = (x, y);
+    }
+    mesh
+}
+
 /// Whether a surface point lies where P = 0 is prescribed (not on the symmetry line).
-pub(super) fn on_edge(kind: ContactKind, e: &Extents, p: [f64; 3]) -> bool {
+pub(super) fn on_edge(shape: &Shape, e: &Extents, p: [f64; 3]) -> bool {
     let tiny = 1e-9 * (e.outlet - e.inlet);
-    p[0] < e.inlet + tiny
-        || p[0] > e.outlet - tiny
-        || (kind == ContactKind::Circular && p[1] < -e.side + tiny)
+    let [x, y] = shape.zone.unit([p[0], p[1]]);
+    x < e.inlet + tiny
+        || x > e.outlet - tiny
+        || (shape.kind.is_point()
+            && (y < -e.side + tiny || (shape.symmetry == Symmetry::Full && y > e.side - tiny)))
 }

@@ -226,7 +226,8 @@ impl<'a> Assembler<'a> {
                 std::array::from_fn(|a| dot::<M>(&w_list[a * M..(a + 1) * M], &deflections));
             let [x, y] = places.map(|x| dot::<M>(&w_list[..M], &x));
             let place = [x, y, 0.0];
-            let h = state.rigid_separation + d.contact.undeformed_gap(place) + w[0];
+            let h = state.rigid_separation + d.contact.shape.gap.value([x, y]) + w[0];
+            let [gap_x, gap_y] = d.contact.shape.gap.gradient([x, y]);
             element.points.push(Point {
                 place,
                 state: [
@@ -235,8 +236,8 @@ impl<'a> Assembler<'a> {
                     p[2],
                     p[4],
                     h,
-                    x + w[1],
-                    y + w[2],
+                    gap_x + w[1],
+                    gap_y + w[2],
                     curvature[0],
                     curvature[1],
                     curvature[2],

@@ -58,7 +58,7 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
             *x += value * px;
         }
     }
-    fields.film += fields.deflection + d.contact.undeformed_gap(point);
+    fields.film += fields.deflection + d.contact.shape.gap.value([point[0], point[1]]);
     fields
 }
 
@@ -113,7 +113,7 @@ pub fn fields_from(
             *x += value * px;
         }
     }
-    fields.film += fields.deflection + d.contact.undeformed_gap(point);
+    fields.film += fields.deflection + d.contact.shape.gap.value([point[0], point[1]]);
     (point, fields)
 }
 
@@ -174,7 +174,7 @@ pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
                     *x += value * px;
                 }
             }
-            h += d.contact.undeformed_gap(point);
+            h += d.contact.shape.gap.value([point[0], point[1]]);
             if h < best.0 {
                 best = (h, cell, *xi);
             }

@@ -136,7 +136,7 @@ fn note_heat(
 pub fn measure(problem: &Problem, solution: &StageSolution, levels: &[LevelStats]) -> Measured {
     let (d, state) = (&solution.discretisation, &solution.state);
     let grading = grading_errors(
-        problem.kind,
+        &problem.shape,
         problem.elasticity.model,
         &solution.stage.sizes,
     );

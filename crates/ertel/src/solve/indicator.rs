@@ -27,7 +27,7 @@ use super::evaluate::{central_film, fields_in, minimum_film};
 use super::newton::FilmModel;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
-use crate::contact::ContactKind;
+use crate::contact::Gap;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::{BeyondEdges, ErrorEstimate, TemperatureErrors};
 
@@ -189,10 +189,7 @@ pub fn indicator(
         }
     }
     let [central, minimum] = shares;
-    let zone = match d.contact.kind {
-        ContactKind::Circular => 0.5 * std::f64::consts::PI,
-        ContactKind::Line => 2.0,
-    };
+    let zone = d.contact.shape.zone_area();
     let unresolved = unresolved(&d.pressure, &state.pressure);
     let squares: Vec<f64> = (d.contact.maps.iter().zip(&unresolved).zip(&system.missed))
         .map(|((map, error), missed)| map.determinant * reference * error * error + missed)
@@ -216,19 +213,20 @@ pub fn indicator(
     })
 }
 
-/// c of the pressure −c λ X/H² far from a contact.
-pub(super) fn far_field(kind: ContactKind) -> f64 {
-    match kind {
-        ContactKind::Circular => 0.2,
-        ContactKind::Line => 1.0 / 3.0,
-    }
+/// c of the pressure −λ c·X/H² far from a contact, along and across the motion.
+pub(super) fn far_field(gap: &Gap) -> [f64; 2] {
+    let kappa = gap.curvature_ratio;
+    let [along, across] = gap.turn.to_axes([1.0, 0.0]);
+    let first = 1.0 / (3.0 + 2.0 * kappa);
+    let second = kappa / (3.0 * kappa + 2.0);
+    gap.turn.to_motion([first * along, second * across])
 }
 
 /// How much a film changes where the pressure beyond the edges of the contact area goes on as it does far from a contact:
 ///
 /// ```text
-///   P = −c λ X/H²,  X < 0        c = 1/5 around a sphere, 1/3 along a cylinder: the solution of ∇·(H³∇P) = λ ∂H/∂X
-///                                 for H = r²/2 (Kapitza 1955) and H = X²/2
+///   P = −λ(c_x e_x x + c_y e_y y)/H² > 0     c_x = 1/(3 + 2κ), c_y = κ/(3κ + 2): the solution of ∇·(H³∇P) = λ e·∇H for
+///                                             H = ½(x² + κy²) (Kapitza 1955): 1/5 around a sphere, 1/3 along a cylinder
 /// ```
 /// with the film at the edge itself; to the pressures of the edge the film answers by −z·(R_P P).
 fn edge_error(
@@ -238,7 +236,8 @@ fn edge_error(
     system: &System,
     adjoint: &[f64],
 ) -> f64 {
-    let share = far_field(d.contact.kind);
+    let lambda = model.constants.lambda;
+    let [along, across] = far_field(&d.contact.shape.gap).map(|c| c * lambda);
     let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
     let on_edge = |node: &u32| d.pressure_dofs[*node as usize] == CONSTRAINED;
     let order = d.pressure.element.order() as f64;
@@ -250,13 +249,14 @@ fn edge_error(
         }
         let beyond: Vec<f64> = (nodes.iter().zip(d.pressure.element.lattice()))
             .map(|(node, alpha)| {
-                let x = d.pressure.points[*node as usize][0];
-                if !on_edge(node) || x >= 0.0 {
+                let [x, y, _] = d.pressure.points[*node as usize];
+                let drop = along * x + across * y;
+                if !on_edge(node) || drop >= 0.0 {
                     return 0.0;
                 }
                 let xi = [1, 2, 3].map(|v: usize| f64::from(alpha[v]) / order);
                 let film = fields_in(d, state, c, xi).film;
-                -share * model.constants.lambda * x / (film * film)
+                -drop / (film * film)
             })
             .collect();
         for (i, node) in nodes.iter().enumerate() {

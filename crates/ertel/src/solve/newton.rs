@@ -414,7 +414,7 @@ impl<'a> NewtonLevel<'a> {
                         *x += basis * px;
                     }
                 }
-                h += d.contact.undeformed_gap(point);
+                h += d.contact.shape.gap.value([point[0], point[1]]);
                 // A start may lack film at a point: let the step mend it.
                 if h > 0.0 {
                     lift = lift.max(-dh - params.film_loss_limit * h);

@@ -16,21 +16,39 @@ pub struct Profile {
 /// Samples per element edge from which figures are read.
 pub const PER_EDGE: usize = 16;
 
+/// Distance, in half-widths, below which points are the same.
+const ON_LINE: f64 = 1e-12;
+
 /// Depth, in p_h, of a dip that sets a spike apart from the rest of the profile.
 const SPIKE_DEPTH: f64 = 2e-3;
 
 impl Profile {
-    /// Samples every element edge on the centreline at `per_edge` intervals.
+    /// Samples every piece of the centreline between edges of elements, or along them, at `per_edge` intervals.
     pub fn new(d: &Discretisation, state: &State, per_edge: usize) -> Profile {
-        let mut knots: Vec<f64> = d
-            .contact
-            .surface
-            .vertices
-            .iter()
-            .filter(|v| v[1].abs() < 1e-12)
+        let surface = &d.contact.surface;
+        let mut knots: Vec<f64> = (surface.vertices.iter())
+            .filter(|v| v[1].abs() < ON_LINE)
             .map(|v| v[0])
             .collect();
+        // A mesh turned against the motion has few vertices on the centreline, or none.
+        if !d.contact.shape.zone.turn.is_none() {
+            for c in 0..surface.n_cells() {
+                let cell = surface
+                    .cell(c)
+                    .iter()
+                    .map(|v| surface.vertices[*v as usize]);
+                let corners: Vec<[f64; 3]> = cell.collect();
+                for (i, a) in corners.iter().enumerate() {
+                    for b in &corners[i + 1..] {
+                        if a[1].abs().min(b[1].abs()) >= ON_LINE && a[1] * b[1] < 0.0 {
+                            knots.push(a[0] + a[1] / (a[1] - b[1]) * (b[0] - a[0]));
+                        }
+                    }
+                }
+            }
+        }
         knots.sort_by(f64::total_cmp);
+        knots.dedup_by(|b, a| *b - *a < ON_LINE);
         let mut x = Vec::new();
         for pair in knots.windows(2) {
             x.extend(

@@ -14,7 +14,7 @@ use super::discretisation::{Discretisation, Extents};
 use super::evaluate::{PointFields, fields_at_quadrature};
 use super::indicator::far_field;
 use super::system::State;
-use crate::contact::{ContactKind, Scales};
+use crate::contact::{ContactKind, Scales, Shape};
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::BeyondEdges;
@@ -123,7 +123,7 @@ pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &S
             sums.power += area * s.power;
             let largest = s.equivalent.into_iter().fold(0.0, f64::max);
             sums.stress_maximum = sums.stress_maximum.max(largest);
-            if x.hypot(y) < 1.0 {
+            if d.contact.shape.zone.contains([x, y]) {
                 sums.zone += area;
                 let limits = if fluid.limits_depend_on_pressure() {
                     fluid.newtonian_limits(f.pressure)
@@ -146,7 +146,7 @@ pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &S
         .map_init(|| Shear::new(fluid, scales), of_element)
         .collect();
     let sums = elements.into_iter().fold(Sums::default(), Sums::and);
-    let area = scales.area(d.contact.kind);
+    let area = scales.area(&d.contact.shape);
     let load = scales.load * scales.pressure;
     Friction {
         coefficients: sums.force.map(|force| force / load),
@@ -167,25 +167,31 @@ pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &S
 /// (Kapitza 1955), by both walls against the motion; `reach` is r_1 at the inlet and at the side, in half-widths, `stress_scale` a p_h/R in Pa. Around a sphere it
 /// grows without end with r_1.
 pub fn beyond_edges(
-    kind: ContactKind,
+    shape: &Shape,
     extents: &Extents,
     reach: [f64; 2],
     stress_scale: f64,
     scales: &Scales,
 ) -> BeyondEdges {
     let edge = extents.inlet.abs();
-    let further = match kind {
-        ContactKind::Circular => (reach[0] / edge).max(reach[1] / extents.side),
+    let further = match shape.kind {
+        ContactKind::Circular | ContactKind::Elliptical => {
+            (reach[0] / edge).max(reach[1] / extents.side)
+        }
         ContactKind::Line => reach[0] / edge,
     };
     if further <= 1.0 {
         return BeyondEdges::default();
     }
-    // Over the (half) contact area, as the load.
+    // Over the part that is solved, as the load.
     let drag = scales.lambda
-        * far_field(kind)
-        * match kind {
-            ContactKind::Circular => 0.5 * PI * further.ln(),
+        * far_field(&shape.gap)[0]
+        * match shape.kind {
+            // Over rings as stretched as the Hertz zone, or stretched in any other way.
+            ContactKind::Circular | ContactKind::Elliptical => {
+                PI * further.ln()
+                    / (shape.symmetry.multiplicity() * shape.gap.curvature_ratio.sqrt())
+            }
             ContactKind::Line => 3.0 * (1.0 - 1.0 / further) / edge,
         };
     let radius = scales.length * scales.length / scales.film;
@@ -194,7 +200,7 @@ pub fn beyond_edges(
     BeyondEdges {
         traction: drag * stress_scale / (scales.load * scales.pressure),
         // Of both walls, at the mean speed.
-        power: 2.0 * drag * stress_scale * scales.area(kind) * speed,
+        power: 2.0 * drag * stress_scale * scales.area(shape) * speed,
         cut: 1.0 - 1.0 / further,
     }
 }
@@ -207,6 +213,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+    use crate::contact::{Gap, HertzZone, Symmetry, Turn};
 
     /// The far field by quadrature in ring and angle, ½H ∂P/∂X by differences, over the half of a ball and the line of a roller.
     #[test]
@@ -236,7 +243,19 @@ mod tests {
                 6.0 / f64::from(n),
             )
         });
-        let (mut ball, mut roller) = (0.0, 0.0);
+        let [mut ball, mut barrel, mut roller] = [0.0; 3];
+        let ellipse = Shape {
+            kind: ContactKind::Elliptical,
+            gap: Gap {
+                curvature_ratio: 0.3,
+                turn: Turn::NONE,
+            },
+            zone: HertzZone {
+                axis_ratio: 1.7,
+                turn: Turn::NONE,
+            },
+            symmetry: Symmetry::Full,
+        };
         for (r, width) in radii {
             for k in 0..64 {
                 // A quarter of the plane: X < 0, one side of Y = 0
@@ -245,26 +264,31 @@ mod tests {
                 let film = |x: f64| 0.5 * (x * x + y * y);
                 let p = |x: f64| -0.2 * scales.lambda * x / film(x).powi(2);
                 ball += 0.5 * PI / 64.0 * r * width * 0.5 * film(x) * slope(&p, x);
+                // Both sides, in rings 1.7 times as wide as long
+                let film = |x: f64| ellipse.gap.value([x, 1.7 * y]);
+                let p = |x: f64| -scales.lambda / 3.6 * x / film(x).powi(2);
+                barrel += PI / 64.0 * 1.7 * r * width * 0.5 * film(x) * slope(&p, x);
             }
             let p = |x: f64| -scales.lambda / 3.0 * x / (0.5 * x * x).powi(2);
             roller += width * 0.25 * r * r * slope(&p, -r);
         }
         let unit = 1.25e7;
-        for (kind, reach, drag) in [
-            (ContactKind::Circular, [9.0, 6.0], ball),
-            (ContactKind::Line, [9.0, 0.0], roller),
+        for (shape, reach, drag) in [
+            (Shape::CIRCULAR, [9.0, 6.0], ball),
+            (ellipse, [9.0, 6.0], barrel),
+            (Shape::LINE, [9.0, 0.0], roller),
         ] {
-            let found = beyond_edges(kind, &extents(-3.0, 4.0), reach, unit, &scales);
+            let found = beyond_edges(&shape, &extents(-3.0, 4.0), reach, unit, &scales);
             let traction = drag * unit / (scales.load * scales.pressure);
             assert_relative_eq!(found.traction, traction, max_relative = 1e-4);
             // 2 F u of a force F, with the entrainment speed u = λa³p_h/(12 μ R²).
             let speed = 0.01 * 8e-12 * 1e9 / (12.0 * 0.04 * 0.016 * 0.016);
-            let force = drag * unit * scales.area(kind);
+            let force = drag * unit * scales.area(&shape);
             assert_relative_eq!(found.power, 2.0 * force * speed, max_relative = 1e-4);
             assert_relative_eq!(found.cut, 2.0 / 3.0, max_relative = 1e-12);
         }
         let own = beyond_edges(
-            ContactKind::Circular,
+            &Shape::CIRCULAR,
             &extents(-9.0, 6.0),
             [9.0, 6.0],
             unit,

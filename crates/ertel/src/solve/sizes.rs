@@ -3,7 +3,7 @@
 use ertel_fem::mesh::{SizeField, SizeZone, Zone};
 
 use super::discretisation::Extents;
-use crate::contact::ContactKind;
+use crate::contact::{ContactKind, Shape, Symmetry};
 
 /// Cell sizes of one level and the region they cover, in Hertz half-widths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,9 +35,9 @@ impl LevelSizes {
     }
 }
 
-/// Size field: fine under the Hertz zone, finer in a crescent at its outlet side, `edge` on the
+/// Size field, where the Hertz zone is the unit circle: fine under the Hertz zone, finer in a crescent at its outlet side, `edge` on the
 /// rest of the contact area, growing into the body.
-pub(super) fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {
+pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {
     let origin = [0.0; 3];
     let zones = [
         SizeZone {
@@ -52,10 +52,11 @@ pub(super) fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3
                 center: origin,
                 radius: 0.95,
                 half_width: 0.1,
-                x_min: if kind == ContactKind::Circular {
-                    -0.3
-                } else {
-                    0.5
+                x_min: match (shape.kind, shape.symmetry) {
+                    (ContactKind::Line, _) => 0.5,
+                    (_, Symmetry::Half) => -0.3,
+                    // The outlet may lie on any side.
+                    (_, Symmetry::Full) => f64::NEG_INFINITY,
                 },
             },
             size: s.constriction,
@@ -73,14 +74,18 @@ pub(super) fn size_at(kind: ContactKind, e: &Extents, s: &LevelSizes, x: [f64; 3
     // Far from the contact the film varies on the scale of the distance; beyond the contact area
     // there is no film.
     let r = x[0].hypot(x[1]);
-    let side = if kind == ContactKind::Circular {
-        e.side
-    } else {
-        0.0
-    };
+    let side = if shape.kind.is_point() { e.side } else { 0.0 };
     let area = Zone::Box {
         min: [e.inlet, -side, 0.0],
-        max: [e.outlet, 0.0, 0.0],
+        max: [
+            e.outlet,
+            if shape.symmetry == Symmetry::Full {
+                side
+            } else {
+                0.0
+            },
+            0.0,
+        ],
     };
     let outside = area.distance([x[0], x[1], 0.0]);
     let largest = s.edge * (r / 3.0).max(1.0) + s.growth * outside;
@@ -98,13 +103,13 @@ const COVERED: [f64; 2] = [0.125, 0.75];
 
 /// Pressure unknowns of a given order that a mesh of these sizes has, within a third or so.
 pub fn expected_unknowns(
-    kind: ContactKind,
+    shape: &Shape,
     extents: &Extents,
     sizes: &LevelSizes,
     order: usize,
 ) -> f64 {
     let reach = (-extents.inlet).max(extents.outlet).max(extents.side);
-    let size = |x: f64, y: f64| size_at(kind, extents, sizes, [x, y, 0.0]);
+    let size = |x: f64, y: f64| size_at(shape, extents, sizes, [x, y, 0.0]);
     // Rings around the rim whose widths grow with the distance from it, from a fraction of the finest cell on.
     let mut distances = vec![0.0];
     let mut step = 0.25 * sizes.rim.min(sizes.constriction).min(sizes.rim_width);
@@ -122,7 +127,7 @@ pub fn expected_unknowns(
     let mut cells = 0.0;
     for pair in radii.windows(2) {
         let (r, width) = (0.5 * (pair[0] + pair[1]), pair[1] - pair[0]);
-        if kind == ContactKind::Line {
+        if !shape.kind.is_point() {
             let ends = [-r, r].into_iter().filter(|x| inside(*x, 0.0));
             cells += ends
                 .map(|x| width / (COVERED[1] * size(x, 0.0)))
@@ -140,10 +145,9 @@ pub fn expected_unknowns(
         }
     }
     let k = order as f64;
-    cells
-        * if kind == ContactKind::Line {
-            k
-        } else {
-            0.5 * k * k
-        }
+    match shape.kind.is_point() {
+        // Counted over one half.
+        true => 0.5 * k * k * cells * (2.0 / shape.symmetry.multiplicity()),
+        false => k * cells,
+    }
 }

@@ -199,7 +199,7 @@ pub fn solve_curve(
         points.push(PointSolution {
             value: point.value,
             case: case.echo(),
-            formulas: film_formulas(case.contact.kind, case.contact.radius, &groups(case, slope)),
+            formulas: film_formulas(&case.contact, &groups(case, slope)),
             outcome,
             newtonian,
             isothermal,

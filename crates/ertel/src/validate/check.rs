@@ -244,7 +244,7 @@ fn formula_film(
     run: &Run,
     solution: &Solution,
 ) -> Option<f64> {
-    let (central, minimum) = formula.film(run.case.contact.radius, &solution.groups);
+    let (central, minimum) = formula.film(&run.case.contact, &solution.groups);
     let film = match quantity {
         Quantity::CentralFilm => central?,
         Quantity::MinimumFilm => minimum?,

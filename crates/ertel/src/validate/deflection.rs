@@ -36,7 +36,7 @@ pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
         });
     };
     let contact = ContactSurface::new(
-        problem.kind,
+        &problem.shape,
         &problem.extents,
         &stage.sizes,
         &problem.elasticity,
@@ -70,7 +70,9 @@ impl Deflection {
     /// for a circular contact; a line has none, only its shape counts).
     pub fn error(&self, kind: ContactKind) -> f64 {
         match kind {
-            ContactKind::Circular => self.largest(|x, v| v - hertz::deflection_profile(kind, x)),
+            ContactKind::Circular | ContactKind::Elliptical => {
+                self.largest(|x, v| v - hertz::deflection_profile(kind, x))
+            }
             ContactKind::Line => self.shape_error(kind),
         }
     }

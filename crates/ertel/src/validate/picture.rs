@@ -214,7 +214,7 @@ impl Picture {
                 continue;
             };
             let scale = run.case.contact.radius * (2.0 * s.groups.speed).sqrt();
-            let Some(predicted) = formula.film(run.case.contact.radius, &s.groups).0 else {
+            let Some(predicted) = formula.film(&run.case.contact, &s.groups).0 else {
                 continue;
             };
             let (m, l) = (s.groups.moes_load, s.groups.moes_material);

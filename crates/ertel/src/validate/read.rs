@@ -207,7 +207,9 @@ fn set_groups(case: &mut Case, m: f64, l: f64) -> Result<(), String> {
     let mu_0 = case.lubricant.ambient_viscosity();
     let twice_speed = 2.0 * mu_0 * case.motion.entrainment_speed / (modulus * radius);
     case.contact.load = match case.contact.kind {
-        ContactKind::Circular => m * twice_speed.powf(0.75) * modulus * radius * radius,
+        ContactKind::Circular | ContactKind::Elliptical => {
+            m * twice_speed.powf(0.75) * modulus * radius * radius
+        }
         ContactKind::Line => m * twice_speed.sqrt() * modulus * radius,
     };
     let alpha = l * twice_speed.powf(-0.25) / modulus;
@@ -347,6 +349,7 @@ pub(super) fn formula_key(formula: FilmFormula) -> &'static str {
         FilmFormula::HamrockDowson => "hamrock-dowson",
         FilmFormula::NijenbanningVennerMoes => "nijenbanning-venner-moes",
         FilmFormula::VennerIsoviscous => "venner-isoviscous",
+        FilmFormula::Chittenden => "chittenden",
         FilmFormula::MoesLine => "moes-line",
         FilmFormula::DowsonHigginson => "dowson-higginson",
         FilmFormula::DowsonHigginson1966 => "dowson-higginson-1966",

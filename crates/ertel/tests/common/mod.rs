@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use ertel::case::{Body, Case, Lubricant};
-use ertel::contact::{Contact, ContactKind, Elasticity, Hertz, Motion, reduced_modulus};
+use ertel::contact::{Contact, ContactKind, Elasticity, Hertz, Motion, Shape, reduced_modulus};
 use ertel::elastic::BodyConstants;
 use ertel::params::{MeshParams, MeshPreset, OutputParams, SolverParams, ThermalParams};
 use ertel::solve::discretisation::LevelSizes;
@@ -30,10 +30,9 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
     let steel = Body::elastic("steel", STEEL);
     Case {
         title: String::new(),
-        contact: Contact {
-            kind,
-            radius: 0.016,
-            load,
+        contact: match kind {
+            ContactKind::Elliptical => Contact::elliptical([0.016, 0.024], load, 0.4),
+            kind => Contact::of_one_radius(kind, 0.016, load),
         },
         plane: steel.clone(),
         ball: steel,
@@ -104,7 +103,9 @@ pub fn moes_case(kind: ContactKind, m: f64, l: f64) -> Case {
     let speed = 2.0 * viscosity * case.motion.entrainment_speed / (modulus * radius);
     case.contact.load = match kind {
         ContactKind::Line => m * modulus * radius * speed.sqrt(),
-        ContactKind::Circular => m * modulus * radius * radius * speed.powf(0.75),
+        ContactKind::Circular | ContactKind::Elliptical => {
+            m * modulus * radius * radius * speed.powf(0.75)
+        }
     };
     let alpha = l / (speed.powf(0.25) * modulus);
     case.lubricant.viscosity = ViscosityLaw::roelands(viscosity, alpha).unwrap();
@@ -114,6 +115,14 @@ pub fn moes_case(kind: ContactKind, m: f64, l: f64) -> Case {
 /// Hertz pressure of a case, Pa.
 pub fn hertz_pressure(case: &Case) -> f64 {
     Hertz::new(&case.contact, case.reduced_modulus()).pressure
+}
+
+/// Geometry of a line or a circular contact.
+pub fn shape(kind: ContactKind) -> Shape {
+    match kind {
+        ContactKind::Line => Shape::LINE,
+        _ => Shape::CIRCULAR,
+    }
 }
 
 /// Pseudo-random numbers in [−1, 1].
@@ -133,7 +142,7 @@ pub fn noise(n: usize, seed: u64) -> Vec<f64> {
 /// 4 (line); 2/E' = Σ (1 − ν²)/E, shared equally.
 pub fn hertz_bodies(kind: ContactKind, poissons_ratios: &[f64]) -> Vec<BodyConstants> {
     let reduced = match kind {
-        ContactKind::Circular => PI,
+        ContactKind::Circular | ContactKind::Elliptical => PI,
         ContactKind::Line => 4.0,
     };
     (poissons_ratios.iter())

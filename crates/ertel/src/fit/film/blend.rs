@@ -28,7 +28,9 @@ pub(super) fn fit(
         piezoviscous_elastic,
         ..
     } = match contact {
-        ContactKind::Circular => nijenbanning_venner_moes_asymptotes(1.0, 1.0),
+        ContactKind::Circular | ContactKind::Elliptical => {
+            nijenbanning_venner_moes_asymptotes(1.0, 1.0, 1.0)
+        }
         ContactKind::Line => moes_line_asymptotes(1.0, 1.0),
     };
     let residuals = |x: &[f64], r: &mut [f64]| {

@@ -1,4 +1,4 @@
-//! Filled map of a field over the contact area, with colour bar and Hertz circle.
+//! Filled map of a field over the contact area, with colour bar and the rim of the Hertz zone.
 
 use std::fmt::Write;
 
@@ -10,9 +10,17 @@ use super::contour::Triangulation;
 use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
 use super::sampling::Sampling;
 use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
+use crate::contact::HertzZone;
 
-/// Height of the frame of a map, px.
-pub(super) const MAP_HEIGHT: f64 = 330.0;
+/// Height of the frame of a map, px, and the bounds of its width.
+const MAP_HEIGHT: f64 = 330.0;
+const WIDTHS: [f64; 2] = [220.0, 760.0];
+
+/// Height of the frame of a map, px: that of most, but wide and slender contacts keep their shape.
+pub(super) fn map_height([[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> f64 {
+    let width_of_one = (x1 - x0) / (y1 - y0);
+    (MAP_HEIGHT * width_of_one).clamp(WIDTHS[0], WIDTHS[1]) / width_of_one
+}
 
 /// A map of a field; lengths in Hertz half-widths.
 pub(super) struct FieldMap<'a> {
@@ -26,8 +34,9 @@ pub(super) struct FieldMap<'a> {
     pub colours: Vec<String>,
     pub bar: Bar,
     pub bar_label: &'a str,
-    /// Colour of the Hertz circle.
-    pub circle: &'a str,
+    /// The Hertz zone and the colour of its rim.
+    pub zone: HertzZone,
+    pub rim: &'a str,
 }
 
 /// What the colour bar shows.
@@ -51,8 +60,8 @@ impl FieldMap<'_> {
         let frame = Frame {
             left: 62.0,
             top: 16.0,
-            width: MAP_HEIGHT * (x1 - x0) / (y1 - y0),
-            height: MAP_HEIGHT,
+            width: map_height(self.window) * (x1 - x0) / (y1 - y0),
+            height: map_height(self.window),
         };
         let ticks = self.bar_ticks();
         let widest = ticks
@@ -116,8 +125,12 @@ impl FieldMap<'_> {
         }
         let radius = frame.x(x, 1.0) - frame.x(x, 0.0);
         let (cx, cy) = (frame.x(x, 0.0), frame.y(y, 0.0));
-        let stroke = Stroke::solid(self.circle, 0.9);
-        svg.circle(cx, cy, radius, "none", stroke);
+        let stroke = Stroke::solid(self.rim, 0.9);
+        let radii = [radius, radius * self.zone.axis_ratio];
+        // Down is y < 0 in a picture.
+        let [c, s] = self.zone.turn.to_motion([1.0, 0.0]);
+        let turn = (-s).atan2(c).to_degrees();
+        svg.ellipse([cx, cy], radii, turn, stroke);
         svg.end_clip();
     }
 

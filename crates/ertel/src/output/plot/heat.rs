@@ -3,7 +3,7 @@
 use super::super::heat::profile_label;
 use super::maps::temperature_map;
 use super::{Axis, Chart, Look, PALETTE, Series, Side, Task, profile, window_x};
-use crate::contact::ContactKind;
+use crate::output::name_of_ball;
 use crate::solution::{Polynomials, Solution, Thermal};
 
 /// Least range of a colour scale, K: below it, a map would show noise.
@@ -19,8 +19,8 @@ pub fn heat_pictures<'a>(
         "temperature",
         Box::new(|| temperature_chart(title, solution).svg()),
     )];
-    let fields = (solution.elements.temperatures.as_ref())
-        .filter(|_| solution.kind == ContactKind::Circular);
+    let fields =
+        (solution.elements.temperatures.as_ref()).filter(|_| solution.shape.kind.is_point());
     if let Some(t) = fields {
         let range = |fields: &[&Polynomials]| {
             let values = fields.iter().flat_map(|f| f.values.iter().copied());
@@ -53,10 +53,7 @@ pub fn heat_pictures<'a>(
 /// Temperatures at mid-film, of both surfaces, and across the film on average, along y = 0.
 pub fn temperature_chart(title: &str, solution: &Solution) -> Chart {
     let [low, high] = window_x(solution);
-    let ball = match solution.kind {
-        ContactKind::Circular => "ball",
-        ContactKind::Line => "cylinder",
-    };
+    let ball = name_of_ball(solution.shape.kind);
     let fields = (solution.elements.temperatures.iter()).flat_map(|t| {
         [
             ("mid-film", &t.mid, Look::Line, PALETTE[1]),

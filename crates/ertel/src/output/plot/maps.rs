@@ -1,8 +1,9 @@
 //! Maps of pressure and film thickness over the whole contact.
 
-use super::field::{Bar, FieldMap, MAP_HEIGHT};
+use super::field::{Bar, FieldMap, map_height};
 use super::sampling::{Sampling, View};
 use super::{axis, film_unit, pressure_unit, window_x};
+use crate::contact::Symmetry;
 use crate::solution::{Polynomials, Solution};
 
 /// Colours of a map that shall look continuous.
@@ -19,7 +20,10 @@ const FILM_UP_TO: f64 = 2.5;
 /// Window of the maps, in half-widths.
 fn window_map(solution: &Solution) -> [[f64; 2]; 2] {
     let [low, high] = window_x(solution);
-    let side = solution.extents[2].min(1.5_f64.max(-0.75 * low)).max(1.0);
+    let [_, half] = solution.shape.zone.half_extents();
+    let around = 1.5_f64.max(-0.75 * low) - 1.0;
+    let ratio = solution.shape.zone.axis_ratio;
+    let side = (ratio * solution.extents[2]).min(half + around).max(half);
     [[low, high], [-side, side]]
 }
 
@@ -37,7 +41,10 @@ fn warm_window(solution: &Solution) -> [[f64; 2]; 2] {
     let (first, widest) = points
         .filter(|(i, _)| [&t.mid, &t.plane, &t.ball].iter().any(|f| f[*i] > warm))
         .map(|(_, p)| (p[0] / a, (p[1] / a).abs()))
-        .fold((-1.0_f64, 1.0_f64), |(l, w), (x, y)| (l.min(x), w.max(y)));
+        .fold(
+            (-1.0_f64, solution.shape.zone.half_extents()[1]),
+            |(l, w), (x, y)| (l.min(x), w.max(y)),
+        );
     let low = low.max((2.0 * (first - MARGIN)).floor() / 2.0);
     let side = side.min(widest + MARGIN);
     [[low, high], [-side, side]]
@@ -59,11 +66,15 @@ fn sampled(
     let view = View {
         unit: solution.hertz.half_width,
         window,
-        pixel: (window[1][1] - window[1][0]) / MAP_HEIGHT,
+        pixel: (window[1][1] - window[1][0]) / map_height(window),
         factor,
         levels,
     };
-    Sampling::new(&solution.elements, field, &view).mirrored()
+    let part = Sampling::new(&solution.elements, field, &view);
+    match solution.shape.symmetry {
+        Symmetry::Half => part.mirrored(),
+        Symmetry::Full => part,
+    }
 }
 
 /// Levels and colours between two values that look continuous.
@@ -94,7 +105,8 @@ pub fn pressure_map(title: &str, solution: &Solution) -> String {
         colours,
         bar: Bar::Continuous([0.0, top]),
         bar_label: &format!("Pressure *p* ({unit})"),
-        circle: "#ffffff",
+        zone: solution.shape.zone,
+        rim: "#ffffff",
     }
     .svg()
 }
@@ -117,7 +129,8 @@ pub fn temperature_map(
         colours,
         bar: Bar::Continuous(bounds),
         bar_label: label,
-        circle: "#ffffff",
+        zone: solution.shape.zone,
+        rim: "#ffffff",
     }
     .svg()
 }
@@ -144,7 +157,8 @@ pub fn film_map(title: &str, solution: &Solution) -> String {
         colours,
         bar: Bar::Steps,
         bar_label: &format!("Film thickness *h* ({unit})"),
-        circle: "#ffffff",
+        zone: solution.shape.zone,
+        rim: "#ffffff",
     }
     .svg()
 }

@@ -25,7 +25,6 @@ pub(crate) use profile::profile;
 
 use rayon::prelude::*;
 
-use crate::contact::{ContactKind, hertz};
 use crate::solution::Solution;
 
 /// Film thicknesses are shown in nm below this value (m), else in µm.
@@ -42,7 +41,7 @@ pub struct Picture {
 /// Every picture of a solution; the convergence target is drawn where given.
 pub fn pictures(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec<Picture> {
     let mut tasks: Vec<Task> = vec![("centreline", Box::new(|| centreline(title, solution).svg()))];
-    if solution.kind == ContactKind::Circular {
+    if solution.shape.kind.is_point() {
         tasks.push(("pressure", Box::new(|| pressure_map(title, solution))));
         tasks.push(("film", Box::new(|| film_map(title, solution))));
     }
@@ -94,8 +93,9 @@ fn window_x(solution: &Solution) -> [f64; 2] {
         .zip(&line.pressure)
         .filter(|(_, p)| **p > 0.01 * solution.hertz.pressure)
         .map(|(x, _)| x / a);
-    let reach = pressed.clone().fold(-1.0, f64::min);
-    let end = pressed.fold(1.0, f64::max);
+    let [half, _] = solution.shape.zone.half_extents();
+    let reach = pressed.clone().fold(-half, f64::min);
+    let end = pressed.fold(half, f64::max);
     let low = (2.0 * (1.15 * reach - 0.6)).floor() / 2.0;
     let high = (2.0 * (1.1 * end + 0.2)).ceil() / 2.0;
     [low.max(first), high.min(last)]
@@ -118,9 +118,10 @@ pub fn centreline(title: &str, solution: &Solution) -> Chart {
     let hertz_curve = (0..=n_hertz)
         .map(|i| -(std::f64::consts::PI * f64::from(i) / f64::from(n_hertz)).cos())
         .map(|x| {
+            let x = x * solution.shape.zone.stretch_along_motion();
             [
                 x,
-                p_factor * solution.hertz.pressure * hertz::pressure_profile(x),
+                p_factor * solution.hertz.pressure * solution.shape.zone.pressure([x, 0.0]),
             ]
         })
         .collect();

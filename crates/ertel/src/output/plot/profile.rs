@@ -23,7 +23,7 @@ fn along_centreline(elements: &ElementFields, field: &Polynomials) -> Vec<[f64; 
         false => Lagrange::new(elements.dim, field.order),
     };
     let on_centreline = near_centreline(&elements.vertices);
-    let mut edges: Vec<([f64; 2], usize, [[f64; 3]; 2])> = Vec::new();
+    let mut edges: Vec<Piece> = Vec::new();
     for (element, cell) in elements.cells.iter().enumerate() {
         for (i, j) in [(0, 1), (1, 2), (2, 0)] {
             if i.max(j) > elements.dim {
@@ -33,14 +33,14 @@ fn along_centreline(elements: &ElementFields, field: &Polynomials) -> Vec<[f64; 
             if !(on_centreline(a[1]) && on_centreline(b[1])) {
                 continue;
             }
-            edges.push(match a[0] < b[0] {
-                true => ([a[0], b[0]], element, [CORNERS[i], CORNERS[j]]),
-                false => ([b[0], a[0]], element, [CORNERS[j], CORNERS[i]]),
-            });
+            edges.push(rising([a[0], b[0]], element, [CORNERS[i], CORNERS[j]]));
+        }
+        if elements.dim == 2 {
+            edges.extend(chord(elements, element, &on_centreline));
         }
     }
     edges.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
-    let sample = |([x0, x1], element, [from, to]): &([f64; 2], usize, [[f64; 3]; 2]), k: usize| {
+    let sample = |([x0, x1], element, [from, to]): &Piece, k: usize| {
         let t = k as f64 / PER_EDGE as f64;
         let xi = [0, 1, 2].map(|i: usize| from[i] + t * (to[i] - from[i]));
         [x0 + t * (x1 - x0), value(&lagrange, field, *element, xi)]
@@ -53,9 +53,80 @@ fn along_centreline(elements: &ElementFields, field: &Polynomials) -> Vec<[f64; 
     line
 }
 
+/// A piece of the centreline: its ends, the element, and the same in the element's coordinates.
+type Piece = ([f64; 2], usize, [[f64; 3]; 2]);
+
+fn rising([a, b]: [f64; 2], element: usize, [from, to]: [[f64; 3]; 2]) -> Piece {
+    match a < b {
+        true => ([a, b], element, [from, to]),
+        false => ([b, a], element, [to, from]),
+    }
+}
+
+/// The piece of the centreline inside a triangle that it cuts.
+fn chord(
+    elements: &ElementFields,
+    element: usize,
+    on_centreline: &impl Fn(f64) -> bool,
+) -> Option<Piece> {
+    let corners = elements.cells[element].map(|n| elements.vertices[n as usize]);
+    let side = corners.map(|c| {
+        if on_centreline(c[1]) {
+            0.0
+        } else {
+            c[1].signum()
+        }
+    });
+    if !(side.contains(&1.0) && side.contains(&-1.0)) {
+        return None;
+    }
+    let through = (0..3)
+        .filter(|i| side[*i] == 0.0)
+        .map(|i| (corners[i][0], CORNERS[i]));
+    let crossed = [(0, 1), (1, 2), (2, 0)]
+        .into_iter()
+        .filter(|(i, j)| side[*i] * side[*j] < 0.0);
+    let crossings = crossed.map(|(i, j)| {
+        let t = corners[i][1] / (corners[i][1] - corners[j][1]);
+        let between = |a: f64, b: f64| a + t * (b - a);
+        let xi = [0, 1, 2].map(|k: usize| between(CORNERS[i][k], CORNERS[j][k]));
+        (between(corners[i][0], corners[j][0]), xi)
+    });
+    let ends: Vec<(f64, [f64; 3])> = through.chain(crossings).collect();
+    match ends[..] {
+        [(a, from), (b, to)] => Some(rising([a, b], element, [from, to])),
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A line through two triangles with no edge on it, f = 3x − 2y: exact, from rim to rim.
+    #[test]
+    fn a_centreline_cuts_triangles() {
+        let vertices = vec![[-1.0, -0.5], [2.0, -1.0], [0.5, 1.0], [3.0, 2.0]];
+        let elements = ElementFields {
+            dim: 2,
+            cells: vec![[0, 1, 2], [2, 1, 3]],
+            vertices: vertices.clone(),
+            ..ElementFields::default()
+        };
+        let value = |[x, y]: [f64; 2]| 3.0 * x - 2.0 * y;
+        let field = Polynomials {
+            order: 1,
+            values: (elements.cells.iter().flatten())
+                .map(|n| value(vertices[*n as usize]))
+                .collect(),
+        };
+        let line = along_centreline(&elements, &field);
+        // By hand: y = 0 meets the sides at x = −1/2, 5/4 and 7/3.
+        assert!((line[0][0] + 0.5).abs() < 1e-12);
+        assert!((line[line.len() - 1][0] - 7.0 / 3.0).abs() < 1e-12);
+        assert!(line.is_sorted_by(|a, b| a[0] < b[0]));
+        assert!(line.iter().all(|[x, v]| (v - 3.0 * x).abs() < 1e-12));
+    }
 
     /// T₅(x) on two segments of order 5, written from right to left: rising x, the maximum of 1 at cos(2π/5) found
     /// between nodes at which T₅ is 0.85 and −0.08 at the most.

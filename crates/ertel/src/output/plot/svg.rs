@@ -109,6 +109,22 @@ impl Svg {
         ));
     }
 
+    /// The outline of an ellipse, turned by `turn` degrees.
+    pub fn ellipse(&mut self, [x, y]: [f64; 2], [rx, ry]: [f64; 2], turn: f64, stroke: Stroke) {
+        self.push(format_args!(
+            "<ellipse cx=\"{}\" cy=\"{}\" rx=\"{}\" ry=\"{}\" transform=\"rotate({} {} {})\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"/>",
+            number(x),
+            number(y),
+            number(rx),
+            number(ry),
+            number(turn),
+            number(x),
+            number(y),
+            stroke.colour,
+            number(stroke.width)
+        ));
+    }
+
     /// Text in the notation of [`spans`], turned by `turn` degrees about its anchor.
     pub fn text(&mut self, at: [f64; 2], text: &str, size: f64, anchor: Anchor, colour: &str) {
         self.turned_text(at, text, size, anchor, colour, 0.0);

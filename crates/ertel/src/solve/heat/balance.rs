@@ -52,7 +52,7 @@ pub fn heat_balance(
     let unlifted = assemble(d, fluid, heat, state, None, &[], None);
     let system = assemble(d, fluid, heat, state, None, &unlifted.cross_flow, None);
     let account = system.account;
-    let scale = scales.area(d.contact.kind);
+    let scale = scales.area(&d.contact.shape);
     let [to_plane, to_ball] = [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b]));
     let by_film = scale * carried_by_film(d, state, fluid, heat, &system.taken_up);
     let (shear, compression) = (scale * account.shear, scale * account.compression);

@@ -83,7 +83,7 @@ pub fn deviation(
                     *local = local.max(difference[row].abs());
                 }
             }
-            if x[0].hypot(x[1]) < 1.0 {
+            if d.contact.shape.zone.contains(x) {
                 let area = weight * d.contact.maps[cell].determinant;
                 zone += area;
                 found.rms += area * difference[0] * difference[0];

@@ -72,7 +72,10 @@ pub fn zone_means(d: &Discretisation, state: &State, space: &HeatSpace) -> [f64;
     for c in 0..d.contact.n_elements() {
         for (q, weight) in d.rule.weights.iter().enumerate() {
             let ([x, y, _], fields) = fields_at_quadrature(d, state, c, q);
-            let Some(profile) = fields.temperature.filter(|_| x.hypot(y) < 1.0) else {
+            let Some(profile) = fields
+                .temperature
+                .filter(|_| d.contact.shape.zone.contains([x, y]))
+            else {
                 continue;
             };
             let area = weight * d.contact.maps[c].determinant;

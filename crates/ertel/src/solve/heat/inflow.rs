@@ -1,10 +1,11 @@
 //! Temperatures that are prescribed: where bodies and lubricant enter, and at the bottom of the bodies.
 
 use super::space::HeatSpace;
+use crate::contact::Symmetry;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{FilmPlace, Heat, film_column};
-use crate::solve::discretisation::Discretisation;
+use crate::solve::discretisation::{ContactSurface, Discretisation};
 use crate::solve::system::State;
 
 /// Which temperatures are prescribed: those at the bottom of the bodies, and those with which bodies and
@@ -16,27 +17,21 @@ pub(super) fn prescribed(
     heat: &Heat,
     state: &State,
 ) -> Vec<bool> {
-    let (column, extents) = (&space.column, &d.contact.extents);
+    let column = &space.column;
     let n = column.n();
     let mut fixed = vec![false; space.n()];
-    let tiny = 1e-9 * (extents.outlet - extents.inlet);
     let mut rule = CrossFilm::default();
     for (node, point) in space.surface.points.iter().enumerate() {
         let own = &mut fixed[node * n..(node + 1) * n];
         for body in 0..2 {
             own[column.bottom(body)] = true;
         }
-        // Direction in which the outside lies, along the motion.
-        let outward = if point[0] < extents.inlet + tiny {
-            -1.0
-        } else if point[0] > extents.outlet - tiny {
-            1.0
-        } else {
+        let Some(outward) = outward(&d.contact, *point) else {
             continue;
         };
         let walls = [column.first, column.first + column.film.n() - 1];
         for (body, law) in heat.bodies.iter().enumerate() {
-            if outward * law.velocity <= 0.0 {
+            if outward[0] * law.velocity <= 0.0 {
                 own[column.body_range(body)].fill(true);
             }
         }
@@ -51,7 +46,7 @@ pub(super) fn prescribed(
         );
         for (m, u) in inward.iter().enumerate() {
             let unknown = column.first + m;
-            if outward * u < 0.0 && !walls.contains(&unknown) {
+            if outward[0] * u[0] + outward[1] * u[1] < 0.0 && !walls.contains(&unknown) {
                 own[unknown] = true;
             }
         }
@@ -59,7 +54,24 @@ pub(super) fn prescribed(
     fixed
 }
 
-/// Velocity along X, over the entrainment speed, at the film's nodes over a point.
+/// Direction in which the outside lies from a point of an edge that the motion crosses, along and across the motion.
+fn outward(contact: &ContactSurface, [x, y, _]: [f64; 3]) -> Option<[f64; 2]> {
+    let (e, shape) = (&contact.extents, &contact.shape);
+    let tiny = 1e-9 * (e.outlet - e.inlet);
+    let [x, y] = shape.zone.unit([x, y]);
+    let normal = if x < e.inlet + tiny {
+        [-1.0, 0.0]
+    } else if x > e.outlet - tiny {
+        [1.0, 0.0]
+    } else if shape.symmetry == Symmetry::Half || y.abs() < e.side - tiny {
+        return None;
+    } else {
+        [0.0, y.signum()]
+    };
+    Some(shape.zone.turn.to_motion(normal))
+}
+
+/// Velocity, over the entrainment speed, at the film's nodes over a point.
 fn film_velocities(
     d: &Discretisation,
     space: &HeatSpace,
@@ -68,10 +80,10 @@ fn film_velocities(
     state: &State,
     point: [f64; 2],
     rule: &mut CrossFilm,
-) -> Vec<f64> {
+) -> Vec<[f64; 2]> {
     let column = &space.column;
     let Some(f) = crate::solve::evaluate::fields_at(d, state, point) else {
-        return vec![0.0; column.film.n()];
+        return vec![[0.0; 2]; column.film.n()];
     };
     let place = FilmPlace {
         pressure: f.pressure,
@@ -93,6 +105,6 @@ fn film_velocities(
     };
     let nodes = column.film.points().iter();
     nodes
-        .map(|node| film.heights[nearest(node)].velocity[0])
+        .map(|node| film.heights[nearest(node)].velocity)
         .collect()
 }

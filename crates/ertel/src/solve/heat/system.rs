@@ -203,7 +203,7 @@ fn divide_by_area(d: &Discretisation, cross_flow: &mut [f64]) {
     }
     let values = cross_flow.chunks_exact_mut(n);
     for ((values, area), point) in values.zip(areas).zip(&surface.vertices) {
-        let inside = !on_edge(d.contact.kind, &d.contact.extents, *point);
+        let inside = !on_edge(&d.contact.shape, &d.contact.extents, *point);
         let factor = if inside { 1.0 / area } else { 0.0 };
         values.iter_mut().for_each(|v| *v *= factor);
     }

@@ -28,7 +28,7 @@ use super::heat::coupling::{CouplingParams, CouplingStats};
 use super::newton::{NewtonParams, Reached};
 use super::sizes::expected_unknowns;
 use super::system::{FilmConstants, State};
-use crate::contact::{ContactKind, Scales};
+use crate::contact::{Scales, Shape};
 use crate::elastic::cache::OperatorCache;
 use crate::elastic::{BodyModel, Elasticity};
 use crate::film::FilmFluid;
@@ -92,8 +92,8 @@ pub enum Role {
 
 /// Everything a solve needs, dimensionless.
 pub struct Problem {
-    /// Line or circular.
-    pub kind: ContactKind,
+    /// Geometry of the contact.
+    pub shape: Shape,
     /// Contact area and body.
     pub extents: Extents,
     /// Distances of inlet and side, in half-widths, to which the contact area goes where they are not set by hand.
@@ -182,7 +182,7 @@ impl Problem {
                 .map(|s| s.pressure_order)
                 .max()
                 .unwrap_or(1);
-            expected_unknowns(self.kind, &self.extents, &stage.sizes, order)
+            expected_unknowns(&self.shape, &self.extents, &stage.sizes, order)
         };
         let (stage, limit, help) = match &self.adapt {
             Some(adapt) => (

@@ -170,7 +170,7 @@ impl<'a> Sequence<'a> {
                 contact.refined(&self.halvings, means)?
             }
             None => ContactSurface::new(
-                problem.kind,
+                &problem.shape,
                 &problem.extents,
                 &stage.sizes,
                 &problem.elasticity,
@@ -233,9 +233,9 @@ impl<'a> Sequence<'a> {
         let refinement = match (&problem.adapt, &indicator) {
             (Some(adapt), Some(indicator)) if last => next_refinement(
                 adapt,
-                problem.kind.body_dimension() - 1,
+                problem.shape.kind.body_dimension() - 1,
                 &self.stats,
-                grading_errors(problem.kind, problem.elasticity.model, &stage.sizes),
+                grading_errors(&problem.shape, problem.elasticity.model, &stage.sizes),
                 stage.refinements - self.inherited.unwrap_or(0),
                 indicator,
             ),

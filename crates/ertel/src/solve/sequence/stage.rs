@@ -286,7 +286,7 @@ impl<'a> StageRun<'a> {
             let unit = problem.fluid.stress_scale();
             estimate.shear_stress = unit * i.shear_stress;
             estimate.beyond_edges = beyond_edges(
-                problem.kind,
+                &problem.shape,
                 &problem.extents,
                 problem.reach,
                 unit,

@@ -1,7 +1,6 @@
 //! Where a stage starts: from the dry contact, or from the solution on another mesh.
 
 use super::{Problem, StageSolution};
-use crate::contact::hertz;
 use crate::elastic::Accuracy;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{central_film, minimum_film};
@@ -13,7 +12,7 @@ pub(super) fn cold_start(problem: &Problem, d: &Discretisation) -> State {
         .pressure
         .points
         .iter()
-        .map(|p| hertz::pressure_profile(p[0].hypot(p[1])))
+        .map(|p| d.contact.shape.zone.pressure([p[0], p[1]]))
         .collect();
     let deflection = d.deflect(&pressure, Accuracy::Full);
     let mut state = State {

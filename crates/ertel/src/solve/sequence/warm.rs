@@ -148,7 +148,7 @@ impl Start {
             has.rim / wants.rim,
             has.edge / wants.edge,
         ];
-        contact.kind == problem.kind
+        contact.shape.is_like(&problem.shape)
             && bodies
             && within(film, 1.0 / FARTHEST_FILM, FARTHEST_FILM)
             && (here.iter().zip(there)).all(|(h, t)| within(h / t, SHORTEST_REACH, LONGEST_REACH))
@@ -190,7 +190,7 @@ fn stretched(d: &Discretisation, state: &State, q: f64) -> Vec<f64> {
             if *dof == ertel_fem::assembly::CONSTRAINED {
                 return 0.0;
             }
-            let r = p[0].hypot(p[1]);
+            let r = d.contact.shape.zone.radius([p[0], p[1]]);
             // Towards the centre everything stays in place.
             let stretch = if r < 1.0 { r / q + (1.0 - r) } else { 1.0 / q };
             let from = 1.0 + (r - 1.0) * stretch;
@@ -247,7 +247,7 @@ fn miss(problem: &Problem, solution: &StageSolution, stats: &[LevelStats]) -> f6
         return 0.0;
     };
     let grading = grading_errors(
-        problem.kind,
+        &problem.shape,
         problem.elasticity.model,
         &solution.stage.sizes,
     );

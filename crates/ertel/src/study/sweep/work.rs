@@ -127,7 +127,7 @@ impl Shared<'_> {
             .pressure_viscosity_slope(lubricant.temperature);
         let point = PointSolution {
             value: f64::NAN,
-            formulas: film_formulas(case.contact.kind, case.contact.radius, &groups(case, slope)),
+            formulas: film_formulas(&case.contact, &groups(case, slope)),
             case: echo,
             outcome,
             newtonian: None,

@@ -190,7 +190,7 @@ fn recovered_gradients_round_a_polygon() {
     let patch = SurfaceParams {
         dim: 2,
         x: [-1.0, 1.0],
-        y_side: 1.0,
+        y: [-1.0, 0.0],
     };
     let mesh = surface_mesh(&patch, &|_| 0.17).unwrap();
     let space = Space::new(mesh.mesh(), 1);

@@ -12,7 +12,7 @@ fn graded(dim: usize, size: f64) -> SimplexMesh {
     let params = SurfaceParams {
         dim,
         x: [-2.0, 1.0],
-        y_side: 1.5,
+        y: [-1.5, 0.0],
     };
     let field = |[x, y]: [f64; 2]| size * (1.0 + (x - 0.3).hypot(y)).min(3.0);
     surface_mesh(&params, &field).unwrap().mesh().clone()

@@ -1,0 +1,128 @@
+//! Elliptical contacts against circular ones and lines, and against themselves seen from other sides.
+
+mod common;
+
+use approx::assert_relative_eq;
+use common::{case, heated};
+use ertel::case::Case;
+use ertel::contact::{Contact, ContactKind, Hertz, Symmetry};
+use ertel::params::{MeshParams, MeshPreset};
+use ertel::run::solve;
+use ertel::solution::{Estimate, Solution};
+use ertel::solve::Silent;
+
+/// An ellipse of reduced radii (m) under a Hertz pressure of 0.7 GPa, with the entrainment at an angle (degrees).
+fn ellipse(radii: [f64; 2], angle: f64) -> Case {
+    let mut case = case(ContactKind::Circular, 1.0);
+    let mut contact = Contact::elliptical(radii, 1.0, f64::to_radians(angle));
+    contact.load = Hertz::load_for_pressure(&contact, case.reduced_modulus(), 0.7e9);
+    case.contact = contact;
+    case.mesh = MeshParams::adaptive(5e-3, ContactKind::Elliptical);
+    case
+}
+
+fn solved(case: &Case) -> Solution {
+    solve(case, &mut Silent).unwrap()
+}
+
+fn films(s: &Solution) -> [Estimate; 2] {
+    [s.summary.film_central, s.summary.film_minimum]
+}
+
+/// Whether films agree within the sum of their bars.
+fn assert_alike(a: &Solution, b: &Solution) {
+    for (a, b) in films(a).iter().zip(films(b)) {
+        let bar = a.error.unwrap() + b.error.unwrap();
+        assert!((a.value - b.value).abs() <= bar, "{a:?} {b:?}");
+    }
+}
+
+/// Equal radii make the circle: the same mesh, and films to rounding.
+#[test]
+fn equal_radii_make_a_circle() {
+    let ellipse = ellipse([0.016; 2], 0.0);
+    let mut circle = ellipse.clone();
+    circle.contact = Contact::circular(0.016, ellipse.contact.load);
+    circle.mesh = MeshParams::adaptive(5e-3, ContactKind::Circular);
+    let (ellipse, circle) = (solved(&ellipse), solved(&circle));
+    for (a, b) in films(&ellipse).iter().zip(films(&circle)) {
+        assert_relative_eq!(a.value, b.value, max_relative = 1e-10);
+    }
+    // The direction of the motion does not matter then, though all of it is solved, on a mesh turned against the motion.
+    let turned = solved(&self::ellipse([0.016; 2], 27.0));
+    assert_eq!(turned.shape.symmetry, Symmetry::Full);
+    assert_alike(&turned, &circle);
+    let [p, q] = [&turned, &circle].map(|s| s.summary.load_balance_error);
+    assert!(p < 1e-10 && q < 1e-10);
+}
+
+/// Radii exchanged and a quarter turn are the same contact; opposite angles mirror each other.
+#[test]
+fn the_same_contact_from_other_sides() {
+    let along = solved(&ellipse([0.016, 0.032], 0.0));
+    let turned = solved(&ellipse([0.032, 0.016], 90.0));
+    for (a, b) in films(&along).iter().zip(films(&turned)) {
+        assert_relative_eq!(a.value, b.value, max_relative = 1e-10);
+    }
+    let [left, right] = [35.0, -35.0].map(|angle| solved(&ellipse([0.016, 0.032], angle)));
+    assert_alike(&left, &right);
+    let [a, b] = [&left, &right].map(|s| s.summary.film_minimum_at);
+    let a_half = left.hertz.half_width;
+    assert!(
+        (a.x - b.x).abs() < 0.05 * a_half && (a.y + b.y).abs() < 0.05 * a_half,
+        "{a:?} {b:?}"
+    );
+    assert!(a.y.abs() > 0.5 * a_half);
+    // The film lies between those along the two axes.
+    let across = solved(&ellipse([0.032, 0.016], 0.0));
+    let central = |s: &Solution| s.summary.film_central.value;
+    assert!(
+        central(&along) > central(&left),
+        "{} {}",
+        central(&along),
+        central(&left)
+    );
+    assert_ne!(central(&across), central(&along));
+}
+
+/// An ellipse fifty times as wide as long has the film of a line with its Hertz pressure: side leakage and the curvature
+/// of the inlet are felt by the square of 1/50; the tolerance is both bars and 0.5 % for the rest.
+#[test]
+fn a_wide_ellipse_tends_to_a_line() {
+    // κ = 50 by the ratio of radii, by the equation of Johnson (4.26) evaluated with E ≈ 1, K ≈ ln(4·50): (2500 E − K)/(K − E)
+    let ratio = 582.0;
+    let wide = ellipse([0.016, 0.016 * ratio], 0.0);
+    let mut line = wide.clone();
+    line.contact = Contact::line(0.016, 1.0);
+    line.contact.load = Hertz::load_for_pressure(&line.contact, wide.reduced_modulus(), 0.7e9);
+    line.mesh = MeshParams::preset(MeshPreset::Fine, ContactKind::Line);
+    let (wide, line) = (solved(&wide), solved(&line));
+    assert!(
+        (wide.shape.zone.axis_ratio - 50.0).abs() < 2.0,
+        "{}",
+        wide.shape.zone.axis_ratio
+    );
+    let [a, b] = [&wide, &line].map(|s| s.summary.film_central);
+    let bar = a.error.unwrap() + b.error.unwrap() + 5e-3 * b.value;
+    assert!((a.value - b.value).abs() < bar, "{a:?} {b:?}");
+}
+
+/// Heat of an ellipse at an angle: what is made is carried off, and slides warm the film.
+#[test]
+fn heat_at_an_angle() {
+    let mut case = heated(ellipse([0.016, 0.024], 30.0));
+    case.motion.slide_to_roll_ratio = 0.3;
+    case.mesh = MeshParams::preset(MeshPreset::Coarse, ContactKind::Elliptical);
+    let solution = solved(&case);
+    let thermal = solution.thermal.as_ref().unwrap();
+    assert!(
+        thermal.balance.error.abs() < 0.01,
+        "{}",
+        thermal.balance.error
+    );
+    assert!(thermal.film_maximum.value > case.lubricant.temperature + 1.0);
+    let mut circle = case.clone();
+    circle.contact = Contact::elliptical([0.016, 0.016], case.contact.load, 0.0);
+    let circle = solved(&circle);
+    assert!(circle.thermal.unwrap().film_maximum.value > case.lubricant.temperature + 1.0);
+}
