@@ -12,7 +12,7 @@ pub(super) mod sliding;
 pub(super) mod viscosity_exponent;
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 use super::stage::Stage;
 
@@ -63,7 +63,7 @@ impl Outline {
 
     /// What leads from a start to the case, whatever the start: by the shear law where that is the difficulty, else by
     /// diffusion.
-    fn from_start(&self) -> Vec<Stage> {
+    fn path_from_start(&self) -> Vec<Stage> {
         match self.exponential {
             true => shear_law::at_full_sliding(self),
             false => diffusion::diffusion(self),

@@ -11,7 +11,7 @@ const EXPONENTS: [f64; 5] = [0.4, 0.6, 0.75, 0.88, 1.0];
 /// From a start at the least exponent to the usual start's fluid, and from there to the case.
 pub(super) fn viscosity_exponent(outline: &Outline) -> Vec<Stage> {
     let mut stages = steps(outline.start());
-    stages.extend(outline.from_start());
+    stages.extend(outline.path_from_start());
     stages
 }
 

@@ -3,77 +3,22 @@
 //! The driver knows neither meshes nor equations: a [`StageSolver`] solves a stage, [`Driver::decide`] draws the conclusion, and
 //! the driver does as decided.
 
+mod decision;
+#[cfg(test)]
+mod scripted;
+mod stage_solver;
+#[cfg(test)]
+mod tests;
+
 use std::collections::VecDeque;
 
+use decision::Decision;
+pub(super) use stage_solver::{Attempt, StageEnd, StageSolver, Task};
+
 use super::stage::{Role, Stage};
-use super::strategies::halfway::halfway;
-use super::strategies::lower_order::quadratic;
 use super::strategies::{Fallback, Outline, diffusion, fallbacks};
 use crate::solve::adapt::Refinement;
 use crate::solve::{Observer, SolveError};
-
-/// Steps that may be halved in one continuation.
-const MAX_HALVED_STEPS: usize = 6;
-
-/// The same for fluids whose shear rate grows exponentially with the stress, whose steps are small and cheap.
-const MAX_HALVED_EXPONENTIAL_STEPS: usize = 12;
-
-/// What solves a stage.
-pub(super) trait StageSolver {
-    /// What a stage comes to.
-    type Solution: Attempt;
-
-    /// Solves a stage, and says how to refine its mesh if the errors are too large.
-    ///
-    /// # Errors
-    /// Where the stage cannot be begun. That Newton's method fails is an outcome.
-    fn solve(
-        &mut self,
-        task: Task<Self::Solution>,
-        observer: &mut dyn Observer,
-    ) -> Result<StageEnd<Self::Solution>, SolveError>;
-
-    /// Brings a solution that was only measured to the tolerance of the case, or marks it as rough.
-    ///
-    /// # Errors
-    /// Only [`SolveError::Interrupted`].
-    fn finish(
-        &mut self,
-        solution: &mut Self::Solution,
-        observer: &mut dyn Observer,
-    ) -> Result<(), SolveError>;
-}
-
-/// What the driver asks of the state a stage came to.
-pub(super) trait Attempt {
-    /// The stage.
-    fn stage(&self) -> &Stage;
-    /// Whether it came to the tolerance of the stage.
-    fn converged(&self) -> bool;
-    /// Whether there is film everywhere.
-    fn has_film(&self) -> bool;
-    /// Whether an unconverged state is still near a contact.
-    fn is_usable(&self) -> bool;
-}
-
-/// A stage to solve.
-pub(super) struct Task<'a, S> {
-    pub stage: &'a Stage,
-    /// Where it starts, unless from the dry contact.
-    pub from: Option<&'a S>,
-    /// Halvings of each element of the mesh before that make its own, where it is a refined one.
-    pub halvings: &'a [u32],
-    /// Stages known to come after it.
-    pub stages_to_come: usize,
-}
-
-/// How a stage ended.
-pub(super) struct StageEnd<S> {
-    pub outcome: Result<(), SolveError>,
-    pub solution: S,
-    /// How to refine its mesh, if errors are too large.
-    pub refinement: Option<Refinement>,
-}
 
 /// Where a solve stands.
 pub(super) struct Driver<S: StageSolver> {
@@ -101,33 +46,6 @@ pub(super) struct Driver<S: StageSolver> {
     raised: bool,
     /// Whether it starts from the solution of another problem.
     warm: bool,
-}
-
-/// What follows from the end of a stage.
-#[derive(Clone, Debug, PartialEq)]
-enum Decision {
-    /// It is solved: go on from there, on a refined mesh if its errors are too large.
-    Accept,
-    /// A restart on a refined mesh came far enough: go on from there, and keep the solution on the mesh before.
-    GoOnRefined,
-    /// Give the refined mesh up: the solution on the mesh before stands, with an error bar that says what it is worth.
-    StopRefining,
-    /// Give the case's own pressures up: those of lower order stand.
-    KeepLowerOrder,
-    /// The refined mesh once more, from a diffusive start.
-    RestartRefined,
-    /// The start failed: no time is lost on strategies that go on from it.
-    ReplaceStart,
-    /// The step was too long: this one first.
-    Halve(Box<Stage>),
-    /// It did not converge, but came near enough to go on from.
-    GoOn,
-    /// It can be done without.
-    Skip,
-    /// A continuation came to its end, but for this stage of lower order.
-    Lower(Box<Stage>),
-    /// The next strategy.
-    FallBack,
 }
 
 impl<S: StageSolver> Driver<S> {
@@ -198,49 +116,6 @@ impl<S: StageSolver> Driver<S> {
             None => Err(self
                 .first_failure
                 .expect("stages that end without failure end with a solution")),
-        }
-    }
-
-    /// What follows from the end of a stage.
-    fn decide(&self, stage: &Stage, end: &StageEnd<S::Solution>) -> Decision {
-        let (solved, attempt) = (end.outcome.is_ok(), &end.solution);
-        let leads = stage.role.leads();
-        let refined = stage.refinements > 0;
-        if refined && leads {
-            return match solved || attempt.is_usable() {
-                true => Decision::GoOnRefined,
-                false => Decision::StopRefining,
-            };
-        }
-        if self.raises(stage) && !(solved && attempt.has_film()) {
-            return Decision::KeepLowerOrder;
-        }
-        if solved {
-            return Decision::Accept;
-        }
-        if refined {
-            // Films that are as accurate as asked for need no second try.
-            let tried = self.restarted == stage.refinements || self.refinement.for_pressure_alone;
-            return match tried {
-                true => Decision::StopRefining,
-                false => Decision::RestartRefined,
-            };
-        }
-        if leads && self.attempts == 1 {
-            return Decision::ReplaceStart;
-        }
-        if let Some(step) = self.halfway(stage) {
-            return Decision::Halve(Box::new(step));
-        }
-        if leads && attempt.is_usable() {
-            return Decision::GoOn;
-        }
-        if stage.role == Role::Estimate || stage.role.compares() {
-            return Decision::Skip;
-        }
-        match self.lower(stage) {
-            Some(lower) => Decision::Lower(Box::new(lower)),
-            None => Decision::FallBack,
         }
     }
 
@@ -325,28 +200,6 @@ impl<S: StageSolver> Driver<S> {
         Ok(())
     }
 
-    /// Half of the step to a stage.
-    fn halfway(&self, stage: &Stage) -> Option<Stage> {
-        let most = match self.outline.exponential {
-            true => MAX_HALVED_EXPONENTIAL_STEPS,
-            false => MAX_HALVED_STEPS,
-        };
-        let from = self.current.as_ref().filter(|_| self.halved_steps < most)?;
-        halfway(from.stage(), stage)
-    }
-
-    /// A failed final stage with pressures of lower order, where a continuation has led to it.
-    fn lower(&self, stage: &Stage) -> Option<Stage> {
-        let from = self.current.as_ref()?;
-        let led = stage.role == Role::Final
-            && self.first_failure.is_some()
-            && from.converged()
-            && from.stage().role != Role::Start
-            && from.stage().has_fluid_and_sliding_of(stage)
-            && from.stage().is_on_mesh_of(stage);
-        quadratic(stage).filter(|_| led)
-    }
-
     /// The case's own pressures next, on the finest mesh that those of lower order have come to; once.
     fn raise(&mut self, stage: &Stage) {
         let own = self.outline.last().pressure_order;
@@ -359,17 +212,6 @@ impl<S: StageSolver> Driver<S> {
                 ..*stage
             });
         }
-    }
-
-    /// Whether a stage has the case's own pressures where a solution with those of lower order stands on its mesh.
-    fn raises(&self, stage: &Stage) -> bool {
-        let from = self.current.as_ref().map(Attempt::stage);
-        let below = |from: &Stage| {
-            from.role == Role::Final
-                && from.pressure_order < stage.pressure_order
-                && from.is_on_mesh_of(stage)
-        };
-        self.raised && from.is_some_and(below)
     }
 
     /// A refined mesh once more, in steps of diminishing diffusion.
