@@ -25,6 +25,9 @@ pub struct CouplingParams {
     pub max_rounds: usize,
     /// Share of new temperatures below which they are not halved further.
     pub smallest_share: f64,
+    /// Whether it is given up at once where temperatures for given films do not settle in a round, because a continuation is known: the
+    /// films at what they have come to are of no use.
+    pub given_up_early: bool,
     /// Temperatures for given films.
     pub heat: HeatParams,
 }
@@ -35,6 +38,7 @@ impl Default for CouplingParams {
             tolerance: 1e-4,
             max_rounds: 40,
             smallest_share: 0.1,
+            given_up_early: false,
             heat: HeatParams::default(),
         }
     }
@@ -121,13 +125,23 @@ pub fn solve_coupled(
                 .map(rise)
                 .fold(NEGLIGIBLE_RISE, f64::max)
         };
+        let mut settled = false;
         for _ in 0..MOST_STEPS {
             let step = temperatures.step(state)?;
-            if step / rise(state) < (INNER_SHARE * change).max(0.1 * params.tolerance) {
+            settled = step / rise(state) < (INNER_SHARE * change).max(0.1 * params.tolerance);
+            if settled {
                 break;
             }
         }
         stats.seconds.heat += clock.elapsed().as_secs_f64();
+        if !settled && params.given_up_early {
+            return Err(SolveError::NotCoupled {
+                level: label.level,
+                rounds: round,
+                change,
+                contraction: coupling.contraction,
+            });
+        }
         let inner = NewtonParams {
             update_tolerance: (INNER_SHARE * change)
                 .max(newton.update_tolerance)

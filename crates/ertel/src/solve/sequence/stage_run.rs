@@ -186,6 +186,7 @@ impl<'a> StageRun<'a> {
         let path = self.stage.role == Role::Path;
         let mut coupling = CouplingParams {
             tolerance: problem.coupling.tolerance.max(params.update_tolerance),
+            given_up_early: self.stage.given_up_early,
             ..problem.coupling
         };
         // Where a continuation through easier contacts is known, or this is one, its steps are halved instead.
