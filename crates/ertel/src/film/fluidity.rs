@@ -6,12 +6,14 @@
 //! A is the thinning law, a function of stress alone, and B the limiting stress. A closure asks for A
 //! hundreds of times; where A varies by powers it is read from a table.
 
-use ertel_rheology::shear::{ShearLaw, ShearThinning, StressLimit};
+use std::sync::Arc;
+
+use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning, StressLimit};
 use num_dual::{Dual2_64, DualNum};
 
 use super::cross_film::{LimitScale, StressScales};
-use super::fluidity_table::FluidityTable;
 use super::lanes::Lanes;
+use super::quintic::Quintic;
 
 /// f and its derivatives by x and P.
 #[derive(Clone, Copy, Debug, Default)]
@@ -65,7 +67,7 @@ pub trait UniformFluidity: Fluidity {
 pub struct Thinning {
     /// The law.
     pub law: ShearThinning,
-    table: Option<FluidityTable>,
+    table: Option<Arc<FluidityTable>>,
 }
 
 impl Thinning {
@@ -73,7 +75,7 @@ impl Thinning {
     pub fn new(law: &ShearThinning) -> Thinning {
         let scales = law.scales(0.0);
         let table = match (&law.law, scales.knee) {
-            (Some(thinning), Some(knee)) => Some(FluidityTable::new(thinning, knee)),
+            (Some(thinning), Some(knee)) => Some(Arc::new(FluidityTable::new(thinning, knee))),
             _ => None,
         };
         Thinning {
@@ -82,8 +84,8 @@ impl Thinning {
         }
     }
 
-    /// The same law with shear rates that grow less, by a factor `softness` ≥ 1 in the stress of an e-fold beyond a limiting
-    /// stress and in the critical stress of a steep power law, and by its root in Eyring's stress.
+    /// The same law with exponentials that grow less, by a factor `softness` ≥ 1 in the stress of an e-fold beyond a limiting
+    /// stress, and by its root in Eyring's stress.
     ///
     /// ε = (1 − r₁²)/(2r₁), hence r₁ = √(1 + ε²) − ε
     pub fn softened(&self, softness: f64) -> Thinning {
@@ -91,25 +93,21 @@ impl Thinning {
             let fold = softness * limit.e_fold();
             limit.softened(fold.hypot(1.0) - fold)
         });
-        let factor = match &self.law.law {
-            Some(ShearLaw::ReeEyring(_)) => softness.sqrt(),
-            Some(law) if is_steep(law) => softness,
-            _ => 1.0,
+        let law = match &self.law.law {
+            Some(ShearLaw::ReeEyring(law)) => Some(ShearLaw::ReeEyring(ReeEyring {
+                eyring_stress: softness.sqrt() * law.eyring_stress,
+            })),
+            law => law.clone(),
         };
         Thinning {
-            law: ShearThinning {
-                law: self.law.law.as_ref().map(|law| scaled(law, factor)),
-                limit,
-            },
-            table: self.table.as_ref().map(|table| table.scaled(factor)),
+            law: ShearThinning { law, limit },
+            table: self.table.clone(),
         }
     }
 
-    /// Whether the shear rate grows exponentially with the stress, or by so high a power that it makes no difference: in both, a
-    /// step of Newton's method takes off one e-fold of a shear rate that is many too large.
+    /// Whether the shear rate grows exponentially with the stress.
     pub fn is_exponential(&self) -> bool {
-        let steep = |law: &ShearLaw| matches!(law, ShearLaw::ReeEyring(_)) || is_steep(law);
-        self.law.limit.is_some() || self.law.law.as_ref().is_some_and(steep)
+        self.law.limit.is_some() || matches!(self.law.law, Some(ShearLaw::ReeEyring(_)))
     }
 
     /// The law at P, in units of a stress and a pressure, both in Pa.
@@ -156,33 +154,7 @@ impl Thinning {
     }
 }
 
-/// Exponent n of a power law, γ̇ ~ τ^{1/n}, below which it is steep: more than five decades of shear rate to each of stress.
-const STEEP: f64 = 0.2;
-
-/// Whether the shear rate grows by a high power of the stress.
-fn is_steep(law: &ShearLaw) -> bool {
-    match law {
-        ShearLaw::Carreau(law) => law.exponent < STEEP,
-        ShearLaw::CarreauYasuda(law) => law.exponent < STEEP,
-        ShearLaw::Rabinowitsch(law) => law.exponent < STEEP,
-        ShearLaw::ReeEyring(_) => false,
-    }
-}
-
-/// A law that does at a multiple of a stress what it did at the stress.
-fn scaled(law: &ShearLaw, factor: f64) -> ShearLaw {
-    let mut law = law.clone();
-    match &mut law {
-        ShearLaw::Carreau(law) => law.critical_stress *= factor,
-        ShearLaw::CarreauYasuda(law) => law.shear_modulus *= factor,
-        ShearLaw::ReeEyring(law) => law.eyring_stress *= factor,
-        ShearLaw::Rabinowitsch(law) => law.critical_stress *= factor,
-    }
-    law
-}
-
-/// A law at the square of a stress, with two derivatives by it.
-pub(super) fn exact(law: &ShearLaw, square: f64) -> [f64; 3] {
+fn exact(law: &ShearLaw, square: f64) -> [f64; 3] {
     let a = law.relative_fluidity(Dual2_64::from_re(square).derivative());
     [a.re, a.v1, a.v2]
 }
@@ -246,29 +218,69 @@ impl Fluidity for PointThinning<'_> {
     }
 }
 
+/// Quintic Hermite interpolation of a law in x, on cells that grow with x: [`PER_BINADE`] between each
+/// power of two and the next. Twice continuously differentiable.
+#[derive(Debug)]
+struct FluidityTable {
+    /// Square of the knee's stress.
+    unit: f64,
+    /// Interpolants in the local coordinate, and its slope.
+    cells: Vec<(Quintic, f64)>,
+}
+
+/// Cells to each power of two: 2⁵.
+const PER_BINADE_LOG2: u32 = 5;
+/// Powers of two of the stress's square, over the knee's, between which the table holds.
+const LOWEST: i32 = -50;
+const HIGHEST: i32 = 50;
+/// Bits of a double's mantissa below the cell.
+const LOCAL_BITS: u32 = 52 - PER_BINADE_LOG2;
+
+impl FluidityTable {
+    fn new(law: &ShearLaw, knee: f64) -> FluidityTable {
+        let unit = knee * knee;
+        let first = 2.0_f64.powi(LOWEST).to_bits() >> LOCAL_BITS;
+        let n = ((HIGHEST - LOWEST) as u64) << PER_BINADE_LOG2;
+        let node = |i: u64| f64::from_bits((first + i) << LOCAL_BITS);
+        let at = |x: f64| {
+            let [a, a1, a2] = exact(law, x * unit);
+            [a, a1 * unit, a2 * unit * unit]
+        };
+        let cells = (0..n).map(|i| {
+            let (low, high) = (node(i), node(i + 1));
+            let w = high - low;
+            let end = |x: f64| {
+                let [a, a1, a2] = at(x);
+                [a, a1 * w, a2 * w * w]
+            };
+            (Quintic::new(end(low), end(high)), 1.0 / w)
+        });
+        FluidityTable {
+            unit,
+            cells: cells.collect(),
+        }
+    }
+
+    /// A and its derivatives at the square of a stress, Pa²; `None` outside the table.
+    #[inline(always)]
+    fn at(&self, square: f64) -> Option<[f64; 3]> {
+        let bits = (square / self.unit).to_bits();
+        let first = 2.0_f64.powi(LOWEST).to_bits() >> LOCAL_BITS;
+        let cell = (bits >> LOCAL_BITS).wrapping_sub(first);
+        let (quintic, slope) = self.cells.get(cell as usize)?;
+        let local = bits & ((1 << LOCAL_BITS) - 1);
+        let t = local as f64 * (1.0 / (1_u64 << LOCAL_BITS) as f64);
+        let [value, first, second] = quintic.at(t);
+        let scale = slope / self.unit;
+        Some([value, first * scale, second * scale * scale])
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
     use ertel_rheology::shear::{Carreau, CarreauYasuda, Rabinowitsch};
-
-    /// A steep power law, softened: at a multiple of a stress, in the table and beyond it, what the law does at the stress.
-    #[test]
-    fn steep_laws_are_softened_in_stress() {
-        let law = ShearLaw::CarreauYasuda(CarreauYasuda::new(1e3, 0.1, 5.0, 0.0).unwrap());
-        let thinning = Thinning::new(&ShearThinning::of(law));
-        assert!(thinning.is_exponential());
-        let softened = thinning.softened(81.0);
-        for stress in [1.0, 1e3, 1e5, 1e12] {
-            let [here, there] = [
-                thinning.law(stress * stress)[0],
-                softened.law(81.0 * 81.0 * stress * stress)[0],
-            ];
-            assert_relative_eq!(here, there, max_relative = 1e-9);
-        }
-        let mild = ShearLaw::Carreau(Carreau::new(1e4, 0.5, 2.0, 0.0).unwrap());
-        assert!(!Thinning::new(&ShearThinning::of(mild)).is_exponential());
-    }
 
     /// The table against the law between its nodes, over sixteen decades of stress.
     #[test]

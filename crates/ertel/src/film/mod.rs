@@ -4,7 +4,6 @@ pub mod closure;
 pub mod cross_film;
 pub mod fluid;
 pub mod fluidity;
-mod fluidity_table;
 pub mod lanes;
 mod patches;
 pub mod polynomial;
