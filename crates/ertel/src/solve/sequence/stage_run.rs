@@ -38,20 +38,16 @@ const EXPONENTIAL_TOLERANCE: f64 = 1e-2;
 const PATH_COUPLING: f64 = 5e-2;
 const PATH_ROUNDS: usize = 15;
 
-/// Newton iterations that a start may take for each share of the ramp.
+/// Newton iterations that a start may take for each share of the ramp, and those without a smaller update.
 const START_ITERATIONS: usize = 30;
+const START_STAGNATION: usize = 12;
 
 /// Relative residual of a stalled start with which the rest of the ramp is not tried: that of the dry contact is
 /// about 1.4, and starts that come through in the end have got it to 0.2 and mostly far below. Nothing starts from a state with more.
 pub(super) const DIVERGENCE_LIMIT: f64 = 0.5;
 
-/// Iterations without a smaller update that a start may take.
-const START_STAGNATION: usize = 12;
-
-/// The same for a stage to which a continuation through easier contacts is known.
+/// Those without a smaller update of a stage to which a continuation through easier contacts is known, and all of its.
 const EARLY_STAGNATION: usize = 8;
-
-/// Its iterations.
 const EARLY_ITERATIONS: usize = 25;
 
 /// Iterations without a smaller update from a start that was thought to be near.
@@ -129,10 +125,9 @@ impl<'a> StageRun<'a> {
             params.update_tolerance = EXPONENTIAL_TOLERANCE;
             params.residual_tolerance = EXPONENTIAL_TOLERANCE;
         }
-        let ramp = if self.stage.role == Role::Start {
-            &PENALTY_RAMP[..]
-        } else {
-            &[1.0]
+        let ramp: &[f64] = match self.stage.role {
+            Role::Start => &PENALTY_RAMP,
+            _ => &[1.0],
         };
         let from = state.clone();
         let mut outcome = Ok((Reached::default(), None));
@@ -183,14 +178,14 @@ impl<'a> StageRun<'a> {
             let reached = (self.newton).run(&model, params, &label, state, effort, observer)?;
             return Ok((reached, None));
         };
-        let path = self.stage.role == Role::Path;
+        let (path, early) = (self.stage.role == Role::Path, self.stage.given_up_early);
         let mut coupling = CouplingParams {
             tolerance: problem.coupling.tolerance.max(params.update_tolerance),
-            given_up_early: self.stage.given_up_early,
+            given_up_early: early,
             ..problem.coupling
         };
         // Where a continuation through easier contacts is known, or this is one, its steps are halved instead.
-        if self.stage.given_up_early || path {
+        if early || path {
             coupling.smallest_share = 1.0;
         }
         if path {
