@@ -101,7 +101,7 @@ pub fn problem(case: &Case) -> Problem {
             case.solver.error_estimate,
             case.shear_thinning().is_some(),
             heat.is_some(),
-            // Ways through sliding or through softer limits are known.
+            // Continuations in sliding or in the shear law are known.
             fluid.has_limit() || (heat.is_some() && fluid.slide() != 0.0),
         ),
         elasticity: match case.elastic_model() {
@@ -540,7 +540,7 @@ fn stages(
     error_estimate: bool,
     thins: bool,
     heats: bool,
-    impatient: bool,
+    continuation_is_known: bool,
 ) -> Vec<Stage> {
     // A film thicker than the dry contact is flat sets the length √H over which pressure varies.
     let stretch = film.sqrt().max(1.0);
@@ -585,14 +585,14 @@ fn stages(
         refinements: 0,
         pressure_order: order,
         constants,
-        thickening: 1.0,
+        viscosity_exponent: 1.0,
         softness: 1.0,
         sliding: 1.0,
         newtonian: false,
         heated: heats,
         cold: false,
-        near: false,
-        impatient,
+        undamped: false,
+        given_up_early: continuation_is_known,
         role: Role::Final,
     };
     let start = Stage {
@@ -602,7 +602,7 @@ fn stages(
         newtonian: thins,
         heated: false,
         cold: true,
-        impatient: false,
+        given_up_early: false,
         role: Role::Start,
         ..solution
     };
@@ -611,7 +611,7 @@ fn stages(
         sizes: coarse,
         newtonian: true,
         heated: false,
-        impatient: false,
+        given_up_early: false,
         role: Role::Comparison,
         ..solution
     }));

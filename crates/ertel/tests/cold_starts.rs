@@ -8,6 +8,7 @@ use ertel::case::Case;
 use ertel::run::solve;
 use ertel::solution::Solution;
 use ertel::solve::Silent;
+use ertel::solve::sequence::Role;
 use ertel_rheology::input::Document;
 
 fn solved(text: &str) -> Solution {
@@ -109,4 +110,39 @@ slide_to_roll_ratio = {ratio}
         ));
         is_hot_and_balanced(&s);
     }
+}
+
+/// An Eyring oil under heat enough to warm it by 165 K: of temperatures that are far from their solution single ones would go off by 1e5 K.
+/// Stepped in time they settle in the first rounds, and the films with them.
+#[test]
+fn hot_films_settle_in_few_rounds() {
+    let s = solved(
+        r#"
+[contact]
+kind = "circular"
+radius = "10 mm"
+hertz_pressure = "1.5 GPa"
+[bodies]
+plane = "steel"
+ball = "steel"
+[motion]
+entrainment_speed = "10 m/s"
+slide_to_roll_ratio = 1
+[lubricant]
+temperature = "80 degC"
+density = { law = "dowson-higginson", rho_0 = "850 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "10 mPa.s", alpha = "18 1/GPa", beta = "0.03 1/K", reference_temperature = "80 degC" }
+shear_thinning = { law = "ree-eyring", tau_0 = "5 MPa" }
+thermal_conductivity = "0.14 W/(m.K)"
+heat_capacity = "2100 J/(kg.K)"
+[mesh]
+target_error = "3 %"
+[thermal]
+"#,
+    );
+    is_hot_and_balanced(&s);
+    let hot = s.stats.levels.iter().filter(|l| l.role == Role::Final);
+    let iterations: usize = hot.map(|l| l.newton_iterations).sum();
+    println!("{iterations} iterations of hot films");
+    assert!(iterations < 40, "{iterations}");
 }

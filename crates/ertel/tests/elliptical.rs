@@ -2,14 +2,18 @@
 
 mod common;
 
+use std::sync::Arc;
+
 use approx::assert_relative_eq;
 use common::{case, heated};
 use ertel::case::Case;
 use ertel::contact::{Contact, ContactKind, Hertz, Symmetry};
+use ertel::elastic::Accuracy;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::{Estimate, Solution};
 use ertel::solve::Silent;
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, Means};
 
 /// An ellipse of reduced radii (m) under a Hertz pressure of 0.7 GPa, with the entrainment at an angle (degrees).
 fn ellipse(radii: [f64; 2], angle: f64) -> Case {
@@ -105,6 +109,56 @@ fn a_wide_ellipse_tends_to_a_line() {
     let [a, b] = [&wide, &line].map(|s| s.summary.film_central);
     let bar = a.error.unwrap() + b.error.unwrap() + 5e-3 * b.value;
     assert!((a.value - b.value).abs() < bar, "{a:?} {b:?}");
+}
+
+/// Under the pressure of the dry contact the bodies close the gap: G + δ is level inside the ellipse (Johnson 1985, section
+/// 4.2), whatever its axes and the angle of the mesh. The square-root edge of the pressure between nodes leaves 1e-3.
+#[test]
+fn hertz_pressure_closes_the_gap() {
+    for (radii, angle) in [
+        ([0.016, 0.016 * 30.0], 0.0),
+        ([0.05, 0.016], 0.0),
+        ([0.016, 0.08], 25.0),
+    ] {
+        let problem = ertel::run::problem(&ellipse(radii, angle));
+        let sizes = common::uniform(0.06);
+        let contact = ContactSurface::new(
+            &problem.shape,
+            &Extents {
+                inlet: -1.5,
+                outlet: 1.5,
+                side: 1.5,
+                ..problem.extents
+            },
+            &sizes,
+            &problem.elasticity,
+            Means::default(),
+        );
+        let d = Discretisation::new(&Arc::new(contact.unwrap()), 2);
+        let zone = d.contact.shape.zone;
+        let pressure: Vec<f64> = d
+            .pressure
+            .points
+            .iter()
+            .map(|p| zone.pressure([p[0], p[1]]))
+            .collect();
+        let deflection = d.deflect(&pressure, Accuracy::Full);
+        let levels = (d.contact.deflection.points.iter().zip(&deflection))
+            .map(|(p, v)| ([p[0], p[1]], v))
+            .filter(|(p, _)| zone.radius(*p) < 0.9)
+            .map(|(p, v)| d.contact.shape.gap.value(p) + v);
+        let levels: Vec<f64> = levels.collect();
+        let (low, high) = levels
+            .iter()
+            .fold((f64::INFINITY, 0.0_f64), |(l, h), v| (l.min(*v), h.max(*v)));
+        // The gap at the rim is ½ at the first axis.
+        assert!(
+            high - low < 4e-3 && high > 0.5,
+            "{radii:?} {angle}: {low} to {high}"
+        );
+        let [load, target] = [d.integral(&pressure), problem.shape.load()];
+        assert_relative_eq!(load, target, max_relative = 1e-3);
+    }
 }
 
 /// Heat of an ellipse at an angle: what is made is carried off, and slides warm the film.

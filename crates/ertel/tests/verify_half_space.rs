@@ -149,7 +149,7 @@ fn deflection_under_the_hertz_pressure() {
     ] {
         let exact = |r: f64| match kind {
             ContactKind::Line => line_deflection(1, r),
-            ContactKind::Circular => hertz::deflection_profile(kind, r),
+            ContactKind::Circular | ContactKind::Elliptical => hertz::deflection_profile(kind, r),
         };
         let (errors, orders) = orders_of(kind, size, 3, &hertz::pressure_profile, &exact);
         let mean = 0.5 * (orders[0] + orders[1]);
@@ -216,7 +216,7 @@ fn the_finite_body_grows_into_the_half_space() {
         let reference = along_centreline(&half_space(kind, 0.25 * size, 3));
         let figure = |values: &[f64]| match kind {
             ContactKind::Line => values[4] - values[0],
-            ContactKind::Circular => values[0],
+            ContactKind::Circular | ContactKind::Elliptical => values[0],
         };
         let sizes = LevelSizes {
             edge: 2.5 * size,
@@ -259,7 +259,7 @@ fn responses(contact: &ContactSurface) -> [(&'static str, Box<dyn SurfaceRespons
 
 fn half_space_on(contact: &ContactSurface, bodies: &[(f64, f64)]) -> HalfSpace {
     let (surface, space) = (&contact.surface, &contact.deflection);
-    HalfSpace::new(surface, space, bodies, &contact.near_pairs)
+    HalfSpace::new(surface, space, bodies, &contact.near_pairs, &contact.shape)
 }
 
 /// A surface on two bodies, with linear or quadratic pressures and quadratic deflections.

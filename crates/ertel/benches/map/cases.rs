@@ -177,7 +177,7 @@ pub fn cases() -> Vec<MapCase> {
         list.constant(kind, Constant, &SOME_M);
         let materials: &[f64] = match kind {
             LINE => &[1., 2.5, 5., 7.5, 10., 12.5, 15., 20., 25.],
-            CIRCULAR => &[1., 2.5, 5., 10., 15., 20., 25.],
+            _ => &[1., 2.5, 5., 10., 15., 20., 25.],
         };
         list.grid(kind, Family::Roelands, DowsonHigginson, &ALL_M, materials);
         let some = [2.5, 5., 10., 20.];
@@ -191,7 +191,7 @@ pub fn cases() -> Vec<MapCase> {
         let heavy = [0.2, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5];
         let speeds: &[f64] = match kind {
             LINE => &[0.05, 0.3, 1.0, 5.0],
-            CIRCULAR => &[0.1, 1.0, 5.0],
+            _ => &[0.1, 1.0, 5.0],
         };
         let wlf = Fluid::new("thesis-wlf-oil", Family::Wlf, "40 degC", STEEL);
         list.fluid(kind, wlf, &heavy, speeds);
@@ -307,7 +307,8 @@ impl List {
                 let turn = self.cases.len();
                 let radius = RADII[turn % RADII.len()] * 1e-3;
                 let modulus = reduced_modulus(fluid.bodies);
-                let load = Hertz::load_for_pressure(kind, radius, modulus, p * 1e9);
+                let contact = Contact::of_one_radius(kind, radius, 0.0);
+                let load = Hertz::load_for_pressure(&contact, modulus, p * 1e9);
                 let name = format!("{}-{p}GPa-{speed}mps", fluid.name);
                 let lubricant = format!(
                     "name = \"{}\"\ntemperature = \"{}\"\n",
@@ -331,7 +332,7 @@ impl List {
     ) {
         let (kind, unit) = match contact.kind {
             LINE => ("line", "N/m"),
-            CIRCULAR => ("circular", "N"),
+            _ => ("circular", "N"),
         };
         let name = format!("{kind}-{name}");
         let mut text = format!("title = \"{name}\"\n\n[contact]\n");
@@ -386,7 +387,7 @@ fn reduced_modulus(bodies: Bodies) -> f64 {
 fn moes_pressure(kind: ContactKind, modulus: f64, radius: f64, m: f64, two_u: f64) -> (f64, f64) {
     let load = match kind {
         LINE => m * modulus * radius * two_u.sqrt(),
-        CIRCULAR => m * modulus * radius * radius * two_u.powf(0.75),
+        _ => m * modulus * radius * radius * two_u.powf(0.75),
     };
     let contact = Contact::of_one_radius(kind, radius, load);
     (load, Hertz::new(&contact, modulus).pressure)

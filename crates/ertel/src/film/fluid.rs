@@ -37,8 +37,8 @@ pub struct PointFluid {
 #[derive(Clone, Debug)]
 pub struct FilmFluid {
     properties: Arc<Properties>,
-    /// Share of ln μ̄ in force.
-    thickening: f64,
+    /// Exponent θ of the viscosity in force, μ̄^θ.
+    viscosity_exponent: f64,
     /// a p_h/R, Pa.
     stress_scale: f64,
     /// How stress thins the fluid.
@@ -64,7 +64,7 @@ impl FilmFluid {
                 temperature,
                 [scales.pressure, scales.density, scales.viscosity],
             )),
-            thickening: 1.0,
+            viscosity_exponent: 1.0,
             stress_scale: scales.pressure * scales.film / scales.length,
             shear_thinning: None,
             slide: 0.0,
@@ -144,10 +144,9 @@ impl FilmFluid {
     /// What the fluid makes of ρ̄ and ln μ̄ at P, or at P = 0 for pressures below.
     #[inline(always)]
     fn in_force(&self, pressure: f64, [mut rho, mut ln_mu]: [Jet2; 2]) -> [Jet2; 2] {
-        if self.thickening != 1.0 || ln_mu.value > SOLID {
-            let share = self.thickening;
+        if self.viscosity_exponent != 1.0 || ln_mu.value > SOLID {
             let x = Dual2_64::from_re(ln_mu.value).derivative();
-            ln_mu = ln_mu.through(jet(saturate(x * share)));
+            ln_mu = ln_mu.through(jet(saturate(x * self.viscosity_exponent)));
         }
         if pressure < 0.0 {
             let p = Dual2_64::from_re(pressure).derivative();
@@ -252,11 +251,10 @@ impl FilmFluid {
         }
     }
 
-    /// The same fluid with only a share of its thickening under pressure, ln μ̄ times `share`: an easier
-    /// one, on the way to the fluid itself.
-    pub fn with_thickening(&self, share: f64) -> FilmFluid {
+    /// The same fluid with a power of its relative viscosity, μ̄^θ: with θ < 1 an easier one, on the way to the fluid itself.
+    pub fn with_viscosity_exponent(&self, exponent: f64) -> FilmFluid {
         FilmFluid {
-            thickening: share,
+            viscosity_exponent: exponent,
             ..self.clone()
         }
     }
@@ -294,7 +292,7 @@ impl FilmFluid {
     /// ρ̄, μ̄ and their first two derivatives by P.
     pub fn at(&self, pressure: f64) -> PointFluid {
         let [mut rho, ln_mu] = self.properties.at(pressure.max(0.0));
-        let ln_mu = saturate(dual(ln_mu) * self.thickening);
+        let ln_mu = saturate(dual(ln_mu) * self.viscosity_exponent);
         let mut mu = ln_mu.exp();
         if pressure < 0.0 {
             let p = Dual2_64::from_re(pressure).derivative();

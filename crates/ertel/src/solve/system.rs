@@ -22,7 +22,7 @@ use crate::forms::reynolds::ElementConstants;
 use crate::params::{Formulation, PenaltyScaling};
 
 /// Coefficients of the Reynolds equation that do not vary over a level.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilmConstants {
     /// λ.
     pub lambda: f64,

@@ -5,9 +5,11 @@
 //! left between the rounds is that films and pressures answer to the heat, mostly of the inlet, and that is
 //! weak. How much the changes shrink from round to round is reported. Where the film equations do not converge at new
 //! temperatures, half of their change is tried first. Where the changes hardly shrink, as where film and heat overshoot each other
-//! in turn, only a share of each new temperature is taken.
+//! in turn, only a share of each new temperature is taken; which, the changes of the last two rounds say (Aitken's relaxation:
+//! Irons and Tuck, Int. J. Numer. Methods Eng. 1 (1969) 275-277).
 
 use super::newton::{HeatNewton, HeatParams, HeatStats};
+use super::relaxation::Relaxation;
 use crate::forms::energy::Heat;
 use crate::solve::evaluate::central_film;
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
@@ -23,6 +25,9 @@ pub struct CouplingParams {
     pub max_rounds: usize,
     /// Share of new temperatures below which they are not halved further.
     pub smallest_share: f64,
+    /// Whether it is given up at once where temperatures for given films do not settle in a round, because a continuation is known: the
+    /// films at what they have come to are of no use.
+    pub given_up_early: bool,
     /// Temperatures for given films.
     pub heat: HeatParams,
 }
@@ -33,6 +38,7 @@ impl Default for CouplingParams {
             tolerance: 1e-4,
             max_rounds: 40,
             smallest_share: 0.1,
+            given_up_early: false,
             heat: HeatParams::default(),
         }
     }
@@ -78,13 +84,7 @@ impl CouplingStats {
 const NEGLIGIBLE_RISE: f64 = 1e-3;
 
 /// Steps for the temperatures in one round.
-const MOST_STEPS: usize = 25;
-
-/// Ratio of one round's change to that before beyond which smaller shares of new temperatures are taken, below which larger
-/// ones, and the smallest.
-const SLOW: f64 = 0.7;
-const FAST: f64 = 0.4;
-const SMALLEST_RELAXATION: f64 = 0.25;
+const MOST_STEPS: usize = 40;
 
 /// Share of a round's change to which each of its halves is solved.
 const INNER_SHARE: f64 = 0.1;
@@ -110,8 +110,7 @@ pub fn solve_coupled(
     let mut coupling = CouplingStats::default();
     let mut first_change = 0.0;
     let mut change: f64 = 1.0;
-    // T ← T + ω(T_new − T)
-    let mut relaxation: f64 = 1.0;
+    let mut relaxation = Relaxation::default();
     for round in 1..=params.max_rounds {
         if observer.cancelled() {
             return Err(SolveError::Interrupted);
@@ -126,13 +125,23 @@ pub fn solve_coupled(
                 .map(rise)
                 .fold(NEGLIGIBLE_RISE, f64::max)
         };
+        let mut settled = false;
         for _ in 0..MOST_STEPS {
             let step = temperatures.step(state)?;
-            if step / rise(state) < (INNER_SHARE * change).max(0.1 * params.tolerance) {
+            settled = step / rise(state) < (INNER_SHARE * change).max(0.1 * params.tolerance);
+            if settled {
                 break;
             }
         }
         stats.seconds.heat += clock.elapsed().as_secs_f64();
+        if !settled && params.given_up_early {
+            return Err(SolveError::NotCoupled {
+                level: label.level,
+                rounds: round,
+                change,
+                contraction: coupling.contraction,
+            });
+        }
         let inner = NewtonParams {
             update_tolerance: (INNER_SHARE * change)
                 .max(newton.update_tolerance)
@@ -147,7 +156,10 @@ pub fn solve_coupled(
             let pairs = before.temperature.iter().zip(&heated);
             pairs.map(|(t, new)| t + share * (new - t)).collect()
         };
-        let mut share = relaxation;
+        let differences = heated.iter().zip(&before.temperature);
+        let defect: Vec<f64> = differences.map(|(new, t)| new - t).collect();
+        let wanted = relaxation.share(&defect);
+        let mut share = wanted;
         if share < 1.0 {
             state.temperature = mixed(share);
         }
@@ -175,9 +187,7 @@ pub fn solve_coupled(
             (film - central_film(d, &before)).abs() / film,
         ];
         // As if the whole of the new temperatures had been taken
-        let change_before = change;
         change = changes.into_iter().fold(0.0, f64::max) / share;
-        let ratio = change / change_before;
         observer.round(round, change, rise(state));
         coupling.rounds = round;
         coupling.change = change;
@@ -187,14 +197,10 @@ pub fn solve_coupled(
         } else {
             coupling.contraction = (change / first_change).powf(1.0 / (round - 1) as f64);
         }
-        if change < params.tolerance && share == relaxation {
+        if change < params.tolerance && share == wanted {
             return Ok((reached, coupling));
         }
-        if round > 2 && ratio > SLOW {
-            relaxation = (0.5 * relaxation).max(SMALLEST_RELAXATION);
-        } else if ratio < FAST {
-            relaxation = (1.5 * relaxation).min(1.0);
-        }
+        relaxation.taken(share, defect);
     }
     Err(SolveError::NotCoupled {
         level: label.level,

@@ -52,6 +52,9 @@ pub(super) struct Assembly<'a> {
     /// ω at each height over each vertex, of the assembly before; empty: none.
     pub cross_flow: &'a [f64],
     pub with_jacobian: bool,
+    /// Inverse 1/θ of a temperature, 1/K: the heat of shearing is taken to fall by 1/θ of itself per K beside what the fluid makes
+    /// of it; in the Jacobian only.
+    pub damping: f64,
 }
 
 impl Assembly<'_> {
@@ -100,6 +103,7 @@ impl Assembly<'_> {
                 film: &film,
                 lift: &lift,
                 further: &further,
+                damping: self.damping,
                 area,
                 size,
                 e: &mut e,
@@ -172,11 +176,12 @@ kernel! {
         film: &'a FilmColumn,
         lift: &'a Nodal,
         further: &'a dyn Fn(Layer) -> f64,
+        damping: f64,
         area: f64,
         size: f64,
         e: &'a mut Element,
     ) -> () {
-        film_part(space, nodes, state, basis, film, lift, further, area, size, e)
+        film_part(space, nodes, state, basis, film, lift, further, damping, area, size, e)
     }
 }
 
@@ -208,6 +213,7 @@ fn film_part(
     film: &FilmColumn,
     lift: &Nodal,
     further: &dyn Fn(Layer) -> f64,
+    damping: f64,
     area: f64,
     size: f64,
     e: &mut Element,
@@ -266,13 +272,14 @@ fn film_part(
                 let block = &mut e.film[(i * basis.n + j) * f * f..][..f * f];
                 let convection = whole * along[j];
                 let heating = whole * value;
+                let damped = plain * value * damping * point.shear.abs();
                 let (strong, weak) = (
                     upwind * value * point.conduction,
                     plain * value * point.conduction,
                 );
                 for b in 0..f {
                     let shape = shapes[b]
-                        * (convection
+                        * (convection + damped
                             - heating * (point.shear * film.thinning[b] + by_temperature))
                         - strong * second_slopes[b]
                         + heating * up * first_slopes[b];

@@ -21,5 +21,6 @@ pub mod figures;
 mod inflow;
 pub mod newton;
 pub mod recovery;
+mod relaxation;
 pub mod space;
 pub mod system;

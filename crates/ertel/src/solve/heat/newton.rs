@@ -2,6 +2,12 @@
 //!
 //! The derivative of the heat of shearing by the temperature is in the Jacobian: a film that heats up thins, and
 //! heats itself less. Without it, temperatures would swing to and fro where heating is strong.
+//!
+//! Far from the solution that is no help. At a given stress a warm layer shears faster and heats up further, and where that outweighs
+//! conduction, between films of very unequal temperature, the Jacobian is nearly singular: single nodes would go off by 1e5 K, and a
+//! step cut down to what they bear moves nothing. There the steps are those of an implicit Euler method in time, with a time step
+//! at each point in which its heat of shearing would warm it by θ (pseudo-transient continuation: Kelley and Keyes, SIAM J. Numer.
+//! Anal. 35 (1998) 508-523): |Q|/θ is added to the derivative of −Q. θ grows as steps get short, back to Newton's method itself.
 
 use ertel_fem::linear::block_ilu::{BlockIlu, BlockIluError, BlockMatrix};
 use ertel_fem::linear::gmres::{GmresError, GmresParams, gmres};
@@ -22,6 +28,16 @@ pub struct HeatParams {
     /// Largest change of a temperature in one step, K.
     pub largest_step: f64,
 }
+
+/// θ of the first time step, K: less than viscosities fall by e over, so that no layer feeds its own heating.
+const FIRST_WARMING: f64 = 20.0;
+
+/// The shortest time step, K, and the longest, beyond which there is none.
+const SHORTEST_WARMING: f64 = 1.0;
+const LONGEST_WARMING: f64 = 1e4;
+
+/// Factor by which time steps are shortened or lengthened.
+const WARMING_FACTOR: f64 = 2.0;
 
 impl Default for HeatParams {
     fn default() -> Self {
@@ -66,6 +82,8 @@ pub struct HeatNewton<'a> {
     /// ω, of the last assembly.
     cross_flow: Vec<f64>,
     matrix: BlockMatrix,
+    /// 1/θ, 1/K; 0 in Newton's method.
+    damping: f64,
     /// Effort so far.
     pub stats: HeatStats,
 }
@@ -92,6 +110,7 @@ impl<'a> HeatNewton<'a> {
             source: None,
             cross_flow: Vec::new(),
             matrix: BlockMatrix::new(space.column.n(), space.graph.clone()),
+            damping: 0.0,
             stats: HeatStats::default(),
         }
     }
@@ -101,7 +120,8 @@ impl<'a> HeatNewton<'a> {
         HeatNewton { source, ..self }
     }
 
-    /// One step; returns the largest change of a temperature, K.
+    /// One step; returns the largest change of a temperature, K, as far as it says how near the solution is: that of a time step
+    /// says nothing.
     ///
     /// # Errors
     /// When the linear system cannot be solved.
@@ -109,6 +129,38 @@ impl<'a> HeatNewton<'a> {
         if self.cross_flow.is_empty() {
             self.cross_flow = self.assembled(state).cross_flow;
         }
+        let largest_step = self.params.largest_step;
+        let (change, cross_flow) = loop {
+            let solved = self.solve(state);
+            let shortest = self.damping * SHORTEST_WARMING >= 1.0;
+            match solved {
+                Ok(found) if shortest || max_abs(&found.0) <= largest_step => break found,
+                Err(HeatError::NotFinite) => return Err(HeatError::NotFinite),
+                Err(e) if shortest => return Err(e),
+                _ => self.damping = (WARMING_FACTOR * self.damping).max(1.0 / FIRST_WARMING),
+            }
+        };
+        self.cross_flow = cross_flow;
+        self.stats.iterations += 1;
+        let largest = max_abs(&change);
+        let share = (largest_step / largest).min(1.0);
+        for (t, dt) in state.temperature.iter_mut().zip(&change) {
+            *t += share * dt;
+        }
+        if self.damping == 0.0 {
+            return Ok(share * largest);
+        }
+        if largest < 0.5 * largest_step {
+            self.damping /= WARMING_FACTOR;
+        }
+        if self.damping * LONGEST_WARMING < 1.0 {
+            self.damping = 0.0;
+        }
+        Ok(f64::INFINITY)
+    }
+
+    /// The change of temperatures by the linear equations at a state, and ω there.
+    fn solve(&mut self, state: &State) -> Result<(Vec<f64>, Vec<f64>), HeatError> {
         let system = assemble(
             self.d,
             self.fluid,
@@ -116,7 +168,7 @@ impl<'a> HeatNewton<'a> {
             state,
             self.source,
             &self.cross_flow,
-            Some(&mut self.matrix),
+            Some((&mut self.matrix, self.damping)),
         );
         let right: Vec<f64> = system.residual.iter().map(|r| -r).collect();
         if right.iter().any(|r| !r.is_finite()) {
@@ -134,15 +186,8 @@ impl<'a> HeatNewton<'a> {
                 max_iterations: self.params.max_krylov,
             },
         )?;
-        self.cross_flow = system.cross_flow;
         self.stats.krylov_iterations += info.iterations;
-        self.stats.iterations += 1;
-        let largest = change.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        let share = (self.params.largest_step / largest).min(1.0);
-        for (t, dt) in state.temperature.iter_mut().zip(&change) {
-            *t += share * dt;
-        }
-        Ok(share * largest)
+        Ok((change, system.cross_flow))
     }
 
     /// The energy equation at a state, without its Jacobian.
@@ -157,4 +202,8 @@ impl<'a> HeatNewton<'a> {
             None,
         )
     }
+}
+
+fn max_abs(v: &[f64]) -> f64 {
+    v.iter().fold(0.0, |m, x| m.max(x.abs()))
 }

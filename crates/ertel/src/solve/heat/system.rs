@@ -50,7 +50,7 @@ pub struct Account {
     pub conducted: [f64; 2],
 }
 
-/// Residual, and the Jacobian into `matrix` if there is one.
+/// Residual, and the Jacobian into a matrix if there is one, damped by an inverse temperature (1/K).
 pub fn assemble(
     d: &Discretisation,
     fluid: &FilmFluid,
@@ -58,10 +58,11 @@ pub fn assemble(
     state: &State,
     source: Source,
     cross_flow: &[f64],
-    mut matrix: Option<&mut BlockMatrix>,
+    jacobian: Option<(&mut BlockMatrix, f64)>,
 ) -> HeatSystem {
     let space = d.heat.as_ref().expect("a discretisation with heat");
     let n = space.column.n();
+    let (mut matrix, damping) = jacobian.unzip();
     let mut system = HeatSystem {
         residual: vec![0.0; space.n()],
         fixed: prescribed(d, space, fluid, heat, state),
@@ -81,6 +82,7 @@ pub fn assemble(
         source,
         cross_flow,
         with_jacobian: matrix.is_some(),
+        damping: damping.unwrap_or(0.0),
     };
     let batches: Vec<usize> = (0..d.contact.n_elements()).step_by(BATCH).collect();
     for group in batches.chunks(GROUP) {

@@ -1,33 +1,30 @@
 //! Stage after stage from the dry contact to the solution: meshes from coarse to fine, a diffusive start before
-//! the case's own equations, other ways where one fails.
+//! the case's own equations, continuation strategies where one fails.
 //!
-//! - `run`: each stage on its mesh, to the last;
-//! - `next`: which stage comes next;
-//! - `stage`: Newton's method on one of them;
+//! - `stage`: the data of one stage;
+//! - `strategies`: continuations to the case's own contact through easier ones, each on its own;
+//! - `driver`: which stage comes next, whatever solves it;
+//! - `mesh_solver`: a stage on its mesh, from the state before;
+//! - `stage_run`: Newton's method on it;
 //! - `start`: from which pressures;
-//! - `rescue`: what is tried when that fails;
-//! - `paths`: ways to the case's own contact through easier ones;
 //! - `warm`: from the solution of a similar problem instead.
 
-mod next;
-mod paths;
-mod rescue;
-mod run;
+mod driver;
+mod mesh_solver;
 mod stage;
+mod stage_run;
 mod start;
+mod strategies;
 mod warm;
-
-use serde::Serialize;
 
 use super::SolveError;
 use super::adapt::AdaptParams;
-use super::discretisation::{Discretisation, Extents, LevelSizes};
-use super::evaluate::minimum_film;
+use super::discretisation::{Discretisation, Extents};
 use super::heat::column::Column;
 use super::heat::coupling::{CouplingParams, CouplingStats};
 use super::newton::{NewtonParams, Reached};
 use super::sizes::expected_unknowns;
-use super::system::{FilmConstants, State};
+use super::system::State;
 use crate::contact::{Scales, Shape};
 use crate::elastic::cache::OperatorCache;
 use crate::elastic::{BodyModel, Elasticity};
@@ -35,60 +32,9 @@ use crate::film::FilmFluid;
 use crate::forms::energy::Heat;
 use crate::params::LinearSolver;
 
-use stage::HOPELESS;
-
-pub use run::solve_stages;
+pub use mesh_solver::solve_stages;
+pub use stage::{Role, Stage};
 pub use warm::{Start, solve_warm};
-
-/// One stage of a solve: a mesh, a pressure order, a formulation.
-#[derive(Clone, Copy, Debug)]
-pub struct Stage {
-    /// Cell sizes; a stage with the sizes of the one before keeps its mesh and elastic operator.
-    pub sizes: LevelSizes,
-    /// Times that the mesh of these sizes has been refined locally.
-    pub refinements: usize,
-    /// Lagrange order of the pressure.
-    pub pressure_order: usize,
-    /// Constants of the Reynolds equation, penalty at full strength.
-    pub constants: FilmConstants,
-    /// Share of the fluid's thickening under pressure.
-    pub thickening: f64,
-    /// Softness of a fluid whose shear rate grows exponentially with the stress; 1 is the law itself.
-    pub softness: f64,
-    /// Share of the sliding of the surfaces.
-    pub sliding: f64,
-    /// Whether the fluid keeps its low-shear viscosity.
-    pub newtonian: bool,
-    /// Whether film and bodies heat up.
-    pub heated: bool,
-    /// Whether it starts from the Hertz pressure, whatever was reached before.
-    pub cold: bool,
-    /// Whether it starts near enough to the solution that Newton's steps need no damping.
-    pub near: bool,
-    /// Whether it is given up early, because a way to it through easier contacts is known.
-    pub impatient: bool,
-    /// What it is for.
-    pub role: Role,
-}
-
-/// What a stage is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Role {
-    /// Only starts the next one: loose tolerance, penalty ramp, and what it reaches is good
-    /// enough even when it does not converge, as long as it is nearer than the dry contact.
-    Start,
-    /// A step on the way from a start to the case's own equations: loose tolerance, but the penalty in full.
-    Path,
-    /// Its figures bound the discretisation error; skipped when it does not converge.
-    Estimate,
-    /// A film to compare the solution with; likewise.
-    Comparison,
-    /// The same contact without its heat, to compare with; likewise.
-    Isothermal,
-    /// The solution.
-    Final,
-}
 
 /// Everything a solve needs, dimensionless.
 pub struct Problem {
@@ -213,40 +159,5 @@ impl Problem {
             limit,
             help,
         })
-    }
-}
-
-impl Role {
-    /// Whether it only leads to other stages.
-    pub(crate) fn leads(self) -> bool {
-        matches!(self, Role::Start | Role::Path)
-    }
-
-    /// Whether it is only compared with the solution.
-    pub(crate) fn compares(self) -> bool {
-        matches!(self, Role::Comparison | Role::Isothermal)
-    }
-}
-
-impl Stage {
-    /// Whether it stands on the mesh of another stage.
-    fn is_on_mesh_of(&self, other: &Stage) -> bool {
-        self.sizes == other.sizes && self.refinements == other.refinements
-    }
-}
-
-impl StageSolution {
-    /// Whether an unconverged state is still near a contact: finite, with film everywhere, and nearer than the
-    /// dry one.
-    fn is_usable(&self) -> bool {
-        self.has_film()
-            && self.state.pressure.iter().all(|p| p.is_finite())
-            && self.reached.residual <= HOPELESS
-    }
-
-    /// Whether there is film everywhere.
-    fn has_film(&self) -> bool {
-        let (film, _) = minimum_film(&self.discretisation, &self.state);
-        film.is_finite() && film > 0.0
     }
 }

@@ -1,303 +1,82 @@
-//! Newton's method on one stage.
+//! The data of a stage: its mesh, its formulation, what it is for.
 
-use std::time::Instant;
+use serde::Serialize;
 
-use super::{Problem, Role, Stage};
-use crate::solution::{Figure, LevelStats};
-use crate::solve::discretisation::Discretisation;
-use crate::solve::figures::{Extent, figures};
-use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled};
-use crate::solve::heat::deviation::deviation;
-use crate::solve::indicator::{Indicator, indicator};
-use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
-use crate::solve::shear::beyond_edges;
-use crate::solve::system::{FilmConstants, State};
-use crate::solve::{Observer, SolveError};
+use crate::solve::discretisation::LevelSizes;
+use crate::solve::system::FilmConstants;
 
-/// Shares of the full cavitation penalty in a start, where the free boundary is still
-/// far from its place.
-const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
-
-/// The same, by decades, for a stage in which Newton's method has gone round in circles: a penalty many times
-/// the usual one makes pressures below zero so small that points at the free boundary go over to the
-/// other side in each step.
-const GENTLE_RAMP: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
-
-/// Update, in p_h, at which a start is good enough.
-const START_TOLERANCE: f64 = 3e-2;
-
-/// Update, in p_h, and residual at which a solution is good enough to be measured and refined: what an
-/// update of this size leaves of the error, its square or so, is far below any error bar.
-const ROUGH_TOLERANCE: f64 = 1e-3;
-
-/// Update and residual at which a step of a way through fluids whose shear rate grows exponentially with the stress is good
-/// enough: there small updates may leave a large residual, and the next step would start far from its solution.
-const EXPONENTIAL_TOLERANCE: f64 = 1e-2;
-
-/// Change of film and temperature from round to round at which a step of a way is good enough, and its rounds.
-const PATH_COUPLING: f64 = 5e-2;
-const PATH_ROUNDS: usize = 15;
-
-/// Newton iterations that a start may take for each share of the ramp.
-const START_ITERATIONS: usize = 30;
-
-/// Relative residual of a stalled start with which the rest of the ramp is not tried: that of the dry contact is
-/// about 1.4, and starts that come through in the end have got it to 0.2 and mostly far below. Nothing starts from a state with more.
-pub(super) const HOPELESS: f64 = 0.5;
-
-/// Iterations without a smaller update that a start may take.
-const START_PATIENCE: usize = 12;
-
-/// The same for a stage to which a way through easier contacts is known.
-const IMPATIENCE: usize = 8;
-
-/// Its iterations.
-const IMPATIENT_ITERATIONS: usize = 25;
-
-/// Iterations without a smaller update from a start that was thought to be near.
-const NEAR_PATIENCE: usize = 5;
-
-/// To which end Newton's method is run.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Finish {
-    /// To the tolerance of the case.
-    Exact,
-    /// As exactly as measuring or refining needs.
-    Rough,
+/// One stage of a solve: a mesh, a pressure order, a formulation.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stage {
+    /// Cell sizes; a stage with the sizes of the one before keeps its mesh and elastic operator.
+    pub sizes: LevelSizes,
+    /// Times that the mesh of these sizes has been refined locally.
+    pub refinements: usize,
+    /// Lagrange order of the pressure.
+    pub pressure_order: usize,
+    /// Constants of the Reynolds equation, penalty at full strength.
+    pub constants: FilmConstants,
+    /// Exponent θ of the viscosity, μ̄^θ: share of ln μ̄ in force.
+    pub viscosity_exponent: f64,
+    /// Softness of a fluid whose shear rate grows exponentially with the stress; 1 is the law itself.
+    pub softness: f64,
+    /// Share of the sliding of the surfaces.
+    pub sliding: f64,
+    /// Whether the fluid keeps its low-shear viscosity.
+    pub newtonian: bool,
+    /// Whether film and bodies heat up.
+    pub heated: bool,
+    /// Whether it starts from the Hertz pressure, whatever was reached before.
+    pub cold: bool,
+    /// Whether it starts near enough to the solution that Newton's steps need no damping.
+    pub undamped: bool,
+    /// Whether it is given up early, because a continuation through easier contacts is known.
+    pub given_up_early: bool,
+    /// What it is for.
+    pub role: Role,
 }
 
-/// A stage on its mesh.
-pub(super) struct StageRun<'a> {
-    problem: &'a Problem,
-    stage: Stage,
-    /// Number of the stage.
-    level: usize,
-    discretisation: &'a Discretisation,
-    newton: NewtonLevel<'a>,
+/// What a stage is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Role {
+    /// Only starts the next one: loose tolerance, penalty ramp, and what it reaches is good
+    /// enough even when it does not converge, as long as it is nearer than the dry contact.
+    Start,
+    /// A step of a continuation from a start to the case's own equations: loose tolerance, but the penalty in full.
+    Path,
+    /// Its figures bound the discretisation error; skipped when it does not converge.
+    Estimate,
+    /// A film to compare the solution with; likewise.
+    Comparison,
+    /// The same contact without its heat, to compare with; likewise.
+    Isothermal,
+    /// The solution.
+    Final,
 }
 
-impl<'a> StageRun<'a> {
-    /// Prepares a stage.
-    pub fn new(
-        problem: &'a Problem,
-        stage: &Stage,
-        level: usize,
-        discretisation: &'a Discretisation,
-    ) -> StageRun<'a> {
-        StageRun {
-            problem,
-            stage: *stage,
-            level,
-            discretisation,
-            newton: NewtonLevel::new(discretisation, problem.load, problem.linear),
-        }
+impl Role {
+    /// Whether it only leads to other stages.
+    pub(crate) fn leads(self) -> bool {
+        matches!(self, Role::Start | Role::Path)
     }
 
-    /// Newton's method, through the penalty ramp if the stage is a start.
-    pub fn solve(
-        &self,
-        finish: Finish,
-        state: &mut State,
-        effort: &mut NewtonStats,
-        observer: &mut dyn Observer,
-    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
-        let leads = self.stage.role.leads();
-        let mut params = self.problem.newton;
-        if finish == Finish::Rough {
-            params.update_tolerance = params.update_tolerance.max(ROUGH_TOLERANCE);
-            params.residual_tolerance = params.residual_tolerance.max(ROUGH_TOLERANCE);
-        }
-        if self.stage.near {
-            params.safe_update = f64::INFINITY;
-            params.patience = NEAR_PATIENCE;
-        }
-        if self.stage.impatient {
-            params.patience = params.patience.min(IMPATIENCE);
-            params.max_iterations = params.max_iterations.min(IMPATIENT_ITERATIONS);
-        }
-        if leads {
-            params.update_tolerance = START_TOLERANCE;
-            params.residual_tolerance = f64::INFINITY;
-            params.max_iterations = START_ITERATIONS;
-            params.patience = START_PATIENCE;
-            params.trusted_fall = 0.0;
-        }
-        if self.stage.role == Role::Path
-            && self.problem.fluid.is_exponential()
-            && !self.stage.newtonian
-        {
-            params.update_tolerance = EXPONENTIAL_TOLERANCE;
-            params.residual_tolerance = EXPONENTIAL_TOLERANCE;
-        }
-        let ramp = if self.stage.role == Role::Start {
-            &PENALTY_RAMP[..]
-        } else {
-            &[1.0]
-        };
-        let from = state.clone();
-        let mut outcome = Ok((Reached::default(), None));
-        for share in ramp {
-            outcome = self.run(*share, &params, state, effort, observer);
-            let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
-            let hopeless = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > HOPELESS);
-            if outcome.is_err() && (!(leads && stalled) || hopeless) {
-                break;
-            }
-        }
-        let circling = matches!(outcome, Err(SolveError::NotConverged { .. }));
-        if !circling || leads || self.stage.near || self.stage.impatient {
-            return outcome;
-        }
-        let mut trial = from;
-        for share in GENTLE_RAMP {
-            match self.run(share, &params, &mut trial, effort, observer) {
-                Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-                // Not the penalty's doing.
-                Err(_) => return outcome,
-                Ok(_) => {}
-            }
-        }
-        let gentle = self.run(1.0, &params, &mut trial, effort, observer);
-        if gentle.is_ok() {
-            *state = trial;
-        }
-        gentle
+    /// Whether it is only compared with the solution.
+    pub(crate) fn compares(self) -> bool {
+        matches!(self, Role::Comparison | Role::Isothermal)
+    }
+}
+
+impl Stage {
+    /// Whether it stands on the mesh of another stage.
+    pub(super) fn is_on_mesh_of(&self, other: &Stage) -> bool {
+        self.sizes == other.sizes && self.refinements == other.refinements
     }
 
-    /// Newton's method with a share of the penalty, in turn with that for the temperatures where the stage is heated.
-    fn run(
-        &self,
-        penalty_share: f64,
-        params: &NewtonParams,
-        state: &mut State,
-        effort: &mut NewtonStats,
-        observer: &mut dyn Observer,
-    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
-        let label = RunLabel {
-            level: self.level,
-            penalty_share,
-            film_scale: self.problem.scales.film,
-        };
-        let model = self.model(penalty_share);
-        let Some(problem) = self.problem.heat.as_ref().filter(|_| self.stage.heated) else {
-            let reached = (self.newton).run(&model, params, &label, state, effort, observer)?;
-            return Ok((reached, None));
-        };
-        let path = self.stage.role == Role::Path;
-        let mut coupling = CouplingParams {
-            tolerance: problem.coupling.tolerance.max(params.update_tolerance),
-            ..problem.coupling
-        };
-        // Where a way through easier contacts is known, or this is one, its steps are halved instead.
-        if self.stage.impatient || path {
-            coupling.smallest_share = 1.0;
-        }
-        if path {
-            coupling.tolerance = coupling.tolerance.max(PATH_COUPLING);
-            coupling.max_rounds = coupling.max_rounds.min(PATH_ROUNDS);
-        }
-        let (reached, coupling) = solve_coupled(
-            &self.newton,
-            &model,
-            &problem.heat.with_sliding(self.stage.sliding),
-            params,
-            &coupling,
-            &label,
-            state,
-            effort,
-            observer,
-        )?;
-        Ok((reached, Some(coupling)))
-    }
-
-    /// The film equations with a share of the cavitation penalty.
-    fn model(&self, penalty_share: f64) -> FilmModel {
-        let constants = self.stage.constants;
-        let stage = &self.stage;
-        let fluid = (self.problem.fluid)
-            .with_thickening(stage.thickening)
-            .with_softness(stage.softness)
-            .with_sliding(stage.sliding);
-        FilmModel {
-            fluid: if self.stage.newtonian {
-                fluid.newtonian()
-            } else {
-                fluid
-            },
-            constants: FilmConstants {
-                penalty: constants.penalty * penalty_share,
-                ..constants
-            },
-        }
-    }
-
-    /// Errors of a solution, cell by cell; `None` where they cannot be computed.
-    pub fn measure(&self, state: &State, effort: &mut NewtonStats) -> Option<Indicator> {
-        let clock = Instant::now();
-        let (near, kept) = (self.newton.near(), self.newton.take_preconditioner());
-        let model = self.model(1.0);
-        let indicator = indicator(self.discretisation, &model, state, near, kept).ok();
-        effort.seconds.estimate += clock.elapsed().as_secs_f64();
-        indicator
-    }
-
-    /// What goes into the report.
-    pub fn stats(
-        &self,
-        converged: bool,
-        state: &State,
-        effort: &NewtonStats,
-        indicator: Option<&Indicator>,
-        clock: Instant,
-    ) -> LevelStats {
-        let (problem, d) = (self.problem, self.discretisation);
-        let contact = &d.contact;
-        // What leads to other stages has no figures that are asked for, nor has what failed.
-        let extent = match self.stage.role {
-            Role::Estimate | Role::Final | Role::Isothermal if converged => Extent::All,
-            _ => Extent::Films,
-        };
-        let mut stats = LevelStats {
-            converged,
-            n_body_cells: contact
-                .body()
-                .map_or(0, |(body, _)| body.mesh.mesh.n_cells()),
-            n_contact_elements: contact.n_elements(),
-            n_pressure_dofs: d.n_pressure,
-            n_displacement_dofs: contact.n_displacement,
-            n_contact_dofs: contact.deflection.n_nodes(),
-            operator_cached: contact.from_cache,
-            pressure_order: self.stage.pressure_order,
-            role: self.stage.role,
-            newton_iterations: effort.iterations,
-            krylov_iterations: effort.krylov_iterations,
-            factorisations: effort.factorisations,
-            figures: figures(problem, &self.model(1.0).fluid, d, state, extent),
-            estimate: None,
-            seconds: effort.seconds,
-        };
-        let place = |figure| {
-            let place = stats.figures.get(figure)?.place?;
-            Some(place.map(|x| x / problem.scales.length))
-        };
-        let places = [place(Figure::PressureMaximum), place(Figure::Spike)];
-        stats.estimate = indicator.map(|i| i.estimate(d, places, problem.scales.pressure));
-        if let (Some(estimate), Some(i)) = (&mut stats.estimate, indicator) {
-            let unit = problem.fluid.stress_scale();
-            estimate.shear_stress = unit * i.shear_stress;
-            estimate.beyond_edges = beyond_edges(
-                &problem.shape,
-                &problem.extents,
-                problem.reach,
-                unit,
-                &problem.scales,
-            );
-        }
-        let temperatures = d.heat.as_ref().map(|heat| deviation(d, heat, state, place));
-        if let (Some(estimate), Some(found)) = (&mut stats.estimate, temperatures) {
-            estimate.temperatures = found;
-        }
-        stats.seconds.other = clock.elapsed().as_secs_f64() - stats.seconds.known();
-        stats
+    /// Whether its equations are those of another stage, apart from diffusion, order and mesh.
+    pub(super) fn has_fluid_and_sliding_of(&self, other: &Stage) -> bool {
+        self.viscosity_exponent == other.viscosity_exponent
+            && self.softness == other.softness
+            && self.sliding == other.sliding
     }
 }

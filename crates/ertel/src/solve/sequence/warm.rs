@@ -1,6 +1,6 @@
 //! From the solution of one problem to that of a similar one, on its mesh.
 
-use super::run::Sequence;
+use super::mesh_solver::solve_from;
 use super::start::pressure_at;
 use super::{Problem, Role, Stage, StageSolution};
 use crate::contact::hertz;
@@ -218,18 +218,17 @@ pub fn solve_warm(
     };
     let allowed = LARGEST_MISS.max(WORSE * start.miss);
     // Where whole steps fail, damped ones mostly lead there still, for less than a start from the dry contact.
-    for near in [true, false] {
+    for undamped in [true, false] {
         let stage = Stage {
             sizes: start.solution.stage.sizes,
             refinements: start.solution.stage.refinements,
             cold: false,
-            impatient: false,
-            near,
+            given_up_early: false,
+            undamped,
             role: Role::Final,
             ..*last
         };
-        let sequence = Sequence::from(problem, start.rescaled(problem), stage);
-        match sequence.solve(observer) {
+        match solve_from(problem, start.rescaled(problem), stage, observer) {
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
             Err(_) => {}
             Ok((solution, stats)) => {

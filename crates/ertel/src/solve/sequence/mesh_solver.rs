@@ -1,15 +1,15 @@
-//! Which stage comes next, until the last has converged.
+//! Solves a stage on its mesh: makes the mesh, carries the state over, runs Newton's method, measures.
 
-use std::collections::VecDeque;
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::rescue::rescues;
-use super::stage::{Finish, StageRun};
+use super::driver::{Attempt, Driver, StageEnd, StageSolver, Task};
+use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};
 use super::start::{cold_start, interpolate};
+use super::strategies::Outline;
 use super::{Problem, Role, Stage, StageSolution};
 use crate::solution::LevelStats;
-use crate::solve::adapt::{Refinement, grading_errors, next_refinement};
+use crate::solve::adapt::{grading_errors, next_refinement};
 use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
 use crate::solve::evaluate::minimum_film;
 use crate::solve::newton::{NewtonStats, Reached};
@@ -23,124 +23,105 @@ pub fn solve_stages(
     problem: &Problem,
     observer: &mut dyn Observer,
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
-    Sequence::new(problem).solve(observer)
+    let driver = Driver::new(Outline::of(problem), MeshSolver::new(problem, 0));
+    solution_of(driver, observer)
 }
 
-/// Where a solve stands.
-pub(super) struct Sequence<'a> {
-    pub(super) problem: &'a Problem,
-    /// Stages to come.
-    pub(super) queue: VecDeque<Stage>,
-    /// What to try if these fail.
-    pub(super) rescues: std::vec::IntoIter<Vec<Stage>>,
-    /// Why the first way failed: the error to report when all do.
-    pub(super) first_failure: Option<SolveError>,
-    pub(super) stats: Vec<LevelStats>,
-    /// Where the next stage starts.
-    pub(super) previous: Option<StageSolution>,
-    /// The last solution of a final stage, while a refined mesh is being tried.
-    pub(super) solved: Option<StageSolution>,
+/// One stage that starts from a solution on its mesh, and refinements after it.
+pub(super) fn solve_from(
+    problem: &Problem,
+    from: StageSolution,
+    stage: Stage,
+    observer: &mut dyn Observer,
+) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
+    let solver = MeshSolver::new(problem, stage.refinements);
+    let driver = Driver::warm(Outline::of(problem), solver, from, stage);
+    solution_of(driver, observer)
+}
+
+/// Runs the stages to the end.
+fn solution_of(
+    driver: Driver<MeshSolver>,
+    observer: &mut dyn Observer,
+) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
+    let (solution, MeshSolver { stats, .. }) = driver.run(observer)?;
+    let (film, _) = minimum_film(&solution.discretisation, &solution.state);
+    if film <= 0.0 {
+        // A root of the discrete equations, but no contact.
+        return Err(SolveError::NotConverged {
+            level: stats.len() - 1,
+            iterations: stats.last().map_or(0, |l| l.newton_iterations),
+            residual: solution.reached.residual,
+            update: solution.reached.update,
+            penalty_share: 1.0,
+            reason: "the mesh is too coarse for the film, which comes out negative at a point",
+        });
+    }
+    Ok((solution, stats))
+}
+
+/// Solves stages of a problem, and keeps the records.
+pub(super) struct MeshSolver<'a> {
+    problem: &'a Problem,
+    /// Effort and figures of each stage so far.
+    stats: Vec<LevelStats>,
     /// The last mesh made, and for which stage.
-    pub(super) mesh: Option<(Stage, Arc<ContactSurface>)>,
-    /// Halvings of each element that make the next mesh.
-    pub(super) halvings: Vec<u32>,
-    /// Whether that mesh is for the pressure alone.
-    pub(super) for_pressure_alone: bool,
-    /// Steps halved on the present way.
-    pub(super) detours: usize,
-    /// Refinements of the mesh that has been tried once more.
-    pub(super) restarted: usize,
-    /// Whether the case's own pressures have been tried from those of lower order.
-    pub(super) raised: bool,
+    mesh: Option<(Stage, Arc<ContactSurface>)>,
     /// Refinements of the mesh that it starts on, if it starts from the solution of another problem.
-    pub(super) inherited: Option<usize>,
+    inherited: usize,
 }
 
-/// How a stage ended.
-pub(super) struct StageEnd {
-    pub(super) outcome: Result<(), SolveError>,
-    pub(super) solution: StageSolution,
-    /// How to refine its mesh, if errors are too large.
-    pub(super) refinement: Option<Refinement>,
+impl Outline {
+    /// That of a problem.
+    fn of(problem: &Problem) -> Outline {
+        Outline {
+            usual: problem.stages.clone(),
+            exponential: problem.fluid.is_exponential(),
+            slides: problem.fluid.slide() != 0.0,
+            refined: problem.adapt.is_some(),
+        }
+    }
 }
 
-impl<'a> Sequence<'a> {
-    fn new(problem: &'a Problem) -> Sequence<'a> {
-        Sequence {
+impl Attempt for StageSolution {
+    fn stage(&self) -> &Stage {
+        &self.stage
+    }
+
+    fn converged(&self) -> bool {
+        self.converged
+    }
+
+    fn has_film(&self) -> bool {
+        let (film, _) = minimum_film(&self.discretisation, &self.state);
+        film.is_finite() && film > 0.0
+    }
+
+    /// Finite, with film everywhere, and nearer than the dry contact.
+    fn is_usable(&self) -> bool {
+        self.has_film()
+            && self.state.pressure.iter().all(|p| p.is_finite())
+            && self.reached.residual <= DIVERGENCE_LIMIT
+    }
+}
+
+impl<'a> MeshSolver<'a> {
+    fn new(problem: &'a Problem, inherited: usize) -> MeshSolver<'a> {
+        MeshSolver {
             problem,
-            queue: problem.stages.iter().copied().collect(),
-            rescues: rescues(problem, true).into_iter(),
-            first_failure: None,
             stats: Vec::new(),
-            previous: None,
-            solved: None,
             mesh: None,
-            halvings: Vec::new(),
-            for_pressure_alone: false,
-            detours: 0,
-            restarted: 0,
-            raised: false,
-            inherited: None,
+            inherited,
         }
-    }
-
-    /// One stage that starts from a solution on its mesh, and refinements after it.
-    pub fn from(problem: &'a Problem, previous: StageSolution, stage: Stage) -> Sequence<'a> {
-        Sequence {
-            queue: VecDeque::from([stage]),
-            rescues: Vec::new().into_iter(),
-            previous: Some(previous),
-            inherited: Some(stage.refinements),
-            ..Sequence::new(problem)
-        }
-    }
-
-    /// Runs the stages to the end.
-    pub fn solve(
-        mut self,
-        observer: &mut dyn Observer,
-    ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
-        while let Some(stage) = self.queue.pop_front() {
-            if observer.cancelled() {
-                return Err(SolveError::Interrupted);
-            }
-            let mut end = self.run(&stage, observer)?;
-            if self.inherited.is_some() && self.stats.len() == 1 {
-                // What it started from solves another problem: there is nothing to go back to.
-                std::mem::replace(&mut end.outcome, Ok(()))?;
-            }
-            self.proceed(&stage, end, observer)?;
-        }
-        let solution = self.previous.filter(|s| s.stage.role == Role::Final);
-        let Some(solution) = solution.filter(|s| s.converged) else {
-            // Every queue ends with a final stage; what follows a failure may not reach its end.
-            return Err(self
-                .first_failure
-                .expect("a way that ends, ends with a solution"));
-        };
-        let stats = self.stats;
-        let (film, _) = minimum_film(&solution.discretisation, &solution.state);
-        if film <= 0.0 {
-            // A root of the discrete equations, but no contact.
-            return Err(SolveError::NotConverged {
-                level: stats.len() - 1,
-                iterations: stats.last().map_or(0, |l| l.newton_iterations),
-                residual: solution.reached.residual,
-                update: solution.reached.update,
-                penalty_share: 1.0,
-                reason: "the mesh is too coarse for the film, which comes out negative at a point",
-            });
-        }
-        Ok((solution, stats))
     }
 
     /// The mesh of a stage with its elastic operator, and whether it had to be made.
     fn mesh(
         &mut self,
-        stage: &Stage,
+        task: &Task<StageSolution>,
         observer: &dyn Observer,
     ) -> Result<(Arc<ContactSurface>, bool), SolveError> {
-        let previous = self.previous.as_ref();
+        let (stage, previous) = (task.stage, task.from);
         let known = previous
             .map(|p| (&p.stage, &p.discretisation.contact))
             .into_iter()
@@ -167,7 +148,7 @@ impl<'a> Sequence<'a> {
                 if Arc::strong_count(contact) == 1 {
                     contact.response.release();
                 }
-                contact.refined(&self.halvings, means)?
+                contact.refined(task.halvings, means)?
             }
             None => ContactSurface::new(
                 &problem.shape,
@@ -180,13 +161,21 @@ impl<'a> Sequence<'a> {
         self.mesh = Some((*stage, Arc::clone(&mesh)));
         Ok((mesh, true))
     }
+}
 
-    /// Solves a stage and measures it.
-    fn run(&mut self, stage: &Stage, observer: &mut dyn Observer) -> Result<StageEnd, SolveError> {
+impl StageSolver for MeshSolver<'_> {
+    type Solution = StageSolution;
+
+    fn solve(
+        &mut self,
+        task: Task<StageSolution>,
+        observer: &mut dyn Observer,
+    ) -> Result<StageEnd<StageSolution>, SolveError> {
         let clock = Instant::now();
         let problem = self.problem;
         let level = self.stats.len();
-        let (contact, fresh) = self.mesh(stage, observer)?;
+        let (contact, fresh) = self.mesh(&task, observer)?;
+        let stage = task.stage;
         let mut effort = NewtonStats::default();
         if fresh {
             (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
@@ -201,11 +190,11 @@ impl<'a> Sequence<'a> {
         }
         observer.level(
             level,
-            level + 1 + self.queue.len(),
+            level + 1 + task.stages_to_come,
             d.n_pressure,
             contact.n_displacement,
         );
-        let mut state = match &self.previous {
+        let mut state = match task.from {
             Some(coarse) if !stage.cold => interpolate(coarse, &d),
             _ => cold_start(problem, &d),
         };
@@ -236,7 +225,7 @@ impl<'a> Sequence<'a> {
                 problem.shape.kind.body_dimension() - 1,
                 &self.stats,
                 grading_errors(&problem.shape, problem.elasticity.model, &stage.sizes),
-                stage.refinements - self.inherited.unwrap_or(0),
+                stage.refinements - self.inherited,
                 indicator,
             ),
             _ => None,
@@ -271,5 +260,32 @@ impl<'a> Sequence<'a> {
             solution,
             refinement,
         })
+    }
+
+    fn finish(
+        &mut self,
+        solution: &mut StageSolution,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SolveError> {
+        let level = self.stats.len() - 1;
+        let run = StageRun::new(
+            self.problem,
+            &solution.stage,
+            level,
+            &solution.discretisation,
+        );
+        let mut effort = NewtonStats::default();
+        let (rough, mut state) = (solution.coupling, solution.state.clone());
+        match run.solve(Finish::Exact, &mut state, &mut effort, observer) {
+            Ok((reached, coupling)) => {
+                solution.state = state;
+                solution.reached = reached;
+                solution.coupling = coupling.map(|c| c.after(rough));
+            }
+            Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+            // What was measured stands.
+            Err(_) => solution.rough = true,
+        }
+        Ok(())
     }
 }

@@ -1,0 +1,128 @@
+//! A solver that ends stages as it is told, for tests of the driver.
+
+use super::*;
+
+/// How a stage ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ending {
+    Solved,
+    /// Solved, with errors that are too large: of the films, or of the pressure alone.
+    Inaccurate {
+        for_pressure_alone: bool,
+    },
+    /// Failed near a contact.
+    Stalled,
+    /// Failed far from any.
+    Diverged,
+    Interrupted,
+}
+
+use Ending::{Diverged, Interrupted, Solved, Stalled};
+
+/// Films that are not accurate enough.
+pub const COARSE: Ending = Ending::Inaccurate {
+    for_pressure_alone: false,
+};
+
+/// What a stage came to.
+#[derive(Debug)]
+pub struct Point {
+    pub stage: Stage,
+    pub ending: Ending,
+    pub finished: bool,
+}
+
+impl Attempt for Point {
+    fn stage(&self) -> &Stage {
+        &self.stage
+    }
+    fn converged(&self) -> bool {
+        matches!(self.ending, Solved | Ending::Inaccurate { .. })
+    }
+    fn has_film(&self) -> bool {
+        self.ending != Diverged
+    }
+    fn is_usable(&self) -> bool {
+        self.ending != Diverged
+    }
+}
+
+/// Each stage, and the one whose end it starts from.
+pub type Trace = Vec<(Stage, Option<Stage>)>;
+
+/// Ends each stage by a rule.
+pub struct Scripted<'a, F> {
+    pub rule: F,
+    pub trace: &'a mut Trace,
+}
+
+impl<F: FnMut(usize, &Stage) -> Ending> StageSolver for Scripted<'_, F> {
+    type Solution = Point;
+
+    fn solve(
+        &mut self,
+        task: Task<Point>,
+        _: &mut dyn Observer,
+    ) -> Result<StageEnd<Point>, SolveError> {
+        let (stage, number) = (*task.stage, self.trace.len());
+        assert_eq!(task.halvings.is_empty(), stage.refinements == 0);
+        let ending = (self.rule)(number, &stage);
+        self.trace.push((stage, task.from.map(|point| point.stage)));
+        Ok(StageEnd {
+            outcome: match ending {
+                Solved | Ending::Inaccurate { .. } => Ok(()),
+                Stalled | Diverged => Err(failure(number)),
+                Interrupted => Err(SolveError::Interrupted),
+            },
+            solution: Point {
+                stage,
+                ending,
+                finished: false,
+            },
+            refinement: match ending {
+                Ending::Inaccurate { for_pressure_alone } => Some(Refinement {
+                    halvings: vec![1],
+                    for_pressure_alone,
+                }),
+                _ => None,
+            },
+        })
+    }
+
+    fn finish(&mut self, solution: &mut Point, _: &mut dyn Observer) -> Result<(), SolveError> {
+        solution.finished = true;
+        Ok(())
+    }
+}
+
+fn failure(level: usize) -> SolveError {
+    SolveError::NotConverged {
+        level,
+        iterations: 1,
+        residual: 1.0,
+        update: 1.0,
+        penalty_share: 1.0,
+        reason: "scripted",
+    }
+}
+
+/// Stage that an error is of.
+pub fn level_of(error: &SolveError) -> usize {
+    match error {
+        SolveError::NotConverged { level, .. } => *level,
+        other => panic!("{other}"),
+    }
+}
+
+pub fn run(
+    outline: Outline,
+    rule: impl FnMut(usize, &Stage) -> Ending,
+) -> (Result<Point, SolveError>, Trace) {
+    let mut trace = Vec::new();
+    let solver = Scripted {
+        rule,
+        trace: &mut trace,
+    };
+    let end = Driver::new(outline, solver).run(&mut crate::solve::Silent);
+    (end.map(|(point, _)| point), trace)
+}

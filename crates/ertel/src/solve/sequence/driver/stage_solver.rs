@@ -1,0 +1,62 @@
+//! What solves a stage, as the driver sees it.
+
+use crate::solve::adapt::Refinement;
+use crate::solve::sequence::stage::Stage;
+use crate::solve::{Observer, SolveError};
+
+/// What solves a stage.
+pub(in super::super) trait StageSolver {
+    /// What a stage comes to.
+    type Solution: Attempt;
+
+    /// Solves a stage, and says how to refine its mesh if the errors are too large.
+    ///
+    /// # Errors
+    /// Where the stage cannot be begun. That Newton's method fails is an outcome.
+    fn solve(
+        &mut self,
+        task: Task<Self::Solution>,
+        observer: &mut dyn Observer,
+    ) -> Result<StageEnd<Self::Solution>, SolveError>;
+
+    /// Brings a solution that was only measured to the tolerance of the case, or marks it as rough.
+    ///
+    /// # Errors
+    /// Only [`SolveError::Interrupted`].
+    fn finish(
+        &mut self,
+        solution: &mut Self::Solution,
+        observer: &mut dyn Observer,
+    ) -> Result<(), SolveError>;
+}
+
+/// What the driver asks of the state a stage came to.
+pub(in super::super) trait Attempt {
+    /// The stage.
+    fn stage(&self) -> &Stage;
+    /// Whether it came to the tolerance of the stage.
+    fn converged(&self) -> bool;
+    /// Whether there is film everywhere.
+    fn has_film(&self) -> bool;
+    /// Whether an unconverged state is still near a contact.
+    fn is_usable(&self) -> bool;
+}
+
+/// A stage to solve.
+pub(in super::super) struct Task<'a, S> {
+    pub stage: &'a Stage,
+    /// Where it starts, unless from the dry contact.
+    pub from: Option<&'a S>,
+    /// Halvings of each element of the mesh before that make its own, where it is a refined one.
+    pub halvings: &'a [u32],
+    /// Stages known to come after it.
+    pub stages_to_come: usize,
+}
+
+/// How a stage ended.
+pub(in super::super) struct StageEnd<S> {
+    pub outcome: Result<(), SolveError>,
+    pub solution: S,
+    /// How to refine its mesh, if errors are too large.
+    pub refinement: Option<Refinement>,
+}

@@ -1,0 +1,250 @@
+//! The transitions of the driver, with a solver that does as it is told.
+
+use super::scripted::{COARSE, Ending, Point, Scripted, Trace, level_of, run};
+use super::*;
+use crate::solve::sequence::strategies::tests::outline;
+
+use Ending::{Diverged, Interrupted, Solved, Stalled};
+
+fn diffusions(trace: &Trace) -> Vec<f64> {
+    let stages = trace.iter();
+    stages
+        .map(|(s, _)| s.constants.isotropic_diffusion)
+        .collect()
+}
+
+#[test]
+fn each_stage_starts_from_the_one_before() {
+    let (end, trace) = run(outline(3), |_, _| Solved);
+    assert_eq!(end.unwrap().stage, trace[1].0);
+    assert_eq!(trace.len(), 2);
+    assert_eq!(trace[0].1, None);
+    assert_eq!(trace[1].1, Some(trace[0].0));
+}
+
+#[test]
+fn a_failed_start_is_replaced_by_one_of_a_thinner_fluid() {
+    for ending in [Stalled, Diverged] {
+        let (end, trace) = run(outline(3), |n, _| if n == 0 { ending } else { Solved });
+        assert_eq!(end.unwrap().stage.role, Role::Final);
+        assert!(trace[1].0.cold && trace[1].0.viscosity_exponent < 0.5);
+        assert!(trace[2].0.viscosity_exponent > trace[1].0.viscosity_exponent);
+    }
+}
+
+#[test]
+fn a_failed_solution_is_led_up_to_by_diminishing_diffusion() {
+    let (end, trace) = run(outline(3), |n, _| if n == 1 { Diverged } else { Solved });
+    assert_eq!(end.unwrap().stage.role, Role::Final);
+    assert_eq!(diffusions(&trace), [2.0, 0.0, 1.0, 0.25, 0.06, 0.015, 0.0]);
+    // What failed is no start.
+    assert_eq!(trace[2].1, Some(trace[0].0));
+}
+
+#[test]
+fn a_step_that_is_too_long_is_halved() {
+    let (end, trace) = run(outline(3), |n, _| match n {
+        1 | 4 => Diverged,
+        _ => Solved,
+    });
+    assert!(end.is_ok());
+    let expected = [
+        2.0,
+        0.0,
+        1.0,
+        0.25,
+        0.06,
+        (0.25_f64 * 0.06).sqrt(),
+        0.06,
+        0.015,
+        0.0,
+    ];
+    assert_eq!(diffusions(&trace), expected);
+}
+
+/// Six times in one continuation; then what came near is gone on from.
+#[test]
+fn halving_has_an_end() {
+    let (_, trace) = run(outline(2), |n, stage| match n {
+        0 => Solved,
+        _ if stage.role == Role::Path => Stalled,
+        _ => Diverged,
+    });
+    let first = trace[2..].iter().take_while(|(s, _)| s.role == Role::Path);
+    let first: Vec<f64> = first
+        .map(|(s, _)| s.constants.isotropic_diffusion)
+        .collect();
+    // The four steps, and twice six: the half, and the step once more.
+    assert_eq!(first.len(), 4 + 2 * 6);
+    assert_eq!(first[first.len() - 1], 0.015);
+}
+
+#[test]
+fn the_first_failure_is_reported_when_all_strategies_fail() {
+    let (end, trace) = run(outline(3), |n, _| if n == 0 { Solved } else { Diverged });
+    assert_eq!(level_of(&end.unwrap_err()), 1);
+    assert!(
+        trace.iter().any(|(s, _)| s.pressure_order == 1),
+        "to the last"
+    );
+    let (end, _) = run(outline(3), |_, _| Diverged);
+    assert_eq!(level_of(&end.unwrap_err()), 0);
+}
+
+#[test]
+fn what_is_only_compared_may_fail() {
+    for role in [Role::Estimate, Role::Comparison, Role::Isothermal] {
+        let mut outline = outline(3);
+        let compared = Stage {
+            role,
+            ..*outline.last()
+        };
+        outline.usual.insert(1, compared);
+        let (end, trace) = run(outline, |n, _| if n == 1 { Diverged } else { Solved });
+        assert!(end.is_ok());
+        assert_eq!(trace.len(), 3);
+        assert_eq!(trace[2].1, Some(trace[0].0));
+    }
+}
+
+#[test]
+fn meshes_are_refined_until_errors_are_small() {
+    let (end, trace) = run(outline(3), |n, _| if n == 1 { COARSE } else { Solved });
+    assert_eq!(end.unwrap().stage.refinements, 1);
+    assert_eq!(trace.len(), 3);
+}
+
+/// In steps of diminishing diffusion on the same mesh, from the solution on the mesh before.
+#[test]
+fn a_refined_mesh_that_fails_is_tried_once_more() {
+    let (end, trace) = run(outline(3), |n, _| match n {
+        1 => COARSE,
+        2 => Diverged,
+        _ => Solved,
+    });
+    assert_eq!(end.unwrap().stage.refinements, 1);
+    assert_eq!(
+        diffusions(&trace)[2..],
+        [0.0, 2.0, 1.0, 0.25, 0.06, 0.015, 0.0]
+    );
+    assert!(
+        trace[2..]
+            .iter()
+            .all(|(s, _)| s.refinements == 1 && !s.cold)
+    );
+    assert_eq!(trace[3].1, Some(trace[1].0));
+}
+
+/// It was only measured, and is brought to the end.
+#[test]
+fn the_mesh_before_stands_where_the_refined_one_fails_again() {
+    for (fails, stages) in [(3, 4), (5, 6), (8, 9)] {
+        let (end, trace) = run(outline(3), |n, _| match n {
+            1 => COARSE,
+            2 => Diverged,
+            n if n == fails => Diverged,
+            _ => Solved,
+        });
+        let end = end.unwrap();
+        assert_eq!((end.stage, end.finished), (trace[1].0, true));
+        assert_eq!(trace.len(), stages);
+    }
+}
+
+#[test]
+fn a_mesh_for_the_pressure_alone_is_tried_once() {
+    let (end, trace) = run(outline(3), |n, _| match n {
+        1 => Ending::Inaccurate {
+            for_pressure_alone: true,
+        },
+        2 => Diverged,
+        _ => Solved,
+    });
+    assert_eq!(end.unwrap().stage.refinements, 0);
+    assert_eq!(trace.len(), 3);
+}
+
+/// Quadratic pressures where a continuation ends short of cubic ones; then those once more, which may fail.
+#[test]
+fn the_order_is_lowered_and_raised() {
+    for raised in [Solved, Diverged, Stalled] {
+        let mut n_cubic = 0;
+        let (end, trace) = run(outline(3), |_, stage| {
+            let cubic = stage.role == Role::Final && stage.pressure_order == 3;
+            n_cubic += usize::from(cubic);
+            match n_cubic {
+                _ if !cubic => Solved,
+                3 => raised,
+                _ => Diverged,
+            }
+        });
+        let orders: Vec<usize> = trace[6..].iter().map(|(s, _)| s.pressure_order).collect();
+        assert_eq!(orders, [3, 2, 3]);
+        let order = if raised == Solved { 3 } else { 2 };
+        assert_eq!(end.unwrap().stage.pressure_order, order);
+    }
+}
+
+#[test]
+fn an_interruption_ends_all() {
+    for number in 0..3 {
+        let (end, trace) = run(outline(3), |n, _| match n {
+            n if n == number => Interrupted,
+            1 => Diverged,
+            _ => Solved,
+        });
+        assert!(matches!(end, Err(SolveError::Interrupted)));
+        assert_eq!(trace.len(), number + 1);
+    }
+}
+
+struct Cancelled;
+
+impl Observer for Cancelled {
+    fn cancelled(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn nothing_is_begun_after_a_cancellation() {
+    let mut trace = Vec::new();
+    let solver = Scripted {
+        rule: |_, _: &Stage| Solved,
+        trace: &mut trace,
+    };
+    let end = Driver::new(outline(3), solver).run(&mut Cancelled);
+    assert!(matches!(end, Err(SolveError::Interrupted)));
+    assert!(trace.is_empty());
+}
+
+/// One stage from a given solution, refined further; there are no fallbacks, for a cold start is the caller's.
+#[test]
+fn a_warm_start_succeeds_or_fails_at_once() {
+    let warm = |script: [Ending; 3]| {
+        let (outline, mut trace) = (outline(3), Vec::new());
+        let stage = Stage {
+            refinements: 2,
+            ..*outline.last()
+        };
+        let from = Point {
+            stage,
+            ending: Solved,
+            finished: true,
+        };
+        let solver = Scripted {
+            rule: |n: usize, _: &Stage| script[n],
+            trace: &mut trace,
+        };
+        let mut driver = Driver::warm(outline, solver, from, stage);
+        driver.refinement.halvings = vec![1];
+        let end = driver.run(&mut crate::solve::Silent);
+        (end.map(|(point, _)| point.stage.refinements), trace.len())
+    };
+    let (end, n) = warm([Solved; 3]);
+    assert_eq!((end.unwrap(), n), (2, 1));
+    let (end, n) = warm([COARSE, Solved, Solved]);
+    assert_eq!((end.unwrap(), n), (3, 2));
+    let (end, n) = warm([Diverged, Solved, Solved]);
+    assert_eq!((level_of(&end.unwrap_err()), n), (0, 1));
+}

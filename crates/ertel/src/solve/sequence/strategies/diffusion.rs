@@ -1,0 +1,36 @@
+//! Continuation in isotropic diffusion, ρ_id from that of a start to that of the case.
+//!
+//! Cures sharp spikes, which diffusion smooths away: at M = 10, L = 15 after Barus it halves their height, and the step from
+//! there to the case is too long. Does nothing for incompressible fluids, whose ∂ρ̄/∂P is zero.
+
+use super::Outline;
+use crate::solve::sequence::stage::{Role, Stage};
+use crate::solve::system::FilmConstants;
+
+/// Diffusion between that of a start and none.
+const DIFFUSION: [f64; 4] = [1.0, 0.25, 0.06, 0.015];
+
+/// From the usual start to the case.
+pub(super) fn diffusion(outline: &Outline) -> Vec<Stage> {
+    let mut stages: Vec<Stage> = steps(outline.start(), outline.last()).collect();
+    stages.extend(&outline.in_earnest()[1..]);
+    stages
+}
+
+/// Steps from a diffusive start towards the stage `end`.
+pub(in super::super) fn steps(start: &Stage, end: &Stage) -> impl Iterator<Item = Stage> + use<> {
+    let (start, end) = (*start, end.constants.isotropic_diffusion);
+    let between = move |d: &f64| (end..start.constants.isotropic_diffusion).contains(d);
+    DIFFUSION
+        .into_iter()
+        .filter(between)
+        .map(move |isotropic_diffusion| Stage {
+            constants: FilmConstants {
+                isotropic_diffusion,
+                ..start.constants
+            },
+            cold: false,
+            role: Role::Path,
+            ..start
+        })
+}
