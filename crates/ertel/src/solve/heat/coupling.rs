@@ -5,9 +5,11 @@
 //! left between the rounds is that films and pressures answer to the heat, mostly of the inlet, and that is
 //! weak. How much the changes shrink from round to round is reported. Where the film equations do not converge at new
 //! temperatures, half of their change is tried first. Where the changes hardly shrink, as where film and heat overshoot each other
-//! in turn, only a share of each new temperature is taken.
+//! in turn, only a share of each new temperature is taken. What they shrink by tells the error that they leave, and with it which round is
+//! the last.
 
 use super::newton::{HeatNewton, HeatParams, HeatStats};
+use super::stopping::StoppingRule;
 use crate::forms::energy::Heat;
 use crate::solve::evaluate::central_film;
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
@@ -17,8 +19,11 @@ use crate::solve::{Observer, SolveError};
 /// Settings.
 #[derive(Clone, Copy, Debug)]
 pub struct CouplingParams {
-    /// Relative change of temperature rise, pressure and film from round to round at which all have converged.
+    /// Relative change of temperature rise, pressure and film from round to round, and the error that it leaves, at which all have
+    /// converged.
     pub tolerance: f64,
+    /// Whether that error counts, or the change alone.
+    pub by_error: bool,
     /// Rounds allowed.
     pub max_rounds: usize,
     /// Share of new temperatures below which they are not halved further.
@@ -31,6 +36,7 @@ impl Default for CouplingParams {
     fn default() -> Self {
         CouplingParams {
             tolerance: 1e-4,
+            by_error: true,
             max_rounds: 40,
             smallest_share: 0.1,
             heat: HeatParams::default(),
@@ -112,6 +118,11 @@ pub fn solve_coupled(
     let mut change: f64 = 1.0;
     // T ← T + ω(T_new − T)
     let mut relaxation: f64 = 1.0;
+    let stopping = StoppingRule {
+        tolerance: params.tolerance,
+        inner_share: INNER_SHARE,
+        by_error: params.by_error,
+    };
     for round in 1..=params.max_rounds {
         if observer.cancelled() {
             return Err(SolveError::Interrupted);
@@ -187,7 +198,8 @@ pub fn solve_coupled(
         } else {
             coupling.contraction = (change / first_change).powf(1.0 / (round - 1) as f64);
         }
-        if change < params.tolerance && share == relaxation {
+        let shrinks = (round > 1).then_some(ratio);
+        if share == relaxation && stopping.holds(change, share, shrinks) {
             return Ok((reached, coupling));
         }
         if round > 2 && ratio > SLOW {
