@@ -66,6 +66,26 @@ fn films_over_speed_need_speed_alone() {
     let heavier = csv.replace("800; 40; 20", "800; 40; 30");
     let films = read(&heavier, FilmForm::Speed).unwrap().unwrap();
     assert!(films.warnings[0].starts_with("the load varies from 20 to 30"));
+    // Warnings are in the unit of the column, with its zero.
+    for (unit, celsius) in [("degC", ["40", "47.5"]), ("degF", ["104", "117.5"])] {
+        let warmer = csv
+            .replace("[degC]", &format!("[{unit}]"))
+            .replace("20; 40", &format!("20; {}", celsius[0]))
+            .replace(
+                &format!("800; 40; 20; {}", celsius[0]),
+                &format!("800; 40; 20; {}", celsius[1]),
+            );
+        let films = read(&warmer, FilmForm::Speed).unwrap().unwrap();
+        let words = format!(
+            "the temperature varies from {} to {} (",
+            celsius[0], celsius[1]
+        );
+        assert!(
+            films.warnings[0].starts_with(&words),
+            "{:?}",
+            films.warnings
+        );
+    }
     let form = FilmForm::SpeedLoad(ContactKind::Circular);
     assert!(read(&heavier, form).unwrap().unwrap().warnings.is_empty());
     // Columns that a form needs and the table has not.

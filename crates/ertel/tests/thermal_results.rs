@@ -11,7 +11,7 @@ use ertel::params::ThermalParams;
 use ertel::post::elements::elements;
 use ertel::post::thermal::{thermal, warnings};
 use ertel::run::{problem, solve};
-use ertel::solution::{LevelStats, Polynomials, Solution, Thermal};
+use ertel::solution::{Figure, LevelStats, Polynomials, Solution, Thermal};
 use ertel::solve::Silent;
 use ertel::solve::evaluate::fields_in;
 use ertel::solve::figures::measure;
@@ -89,9 +89,22 @@ fn figures_of_made_up_temperatures() {
         362.0 + 1.0 / 3.0 + 10.0 * outlet,
         epsilon = 3e-3
     );
+    let inlet = solution.discretisation.contact.extents.inlet;
+    let lowest = 346.0 + 10.0 * inlet;
+    assert_relative_eq!(found.film_lowest.value, lowest, epsilon = 1e-9);
     for (located, value) in [(&found.plane_maximum, 346.0), (&found.ball_maximum, 354.0)] {
         assert_relative_eq!(located.value, value + 10.0 * outlet, epsilon = 1e-9);
         assert_relative_eq!(located.x, outlet * scales.length, max_relative = 1e-12);
+    }
+    // Relative errors of temperatures are relative to their rise above the inlet, 313.15 K.
+    let measured = measure(&problem, &solution, &levels);
+    for (figure, value) in [
+        (Figure::FilmTemperatureMaximum, found.film_maximum.value),
+        (Figure::PlaneTemperatureMaximum, 346.0 + 10.0 * outlet),
+        (Figure::BallTemperatureMaximum, 354.0 + 10.0 * outlet),
+    ] {
+        let size = measured.figures.get(figure).unwrap().size;
+        assert_relative_eq!(size, value - 313.15, epsilon = 1e-9);
     }
     // The Hertz zone is told by quadrature points: its ends err by a share of a cell, times 10 K.
     for (mean, value) in [
@@ -226,6 +239,23 @@ fn heat_is_accounted_for() {
         b.to_plane.value + b.to_ball.value + b.by_film.value,
         max_relative = 0.01
     );
+    // The error is of the heat made, compression with its sign; what compression and expansion make is a small part of the heat.
+    let lost = made - b.to_plane.value - b.to_ball.value - b.by_film.value;
+    assert_relative_eq!(b.error * b.shear.value, lost, max_relative = 0.1);
+    // Across the film the velocity goes from one surface's to the other's.
+    for profile in &thermal.profiles {
+        let speeds = [case.motion.plane_speed(), case.motion.ball_speed()];
+        let ends = [0, profile.velocity_x.len() - 1].map(|k| profile.velocity_x[k]);
+        for (end, speed) in ends.into_iter().zip(speeds) {
+            assert_relative_eq!(end, speed, max_relative = 1e-5);
+        }
+    }
+    // The plane is drawn below the film, the ball above it.
+    let heights = thermal.field.as_ref().unwrap().points.iter().map(|p| p[2]);
+    let depth = case.thermal.as_ref().unwrap().depth * solution.hertz.half_width;
+    let lowest = heights.clone().fold(f64::INFINITY, f64::min);
+    assert_relative_eq!(lowest, -depth, max_relative = 1e-9);
+    assert!(heights.fold(0.0, f64::max) > depth);
     // Glass conducts next to nothing out of the area; steel a little, to where it comes in.
     assert_relative_eq!(
         carried(&case, &solution, 0),

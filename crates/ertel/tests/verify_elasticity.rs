@@ -319,7 +319,7 @@ fn condensed(d: &Discretisation) -> &FiniteBodies {
 /// Computed less exact deflection under the Hertz pressure at points of the centreline, the
 /// centre first.
 fn hertz_error(d: &Discretisation) -> Vec<f64> {
-    let kind = d.contact.kind;
+    let kind = d.contact.shape.kind;
     let pressure: Vec<f64> = (d.pressure.points.iter())
         .map(|p| hertz::pressure_profile(p[0].hypot(p[1])))
         .collect();

@@ -3,107 +3,18 @@
 mod common;
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::heated;
-use ertel::case::Case;
+use common::rigid::{EXTENTS, heated_case, problem_without_expansion, rigid, solve};
 use ertel::contact::ContactKind;
-use ertel::elastic::Elasticity;
 use ertel::film::MOST_NODES;
 use ertel::film::cross_film::CrossFilm;
-use ertel::forms::energy::{FilmPlace, Heat, Layer, film_column};
-use ertel::params::ThermalParams;
+use ertel::forms::energy::{FilmPlace, Layer, film_column};
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
+use ertel::solve::discretisation::Extents;
 use ertel::solve::heat::column::Column;
-use ertel::solve::heat::newton::{HeatNewton, HeatParams};
-use ertel::solve::sequence::Problem;
-use ertel::solve::system::State;
 use ertel_fem::quadrature::Quadrature;
 use ertel_rheology::{ConductivityLaw, ViscosityLaw};
-
-/// Cells of one size everywhere.
-fn uniform(size: f64) -> LevelSizes {
-    LevelSizes {
-        hertz: size,
-        constriction: size,
-        rim: size,
-        rim_width: 0.0,
-        edge: size,
-        growth: 0.9,
-        depth_growth: 0.9,
-    }
-}
-
-/// Surfaces that nothing deforms, half a film scale apart at the centre.
-fn rigid(
-    kind: ContactKind,
-    extents: &Extents,
-    size: f64,
-    order: usize,
-    column: Column,
-    heat: &Heat,
-) -> (Discretisation, State) {
-    let bodies = Elasticity::finite_elements(2, &[(1.0, 0.3)]);
-    let sizes = uniform(size);
-    let contact = ContactSurface::new(
-        &common::shape(kind),
-        extents,
-        &sizes,
-        &bodies,
-        Means::default(),
-    )
-    .expect("mesh");
-    let unheated = column.unheated(heat);
-    let d = Discretisation::new(&Arc::new(contact), 2).with_heat(order, column, unheated);
-    let state = State {
-        pressure: vec![0.0; d.pressure.n_nodes()],
-        deflection: vec![0.0; d.contact.deflection.n_nodes()],
-        rigid_separation: 0.5,
-        temperature: d.heat.as_ref().unwrap().unheated(),
-    };
-    (d, state)
-}
-
-fn heated_case(kind: ContactKind, film_order: usize) -> Case {
-    let load = if kind == ContactKind::Line { 1e5 } else { 50.0 };
-    let mut case = heated(common::case(kind, load));
-    case.thermal = Some(ThermalParams {
-        film_order,
-        ..ThermalParams::default()
-    });
-    case
-}
-
-fn solve(
-    d: &Discretisation,
-    problem: &Problem,
-    heat: &Heat,
-    state: &mut State,
-    source: ertel::forms::energy::Source,
-) {
-    let params = HeatParams {
-        linear_tolerance: 1e-10,
-        ..HeatParams::default()
-    };
-    let mut newton = HeatNewton::new(d, &problem.fluid, heat, params).with_source(source);
-    for _ in 0..30 {
-        if newton.step(state).expect("a step") < 1e-9 {
-            return;
-        }
-    }
-    panic!("the temperatures do not converge");
-}
-
-/// Contact area of most of these contacts.
-const EXTENTS: Extents = Extents {
-    inlet: -2.0,
-    outlet: 1.0,
-    side: 1.5,
-    body_width: 12.0,
-    body_depth: 12.0,
-};
 
 /// T = T_0 + A g(X, Y) φ with φ = 0.7 + 0.3(1 + cos 2πs) in the film and 0.7 cos(πZ/2D) in the bodies: both without flux
 /// at the walls, g without flux where nothing is prescribed. No slide, no pressure: the film flows as a whole.
@@ -176,7 +87,7 @@ fn manufactured(kind: ContactKind, order: usize, sizes: [f64; 3]) {
     let errors = sizes.map(|size| {
         let column = Column::new(10, 4, depth, [0.3, 0.3]);
         let (d, mut state) = rigid(kind, &extents, size, order, column, heat);
-        solve(&d, &still, heat, &mut state, Some(&source));
+        solve(&d, &still.fluid, heat, &mut state, Some(&source));
         let space = d.heat.as_ref().unwrap();
         let rule = Quadrature::simplex(d.contact.surface.dim, 8);
         let (mut square, mut whole) = ([0.0; 2], [0.0; 2]);
@@ -213,12 +124,6 @@ fn manufactured(kind: ContactKind, order: usize, sizes: [f64; 3]) {
     }
 }
 
-fn problem_without_expansion(case: &Case) -> Problem {
-    let mut case = case.clone();
-    case.lubricant.density = ertel_rheology::DensityLaw::constant(870.0).unwrap();
-    problem(&case)
-}
-
 #[test]
 fn manufactured_temperatures() {
     manufactured(ContactKind::Line, 1, [0.2, 0.1, 0.05]);
@@ -243,7 +148,7 @@ fn couette_heating() {
     let extents = EXTENTS;
     let column = Column::new(8, 2, 1.0, [0.3, 0.3]);
     let (d, mut state) = rigid(ContactKind::Line, &extents, 0.25, 1, column, heat);
-    solve(&d, &problem, heat, &mut state, None);
+    solve(&d, &problem.fluid, heat, &mut state, None);
 
     let (t_wall, k, slide) = (313.15, 0.14, 30.0);
     let mu = |t: f64| 0.04 * (4000.0 * (1.0 / t - 1.0 / 313.15)).exp();
@@ -318,7 +223,7 @@ fn compression_heats_and_expansion_cools() {
     for (p, point) in state.pressure.iter_mut().zip(&d.pressure.points) {
         *p = reduced(point[0]);
     }
-    solve(&d, &problem, heat, &mut state, None);
+    solve(&d, &problem.fluid, heat, &mut state, None);
 
     let (beta, c) = (7e-4, 2000.0);
     let slope = |p: f64, t: f64| {
@@ -424,7 +329,7 @@ fn moving_heat_source() {
             Layer::Film(_) if x.abs() < 1.0 => flux,
             _ => 0.0,
         };
-        solve(&d, &problem, heat, &mut state, Some(&source));
+        solve(&d, &problem.fluid, heat, &mut state, Some(&source));
         for x in [-0.5, 0.0, 0.5, 0.9] {
             let (cell, xi) = d
                 .contact

@@ -1,4 +1,4 @@
-use super::{Dimension, QuantityError, UnitError, parse};
+use super::{Dimension, QuantityError, Unit, UnitError, parse};
 use proptest::prelude::*;
 
 fn close(text: &str, dimension: Dimension, expected: f64) {
@@ -148,6 +148,28 @@ fn unknown_units_come_with_near_ones() {
 fn a_product_after_a_slash_needs_parentheses() {
     assert!(message("470 J/kg.K", Dimension::SPECIFIC_HEAT).contains("two ways"));
     assert!(message("46 W/m K", Dimension::THERMAL_CONDUCTIVITY).contains("two ways"));
+}
+
+/// 40 degC are 313.15 K and 104 degF; of a difference the zero of the scale is none of its business.
+#[test]
+fn values_are_written_back_in_their_units() {
+    for (unit, number, value) in [
+        ("degC", 40.0, 313.15),
+        ("degF", 104.0, 313.15),
+        ("K", 313.15, 313.15),
+        ("mPa.s", 40.0, 0.04),
+        ("1/GPa", 22.0, 22e-9),
+        ("W/(m degC)", 46.0, 46.0),
+    ] {
+        let parsed = Unit::parse(unit).unwrap();
+        assert!((parsed.to_si(number) / value - 1.0).abs() < 1e-14, "{unit}");
+        assert!(
+            (parsed.from_si(value) / number - 1.0).abs() < 1e-14,
+            "{unit}"
+        );
+    }
+    let fahrenheit = Unit::parse("degF").unwrap();
+    assert!((fahrenheit.difference_to_si(9.0) - 5.0).abs() < 1e-14);
 }
 
 #[test]

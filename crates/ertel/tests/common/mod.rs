@@ -1,6 +1,8 @@
 //! Cases, bodies and meshes that several verifications share.
 #![allow(dead_code)]
 
+pub mod rigid;
+
 use std::f64::consts::PI;
 
 use ertel::case::{Body, Case, Lubricant};

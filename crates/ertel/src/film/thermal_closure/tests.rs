@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use ertel_rheology::ShearThinning;
-use ertel_rheology::shear::{Carreau, ShearLaw};
+use ertel_rheology::shear::{Carreau, ShearLaw, StressLimit};
 use num_dual::DualNum;
 
 use super::*;
@@ -53,6 +53,15 @@ fn moved(profile: &TemperatureProfile, d: usize, step: f64) -> TemperatureProfil
 fn thinning() -> Thinning {
     let carreau = Carreau::new(2e5, 0.4, 2.2, 0.1).unwrap();
     Thinning::new(&ShearThinning::of(ShearLaw::Carreau(carreau)))
+}
+
+/// The same below a limit that grows with pressure: a fluidity that depends on it.
+fn limited() -> Thinning {
+    let carreau = Carreau::new(2e5, 0.4, 2.2, 0.1).unwrap();
+    Thinning::new(&ShearThinning {
+        law: Some(ShearLaw::Carreau(carreau)),
+        limit: Some(StressLimit::new(8e6, 0.02).unwrap()),
+    })
 }
 
 fn close(
@@ -167,11 +176,11 @@ fn yang_and_wen() {
 fn derivatives_match_differences() {
     let nodes = FilmNodes::new(8);
     let base = profile(&nodes);
-    let thinning = thinning();
-    for (p, g, slide) in [
-        (0.4, [0.3, -0.1], 0.05),
-        (0.8, [1.5, 0.4], 4.0),
-        (0.2, [0.6, 0.2], -1.0),
+    for (thinning, p, g, slide) in [
+        (thinning(), 0.4, [0.3, -0.1], 0.05),
+        (thinning(), 0.8, [1.5, 0.4], 4.0),
+        (thinning(), 0.2, [0.6, 0.2], -1.0),
+        (limited(), 0.8, [1.5, 0.4], 4.0),
     ] {
         let reference = ThermalFluid::new(&nodes, &base, |t| properties(p, t));
         // The viscosity that stands for the film stays what it is when the temperature moves.
@@ -233,5 +242,29 @@ fn derivatives_match_differences() {
             let slope = difference(3, &|x| at(x).1.viscosity[k]);
             assert_relative_eq!(reference.viscosity[k + 1], slope, max_relative = 1e-6);
         }
+    }
+}
+
+/// u = p²t through u³: p⁶t³, with its derivatives.
+#[test]
+fn functions_of_a_property() {
+    let (p, t) = (1.3_f64, 0.7_f64);
+    let inner = Jet2 {
+        value: p * p * t,
+        p: 2.0 * p * t,
+        t: p * p,
+        pp: 2.0 * t,
+        pt: 2.0 * p,
+    };
+    let u = inner.value;
+    let found = inner.through([u.powi(3), 3.0 * u * u, 6.0 * u]);
+    for (value, expected) in [
+        (found.value, p.powi(6) * t.powi(3)),
+        (found.p, 6.0 * p.powi(5) * t.powi(3)),
+        (found.t, 3.0 * p.powi(6) * t * t),
+        (found.pp, 30.0 * p.powi(4) * t.powi(3)),
+        (found.pt, 18.0 * p.powi(5) * t * t),
+    ] {
+        assert_relative_eq!(value, expected, max_relative = 1e-13);
     }
 }

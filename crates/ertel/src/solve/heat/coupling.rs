@@ -6,10 +6,12 @@
 //! weak. How much the changes shrink from round to round is reported. Where the film equations do not converge at new
 //! temperatures, half of their change is tried first. Where the changes hardly shrink, as where film and heat overshoot each other
 //! in turn, only a share of each new temperature is taken; which, the changes of the last two rounds say (Aitken's relaxation:
-//! Irons and Tuck, Int. J. Numer. Methods Eng. 1 (1969) 275-277).
+//! Irons and Tuck, Int. J. Numer. Methods Eng. 1 (1969) 275-277). What they shrink by tells the error that they leave, and with
+//! it which round is the last.
 
 use super::newton::{HeatNewton, HeatParams, HeatStats};
 use super::relaxation::Relaxation;
+use super::stopping::StoppingRule;
 use crate::forms::energy::Heat;
 use crate::solve::evaluate::central_film;
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
@@ -19,8 +21,11 @@ use crate::solve::{Observer, SolveError};
 /// Settings.
 #[derive(Clone, Copy, Debug)]
 pub struct CouplingParams {
-    /// Relative change of temperature rise, pressure and film from round to round at which all have converged.
+    /// Relative change of temperature rise, pressure and film from round to round, and the error that it leaves, at which all have
+    /// converged.
     pub tolerance: f64,
+    /// Whether that error counts, or the change alone.
+    pub by_error: bool,
     /// Rounds allowed.
     pub max_rounds: usize,
     /// Share of new temperatures below which they are not halved further.
@@ -36,6 +41,7 @@ impl Default for CouplingParams {
     fn default() -> Self {
         CouplingParams {
             tolerance: 1e-4,
+            by_error: true,
             max_rounds: 40,
             smallest_share: 0.1,
             given_up_early: false,
@@ -111,6 +117,11 @@ pub fn solve_coupled(
     let mut first_change = 0.0;
     let mut change: f64 = 1.0;
     let mut relaxation = Relaxation::default();
+    let stopping = StoppingRule {
+        tolerance: params.tolerance,
+        inner_share: INNER_SHARE,
+        by_error: params.by_error,
+    };
     for round in 1..=params.max_rounds {
         if observer.cancelled() {
             return Err(SolveError::Interrupted);
@@ -186,6 +197,7 @@ pub fn solve_coupled(
             largest(&state.pressure, &before.pressure),
             (film - central_film(d, &before)).abs() / film,
         ];
+        let previous = change;
         // As if the whole of the new temperatures had been taken
         change = changes.into_iter().fold(0.0, f64::max) / share;
         observer.round(round, change, rise(state));
@@ -197,7 +209,8 @@ pub fn solve_coupled(
         } else {
             coupling.contraction = (change / first_change).powf(1.0 / (round - 1) as f64);
         }
-        if change < params.tolerance && share == wanted {
+        let shrinks = (round > 1).then_some(change / previous);
+        if share == wanted && stopping.holds(change, share, shrinks) {
             return Ok((reached, coupling));
         }
         relaxation.taken(share, defect);

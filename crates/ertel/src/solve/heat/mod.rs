@@ -7,6 +7,7 @@
 //! - `system`: both as a whole;
 //! - `newton`: temperatures for given pressures and films;
 //! - `coupling`: both in turn, until neither changes;
+//! - `stopping`: when they may end;
 //! - `balance`: where heat comes from and goes to;
 //! - `figures`: temperatures in a few numbers;
 //! - `recovery`: smooth temperatures from linear elements;
@@ -23,4 +24,5 @@ pub mod newton;
 pub mod recovery;
 mod relaxation;
 pub mod space;
+pub mod stopping;
 pub mod system;

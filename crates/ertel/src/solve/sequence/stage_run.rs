@@ -190,6 +190,7 @@ impl<'a> StageRun<'a> {
         }
         if path {
             coupling.tolerance = coupling.tolerance.max(PATH_COUPLING);
+            coupling.by_error = false;
             coupling.max_rounds = coupling.max_rounds.min(PATH_ROUNDS);
         }
         let (reached, coupling) = solve_coupled(

@@ -1,0 +1,233 @@
+//! Stresses, velocities and heat of a thermal film against a film written out here: balance of forces, the law of Rabinowitsch, Simpson's
+//! rule, all in SI.
+
+mod common;
+
+use approx::assert_relative_eq;
+use common::rigid::heated_case;
+use ertel::case::Case;
+use ertel::contact::ContactKind;
+use ertel::film::cross_film::CrossFilm;
+use ertel::film::{MOST_NODES, TemperatureProfile};
+use ertel::forms::energy::{FilmPlace, film_column};
+use ertel::run::problem;
+use ertel::solve::evaluate::PointFields;
+use ertel::solve::sequence::Problem;
+use ertel::solve::shear::Shear;
+use ertel_rheology::shear::{Rabinowitsch, ShearLaw, ShearThinning};
+
+/// P, ∇P and H of the place; slide-to-roll ratio, and τ_c of the film that stress thins, Pa.
+const PRESSURE: f64 = 0.4;
+const GRADIENT: [f64; 2] = [-0.8, 0.3];
+const FILM: f64 = 0.2;
+const SLIDE: f64 = 0.6;
+const KNEE: f64 = 2e6;
+
+/// Temperature of the film without heat, K.
+const ISOTHERMAL: f64 = 313.15;
+
+/// T(s), K.
+fn profile(s: f64) -> f64 {
+    330.0 + 12.0 * s + 60.0 * (0.25 - s * s)
+}
+
+fn case(thins: bool) -> Case {
+    let mut case = heated_case(ContactKind::Circular, 10);
+    case.motion.slide_to_roll_ratio = SLIDE;
+    let law = Rabinowitsch::new(KNEE, 1.0 / 3.0).unwrap();
+    case.lubricant.shear_thinning = thins.then(|| ShearThinning::of(ShearLaw::Rabinowitsch(law)));
+    case
+}
+
+/// ∫ over −½ ≤ s ≤ `to` by Simpson's rule.
+fn below(to: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let n = 1000;
+    let step = (to + 0.5) / f64::from(n);
+    let at = |k: i32| f(-0.5 + step * f64::from(k));
+    let inner: f64 = (1..n)
+        .map(|k| if k % 2 == 1 { 4.0 } else { 2.0 } * at(k))
+        .sum();
+    step / 3.0 * (at(0) + inner + at(n))
+}
+
+/// τ(s) = τ_m + s h ∇p, γ̇ = τ(1 + |τ|²/τ_c²)/μ(p, T(s)), ∫γ̇ dz = u_ball − u_plane.
+struct Exact {
+    mid: [f64; 2],
+    /// h∇p, Pa.
+    g: [f64; 2],
+    /// h, m.
+    h: f64,
+    mu: Box<dyn Fn(f64) -> f64>,
+    thinning: f64,
+}
+
+impl Exact {
+    fn new(case: &Case, problem: &Problem) -> Exact {
+        let scales = &problem.scales;
+        let (p, h) = (PRESSURE * scales.pressure, FILM * scales.film);
+        let law = case.lubricant.viscosity.clone();
+        let thins = case.lubricant.shear_thinning.is_some();
+        let heated = problem.heat.is_some();
+        let mut film = Exact {
+            mid: [0.0; 2],
+            g: GRADIENT.map(|g| h * g * scales.pressure / scales.length),
+            h,
+            mu: Box::new(move |s| {
+                let t = if heated { profile(s) } else { ISOTHERMAL };
+                law.ln_viscosity(p, t).exp()
+            }),
+            thinning: if thins { 1.0 / (KNEE * KNEE) } else { 0.0 },
+        };
+        let wanted = [SLIDE * case.motion.entrainment_speed, 0.0];
+        // Newton's method for one component after the other, with differences
+        for _ in 0..20 {
+            for i in 0..2 {
+                let here = film.slide(i);
+                film.mid[i] += 1.0;
+                let slope = film.slide(i) - here;
+                film.mid[i] += (wanted[i] - here) / slope - 1.0;
+            }
+        }
+        film
+    }
+
+    fn stress(&self, s: f64) -> [f64; 2] {
+        [0, 1].map(|i: usize| self.mid[i] + s * self.g[i])
+    }
+
+    fn square(&self, s: f64) -> f64 {
+        self.stress(s).iter().map(|t| t * t).sum()
+    }
+
+    fn fluidity(&self, s: f64) -> f64 {
+        (1.0 + self.thinning * self.square(s)) / (self.mu)(s)
+    }
+
+    /// Velocity above that of the plane.
+    fn velocity(&self, to: f64, i: usize) -> f64 {
+        self.h * below(to, |s| self.stress(s)[i] * self.fluidity(s))
+    }
+
+    fn slide(&self, i: usize) -> f64 {
+        self.velocity(0.5, i)
+    }
+}
+
+/// Stresses at mid-film and at the walls, viscosity at mid-film, friction power, with and without heat. Nodes across the film carry ln μ to 1e-8.
+#[test]
+fn wall_stresses() {
+    for (thins, heated) in [(false, false), (true, false), (false, true), (true, true)] {
+        let mut case = case(thins);
+        if !heated {
+            case.thermal = None;
+        }
+        let problem = problem(&case);
+        let film = Exact::new(&case, &problem);
+        let mut temperature = TemperatureProfile::default();
+        let nodes = problem
+            .fluid
+            .nodes()
+            .map_or(&[][..], |nodes| nodes.points());
+        for (t, s) in temperature.temperature.iter_mut().zip(nodes) {
+            *t = profile(*s);
+        }
+        let fields = PointFields {
+            pressure: PRESSURE,
+            pressure_gradient: GRADIENT,
+            film: FILM,
+            temperature: heated.then_some(temperature),
+            ..PointFields::default()
+        };
+        let found = Shear::new(&problem.fluid, &problem.scales).at(&fields);
+        let off = 1e-6 * film.square(0.0).sqrt();
+        for (k, s) in [0.0, -0.5, 0.5].into_iter().enumerate() {
+            assert_relative_eq!(found.stress[k], film.stress(s)[0], epsilon = off);
+            assert_relative_eq!(found.equivalent[k], film.square(s).sqrt(), epsilon = off);
+        }
+        let viscosity = 1.0 / film.fluidity(0.0);
+        assert_relative_eq!(found.viscosity, viscosity, max_relative = 1e-6);
+        let power = film.h * below(0.5, |s| film.square(s) * film.fluidity(s));
+        assert_relative_eq!(found.power, power, max_relative = 1e-6);
+    }
+}
+
+/// u, h τ·γ̇, −hT/ρ ∂ρ/∂T u·∇p and H(∫_{−½}^s ρ̄u − (s + ½)∫ρ̄u) at every height; by the stress, the heat of shearing grows with
+/// h(2τ + 4τ|τ|²/τ_c²)/μ. Polynomials through the heights carry them to 1e-6.
+#[test]
+fn heat_of_the_film() {
+    for thins in [false, true] {
+        let case = case(thins);
+        let problem = problem(&case);
+        let film = Exact::new(&case, &problem);
+        let heat = problem.heat.as_ref().unwrap();
+        let (heights, heat) = (&heat.column.heights, &heat.heat);
+        let nodes = problem.fluid.nodes().unwrap().points();
+        let column = |warmer: Option<usize>, by: f64| {
+            let mut place = FilmPlace {
+                pressure: PRESSURE,
+                pressure_gradient: GRADIENT,
+                film: FILM,
+                temperature: [0.0; MOST_NODES],
+            };
+            for (m, s) in nodes.iter().enumerate() {
+                place.temperature[m] = profile(*s) + if warmer == Some(m) { by } else { 0.0 };
+            }
+            film_column(
+                &problem.fluid,
+                heat,
+                heights,
+                &place,
+                &mut CrossFilm::default(),
+            )
+        };
+        let found = column(None, 0.0);
+        let u_m = case.motion.entrainment_speed;
+        let plane = [case.motion.plane_speed(), 0.0];
+        let p = PRESSURE * heat.pressure;
+        let rho = |t: f64| 870.0 * (1.0 + 0.6e-9 * p / (1.0 + 1.7e-9 * p) - 7e-4 * (t - 313.15));
+        let velocity = |s: f64| [0, 1].map(|i: usize| plane[i] + film.velocity(s, i));
+        // ∫ρu, by parts of the velocity: of two Simpson's rules in each other, 1000 × 1000 points are too many
+        let mass = |to: f64, i: usize| {
+            let above = |s: f64| below(to, |x| rho(profile(x))) - below(s, |x| rho(profile(x)));
+            let n = 200;
+            let step = (to + 0.5) / f64::from(n);
+            let rate = |s: f64| film.h * film.stress(s)[i] * film.fluidity(s) * above(s);
+            let middle = |k: i32| -0.5 + step * (f64::from(k) + 0.5);
+            let shift = step / 12.0_f64.sqrt();
+            let driven: f64 = (0..n)
+                .map(|k| 0.5 * step * (rate(middle(k) - shift) + rate(middle(k) + shift)))
+                .sum();
+            plane[i] * below(to, |x| rho(profile(x))) + driven
+        };
+        let whole = [mass(0.5, 0), mass(0.5, 1)];
+        for (point, s) in found.heights.iter().zip(heights.points()) {
+            let (t, u) = (profile(*s), velocity(*s));
+            for i in 0..2 {
+                assert_relative_eq!(point.velocity[i], u[i] / u_m, epsilon = 1e-6);
+                let below = FILM / 870.0 / u_m * (mass(*s, i) - (s + 0.5) * whole[i]);
+                assert_relative_eq!(point.mass_below[i], below, epsilon = 1e-6);
+                let tau = film.stress(*s)[i];
+                let growth = 2.0 * tau * (1.0 + 2.0 * film.thinning * film.square(*s));
+                let by = film.h * problem.fluid.stress_scale() * growth / (film.mu)(*s);
+                assert_relative_eq!(point.by_stress[i], by, max_relative = 1e-5);
+            }
+            let shear = film.h * film.square(*s) * film.fluidity(*s);
+            assert_relative_eq!(point.shear, shear, max_relative = 1e-5);
+            // ∂ρ/∂T = −870 · 7e-4
+            let along = (u[0] * film.g[0] + u[1] * film.g[1]) / film.h;
+            let compression = film.h * t / rho(t) * 870.0 * 7e-4 * along;
+            assert_relative_eq!(point.compression, compression, max_relative = 1e-5);
+        }
+        // With the temperature of a node the heat changes by itself, and by the stress.
+        for (m, slope) in found.stress_slopes.iter().enumerate().take(nodes.len()) {
+            let [up, down] = [1e-3, -1e-3].map(|by| column(Some(m), by));
+            for (k, point) in found.heights.iter().enumerate().take(heights.n()) {
+                let difference = (up.heights[k].shear - down.heights[k].shear) / 2e-3;
+                let change = point.shear * found.thinning[m] * heights.shapes[k][m]
+                    + point.by_stress[0] * slope[0]
+                    + point.by_stress[1] * slope[1];
+                assert_relative_eq!(change, difference, epsilon = 1e-5 * point.shear);
+            }
+        }
+    }
+}
