@@ -8,9 +8,9 @@ const STEP: f64 = 1e-5;
 
 /// Iterations, at most.
 const MOST_ITERATIONS: usize = 2000;
-/// Residuals evaluated, at most, all evaluations together: about a second. Data that determine their constants take a
+/// Residuals evaluated, at most, all evaluations together: a second at most. Data that determine their constants take a
 /// thousand evaluations; a search that strays should not take minutes because a table is long.
-const MOST_RESIDUALS: usize = 10_000_000;
+const MOST_RESIDUALS: usize = 2_000_000;
 /// Evaluations that are allowed for whatever table.
 const LEAST_EVALUATIONS: usize = 1000;
 
