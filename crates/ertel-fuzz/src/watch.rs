@@ -48,7 +48,7 @@ impl Watch {
                 if cpu > now.limit || wall > WAITING * now.limit {
                     act(Defect {
                         kind: Kind::Hang,
-                        place: "time".into(),
+                        place: "time".to_owned(),
                         message: format!("{cpu:.1} CPU s, {wall:.1} s"),
                     });
                 } else if memory > MEMORY_LIMIT {

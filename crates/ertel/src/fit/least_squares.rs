@@ -264,7 +264,10 @@ mod tests {
             matches!(found, Err(MinimumError::NotConverged(_))),
             "{found:?}"
         );
-        assert!(n_evaluations.get() < 2 * LEAST_EVALUATIONS, "{n_evaluations:?}");
+        assert!(
+            n_evaluations.get() < 2 * LEAST_EVALUATIONS,
+            "{n_evaluations:?}"
+        );
     }
 
     /// Printed tables of Student's t.
