@@ -69,22 +69,33 @@ pub fn run(arguments: &CacheArgs) -> Result<(), Failure> {
         CacheCommand::Show => {
             let usage = cache.usage().map_err(failed)?;
             print::stdout(&format!(
-                "{}\n{} elastic operators, {} of at most {}\n",
+                "{}\n{} elastic operators, {} of at most {}\n{}",
                 cache.folder().display(),
                 usage.n_files,
                 megabytes(usage.bytes),
-                megabytes(cache.limit())
+                megabytes(cache.limit()),
+                foreign(usage.n_foreign)
             ))
         }
         CacheCommand::Clear => {
             let usage = cache.clear().map_err(failed)?;
             print::stdout(&format!(
-                "{}\n{} elastic operators removed, {}\n",
+                "{}\n{} elastic operators removed, {}\n{}",
                 cache.folder().display(),
                 usage.n_files,
-                megabytes(usage.bytes)
+                megabytes(usage.bytes),
+                foreign(usage.n_foreign)
             ))
         }
+    }
+}
+
+/// What is said of files that are not ertel's, or too damaged to be told from such.
+fn foreign(n: usize) -> String {
+    match n {
+        0 => String::new(),
+        1 => "1 file *.operator does not begin as those of ertel do and stays\n".to_owned(),
+        n => format!("{n} files *.operator do not begin as those of ertel do and stay\n"),
     }
 }
 

@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 use ertel::fit::{self, Data, Fit, FittedLaw, Heading, LawName, Params, Property, Residual};
 use ertel::output::{digits, pressure, write_whole};
 use ertel_rheology::density::TaitVolume;
+use ertel_rheology::input::Document;
 use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
-use ertel_rheology::input::{Document, escaped};
 use ertel_rheology::quantity::{self, Dimension, Unit};
 use ertel_rheology::{DensityLaw, Files, database};
 
@@ -58,7 +58,7 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
         Failure::Argument(format!("{}: {error}{help}", data.file))
     })?;
     for warning in &fit.warnings {
-        print::stderr(&format!("warning: {}", escaped(warning)));
+        print::stderr(&format!("warning: {warning}"));
     }
     let stem = arguments
         .data

@@ -23,7 +23,6 @@ mod validate;
 use std::process::ExitCode;
 
 use clap::Parser;
-use ertel_rheology::input::escaped;
 
 use args::{Cli, Command};
 
@@ -42,7 +41,7 @@ fn main() -> ExitCode {
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            print::stderr(&format!("error: {}", escaped(&failure.to_string())));
+            print::stderr(&format!("error: {failure}"));
             failure.exit_code()
         }
     }

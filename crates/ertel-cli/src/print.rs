@@ -25,10 +25,11 @@ pub fn stdout(text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Writes a line to stderr. Where that fails there is no place left to say so, and the work matters more.
+/// Writes a line to stderr; control characters that it quotes are shown, not obeyed. Where that fails there is no place
+/// left to say so, and the work matters more.
 pub fn stderr(line: &str) {
     // In one piece, so that lines of several threads do not mix.
     let _ = io::stderr()
         .lock()
-        .write_all(format!("{line}\n").as_bytes());
+        .write_all(format!("{}\n", escaped(line)).as_bytes());
 }

@@ -52,11 +52,10 @@ impl<'a> Progress<'a> {
     }
 
     fn show(&self, line: String) {
-        let line = escaped(&line).into_owned();
         match &self.display {
             Display::Quiet => {}
             Display::Lines => print::stderr(&line),
-            Display::Terminal(bar) => bar.set_message(line),
+            Display::Terminal(bar) => bar.set_message(escaped(&line).into_owned()),
         }
     }
 }

@@ -5,12 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use ertel::case::{Case, Curve};
 use ertel::output;
-use ertel::run::Session;
+use ertel::run::{self, Session};
 use ertel::solution::Unresolved;
 use ertel::solve::{DiscretisationError, SolveError};
 use ertel::study::{CurveSolution, solve_curve};
 use ertel::warning::{Warning, by_kind};
-use ertel_rheology::input::escaped;
 
 use crate::args::SolveArgs;
 use crate::cache::user_cache;
@@ -44,7 +43,7 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
         output::check_png().map_err(|error| Failure::Argument(error.to_string()))?;
     }
     if arguments.check {
-        return Ok(());
+        return check(&case, &arguments.case);
     }
     let session = Session {
         cache: match arguments.no_cache {
@@ -89,6 +88,28 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
         _ if arguments.accept_unresolved => shown,
         unresolved => Err(not_resolved(unresolved, &folder)),
     }
+}
+
+/// Says of a case, or of the points of its curve, what a solve would refuse before it begins.
+fn check(case: &Case, path: &Path) -> Result<(), Failure> {
+    let file = path.display();
+    let Some(curve) = &case.curve else {
+        let refused = |error| Failure::Argument(format!("{file}: {}", Failure::from(error)));
+        return run::check(case).map_err(refused);
+    };
+    for (i, point) in curve.points.iter().enumerate() {
+        run::check(&point.case).map_err(|error| {
+            let value = output::digits(point.value, 6);
+            let value = format!("{value} {}", curve.quantity.unit());
+            Failure::Argument(format!(
+                "{file}: point {} of the curve ({}): {}",
+                i + 1,
+                value.trim_end(),
+                Failure::from(error)
+            ))
+        })?;
+    }
+    Ok(())
 }
 
 /// Error bars so wide that no one should go on with the figures without noticing.
@@ -178,7 +199,7 @@ fn input_warnings(case: &Case) -> Vec<Warning> {
 
 fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     for warning in warnings {
-        print::stderr(&format!("warning: {}", escaped(warning)));
+        print::stderr(&format!("warning: {warning}"));
     }
 }
 

@@ -311,7 +311,7 @@ impl SweepObserver for Progress<'_> {
                 progress.n_finished,
                 progress.n_points,
                 progress.index + 1,
-                escaped(progress.label),
+                progress.label,
                 digits(record.seconds, 2),
             )),
         }

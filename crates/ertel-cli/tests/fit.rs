@@ -196,3 +196,18 @@ fn films_of_chapter_6_lie_by_its_formulas() {
         assert!(low < &constant && &constant < high, "{constant}: {report}");
     }
 }
+
+/// The title of a column is shown, not obeyed, where a warning quotes it.
+#[test]
+fn warnings_show_control_characters_of_titles() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("films.csv");
+    let rows: String = (1..=5)
+        .map(|i| format!("{i},{},{}e-9\n", 40 + i, 100 * i))
+        .collect();
+    let head = "entrainment_speed_m_per_s,temperature\u{b}[degC],film_central_m\n";
+    std::fs::write(&path, head.to_owned() + &rows).unwrap();
+    let output = ertel(&["fit", "film", path.to_str().unwrap(), "--form", "speed"]);
+    let warning = text(&output.stderr);
+    assert!(warning.contains("(temperature\\u000b[degC])"), "{warning}");
+}

@@ -313,8 +313,16 @@ fn processes_share_the_cache_of_elastic_operators() {
     let shown = ertel(&["cache", "show"], "3 MB");
     let line = format!("{} elastic operators", kept.len());
     assert!(text(&shown.stdout).contains(&line) && text(&shown.stdout).contains("3.0 MB"));
-    assert_eq!(ertel(&["cache", "clear"], "3 MB").status.code(), Some(0));
-    assert!(names(cache.path()).is_empty());
+    // What others put there stays, and is told.
+    let foreign = cache.path().join("cat.operator");
+    std::fs::write(&foreign, "telephone exchange").unwrap();
+    std::fs::create_dir(cache.path().join("folder.operator")).unwrap();
+    let cleared = ertel(&["cache", "clear"], "3 MB");
+    assert_eq!(cleared.status.code(), Some(0));
+    assert!(text(&cleared.stdout).contains("2 files *.operator do not begin as those of ertel"));
+    assert_eq!(names(cache.path()), ["cat.operator", "folder.operator"]);
+    std::fs::remove_file(foreign).unwrap();
+    std::fs::remove_dir(cache.path().join("folder.operator")).unwrap();
     with(&["quick.toml", "--no-cache"]).output().unwrap();
     assert!(names(cache.path()).is_empty());
     assert_eq!(ertel(&["cache", "show"], "plenty").status.code(), Some(2));

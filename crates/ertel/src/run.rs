@@ -205,6 +205,23 @@ fn skin(body: &BodyHeat, length: f64) -> f64 {
         .min(1.0)
 }
 
+/// Whether a solve of the case would begin: it has the data that it needs, and a mesh that is allowed resolves its film.
+/// Takes milliseconds.
+///
+/// # Errors
+/// As [`Session::solve`] has them before any work.
+pub fn check(case: &Case) -> Result<(), SolveError> {
+    ready(case).map(drop)
+}
+
+/// The problem of a case that a solve may begin with.
+fn ready(case: &Case) -> Result<Problem, SolveError> {
+    case.heat()?;
+    let problem = problem(case);
+    problem.check_size()?;
+    Ok(problem)
+}
+
 /// What solves share.
 #[derive(Clone, Debug, Default)]
 pub struct Session {
@@ -248,12 +265,10 @@ impl Session {
         observer: &mut dyn Observer,
     ) -> Result<(Solution, Start), SolveError> {
         let clock = Instant::now();
-        case.heat()?;
         let mut problem = Problem {
             cache: self.cache.clone(),
-            ..problem(case)
+            ..ready(case)?
         };
-        problem.check_size()?;
         let mut recorder = Recorder {
             observer,
             history: Vec::new(),

@@ -14,13 +14,14 @@ use std::ops::Range;
 
 use csv::{ReaderBuilder, StringRecord};
 
-use super::{escaped, excerpt};
+use super::excerpt;
+use super::shown::message;
 use crate::quantity::{Dimension, Unit};
 use title::Title;
 
 /// What is wrong with a table, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}:{line}:{column}: {}", excerpt(file), escaped(problem))]
+#[error("{}:{line}:{column}: {}", excerpt(file), message(problem))]
 pub struct CsvError {
     /// Name of the file.
     pub file: String,

@@ -45,6 +45,8 @@ pub struct CacheUsage {
     pub n_files: usize,
     /// Their size, bytes.
     pub bytes: u64,
+    /// Files named like operators that do not begin as those do: they are somebody else's, and stay.
+    pub n_foreign: usize,
 }
 
 /// Identity of a response: mesh, element order, Poisson's ratio.
@@ -194,7 +196,9 @@ impl OperatorCache {
 
     /// Removes the files longest unused until the rest fits, `newest` last.
     fn evict(&self, newest: &Path) {
-        let Ok(mut files) = self.files() else { return };
+        let Ok((mut files, _)) = self.files() else {
+            return;
+        };
         files.sort_by_key(|f| (f.path == newest, f.used));
         let mut total: u64 = files.iter().map(|f| f.bytes).sum();
         for file in files {
@@ -207,33 +211,38 @@ impl OperatorCache {
         }
     }
 
-    /// The files of the cache; removes what interrupted processes left.
-    fn files(&self) -> io::Result<Vec<CacheFile>> {
+    /// The files of the cache, and how many others have such names; removes what interrupted processes left.
+    fn files(&self) -> io::Result<(Vec<CacheFile>, usize)> {
         let entries = match fs::read_dir(&self.folder) {
             Ok(entries) => entries,
-            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok((Vec::new(), 0)),
             Err(e) => return Err(e),
         };
         let mut files = Vec::new();
+        let mut n_foreign = 0;
         for path in entries.filter_map(|e| e.ok().map(|e| e.path())) {
-            let Ok(metadata) = fs::metadata(&path) else {
+            let Ok(metadata) = fs::symlink_metadata(&path) else {
                 continue;
             };
             let used = metadata.modified().unwrap_or(SystemTime::UNIX_EPOCH);
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             if name.starts_with(TEMPORARY) {
-                if used.elapsed().is_ok_and(|age| age > STALE) {
+                if metadata.is_file() && used.elapsed().is_ok_and(|age| age > STALE) {
                     let _ = fs::remove_file(&path);
                 }
             } else if path.extension().is_some_and(|e| e == EXTENSION) {
-                files.push(CacheFile {
-                    bytes: metadata.len(),
-                    used,
-                    path,
-                });
+                if metadata.is_file() && begins_as_ours(&path) {
+                    files.push(CacheFile {
+                        bytes: metadata.len(),
+                        used,
+                        path,
+                    });
+                } else {
+                    n_foreign += 1;
+                }
             }
         }
-        Ok(files)
+        Ok((files, n_foreign))
     }
 
     /// What the cache holds.
@@ -241,20 +250,21 @@ impl OperatorCache {
     /// # Errors
     /// When the folder cannot be read; one that does not exist is empty.
     pub fn usage(&self) -> io::Result<CacheUsage> {
-        let files = self.files()?;
+        let (files, n_foreign) = self.files()?;
         Ok(CacheUsage {
             n_files: files.len(),
             bytes: files.iter().map(|f| f.bytes).sum(),
+            n_foreign,
         })
     }
 
-    /// Removes all operators; returns what there was.
+    /// Removes all operators, and nothing else; returns what there was.
     ///
     /// # Errors
     /// When the folder cannot be read or a file cannot be removed.
     pub fn clear(&self) -> io::Result<CacheUsage> {
         let usage = self.usage()?;
-        for file in self.files()? {
+        for file in self.files()?.0 {
             fs::remove_file(file.path)?;
         }
         Ok(usage)
@@ -265,6 +275,12 @@ struct CacheFile {
     path: PathBuf,
     bytes: u64,
     used: SystemTime,
+}
+
+/// Whether a file begins as every file of a cache does, of this format or another one. One that cannot be read is left alone.
+fn begins_as_ours(path: &Path) -> bool {
+    let mut start = [0; MAGIC.len()];
+    File::open(path).is_ok_and(|mut file| file.read_exact(&mut start).is_ok()) && start == MAGIC
 }
 
 /// Bytes of a response of `n` surface nodes and `n_near` near pairs.

@@ -6,6 +6,14 @@ use rmpfit::{MPConfig, MPFitter, MPPar, MPResult, MPSide, MPSuccess};
 /// Step of the central differences, for unknowns of order one: truncation and rounding are near 1e-11.
 const STEP: f64 = 1e-5;
 
+/// Iterations, at most.
+const MOST_ITERATIONS: usize = 2000;
+/// Residuals evaluated, at most, all evaluations together: a second at most. Data that determine their constants take a
+/// thousand evaluations; a search that strays should not take minutes because a table is long.
+const MOST_RESIDUALS: usize = 2_000_000;
+/// Evaluations that are allowed for whatever table.
+const LEAST_EVALUATIONS: usize = 1000;
+
 /// Where the sum of squares is smallest, and how well that is known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Minimum {
@@ -74,8 +82,10 @@ pub fn minimise(
                 ftol: 1e-14,
                 xtol: 1e-11,
                 gtol: 1e-13,
-                max_iter: 2000,
-                max_fev: rmpfit::MPMaxFev::Limited(200_000),
+                max_iter: MOST_ITERATIONS,
+                max_fev: rmpfit::MPMaxFev::Limited(
+                    (MOST_RESIDUALS / n_residuals.max(1)).max(LEAST_EVALUATIONS),
+                ),
                 ..MPConfig::new()
             },
             parameters: (0..n_unknowns)
@@ -90,9 +100,10 @@ pub fn minimise(
             .mpfit(&mut x)
             .map_err(|error| MinimumError::NotConverged(error.to_string()))?;
         if status.success == MPSuccess::MaxIter {
-            return Err(MinimumError::NotConverged(
-                "no minimum after 2000 iterations".into(),
-            ));
+            return Err(MinimumError::NotConverged(format!(
+                "no minimum after {} iterations",
+                status.n_iter
+            )));
         }
     }
     let mut r = vec![0.0; n_residuals];
@@ -234,7 +245,30 @@ impl<F: Fn(&[f64], &mut [f64])> MPFitter for Problem<'_, F> {
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+
     use super::*;
+
+    /// Residuals that bend away from every step: the search ends after so many evaluations as a long table affords.
+    #[test]
+    fn a_search_that_strays_ends() {
+        let n_evaluations = Cell::new(0);
+        let n_residuals = 100_000;
+        let found = minimise(n_residuals, &[1.0, 1.0], 0.95, |x, r| {
+            n_evaluations.set(n_evaluations.get() + 1);
+            r.fill(0.0);
+            // Rosenbrock's valley, without end.
+            (r[0], r[1]) = (1e3 * (x[1] - x[0] * x[0]), (-x[0] / 1e4).exp());
+        });
+        assert!(
+            matches!(found, Err(MinimumError::NotConverged(_))),
+            "{found:?}"
+        );
+        assert!(
+            n_evaluations.get() < 2 * LEAST_EVALUATIONS,
+            "{n_evaluations:?}"
+        );
+    }
 
     /// Printed tables of Student's t.
     #[test]

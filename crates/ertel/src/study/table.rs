@@ -70,7 +70,18 @@ impl StudyEcho {
         };
         let echo: Result<StudyEcho, _> = serde_json::from_slice(&bytes);
         match echo {
-            Ok(echo) if echo.format == STUDY_FORMAT => Ok(Some(echo)),
+            Ok(echo) if echo.format == STUDY_FORMAT => {
+                let n = echo.columns.len();
+                match echo.points.iter().position(|(_, values)| values.len() != n) {
+                    None => Ok(Some(echo)),
+                    Some(i) => {
+                        let values = echo.points[i].1.len();
+                        let problem =
+                            format!("point {} has {values} values for {n} columns", i + 1);
+                        Err(SweepError::io(&path, std::io::Error::other(problem)))
+                    }
+                }
+            }
             Ok(_) => Err(SweepError::io(
                 &path,
                 std::io::Error::other("it is no list of points of a study"),

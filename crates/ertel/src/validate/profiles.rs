@@ -64,6 +64,8 @@ fn panel(name: &str, solution: Option<&Solution>) -> Chart {
 pub enum Profile {
     /// Pressure.
     Pressure,
+    /// Pressure along X = 0, over |Y|.
+    PressureAcross,
     /// Film thickness.
     Film,
     /// Temperature at mid-film.
@@ -82,13 +84,17 @@ pub(super) fn overlay(
         .filter_map(|r| Some(r.1?.summary.film_central.value));
     let (factor, unit) = film_unit(largest.reduce(f64::max)?);
     let label = match profile {
-        Profile::Pressure => "*P* = *p*/*p*_{h}".to_owned(),
+        Profile::Pressure | Profile::PressureAcross => "*P* = *p*/*p*_{h}".to_owned(),
         Profile::Film => format!("Film thickness *h* ({unit})"),
         Profile::Temperature => "Temperature *T* at mid-film (K)".to_owned(),
     };
     let points = |s: &Solution| -> Vec<[f64; 2]> {
         match profile {
             Profile::Pressure => pressure(s),
+            Profile::PressureAcross => {
+                let across = plot::profile_across(s, &s.elements.pressure, 1.0 / s.scales.pressure);
+                across.into_iter().rev().map(|[y, p]| [-y, p]).collect()
+            }
             Profile::Film => plot::profile(s, &s.elements.film_thickness, factor),
             Profile::Temperature => (s.elements.temperatures.as_ref())
                 .map_or_else(Vec::new, |t| plot::profile(s, &t.mid, 1.0)),
@@ -96,7 +102,7 @@ pub(super) fn overlay(
     };
     // The inlet gap would leave no room for the contact.
     let ceiling = match profile {
-        Profile::Pressure | Profile::Temperature => f64::INFINITY,
+        Profile::Pressure | Profile::PressureAcross | Profile::Temperature => f64::INFINITY,
         Profile::Film => {
             FILM_SHOWN * factor * runs.iter().find_map(|r| r.1)?.summary.film_central.value
         }
@@ -114,7 +120,11 @@ pub(super) fn overlay(
             })
         })
         .collect();
-    let charts: Vec<Chart> = [WINDOW, zoom]
+    let (window, axis) = match profile {
+        Profile::PressureAcross => ([0.0, WINDOW[1]], "*Y* = |*y*|/*a*"),
+        _ => (WINDOW, "*X* = *x*/*a*"),
+    };
+    let charts: Vec<Chart> = [window, zoom]
         .into_iter()
         .map(|[low, high]| {
             let inside = series.iter().flat_map(|s| s.points.iter());
@@ -123,7 +133,7 @@ pub(super) fn overlay(
                 .map(|p| p[1].min(ceiling));
             let mut chart = Chart::new(
                 title,
-                Axis::linear("*X* = *x*/*a*", low, high),
+                Axis::linear(axis, low, high),
                 Axis::linear_around(&label, inside),
             );
             chart.series = series.clone();

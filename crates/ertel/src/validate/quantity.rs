@@ -1,6 +1,7 @@
 //! Quantities that are compared.
 
 use super::run::{Outcome, Run};
+use crate::output::plot;
 use crate::solution::Solution;
 use crate::study::{CurveSolution, PointSolution};
 
@@ -19,6 +20,8 @@ pub enum Quantity {
     MaximumPressure,
     /// P at the spike near the outlet.
     SpikePressure,
+    /// Mean P along X = 0 near the side of the dry contact, 0.7 < |Y| < 1.
+    SidePressure,
     /// Variation of P on the centreline, |X| ≤ 0.8, beyond that of one rise and one fall.
     PressureOscillation,
     /// Mass balance error of the film between inlet and centre.
@@ -77,13 +80,14 @@ pub enum Quantity {
 
 impl Quantity {
     /// Every quantity.
-    pub const ALL: [Quantity; 33] = [
+    pub const ALL: [Quantity; 34] = [
         Quantity::CentralFilm,
         Quantity::MinimumFilm,
         Quantity::Outlet,
         Quantity::MinimumPressure,
         Quantity::MaximumPressure,
         Quantity::SpikePressure,
+        Quantity::SidePressure,
         Quantity::PressureOscillation,
         Quantity::FilmBalance,
         Quantity::NewtonIterations,
@@ -122,6 +126,7 @@ impl Quantity {
             Quantity::MinimumPressure => "minimum-pressure",
             Quantity::MaximumPressure => "maximum-pressure",
             Quantity::SpikePressure => "spike-pressure",
+            Quantity::SidePressure => "side-pressure",
             Quantity::PressureOscillation => "pressure-oscillation",
             Quantity::FilmBalance => "film-balance",
             Quantity::NewtonIterations => "newton-iterations",
@@ -161,6 +166,7 @@ impl Quantity {
             Quantity::MinimumPressure => "min P",
             Quantity::MaximumPressure => "max P",
             Quantity::SpikePressure => "P of the spike",
+            Quantity::SidePressure => "mean P at the side",
             Quantity::PressureOscillation => "oscillation of P",
             Quantity::FilmBalance => "balance error",
             Quantity::NewtonIterations => "Newton iterations",
@@ -227,6 +233,10 @@ impl Quantity {
                     Quantity::MinimumPressure => Some(f.pressure_minimum / s.scales.pressure),
                     Quantity::MaximumPressure => Some(f.pressure_maximum.value / s.scales.pressure),
                     Quantity::SpikePressure => f.spike.map(|p| p.value / s.scales.pressure),
+                    Quantity::SidePressure => {
+                        let factor = 1.0 / s.scales.pressure;
+                        mean(&plot::profile_across(s, &s.elements.pressure, factor), SIDE)
+                    }
                     Quantity::PressureOscillation => {
                         let line = &s.centreline;
                         let inner = line
@@ -356,6 +366,21 @@ impl Quantity {
 /// Part of the Hertz zone where a heavily loaded contact's pressure is smooth: the inlet and the
 /// spike lie outside.
 const OSCILLATION_ZONE: f64 = 0.8;
+
+/// Where the pressure falls off at the side, |Y|.
+const SIDE: [f64; 2] = [0.7, 1.0];
+
+/// Mean of points of rising first coordinate within a range of its magnitude, by trapezia; `None` where there are none. The
+/// coordinate is negative.
+fn mean(points: &[[f64; 2]], [low, high]: [f64; 2]) -> Option<f64> {
+    let inside = |p: &[f64; 2]| (low..=high).contains(&-p[0]);
+    let inside: Vec<[f64; 2]> = points.iter().copied().filter(inside).collect();
+    let (first, last) = (inside.first()?, inside.last()?);
+    let trapezia = inside
+        .windows(2)
+        .map(|w| 0.5 * (w[0][1] + w[1][1]) * (w[1][0] - w[0][0]));
+    Some(trapezia.sum::<f64>() / (last[0] - first[0]))
+}
 
 /// Where the film leaves the Hertz zone and its pressure falls off, X.
 const OUTLET: std::ops::Range<f64> = 0.8..1.2;

@@ -18,6 +18,7 @@ pub(super) fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Pictur
         "penalty",
         "profiles",
         "pressures",
+        "pressures-across",
         "films",
         "mid-temperatures",
         "cross-film",
@@ -55,13 +56,14 @@ pub(super) fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Pictur
             let (runs, columns) = panels(&mut table, study)?;
             PictureKind::Temperatures(runs, columns)
         }
-        kind @ ("pressures" | "films" | "mid-temperatures") => {
+        kind @ ("pressures" | "pressures-across" | "films" | "mid-temperatures") => {
             let runs = picture_runs(&mut table, study)?;
             let zoom = table.optional_numbers("zoom", Bounds::ANY)?;
             let zoom = zoom.ok_or_else(|| table.missing("zoom"))?;
             let zoom = pair(&table, "zoom", &zoom, "`zoom` is [from, to] in X")?;
             let profile = match kind {
                 "pressures" => Profile::Pressure,
+                "pressures-across" => Profile::PressureAcross,
                 "films" => Profile::Film,
                 _ => Profile::Temperature,
             };

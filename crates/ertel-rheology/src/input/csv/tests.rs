@@ -113,3 +113,12 @@ fn spans_are_those_of_the_lines() {
     let rows: Vec<_> = table.rows().iter().map(lines).collect();
     assert_eq!(rows, [(4, " 1,2"), (7, "3,\"4\"")]);
 }
+
+/// A title of thousands of control characters is no error of as many lines.
+#[test]
+fn errors_are_cut_to_what_can_be_read() {
+    let text = format!("a{},b\n1,2,3\n", "\0".repeat(5000));
+    let table = CsvTable::parse("d.csv", "a\n1\n").unwrap();
+    let error = table.error(table.header(), 0, text);
+    assert!(error.to_string().chars().count() < 2100);
+}

@@ -1,6 +1,7 @@
 //! What differs between the films of a table beside the variables of a form.
 
 use ertel_rheology::input::csv::{Column, CsvTable, Row};
+use ertel_rheology::input::excerpt;
 use ertel_rheology::quantity::Dimension;
 
 use super::FilmForm;
@@ -93,7 +94,7 @@ impl Conditions {
                     "{word} varies from {} to {} ({}): the form leaves it out",
                     digits(column.unit.from_si(*low), 4),
                     digits(column.unit.from_si(*high), 4),
-                    table.header().cell(column.index)
+                    excerpt(table.header().cell(column.index))
                 ));
             }
         }

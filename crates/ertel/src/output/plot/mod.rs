@@ -21,7 +21,7 @@ pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use heat::{cross_film_chart, temperature_chart};
 pub use maps::{film_map, pressure_map};
-pub(crate) use profile::profile;
+pub(crate) use profile::{profile, profile_across};
 
 use rayon::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Fields along the centreline y = 0, by their polynomials.
+//! Fields along the centreline y = 0 and across the contact, by their polynomials.
 
 use ertel_fem::element::Lagrange;
 
@@ -11,6 +11,50 @@ pub(crate) fn profile(solution: &Solution, field: &Polynomials, factor: f64) -> 
     (along_centreline(&solution.elements, field).into_iter())
         .map(|[x, v]| [x / solution.hertz.half_width, factor * v])
         .collect()
+}
+
+/// A field along x = 0 of a circular contact, times a factor, over y/a from the side edge to the centreline.
+pub(crate) fn profile_across(
+    solution: &Solution,
+    field: &Polynomials,
+    factor: f64,
+) -> Vec<[f64; 2]> {
+    (along_x_zero(&solution.elements, field).into_iter())
+        .map(|[y, v]| [y / solution.hertz.half_width, factor * v])
+        .collect()
+}
+
+/// A field along x = 0, where this line cuts the triangles: y, m, rising, and value, SI.
+fn along_x_zero(elements: &ElementFields, field: &Polynomials) -> Vec<[f64; 2]> {
+    if field.values.is_empty() || elements.dim != 2 {
+        return Vec::new();
+    }
+    let lagrange = Lagrange::new(elements.dim, field.order);
+    let mut line = Vec::new();
+    for (element, cell) in elements.cells.iter().enumerate() {
+        let corners = cell.map(|n| elements.vertices[n as usize]);
+        // Where it enters and leaves: y, and the place in the reference triangle. A corner on the line belongs to the
+        // edges on its right.
+        let mut ends: Vec<(f64, [f64; 3])> = Vec::new();
+        for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+            let (a, b) = (corners[i], corners[j]);
+            if (a[0] < 0.0) != (b[0] < 0.0) {
+                let t = a[0] / (a[0] - b[0]);
+                let xi =
+                    [0, 1, 2].map(|k: usize| CORNERS[i][k] + t * (CORNERS[j][k] - CORNERS[i][k]));
+                ends.push((a[1] + t * (b[1] - a[1]), xi));
+            }
+        }
+        if let [(y0, from), (y1, to)] = ends[..] {
+            for k in 0..=PER_EDGE {
+                let t = k as f64 / PER_EDGE as f64;
+                let xi = [0, 1, 2].map(|i: usize| from[i] + t * (to[i] - from[i]));
+                line.push([y0 + t * (y1 - y0), value(&lagrange, field, element, xi)]);
+            }
+        }
+    }
+    line.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    line
 }
 
 /// Samples per element edge.
@@ -126,6 +170,40 @@ mod tests {
         assert!((line[line.len() - 1][0] - 7.0 / 3.0).abs() < 1e-12);
         assert!(line.is_sorted_by(|a, b| a[0] < b[0]));
         assert!(line.iter().all(|[x, v]| (v - 3.0 * x).abs() < 1e-12));
+    }
+
+    /// y² + x on two triangles of order 2, one on each side of the line, and a third one left of it.
+    #[test]
+    fn the_line_across_is_found_in_triangles() {
+        let lagrange = Lagrange::new(2, 2);
+        let vertices = [
+            [-1.0, 0.0],
+            [1.0, 0.0],
+            [0.5, -2.0],
+            [-1.0, -2.0],
+            [-3.0, -1.0],
+        ];
+        let cells = [[0, 1, 2], [0, 2, 3], [0, 3, 4]];
+        let mut values = Vec::new();
+        for cell in cells {
+            let [a, b, c] = cell.map(|n: u32| vertices[n as usize]);
+            for xi in lagrange.points() {
+                let at = |k: usize| a[k] + xi[0] * (b[k] - a[k]) + xi[1] * (c[k] - a[k]);
+                values.push(at(1) * at(1) + at(0));
+            }
+        }
+        let elements = ElementFields {
+            dim: 2,
+            vertices: vertices.to_vec(),
+            cells: cells.to_vec(),
+            ..ElementFields::default()
+        };
+        let line = along_x_zero(&elements, &Polynomials { order: 2, values });
+        assert_eq!(line.len(), 2 * (PER_EDGE + 1));
+        assert_eq!((line[0][0], line[line.len() - 1][0]), (-2.0, 0.0));
+        for [y, v] in line {
+            assert!((v - y * y).abs() < 1e-12, "{y} {v}");
+        }
     }
 
     /// T₅(x) on two segments of order 5, written from right to left: rising x, the maximum of 1 at cos(2π/5) found

@@ -1,0 +1,227 @@
+//! Good and bad files to begin with: the shipped cases, studies and data, the bad cases of the tests, the corpus.
+
+use std::fs;
+use std::io;
+use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
+
+use fastrand::Rng;
+
+use crate::input::{Input, Target};
+use crate::mutate::Words;
+use crate::targets::{self, Verdict, journal, operator};
+
+/// Lines of a seed table, at most: long tables are slow and say no more.
+const MOST_LINES: usize = 25;
+
+/// Folders with case files and studies.
+const CASES: [&str; 5] = [
+    "cases",
+    "studies",
+    "validation",
+    "crates/ertel-cli/tests/good",
+    "crates/ertel-cli/tests/bad",
+];
+
+/// A case whose lubricant has its laws in a table.
+const TABLE_CASE: &str = include_str!("../corpus/table-case.toml");
+/// A study whose points stand in a table, and its base case.
+const POINTS_STUDY: &str = include_str!("../corpus/points-study.toml");
+const ROLLER: &str = include_str!("../../../cases/roller.toml");
+
+/// What inputs are made from.
+#[derive(Debug)]
+pub struct Seeds {
+    seeds: Vec<Seed>,
+    words: Words,
+}
+
+#[derive(Debug)]
+struct Seed {
+    input: Input,
+    /// Whether its reader refuses it.
+    is_bad: bool,
+}
+
+impl Seeds {
+    /// Reads them from a checkout.
+    ///
+    /// # Errors
+    /// Files that cannot be read.
+    pub fn read(root: &Path) -> io::Result<Seeds> {
+        let mut inputs = Vec::new();
+        for folder in CASES {
+            for path in files(&root.join(folder), "toml")? {
+                let content = fs::read(&path)?;
+                let text = String::from_utf8_lossy(&content).into_owned();
+                if text.contains("[[axis]]") || text.contains("\npoints = \"") {
+                    inputs.push(study(&path, content, &text)?);
+                } else if !path.ends_with("reference.toml") {
+                    if text.contains("\"line\"") {
+                        inputs.push(of_main(Target::Solve, content.clone()));
+                    }
+                    inputs.push(of_main(Target::Case, content));
+                }
+            }
+        }
+        for (target, folder) in [
+            (Target::Table, "crates/ertel-rheology/data/fluids"),
+            (Target::FitViscosity, "validation/appendix-c"),
+            (Target::FitDensity, "crates/ertel-rheology/data/fluids"),
+            (Target::FitFilm, "studies"),
+        ] {
+            for path in files(&root.join(folder), "csv")? {
+                let text = fs::read_to_string(path)?;
+                let lines: Vec<&str> = text.lines().take(MOST_LINES).collect();
+                inputs.push(of_main(target, lines.join("\n").into_bytes()));
+            }
+        }
+        inputs.push(operator::seed()?);
+        inputs.push(journal::seed()?);
+        inputs.extend(corpus(root)?);
+        let texts = inputs.iter().flat_map(|input| &input.files);
+        let words = Words::new(
+            texts
+                .filter(|(name, _)| name.ends_with(".toml"))
+                .filter_map(|(_, content)| std::str::from_utf8(content).ok()),
+        );
+        let seeds = inputs
+            .into_iter()
+            .map(Seed::new)
+            .collect::<io::Result<_>>()?;
+        Ok(Seeds { seeds, words })
+    }
+
+    /// The input of a number: the same for the same seeds, whatever came before.
+    pub fn input(&self, seed: u64, index: u64, targets: &[Target]) -> Input {
+        let mut rng = Rng::with_seed(seed ^ index.wrapping_mul(0x9e37_79b9_7f4a_7c15));
+        let total: u32 = targets.iter().map(|t| t.weight()).sum();
+        let mut left = rng.u32(0..total.max(1));
+        let mut target = targets[0];
+        for candidate in targets {
+            target = *candidate;
+            if left < target.weight() {
+                break;
+            }
+            left -= target.weight();
+        }
+        // What is refused as it is says less about what comes behind.
+        let bad = rng.u8(0..5) == 0;
+        let is_own = |i: &&Seed| i.input.target == target && (bad || !i.is_bad);
+        let own: Vec<&Seed> = self.seeds.iter().filter(is_own).collect();
+        let mut input = own[rng.usize(0..own.len())].input.clone();
+        crate::mutate::damage(&mut input, &mut rng, &self.words);
+        input
+    }
+}
+
+impl Seed {
+    fn new(input: Input) -> io::Result<Seed> {
+        let folder = crate::scratch()?;
+        input.write(folder.path())?;
+        // Solves take long; a defect of a seed is found when it is fed.
+        let is_bad = input.target != Target::Solve
+            && catch_unwind(|| targets::run(&input, folder.path()))
+                .is_ok_and(|r| r != Ok(Verdict::Taken));
+        Ok(Seed { input, is_bad })
+    }
+}
+
+/// An input with this main file and the others as they should be.
+fn of_main(target: Target, content: Vec<u8>) -> Input {
+    let mut input = Input {
+        target,
+        files: Vec::new(),
+    };
+    let beside: &[(&str, &str)] = match target {
+        Target::Table => &[("case.toml", TABLE_CASE)],
+        Target::Points => &[("study.toml", POINTS_STUDY), ("roller.toml", ROLLER)],
+        _ => &[],
+    };
+    for (name, text) in beside {
+        input.set(name, text.as_bytes().to_vec());
+    }
+    input.set(target.main_file(), content);
+    input
+}
+
+/// A study with its base case and its points, as far as they are there.
+fn study(path: &Path, content: Vec<u8>, text: &str) -> io::Result<Input> {
+    let mut input = of_main(Target::Study, content);
+    for line in text.lines() {
+        let Some((key, value)) = line.split_once('=') else {
+            continue;
+        };
+        let name = value.trim().trim_matches('"');
+        let beside = path.with_file_name(name);
+        if matches!(key.trim(), "case" | "points") && name.contains('.') && beside.is_file() {
+            input.set(name, fs::read(beside)?);
+        }
+    }
+    Ok(input)
+}
+
+/// The inputs of the corpus: of each target a folder with main files, or with folders of all files of an input.
+///
+/// # Errors
+/// Files that cannot be read.
+pub fn corpus(root: &Path) -> io::Result<Vec<Input>> {
+    let mut inputs = Vec::new();
+    for target in Target::ALL {
+        let folder = root.join("crates/ertel-fuzz/corpus").join(target.name());
+        if !folder.is_dir() {
+            continue;
+        }
+        for path in sorted(&folder)? {
+            if path.is_dir() {
+                inputs.push(read_folder(target, &path)?);
+            } else {
+                inputs.push(of_main(target, fs::read(path)?));
+            }
+        }
+    }
+    Ok(inputs)
+}
+
+/// The input whose files stand in a folder.
+///
+/// # Errors
+/// Files that cannot be read.
+pub fn read_folder(target: Target, folder: &Path) -> io::Result<Input> {
+    let mut input = Input {
+        target,
+        files: Vec::new(),
+    };
+    for path in sorted(folder)?.into_iter().filter(|path| path.is_file()) {
+        let name = path
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        if name != crate::finding::NOTE {
+            input.set(&name, fs::read(path)?);
+        }
+    }
+    Ok(input)
+}
+
+fn sorted(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut paths: Vec<PathBuf> = fs::read_dir(folder)?
+        .map(|e| Ok(e?.path()))
+        .collect::<io::Result<_>>()?;
+    paths.sort();
+    Ok(paths)
+}
+
+/// Files of a kind in a folder and below.
+fn files(folder: &Path, extension: &str) -> io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for path in sorted(folder)? {
+        if path.is_dir() {
+            found.extend(files(&path, extension)?);
+        } else if path.extension().is_some_and(|e| e == extension) {
+            found.push(path);
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,103 @@
+//! Measured states and films, fitted by every law and form.
+
+use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property};
+
+use super::{Verdict, check_text};
+use crate::finding::Defect;
+use crate::input::{Input, Target};
+
+/// Name of the file in errors.
+const FILE: &str = "data.csv";
+
+/// Fits what stands in `data.csv`.
+pub fn run(input: &Input) -> Result<Verdict, Defect> {
+    // As the reader of files does: what is no text is refused with its line.
+    let Ok(text) = std::str::from_utf8(input.file(FILE)) else {
+        return Ok(Verdict::Refused);
+    };
+    match input.target {
+        Target::FitViscosity => laws(text, Property::Viscosity),
+        Target::FitDensity => laws(text, Property::Density),
+        _ => films(text),
+    }
+}
+
+fn laws(text: &str, property: Property) -> Result<Verdict, Defect> {
+    let data = match Data::parse(FILE, text, property) {
+        Ok(data) => data,
+        Err(error) => return check_csv(&error, text),
+    };
+    for law in LawName::ALL
+        .into_iter()
+        .filter(|law| law.property() == property)
+    {
+        match fit::fit(&data, law, &Params::default()) {
+            Ok(fit) => {
+                let heading = Heading {
+                    title: "a fluid".into(),
+                    source: FILE.into(),
+                };
+                fit::entry(&fit, &data, &heading);
+                fit::picture(&fit, &data, &heading.title).svg();
+                let (_, worst) = fit.worst();
+                if !fit.rms().is_finite() || !worst.is_finite() {
+                    let message = format!("{}: rms {}, worst {worst}", law.name(), fit.rms());
+                    return Err(Defect::wrong("a fit that is not finite", message));
+                }
+            }
+            Err(error) => drop(check_text(&error.to_string())?),
+        }
+    }
+    Ok(Verdict::Taken)
+}
+
+fn films(text: &str) -> Result<Verdict, Defect> {
+    let contact = fit::contact_of_films(text);
+    let mut verdict = Verdict::Refused;
+    for name in FilmForm::NAMES {
+        let form = match FilmForm::named(name, contact) {
+            Ok(form) => form,
+            Err(error) => {
+                check_text(&error.to_string())?;
+                continue;
+            }
+        };
+        for kind in [FilmKind::Central, FilmKind::Minimum] {
+            if kind == FilmKind::Minimum && matches!(form, FilmForm::Blend(_)) {
+                continue;
+            }
+            match fit::read_films(FILE, text, form, kind, Some(0.01)) {
+                Ok(None) => {}
+                Ok(Some(films)) => match fit::fit_film(&films, 0.95) {
+                    Ok(fit) => {
+                        let parts = [fit.text(), fit.latex(), fit.code()];
+                        if !fit.rms().is_finite() || parts.iter().any(|p| p.contains("NaN")) {
+                            return Err(Defect::wrong(
+                                "a formula that is not finite",
+                                parts.join("\n"),
+                            ));
+                        }
+                        fit.warnings
+                            .iter()
+                            .try_for_each(|w| check_text(w).map(drop))?;
+                        fit::parity(&[(fit, films)], FILE).svg();
+                        verdict = Verdict::Taken;
+                    }
+                    Err(error) => drop(check_text(&error.to_string())?),
+                },
+                Err(error) => drop(check_csv(&error, text)?),
+            }
+        }
+    }
+    Ok(verdict)
+}
+
+fn check_csv(error: &fit::DataError, text: &str) -> Result<Verdict, Defect> {
+    if error.line == 0 || error.line > 1 + text.matches('\n').count() || error.column == 0 {
+        return Err(Defect::wrong(
+            "an error beside its table",
+            error.to_string(),
+        ));
+    }
+    check_text(&error.to_string())
+}

@@ -1,0 +1,81 @@
+//! The readers, each driven as far as is cheap, and what must hold of them.
+
+mod case;
+mod fit;
+pub mod journal;
+pub mod operator;
+mod study;
+
+use std::path::Path;
+
+use ertel_rheology::input::{InputError, escaped};
+
+use crate::finding::Defect;
+use crate::input::{Input, Target};
+
+/// Longest error, bytes.
+const LONGEST_ERROR: usize = 20_000;
+
+/// Whether a reader took an input or refused it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// Taken.
+    Taken,
+    /// Refused, with an error as errors should be.
+    Refused,
+}
+
+/// Reads the files of an input, which stand in `folder`.
+///
+/// # Errors
+/// A rule that does not hold.
+pub fn run(input: &Input, folder: &Path) -> Result<Verdict, Defect> {
+    match input.target {
+        Target::Case | Target::Table => case::run(folder),
+        Target::Solve => case::solve(folder),
+        Target::Study | Target::Points => study::run(folder),
+        Target::FitViscosity | Target::FitDensity | Target::FitFilm => fit::run(input),
+        Target::Operator => operator::run(input, folder),
+        Target::Journal => journal::run(folder),
+    }
+}
+
+/// Whether an error says where: a file of the folder, and in it a line, unless it is about the file as a whole.
+fn check_place(error: &InputError, folder: &Path) -> Result<Verdict, Defect> {
+    let text = error.to_string();
+    let whole = ["cannot be read", "is too large", "is not UTF-8"];
+    let is_whole = whole.iter().any(|words| error.message().contains(words));
+    if error.line().is_none() && !is_whole {
+        return Err(Defect::wrong("an error without line", text));
+    }
+    let file = Path::new(error.file());
+    let name = file.file_name().unwrap_or_default();
+    if let Some(line) = error.line()
+        && let Ok(content) = std::fs::read(folder.join(name))
+        && line > 1 + content.iter().filter(|b| **b == b'\n').count()
+    {
+        return Err(Defect::wrong("an error behind the end of its file", text));
+    }
+    if name.is_empty() {
+        return Err(Defect::wrong("an error without file", text));
+    }
+    check_text(&text)
+}
+
+/// Whether the text of an error can be shown: it says something, not too much, and no terminal obeys it.
+fn check_text(text: &str) -> Result<Verdict, Defect> {
+    if text.trim().is_empty() {
+        return Err(Defect::wrong("an error without words", ""));
+    }
+    if text.len() > LONGEST_ERROR {
+        let start: String = text.chars().take(300).collect();
+        return Err(Defect::wrong("an error too long to read", start));
+    }
+    if escaped(text) != text {
+        return Err(Defect::wrong(
+            "control characters in an error",
+            escaped(text),
+        ));
+    }
+    Ok(Verdict::Refused)
+}
