@@ -4,6 +4,8 @@
 #[path = "../benches/map/cases.rs"]
 #[allow(dead_code)] // the bench uses all of it
 mod cases;
+#[path = "../benches/map/sliding.rs"]
+mod sliding;
 
 use std::collections::HashSet;
 
@@ -14,7 +16,7 @@ use ertel::solution::{LevelStats, Solution};
 use ertel::solve::Silent;
 use ertel::solve::sequence::Role;
 
-use cases::{Family, MapCase};
+use cases::MapCase;
 
 fn find(name: &str) -> MapCase {
     cases::cases()
@@ -44,6 +46,20 @@ fn solved(name: &str, preset: Option<MeshPreset>) -> Solution {
         s.film_balance_error
     );
     solution
+}
+
+/// The cases of sliding and heat are valid, of all laws, at least 120 of them.
+#[test]
+fn the_list_of_sliding_is_valid() {
+    let cases = sliding::cases();
+    assert!(cases.len() >= 120);
+    for case in &cases {
+        assert!(case.read().is_ok(), "{}", case.name);
+    }
+    let names: HashSet<&str> = cases.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(names.len(), cases.len());
+    let heated = cases.iter().filter(|c| c.text.contains("[thermal]"));
+    assert!(heated.count() >= 90);
 }
 
 /// Line contacts converge cold, and their films lie near Moes' formula. It is for Barus' law and
@@ -243,6 +259,7 @@ fn the_list_covers_its_ranges() {
         }
         assert!(m[0] < 1.01 && m[1] > 9999.0, "{kind:?}: M {m:?}");
         assert!(l[0] == 0.0 && l[1] > 24.9, "{kind:?}: L {l:?}");
-        assert_eq!(families.len(), Family::ALL.len());
+        // Those of rolling.
+        assert_eq!(families.len(), 5);
     }
 }

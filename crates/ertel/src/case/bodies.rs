@@ -5,6 +5,7 @@ use ertel_rheology::quantity::Dimension;
 use ertel_rheology::{ConductivityLaw, Files, HeatCapacityLaw, Solid, database};
 
 use crate::contact::Elasticity;
+use crate::contact::curvature::Curvatures;
 
 /// One of the two bodies.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,29 +47,112 @@ pub(super) struct Bodies {
     pub ball: Body,
     /// Composite rms roughness, m.
     pub roughness: Option<f64>,
+    /// Their shapes, where given.
+    pub shapes: Option<Shapes>,
 }
 
-/// Reads the plane, the ball, and their roughness where given.
+/// Shapes of both bodies.
+#[derive(Clone, Copy)]
+pub(super) struct Shapes {
+    /// Of the first and the second body.
+    pub curvatures: [Curvatures; 2],
+    /// From the x axis of the first body to that of the second, rad.
+    pub angle: f64,
+}
+
+/// Radii of bodies, m; negative where they are concave.
+const BODY_RADIUS: Bounds = Bounds::closed(-1e3, 1e3);
+const LEAST_BODY_RADIUS: f64 = 1e-6;
+/// Directions, rad.
+const ANGLE: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI);
+
+/// Reads both bodies, and their shapes and roughness where given.
 pub(super) fn read(mut table: Table<'_>, files: Files<'_>) -> Result<Bodies, InputError> {
-    let plane = read_body(&mut table, "plane", files)?;
-    let ball = read_body(&mut table, "ball", files)?;
+    let keys = [["body_1", "plane"], ["body_2", "ball"]].map(|names| name_in(&mut table, names));
+    let [first, second] = keys;
+    let (plane, shape_1) = read_body(&mut table, first?, files)?;
+    let (ball, shape_2) = read_body(&mut table, second?, files)?;
     let roughness = table.optional_quantity("roughness", Dimension::LENGTH, ROUGHNESS)?;
+    let angle = table.optional_quantity("axes_angle", Dimension::ANGLE, ANGLE)?;
+    let shapes = match (shape_1, shape_2) {
+        (Some(one), Some(two)) => Some(Shapes {
+            curvatures: [one, two],
+            angle: angle.unwrap_or(0.0),
+        }),
+        (None, None) if angle.is_some() => {
+            return Err(table.error(
+                "axes_angle",
+                "`axes_angle` is the angle between the axes of two bodies, but neither has radii",
+            ));
+        }
+        (None, None) => None,
+        _ => {
+            return Err(table
+                .error_here("one body has radii and the other has none")
+                .with_help("a plane has radius_x = \"flat\" and radius_y = \"flat\""));
+        }
+    };
     table.finish()?;
     Ok(Bodies {
         plane,
         ball,
         roughness,
+        shapes,
     })
 }
 
+/// Which of two names of a body stands in the table; the first where neither does.
+fn name_in(table: &mut Table<'_>, names: [&'static str; 2]) -> Result<&'static str, InputError> {
+    match names.map(|name| table.contains(name)) {
+        [true, true] => Err(table.error(
+            names[1],
+            format!(
+                "`{}` and `{}` are the same body; keep one of them",
+                names[0], names[1]
+            ),
+        )),
+        [true, false] => Ok(names[0]),
+        // The error of a missing body names the key that most case files have.
+        _ => Ok(names[1]),
+    }
+}
+
+/// Curvatures of a body, where its table has radii.
+fn read_shape(table: &mut Table<'_>) -> Result<Option<Curvatures>, InputError> {
+    if !table.contains("radius_x") && !table.contains("radius_y") {
+        return Ok(None);
+    }
+    let mut curvature = |key: &str| -> Result<f64, InputError> {
+        if let Ok("flat") = table.required_str(key) {
+            return Ok(0.0);
+        }
+        let radius = table.required_quantity(key, Dimension::LENGTH, BODY_RADIUS)?;
+        if radius.abs() < LEAST_BODY_RADIUS {
+            return Err(table
+                .error(key, "a radius must not be below 1 um")
+                .with_help(
+                    "a flat side has the radius \"flat\", a concave one a negative radius",
+                ));
+        }
+        Ok(1.0 / radius)
+    };
+    Ok(Some([curvature("radius_x")?, curvature("radius_y")?]))
+}
+
 /// A name from the database, a table with the constants, or a table with a name and what differs.
-fn read_body(table: &mut Table<'_>, key: &str, files: Files<'_>) -> Result<Body, InputError> {
+fn read_body(
+    table: &mut Table<'_>,
+    key: &str,
+    files: Files<'_>,
+) -> Result<(Body, Option<Curvatures>), InputError> {
+    let mut shape = None;
     let (solid, in_database) = match table.required_str_or_table(key)? {
         StrOrTable::Str(name) => {
             let solid = database::solid(name).map_err(super::unknown(table, key))?;
             (solid, true)
         }
         StrOrTable::Table(mut inner) => {
+            shape = read_shape(&mut inner)?;
             let found = match inner.optional_str("name")? {
                 Some(name) => {
                     let mut solid =
@@ -85,7 +169,7 @@ fn read_body(table: &mut Table<'_>, key: &str, files: Files<'_>) -> Result<Body,
             found
         }
     };
-    Ok(Body {
+    let body = Body {
         name: solid.name,
         in_database,
         elasticity: Elasticity {
@@ -95,5 +179,6 @@ fn read_body(table: &mut Table<'_>, key: &str, files: Files<'_>) -> Result<Body,
         density: solid.density,
         thermal_conductivity: solid.thermal_conductivity,
         heat_capacity: solid.heat_capacity,
-    })
+    };
+    Ok((body, shape))
 }

@@ -3,6 +3,8 @@
 use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
+use super::bodies::Shapes;
+use crate::contact::curvature::gap_between;
 use crate::contact::{Contact, ContactKind, Hertz, Motion};
 
 /// Radii from asperities to rolls, m: beyond these a unit was mistaken.
@@ -20,6 +22,7 @@ const MAX_SPEED: f64 = 1e3;
 pub(super) fn read_contact(
     table: &mut Table<'_>,
     reduced_modulus: f64,
+    shapes: Option<&Shapes>,
 ) -> Result<Contact, InputError> {
     let kind = table.required_choice(
         "kind",
@@ -30,7 +33,16 @@ pub(super) fn read_contact(
         ],
     )?;
     let mut contact = match kind {
-        ContactKind::Elliptical => read_ellipse(table)?,
+        ContactKind::Elliptical => read_ellipse(table, shapes)?,
+        kind if shapes.is_some() => {
+            let name = if kind.is_point() { "circular" } else { "line" };
+            return Err(table
+                .error(
+                    "kind",
+                    format!("a {name} contact has one reduced radius, but [bodies] gives the radii of both bodies"),
+                )
+                .with_help("kind = \"elliptical\" takes them"));
+        }
         kind => {
             let radius = table.required_quantity("radius", Dimension::LENGTH, RADIUS)?;
             Contact::of_one_radius(kind, radius, 0.0)
@@ -67,22 +79,75 @@ pub(super) fn read_contact(
 }
 
 /// Radii and direction of the motion of an elliptical contact, without its load.
-fn read_ellipse(table: &mut Table<'_>) -> Result<Contact, InputError> {
-    let radii = [
-        table.required_quantity("radius_x", Dimension::LENGTH, RADIUS)?,
-        table.required_quantity("radius_y", Dimension::LENGTH, RADIUS)?,
-    ];
+fn read_ellipse(table: &mut Table<'_>, shapes: Option<&Shapes>) -> Result<Contact, InputError> {
+    let (radii, direction) = match shapes {
+        Some(shapes) => radii_between(table, shapes)?,
+        None => {
+            let x = table.required_quantity("radius_x", Dimension::LENGTH, RADIUS);
+            let x = x.map_err(|e| {
+                e.with_help(
+                    "reduced radii here, or radius_x and radius_y of both bodies in [bodies]",
+                )
+            })?;
+            let y = table.required_quantity("radius_y", Dimension::LENGTH, RADIUS)?;
+            ([x, y], 0.0)
+        }
+    };
     let ratio = radii[1] / radii[0];
     if !(1.0 / MOST_SLENDER..=MOST_SLENDER).contains(&ratio) {
         return Err(table
             .error(
-                "radius_y",
+                if shapes.is_some() { "kind" } else { "radius_y" },
                 format!("`radius_y` over `radius_x` is {ratio:.3e}, outside 1/{MOST_SLENDER} to {MOST_SLENDER}"),
             )
             .with_help("a contact so wide is a line contact: kind = \"line\" with the load per length"));
     }
     let angle = table.optional_quantity("entrainment_angle", Dimension::ANGLE, ANGLE)?;
-    Ok(Contact::elliptical(radii, 0.0, angle.unwrap_or(0.0)))
+    Ok(Contact::elliptical(
+        radii,
+        0.0,
+        angle.unwrap_or(0.0) - direction,
+    ))
+}
+
+/// Reduced radii of two bodies, m, and the angle of the first principal direction to the x axis of body 1, rad.
+fn radii_between(table: &mut Table<'_>, shapes: &Shapes) -> Result<([f64; 2], f64), InputError> {
+    for key in ["radius_x", "radius_y"] {
+        if table.contains(key) {
+            return Err(table.error(
+                key,
+                format!(
+                    "`{key}` follows from the radii of the bodies in [bodies]; remove one of both"
+                ),
+            ));
+        }
+    }
+    let [one, two] = shapes.curvatures;
+    let (curvatures, direction) = gap_between(one, two, shapes.angle);
+    let least = curvatures[0].min(curvatures[1]);
+    let largest = one.iter().chain(&two).fold(0.0_f64, |m, k| m.max(k.abs()));
+    if least <= 1e-9 * largest {
+        let shape = match least < -1e-9 * largest {
+            true => {
+                "are conformal or meet like a saddle: the gap between them closes away from the contact"
+            }
+            false => "touch along a line",
+        };
+        return Err(table
+            .error("kind", format!("the bodies {shape}, and no Hertz ellipse exists"))
+            .with_help(
+                "convex radii are positive, concave ones negative, and a concave radius must exceed the convex one in it; \
+                 for cylinders with parallel axes kind = \"line\"",
+            ));
+    }
+    let radii = curvatures.map(f64::recip);
+    if let Some(radius) = radii.into_iter().find(|r| !RADIUS.contains(*r)) {
+        return Err(table.error(
+            "kind",
+            format!("the bodies have a reduced radius of {radius:.3e} m, outside 1 um to 1 km"),
+        ));
+    }
+    Ok((radii, direction))
 }
 
 /// Reads `[motion]`: entrainment speed and slide-to-roll ratio, or the speeds of both surfaces.

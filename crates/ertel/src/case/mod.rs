@@ -126,9 +126,10 @@ impl Case {
             plane,
             ball,
             roughness,
+            shapes,
         } = bodies::read(root.required_table("bodies")?, Files::Folder(folder))?;
         let modulus = reduced_modulus(plane.elasticity, ball.elasticity);
-        let contact = contact::read_contact(&mut contact_table, modulus)?;
+        let contact = contact::read_contact(&mut contact_table, modulus, shapes.as_ref())?;
         let mut motion_table = root.required_table("motion")?;
         let motion = contact::read_motion(&mut motion_table)?;
         let hertz = check::hertz(&contact_table, &contact, modulus)?;
@@ -221,6 +222,8 @@ fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> 
     }
 }
 
+#[cfg(test)]
+mod ellipse_tests;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! The dry contact: geometry, Hertz theory, dimensionless groups and scales.
 
+pub mod curvature;
 mod ellipse;
 pub mod equivalent;
 pub mod gap;
@@ -66,11 +67,17 @@ pub struct Contact {
     /// Reduced radius of curvature R in the plane of x, m.
     pub radius: f64,
     /// The same in the plane of y: R again of a ball, infinite of a cylinder.
+    #[serde(skip_serializing_if = "is_infinite")]
     pub radius_y: f64,
     /// Load: F in N, or w in N/m of a line.
     pub load: f64,
     /// Direction of the entrainment velocity, from x towards y, rad; 0 but for ellipses.
     pub entrainment_angle: f64,
+}
+
+/// Whether a number has no place in a file.
+fn is_infinite(value: &f64) -> bool {
+    value.is_infinite()
 }
 
 impl Contact {
