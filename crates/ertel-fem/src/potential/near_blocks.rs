@@ -16,6 +16,11 @@ use super::{Kernel, Number, Sources};
 
 /// Distance from an element, in its diameters, within which it is integrated in closed form.
 const REACH: f64 = 0.5;
+
+/// Distance from an element, in its diameters, beyond which Gauss sums take the place of closed forms: these lose digits like the
+/// power of that distance that is the order of the density.
+const FAR: f64 = 8.0;
+
 /// An element near a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Around {
@@ -119,6 +124,14 @@ impl<'a> Builder<'a> {
         around
     }
 
+    /// Whether an element is far from all of some points, x and y.
+    fn is_far(&self, element: usize, [xs, ys]: [&[f64]; 2]) -> bool {
+        let (low, high) = self.sources.bounds(element);
+        let diameter = (high[0] - low[0]).hypot(high[1] - low[1]);
+        let outside = |v: f64, k: usize| (low[k] - v).max(v - high[k]).max(0.0);
+        (xs.iter().zip(ys)).all(|(x, y)| outside(*x, 0).hypot(outside(*y, 1)) > FAR * diameter)
+    }
+
     /// Entries of a leaf's block, row by row; its nodes are left in `scratch`.
     pub fn block<S: Number>(
         &self,
@@ -163,10 +176,17 @@ impl<'a> Builder<'a> {
             let first = element * per_element;
             gauss.clear();
             let position = |q: usize| self.position[first + q];
-            gauss.extend((0..per_element).filter(|q| !direct.has(position(*q), around.image)));
+            let far = self.is_far(element, [&points[0], y]);
+            // Of a far element those points that expansions do not see, in place of the whole less those that they see.
+            gauss
+                .extend((0..per_element).filter(|q| direct.has(position(*q), around.image) == far));
             let vertices = sources.vertices(element);
-            self.integrals
-                .at_all(vertices, [&points[0], y], work, entries);
+            match far {
+                true => entries.fill(0.0),
+                false => self
+                    .integrals
+                    .at_all(vertices, [&points[0], y], work, entries),
+            }
             if !gauss.is_empty() {
                 Arch::new().dispatch(GaussSum {
                     sources,
@@ -175,6 +195,9 @@ impl<'a> Builder<'a> {
                     points: [&points[0], y],
                     entries,
                 });
+            }
+            if far {
+                entries.iter_mut().for_each(|e| *e = -*e);
             }
             for (node, entries) in
                 (sources.space.nodes_of(element).iter()).zip(entries.chunks_exact(n))

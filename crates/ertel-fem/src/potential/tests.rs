@@ -144,3 +144,38 @@ fn same_bits_on_any_number_of_threads() {
     });
     assert_eq!(results[0], results[1]);
 }
+
+/// Far from the middle of a wide surface the potential of what is there is that of a point load. Small elements near a leaf of large ones
+/// were integrated in closed form from a thousand diameters away, where nothing is left of cubic densities.
+#[test]
+fn far_nodes_of_a_wide_surface() {
+    let params = SurfaceParams {
+        dim: 2,
+        x: [-363.0, 2.5],
+        y: [-363.5, 0.0],
+    };
+    let size = |x: [f64; 2]| {
+        let r = x[0].hypot(x[1]);
+        0.02_f64.max(0.3 * r).min(60.0)
+    };
+    let mesh = surface_mesh(&params, &size).unwrap().mesh().clone();
+    for order in [2, 3] {
+        let space = Space::new(&mesh, order);
+        let inside = |p: &[f64; 3]| (1.0 - p[0] * p[0] - p[1] * p[1]).max(0.0).sqrt();
+        let p: Vec<f64> = space.points.iter().map(inside).collect();
+        let t = targets(&space);
+        let potential = Potential::new(&mesh, &space, &t, true, &PotentialParams::default());
+        let found = potential.apply(&p, Accuracy::Full);
+        // The whole load, 2π/3, from the middle: exact to (1/r)².
+        let mut worst = 0.0_f64;
+        for (x, v) in t.iter().zip(&found) {
+            let r = x[0].hypot(x[1]);
+            if r > 50.0 {
+                let e = v * r / (2.0 * std::f64::consts::PI / 3.0) - 1.0;
+                worst = worst.max(e.abs());
+            }
+        }
+        println!("order {order} {} worst {worst:.1e}", t.len());
+        assert!(worst < 0.02, "{worst}");
+    }
+}
