@@ -5,6 +5,7 @@ use ertel_rheology::quantity::Dimension;
 
 use super::{ANGULAR_SPEED, Machine, Rows, line_load, required_length};
 use crate::contact::Contact;
+use crate::output::digits;
 
 /// Lifts and their derivatives, m, as large as the radii.
 const LIFT: Bounds = Bounds::closed(0.0, 1e3);
@@ -50,9 +51,9 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     let (cam, tappet) = (omega * radius, omega * acceleration);
     let motion = super::motion(table, "cam_speed", cam, tappet).map_err(|error| {
         error.with_help(format!(
-            "u_m = (cam_speed/2)(base_radius + lift + 2 lift_acceleration) = {:.4} m/s; where it is negative, as about the \
+            "u_m = (cam_speed/2)(base_radius + lift + 2 lift_acceleration) = {} m/s; where it is negative, as about the \
              nose, give `cam_speed` the other sign: x then points along the motion",
-            0.5 * (cam + tappet)
+            digits(0.5 * (cam + tappet), 4)
         ))
     })?;
     let mut rows = Rows::default();

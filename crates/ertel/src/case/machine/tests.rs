@@ -8,6 +8,9 @@ use ertel_rheology::input::{Document, InputError};
 use crate::case::Case;
 use crate::contact::ContactKind;
 
+mod bad;
+use bad::refused;
+
 const REST: &str = r#"
 [bodies]
 plane = "steel"
@@ -132,19 +135,18 @@ fn ball_on_disc() {
 
 /// γ = 9.525/46 = 0.2070652; inner R_x = 4.7625 · 0.7929348 = 3.776352 mm, outer R_x = 4.7625 · 1.2070652 = 5.748648 mm;
 /// R_y = 9.525/(2 − 1/0.52) = 123.825 mm, with 0.53 9.525/(2 − 1/0.53) = 84.1375 mm.
-/// Cage: 314.15927 · 0.7929348/2 = 124.5543 rad/s. The inner raceway, at 23 − 4.7625 = 18.2375 mm, moves past it at
-/// (314.15927 − 124.5543) · 0.0182375 = 3.457921 m/s, the outer one, at 27.7625 mm, at 124.5543 · 0.0277625 = 3.457939 m/s
-/// (one figure but for rounding).
+/// Cage: 314.15927 · 0.7929348/2 = 124.5539 rad/s. The inner raceway, at 23 − 4.7625 = 18.2375 mm, moves past it at
+/// (314.1593 − 124.5539) · 0.0182375 = 3.457928 m/s, the outer one, at 27.7625 mm, at 124.5539 · 0.0277625 = 3.457928 m/s.
 #[test]
 fn ball_bearing() {
     let case = read(BALL).unwrap();
     assert_eq!(case.contact.kind, ContactKind::Elliptical);
     assert_relative_eq!(case.contact.radius_y, 0.123_825, max_relative = 1e-9);
     assert_eq!(case.contact.entrainment_angle, 0.0);
-    check(&case, 3.776_352, 500.0, 3.457_93, 0.0);
+    check(&case, 3.776_352, 500.0, 3.457_928, 0.0);
     assert_eq!(row(&case, "cage"), "124.554 rad/s");
     let outer = with(BALL, "\"inner\"", "\"outer\"").unwrap();
-    check(&outer, 5.748_648, 500.0, 3.457_93, 0.0);
+    check(&outer, 5.748_648, 500.0, 3.457_928, 0.0);
     assert_relative_eq!(outer.contact.radius_y, 0.084_137_5, max_relative = 1e-6);
     // The direction does not count, only how fast the rings turn against each other.
     let reverse = with(
@@ -152,7 +154,7 @@ fn ball_bearing() {
         "\"3000 rpm\"",
         "\"-1000 rpm\"\nouter_ring_speed = \"2000 rpm\"",
     );
-    check(&reverse.unwrap(), 3.776_352, 500.0, 3.457_93, 0.0);
+    check(&reverse.unwrap(), 3.776_352, 500.0, 3.457_928, 0.0);
 }
 
 /// Without a groove (f → ∞) and in a large bearing (γ → 0) both radii are that of the ball on a flat, D/2; a groove as
@@ -215,14 +217,14 @@ fn spur_gear() {
     assert!(row(&case, "contact ratio").starts_with("1.635"));
 }
 
-/// At s = 5 mm: R_1 = 18.68081 mm, R_2 = 22.36161 mm, R = 10.17818 mm; u_1 = 157.0796 · 0.01868081 = 2.934374 m/s,
+/// At s = 5 mm: R_1 = 18.68081 mm, R_2 = 22.36161 mm, R = 10.17808 mm; u_1 = 157.0796 · 0.01868081 = 2.934374 m/s,
 /// u_2 = 78.5398 · 0.02236161 = 1.756277 m/s; the sliding speed is (ω_1 + ω_2) s = 235.6194 · 0.005 = 1.178097 m/s.
 #[test]
 fn teeth_slide_away_from_the_pitch_point() {
     let case = with(GEAR, "\"pitch point\"", "\"5 mm\"").unwrap();
     check(
         &case,
-        10.178_18,
+        10.178_08,
         133_022.2,
         2.345_326,
         1.178_097 / 2.345_326,
@@ -234,12 +236,12 @@ fn teeth_slide_away_from_the_pitch_point() {
     );
     let half = with(GEAR, "load_share = 1", "load_share = \"50 %\"").unwrap();
     assert_relative_eq!(half.contact.load, 66_511.1, max_relative = 1e-5);
-    // A long addendum of the pinion lengthens the path at that end: √(46² − 37.5877²) − 13.6808 = 12.8371 mm.
+    // A long addendum of the pinion lengthens the path at that end: √(46² − 37.5877²) − 13.6808 = 12.8364 mm.
     let long = "position = \"12.8 mm\"\naddendum_pinion = \"6 mm\"";
     let case = with(GEAR, "position = \"pitch point\"", long).unwrap();
     assert_eq!(
         row(&case, "path of contact"),
-        "from -10.117 mm to 12.837 mm"
+        "from -10.117 mm to 12.836 mm"
     );
 }
 
@@ -269,209 +271,6 @@ fn cam_and_flat_tappet() {
         "-14 mm",
         "-25 mm",
         &["radius of curvature", "-1.0", "convex"],
-    );
-}
-
-fn refused(machine: &str, old: &str, new: &str, words: &[&str]) {
-    let message = with(machine, old, new).unwrap_err().to_string();
-    for word in words.iter().chain(&["machine.toml:"]) {
-        assert!(message.contains(word), "`{word}` is not in\n{message}");
-    }
-}
-
-#[test]
-fn bad_machines_are_refused_with_their_reason() {
-    for (machine, old, new, words) in [
-        (
-            DISC,
-            "ball-on-disc",
-            "ball-on-disk",
-            &["did you mean `ball-on-disc`?", "spur-gear"][..],
-        ),
-        (
-            DISC,
-            "load = ",
-            "ball_radius = \"9 mm\"\nload = ",
-            &["say the same thing twice"],
-        ),
-        (
-            DISC,
-            "disc_speed = \"0.9 m/s\"",
-            "entrainment_speed = \"1 m/s\"",
-            &["missing key `disc_speed` in [machine]"],
-        ),
-        (
-            DISC,
-            "disc_speed",
-            "plane_speed",
-            &["missing key `disc_speed`"],
-        ),
-        (
-            DISC,
-            "\"30 N\"",
-            "\"30 kN\"",
-            &[
-                "Hertz pressure",
-                "load = ",
-                "computed from [machine]: reduced radii R_x = 9.525 mm",
-            ],
-        ),
-        (
-            BALL,
-            "\"inner\"",
-            "\"cage\"",
-            &["`ring` is one of: inner, outer"],
-        ),
-        (
-            BALL,
-            "contact_angle = \"0 deg\"\n",
-            "",
-            &["missing key `contact_angle` in [machine]"],
-        ),
-        (
-            BALL,
-            "inner_groove_curvature = 0.52\n",
-            "",
-            &["missing key `inner_groove_curvature`", "such as 0.52"],
-        ),
-        (
-            BALL,
-            "\"9.525 mm\"",
-            "\"50 mm\"",
-            &["`ball_diameter` must be less than `pitch_diameter`"],
-        ),
-        (
-            BALL,
-            "\"3000 rpm\"",
-            "\"50 Hz\"",
-            &["an angular speed is needed (rad/s, rpm)"],
-        ),
-        (
-            BALL,
-            "\"3000 rpm\"",
-            "\"0 rpm\"",
-            &["entrainment speed must not be zero", "inner_ring_speed"],
-        ),
-        (
-            BALL,
-            "\"3000 rpm\"",
-            "\"900000 rpm\"",
-            &["speeds go up to 1000 m/s"],
-        ),
-        (
-            BALL,
-            "ball_load",
-            "hertz_pressure = \"1 GPa\"\nball_load",
-            &["`ball_load` and `hertz_pressure` say the same"],
-        ),
-        (
-            ROLLER,
-            "roller_length = \"12 mm\"\n",
-            "",
-            &["missing key `roller_length`"],
-        ),
-        (
-            ROLLER,
-            "\"2 kN\"",
-            "\"2 kN/m\"",
-            &["is a force per length, but a force is needed"],
-        ),
-        (
-            ROLLER,
-            "\"2 kN\"",
-            "\"2 N\"\ncrowning = 1",
-            &["unknown key `crowning` in [machine]"],
-        ),
-        (
-            GEAR,
-            "module",
-            "helix_angle = \"10 deg\"\nmodule",
-            &["helical gears are not covered"],
-        ),
-        (
-            GEAR,
-            "\"pitch point\"",
-            "\"10 mm\"",
-            &["from -10.117 mm to 9.191 mm", "addendum_pinion"],
-        ),
-        (
-            GEAR,
-            "\"pitch point\"",
-            "\"-10.2 mm\"",
-            &["from -10.117 mm to 9.191 mm"],
-        ),
-        (
-            GEAR,
-            "\"pitch point\"",
-            "\"tip\"",
-            &["\"pitch point\" or the distance"],
-        ),
-        (GEAR, "load_share = 1\n", "", &["missing key `load_share`"]),
-        (
-            GEAR,
-            "load_share = 1",
-            "load_share = 1.2",
-            &["load_share", "0 (excluded) and 1"],
-        ),
-        (
-            GEAR,
-            "pinion_teeth = 20",
-            "pinion_teeth = 20.5",
-            &["must be a whole number"],
-        ),
-        (
-            GEAR,
-            "\"100 N.m\"",
-            "\"100 N\"",
-            &["an energy is needed (J, N.m)"],
-        ),
-        (
-            GEAR,
-            "\"1500 rpm\"",
-            "\"-1500 rpm\"",
-            &["pinion_speed", "between 0"],
-        ),
-        (CAM, "\"2 mm\"", "\"-2 mm\"", &["lift"]),
-    ] {
-        refused(machine, old, new, words);
-    }
-}
-
-/// The wheel's tip reaches below the base circle of a small pinion, r_1 sin α = 2 · 10 · 0.3420201 = 6.8404 mm, where there is
-/// no involute: the path of contact ends before.
-#[test]
-fn the_path_ends_at_the_base_circle() {
-    let small = GEAR
-        .replace("pinion_teeth = 20", "pinion_teeth = 10")
-        .replace("= 40", "= 100");
-    refused(
-        &small,
-        "\"pitch point\"",
-        "\"-6.9 mm\"",
-        &["from -6.840 mm to"],
-    );
-    let case = with(&small, "\"pitch point\"", "\"-6.8 mm\"").unwrap();
-    assert!(case.contact.radius > 0.0);
-}
-
-#[test]
-fn a_machine_stands_alone() {
-    for (table, key) in [
-        ("[contact]\nkind = \"circular\"\n", "contact"),
-        ("[motion]\nentrainment_speed = \"1 m/s\"\n", "motion"),
-    ] {
-        let error = read(&format!("{DISC}{table}")).unwrap_err();
-        assert_eq!(error.key(), key);
-        assert!(
-            error.to_string().contains("and [machine] are both given"),
-            "{error}"
-        );
-    }
-    let nothing = Case::from_document(&Document::parse("case.toml", REST).unwrap(), Path::new(""));
-    let message = nothing.unwrap_err().to_string();
-    assert!(
-        message.contains("or [machine] in place of both"),
-        "{message}"
     );
 }
 
