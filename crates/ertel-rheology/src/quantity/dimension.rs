@@ -38,6 +38,8 @@ impl Dimension {
         exponents: [0, 0, 0, 0, 1],
         is_difference: false,
     };
+    /// Angular speed, rad/s.
+    pub const ANGULAR_SPEED: Self = Self::ANGLE.per(Self::TIME);
     /// Area, m².
     pub const AREA: Self = Self::new(2, 0, 0, 0);
     /// Volume, m³.
@@ -89,6 +91,7 @@ impl Dimension {
             &["K"],
         ),
         (Self::ANGLE, "an angle", &["rad", "deg"]),
+        (Self::ANGULAR_SPEED, "an angular speed", &["rad/s", "rpm"]),
         (Self::AREA, "an area", &["m^2", "mm^2"]),
         (Self::VOLUME, "a volume", &["m^3", "mm^3"]),
         (Self::SPEED, "a speed", &["m/s", "mm/s"]),

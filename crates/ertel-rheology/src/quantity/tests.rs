@@ -86,6 +86,21 @@ fn celsius_is_absolute_or_a_difference_as_asked() {
 }
 
 #[test]
+fn revolutions_per_minute_are_an_angular_speed() {
+    // 3000/60 revolutions of 2π each second.
+    let close = |text: &str, expected: f64| {
+        let value = parse(text, Dimension::ANGULAR_SPEED).unwrap();
+        assert!((value / expected - 1.0).abs() < 1e-14, "{text}: {value}");
+    };
+    close("3000 rpm", 314.159_265_358_979_3);
+    close("360 deg/s", std::f64::consts::TAU);
+    assert_eq!(
+        message("50 Hz", Dimension::ANGULAR_SPEED),
+        "`50 Hz` is a rate, but an angular speed is needed (rad/s, rpm)"
+    );
+}
+
+#[test]
 fn scaling_by_powers_of_ten_is_exact() {
     // Dividing by 1e9 rounds once; multiplying by 1e-9 would round twice and miss the literal.
     assert_eq!(parse("22 1/GPa", Dimension::INVERSE_PRESSURE), Ok(22e-9));

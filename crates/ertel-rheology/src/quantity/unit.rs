@@ -89,6 +89,13 @@ const SYMBOLS: &[Symbol] = &[
     symbol("degF", Dimension::TEMPERATURE, 5.0, 9.0, ""),
     symbol("rad", Dimension::ANGLE, 1.0, 1.0, "m"),
     symbol("deg", Dimension::ANGLE, std::f64::consts::PI, 180.0, ""),
+    symbol(
+        "rpm",
+        Dimension::ANGULAR_SPEED,
+        std::f64::consts::TAU,
+        60.0,
+        "",
+    ),
     symbol("N", Dimension::FORCE, 1.0, 1.0, "numkMG"),
     symbol("lbf", Dimension::FORCE, 4.448_221_615_260_5, 1.0, ""),
     symbol("Pa", Dimension::PRESSURE, 1.0, 1.0, "numhkMGT"),

@@ -15,9 +15,10 @@ const MAX_PRESSURE: f64 = 5e9;
 /// Half-width over radius from which the parabola of Hertz theory is a poor sphere.
 const POOR_PARABOLA: f64 = 0.2;
 
-/// The Hertz contact, if it is one that the theory covers.
+/// The Hertz contact, if it is one that the theory covers; `load_key` is the key of its load.
 pub(super) fn hertz(
     table: &Table<'_>,
+    load_key: &str,
     contact: &Contact,
     reduced_modulus: f64,
 ) -> Result<Hertz, InputError> {
@@ -29,7 +30,7 @@ pub(super) fn hertz(
         let load = |pressure| Hertz::load_for_pressure(contact, reduced_modulus, pressure);
         return Err(table
             .error(
-                "load",
+                load_key,
                 format!(
                     "this load gives a Hertz pressure of {}, outside 1 MPa to 5 GPa",
                     pressure(hertz.pressure)

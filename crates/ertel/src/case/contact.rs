@@ -1,4 +1,4 @@
-//! `[contact]` and `[motion]`.
+//! `[contact]` and `[motion]`, and what `[machine]` shares with them.
 
 use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
@@ -8,15 +8,15 @@ use crate::contact::curvature::gap_between;
 use crate::contact::{Contact, ContactKind, Hertz, Motion};
 
 /// Radii from asperities to rolls, m: beyond these a unit was mistaken.
-const RADIUS: Bounds = Bounds::closed(1e-6, 1e3);
+pub(super) const RADIUS: Bounds = Bounds::closed(1e-6, 1e3);
 /// Ratio of the reduced radii of an ellipse.
-const MOST_SLENDER: f64 = 1000.0;
+pub(super) const MOST_SLENDER: f64 = 1000.0;
 /// Directions of the motion, rad.
 const ANGLE: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI);
 /// Surfaces that move almost exactly against each other have ratios far beyond 2, but not these.
 const SLIDE_TO_ROLL: Bounds = Bounds::closed(-1e6, 1e6);
 /// Speeds, m/s, as for the radii.
-const MAX_SPEED: f64 = 1e3;
+pub(super) const MAX_SPEED: f64 = 1e3;
 
 /// Reads `[contact]`; `reduced_modulus` in Pa converts a Hertz pressure to a load.
 pub(super) fn read_contact(
@@ -48,34 +48,49 @@ pub(super) fn read_contact(
             Contact::of_one_radius(kind, radius, 0.0)
         }
     };
-    contact.load = if table.contains("hertz_pressure") {
-        let pressure = table.required_quantity(
-            "hertz_pressure",
-            Dimension::PRESSURE,
-            super::check::HERTZ_PRESSURE,
-        )?;
-        if table.contains("load") {
-            return Err(table.error(
-                "hertz_pressure",
-                "`load` and `hertz_pressure` say the same thing twice; keep one of them",
-            ));
-        }
-        Hertz::load_for_pressure(&contact, reduced_modulus, pressure)
-    } else {
-        let dimension = match kind.is_point() {
-            true => Dimension::FORCE,
-            false => Dimension::FORCE_PER_LENGTH,
-        };
-        table
-            .required_quantity("load", dimension, Bounds::POSITIVE)
-            .map_err(|error| match kind.is_point() {
+    contact.load = match load_of_pressure(table, "load", &contact, reduced_modulus)? {
+        Some(load) => load,
+        None => {
+            let dimension = match kind.is_point() {
+                true => Dimension::FORCE,
+                false => Dimension::FORCE_PER_LENGTH,
+            };
+            let load = table.required_quantity("load", dimension, Bounds::POSITIVE);
+            load.map_err(|error| match kind.is_point() {
                 true => error,
                 false => {
                     error.with_help("the load of a line contact is per length, such as \"50 kN/m\"")
                 }
             })?
+        }
     };
     Ok(contact)
+}
+
+/// The load of a contact (N, or N/m of a line) under the `hertz_pressure` of a table, if that stands there in place of
+/// the key `load_key`; the contact's own load does not count, `reduced_modulus` in Pa.
+pub(super) fn load_of_pressure(
+    table: &mut Table<'_>,
+    load_key: &str,
+    contact: &Contact,
+    reduced_modulus: f64,
+) -> Result<Option<f64>, InputError> {
+    let pressure = table.optional_quantity(
+        "hertz_pressure",
+        Dimension::PRESSURE,
+        super::check::HERTZ_PRESSURE,
+    )?;
+    let Some(pressure) = pressure else {
+        return Ok(None);
+    };
+    if table.contains(load_key) {
+        return Err(table.error(
+            "hertz_pressure",
+            format!("`{load_key}` and `hertz_pressure` say the same thing twice; keep one of them"),
+        ));
+    }
+    let load = Hertz::load_for_pressure(contact, reduced_modulus, pressure);
+    Ok(Some(load))
 }
 
 /// Radii and direction of the motion of an elliptical contact, without its load.
@@ -93,8 +108,7 @@ fn read_ellipse(table: &mut Table<'_>, shapes: Option<&Shapes>) -> Result<Contac
             ([x, y], 0.0)
         }
     };
-    let ratio = radii[1] / radii[0];
-    if !(1.0 / MOST_SLENDER..=MOST_SLENDER).contains(&ratio) {
+    if let Some(ratio) = too_slender(radii) {
         return Err(table
             .error(
                 if shapes.is_some() { "kind" } else { "radius_y" },
@@ -150,10 +164,17 @@ fn radii_between(table: &mut Table<'_>, shapes: &Shapes) -> Result<([f64; 2], f6
     Ok((radii, direction))
 }
 
-/// Reads `[motion]`: entrainment speed and slide-to-roll ratio, or the speeds of both surfaces.
-pub(super) fn read_motion(table: &mut Table<'_>) -> Result<Motion, InputError> {
+/// The ratio R_y/R_x of two reduced radii (m) where it is beyond those of ellipses.
+pub(super) fn too_slender(radii: [f64; 2]) -> Option<f64> {
+    let ratio = radii[1] / radii[0];
+    (!(1.0 / MOST_SLENDER..=MOST_SLENDER).contains(&ratio)).then_some(ratio)
+}
+
+/// Reads entrainment speed and slide-to-roll ratio, or the speeds of both surfaces; `plane_key` is the key of the
+/// plane's speed, `plane_speed` in `[motion]`.
+pub(super) fn read_motion(table: &mut Table<'_>, plane_key: &str) -> Result<Motion, InputError> {
     let speed = Bounds::closed(-MAX_SPEED, MAX_SPEED);
-    if !table.contains("ball_speed") && !table.contains("plane_speed") {
+    if !table.contains("ball_speed") && !table.contains(plane_key) {
         let entrainment_speed =
             table.required_quantity("entrainment_speed", Dimension::SPEED, speed)?;
         check_entrainment(table, "entrainment_speed", entrainment_speed)?;
@@ -164,12 +185,12 @@ pub(super) fn read_motion(table: &mut Table<'_>) -> Result<Motion, InputError> {
         });
     }
     let ball = table.required_quantity("ball_speed", Dimension::SPEED, speed)?;
-    let plane = table.required_quantity("plane_speed", Dimension::SPEED, speed)?;
+    let plane = table.required_quantity(plane_key, Dimension::SPEED, speed)?;
     for key in ["entrainment_speed", "slide_to_roll_ratio"] {
         if table.contains(key) {
             return Err(table.error(
                 key,
-                format!("`{key}` follows from `ball_speed` and `plane_speed`; give one pair"),
+                format!("`{key}` follows from `ball_speed` and `{plane_key}`; give one pair"),
             ));
         }
     }
@@ -184,7 +205,11 @@ pub(super) fn read_motion(table: &mut Table<'_>) -> Result<Motion, InputError> {
 /// Slowest entrainment, m/s: a nanometre in a second.
 const MIN_SPEED: f64 = 1e-9;
 
-fn check_entrainment(table: &Table<'_>, key: &str, speed: f64) -> Result<(), InputError> {
+pub(super) fn check_entrainment(
+    table: &Table<'_>,
+    key: &str,
+    speed: f64,
+) -> Result<(), InputError> {
     if speed.abs() < MIN_SPEED {
         return Err(table
             .error(key, "the entrainment speed must not be zero")

@@ -19,6 +19,7 @@ impl Case {
             case_file: (!self.source.is_empty()).then(|| self.source.clone()),
             contact: self.contact,
             motion: self.motion,
+            machine: self.machine.clone(),
             plane: body(&self.plane),
             ball: body(&self.ball),
             roughness: self.roughness,

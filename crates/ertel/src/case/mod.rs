@@ -22,6 +22,8 @@
 //! viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
 //! ```
 //!
+//! `[machine]` describes a bearing, a gear or a cam in place of `[contact]` and `[motion]`.
+//!
 //! `lubricant = "squalane-pip"` with a top-level `temperature = "40 degC"` is short for a `[lubricant]`
 //! table with `name` and `temperature`. `[thermal]` switches heat on. `[mesh]`, `[solver]` and `[output]` are optional; everything
 //! physical is required. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
@@ -32,7 +34,9 @@ mod contact;
 pub mod curve;
 mod echo;
 mod files;
+mod geometry;
 mod lubricant;
+mod machine;
 mod params;
 pub mod study;
 mod thermal;
@@ -44,6 +48,7 @@ use ertel_rheology::input::{Document, InputError, Table};
 use ertel_rheology::{Files, ShearThinning};
 
 use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
+use crate::output::MachineEcho;
 use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
 };
@@ -53,6 +58,7 @@ use bodies::Bodies;
 pub use bodies::Body;
 pub(crate) use check::mesh_of_bodies as check_mesh_of_bodies;
 pub use curve::Curve;
+use geometry::Geometry;
 pub use lubricant::Lubricant;
 pub(crate) use params::{read_mesh, read_solver};
 pub use study::Study;
@@ -75,6 +81,8 @@ pub struct Case {
     pub roughness: Option<f64>,
     /// Speeds.
     pub motion: Motion,
+    /// The machine that contact and motion were computed from, if the file gives one.
+    pub machine: Option<MachineEcho>,
     /// Lubricant and its temperature.
     pub lubricant: Lubricant,
     /// Mesh and elements.
@@ -121,7 +129,7 @@ impl Case {
     fn without_curve(document: &Document, folder: &Path) -> Result<Self, InputError> {
         let mut root = document.root();
         let title = root.optional_str("title")?.unwrap_or_default().to_owned();
-        let mut contact_table = root.required_table("contact")?;
+        let tables = geometry::Tables::of(&mut root)?;
         let Bodies {
             plane,
             ball,
@@ -129,10 +137,13 @@ impl Case {
             shapes,
         } = bodies::read(root.required_table("bodies")?, Files::Folder(folder))?;
         let modulus = reduced_modulus(plane.elasticity, ball.elasticity);
-        let contact = contact::read_contact(&mut contact_table, modulus, shapes.as_ref())?;
-        let mut motion_table = root.required_table("motion")?;
-        let motion = contact::read_motion(&mut motion_table)?;
-        let hertz = check::hertz(&contact_table, &contact, modulus)?;
+        let Geometry {
+            contact,
+            motion,
+            machine,
+            hertz,
+            tables,
+        } = tables.read(&mut root, modulus, shapes.as_ref())?;
         let solver = match root.optional_table("solver")? {
             Some(table) => params::read_solver(table)?,
             None => SolverParams::default(),
@@ -155,8 +166,7 @@ impl Case {
             None => OutputParams::default(),
         };
         root.contains("curve");
-        contact_table.clone().finish()?;
-        motion_table.finish()?;
+        tables.clone().finish()?;
         root.finish()?;
         let mut case = Self {
             title,
@@ -165,6 +175,7 @@ impl Case {
             ball,
             roughness,
             motion,
+            machine,
             lubricant,
             mesh,
             solver,
@@ -175,7 +186,7 @@ impl Case {
             given: echo::json_of(document.tree()),
             curve: None,
         };
-        check::body_of_ellipse(&case, &contact_table)?;
+        check::body_of_ellipse(&case, tables.main())?;
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);
         if let Some(table) = &mesh_table {

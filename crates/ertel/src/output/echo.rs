@@ -65,6 +65,13 @@ pub struct HeatEcho {
     pub heat_capacity_law: String,
 }
 
+/// What `[machine]` gave, in words: what was computed of it, with its source.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MachineEcho {
+    /// Names and formulas, and beside them their values.
+    pub rows: Vec<(String, String)>,
+}
+
 /// The case as understood, SI.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CaseEcho {
@@ -81,6 +88,9 @@ pub struct CaseEcho {
     pub contact: Contact,
     /// Speeds.
     pub motion: Motion,
+    /// The machine they come from; `given` holds its keys.
+    #[serde(skip)]
+    pub machine: Option<MachineEcho>,
     /// The plane.
     pub plane: BodyEcho,
     /// The ball or cylinder.

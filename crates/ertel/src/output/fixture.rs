@@ -40,6 +40,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
             entrainment_speed: 0.8,
             slide_to_roll_ratio: 0.5,
         },
+        machine: None,
         plane: steel("plane"),
         ball: steel("ball"),
         roughness: None,

@@ -83,6 +83,12 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         ContactKind::Elliptical => ("N", "elliptical"),
         ContactKind::Line => ("N/m", "line (cylinder on plane)"),
     };
+    if let Some(machine) = &case.machine {
+        out.heading("From the machine");
+        for (name, value) in &machine.rows {
+            out.row(name, value);
+        }
+    }
     out.heading("Case");
     out.row("contact", shape);
     match case.contact.kind {

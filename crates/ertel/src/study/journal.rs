@@ -39,6 +39,8 @@ impl PointKey {
         case.given = serde_json::Value::Null;
         case.output = crate::params::OutputParams::default();
         case.warnings.clear();
+        // Contact and motion hold all that the machine says.
+        case.machine = None;
         // Whatever a case comes to hold, its debug text holds, too.
         let text = format!("{NUMERICS} {case:?}");
         PointKey(xxh3_128(text.as_bytes()))

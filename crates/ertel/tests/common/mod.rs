@@ -64,6 +64,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         source: String::new(),
         given: serde_json::Value::Null,
         curve: None,
+        machine: None,
     }
 }
 

@@ -1,0 +1,76 @@
+//! The cases of `cases/machine`: checked, and estimated with what the machine gave.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn ertel(arguments: &[&str], case: &Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(arguments)
+        .arg(case)
+        .output()
+        .unwrap()
+}
+
+fn shipped(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/machine");
+    folder.join(name).with_extension("toml")
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+/// Radii, loads and speeds worked out by hand in the tests of the machines.
+#[test]
+fn every_machine_is_estimated_and_checked() {
+    let machines: [(&str, &[&str]); 5] = [
+        ("ball-on-disc", &["9.525 mm", "30 N"]),
+        (
+            "ball-bearing",
+            &["3.776 mm", "123.8 mm", "0.207065", "3.45793 m/s"],
+        ),
+        ("roller-bearing", &["4 mm", "166667 N/m", "1.88496 m/s"]),
+        (
+            "spur-gear",
+            &["15.68 mm", "25.36 mm", "9.69 mm", "133022 N/m", "1.635"],
+        ),
+        (
+            "cam-and-flat-tappet",
+            &["20 mm", "41666.7 N/m", "2.0944 m/s"],
+        ),
+    ];
+    let folder = std::fs::read_dir(shipped("x").parent().unwrap()).unwrap();
+    assert_eq!(
+        folder.count(),
+        machines.len(),
+        "every shipped machine is tested"
+    );
+    for (name, words) in machines {
+        let case = shipped(name);
+        let check = ertel(&["solve", "--check"], &case);
+        assert_eq!(
+            check.status.code(),
+            Some(0),
+            "{name}: {}",
+            text(&check.stderr)
+        );
+        assert!(
+            !text(&check.stderr).contains("warning"),
+            "{}",
+            text(&check.stderr)
+        );
+        let estimate = ertel(&["estimate"], &case);
+        assert_eq!(
+            estimate.status.code(),
+            Some(0),
+            "{name}: {}",
+            text(&estimate.stderr)
+        );
+        let report = text(&estimate.stdout);
+        let (_, machine) = report.split_once("From the machine\n").unwrap();
+        let (machine, _) = machine.split_once("\nCase\n").unwrap();
+        for words in words {
+            assert!(machine.contains(words), "{name}: {words}: {report}");
+        }
+    }
+}

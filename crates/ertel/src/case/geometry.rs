@@ -1,0 +1,134 @@
+//! What the contact is and how it moves: `[contact]` and `[motion]`, or `[machine]` in their place.
+
+use ertel_rheology::input::{InputError, Table};
+
+use super::bodies::Shapes;
+use super::machine::{self, Machine};
+use super::{check, contact};
+use crate::contact::{Contact, Hertz, Motion};
+use crate::output::{MachineEcho, digits, length};
+
+/// Contact and motion, and the tables that say them.
+pub(super) struct Geometry<'t> {
+    pub contact: Contact,
+    pub motion: Motion,
+    pub machine: Option<MachineEcho>,
+    pub hertz: Hertz,
+    /// Not yet searched for unknown keys.
+    pub tables: Tables<'t>,
+}
+
+/// The tables of the case file.
+#[derive(Clone)]
+pub(super) enum Tables<'t> {
+    /// `[contact]` and, once it was read, `[motion]`.
+    Plain(Table<'t>, Option<Table<'t>>),
+    /// `[machine]`.
+    Machine(Table<'t>),
+}
+
+impl<'t> Tables<'t> {
+    /// Finds them.
+    ///
+    /// # Errors
+    /// Neither `[contact]` nor `[machine]`, or `[machine]` beside one of the others.
+    pub fn of(root: &mut Table<'t>) -> Result<Tables<'t>, InputError> {
+        let Some(machine) = root.optional_table("machine")? else {
+            let table = root.required_table("contact").map_err(|error| {
+                error.with_help("[contact] and [motion], or [machine] in place of both")
+            })?;
+            return Ok(Tables::Plain(table, None));
+        };
+        for key in ["contact", "motion"] {
+            if root.contains(key) {
+                return Err(root
+                    .error(
+                        key,
+                        format!("[{key}] and [machine] are both given, but [{key}] follows from [machine]"),
+                    )
+                    .with_help("give [machine] alone, or [contact] and [motion] without it"));
+            }
+        }
+        Ok(Tables::Machine(machine))
+    }
+
+    /// Reads them; `reduced_modulus` in Pa, `shapes` those of the bodies.
+    ///
+    /// # Errors
+    /// Missing keys, wrong units, and contacts that Hertz theory does not cover.
+    pub fn read(
+        mut self,
+        root: &mut Table<'t>,
+        reduced_modulus: f64,
+        shapes: Option<&Shapes>,
+    ) -> Result<Geometry<'t>, InputError> {
+        let (contact, motion, machine, hertz) = match &mut self {
+            Tables::Plain(table, motion_table) => {
+                let contact = contact::read_contact(table, reduced_modulus, shapes)?;
+                let motion_table = motion_table.insert(root.required_table("motion")?);
+                let motion = contact::read_motion(motion_table, "plane_speed")?;
+                let hertz = check::hertz(table, "load", &contact, reduced_modulus)?;
+                (contact, motion, None, hertz)
+            }
+            Tables::Machine(table) => {
+                if shapes.is_some() {
+                    return Err(table.error_here(
+                        "the radii follow from [machine], but [bodies] gives some, too",
+                    ));
+                }
+                let Machine {
+                    contact,
+                    motion,
+                    load_key,
+                    echo,
+                } = machine::read(table, reduced_modulus)?;
+                let hertz = check::hertz(table, load_key, &contact, reduced_modulus)
+                    .map_err(|error| error.with_help(computed(&contact)))?;
+                (contact, motion, Some(echo), hertz)
+            }
+        };
+        Ok(Geometry {
+            contact,
+            motion,
+            machine,
+            hertz,
+            tables: self,
+        })
+    }
+
+    /// The table that says the kind of contact.
+    pub fn main(&self) -> &Table<'t> {
+        match self {
+            Tables::Plain(table, _) | Tables::Machine(table) => table,
+        }
+    }
+
+    /// Refuses the keys that nobody asked for.
+    ///
+    /// # Errors
+    /// The first of them.
+    pub fn finish(self) -> Result<(), InputError> {
+        match self {
+            Tables::Plain(contact, motion) => {
+                contact.finish()?;
+                motion.map_or(Ok(()), Table::finish)
+            }
+            Tables::Machine(table) => table.finish(),
+        }
+    }
+}
+
+/// The contact of a machine, whose file says none of these.
+fn computed(contact: &Contact) -> String {
+    let radii = match contact.kind.is_point() {
+        true => format!(
+            "radii R_x = {} and R_y = {}",
+            length(contact.radius),
+            length(contact.radius_y)
+        ),
+        false => format!("radius R = {}", length(contact.radius)),
+    };
+    let unit = if contact.kind.is_point() { "N" } else { "N/m" };
+    let load = digits(contact.load, 4);
+    format!("computed from [machine]: reduced {radii}, load {load} {unit}")
+}

@@ -1,0 +1,73 @@
+//! The contact of a ball with a raceway of a ball bearing.
+
+use std::f64::consts::FRAC_PI_2;
+
+use ertel_rheology::input::{Bounds, InputError, Table};
+use ertel_rheology::quantity::Dimension;
+
+use super::bearing::{Ring, SOURCE, gamma, rolling};
+use super::{Machine, Rows, point_load, required_length};
+use crate::contact::Contact;
+
+/// Contact angles, rad: from radial to thrust bearings.
+const ANGLE: Bounds = Bounds::closed(0.0, FRAC_PI_2);
+/// Radius of the groove over the diameter of the ball: at 0.5 the groove is as narrow as the ball.
+const CURVATURE: Bounds = Bounds::open(0.5, f64::INFINITY);
+
+/// Reads the keys of `kind = "ball-bearing"`; `reduced_modulus` in Pa.
+///
+/// Across the motion the groove of the radius f D is concave, with the diameter D of the ball in m:
+///
+/// 1/R_y = 2/D − 1/(f D) = (2 − 1/f)/D
+///
+/// Source: Harris and Kotzalas 2007, chapter 2 (curvatures ρ of ball and raceways).
+pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machine, InputError> {
+    let ring = Ring::read(table)?;
+    let diameter = required_length(table, "ball_diameter")?;
+    let pitch_diameter = required_length(table, "pitch_diameter")?;
+    let angle = table.required_quantity("contact_angle", Dimension::ANGLE, ANGLE)?;
+    let gamma = gamma(table, "ball_diameter", diameter, pitch_diameter, angle)?;
+    let curvature = read_curvature(table, ring)?;
+    let radii = [
+        ring.radius_of_rolling(diameter, gamma),
+        diameter / (2.0 - 1.0 / curvature),
+    ];
+    let mut contact = Contact::elliptical(radii, 0.0, 0.0);
+    super::check_radii(table, &contact)?;
+    contact.load = point_load(table, "ball_load", &contact, reduced_modulus)?;
+    let mut rows = Rows::default();
+    rows.text(
+        "machine",
+        format!(
+            "ball (ball) on the {} ring (plane) of a ball bearing",
+            ring.name()
+        ),
+    );
+    rows.number("γ = D cos α/d_m", gamma, "");
+    rows.length(ring.formula(), radii[0]);
+    rows.length("R_y = D/(2 − 1/f)", radii[1]);
+    rows.number("load of the ball", contact.load, "N");
+    let motion = rolling(table, pitch_diameter, gamma, &mut rows)?;
+    rows.text("source", SOURCE);
+    Ok(Machine {
+        contact,
+        motion,
+        load_key: "ball_load",
+        echo: rows.echo(),
+    })
+}
+
+/// The curvature f of the groove in question; that of the other ring may be given, too, so that `ring` alone need change.
+fn read_curvature(table: &mut Table<'_>, ring: Ring) -> Result<f64, InputError> {
+    let inner = table.optional_number("inner_groove_curvature", CURVATURE)?;
+    let outer = table.optional_number("outer_groove_curvature", CURVATURE)?;
+    let (curvature, key) = match ring {
+        Ring::Inner => (inner, "inner_groove_curvature"),
+        Ring::Outer => (outer, "outer_groove_curvature"),
+    };
+    curvature.ok_or_else(|| {
+        table
+            .missing(key)
+            .with_help("the radius of the groove over the diameter of the ball, such as 0.52")
+    })
+}

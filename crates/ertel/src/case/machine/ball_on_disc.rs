@@ -1,0 +1,40 @@
+//! A ball on a flat disc, as in film and traction rigs.
+
+use ertel_rheology::input::{InputError, Table};
+
+use super::{Machine, Rows, point_load, required_length};
+use crate::case::contact::read_motion;
+use crate::contact::Contact;
+
+/// Reads the keys of `kind = "ball-on-disc"`; `reduced_modulus` in Pa.
+///
+/// 1/R = 2/D + 1/∞, with the diameter D of the ball in m (Johnson, Contact Mechanics, 1985, section 4.1: relative curvature).
+pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machine, InputError> {
+    let radius = match table.contains("ball_radius") {
+        false => 0.5 * required_length(table, "ball_diameter")?,
+        true if table.contains("ball_diameter") => {
+            return Err(table.error(
+                "ball_radius",
+                "`ball_diameter` and `ball_radius` say the same thing twice; keep one of them",
+            ));
+        }
+        true => required_length(table, "ball_radius")?,
+    };
+    let mut contact = Contact::circular(radius, 0.0);
+    super::check_radii(table, &contact)?;
+    contact.load = point_load(table, "load", &contact, reduced_modulus)?;
+    let motion = read_motion(table, "disc_speed")?;
+    let mut rows = Rows::default();
+    rows.text("machine", "ball (ball) on disc (plane)");
+    rows.length("reduced radius R = D/2", contact.radius);
+    rows.number("load", contact.load, "N");
+    rows.number("speed of the ball", motion.ball_speed(), "m/s");
+    rows.number("speed of the disc", motion.plane_speed(), "m/s");
+    rows.text("source", "relative curvature: Johnson 1985, section 4.1");
+    Ok(Machine {
+        contact,
+        motion,
+        load_key: "load",
+        echo: rows.echo(),
+    })
+}

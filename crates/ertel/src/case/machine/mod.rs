@@ -1,0 +1,173 @@
+//! `[machine]`: contact and motion from the dimensions and speeds of a machine element.
+//!
+//! In a case file it stands in place of `[contact]` and `[motion]`. In `[bodies]`, `ball` is the ball, the roller, the
+//! pinion or the cam, and `plane` the disc, the ring, the wheel or the tappet.
+
+mod ball_bearing;
+mod ball_on_disc;
+mod bearing;
+mod cam;
+mod roller_bearing;
+mod spur_gear;
+
+use ertel_rheology::input::{Bounds, InputError, Table};
+use ertel_rheology::quantity::Dimension;
+
+use super::contact::{
+    MAX_SPEED, MOST_SLENDER, RADIUS, check_entrainment, load_of_pressure, too_slender,
+};
+use crate::contact::{Contact, Motion};
+use crate::output::{MachineEcho, digits, length};
+
+/// Angular speeds of machines, rad/s.
+const ANGULAR_SPEED: Bounds = Bounds::closed(-1e6, 1e6);
+
+/// The machine elements known.
+#[derive(Clone, Copy)]
+enum MachineKind {
+    BallOnDisc,
+    BallBearing,
+    RollerBearing,
+    SpurGear,
+    CamAndFlatTappet,
+}
+
+/// What a machine makes of its contact.
+pub(super) struct Machine {
+    pub contact: Contact,
+    pub motion: Motion,
+    /// The key that the load comes from.
+    pub load_key: &'static str,
+    pub echo: MachineEcho,
+}
+
+/// Reads `[machine]`; `reduced_modulus` in Pa converts a Hertz pressure to a load.
+pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machine, InputError> {
+    let kind = table.required_choice(
+        "kind",
+        &[
+            ("ball-on-disc", MachineKind::BallOnDisc),
+            ("ball-bearing", MachineKind::BallBearing),
+            ("roller-bearing", MachineKind::RollerBearing),
+            ("spur-gear", MachineKind::SpurGear),
+            ("cam-and-flat-tappet", MachineKind::CamAndFlatTappet),
+        ],
+    )?;
+    match kind {
+        MachineKind::BallOnDisc => ball_on_disc::read(table, reduced_modulus),
+        MachineKind::BallBearing => ball_bearing::read(table, reduced_modulus),
+        MachineKind::RollerBearing => roller_bearing::read(table, reduced_modulus),
+        MachineKind::SpurGear => spur_gear::read(table),
+        MachineKind::CamAndFlatTappet => cam::read(table, reduced_modulus),
+    }
+}
+
+/// Rows of the echo: what was computed, by which formula.
+#[derive(Default)]
+struct Rows(Vec<(String, String)>);
+
+impl Rows {
+    fn text(&mut self, name: &str, text: impl Into<String>) {
+        self.0.push((name.to_owned(), text.into()));
+    }
+
+    /// A positive length, m.
+    fn length(&mut self, name: &str, value: f64) {
+        self.text(name, length(value));
+    }
+
+    fn number(&mut self, name: &str, value: f64, unit: &str) {
+        let number = digits(value, 6);
+        self.text(name, format!("{number} {unit}").trim_end());
+    }
+
+    fn echo(self) -> MachineEcho {
+        MachineEcho { rows: self.0 }
+    }
+}
+
+/// A length that machines have, m.
+fn required_length(table: &mut Table<'_>, key: &str) -> Result<f64, InputError> {
+    table.required_quantity(key, Dimension::LENGTH, RADIUS)
+}
+
+/// Refuses reduced radii that contacts cannot have.
+fn check_radii(table: &Table<'_>, contact: &Contact) -> Result<(), InputError> {
+    let radii = match contact.kind.is_point() {
+        true => vec![("R_x", contact.radius), ("R_y", contact.radius_y)],
+        false => vec![("R", contact.radius)],
+    };
+    if let Some((name, radius)) = radii.iter().find(|(_, radius)| !RADIUS.contains(*radius)) {
+        return Err(table.error_here(format!(
+            "the reduced radius {name} of this machine is {radius:.3e} m; it must be {}",
+            RADIUS.describe("m")
+        )));
+    }
+    let slender = match contact.kind.is_point() {
+        true => too_slender([contact.radius, contact.radius_y]),
+        false => None,
+    };
+    match slender {
+        Some(ratio) => Err(table.error_here(format!(
+            "the reduced radii of this machine have the ratio R_y/R_x = {ratio:.3e}, outside 1/{MOST_SLENDER} to {MOST_SLENDER}"
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// The load of a point contact, N, from `key` or from `hertz_pressure`.
+fn point_load(
+    table: &mut Table<'_>,
+    key: &str,
+    contact: &Contact,
+    reduced_modulus: f64,
+) -> Result<f64, InputError> {
+    match load_of_pressure(table, key, contact, reduced_modulus)? {
+        Some(load) => Ok(load),
+        None => table.required_quantity(key, Dimension::FORCE, Bounds::POSITIVE),
+    }
+}
+
+/// The load per length of a line contact, N/m, from the force at `key` over the `length` (m) that carries it, or from
+/// `hertz_pressure`.
+fn line_load(
+    table: &mut Table<'_>,
+    key: &str,
+    length: f64,
+    contact: &Contact,
+    reduced_modulus: f64,
+) -> Result<f64, InputError> {
+    match load_of_pressure(table, key, contact, reduced_modulus)? {
+        Some(load) => Ok(load),
+        None => Ok(table.required_quantity(key, Dimension::FORCE, Bounds::POSITIVE)? / length),
+    }
+}
+
+/// The motion of two surfaces (m/s) that comes from the angular speed at `key`.
+///
+/// u_m = (u_ball + u_plane)/2,  SRR = (u_ball − u_plane)/u_m
+fn motion(
+    table: &Table<'_>,
+    key: &str,
+    ball_speed: f64,
+    plane_speed: f64,
+) -> Result<Motion, InputError> {
+    let entrainment_speed = 0.5 * (ball_speed + plane_speed);
+    check_entrainment(table, key, entrainment_speed)?;
+    if let Some(speed) = [ball_speed, plane_speed]
+        .into_iter()
+        .find(|speed| speed.abs() > MAX_SPEED)
+    {
+        return Err(table.error(
+            key,
+            format!("a surface moves at {speed:.3e} m/s; speeds go up to {MAX_SPEED} m/s"),
+        ));
+    }
+    Ok(Motion {
+        entrainment_speed,
+        slide_to_roll_ratio: (ball_speed - plane_speed) / entrainment_speed,
+    })
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,41 @@
+//! The contact of a roller with a raceway of a cylindrical roller bearing.
+
+use ertel_rheology::input::{InputError, Table};
+
+use super::bearing::{Ring, SOURCE, gamma, rolling};
+use super::{Machine, Rows, line_load, required_length};
+use crate::contact::Contact;
+
+/// Reads the keys of `kind = "roller-bearing"`; `reduced_modulus` in Pa. The load per length is that of a roller without
+/// crowning that does not tilt.
+pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machine, InputError> {
+    let ring = Ring::read(table)?;
+    let diameter = required_length(table, "roller_diameter")?;
+    let pitch_diameter = required_length(table, "pitch_diameter")?;
+    let length = required_length(table, "roller_length")?;
+    // Cylindrical rollers have the contact angle 0.
+    let gamma = gamma(table, "roller_diameter", diameter, pitch_diameter, 0.0)?;
+    let mut contact = Contact::line(ring.radius_of_rolling(diameter, gamma), 0.0);
+    super::check_radii(table, &contact)?;
+    contact.load = line_load(table, "roller_load", length, &contact, reduced_modulus)?;
+    let mut rows = Rows::default();
+    rows.text(
+        "machine",
+        format!(
+            "roller (ball) on the {} ring (plane) of a roller bearing",
+            ring.name()
+        ),
+    );
+    rows.number("γ = D/d_m", gamma, "");
+    rows.length(ring.formula(), contact.radius);
+    rows.number("load of the roller", contact.load * length, "N");
+    rows.number("load per length Q/l", contact.load, "N/m");
+    let motion = rolling(table, pitch_diameter, gamma, &mut rows)?;
+    rows.text("source", SOURCE);
+    Ok(Machine {
+        contact,
+        motion,
+        load_key: "roller_load",
+        echo: rows.echo(),
+    })
+}
