@@ -230,15 +230,21 @@ fn tables_of_heat_are_shown_over_pressure() {
 fn every_shipped_case_passes_the_check() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let mut n_cases = 0;
-    for entry in std::fs::read_dir(&folder).unwrap() {
-        let path = entry.unwrap().path();
+    let files = |folder: &Path| -> Vec<std::path::PathBuf> {
+        let entries = std::fs::read_dir(folder).unwrap();
+        entries
+            .map(|e| e.unwrap().path())
+            .filter(|p| p.is_file())
+            .collect()
+    };
+    for path in [files(&folder), files(&folder.join("machine"))].concat() {
         let text = std::fs::read_to_string(&path).unwrap();
-        if text.contains("[contact]") {
+        if text.contains("[contact]") || text.contains("[machine]") {
             let output = ertel(&["solve", "--check", path.to_str().unwrap()]);
             assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
             assert!(!stderr(&output).contains("warning"), "{}", stderr(&output));
             n_cases += 1;
         }
     }
-    assert!(n_cases >= 7);
+    assert!(n_cases >= 12);
 }
