@@ -24,7 +24,7 @@ impl Hertz {
     ///
     /// Circular: a³ = 3FR/(2E'), p_h = 3F/(2πa²) (Habchi 2008, eqs. 2.25, 2.26, corrected).
     /// Line: a² = 8wR/(πE'), p_h = 2w/(πa) (Johnson 1985, eqs. 4.43, 4.45).
-    /// Elliptical: see [`Ellipse`].
+    /// Elliptical: a_l³ = 6κ²E(m)FR/(πE'), p_h = 3F/(2π a_l a_s) (Johnson 1985, eqs. 4.25 to 4.28).
     pub fn new(contact: &Contact, reduced_modulus: f64) -> Hertz {
         let Contact { radius, load, .. } = *contact;
         match contact.kind {
