@@ -159,27 +159,15 @@ fn way_with_halved_steps() {
     solved("line-roelands-inc-M5-L20", None);
 }
 
-/// Cubic pressures do not converge on the refined mesh, nor after a diffusive start there: the mesh before has the solution, to the end, and a
-/// wide bar that says why. The film is that of a mesh that is fine everywhere (`--preset coarse`, 238.80 nm).
+/// A viscous film under little load, whose refined mesh failed while the error estimate asked for cells far from the contact. The film is
+/// that of a mesh that is fine everywhere (`--preset coarse`, 238.80 nm), within what that mesh is good for.
 #[test]
-fn refined_mesh_that_fails() {
+fn viscous_film_under_little_load() {
     let solution = solved("circular-barus-M50-L15", None);
-    let levels = &solution.stats.levels;
-    assert!(levels.iter().any(|l| l.role == Role::Final && !l.converged));
-    assert!(
-        levels
-            .iter()
-            .any(|l| l.role == Role::Path && l.pressure_order == 2)
-    );
-    assert!(
-        solution
-            .warnings
-            .iter()
-            .any(|w| w.contains("does not converge"))
-    );
     let film = solution.summary.film_central;
-    assert!((film.value / 238.80e-9 - 1.0).abs() < 1e-2, "{film:?}");
-    assert!(solution.history.len() < 360, "{}", solution.history.len());
+    assert!((film.value / 238.80e-9 - 1.0).abs() < 2e-3, "{film:?}");
+    assert!(film.error.unwrap() < 0.01 * film.value, "{film:?}");
+    assert!(solution.history.len() < 60, "{}", solution.history.len());
 }
 
 /// Whether those of lower order lead to a mesh that carries the case's own, or stand. The film is that of a mesh of twice as many
