@@ -59,7 +59,7 @@ fn left_out(case: &Case) -> Vec<&'static str> {
 
 /// Friction where the surfaces slide; films are hardly touched by it, and rolling alone makes no doubtful friction.
 fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<Warning> {
-    if case.motion.slide_to_roll_ratio == 0.0 {
+    if !case.motion.slides() {
         return None;
     }
     let coefficient = traction.coefficient.value.abs();

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use crate::case::{Case, SolidHeat};
-use crate::contact::{ContactKind, EquivalentBody, Groups, Hertz, Scales, Shape, hertz};
+use crate::contact::{ContactKind, EquivalentBody, Groups, Hertz, Planar, Scales, Shape, hertz};
 use crate::elastic::Elasticity;
 use crate::elastic::cache::OperatorCache;
 use crate::film::FilmFluid;
@@ -40,18 +40,18 @@ pub fn problem(case: &Case) -> Problem {
     let hertz = Hertz::new(&contact, case.reduced_modulus());
     let lubricant = &case.lubricant;
     let viscosity = lubricant.ambient_viscosity();
-    let u_m = case.motion.entrainment_speed;
     let scales = Scales::new(
         &contact,
         &hertz,
-        u_m,
+        &case.motion,
         viscosity,
         lubricant.ambient_density(),
     );
-    let shape = Shape::new(&contact, &hertz);
+    let shape = Shape::new(&contact, &hertz, &case.motion);
     let start_film = predicted_film(case) / scales.film;
     let constants = FilmConstants {
         lambda: scales.lambda,
+        entrainment: case.motion.entrainment(scales.length),
         formulation: case.solver.formulation,
         isotropic_diffusion: case.solver.isotropic_diffusion,
         elastic_stabilisation: case.solver.elastic_stabilisation,
@@ -78,7 +78,7 @@ pub fn problem(case: &Case) -> Problem {
     )
     .with_shear(
         case.shear_thinning(),
-        case.motion.slide_to_roll_ratio,
+        &case.motion.sliding(scales.length),
         &scales,
     );
     if let Some(heat) = &heat {
@@ -102,7 +102,7 @@ pub fn problem(case: &Case) -> Problem {
             case.shear_thinning().is_some(),
             heat.is_some(),
             // Continuations in sliding or in the shear law are known.
-            fluid.has_limit() || (heat.is_some() && fluid.slide() != 0.0),
+            fluid.has_limit() || (heat.is_some() && fluid.slides()),
         ),
         elasticity: match case.elastic_model() {
             ElasticModel::HalfSpace => {
@@ -152,8 +152,8 @@ fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
     let data = case.heat().ok().flatten()?;
     let params = data.params;
     let u_m = case.motion.entrainment_speed;
-    let half = 0.5 * case.motion.slide_to_roll_ratio;
-    let body = |solid: &SolidHeat, velocity: f64| BodyHeat {
+    let [plane, ball] = case.motion.surfaces(scales.length);
+    let body = |solid: &SolidHeat, velocity: Planar| BodyHeat {
         density: solid.density,
         conductivity: solid.conductivity.clone(),
         heat_capacity: solid.heat_capacity.clone(),
@@ -163,10 +163,7 @@ fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
     let heat = Heat {
         conductivity: data.conductivity.clone(),
         heat_capacity: data.heat_capacity.clone(),
-        bodies: [
-            body(&data.plane, u_m * (1.0 - half)),
-            body(&data.ball, u_m * (1.0 + half)),
-        ],
+        bodies: [body(&data.plane, plane), body(&data.ball, ball)],
         inlet_temperature: case.lubricant.temperature,
         length: scales.length,
         film: scales.film,
@@ -200,9 +197,8 @@ fn skin(body: &BodyHeat, length: f64) -> f64 {
     let t = body.bulk_temperature;
     let capacity = body.density * body.heat_capacity.heat_capacity(0.0, t);
     let diffusivity = body.conductivity.conductivity(0.0, t) / capacity;
-    (diffusivity / (body.velocity.abs() * length))
-        .sqrt()
-        .min(1.0)
+    let [u, v] = body.velocity.centre;
+    (diffusivity / (u.hypot(v) * length)).sqrt().min(1.0)
 }
 
 /// Whether a solve of the case would begin: it has the data that it needs, and a mesh that is allowed resolves its film.
@@ -339,7 +335,7 @@ fn describe(
     let scales = Scales::new(
         &contact,
         &hertz,
-        case.motion.entrainment_speed,
+        &case.motion,
         case.lubricant.ambient_viscosity(),
         case.lubricant.ambient_density(),
     );
@@ -403,12 +399,7 @@ fn describe(
             .then(|| post::fields::body(finest, &scales))
             .transpose()?
             .flatten(),
-        unresolved: Unresolved::all(
-            &summary,
-            &traction,
-            case.motion.slide_to_roll_ratio != 0.0,
-            thermal.as_ref(),
-        ),
+        unresolved: Unresolved::all(&summary, &traction, case.motion.slides(), thermal.as_ref()),
         summary,
         traction,
         film_reduction,

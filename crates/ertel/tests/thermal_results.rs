@@ -33,7 +33,7 @@ fn scales(case: &Case) -> Scales {
     Scales::new(
         &case.contact,
         &case.hertz(),
-        case.motion.entrainment_speed,
+        &case.motion,
         case.lubricant.ambient_viscosity(),
         case.lubricant.ambient_density(),
     )

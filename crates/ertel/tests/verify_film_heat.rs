@@ -16,11 +16,15 @@ use ertel::solve::sequence::Problem;
 use ertel::solve::shear::Shear;
 use ertel_rheology::shear::{Rabinowitsch, ShearLaw, ShearThinning};
 
-/// P, ∇P and H of the place; slide-to-roll ratio, and τ_c of the film that stress thins, Pa.
+/// The place, in half-widths, P, ∇P and H there; slide-to-roll ratio, and τ_c of the film that stress thins, Pa.
+const AT: [f64; 2] = [0.5, -0.7];
 const PRESSURE: f64 = 0.4;
 const GRADIENT: [f64; 2] = [-0.8, 0.3];
 const FILM: f64 = 0.2;
 const SLIDE: f64 = 0.6;
+/// Sliding across the motion over the entrainment speed, and spin of plane and ball, rad/s.
+const ACROSS: f64 = -0.25;
+const SPIN: [f64; 2] = [300.0, -900.0];
 const KNEE: f64 = 2e6;
 
 /// Temperature of the film without heat, K.
@@ -34,9 +38,23 @@ fn profile(s: f64) -> f64 {
 fn case(thins: bool) -> Case {
     let mut case = heated_case(ContactKind::Circular, 10);
     case.motion.slide_to_roll_ratio = SLIDE;
+    case.motion.slide_to_roll_ratio_across = ACROSS;
+    case.motion.spin = SPIN;
     let law = Rabinowitsch::new(KNEE, 1.0 / 3.0).unwrap();
     case.lubricant.shear_thinning = thins.then(|| ShearThinning::of(ShearLaw::Rabinowitsch(law)));
     case
+}
+
+/// Velocities of plane and ball at the place, m/s, by hand.
+fn surfaces(case: &Case) -> [[f64; 2]; 2] {
+    let [x, y] = AT.map(|v| v * case.hertz().half_width);
+    let u_m = case.motion.entrainment_speed;
+    [(-0.5, SPIN[0]), (0.5, SPIN[1])].map(|(share, spin)| {
+        [
+            u_m * (1.0 + share * SLIDE) - spin * y,
+            u_m * share * ACROSS + spin * x,
+        ]
+    })
 }
 
 /// ∫ over −½ ≤ s ≤ `to` by Simpson's rule.
@@ -78,7 +96,8 @@ impl Exact {
             }),
             thinning: if thins { 1.0 / (KNEE * KNEE) } else { 0.0 },
         };
-        let wanted = [SLIDE * case.motion.entrainment_speed, 0.0];
+        let [plane, ball] = surfaces(case);
+        let wanted = [0, 1].map(|i: usize| ball[i] - plane[i]);
         // Newton's method for one component after the other, with differences
         for _ in 0..20 {
             for i in 0..2 {
@@ -132,6 +151,7 @@ fn wall_stresses() {
             *t = profile(*s);
         }
         let fields = PointFields {
+            place: AT,
             pressure: PRESSURE,
             pressure_gradient: GRADIENT,
             film: FILM,
@@ -141,7 +161,9 @@ fn wall_stresses() {
         let found = Shear::new(&problem.fluid, &problem.scales).at(&fields);
         let off = 1e-6 * film.square(0.0).sqrt();
         for (k, s) in [0.0, -0.5, 0.5].into_iter().enumerate() {
-            assert_relative_eq!(found.stress[k], film.stress(s)[0], epsilon = off);
+            for i in 0..2 {
+                assert_relative_eq!(found.stress[k][i], film.stress(s)[i], epsilon = off);
+            }
             assert_relative_eq!(found.equivalent[k], film.square(s).sqrt(), epsilon = off);
         }
         let viscosity = 1.0 / film.fluidity(0.0);
@@ -164,6 +186,7 @@ fn heat_of_the_film() {
         let nodes = problem.fluid.nodes().unwrap().points();
         let column = |warmer: Option<usize>, by: f64| {
             let mut place = FilmPlace {
+                at: AT,
                 pressure: PRESSURE,
                 pressure_gradient: GRADIENT,
                 film: FILM,
@@ -182,7 +205,7 @@ fn heat_of_the_film() {
         };
         let found = column(None, 0.0);
         let u_m = case.motion.entrainment_speed;
-        let plane = [case.motion.plane_speed(), 0.0];
+        let [plane, _] = surfaces(&case);
         let p = PRESSURE * heat.pressure;
         let rho = |t: f64| 870.0 * (1.0 + 0.6e-9 * p / (1.0 + 1.7e-9 * p) - 7e-4 * (t - 313.15));
         let velocity = |s: f64| [0, 1].map(|i: usize| plane[i] + film.velocity(s, i));

@@ -8,7 +8,8 @@ use ertel::contact::ContactKind;
 use ertel::film::cross_film::CrossFilm;
 use ertel::film::{FilmFluid, TemperatureProfile};
 use ertel::forms::flow::{
-    Flow, PointState, Properties, generalized, pressure_stress, sliding_stress, thermal,
+    Flow, PointSliding, PointState, Properties, generalized, pressure_stress, sliding_stress,
+    thermal,
 };
 use ertel::run::problem;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning, StressLimit};
@@ -39,22 +40,23 @@ fn temperature(nodes: &[f64], [x, y]: [f64; 2]) -> TemperatureProfile {
     profile
 }
 
-/// The flow at (x, y), the temperature being that at `warm`.
-fn flow(fluid: &FilmFluid, state: &PointState<f64>, warm: [f64; 2]) -> (Flow<f64>, f64) {
+/// The flow at (x, y), the temperature and the sliding being those at `place`.
+fn flow(fluid: &FilmFluid, state: &PointState<f64>, place: [f64; 2]) -> (Flow<f64>, f64) {
     let rule = &mut CrossFilm::default();
     let p = state.pressure;
+    let slide = PointSliding::new(fluid.slide(), place);
     let Some(nodes) = fluid.nodes() else {
         let m = Properties::around(p, &fluid.at(p));
-        let omega = sliding_stress(state, &m, fluid.slide());
+        let omega = sliding_stress(state, &m, slide.value);
         let closure = fluid.close(p, pressure_stress(state), omega, rule);
-        let flow = generalized(state, &m, LAMBDA, fluid.slide(), &closure);
+        let flow = generalized(state, &m, LAMBDA, &slide, &closure);
         return (flow, m.density);
     };
-    let here = fluid.thermal(p, &temperature(nodes.points(), warm));
+    let here = fluid.thermal(p, &temperature(nodes.points(), place));
     let m = Properties::around(p, &here.point());
-    let omega = sliding_stress(state, &m, fluid.slide());
+    let omega = sliding_stress(state, &m, slide.value);
     let closure = fluid.close_thermal(p, &here, pressure_stress(state), omega, rule);
-    let flow = thermal(state, &m, LAMBDA, fluid.slide(), &closure, &here.density);
+    let flow = thermal(state, &m, LAMBDA, &slide, &closure, &here.density);
     (flow, m.density)
 }
 
@@ -65,10 +67,14 @@ fn divergence_is_that_of_the_flow() {
     let limit = StressLimit::new(4e6, 0.03).unwrap();
     let mut limited = ShearThinning::of(carreau.clone());
     limited.limit = Some(limit);
-    for heated in [false, true] {
+    for (heated, askew) in [(false, false), (true, false), (false, true), (true, true)] {
         for law in [ShearThinning::of(carreau.clone()), limited.clone()] {
             let mut case = heated_case(ContactKind::Circular, 8);
             case.motion.slide_to_roll_ratio = 0.3;
+            if askew {
+                case.motion.slide_to_roll_ratio_across = -0.2;
+                case.motion.spin = [900.0, -1500.0];
+            }
             case.lubricant.shear_thinning = Some(law);
             if !heated {
                 case.thermal = None;
@@ -96,11 +102,13 @@ fn divergence_is_that_of_the_flow() {
                 let diffusivity = (steeper(step) - steeper(-step)) / (2.0 * step);
                 assert_relative_eq!(found.diffusivity, diffusivity, max_relative = 1e-5);
 
-                let density = |x: f64| flow(&fluid, &state(point), [x, y]).1;
-                let drift = (density(x + step) - density(x - step)) / (2.0 * step);
-                let drift = state(point).film * drift;
-                assert_relative_eq!(found.drift, drift, epsilon = 1e-8);
-                assert_eq!(found.drift != 0.0, heated);
+                let density = |x: f64, y: f64| flow(&fluid, &state(point), [x, y]).1;
+                let along = (density(x + step, y) - density(x - step, y)) / (2.0 * step);
+                let across = (density(x, y + step) - density(x, y - step)) / (2.0 * step);
+                for (found, by) in found.drift.into_iter().zip([along, across]) {
+                    assert_relative_eq!(found, state(point).film * by, epsilon = 1e-8);
+                    assert_eq!(found != 0.0, heated);
+                }
             }
         }
     }

@@ -85,14 +85,21 @@ fn check(
     case.solver.elasticity = Some(elasticity);
     case.plane.elasticity = common::GLASS;
     case.motion.slide_to_roll_ratio = 0.3;
+    if kind == ContactKind::Elliptical {
+        case.motion.slide_to_roll_ratio_across = -0.2;
+        case.motion.spin = [400.0, -900.0];
+    }
     if heat {
         case = common::heated(case);
     }
     let mut problem = problem(&case);
     let hertz = case.hertz();
-    let scales = Scales::new(&case.contact, &hertz, 0.8, 0.04, 870.0);
+    let scales = Scales::new(&case.contact, &hertz, &case.motion, 0.04, 870.0);
     let thins = thinned.is_some();
-    problem.fluid = problem.fluid.with_shear(thinned.as_ref(), 0.3, &scales);
+    let sliding = case.motion.sliding(scales.length);
+    problem.fluid = problem
+        .fluid
+        .with_shear(thinned.as_ref(), &sliding, &scales);
     let contact = ContactSurface::new(
         &problem.shape,
         &problem.extents,
@@ -263,6 +270,22 @@ fn circular_shear_thinning() {
             Some(law),
             false,
         );
+    }
+}
+
+/// Sliding askew, and spin.
+#[test]
+fn elliptical_shear_thinning() {
+    for law in thinning() {
+        for heat in [false, true] {
+            check(
+                ContactKind::Elliptical,
+                ElasticModel::HalfSpace,
+                2,
+                Some(law.clone()),
+                heat,
+            );
+        }
     }
 }
 

@@ -4,7 +4,7 @@ mod common;
 
 use approx::assert_relative_eq;
 use common::rigid::{EXTENTS, heated_case, problem_without_expansion, rigid, solve};
-use ertel::contact::ContactKind;
+use ertel::contact::{ContactKind, Planar};
 use ertel::film::MOST_NODES;
 use ertel::film::cross_film::CrossFilm;
 use ertel::forms::energy::{FilmPlace, Layer, film_column};
@@ -33,6 +33,7 @@ fn film_properties_follow_pressure_and_temperature() {
     let heights = &problem.heat.as_ref().unwrap().column.heights;
     for pressure in [0.5, -0.3] {
         let mut place = FilmPlace {
+            at: [0.0; 2],
             pressure,
             pressure_gradient: [0.0; 2],
             film: 0.3,
@@ -75,7 +76,7 @@ fn a_body_at_rest_is_held_at_its_temperature() {
         (params.plane_temperature, params.ball_temperature) = (Some(303.0), Some(320.0));
         let problem = problem(&case);
         let heat = &problem.heat.as_ref().unwrap().heat;
-        assert_eq!(heat.bodies[at_rest].velocity, 0.0);
+        assert!(heat.bodies[at_rest].velocity.is_zero());
         let column = Column::new(4, 3, 1.0, [0.3, 0.3]);
         let (d, mut state) = rigid(ContactKind::Line, &EXTENTS, 0.25, 1, column, heat);
         let space = d.heat.as_ref().unwrap();
@@ -120,7 +121,7 @@ fn heat_is_conducted_out_of_bodies_at_rest() {
     let problem = problem_without_expansion(&case);
     let mut heat = problem.heat.as_ref().unwrap().heat.clone();
     for body in &mut heat.bodies {
-        body.velocity = 0.0;
+        body.velocity = Planar::default();
     }
     let extents = Extents {
         inlet: -6.0,
@@ -145,7 +146,10 @@ fn a_share_of_the_sliding_leaves_the_entrainment() {
     let heat = problem(&case).heat.unwrap().heat;
     let u_m = case.motion.entrainment_speed;
     for share in [0.0, 0.25, 1.0] {
-        let [plane, ball] = heat.with_sliding(share).bodies.map(|b| b.velocity);
+        let [plane, ball] = heat
+            .with_sliding(share)
+            .bodies
+            .map(|b| b.velocity.centre[0]);
         assert_relative_eq!(plane + ball, 2.0 * u_m, max_relative = 1e-12);
         assert_relative_eq!(ball - plane, 1.2 * share * u_m, epsilon = 1e-12);
     }

@@ -102,7 +102,10 @@ pub(super) fn read(mut table: Table<'_>, files: Files<'_>) -> Result<Bodies, Inp
 }
 
 /// Which of two names of a body stands in the table; the first where neither does.
-fn name_in(table: &mut Table<'_>, names: [&'static str; 2]) -> Result<&'static str, InputError> {
+pub(super) fn name_in(
+    table: &mut Table<'_>,
+    names: [&'static str; 2],
+) -> Result<&'static str, InputError> {
     match names.map(|name| table.contains(name)) {
         [true, true] => Err(table.error(
             names[1],

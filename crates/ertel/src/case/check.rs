@@ -145,17 +145,22 @@ pub(crate) fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warni
     Ok(warnings)
 }
 
-/// Refuses finite-element bodies below elliptical contacts: their meshes are made around circles.
+/// Refuses finite-element bodies below elliptical contacts and surfaces that slide askew or spin: their meshes are made around
+/// circles, and halves of them.
 pub(super) fn body_of_ellipse(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
-    if case.contact.kind != ContactKind::Elliptical
-        || case.elastic_model() == ElasticModel::HalfSpace
-    {
+    let halved = case.motion.is_straight() || !case.contact.kind.is_point();
+    let ellipse = case.contact.kind == ContactKind::Elliptical;
+    if (halved && !ellipse) || case.elastic_model() == ElasticModel::HalfSpace {
         return Ok(());
     }
+    let what = match ellipse {
+        true => "an elliptical contact",
+        false => "a contact whose surfaces slide across the entrainment or spin",
+    };
     Err(table
         .error(
             "kind",
-            "an elliptical contact needs half-spaces, but this case asks for finite-element bodies",
+            format!("{what} needs half-spaces, but this case asks for finite-element bodies"),
         )
         .with_help("remove `elasticity` and `linear` from [solver] and `body_field` from [output]"))
 }

@@ -1,11 +1,11 @@
-//! `[contact]` and `[motion]`, and what `[machine]` shares with them.
+//! `[contact]`, and what `[machine]` shares with it.
 
 use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
 use super::bodies::Shapes;
 use crate::contact::curvature::gap_between;
-use crate::contact::{Contact, ContactKind, Hertz, Motion};
+use crate::contact::{Contact, ContactKind, Hertz};
 
 /// Radii from asperities to rolls, m: beyond these a unit was mistaken.
 pub(super) const RADIUS: Bounds = Bounds::closed(1e-6, 1e3);
@@ -13,10 +13,6 @@ pub(super) const RADIUS: Bounds = Bounds::closed(1e-6, 1e3);
 pub(super) const MOST_SLENDER: f64 = 1000.0;
 /// Directions of the motion, rad.
 const ANGLE: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI);
-/// Surfaces that move almost exactly against each other have ratios far beyond 2, but not these.
-const SLIDE_TO_ROLL: Bounds = Bounds::closed(-1e6, 1e6);
-/// Speeds, m/s, as for the radii.
-pub(super) const MAX_SPEED: f64 = 1e3;
 
 /// Reads `[contact]`; `reduced_modulus` in Pa converts a Hertz pressure to a load.
 pub(super) fn read_contact(
@@ -168,57 +164,4 @@ fn radii_between(table: &mut Table<'_>, shapes: &Shapes) -> Result<([f64; 2], f6
 pub(super) fn too_slender(radii: [f64; 2]) -> Option<f64> {
     let ratio = radii[1] / radii[0];
     (!(1.0 / MOST_SLENDER..=MOST_SLENDER).contains(&ratio)).then_some(ratio)
-}
-
-/// Reads entrainment speed and slide-to-roll ratio, or the speeds of both surfaces; `plane_key` is the key of the
-/// plane's speed, `plane_speed` in `[motion]`.
-pub(super) fn read_motion(table: &mut Table<'_>, plane_key: &str) -> Result<Motion, InputError> {
-    let speed = Bounds::closed(-MAX_SPEED, MAX_SPEED);
-    if !table.contains("ball_speed") && !table.contains(plane_key) {
-        let entrainment_speed =
-            table.required_quantity("entrainment_speed", Dimension::SPEED, speed)?;
-        check_entrainment(table, "entrainment_speed", entrainment_speed)?;
-        let slide_to_roll_ratio = table.required_number("slide_to_roll_ratio", SLIDE_TO_ROLL)?;
-        return Ok(Motion {
-            entrainment_speed,
-            slide_to_roll_ratio,
-        });
-    }
-    let ball = table.required_quantity("ball_speed", Dimension::SPEED, speed)?;
-    let plane = table.required_quantity(plane_key, Dimension::SPEED, speed)?;
-    for key in ["entrainment_speed", "slide_to_roll_ratio"] {
-        if table.contains(key) {
-            return Err(table.error(
-                key,
-                format!("`{key}` follows from `ball_speed` and `{plane_key}`; give one pair"),
-            ));
-        }
-    }
-    let entrainment_speed = 0.5 * (ball + plane);
-    check_entrainment(table, "ball_speed", entrainment_speed)?;
-    Ok(Motion {
-        entrainment_speed,
-        slide_to_roll_ratio: (ball - plane) / entrainment_speed,
-    })
-}
-
-/// Slowest entrainment, m/s: a nanometre in a second.
-const MIN_SPEED: f64 = 1e-9;
-
-pub(super) fn check_entrainment(
-    table: &Table<'_>,
-    key: &str,
-    speed: f64,
-) -> Result<(), InputError> {
-    if speed.abs() < MIN_SPEED {
-        return Err(table
-            .error(key, "the entrainment speed must not be zero")
-            .with_help("only entrained lubricant keeps the surfaces apart in a steady contact"));
-    }
-    if speed < 0.0 {
-        return Err(table
-            .error(key, "the entrainment speed must be positive")
-            .with_help("the inlet lies at x < 0; turn x around and both speeds with it"));
-    }
-    Ok(())
 }

@@ -4,7 +4,7 @@ use ertel_rheology::input::{InputError, Table};
 
 use super::bodies::Shapes;
 use super::machine::{self, Machine};
-use super::{check, contact};
+use super::{check, contact, motion};
 use crate::contact::{Contact, Hertz, Motion};
 use crate::output::{MachineEcho, digits, length};
 
@@ -66,8 +66,14 @@ impl<'t> Tables<'t> {
             Tables::Plain(table, motion_table) => {
                 let contact = contact::read_contact(table, reduced_modulus, shapes)?;
                 let motion_table = motion_table.insert(root.required_table("motion")?);
-                let motion = contact::read_motion(motion_table, "plane_speed")?;
+                let motion = motion::read_motion(motion_table, "plane_speed")?;
                 let hertz = check::hertz(table, "load", &contact, reduced_modulus)?;
+                motion::check_spin(
+                    motion_table,
+                    &motion,
+                    contact.kind.is_point(),
+                    reach(&hertz),
+                )?;
                 (contact, motion, None, hertz)
             }
             Tables::Machine(table) => {
@@ -84,6 +90,7 @@ impl<'t> Tables<'t> {
                 } = machine::read(table, reduced_modulus)?;
                 let hertz = check::hertz(table, load_key, &contact, reduced_modulus)
                     .map_err(|error| error.with_help(computed(&contact)))?;
+                motion::check_spin(table, &motion, contact.kind.is_point(), reach(&hertz))?;
                 (contact, motion, Some(echo), hertz)
             }
         };
@@ -116,6 +123,11 @@ impl<'t> Tables<'t> {
             Tables::Machine(table) => table.finish(),
         }
     }
+}
+
+/// Largest half-width, m.
+fn reach(hertz: &Hertz) -> f64 {
+    (hertz.half_width_y).map_or(hertz.half_width, |b| b.max(hertz.half_width))
 }
 
 /// The contact of a machine, whose file says none of these.

@@ -37,6 +37,7 @@ mod files;
 mod geometry;
 mod lubricant;
 mod machine;
+mod motion;
 mod params;
 pub mod study;
 mod thermal;

@@ -6,6 +6,7 @@ pub mod equivalent;
 pub mod gap;
 pub mod groups;
 pub mod hertz;
+pub mod motion;
 pub mod scales;
 pub mod shape;
 pub mod turn;
@@ -15,6 +16,7 @@ pub use equivalent::EquivalentBody;
 pub use gap::Gap;
 pub use groups::Groups;
 pub use hertz::Hertz;
+pub use motion::{Motion, Planar};
 pub use scales::Scales;
 pub use shape::{Shape, Symmetry};
 pub use turn::Turn;
@@ -164,27 +166,6 @@ impl Contact {
         let (s, c) = self.entrainment_angle.sin_cos();
         let (x, y) = (1.0 / self.radius, 1.0 / self.radius_y);
         [c * c * x + s * s * y, s * s * x + c * c * y].map(f64::recip)
-    }
-}
-
-/// Motion of the two surfaces along x.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Motion {
-    /// Entrainment speed u_m = (u_ball + u_plane)/2, m/s.
-    pub entrainment_speed: f64,
-    /// Slide-to-roll ratio (u_ball − u_plane)/u_m.
-    pub slide_to_roll_ratio: f64,
-}
-
-impl Motion {
-    /// Speed of the ball's surface, m/s.
-    pub fn ball_speed(&self) -> f64 {
-        self.entrainment_speed * (1.0 + 0.5 * self.slide_to_roll_ratio)
-    }
-
-    /// Speed of the plane's surface, m/s.
-    pub fn plane_speed(&self) -> f64 {
-        self.entrainment_speed * (1.0 - 0.5 * self.slide_to_roll_ratio)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Contact, Hertz, Shape};
+use super::{Contact, Hertz, Motion, Shape};
 
 /// Scales of the dimensionless variables (Habchi 2008, eq. 2.28):
 /// X = x/a, P = p/p_h, H = hR/a², ρ̄ = ρ/ρ_R, μ̄ = μ/μ_R.
@@ -32,19 +32,19 @@ impl Scales {
     pub fn new(
         contact: &Contact,
         hertz: &Hertz,
-        entrainment_speed: f64,
+        motion: &Motion,
         viscosity: f64,
         density: f64,
     ) -> Scales {
         let (a, p_h, r) = (hertz.half_width, hertz.pressure, contact.radius);
-        let load = Shape::new(contact, hertz).load();
+        let load = Shape::new(contact, hertz, motion).load();
         Scales {
             length: a,
             pressure: p_h,
             film: a * a / r,
             viscosity,
             density,
-            lambda: 12.0 * entrainment_speed * viscosity * r * r / (a * a * a * p_h),
+            lambda: 12.0 * motion.entrainment_speed * viscosity * r * r / (a * a * a * p_h),
             elastic_stress: r * p_h / a,
             load,
         }

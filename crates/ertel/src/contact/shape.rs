@@ -1,6 +1,6 @@
 //! What the solver knows of a contact's geometry.
 
-use super::{Contact, ContactKind, Gap, Hertz, HertzZone, Turn, hertz};
+use super::{Contact, ContactKind, Gap, Hertz, HertzZone, Motion, Turn, hertz};
 
 /// Which part of the contact is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,10 +63,10 @@ impl Shape {
         symmetry: Symmetry::Half,
     };
 
-    /// Of a contact with its Hertz theory.
-    pub fn new(contact: &Contact, hertz: &Hertz) -> Shape {
+    /// Of a contact with its Hertz theory, in some motion: all of it is solved where nothing makes its halves alike.
+    pub fn new(contact: &Contact, hertz: &Hertz, motion: &Motion) -> Shape {
         let turn = Turn::by(contact.entrainment_angle);
-        match contact.kind {
+        let shape = match contact.kind {
             ContactKind::Line => Shape::LINE,
             ContactKind::Circular => Shape::CIRCULAR,
             ContactKind::Elliptical => Shape {
@@ -83,6 +83,13 @@ impl Shape {
                     true => Symmetry::Half,
                     false => Symmetry::Full,
                 },
+            },
+        };
+        match motion.is_straight() {
+            true => shape,
+            false => Shape {
+                symmetry: Symmetry::Full,
+                ..shape
             },
         }
     }

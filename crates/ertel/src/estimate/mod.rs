@@ -214,7 +214,7 @@ fn thermal(case: &Case, pressure_over_modulus: f64) -> ThermalEstimate {
         conductivity,
     );
     estimate.loading = Some(loading);
-    let ratio = case.motion.slide_to_roll_ratio;
+    let ratio = case.motion.sliding_at_centre();
     estimate.factors = ThermalReduction::ALL
         .into_iter()
         .filter_map(|formula| {

@@ -2,23 +2,26 @@
 //!
 //! ```text
 //!   t(s) = τ + sG,  G = H∇P          stress across the film, s from −½ (plane) to ½ (ball)
-//!   ∫ t f(|t|²) ds = Ω e_x           the surfaces slide: two equations for the mid-plane stress τ
+//!   ∫ t f(|t|²) ds = Ω               the surfaces slide: two equations for the mid-plane stress τ
 //!   q = ∫ s t f(|t|²) ds             flow that the pressure drives; Newtonian q = G/12
 //!
 //!   f = μ₁/η the relative fluidity, Ω = μ₁Δu/h; stresses in units of a p_h/R
 //! ```
 //! The momentum balance of a thin film makes the stress linear across it (Habchi 2008, eq. 4.4); f
 //! depends on the stress, so that what is left is this small problem at each point of the contact, solved
-//! to round-off. It is convex: τ is the minimum of ∫ W(|t|²) ds − Ωτ_x, W' = f/2. First and second
-//! derivatives of q by y = (G_x, G_y, Ω, P) follow by implicit differentiation.
+//! to round-off. It is convex: τ is the minimum of ∫ W(|t|²) ds − Ω·τ, W' = f/2. First and second
+//! derivatives of q by y = (G_x, G_y, Ω_x, Ω_y, P) follow by implicit differentiation.
 
 use std::ops::{Add, Mul};
 
 use super::cross_film::{CrossFilm, LimitScale, StressScales};
 use super::fluidity::{Fluidity, UniformFluidity};
 
-/// Number of quantities that the flow depends on: G_x, G_y, Ω, P.
-pub const N_DEMANDS: usize = 4;
+/// Number of quantities that the flow depends on: G_x, G_y, Ω_x, Ω_y, P.
+pub const N_DEMANDS: usize = 5;
+/// Ω_y and P among them.
+pub(super) const ACROSS_MOTION: usize = 3;
+pub(super) const PRESSURE: usize = 4;
 
 /// Solution of the local problem.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,21 +30,24 @@ pub struct Closure {
     pub mid_stress: [f64; 2],
     /// q.
     pub flow: [f64; 2],
-    /// ∂q/∂y.
+    /// ∂q/∂y; those by Ω_y are left out where the surfaces nowhere slide across the motion.
     pub slopes: [[f64; N_DEMANDS]; 2],
-    /// ∂²q/∂y∂y.
+    /// ∂²q/∂y∂y, likewise.
     pub curvatures: [[[f64; N_DEMANDS]; N_DEMANDS]; 2],
 }
 
 impl Closure {
-    /// Solution for a Newtonian film: q = G/12, τ = Ω e_x.
-    pub fn newtonian(pressure_stress: [f64; 2], slide: f64) -> Closure {
-        Closure {
-            mid_stress: [slide, 0.0],
+    /// Solution for a Newtonian film: q = G/12, τ = Ω.
+    pub fn newtonian(pressure_stress: [f64; 2], sliding_stress: [f64; 2]) -> Closure {
+        let mut closure = Closure {
+            mid_stress: sliding_stress,
             flow: pressure_stress.map(|g| g / 12.0),
-            slopes: [[1.0 / 12.0, 0.0, 0.0, 0.0], [0.0, 1.0 / 12.0, 0.0, 0.0]],
             ..Closure::default()
+        };
+        for i in 0..2 {
+            closure.slopes[i][i] = 1.0 / 12.0;
         }
+        closure
     }
 }
 
@@ -51,11 +57,31 @@ impl Closure {
 pub fn mid_stress(
     law: &impl Fluidity,
     pressure_stress: [f64; 2],
+    sliding_stress: [f64; 2],
+    rule: &mut CrossFilm,
+) -> [f64; 2] {
+    let [x, y] = sliding_stress;
+    let g = pressure_stress;
+    if y == 0.0 {
+        return mid_stress_along(law, g, x, rule);
+    }
+    // The fluid knows no direction: the same along the sliding, turned back.
+    let size = x.hypot(y);
+    let [c, s] = [x / size, y / size];
+    let turned = [c * g[0] + s * g[1], c * g[1] - s * g[0]];
+    let [along, across] = mid_stress_along(law, turned, size, rule);
+    [c * along - s * across, s * along + c * across]
+}
+
+/// The same where the surfaces slide along x.
+#[inline(always)]
+fn mid_stress_along(
+    law: &impl Fluidity,
+    g: [f64; 2],
     slide: f64,
     rule: &mut CrossFilm,
 ) -> [f64; 2] {
     let scales = law.scales();
-    let g = pressure_stress;
     if slide == 0.0 && law.is_symmetric() {
         // Odd in s: no stress at mid-plane.
         rule.lay(&scales, [0.0; 2], g);
@@ -342,7 +368,7 @@ pub struct FilmFlow {
     pub mid_stress: [f64; 2],
     /// q.
     pub flow: [f64; 2],
-    /// ∫ t·tf ds, the work of the stresses: Ωτ_x + G·q where e = s.
+    /// ∫ t·tf ds, the work of the stresses: Ω·τ + G·q where e = s.
     pub work: f64,
 }
 
@@ -352,10 +378,10 @@ pub fn flow(
     law: &impl Fluidity,
     moment_weight: impl Fn(f64) -> f64,
     pressure_stress: [f64; 2],
-    slide: f64,
+    sliding_stress: [f64; 2],
     rule: &mut CrossFilm,
 ) -> FilmFlow {
-    let tau = mid_stress(law, pressure_stress, slide, rule);
+    let tau = mid_stress(law, pressure_stress, sliding_stress, rule);
     let mut film = FilmFlow {
         mid_stress: tau,
         ..FilmFlow::default()
@@ -374,23 +400,24 @@ pub fn flow(
     film
 }
 
-/// Solves the local problem and differentiates it.
+/// Solves the local problem and differentiates it, by Ω_y only if `ACROSS`.
 #[inline(always)]
-pub fn close(
+pub fn close<const ACROSS: bool>(
     law: &impl UniformFluidity,
     pressure_stress: [f64; 2],
-    slide: f64,
+    sliding_stress: [f64; 2],
     rule: &mut CrossFilm,
 ) -> Closure {
-    let tau = mid_stress(law, pressure_stress, slide, rule);
+    let tau = mid_stress(law, pressure_stress, sliding_stress, rule);
     let m = Moments::new(law, rule, tau, pressure_stress);
     let [k0, k1, k2] = m.first;
     let inverse = |b: [f64; 2]| solve(k0, b);
-    // Columns ∂τ/∂y: K⁰ τ_y = (−K¹, e_x, −a_P).
+    // Columns ∂τ/∂y: K⁰ τ_y = (−K¹, e_x, e_y, −a_P).
     let mid_by = [
         inverse([-k1[0], -k1[1]]),
         inverse([-k1[1], -k1[2]]),
         inverse([1.0, 0.0]),
+        inverse([0.0, 1.0]),
         inverse(m.by_p[0].map(|v| -v)),
     ];
     let mut closure = Closure {
@@ -398,9 +425,18 @@ pub fn close(
         flow: m.flow,
         ..Closure::default()
     };
-    // q_y = K¹ τ_y + (K², 0, q_P).
-    let direct = [[k2[0], k2[1]], [k2[1], k2[2]], [0.0; 2], m.by_p[1]];
+    // q_y = K¹ τ_y + (K², 0, 0, q_P).
+    let direct = [
+        [k2[0], k2[1]],
+        [k2[1], k2[2]],
+        [0.0; 2],
+        [0.0; 2],
+        m.by_p[1],
+    ];
     for (y, (mid, direct)) in mid_by.iter().zip(&direct).enumerate() {
+        if !ACROSS && y == ACROSS_MOTION {
+            continue;
+        }
         let through = multiply(k1, *mid);
         for i in 0..2 {
             closure.slopes[i][y] = through[i] + direct[i];
@@ -408,9 +444,12 @@ pub fn close(
     }
     // q_yz = ∫(s − K¹(K⁰)⁻¹) d²(tf)[y, z] ds, t moving by t_y = τ_y + s e_y.
     let moment_weight = [inverse([k1[0], k1[1]]), inverse([k1[1], k1[2]])];
-    let moves = [[1.0, 0.0], [0.0, 1.0], [0.0; 2], [0.0; 2]];
+    let moves = [[1.0, 0.0], [0.0, 1.0], [0.0; 2], [0.0; 2], [0.0; 2]];
     for y in 0..N_DEMANDS {
         for z in 0..=y {
+            if !ACROSS && (y == ACROSS_MOTION || z == ACROSS_MOTION) {
+                continue;
+            }
             let [u, v, e, f] = [mid_by[y], mid_by[z], moves[y], moves[z]];
             let moment = |n: usize| {
                 let mut sum = contract(m.second[n], u, v);
@@ -423,11 +462,11 @@ pub fn close(
                 if z < 2 {
                     sum = plus(sum, contract(m.second[n + 1], u, f));
                 }
-                if y == 3 {
+                if y == PRESSURE {
                     // P acts by itself, too.
                     let mixed = |v, f| plus(multiply(m.mixed[n], v), multiply(m.mixed[n + 1], f));
                     sum = plus(sum, mixed(v, f));
-                    if z == 3 {
+                    if z == PRESSURE {
                         sum = plus(plus(sum, mixed(u, e)), m.second_by_p[n]);
                     }
                 }

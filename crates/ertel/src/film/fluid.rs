@@ -17,7 +17,7 @@ use super::polynomial::{FilmNodes, Nodal};
 use super::properties::Properties;
 use super::thermal::{Jet2, TemperatureProfile, ThermalFluid, ThermalLaw};
 use super::thermal_closure::{ThermalClosure, close_thermal};
-use crate::contact::Scales;
+use crate::contact::{Planar, Scales};
 
 /// Fluid at a point: value, first and second derivative by P.
 #[derive(Clone, Copy, Debug)]
@@ -43,8 +43,8 @@ pub struct FilmFluid {
     stress_scale: f64,
     /// How stress thins the fluid.
     shear_thinning: Option<Arc<Thinning>>,
-    /// σ = λ SRR/12.
-    slide: f64,
+    /// σ = λ Δu/(12 u_m), the sliding velocity's field.
+    slide: Planar,
     /// Nodes across the film, if its temperature varies.
     nodes: Option<Arc<FilmNodes>>,
 }
@@ -67,22 +67,22 @@ impl FilmFluid {
             viscosity_exponent: 1.0,
             stress_scale: scales.pressure * scales.film / scales.length,
             shear_thinning: None,
-            slide: 0.0,
+            slide: Planar::default(),
             nodes: None,
         }
     }
 
-    /// The same fluid thinned by stress, between surfaces of a slide-to-roll ratio. `None` leaves it
+    /// The same fluid thinned by stress, between surfaces that slide by a velocity over the entrainment speed. `None` leaves it
     /// Newtonian; then sliding makes stress only.
     pub fn with_shear(
         self,
         shear_thinning: Option<&ShearThinning>,
-        slide_to_roll_ratio: f64,
+        sliding: &Planar,
         scales: &Scales,
     ) -> FilmFluid {
         FilmFluid {
             shear_thinning: shear_thinning.map(|law| Arc::new(Thinning::new(law))),
-            slide: scales.lambda * slide_to_roll_ratio / 12.0,
+            slide: sliding.map(|s| scales.lambda * s / 12.0),
             ..self
         }
     }
@@ -188,11 +188,19 @@ impl FilmFluid {
         pressure: f64,
         fluid: &ThermalFluid,
         pressure_stress: [f64; 2],
-        sliding_stress: f64,
+        sliding_stress: [f64; 2],
         rule: &mut CrossFilm,
     ) -> ThermalClosure {
         let law = self.thermal_law(pressure, fluid);
-        vectorised(CloseWarm {
+        if self.slide.is_along_x() {
+            return vectorised(CloseThermal::<false> {
+                law: &law,
+                pressure_stress,
+                sliding_stress,
+                rule,
+            });
+        }
+        vectorised(CloseThermal::<true> {
             law: &law,
             pressure_stress,
             sliding_stress,
@@ -228,8 +236,13 @@ impl FilmFluid {
     }
 
     /// σ, by which Ω = σμ̄/H.
-    pub fn slide(&self) -> f64 {
-        self.slide
+    pub fn slide(&self) -> &Planar {
+        &self.slide
+    }
+
+    /// Whether the surfaces slide.
+    pub fn slides(&self) -> bool {
+        !self.slide.is_zero()
     }
 
     /// Flow across the film at P, for G = H∇P and Ω.
@@ -237,12 +250,18 @@ impl FilmFluid {
         &self,
         pressure: f64,
         pressure_stress: [f64; 2],
-        sliding_stress: f64,
+        sliding_stress: [f64; 2],
         rule: &mut CrossFilm,
     ) -> Closure {
         match self.thinning_at(pressure) {
             None => Closure::newtonian(pressure_stress, sliding_stress),
-            Some(law) => vectorised(Close {
+            Some(law) if self.slide.is_along_x() => vectorised(Close::<false> {
+                law: &law,
+                pressure_stress,
+                sliding_stress,
+                rule,
+            }),
+            Some(law) => vectorised(Close::<true> {
                 law: &law,
                 pressure_stress,
                 sliding_stress,
@@ -274,7 +293,7 @@ impl FilmFluid {
     /// The same fluid between surfaces that slide by a share of their sliding.
     pub fn with_sliding(&self, share: f64) -> FilmFluid {
         FilmFluid {
-            slide: share * self.slide,
+            slide: self.slide.times(share),
             ..self.clone()
         }
     }
@@ -307,24 +326,24 @@ impl FilmFluid {
 }
 
 kernel! {
-    CloseWarm ['a] ['a] (
+    CloseThermal ['a, const ACROSS: bool] ['a, ACROSS] (
         law: &'a ThermalLaw<'a>,
         pressure_stress: [f64; 2],
-        sliding_stress: f64,
+        sliding_stress: [f64; 2],
         rule: &'a mut CrossFilm,
     ) -> ThermalClosure {
-        close_thermal(law, pressure_stress, sliding_stress, rule)
+        close_thermal::<ACROSS>(law, pressure_stress, sliding_stress, rule)
     }
 }
 
 kernel! {
-    Close ['a] ['a] (
+    Close ['a, const ACROSS: bool] ['a, ACROSS] (
         law: &'a PointThinning<'a>,
         pressure_stress: [f64; 2],
-        sliding_stress: f64,
+        sliding_stress: [f64; 2],
         rule: &'a mut CrossFilm,
     ) -> Closure {
-        closure::close(law, pressure_stress, sliding_stress, rule)
+        closure::close::<ACROSS>(law, pressure_stress, sliding_stress, rule)
     }
 }
 
@@ -347,14 +366,19 @@ impl LocalFluid<'_> {
         self.thermal.as_ref()
     }
 
-    /// G and Ω of a pressure gradient and a film thickness.
-    pub fn demands(&self, pressure_gradient: [f64; 2], film: f64) -> ([f64; 2], f64) {
-        let omega = self.fluid.slide * self.point.viscosity[0] / film;
+    /// G and Ω of a pressure gradient and a film thickness at a place.
+    pub fn demands(
+        &self,
+        place: [f64; 2],
+        pressure_gradient: [f64; 2],
+        film: f64,
+    ) -> ([f64; 2], [f64; 2]) {
+        let omega = (self.fluid.slide.at(place)).map(|s| s * self.point.viscosity[0] / film);
         (pressure_gradient.map(|p| film * p), omega)
     }
 
     /// Stress and flow for G and Ω.
-    pub fn flow(&self, g: [f64; 2], omega: f64, rule: &mut CrossFilm) -> FilmFlow {
+    pub fn flow(&self, g: [f64; 2], omega: [f64; 2], rule: &mut CrossFilm) -> FilmFlow {
         if let Some(thermal) = &self.thermal {
             let law = self.fluid.thermal_law(self.pressure, thermal);
             let moment_weight = |s: f64| thermal.moment_weight.by_p[0].at(s);
@@ -362,16 +386,17 @@ impl LocalFluid<'_> {
         }
         match self.fluid.thinning_at(self.pressure) {
             None => FilmFlow {
-                mid_stress: [omega, 0.0],
+                mid_stress: omega,
                 flow: g.map(|g| g / 12.0),
-                work: omega * omega + (g[0] * g[0] + g[1] * g[1]) / 12.0,
+                work: (omega[0] * omega[0] + omega[1] * omega[1])
+                    + (g[0] * g[0] + g[1] * g[1]) / 12.0,
             },
             Some(law) => vectorised(|| closure::flow(&law, |s| s, g, omega, rule)),
         }
     }
 
     /// Flow and its derivatives for G and Ω.
-    pub fn close(&self, g: [f64; 2], omega: f64, rule: &mut CrossFilm) -> Closure {
+    pub fn close(&self, g: [f64; 2], omega: [f64; 2], rule: &mut CrossFilm) -> Closure {
         match &self.thermal {
             None => self.fluid.close(self.pressure, g, omega, rule),
             Some(thermal) => {
@@ -424,7 +449,7 @@ fn level_off(p: Dual2_64, value: f64, slope: f64) -> Dual2_64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Contact, Hertz};
+    use crate::contact::{Contact, Hertz, Motion};
     use approx::assert_relative_eq;
 
     /// Values and slopes meet at P = 0, and nothing runs away below: ρ̄ = (1 + 2.266e-9 p)/
@@ -433,7 +458,7 @@ mod tests {
     fn properties_pass_through_ambient_pressure() {
         let contact = Contact::circular(0.016, 100.0);
         let hertz = Hertz::new(&contact, 230e9);
-        let scales = Scales::new(&contact, &hertz, 1.0, 0.04, 870.0);
+        let scales = Scales::new(&contact, &hertz, &Motion::straight(1.0, 0.0), 0.04, 870.0);
         let density = DensityLaw::dowson_higginson(870.0).unwrap();
         let viscosity = ViscosityLaw::barus(0.04, 2.2e-8).unwrap();
         let fluid = FilmFluid::new(&density, &viscosity, 313.15, &scales);

@@ -2,17 +2,19 @@
 //!
 //! ```text
 //!   F(t) = t f(|t|², P) e^{E(s)},   t(s) = τ + sG              shear rate over 12H/(λμ̄)
-//!   ∫ F ds = Ω e_x                                             the surfaces slide: for τ
+//!   ∫ F ds = Ω                                                 the surfaces slide: for τ
 //!   q = ∫ e F ds                                               with the moment weight e(s) of the density
 //!
 //!   q_d  = ∫ e(F_t t_d + F_d) + e_d F ds,       t_d = τ_d + ∂(sG)/∂d
 //!   q_dg = ∫ (e − K)S ds + ∫ e_d(F_t t_g + F_g) + e_g(F_t t_d + F_d) + e_dg F ds
 //!   S = F_tt[t_d, t_g] + F_td t_g + F_tg t_d + F_dg,   K = ∫eF_t ds (∫F_t ds)⁻¹
 //! ```
-//! As [`super::closure`], with E and e of [`super::thermal`]; d and g stand for G_x, G_y, Ω, P and for X, Y, along
+//! As [`super::closure`], with E and e of [`super::thermal`]; d and g stand for G_x, G_y, Ω_x, Ω_y, P and for X, Y, along
 //! which the temperature changes. Of the latter only what a divergence needs is kept.
 
-use super::closure::{Closure, N_DEMANDS, contract, mid_stress, multiply, plus, solve};
+use super::closure::{
+    ACROSS_MOTION, Closure, N_DEMANDS, PRESSURE, contract, mid_stress, multiply, plus, solve,
+};
 use super::cross_film::CrossFilm;
 use super::fluidity::{Jet, UniformFluidity};
 use super::lanes::{Lanes, WIDTH};
@@ -25,13 +27,13 @@ pub struct ThermalClosure {
     pub closure: Closure,
     /// ∂q_x/∂X + ∂q_y/∂Y by the temperature alone.
     pub drift: f64,
-    /// Its derivatives by G_x, G_y, Ω, P.
+    /// Its derivatives by G_x, G_y, Ω_x, Ω_y, P.
     pub drift_slopes: [f64; N_DEMANDS],
 }
 
-/// Quantities that q is differentiated by: G_x, G_y, Ω, P, X, Y.
+/// Quantities that q is differentiated by: G_x, G_y, Ω_x, Ω_y, P, X, Y.
 const N: usize = N_DEMANDS + 2;
-const P: usize = 3;
+const P: usize = PRESSURE;
 
 /// F and the moment weight at several heights of the film, with their direct derivatives by P, X and Y.
 struct Heights {
@@ -173,15 +175,15 @@ fn sums<const C: usize>(lanes: &[Lanes; C]) -> [f64; C] {
     sums
 }
 
-/// Solves the local problem and differentiates it.
+/// Solves the local problem and differentiates it, by Ω_y only if `ACROSS`.
 #[inline(always)]
-pub fn close_thermal(
+pub fn close_thermal<const ACROSS: bool>(
     law: &ThermalLaw,
     pressure_stress: [f64; 2],
-    slide: f64,
+    sliding_stress: [f64; 2],
     rule: &mut CrossFilm,
 ) -> ThermalClosure {
-    let tau = mid_stress(law, pressure_stress, slide, rule);
+    let tau = mid_stress(law, pressure_stress, sliding_stress, rule);
     let g = pressure_stress;
     let mut heights = Vec::with_capacity(rule.points().len().div_ceil(WIDTH));
     // ∫F_t, ∫sF_t, ∫eF_t, and ∫F_P, ∫F_X, ∫F_Y
@@ -209,11 +211,12 @@ pub fn close_thermal(
     ];
     let direct = [sums(&direct[0]), sums(&direct[1]), sums(&direct[2])];
     let inverse = |b: [f64; 2]| solve(k0, b);
-    // ∂τ/∂d: K⁰ τ_d = (−K¹, e_x, −∫F_d).
+    // ∂τ/∂d: K⁰ τ_d = (−K¹, e_x, e_y, −∫F_d).
     let moved = [
         inverse([-k1[0], -k1[1]]),
         inverse([-k1[1], -k1[2]]),
         inverse([1.0, 0.0]),
+        inverse([0.0, 1.0]),
         inverse([-direct[0][0], -direct[0][1]]),
         inverse([-direct[1][0], -direct[1][1]]),
         inverse([-direct[2][0], -direct[2][1]]),
@@ -240,6 +243,9 @@ pub fn close_thermal(
         let mut shift = [[Lanes::default(); 2]; N];
         let mut change = [[Lanes::default(); 2]; N];
         for d in 0..N {
+            if !ACROSS && d == ACROSS_MOTION {
+                continue;
+            }
             shift[d] = [Lanes::all(moved[d][0]), Lanes::all(moved[d][1])];
             if d < 2 {
                 shift[d][d] += s;
@@ -264,6 +270,9 @@ pub fn close_thermal(
         }
         for d in 0..N_DEMANDS {
             for e in d..N {
+                if !ACROSS && (d == ACROSS_MOTION || e == ACROSS_MOTION) {
+                    continue;
+                }
                 let mut sum = contract(h.curvature, shift[d], shift[e]);
                 if d == P {
                     sum = plus(sum, multiply(h.by_stress[1], shift[e]));
@@ -302,8 +311,8 @@ pub fn close_thermal(
             flow,
             ..Closure::default()
         },
-        drift: first[0][4] + first[1][5],
-        drift_slopes: std::array::from_fn(|d| second[0][d][4] + second[1][d][5]),
+        drift: first[0][P + 1] + first[1][P + 2],
+        drift_slopes: std::array::from_fn(|d| second[0][d][P + 1] + second[1][d][P + 2]),
     };
     for i in 0..2 {
         for d in 0..N_DEMANDS {

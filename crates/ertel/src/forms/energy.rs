@@ -5,7 +5,7 @@
 //!   film:    ρc h/a (u ∂T/∂X + v ∂T/∂Y) + c ω ∂T/∂s − k/h ∂²T/∂s² = h(Q_shear + Q_comp)  W/m²
 //!            ω = −∇·(h∫_{−½}^s ρu ds'), the mass flow across the film
 //!            Q_shear = τ·∂u/∂z,   Q_comp = −(T/ρ) ∂ρ/∂T (u ∂p/∂x + v ∂p/∂y)
-//!   bodies:  ρc u ∂T/∂X − k/a (∂²T/∂X² + ∂²T/∂Y² + ∂²T/∂Z²) = 0,   Z = z/a                 W/m²
+//!   bodies:  ρc (u ∂T/∂X + v ∂T/∂Y) − k/a (∂²T/∂X² + ∂²T/∂Y² + ∂²T/∂Z²) = 0,   Z = z/a                 W/m²
 //! ```
 //! Habchi 2008, eqs. 5.11, 5.13, 5.14, and ω, which is left out there: heat flows at a fixed share s of the film's thickness, and
 //! lubricant crosses from one to another. Conduction along the film is left out. Fluxes meet at the walls, z being measured in
@@ -15,6 +15,7 @@ use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
+use crate::contact::Planar;
 use crate::film::closure::{mid_stress, solve};
 use crate::film::cross_film::CrossFilm;
 use crate::film::fluidity::Fluidity;
@@ -29,8 +30,8 @@ pub struct BodyHeat {
     pub conductivity: ConductivityLaw,
     /// Heat capacity.
     pub heat_capacity: HeatCapacityLaw,
-    /// Velocity of its surface, m/s.
-    pub velocity: f64,
+    /// Velocity of its surface, m/s, at places in half-widths.
+    pub velocity: Planar,
     /// Temperature far from the contact, K.
     pub bulk_temperature: f64,
 }
@@ -70,9 +71,11 @@ impl Heat {
         if share == 1.0 {
             return heat;
         }
-        let mean = 0.5 * (self.bodies[0].velocity + self.bodies[1].velocity);
+        let [plane, ball] = self.bodies.each_ref().map(|body| body.velocity);
+        let mean = plane.plus(&ball).times(0.5);
         for body in &mut heat.bodies {
-            body.velocity = mean + share * (body.velocity - mean);
+            let own = body.velocity.plus(&mean.times(-1.0));
+            body.velocity = mean.plus(&own.times(share));
         }
         heat
     }
@@ -187,6 +190,8 @@ pub struct FilmColumn {
 /// Pressure and film thickness at a point, dimensionless.
 #[derive(Clone, Copy, Debug)]
 pub struct FilmPlace {
+    /// (X, Y).
+    pub at: [f64; 2],
     /// P.
     pub pressure: f64,
     /// ∇P.
@@ -197,7 +202,7 @@ pub struct FilmPlace {
     pub temperature: Nodal,
 }
 
-/// Evaluates the film at a point, for the velocity of its plane surface over the entrainment speed.
+/// Evaluates the film at a point.
 pub fn film_column(
     fluid: &FilmFluid,
     heat: &Heat,
@@ -238,7 +243,7 @@ fn evaluate(
     let law = fluid.thermal_law(place.pressure, &thermal);
     let mu = thermal.viscosity[0];
     let g = place.pressure_gradient.map(|p| place.film * p);
-    let omega = fluid.slide() * mu / place.film;
+    let omega = (fluid.slide().at(place.at)).map(|slide| slide * mu / place.film);
     let tau = mid_stress(&law, g, omega, rule);
     let n = heights.n();
     let h = place.film * heat.film;
@@ -275,7 +280,7 @@ fn evaluate(
     for slope in &mut column.stress_slopes {
         *slope = solve(stiffness, *slope);
     }
-    let plane = heat.bodies[0].velocity / heat.entrainment_speed;
+    let plane = (heat.bodies[0].velocity.at(place.at)).map(|u| u / heat.entrainment_speed);
     let by_speed = 12.0 * place.film / (heat.lambda * mu);
     let p = place.pressure * heat.pressure;
     for k in 0..n {
@@ -286,7 +291,7 @@ fn evaluate(
                 .map(|(v, s)| v * s)
                 .sum()
         };
-        let mut velocity = [plane, 0.0];
+        let mut velocity = plane;
         for (share, rate) in heights.below[k].iter().zip(&rates) {
             velocity[0] += by_speed * share * rate[0];
             velocity[1] += by_speed * share * rate[1];

@@ -3,12 +3,14 @@
 //! ```text
 //!   Newtonian:            Q = ε∇P,  ε = ρ̄H³/(μ̄λ)
 //!   generalized:          Q = 12ρ̄H²/(μ̄λ) q(G, Ω, P),  G = H∇P,  Ω = σμ̄/H      q from the closure
+//!   sliding:              σ = λ Δu/(12 u_m) = σ_0 + ς(−Y, X)                      ς of the spin
 //! ```
-//! Mass flows by ρ̄H e_x − Q. A generalized-Newtonian film has one viscosity at each height; its Q,
+//! Mass flows by ρ̄H ū − Q, ū the mean velocity of the surfaces, e_x where nothing spins. A generalized-Newtonian film has one viscosity at each height; its Q,
 //! from the stress across the film, contains what sliding does to the flow (Habchi 2008, eqs. 4.9 and
 //! 4.11, where the same is written with integrals of 1/η). With q = G/12 it is the Newtonian one. Where the
 //! temperature varies, ρ̄ is the mean over the film and μ̄ the geometric mean of the viscosity (see [`crate::film::thermal`]).
 
+use crate::contact::Planar;
 use crate::film::closure::N_DEMANDS;
 use crate::film::thermal::Mean;
 use crate::film::thermal_closure::ThermalClosure;
@@ -74,8 +76,8 @@ pub struct Flow<D> {
     pub divergence: D,
     /// ∂Q_x/∂P_x, by which the stabilisation measures diffusion.
     pub diffusivity: D,
-    /// H ∂ρ̄/∂X at a fixed pressure, where the temperature changes along the film.
-    pub drift: D,
+    /// H ∇ρ̄ at a fixed pressure, where the temperature changes along the film.
+    pub drift: [D; 2],
 }
 
 /// Flow of a Newtonian film.
@@ -92,7 +94,7 @@ pub fn newtonian<D: Number>(s: &PointState<D>, m: &Properties<D>, lambda: f64) -
         flux: [epsilon * px, epsilon * py],
         divergence: epsilon * (along + pxx + pyy),
         diffusivity: epsilon,
-        drift: D::from(0.0),
+        drift: [D::from(0.0); 2],
     }
 }
 
@@ -102,47 +104,71 @@ pub fn pressure_stress<D: Number>(s: &PointState<D>) -> [D; 2] {
     s.pressure_gradient.map(|g| s.film * g)
 }
 
-/// Ω = σμ̄/H, σ = λ SRR/12: mean Newtonian stress of the sliding, likewise.
+/// Ω = σμ̄/H: mean Newtonian stress of the sliding, likewise.
 #[inline(always)]
-pub fn sliding_stress<D: Number>(s: &PointState<D>, m: &Properties<D>, slide: f64) -> D {
-    m.viscosity * slide / s.film
+pub fn sliding_stress<D: Number>(s: &PointState<D>, m: &Properties<D>, slide: [f64; 2]) -> [D; 2] {
+    slide.map(|slide| m.viscosity * slide / s.film)
 }
 
-/// Flow of a generalized-Newtonian film; `closure` holds at the values of the point, `slide` is σ.
+/// How the surfaces slide at a point.
+#[derive(Clone, Copy, Debug)]
+pub struct PointSliding {
+    /// σ.
+    pub value: [f64; 2],
+    /// ς, by which ∂σ/∂X = ς(0, 1) and ∂σ/∂Y = ς(−1, 0).
+    pub spin: f64,
+}
+
+impl PointSliding {
+    /// Of a field at a place.
+    #[inline(always)]
+    pub fn new(slide: &Planar, place: [f64; 2]) -> PointSliding {
+        PointSliding {
+            value: slide.at(place),
+            spin: slide.spin,
+        }
+    }
+}
+
+/// Flow of a generalized-Newtonian film; `closure` holds at the values of the point.
 #[inline(always)]
 pub fn generalized<D: Number>(
     s: &PointState<D>,
     m: &Properties<D>,
     lambda: f64,
-    slide: f64,
+    slide: &PointSliding,
     closure: &Closure,
 ) -> Flow<D> {
     let (h, grad_p, grad_h) = (s.film, s.pressure_gradient, s.film_gradient);
-    let [gx, gy] = pressure_stress(s);
-    let omega = sliding_stress(s, m, slide);
-    let changes = [gx, gy, omega, s.pressure].map(|y| y - y.re());
-    let expand = |value: f64, slopes: &[f64; 4]| expanded(value, slopes, &changes);
+    let omega = sliding_stress(s, m, slide.value);
+    let changes = changes(s, omega);
+    let expand = |value: f64, slopes: &[f64; N_DEMANDS]| expanded(value, slopes, &changes);
     let factor = m.density * h * h * 12.0 / (m.viscosity * lambda);
     let mut flow = Flow {
         flux: [D::from(0.0); 2],
         divergence: D::from(0.0),
         diffusivity: D::from(0.0),
-        drift: D::from(0.0),
+        drift: [D::from(0.0); 2],
     };
     let [pxx, pxy, pyy] = s.pressure_curvature;
     let curvature = [[pxx, pxy], [pxy, pyy]];
     let viscosity_slope = m.viscosity_slope / m.viscosity;
     for i in 0..2 {
         let q = expand(closure.flow[i], &closure.slopes[i]);
-        let [by_gx, by_gy, by_omega, by_p] =
-            [0, 1, 2, 3].map(|y| expand(closure.slopes[i][y], &closure.curvatures[i][y]));
-        // ∂_iG = ∂_iH ∇P + H ∂_i∇P,  ∂_iΩ = Ω(μ'/μ ∂_iP − ∂_iH/H)
+        let [by_gx, by_gy, by_omega, by_omega_y, by_p] =
+            [0, 1, 2, 3, 4].map(|y| expand(closure.slopes[i][y], &closure.curvatures[i][y]));
+        // ∂_iG = ∂_iH ∇P + H ∂_i∇P,  ∂_iΩ = Ω(μ'/μ ∂_iP − ∂_iH/H) + μ/H ∂_iσ
         let moved = |j: usize| grad_h[i] * grad_p[j] + h * curvature[i][j];
         flow.divergence += q * (m.log_slope() * grad_p[i] + grad_h[i] * 2.0 / h)
             + by_gx * moved(0)
             + by_gy * moved(1)
-            + by_omega * omega * (viscosity_slope * grad_p[i] - grad_h[i] / h)
+            + (by_omega * omega[0] + by_omega_y * omega[1])
+                * (viscosity_slope * grad_p[i] - grad_h[i] / h)
             + by_p * grad_p[i];
+        if slide.spin != 0.0 {
+            let turned = [by_omega_y, -by_omega][i];
+            flow.divergence += turned * (m.viscosity * slide.spin / h);
+        }
         flow.flux[i] = factor * q;
         if i == 0 {
             flow.diffusivity = factor * h * by_gx;
@@ -150,6 +176,13 @@ pub fn generalized<D: Number>(
     }
     flow.divergence = factor * flow.divergence;
     flow
+}
+
+/// By how much G, Ω and P differ from their values at the point.
+#[inline(always)]
+fn changes<D: Number>(s: &PointState<D>, omega: [D; 2]) -> [D; N_DEMANDS] {
+    let [gx, gy] = pressure_stress(s);
+    [gx, gy, omega[0], omega[1], s.pressure].map(|y| y - y.re())
 }
 
 /// A value with its slopes, exact to first order around the point.
@@ -169,18 +202,17 @@ pub fn thermal<D: Number>(
     s: &PointState<D>,
     m: &Properties<D>,
     lambda: f64,
-    slide: f64,
+    slide: &PointSliding,
     closure: &ThermalClosure,
     density: &Mean,
 ) -> Flow<D> {
     let mut flow = generalized(s, m, lambda, slide, &closure.closure);
-    let [gx, gy] = pressure_stress(s);
-    let omega = sliding_stress(s, m, slide);
-    let changes = [gx, gy, omega, s.pressure].map(|y| y - y.re());
+    let changes = changes(s, sliding_stress(s, m, slide.value));
     let drift = expanded(closure.drift, &closure.drift_slopes, &changes);
     flow.divergence += m.density * s.film * s.film * 12.0 / (m.viscosity * lambda) * drift;
-    let [by_x, by_y] = density.along.map(|[value, by_p]| changes[3] * by_p + value);
+    let dp = s.pressure - s.pressure.re();
+    let [by_x, by_y] = density.along.map(|[value, by_p]| dp * by_p + value);
     flow.divergence += (flow.flux[0] * by_x + flow.flux[1] * by_y) / m.density;
-    flow.drift = s.film * by_x;
+    flow.drift = [s.film * by_x, s.film * by_y];
     flow
 }

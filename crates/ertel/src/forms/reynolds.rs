@@ -1,20 +1,21 @@
 //! Reynolds' equation with cavitation penalty and stabilisation, dimensionless.
 //!
 //! ```text
-//!   R(P) = −∇·Q + ∂(ρ̄H)/∂X + ξP⁻ = f,     Q = ε∇P, ε = ρ̄H³/(μ̄λ) if Newtonian,  P⁻ = min(P, 0)
+//!   R(P) = −∇·Q + ū·∇(ρ̄H) + ξP⁻ = f,      Q = ε∇P, ε = ρ̄H³/(μ̄λ) if Newtonian,  P⁻ = min(P, 0)
 //!
-//!   ∫ (Q − ρ̄H e_x)·∇W + (ξP⁻ − f) W                          Galerkin
+//!   ∫ (Q − ρ̄H ū)·∇W + (ξP⁻ − f) W                            Galerkin
 //!   + Σ_e ∫ τ (R − f) [β·∇W]                                  SUPG
 //!   + Σ_e ∫ τ (R − f) [β·∇W − ∇·(ε∇W)]                        GLS
 //!   + Σ_e ∫ ρ_id h_e H ∂ρ̄/∂P/(2l) ∇P·∇W                       isotropic diffusion
 //!   + Σ_e ∫ (coth Pe_δ − 1/Pe_δ) ρ̄/h_e κP κW                  unseen pressure
 //!
-//!   β = (H ∂ρ̄/∂P + c ρ̄ h_e, 0),  τ = h_e/(2l|β|) (coth Pe − 1/Pe),  Pe = |β|h_e/(2lε),  l the order
+//!   β = (H ∂ρ̄/∂P + c ρ̄ h_e) ū,  τ = h_e/(2l|β|) (coth Pe − 1/Pe),  Pe = |β|h_e/(2lε),  l the order
 //!   κ = I − π, π the L² projection onto the polynomials that the deflection sees,  Pe_δ = ρ̄h_e²/(2lε)
 //! ```
+//! ū is the mean velocity of the surfaces over the entrainment speed, free of divergence: e_x + ω̄(−Y, X), with the mean spin ω̄.
 //! In generalized-Newtonian films Q comes from the closure and ε is ∂Q_x/∂P_x (see [`super::flow`]).
 //!
-//! The wedge ∂(ρ̄H)/∂X answers to pressure in two ways: by the density, H ∂ρ̄/∂P, which alone is the β
+//! The wedge ū·∇(ρ̄H) answers to pressure in two ways: by the density, H ∂ρ̄/∂P, which alone is the β
 //! of the source, and by the deflection, ρ̄ ∂H/∂P, which at the scale of an element is ρ̄ h_e times a
 //! number and, in thin films, a hundred times more. Where the fluid is all but solid (ε → 0), nothing
 //! else is left in the equation; then a pressure of higher order than the deflection has shapes in
@@ -24,6 +25,7 @@
 //! Habchi 2008, eqs. 2.29, 3.8, 3.9, 3.13 to 3.18, 4.12; f = 0 but for manufactured solutions. The
 //! convection term is integrated by parts, so that the discrete equation conserves mass.
 
+use crate::contact::Planar;
 use crate::forms::dual::Number;
 use crate::forms::flow::{Flow, PointState, Properties};
 use crate::params::Formulation;
@@ -33,6 +35,8 @@ use crate::params::Formulation;
 pub struct ElementConstants {
     /// λ of the Reynolds equation.
     pub lambda: f64,
+    /// ū.
+    pub entrainment: Planar,
     /// Element size h_e.
     pub size: f64,
     /// Order l of the pressure element.
@@ -71,13 +75,14 @@ const DEFLECTION_SHARE: f64 = 0.3;
 /// at 0.1 incompressible contacts stop converging.
 const UNSEEN_WEIGHT: f64 = 1.0;
 
-/// Integrand of the weak form at a point; `source` is f.
+/// Integrand of the weak form at a point where the surfaces move at the mean velocity ū; `source` is f.
 #[inline(always)]
 pub fn reynolds_point<D: Number>(
     s: &PointState<D>,
     m: &Properties<D>,
     flow: &Flow<D>,
     e: &ElementConstants,
+    [u, v]: [f64; 2],
     source: f64,
 ) -> TestCoefficients<D> {
     let zero = D::from(0.0);
@@ -91,7 +96,10 @@ pub fn reynolds_point<D: Number>(
     };
     let mut test = TestCoefficients {
         value: penalty - source,
-        gradient: [flow.flux[0] - m.density * h, flow.flux[1]],
+        gradient: [
+            flow.flux[0] - m.density * h * u,
+            flow.flux[1] - m.density * h * v,
+        ],
         laplacian: zero,
         unseen: zero,
         missed: zero,
@@ -113,13 +121,16 @@ pub fn reynolds_point<D: Number>(
         let weight = upwind(peclet) * peclet * m.density * (UNSEEN_WEIGHT / e.size);
         test.unseen = weight * s.pressure_unseen;
     }
-    let wedge = m.density_slope * px * h + flow.drift + m.density * hx;
+    let wedge = m.density_slope * (px * u + py * v) * h
+        + (flow.drift[0] * u + flow.drift[1] * v)
+        + m.density * (hx * u + hy * v);
     let residual = -flow.divergence + wedge + penalty - source;
-    let peclet = beta * (e.size / l2) / epsilon;
+    let peclet = beta * (u.hypot(v) * e.size / l2) / epsilon;
     let tau = upwind(peclet) * (e.size * e.size / (l2 * l2)) / epsilon;
     let weight = tau * residual;
     test.missed = weight;
-    test.gradient[0] += weight * beta;
+    test.gradient[0] += weight * beta * u;
+    test.gradient[1] += weight * beta * v;
     if e.formulation == Formulation::Gls {
         // ∇ε, as if stress did not change it: any weight leaves the equation consistent.
         let by_p = epsilon * m.log_slope();

@@ -21,7 +21,11 @@ pub fn columns(
         ("density_kg_per_m3", line.density.clone()),
     ];
     let shear = line.shear.columns();
-    columns.extend(shear.map(|(name, values)| (name, values.to_vec())));
+    columns.extend(
+        shear
+            .into_iter()
+            .map(|(name, values)| (name, values.to_vec())),
+    );
     let temperatures = temperatures.map(FilmTemperatures::columns);
     for (name, values) in temperatures.into_iter().flatten() {
         columns.push((name, values.to_vec()));
@@ -70,6 +74,7 @@ mod tests {
                 stress_mid: vec![0.0, 1e6],
                 stress_plane: vec![0.0, 2e6],
                 stress_ball: vec![0.0, 3e6],
+                stress_across: Default::default(),
                 rate_mid: vec![0.0, 4e6],
                 generalized_viscosity: vec![0.04, 5.0],
             },

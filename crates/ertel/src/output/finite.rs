@@ -101,6 +101,15 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
         ("friction power", t.friction_power),
         ("largest shear stress", t.shear_stress_maximum),
     ];
+    let across = t.across.iter().flat_map(|t| {
+        [
+            t.coefficient,
+            t.coefficient_plane,
+            t.coefficient_ball,
+            t.force,
+        ]
+    });
+    estimates.extend(across.chain(t.moment).map(|e| ("traction across", e)));
     let shares = [t.beyond_first_limit, t.beyond_second_limit];
     estimates.extend(shares.into_iter().flatten().map(|e| ("thinned share", e)));
     if let Some(r) = solution.film_reduction {

@@ -36,10 +36,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
         given: json!({"contact": {"load": "100 N", "radius": "16 mm"}}),
         case_file: Some("[contact]\nload = \"100 N\"\nradius = \"16 mm\"\n".into()),
         contact: contact(kind),
-        motion: Motion {
-            entrainment_speed: 0.8,
-            slide_to_roll_ratio: 0.5,
-        },
+        motion: Motion::straight(0.8, 0.5),
         machine: None,
         plane: steel("plane"),
         ball: steel("ball"),
@@ -181,12 +178,12 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         cells: cells.clone(),
     };
     Solution {
-        shape: Shape::new(&contact, &hertz),
+        shape: Shape::new(&contact, &hertz, &Motion::straight(0.8, 0.5)),
         hertz,
         reduced_modulus: MODULUS,
         groups,
         groups_asymptotic: Some(Groups::new(&contact, MODULUS, 0.04, 0.8, 18.2e-9)),
-        scales: Scales::new(&contact, &hertz, 0.8, 0.04, 870.0),
+        scales: Scales::new(&contact, &hertz, &Motion::straight(0.8, 0.5), 0.04, 870.0),
         extents: [4.5, 1.8, 3.0],
         summary: Summary {
             film_central: Estimate {
@@ -212,6 +209,8 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             coefficient_plane: bar(0.034),
             coefficient_ball: bar(0.036),
             force: bar(3.5),
+            across: None,
+            moment: None,
             friction_power: bar(0.28),
             shear_stress_maximum: bar(2.2e7),
             beyond_first_limit: Some(bar(0.93)),
@@ -269,6 +268,7 @@ fn shear(n: usize) -> ShearFields {
         stress_mid: vec![1e6; n],
         stress_plane: vec![0.9e6; n],
         stress_ball: vec![1.1e6; n],
+        stress_across: Default::default(),
         rate_mid: vec![1e5; n],
         generalized_viscosity: vec![10.0; n],
     }

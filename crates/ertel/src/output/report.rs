@@ -126,6 +126,15 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         format!("{} m/s", digits(motion.entrainment_speed, 6)),
     );
     out.row("slide-to-roll ratio", digits(motion.slide_to_roll_ratio, 6));
+    if motion.slide_to_roll_ratio_across != 0.0 {
+        let ratio = digits(motion.slide_to_roll_ratio_across, 6);
+        out.row("  across the entrainment", ratio);
+    }
+    if motion.spin != [0.0; 2] {
+        let [plane, ball_spin] = motion.spin.map(|w| digits(w, 6));
+        let text = format!("{ball} {ball_spin} rad/s, plane {plane} rad/s");
+        out.row("spin about the contact normal", text);
+    }
     out.row(
         "surface speeds",
         format!(
@@ -279,6 +288,29 @@ fn write_traction(out: &mut Lines, solution: &Solution) {
         false => ("N/m", "W/m"),
     };
     out.row("traction force", in_unit(t.force, 1.0, force));
+    if let Some(across) = &t.across {
+        out.row(
+            "traction across the motion",
+            beside(
+                &number(across.coefficient),
+                &in_unit(across.force, 1.0, force),
+            ),
+        );
+        out.row(
+            "  at the plane, at the ball",
+            format!(
+                "{}, {}",
+                number(across.coefficient_plane),
+                number(across.coefficient_ball)
+            ),
+        );
+    }
+    if let Some(moment) = t.moment {
+        out.row(
+            "moment about the contact normal",
+            in_unit(moment, 1e3, "N mm"),
+        );
+    }
     out.row("friction power", in_unit(t.friction_power, 1.0, power));
     out.row(
         "largest shear stress",

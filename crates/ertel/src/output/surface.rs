@@ -92,6 +92,7 @@ mod tests {
                 stress_mid: values.clone(),
                 stress_plane: values.clone(),
                 stress_ball: values.clone(),
+                stress_across: Default::default(),
                 rate_mid: values.clone(),
                 generalized_viscosity: values,
             },

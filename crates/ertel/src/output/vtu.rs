@@ -83,7 +83,11 @@ pub fn write_surface(
         scalar("viscosity_Pa_s", field.viscosity),
         scalar("density_kg_per_m3", field.density),
     ];
-    fields.extend(shear.map(|(name, values)| scalar(name, values.to_vec())));
+    fields.extend(
+        shear
+            .into_iter()
+            .map(|(name, values)| scalar(name, values.to_vec())),
+    );
     let sources = sources(shape.symmetry, half);
     let temperatures = temperatures.map(FilmTemperatures::columns);
     for (name, values) in temperatures.into_iter().flatten() {

@@ -30,15 +30,20 @@ pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
     }
     let normal = zone.turn.to_motion([1.0, 0.0]);
     let flux = |y: f64| {
-        let Some(f) = fields_at(d, state, zone.place([0.0, y])) else {
+        let at = zone.place([0.0, y]);
+        let Some(f) = fields_at(d, state, at) else {
             return f64::NAN;
         };
         let fluid = model.fluid.local(f.pressure, f.temperature.as_ref());
         let (rho, mu) = (fluid.point().density[0], fluid.point().viscosity[0]);
-        let (g, omega) = fluid.demands(f.pressure_gradient, f.film);
+        let (g, omega) = fluid.demands(f.place, f.pressure_gradient, f.film);
         let flow = fluid.flow(g, omega, &mut CrossFilm::default()).flow;
         let factor = 12.0 * rho * f.film.powi(2) / (mu * model.constants.lambda);
-        let [along, across] = [rho * f.film - factor * flow[0], -factor * flow[1]];
+        let [u, v] = model.constants.entrainment.at(at);
+        let [along, across] = [
+            rho * f.film * u - factor * flow[0],
+            rho * f.film * v - factor * flow[1],
+        ];
         along * normal[0] + across * normal[1]
     };
     let section = match (d.contact.surface.dim, d.contact.shape.symmetry) {

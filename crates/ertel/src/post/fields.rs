@@ -33,7 +33,7 @@ pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) 
         line.hertz_pressure
             .push(d.contact.shape.zone.pressure([*x, 0.0]) * scales.pressure);
     }
-    line.shear = super::shear::fields(fluid, scales, &profile.fields);
+    line.shear = super::shear::fields(fluid, scales, &d.contact.shape, &profile.fields);
     line
 }
 
@@ -72,7 +72,7 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
             .push(properties.viscosity[0] * scales.viscosity);
         field.density.push(properties.density[0] * scales.density);
     }
-    field.shear = super::shear::fields(fluid, scales, &at_nodes);
+    field.shear = super::shear::fields(fluid, scales, &d.contact.shape, &at_nodes);
     field
 }
 

@@ -1,24 +1,32 @@
 //! Shear of the film as fields.
 
-use crate::contact::Scales;
+use crate::contact::{Scales, Shape};
 use crate::film::FilmFluid;
 use crate::solution::ShearFields;
 use crate::solve::evaluate::PointFields;
-use crate::solve::shear::Shear;
+use crate::solve::shear::{Shear, is_askew};
 
 /// Shear at a list of points.
 pub fn fields<'p>(
     fluid: &FilmFluid,
     scales: &Scales,
+    shape: &Shape,
     points: impl IntoIterator<Item = &'p PointFields>,
 ) -> ShearFields {
     let mut shear = Shear::new(fluid, scales);
+    let askew = is_askew(shape, fluid);
     let mut fields = ShearFields::default();
     for point in points {
         let s = shear.at(point);
-        fields.stress_mid.push(s.stress[0]);
-        fields.stress_plane.push(s.stress[1]);
-        fields.stress_ball.push(s.stress[2]);
+        let [mid, plane, ball] = s.stress;
+        fields.stress_mid.push(mid[0]);
+        fields.stress_plane.push(plane[0]);
+        fields.stress_ball.push(ball[0]);
+        if askew {
+            for (field, stress) in fields.stress_across.iter_mut().zip(s.stress) {
+                field.push(stress[1]);
+            }
+        }
         fields.rate_mid.push(s.equivalent[0] / s.viscosity);
         fields.generalized_viscosity.push(s.viscosity);
     }

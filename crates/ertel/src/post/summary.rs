@@ -3,7 +3,9 @@
 use super::balance::film_balance_error;
 use super::limits::thin_film_warning;
 use crate::contact::{ContactKind, Scales};
-use crate::solution::{Figure, FilmReduction, LevelStats, Measured, Summary, Traction, solved};
+use crate::solution::{
+    Figure, FilmReduction, LevelStats, Measured, Summary, Traction, TractionAcross, solved,
+};
 use crate::solve::adapt::bar_of_edges;
 use crate::solve::bars::reduction;
 use crate::solve::evaluate::central_film;
@@ -43,11 +45,22 @@ pub fn traction(measured: &Measured) -> Traction {
         coefficient_plane: measured.estimate(Figure::TractionCoefficientPlane),
         coefficient_ball: measured.estimate(Figure::TractionCoefficientBall),
         force: measured.estimate(Figure::TractionForce),
+        across: across(measured),
+        moment: measured.find(Figure::TractionMoment),
         friction_power: measured.estimate(Figure::FrictionPower),
         shear_stress_maximum: measured.estimate(Figure::ShearStressMaximum),
         beyond_first_limit: measured.find(Figure::BeyondFirstLimit),
         beyond_second_limit: measured.find(Figure::BeyondSecondLimit),
     }
+}
+
+fn across(measured: &Measured) -> Option<TractionAcross> {
+    Some(TractionAcross {
+        coefficient: measured.find(Figure::TractionCoefficientAcross)?,
+        coefficient_plane: measured.find(Figure::TractionCoefficientAcrossPlane)?,
+        coefficient_ball: measured.find(Figure::TractionCoefficientAcrossBall)?,
+        force: measured.find(Figure::TractionForceAcross)?,
+    })
 }
 
 /// Films with and without shear thinning, where both were found on the same mesh.

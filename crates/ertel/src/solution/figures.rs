@@ -55,6 +55,16 @@ figures! {
     TractionCoefficientBall, "traction_coefficient_ball", "";
     /// Traction force at mid-film: N, or N/m.
     TractionForce, "traction_force", "";
+    /// Traction coefficient across the motion, from the stress at mid-film.
+    TractionCoefficientAcross, "traction_coefficient_across", "";
+    /// The same from the stress at the plane.
+    TractionCoefficientAcrossPlane, "traction_coefficient_across_plane", "";
+    /// The same from the stress at the ball.
+    TractionCoefficientAcrossBall, "traction_coefficient_across_ball", "";
+    /// Traction force across the motion at mid-film: N, or N/m.
+    TractionForceAcross, "traction_force_across", "";
+    /// Moment of the traction at mid-film about the contact normal.
+    TractionMoment, "traction_moment", "N m";
     /// Heat of friction in the film: W, or W/m.
     FrictionPower, "friction_power", "";
     /// Largest shear stress anywhere in the film.

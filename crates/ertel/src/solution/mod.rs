@@ -293,6 +293,13 @@ pub struct Traction {
     pub coefficient_ball: Estimate,
     /// Traction force at mid-film: N (circular), N/m (line).
     pub force: Estimate,
+    /// Traction across the motion, where anything is askew.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub across: Option<TractionAcross>,
+    /// Moment of the traction at mid-film about the contact normal, from x towards y, N m, with which the ball turns the plane; likewise,
+    /// and not of line contacts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<Estimate>,
     /// Heat of friction in the film: W (circular), W/m (line).
     pub friction_power: Estimate,
     /// Largest shear stress anywhere in the film, Pa.
@@ -304,6 +311,19 @@ pub struct Traction {
     pub beyond_second_limit: Option<Estimate>,
 }
 
+/// Traction across the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct TractionAcross {
+    /// Traction coefficient from the stress at mid-film; positive where the ball drags the plane towards +y.
+    pub coefficient: Estimate,
+    /// The same from the stress at the plane.
+    pub coefficient_plane: Estimate,
+    /// The same from the stress at the ball.
+    pub coefficient_ball: Estimate,
+    /// Traction force at mid-film: N, N/m (line).
+    pub force: Estimate,
+}
+
 /// What shear thinning does to the film: both films on one and the same mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FilmReduction {
@@ -311,6 +331,10 @@ pub struct FilmReduction {
     pub central: Estimate,
     /// 1 − h_min/(h_min of the Newtonian fluid).
     pub minimum: Estimate,
+}
+
+fn are_empty(fields: &[Vec<f64>; 3]) -> bool {
+    fields.iter().all(Vec::is_empty)
 }
 
 /// Shear of the film at the points of a profile or a surface, SI. Stresses are those along the motion,
@@ -323,6 +347,9 @@ pub struct ShearFields {
     pub stress_plane: Vec<f64>,
     /// Shear stress at the ball, Pa.
     pub stress_ball: Vec<f64>,
+    /// Shear stresses across the motion at mid-film, plane and ball, Pa; empty where both halves of the contact are alike.
+    #[serde(skip_serializing_if = "are_empty")]
+    pub stress_across: [Vec<f64>; 3],
     /// Shear rate at mid-film, its size, 1/s.
     pub rate_mid: Vec<f64>,
     /// Generalized viscosity at mid-film, Pa·s.
@@ -331,8 +358,8 @@ pub struct ShearFields {
 
 impl ShearFields {
     /// Name with unit, and values, of each field.
-    pub fn columns(&self) -> [(&'static str, &[f64]); 5] {
-        [
+    pub fn columns(&self) -> Vec<(&'static str, &[f64])> {
+        let mut columns: Vec<(&'static str, &[f64])> = vec![
             ("shear_stress_mid_Pa", &self.stress_mid),
             ("shear_stress_plane_Pa", &self.stress_plane),
             ("shear_stress_ball_Pa", &self.stress_ball),
@@ -341,7 +368,19 @@ impl ShearFields {
                 "generalized_viscosity_mid_Pa_s",
                 &self.generalized_viscosity,
             ),
-        ]
+        ];
+        let names = [
+            "shear_stress_across_mid_Pa",
+            "shear_stress_across_plane_Pa",
+            "shear_stress_across_ball_Pa",
+        ];
+        let across = names.into_iter().zip(&self.stress_across);
+        columns.extend(
+            across
+                .filter(|(_, v)| !v.is_empty())
+                .map(|(n, v)| (n, v.as_slice())),
+        );
+        columns
     }
 
     /// Adds a copy of the values of point `i` at the end.

@@ -138,6 +138,8 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
         Figure::FilmCentrelineMinimum | Figure::OutletPosition => film * size(figure),
         Figure::TractionCoefficientPlane
         | Figure::TractionCoefficientBall
+        | Figure::TractionCoefficientAcrossPlane
+        | Figure::TractionCoefficientAcrossBall
         | Figure::FrictionPower
         | Figure::HeatShear => {
             let beyond = estimate.beyond_edges;

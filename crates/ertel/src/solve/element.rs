@@ -10,7 +10,8 @@ use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, TemperatureProfile};
 use crate::forms::dual::Dual;
 use crate::forms::flow::{
-    PointState, Properties, generalized, newtonian, pressure_stress, sliding_stress, thermal,
+    PointSliding, PointState, Properties, generalized, newtonian, pressure_stress, sliding_stress,
+    thermal,
 };
 use crate::forms::reynolds::{ElementConstants, TestCoefficients, reynolds_point};
 
@@ -66,8 +67,8 @@ struct Point {
     value: [f64; N_TEST],
     /// Their derivatives by the state.
     slopes: [[f64; GENERALIZED]; N_TEST],
-    /// ρ̄H.
-    entrainment: f64,
+    /// ρ̄Hū.
+    entrainment: [f64; 2],
     /// τR.
     missed: f64,
 }
@@ -244,7 +245,7 @@ impl<'a> Assembler<'a> {
                 ],
                 value: [0.0; N_TEST],
                 slopes: [[0.0; GENERALIZED]; N_TEST],
-                entrainment: 0.0,
+                entrainment: [0.0; 2],
                 missed: 0.0,
             });
         }
@@ -298,7 +299,7 @@ impl<'a> Assembler<'a> {
                 let sums = &mut sums[i];
                 sums[0] += by[4];
                 sums[1] += value;
-                sums[2] += test[1] * point.entrainment;
+                sums[2] += test[1] * point.entrainment[0] + test[2] * point.entrainment[1];
                 sums[3] += test[0] * point.missed * point.missed;
             }
         }
@@ -385,17 +386,18 @@ fn integrand<const S: usize>(
     let properties = fluid.at(point.state[0]);
     let m = Properties::around(s.pressure, &properties);
     let flow = if S == GENERALIZED {
-        let slide = fluid.slide();
+        let slide = PointSliding::new(fluid.slide(), point.at());
         let g = pressure_stress(&s).map(|g| g.re);
-        let omega = sliding_stress(&s, &m, slide).re;
+        let omega = sliding_stress(&s, &m, slide.value).map(|omega| omega.re);
         let closure = fluid.close(point.state[0], g, omega, rule);
-        generalized(&s, &m, local.lambda, slide, &closure)
+        generalized(&s, &m, local.lambda, &slide, &closure)
     } else {
         newtonian(&s, &m, local.lambda)
     };
+    let velocity = local.entrainment.at(point.at());
     point.keep(
-        &reynolds_point(&s, &m, &flow, local, source),
-        properties.density[0],
+        &reynolds_point(&s, &m, &flow, local, velocity, source),
+        velocity.map(|u| properties.density[0] * u),
     );
 }
 
@@ -412,14 +414,15 @@ fn thermal_integrand(
     let s = point.variables::<GENERALIZED>();
     let film = fluid.thermal(point.state[0], profile);
     let m = Properties::around(s.pressure, &film.point());
-    let slide = fluid.slide();
+    let slide = PointSliding::new(fluid.slide(), point.at());
     let g = pressure_stress(&s).map(|g| g.re);
-    let omega = sliding_stress(&s, &m, slide).re;
+    let omega = sliding_stress(&s, &m, slide.value).map(|omega| omega.re);
     let closure = fluid.close_thermal(point.state[0], &film, g, omega, rule);
-    let flow = thermal(&s, &m, local.lambda, slide, &closure, &film.density);
+    let flow = thermal(&s, &m, local.lambda, &slide, &closure, &film.density);
+    let velocity = local.entrainment.at(point.at());
     point.keep(
-        &reynolds_point(&s, &m, &flow, local, source),
-        film.density.by_p[0],
+        &reynolds_point(&s, &m, &flow, local, velocity, source),
+        velocity.map(|u| film.density.by_p[0] * u),
     );
 }
 
@@ -444,15 +447,21 @@ impl Point {
         }
     }
 
-    /// Keeps the integrand, and the entrainment of a density.
+    /// (X, Y).
     #[inline(always)]
-    fn keep<const S: usize>(&mut self, t: &TestCoefficients<Dual<S>>, density: f64) {
+    fn at(&self) -> [f64; 2] {
+        [self.place[0], self.place[1]]
+    }
+
+    /// Keeps the integrand, and the entrainment of ρ̄ū.
+    #[inline(always)]
+    fn keep<const S: usize>(&mut self, t: &TestCoefficients<Dual<S>>, carried: [f64; 2]) {
         let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
         self.value = test.map(|t| t.re);
         for (slopes, t) in self.slopes.iter_mut().zip(&test) {
             slopes[..S].copy_from_slice(&t.slopes);
         }
-        self.entrainment = density * self.state[4];
+        self.entrainment = carried.map(|c| c * self.state[4]);
         self.missed = t.missed.re;
     }
 }

@@ -9,6 +9,8 @@ use crate::solve::system::State;
 /// Fields at a point of the contact area.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct PointFields {
+    /// (X, Y).
+    pub place: [f64; 2],
     /// P.
     pub pressure: f64,
     /// ∇P.
@@ -30,6 +32,7 @@ pub fn fields_at(d: &Discretisation, state: &State, point: [f64; 2]) -> Option<P
 /// Evaluates the fields at reference coordinates of an element.
 pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -> PointFields {
     let mut fields = PointFields {
+        place: [0.0; 2],
         pressure: 0.0,
         pressure_gradient: [0.0; 2],
         film: state.rigid_separation,
@@ -58,7 +61,8 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
             *x += value * px;
         }
     }
-    fields.film += fields.deflection + d.contact.shape.gap.value([point[0], point[1]]);
+    fields.place = [point[0], point[1]];
+    fields.film += fields.deflection + d.contact.shape.gap.value(fields.place);
     fields
 }
 
@@ -113,7 +117,8 @@ pub fn fields_from(
             *x += value * px;
         }
     }
-    fields.film += fields.deflection + d.contact.shape.gap.value([point[0], point[1]]);
+    fields.place = [point[0], point[1]];
+    fields.film += fields.deflection + d.contact.shape.gap.value(fields.place);
     (point, fields)
 }
 

@@ -8,7 +8,7 @@ use super::heat::balance::heat_balance;
 use super::heat::figures::{Extremes, zone_means};
 use super::profile::{PER_EDGE, Profile};
 use super::sequence::{Problem, StageSolution};
-use super::shear::friction;
+use super::shear::{friction, is_askew};
 use super::system::State;
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading};
@@ -67,14 +67,34 @@ fn note_friction(
     let f = friction(d, state, fluid, &problem.scales);
     let [mid, plane, ball] = f.coefficients;
     for (figure, value) in [
-        (Figure::TractionCoefficient, mid),
-        (Figure::TractionCoefficientPlane, plane),
-        (Figure::TractionCoefficientBall, ball),
-        (Figure::TractionForce, f.force),
+        (Figure::TractionCoefficient, mid[0]),
+        (Figure::TractionCoefficientPlane, plane[0]),
+        (Figure::TractionCoefficientBall, ball[0]),
+        (Figure::TractionForce, f.force[0]),
         (Figure::FrictionPower, f.power),
         (Figure::ShearStressMaximum, f.stress_maximum),
     ] {
         figures.note(figure, Reading::new(value));
+    }
+    let shape = &d.contact.shape;
+    if is_askew(shape, fluid) {
+        // A component that happens to vanish is as uncertain as the whole.
+        let across = |[along, across]: [f64; 2]| Reading {
+            size: along.hypot(across),
+            ..Reading::new(across)
+        };
+        figures.note(Figure::TractionCoefficientAcross, across(mid));
+        figures.note(Figure::TractionCoefficientAcrossPlane, across(plane));
+        figures.note(Figure::TractionCoefficientAcrossBall, across(ball));
+        figures.note(Figure::TractionForceAcross, across(f.force));
+    }
+    if is_askew(shape, fluid) && shape.kind.is_point() {
+        let [moment, size] = f.moment;
+        let moment = Reading {
+            size,
+            ..Reading::new(moment)
+        };
+        figures.note(Figure::TractionMoment, moment);
     }
     let limits = [Figure::BeyondFirstLimit, Figure::BeyondSecondLimit];
     for (figure, share) in limits.into_iter().zip(f.beyond) {

@@ -171,7 +171,7 @@ pub fn indicator(
         let fluid = model.fluid.local(f.pressure, f.temperature.as_ref());
         let [rho, rho_p, _] = fluid.point().density;
         let [mu, mu_p, _] = fluid.point().viscosity;
-        let (g, omega) = fluid.demands(f.pressure_gradient, f.film);
+        let (g, omega) = fluid.demands(f.place, f.pressure_gradient, f.film);
         let closure = fluid.close(g, omega, &mut rule);
         let factor = 12.0 * rho * f.film.powi(3) / (mu * model.constants.lambda);
         let epsilon = factor * closure.slopes[0][0];

@@ -124,6 +124,7 @@ mod tests {
         let fields = x
             .iter()
             .map(|x| PointFields {
+                place: [*x, 0.0],
                 temperature: None,
                 pressure: 0.7 - x * x + bump * (-((x - 0.8) / 0.03).powi(2)).exp(),
                 pressure_gradient: [0.0; 2],

@@ -1,8 +1,9 @@
 //! Shear of the film: stresses, rates, traction and friction power.
 //!
 //! ```text
-//!   τ_zx at mid-film and at both walls: S τ_x, S(τ ∓ G/2)_x,  S = a p_h/R, τ and G of the closure
-//!   traction coefficient = ∫τ_zx dA / load                        (Habchi 2008, eq. 4.15)
+//!   τ_z at mid-film and at both walls: S τ, S(τ ∓ G/2),  S = a p_h/R, τ and G of the closure; along and across the motion
+//!   traction coefficients = ∫τ_zx dA / load, ∫τ_zy dA / load      (Habchi 2008, eq. 4.15)
+//!   moment about the contact normal = ∫x τ_zy − y τ_zx dA         of the stress at mid-film
 //!   friction power = ∫∫ τ·γ̇ dz dA = ∫ h S²/μ₁ ∫t·tf ds dA
 //! ```
 
@@ -14,7 +15,7 @@ use super::discretisation::{Discretisation, Extents};
 use super::evaluate::{PointFields, fields_at_quadrature};
 use super::indicator::far_field;
 use super::system::State;
-use crate::contact::{ContactKind, Scales, Shape};
+use crate::contact::{ContactKind, Scales, Shape, Symmetry};
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::BeyondEdges;
@@ -22,8 +23,8 @@ use crate::solution::BeyondEdges;
 /// Shear of the film at one point, SI.
 #[derive(Clone, Copy, Debug)]
 pub struct PointShear {
-    /// τ_zx at mid-film, plane and ball, Pa.
-    pub stress: [f64; 3],
+    /// τ_zx and τ_zy at mid-film, plane and ball, Pa.
+    pub stress: [[f64; 2]; 3],
     /// Sizes of the whole stress vector there, Pa.
     pub equivalent: [f64; 3],
     /// Generalized viscosity at mid-film, Pa·s.
@@ -53,7 +54,7 @@ impl<'a> Shear<'a> {
     pub fn at(&mut self, f: &PointFields) -> PointShear {
         let fluid = self.fluid.local(f.pressure, f.temperature.as_ref());
         let mu = fluid.point().viscosity[0];
-        let (g, omega) = fluid.demands(f.pressure_gradient, f.film);
+        let (g, omega) = fluid.demands(f.place, f.pressure_gradient, f.film);
         let film = fluid.flow(g, omega, &mut self.rule);
         let mid = film.mid_stress;
         let scale = self.fluid.stress_scale();
@@ -62,7 +63,7 @@ impl<'a> Shear<'a> {
         let viscosity = mu * self.scales.viscosity;
         let squared = mid[0] * mid[0] + mid[1] * mid[1];
         PointShear {
-            stress: stresses.map(|t| t[0]),
+            stress: stresses,
             equivalent: stresses.map(|t| t[0].hypot(t[1])),
             viscosity: viscosity / fluid.relative_fluidity(0.0, squared),
             power: f.film * self.scales.film * scale * scale / viscosity * film.work,
@@ -73,10 +74,12 @@ impl<'a> Shear<'a> {
 /// Integrals of the shear over the contact area, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// Traction coefficients from the stress at mid-film, plane and ball.
-    pub coefficients: [f64; 3],
-    /// Traction force at mid-film, N or N/m.
-    pub force: f64,
+    /// Traction coefficients, along and across the motion, from the stress at mid-film, plane and ball.
+    pub coefficients: [[f64; 2]; 3],
+    /// Traction force at mid-film, likewise, N or N/m.
+    pub force: [f64; 2],
+    /// Moment of the traction at mid-film about the contact normal, N m, and the sum of the sizes of its parts.
+    pub moment: [f64; 2],
     /// Heat of friction, W or W/m.
     pub power: f64,
     /// Largest shear stress anywhere in the film, Pa.
@@ -89,7 +92,8 @@ pub struct Friction {
 /// The sums that they are made of, over some elements.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sums {
-    force: [f64; 3],
+    force: [[f64; 2]; 3],
+    moment: [f64; 2],
     power: f64,
     stress_maximum: f64,
     zone: f64,
@@ -99,13 +103,22 @@ struct Sums {
 impl Sums {
     fn and(self, other: Sums) -> Sums {
         Sums {
-            force: [0, 1, 2].map(|k: usize| self.force[k] + other.force[k]),
+            force: [0, 1, 2]
+                .map(|k: usize| [0, 1].map(|i: usize| self.force[k][i] + other.force[k][i])),
+            moment: [0, 1].map(|k: usize| self.moment[k] + other.moment[k]),
             power: self.power + other.power,
             stress_maximum: self.stress_maximum.max(other.stress_maximum),
             zone: self.zone + other.zone,
             beyond: [0, 1].map(|k: usize| self.beyond[k] + other.beyond[k]),
         }
     }
+}
+
+/// Whether anything may pull across the motion: not where both halves of a contact are alike, nor along a cylinder whose surface does
+/// not slide there.
+pub fn is_askew(shape: &Shape, fluid: &FilmFluid) -> bool {
+    let halves_differ = shape.kind.is_point() && shape.symmetry == Symmetry::Full;
+    halves_differ || !fluid.slide().is_along_x()
 }
 
 /// Traction and friction of a state.
@@ -117,9 +130,17 @@ pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &S
             let area = weight * d.contact.maps[c].determinant;
             let ([x, y, _], f) = fields_at_quadrature(d, state, c, q);
             let s = shear.at(&f);
-            for (sum, stress) in sums.force.iter_mut().zip(s.stress) {
+            for (sum, stress) in sums
+                .force
+                .iter_mut()
+                .flatten()
+                .zip(s.stress.into_iter().flatten())
+            {
                 *sum += area * stress;
             }
+            let turning = x * s.stress[0][1] - y * s.stress[0][0];
+            sums.moment[0] += area * turning;
+            sums.moment[1] += area * turning.abs();
             sums.power += area * s.power;
             let largest = s.equivalent.into_iter().fold(0.0, f64::max);
             sums.stress_maximum = sums.stress_maximum.max(largest);
@@ -149,8 +170,9 @@ pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &S
     let area = scales.area(&d.contact.shape);
     let load = scales.load * scales.pressure;
     Friction {
-        coefficients: sums.force.map(|force| force / load),
-        force: sums.force[0] * area,
+        coefficients: sums.force.map(|force| force.map(|force| force / load)),
+        force: sums.force[0].map(|force| force * area),
+        moment: sums.moment.map(|moment| moment * area * scales.length),
         power: sums.power * area,
         stress_maximum: sums.stress_maximum,
         beyond: [0, 1].map(|k: usize| constant[k].map(|_| sums.beyond[k] / sums.zone)),
@@ -213,7 +235,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::contact::{Gap, HertzZone, Symmetry, Turn};
+    use crate::contact::{Gap, HertzZone, Turn};
 
     /// The far field by quadrature in ring and angle, ½H ∂P/∂X by differences, over the half of a ball and the line of a roller.
     #[test]

@@ -16,6 +16,7 @@ use rayon::prelude::*;
 
 use super::discretisation::Discretisation;
 use super::element::{Assembler, Element, N_SUMS};
+use crate::contact::Planar;
 use crate::elastic::Accuracy;
 use crate::film::FilmFluid;
 use crate::forms::reynolds::ElementConstants;
@@ -26,6 +27,8 @@ use crate::params::{Formulation, PenaltyScaling};
 pub struct FilmConstants {
     /// λ.
     pub lambda: f64,
+    /// ū, the mean velocity of the surfaces over the entrainment speed.
+    pub entrainment: Planar,
     /// Galerkin, SUPG or GLS.
     pub formulation: Formulation,
     /// ρ_id.
@@ -52,6 +55,7 @@ impl FilmConstants {
         };
         ElementConstants {
             lambda: self.lambda,
+            entrainment: self.entrainment,
             size,
             order,
             penalty,

@@ -71,7 +71,7 @@ impl PointSolution {
             return thermal.thermal.as_ref()?.reduction;
         };
         let (with, without) = (&thermal.summary, &isothermal.summary);
-        let slides = self.case.motion.slide_to_roll_ratio != 0.0;
+        let slides = self.case.motion.slides();
         let isothermal_traction = isothermal.traction.coefficient;
         Some(ThermalReduction {
             film_central: Estimate::reduction(with.film_central, without.film_central),

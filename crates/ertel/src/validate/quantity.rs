@@ -324,7 +324,7 @@ impl Quantity {
             curve.points.iter().map(figure).collect()
         }
         let largest = |list: Vec<f64>| list.into_iter().reduce(f64::max);
-        let slides = |p: &&PointSolution| p.case.motion.slide_to_roll_ratio != 0.0;
+        let slides = |p: &&PointSolution| p.case.motion.slides();
         let film = |p: &PointSolution| Some(p.outcome.solution()?.summary.film_central.value);
         let pressure =
             |p: &PointSolution| Some(p.outcome.solution()?.summary.pressure_maximum.value);

@@ -39,10 +39,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         plane: steel.clone(),
         ball: steel,
         roughness: None,
-        motion: Motion {
-            entrainment_speed: 0.8,
-            slide_to_roll_ratio: 0.0,
-        },
+        motion: Motion::straight(0.8, 0.0),
         lubricant: Lubricant {
             name: None,
             temperature: 313.15,
@@ -124,7 +121,8 @@ pub fn hertz_pressure(case: &Case) -> f64 {
 pub fn shape(kind: ContactKind) -> Shape {
     match kind {
         ContactKind::Line => Shape::LINE,
-        _ => Shape::CIRCULAR,
+        ContactKind::Circular => Shape::CIRCULAR,
+        ContactKind::Elliptical => ertel::run::problem(&case(kind, 50.0)).shape,
     }
 }
 

@@ -42,7 +42,10 @@ pub fn rigid(
     column: Column,
     heat: &Heat,
 ) -> (Discretisation, State) {
-    let bodies = Elasticity::finite_elements(2, &[(1.0, 0.3)]);
+    let bodies = match kind {
+        ContactKind::Line | ContactKind::Circular => Elasticity::finite_elements(2, &[(1.0, 0.3)]),
+        ContactKind::Elliptical => Elasticity::half_space(2, &[(1.0, 0.3)]),
+    };
     let sizes = cells(size);
     let contact = ContactSurface::new(
         &super::shape(kind),

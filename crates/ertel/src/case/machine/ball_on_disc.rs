@@ -3,7 +3,7 @@
 use ertel_rheology::input::{InputError, Table};
 
 use super::{Machine, Rows, point_load, required_length};
-use crate::case::contact::read_motion;
+use crate::case::motion::read_motion;
 use crate::contact::Contact;
 
 /// Reads the keys of `kind = "ball-on-disc"`; `reduced_modulus` in Pa.

@@ -13,9 +13,8 @@ mod spur_gear;
 use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
-use super::contact::{
-    MAX_SPEED, MOST_SLENDER, RADIUS, check_entrainment, load_of_pressure, too_slender,
-};
+use super::contact::{MOST_SLENDER, RADIUS, load_of_pressure, too_slender};
+use super::motion::{MAX_SPEED, check_entrainment};
 use crate::contact::{Contact, Motion};
 use crate::output::{MachineEcho, digits, length};
 
@@ -163,10 +162,10 @@ fn motion(
             format!("a surface moves at {speed:.3e} m/s; speeds go up to {MAX_SPEED} m/s"),
         ));
     }
-    Ok(Motion {
+    Ok(Motion::straight(
         entrainment_speed,
-        slide_to_roll_ratio: (ball_speed - plane_speed) / entrainment_speed,
-    })
+        (ball_speed - plane_speed) / entrainment_speed,
+    ))
 }
 
 #[cfg(test)]

@@ -69,13 +69,13 @@ fn close(
     fluid: &ThermalFluid,
     p: f64,
     g: [f64; 2],
-    slide: f64,
+    slide: [f64; 2],
 ) -> ThermalClosure {
     let law = ThermalLaw {
         thinning: thinning.map(|t| t.at(p, 1e6, 1e9)),
         fluid,
     };
-    close_thermal(&law, g, slide, &mut CrossFilm::default())
+    close_thermal::<true>(&law, g, slide, &mut CrossFilm::default())
 }
 
 /// One temperature: the closure of a film that has one.
@@ -88,13 +88,14 @@ fn uniform_temperature() {
     };
     let thinning = thinning();
     for (p, g, slide) in [
-        (0.4, [0.3, -0.1], 0.0),
-        (0.9, [2.0, 0.7], 5.0),
-        (0.1, [0.02, 0.0], -0.4),
+        (0.4, [0.3, -0.1], [0.0; 2]),
+        (0.9, [2.0, 0.7], [5.0, 0.0]),
+        (0.9, [2.0, 0.7], [5.0, -1.0]),
+        (0.1, [0.02, 0.0], [-0.4, 0.0]),
     ] {
         let fluid = ThermalFluid::new(&nodes, &flat, |t| properties(p, t));
         let thermal = close(Some(&thinning), &fluid, p, g, slide).closure;
-        let isothermal = closure::close(
+        let isothermal = closure::close::<true>(
             &thinning.at(p, 1e6, 1e9),
             g,
             slide,
@@ -107,7 +108,7 @@ fn uniform_temperature() {
                 epsilon = 1e-8
             );
             assert_relative_eq!(thermal.flow[i], isothermal.flow[i], epsilon = 1e-8);
-            for d in 0..4 {
+            for d in 0..N_DEMANDS {
                 assert_relative_eq!(
                     thermal.slopes[i][d],
                     isothermal.slopes[i][d],
@@ -144,7 +145,7 @@ fn yang_and_wen() {
         let s = t - 300.0;
         [flat(1.0 + c * s), flat(-b * s)]
     });
-    let (g, slide) = ([0.8, -0.3], 0.5);
+    let (g, slide) = ([0.8, -0.3], [0.5, -0.2]);
     let thermal = close(None, &fluid, 0.2, g, slide).closure;
     // Simpson's rule on 2000 intervals for every integral of the thesis
     let integral = |f: &dyn Fn(f64) -> f64, to: f64| -> f64 {
@@ -160,7 +161,7 @@ fn yang_and_wen() {
     let e0 = integral(&fluidity, 0.5);
     let e1 = integral(&|s| s * fluidity(s), 0.5);
     for i in 0..2 {
-        let omega = if i == 0 { slide } else { 0.0 };
+        let omega = slide[i];
         let tau = (omega - g[i] * e1) / e0;
         assert_relative_eq!(thermal.mid_stress[i], tau, epsilon = 1e-9);
         // velocity beyond that of the plane, then its mean over the mass
@@ -177,27 +178,27 @@ fn derivatives_match_differences() {
     let nodes = FilmNodes::new(8);
     let base = profile(&nodes);
     for (thinning, p, g, slide) in [
-        (thinning(), 0.4, [0.3, -0.1], 0.05),
-        (thinning(), 0.8, [1.5, 0.4], 4.0),
-        (thinning(), 0.2, [0.6, 0.2], -1.0),
-        (limited(), 0.8, [1.5, 0.4], 4.0),
+        (thinning(), 0.4, [0.3, -0.1], [0.05, 0.0]),
+        (thinning(), 0.8, [1.5, 0.4], [4.0, -1.5]),
+        (thinning(), 0.2, [0.6, 0.2], [-1.0, 0.3]),
+        (limited(), 0.8, [1.5, 0.4], [4.0, 1.0]),
     ] {
         let reference = ThermalFluid::new(&nodes, &base, |t| properties(p, t));
         // The viscosity that stands for the film stays what it is when the temperature moves.
-        let at = |x: [f64; 6]| {
-            let profile = moved(&moved(&base, 0, x[4]), 1, x[5]);
-            let mut fluid = ThermalFluid::new(&nodes, &profile, |t| properties(x[3], t));
-            let still = ThermalFluid::new(&nodes, &base, |t| properties(x[3], t));
+        let at = |x: [f64; N]| {
+            let profile = moved(&moved(&base, 0, x[P + 1]), 1, x[P + 2]);
+            let mut fluid = ThermalFluid::new(&nodes, &profile, |t| properties(x[P], t));
+            let still = ThermalFluid::new(&nodes, &base, |t| properties(x[P], t));
             let shift = (still.viscosity[0] / fluid.viscosity[0]).ln();
             fluid.exponent.by_p[0] = fluid.exponent.by_p[0].plus(shift);
             (
-                close(Some(&thinning), &fluid, x[3], [x[0], x[1]], x[2]),
+                close(Some(&thinning), &fluid, x[P], [x[0], x[1]], [x[2], x[3]]),
                 fluid,
             )
         };
-        let here = [g[0], g[1], slide, p, 0.0, 0.0];
+        let here = [g[0], g[1], slide[0], slide[1], p, 0.0, 0.0];
         let (ours, _) = at(here);
-        let difference = |d: usize, f: &dyn Fn([f64; 6]) -> f64| {
+        let difference = |d: usize, f: &dyn Fn([f64; N]) -> f64| {
             let step = 1e-5;
             let (mut up, mut down) = (here, here);
             up[d] += step;
@@ -206,7 +207,7 @@ fn derivatives_match_differences() {
         };
         let mut drift = 0.0;
         for i in 0..2 {
-            for d in 0..4 {
+            for d in 0..N_DEMANDS {
                 let slope = difference(d, &|x| at(x).0.closure.flow[i]);
                 assert_relative_eq!(
                     ours.closure.slopes[i][d],
@@ -214,16 +215,16 @@ fn derivatives_match_differences() {
                     epsilon = 2e-7,
                     max_relative = 1e-5
                 );
-                for e in 0..4 {
+                for e in 0..N_DEMANDS {
                     let curvature = difference(e, &|x| at(x).0.closure.slopes[i][d]);
                     let exact = ours.closure.curvatures[i][d][e];
                     assert_relative_eq!(exact, curvature, epsilon = 2e-6, max_relative = 1e-4);
                 }
             }
-            drift += difference(4 + i, &|x| at(x).0.closure.flow[i]);
+            drift += difference(P + 1 + i, &|x| at(x).0.closure.flow[i]);
         }
         assert_relative_eq!(ours.drift, drift, epsilon = 1e-6, max_relative = 1e-5);
-        for d in 0..4 {
+        for d in 0..N_DEMANDS {
             let slope = difference(d, &|x| at(x).0.drift);
             assert_relative_eq!(
                 ours.drift_slopes[d],
@@ -233,13 +234,13 @@ fn derivatives_match_differences() {
             );
         }
         for i in 0..2 {
-            let slope = difference(4 + i, &|x| at(x).1.density.by_p[0]);
+            let slope = difference(P + 1 + i, &|x| at(x).1.density.by_p[0]);
             assert_relative_eq!(reference.density.along[i][0], slope, epsilon = 1e-9);
-            let slope = difference(3, &|x| at(x).1.density.along[i][0]);
+            let slope = difference(P, &|x| at(x).1.density.along[i][0]);
             assert_relative_eq!(reference.density.along[i][1], slope, epsilon = 1e-8);
         }
         for k in 0..2 {
-            let slope = difference(3, &|x| at(x).1.viscosity[k]);
+            let slope = difference(P, &|x| at(x).1.viscosity[k]);
             assert_relative_eq!(reference.viscosity[k + 1], slope, max_relative = 1e-6);
         }
     }

@@ -9,6 +9,7 @@ use approx::assert_relative_eq;
 fn constants(formulation: Formulation) -> ElementConstants {
     ElementConstants {
         lambda: 0.01,
+        entrainment: Planar::along_x(1.0),
         size: 0.1,
         order: 3,
         penalty: 1e4,
@@ -18,6 +19,9 @@ fn constants(formulation: Formulation) -> ElementConstants {
     }
 }
 
+/// ū at the point.
+const VELOCITY: [f64; 2] = [0.9, -0.3];
+
 fn point<D: Number>(
     s: &PointState<D>,
     fluid: &PointFluid,
@@ -25,7 +29,7 @@ fn point<D: Number>(
     f: f64,
 ) -> TestCoefficients<D> {
     let m = Properties::around(s.pressure, fluid);
-    reynolds_point(s, &m, &newtonian(s, &m, e.lambda), e, f)
+    reynolds_point(s, &m, &newtonian(s, &m, e.lambda), e, VELOCITY, f)
 }
 
 /// Independently evaluated: (coth x − 1/x)/x at 0.05, 1 and 30 (30-digit arithmetic).
@@ -118,14 +122,15 @@ fn stabilisation_is_consistent() {
         pressure_unseen: 0.0,
     };
     let mut c = constants(Formulation::Gls);
-    // R = −∇ε·∇P − εΔP + ρ'P_x H + ρH_x by hand, ε = ρH³/(μλ)
+    // R = −∇ε·∇P − εΔP + ū·(ρ'∇P H + ρ∇H) by hand, ε = ρH³/(μλ)
     let eps = 1.1 * 0.008 / (5.0 * 0.01);
     let k = eps * (0.2 / 1.1 - 3.0);
     let (ex, ey) = (
         k * 0.5 + 3.0 * eps / 0.2 * 0.1,
         k * -0.1 + 3.0 * eps / 0.2 * 0.05,
     );
-    let f = -(ex * 0.5 + ey * -0.1) + eps * 1.2 + 0.2 * 0.5 * 0.2 + 1.1 * 0.1;
+    let f = -(ex * 0.5 + ey * -0.1) + eps * 1.2 + 0.9 * (0.2 * 0.5 * 0.2 + 1.1 * 0.1)
+        - 0.3 * (0.2 * -0.1 * 0.2 + 1.1 * 0.05);
     let gls = point(&s, &fluid, &c, f);
     c.formulation = Formulation::Galerkin;
     let galerkin = point(&s, &fluid, &c, f);
@@ -143,7 +148,8 @@ fn terms_of_the_weak_form() {
     };
     // ε between 2.2 and 2.2e-4: Péclet numbers on all three branches; pressures on both sides of the penalty's
     for (film, pressure) in [(1.0_f64, 0.6), (0.3, 0.6), (0.05, 0.6), (0.3, -0.01)] {
-        let drift = 0.07;
+        let drift = [0.07, 0.02];
+        let [u, v] = VELOCITY;
         let s = PointState {
             pressure,
             pressure_gradient: [0.5, -0.1],
@@ -159,7 +165,10 @@ fn terms_of_the_weak_form() {
         });
         let divergence = grad_eps[0] * 0.5 - grad_eps[1] * 0.1 - 1.2 * eps;
         let penalty = 1e4 * f64::min(pressure, 0.0);
-        let residual = -divergence + 0.2 * 0.5 * film + drift + 1.1 * 0.1 + penalty - f;
+        let carried = 0.2 * (0.5 * u - 0.1 * v) * film
+            + (drift[0] * u + drift[1] * v)
+            + 1.1 * (0.1 * u + 0.05 * v);
+        let residual = -divergence + carried + penalty - f;
         let coth = |x: f64| 1.0 / x.tanh() - 1.0 / x;
         for formulation in [Formulation::Galerkin, Formulation::Supg, Formulation::Gls] {
             for elastic in [false, true] {
@@ -175,20 +184,23 @@ fn terms_of_the_weak_form() {
                         drift,
                         ..newtonian(&s, &m, c.lambda)
                     };
-                    let found = reynolds_point(&s, &m, &flow, &c, f);
+                    let found = reynolds_point(&s, &m, &flow, &c, VELOCITY, f);
                     let supg = f64::from(u8::from(formulation != Formulation::Galerkin));
                     let gls = f64::from(u8::from(formulation == Formulation::Gls));
                     let elastic = f64::from(u8::from(elastic));
                     let beta = film * 0.2 + elastic * 0.3 * 1.1 * size;
-                    let tau = size / (2.0 * l * beta) * coth(beta * size / (2.0 * l * eps));
+                    let speed = beta * (u * u + v * v).sqrt();
+                    let tau = size / (2.0 * l * speed) * coth(speed * size / (2.0 * l * eps));
                     let weight = supg * tau * residual;
                     let spread = diffusion * size * film * 0.2 / (2.0 * l);
                     let pe_unseen = 1.1 * size * size / (2.0 * l * eps);
                     let unseen = supg * elastic * coth(pe_unseen) * 1.1 / size * 0.02;
                     let expected = [
                         penalty - f,
-                        (eps + spread) * 0.5 - 1.1 * film + weight * (beta - gls * grad_eps[0]),
-                        -(eps + spread) * 0.1 - gls * weight * grad_eps[1],
+                        (eps + spread) * 0.5 - 1.1 * film * u
+                            + weight * (beta * u - gls * grad_eps[0]),
+                        -(eps + spread) * 0.1 - 1.1 * film * v
+                            + weight * (beta * v - gls * grad_eps[1]),
                         -gls * weight * eps,
                         unseen,
                         weight,

@@ -66,7 +66,7 @@ fn films_over(title: &str, curve: &CurveSolution, values: &[(&str, Figure)]) -> 
 /// Traction coefficient at mid-film over the quantity, beside that without shear thinning and that without heat (the
 /// first of these dashed, a second one open circles); `None` where nothing slides. Failed points are marked.
 pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
-    let slides = |p: &PointSolution| p.case.motion.slide_to_roll_ratio != 0.0;
+    let slides = |p: &PointSolution| p.case.motion.slides();
     let solved = |p: &&PointSolution| p.outcome.solution().is_some();
     if !curve.points.iter().filter(solved).any(slides) {
         return None;

@@ -4,7 +4,7 @@
 //!   γ̇(s) = S/μ (τ + sG) f(s),   u(s) = u_plane + h∫_{−½}^s γ̇ ds',   η(s) = μ/f(s)
 //! ```
 
-use crate::contact::Scales;
+use crate::contact::{Planar, Scales, Symmetry};
 use crate::film::FilmFluid;
 use crate::film::closure::mid_stress;
 use crate::film::cross_film::CrossFilm;
@@ -17,20 +17,23 @@ use crate::solve::system::State;
 /// Equal steps across the film.
 const N_STEPS: usize = 40;
 
-/// Profile at a point in half-widths; `None` outside of the contact area. `plane` is the velocity of the plane, m/s.
+/// Profile at a point in half-widths; `None` outside of the contact area. `plane` is the velocity of the plane, m/s, at places in
+/// half-widths.
 pub(super) fn profile(
     d: &Discretisation,
     state: &State,
     fluid: &FilmFluid,
     scales: &Scales,
-    plane: f64,
+    plane: &Planar,
     [x, y]: [f64; 2],
 ) -> Option<CrossProfile> {
-    let fields = fields_at(d, state, [x, -y.abs()])?;
+    // Where half of the contact is solved, y ≤ 0, the other one is its mirror image.
+    let mirrored = d.contact.shape.symmetry == Symmetry::Half && y > 0.0;
+    let fields = fields_at(d, state, [x, if mirrored { -y } else { y }])?;
     let temperatures = fluid.nodes()?.through(&fields.temperature?.temperature);
     let local = fluid.local(fields.pressure, fields.temperature.as_ref());
     let law = fluid.thermal_law(fields.pressure, local.thermal()?);
-    let (g, omega) = local.demands(fields.pressure_gradient, fields.film);
+    let (g, omega) = local.demands(fields.place, fields.pressure_gradient, fields.film);
     let tau = mid_stress(&law, g, omega, &mut CrossFilm::default());
     let viscosity = local.point().viscosity[0] * scales.viscosity;
     let h = fields.film * scales.film;
@@ -47,7 +50,7 @@ pub(super) fn profile(
         film_thickness: h,
         ..CrossProfile::default()
     };
-    let mut velocity = [plane, 0.0];
+    let mut velocity = plane.at(fields.place);
     let step = 1.0 / N_STEPS as f64;
     for k in 0..=N_STEPS {
         let s = k as f64 * step - 0.5;
@@ -63,10 +66,9 @@ pub(super) fn profile(
         profile.z.push((s + 0.5) * h);
         profile.temperature.push(temperatures.at(s));
         profile.velocity_x.push(velocity[0]);
-        // The solved half is y ≤ 0; the other one is its mirror image.
         profile
             .velocity_y
-            .push(if y > 0.0 { -velocity[1] } else { velocity[1] });
+            .push(if mirrored { -velocity[1] } else { velocity[1] });
         profile.shear_rate.push(rate[0].hypot(rate[1]));
         profile.viscosity.push(viscosity);
     }

@@ -56,7 +56,7 @@ pub fn thermal(
             by_film: measured.estimate(Figure::HeatByFilm),
             error: balance.error,
         },
-        reduction: reduction(levels, measured, problem.fluid.slide() != 0.0),
+        reduction: reduction(levels, measured, problem.fluid.slides()),
         coupling: Coupling {
             rounds: stats.rounds,
             contraction: stats.contraction,
@@ -69,7 +69,7 @@ pub fn thermal(
         surface: surface(d, state, space),
         profiles: (params.profiles.iter())
             .filter_map(|point| {
-                let plane = heat.heat.bodies[0].velocity;
+                let plane = &heat.heat.bodies[0].velocity;
                 cross_film::profile(d, state, &problem.fluid, scales, plane, *point)
             })
             .collect(),

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   made:      ∫ h(Q_shear + Q_comp) dA
-//!   bodies:    ∫∫ ρc u ∂T/∂x dz dA + what is conducted out where temperatures are prescribed
+//!   bodies:    ∫∫ ρc u·∇T dz dA + what is conducted out where temperatures are prescribed
 //!   film:      ∮ h∫ρc u·n (T − T_inlet) ds dl   round the area where the film is whole, and what the energy
 //!              equation lets it take up beyond
 //! ```
@@ -143,6 +143,7 @@ impl Film<'_> {
     fn column(&mut self, fields: &PointFields) -> FilmColumn {
         let heights = &self.space.column.heights;
         let place = FilmPlace {
+            at: fields.place,
             pressure: fields.pressure,
             pressure_gradient: fields.pressure_gradient,
             film: fields.film,

@@ -115,6 +115,7 @@ impl Assembly<'_> {
                     heat,
                     state,
                     basis: &basis,
+                    velocity: heat.bodies[body].velocity.at([x, y]),
                     body,
                     further: &further,
                     area,
@@ -192,13 +193,14 @@ kernel! {
         heat: &'a Heat,
         state: &'a State,
         basis: &'a SurfaceBasis,
+        velocity: [f64; 2],
         body: usize,
         further: &'a dyn Fn(Layer) -> f64,
         area: f64,
         size: f64,
         e: &'a mut Element,
     ) -> () {
-        body_part(space, nodes, heat, state, basis, body, further, area, size, e)
+        body_part(space, nodes, heat, state, basis, velocity, body, further, area, size, e)
     }
 }
 
@@ -317,6 +319,7 @@ fn body_part(
     heat: &Heat,
     state: &State,
     basis: &SurfaceBasis,
+    velocity: [f64; 2],
     body: usize,
     further: &dyn Fn(Layer) -> f64,
     area: f64,
@@ -346,12 +349,12 @@ fn body_part(
                 }
             }
             let capacity = law.density * law.heat_capacity.heat_capacity(0.0, temperature);
-            let convection = capacity * law.velocity;
+            let [u, v] = velocity.map(|u| capacity * u);
             let conduction = law.conductivity.conductivity(0.0, temperature) / heat.length;
-            carried += convection * across[0];
+            carried += u * across[0] + v * across[1];
             // Shakib's time scale: convection over a cell, conduction along it.
             let tau = {
-                let passage = 2.0 * convection / size;
+                let passage = 2.0 * u.hypot(v) / size;
                 let spread = 12.0 * conduction / (size * size);
                 1.0 / passage.hypot(spread)
             };
@@ -365,7 +368,7 @@ fn body_part(
             let weight = area * point.weight;
             e.account.bodies[body] += weight * carried;
             for i in 0..basis.n {
-                let streamline = tau * convection * basis.slopes[i][0];
+                let streamline = tau * (u * basis.slopes[i][0] + v * basis.slopes[i][1]);
                 let test = basis.values[i] + streamline;
                 for (a, node) in layer.nodes.iter().enumerate() {
                     let shape = point.shapes[a];
@@ -383,7 +386,7 @@ fn body_part(
                     let gradients = basis.slopes[i][0] * basis.slopes[j][0]
                         + basis.slopes[i][1] * basis.slopes[j][1];
                     let flat = weight
-                        * (test * convection * basis.slopes[j][0]
+                        * (test * (u * basis.slopes[j][0] + v * basis.slopes[j][1])
                             - streamline * conduction * basis.laplacians[j]
                             + conduction * gradients);
                     let strong = weight * streamline * conduction * basis.values[j];

@@ -31,7 +31,8 @@ pub(super) fn prescribed(
         };
         let walls = [column.first, column.first + column.film.n() - 1];
         for (body, law) in heat.bodies.iter().enumerate() {
-            if outward[0] * law.velocity <= 0.0 {
+            let [u, v] = law.velocity.at([point[0], point[1]]);
+            if outward[0] * u + outward[1] * v <= 0.0 {
                 own[column.body_range(body)].fill(true);
             }
         }
@@ -86,6 +87,7 @@ fn film_velocities(
         return vec![[0.0; 2]; column.film.n()];
     };
     let place = FilmPlace {
+        at: f.place,
         pressure: f.pressure,
         pressure_gradient: f.pressure_gradient,
         film: f.film,

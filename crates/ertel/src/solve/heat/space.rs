@@ -88,6 +88,7 @@ impl HeatSpace {
             }
         }
         FilmPlace {
+            at: fields.place,
             pressure: fields.pressure,
             pressure_gradient: fields.pressure_gradient,
             film: fields.film,

@@ -77,7 +77,7 @@ impl Outline {
         Outline {
             usual: problem.stages.clone(),
             exponential: problem.fluid.is_exponential(),
-            slides: problem.fluid.slide() != 0.0,
+            slides: problem.fluid.slides(),
             refined: problem.adapt.is_some(),
         }
     }

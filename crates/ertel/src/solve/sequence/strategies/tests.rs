@@ -1,6 +1,7 @@
 use super::shear_law::SOFTNESS;
 use super::sliding::SLIDING;
 use super::*;
+use crate::contact::Planar;
 use crate::params::{Formulation, PenaltyScaling};
 use crate::solve::discretisation::LevelSizes;
 use crate::solve::sequence::stage::Role;
@@ -22,6 +23,7 @@ pub(in super::super) fn outline(order: usize) -> Outline {
         pressure_order: order,
         constants: FilmConstants {
             lambda: 1.0,
+            entrainment: Planar::along_x(1.0),
             formulation: Formulation::Gls,
             isotropic_diffusion: 0.0,
             elastic_stabilisation: true,

@@ -1,0 +1,161 @@
+//! `[motion]`, and what `[machine]` shares with it.
+
+use ertel_rheology::input::{Bounds, InputError, Table};
+use ertel_rheology::quantity::Dimension;
+
+use super::bodies::name_in;
+use crate::contact::Motion;
+
+/// Surfaces that move almost exactly against each other have ratios far beyond 2, but not these.
+const SLIDE_TO_ROLL: Bounds = Bounds::closed(-1e6, 1e6);
+/// Speeds, m/s: beyond these a unit was mistaken.
+pub(super) const MAX_SPEED: f64 = 1e3;
+/// Spin, rad/s.
+const SPIN: Bounds = Bounds::closed(-1e6, 1e6);
+/// Between the velocities of the surfaces, rad.
+const SKEW: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI);
+/// Slowest entrainment, m/s: a nanometre in a second.
+const MIN_SPEED: f64 = 1e-9;
+
+/// Reads entrainment speed and slide-to-roll ratios, or the speeds of both surfaces, and their spin; `plane_key` is an older name of
+/// the speed of body 1.
+pub(super) fn read_motion(
+    table: &mut Table<'_>,
+    plane_key: &'static str,
+) -> Result<Motion, InputError> {
+    let [first, second] = [
+        name_in(table, ["body_1_speed", plane_key])?,
+        name_in(table, ["body_2_speed", "ball_speed"])?,
+    ];
+    let motion = match table.contains(first) || table.contains(second) {
+        true => of_speeds(table, [first, second])?,
+        false => of_entrainment(table)?,
+    };
+    let [plane, ball] = ["body_1_spin", "body_2_spin"]
+        .map(|key| table.optional_quantity(key, Dimension::ANGULAR_SPEED, SPIN));
+    Ok(Motion {
+        spin: [plane?.unwrap_or(0.0), ball?.unwrap_or(0.0)],
+        ..motion
+    })
+}
+
+/// From entrainment speed and slide-to-roll ratios.
+fn of_entrainment(table: &mut Table<'_>) -> Result<Motion, InputError> {
+    let speed = Bounds::closed(-MAX_SPEED, MAX_SPEED);
+    let entrainment_speed =
+        table.required_quantity("entrainment_speed", Dimension::SPEED, speed)?;
+    check_entrainment(table, "entrainment_speed", entrainment_speed)?;
+    let along = table.required_number("slide_to_roll_ratio", SLIDE_TO_ROLL)?;
+    let across = table.optional_number("slide_to_roll_ratio_across", SLIDE_TO_ROLL)?;
+    if table.contains("skew_angle") {
+        return Err(table
+            .error(
+                "skew_angle",
+                "`skew_angle` lies between the velocities of the surfaces, but their speeds are not given",
+            )
+            .with_help("give `body_1_speed` and `body_2_speed`, or `slide_to_roll_ratio_across` in its place"));
+    }
+    Ok(Motion {
+        slide_to_roll_ratio_across: across.unwrap_or(0.0),
+        ..Motion::straight(entrainment_speed, along)
+    })
+}
+
+/// From the speeds of both surfaces, and the angle φ from the velocity of body 1 to that of body 2:
+///
+/// u_m e = (u_1 + u_2)/2,  S = (u_2 − u_1)·e/u_m,  S_⊥ = (u_2 − u_1)·n/u_m,  n across e
+fn of_speeds(table: &mut Table<'_>, keys: [&'static str; 2]) -> Result<Motion, InputError> {
+    let bounds = Bounds::closed(-MAX_SPEED, MAX_SPEED);
+    let [plane_key, ball_key] = keys;
+    let ball = table.required_quantity(ball_key, Dimension::SPEED, bounds)?;
+    let plane = table.required_quantity(plane_key, Dimension::SPEED, bounds)?;
+    let derived = [
+        "entrainment_speed",
+        "slide_to_roll_ratio",
+        "slide_to_roll_ratio_across",
+    ];
+    if let Some(key) = derived.into_iter().find(|key| table.contains(key)) {
+        return Err(table.error(
+            key,
+            format!("`{key}` follows from `{ball_key}` and `{plane_key}`; give one pair"),
+        ));
+    }
+    let skew = table.optional_quantity("skew_angle", Dimension::ANGLE, SKEW)?;
+    let skew = skew.filter(|skew| *skew != 0.0);
+    let Some(skew) = skew else {
+        let entrainment_speed = 0.5 * (ball + plane);
+        check_entrainment(table, ball_key, entrainment_speed)?;
+        return Ok(Motion::straight(
+            entrainment_speed,
+            (ball - plane) / entrainment_speed,
+        ));
+    };
+    let (sin, cos) = skew.sin_cos();
+    let mean = [0.5 * (plane + ball * cos), 0.5 * ball * sin];
+    let sliding = [ball * cos - plane, ball * sin];
+    let entrainment_speed = mean[0].hypot(mean[1]);
+    check_entrainment(table, ball_key, entrainment_speed)?;
+    let square = entrainment_speed * entrainment_speed;
+    Ok(Motion {
+        slide_to_roll_ratio_across: (sliding[1] * mean[0] - sliding[0] * mean[1]) / square,
+        ..Motion::straight(
+            entrainment_speed,
+            (sliding[0] * mean[0] + sliding[1] * mean[1]) / square,
+        )
+    })
+}
+
+pub(super) fn check_entrainment(
+    table: &Table<'_>,
+    key: &str,
+    speed: f64,
+) -> Result<(), InputError> {
+    if speed.abs() < MIN_SPEED {
+        return Err(table
+            .error(key, "the entrainment speed must not be zero")
+            .with_help("only entrained lubricant keeps the surfaces apart in a steady contact"));
+    }
+    if speed < 0.0 {
+        return Err(table
+            .error(key, "the entrainment speed must be positive")
+            .with_help("the inlet lies at x < 0; turn x around and both speeds with it"));
+    }
+    Ok(())
+}
+
+/// Largest speed of the mean motion over the entrainment speed at the edge of the Hertz zone: beyond it the surfaces turn on the
+/// spot more than they entrain, and no side is the inlet.
+const MOST_SPIN: f64 = 0.5;
+
+/// Refuses spin of contacts that cannot spin, and spin that leaves no inlet; `reach` is the largest half-width, m.
+pub(super) fn check_spin(
+    table: &Table<'_>,
+    motion: &Motion,
+    is_point: bool,
+    reach: f64,
+) -> Result<(), InputError> {
+    let Some(key) = (["body_1_spin", "body_2_spin"].into_iter())
+        .zip(motion.spin)
+        .find_map(|(key, spin)| (spin != 0.0).then_some(key))
+    else {
+        return Ok(());
+    };
+    if !is_point {
+        return Err(table.error(
+            key,
+            "surfaces that touch along an infinite line cannot spin about its normal",
+        ));
+    }
+    let mean = motion.entrainment(reach).spin.abs();
+    if mean > MOST_SPIN {
+        return Err(table
+            .error(
+                key,
+                format!(
+                    "the mean spin moves the edge of the contact at {mean:.3} of the entrainment speed; {MOST_SPIN} at most"
+                ),
+            )
+            .with_help("a contact that turns on the spot has no inlet"));
+    }
+    Ok(())
+}
