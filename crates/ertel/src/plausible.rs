@@ -62,14 +62,20 @@ fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<War
     if !case.motion.slides() {
         return None;
     }
-    let coefficient = traction.coefficient.value.abs();
+    let coefficient = traction.size().value;
     let stress = traction.shear_stress_maximum;
     // Largest stresses stand at spikes, which few meshes resolve: only what is sure.
     let sure = stress.value - stress.error.unwrap_or(0.0);
     let (excess, what) = if coefficient > LARGEST_TRACTION {
         let what = format!(
             "a traction coefficient of {} is beyond what any lubricant transmits (about 0.12)",
-            digits(traction.coefficient.value, 3)
+            digits(
+                match traction.across {
+                    Some(_) => coefficient,
+                    None => traction.coefficient.value,
+                },
+                3
+            )
         );
         (coefficient / LARGEST_TRACTION, what)
     } else if sure > LARGEST_STRESS_RATIO * hertz_pressure {

@@ -237,6 +237,8 @@ fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> 
 #[cfg(test)]
 mod ellipse_tests;
 #[cfg(test)]
+mod motion_tests;
+#[cfg(test)]
 mod tests;
 #[cfg(test)]
 mod thermal_tests;

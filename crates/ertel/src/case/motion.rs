@@ -129,17 +129,16 @@ const MOST_SPIN: f64 = 0.5;
 
 /// Refuses spin of contacts that cannot spin, and spin that leaves no inlet; `reach` is the largest half-width, m.
 pub(super) fn check_spin(
-    table: &Table<'_>,
+    table: &mut Table<'_>,
     motion: &Motion,
     is_point: bool,
     reach: f64,
 ) -> Result<(), InputError> {
-    let Some(key) = (["body_1_spin", "body_2_spin"].into_iter())
-        .zip(motion.spin)
-        .find_map(|(key, spin)| (spin != 0.0).then_some(key))
-    else {
+    if motion.spin == [0.0; 2] {
         return Ok(());
-    };
+    }
+    let keys = ["raceway_control", "body_1_spin", "body_2_spin"];
+    let key = (keys.into_iter().find(|key| table.contains(key))).unwrap_or("body_1_spin");
     if !is_point {
         return Err(table.error(
             key,

@@ -311,6 +311,23 @@ pub struct Traction {
     pub beyond_second_limit: Option<Estimate>,
 }
 
+impl Traction {
+    /// Size of the traction coefficient of both components, with the larger of their error bars.
+    pub fn size(&self) -> Estimate {
+        let Some(across) = &self.across else {
+            return Estimate {
+                value: self.coefficient.value.abs(),
+                error: self.coefficient.error,
+            };
+        };
+        let (along, across) = (self.coefficient, across.coefficient);
+        Estimate {
+            value: along.value.hypot(across.value),
+            error: along.error.zip(across.error).map(|(a, b)| a.max(b)),
+        }
+    }
+}
+
 /// Traction across the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TractionAcross {

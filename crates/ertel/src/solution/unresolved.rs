@@ -38,7 +38,7 @@ impl Unresolved {
             (Figure::FilmCentral, summary.film_central),
             (Figure::FilmMinimum, summary.film_minimum),
         ];
-        let traction = slides.then_some((Figure::TractionCoefficient, traction.coefficient));
+        let traction = slides.then_some((Figure::TractionCoefficient, traction.size()));
         let rise = thermal.map(|t| Estimate {
             value: t.film_maximum.value - t.inlet_temperature,
             error: t.film_maximum.error,

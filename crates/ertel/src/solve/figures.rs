@@ -66,29 +66,40 @@ fn note_friction(
 ) {
     let f = friction(d, state, fluid, &problem.scales);
     let [mid, plane, ball] = f.coefficients;
+    let (shape, askew) = (&d.contact.shape, is_askew(&d.contact.shape, fluid));
+    // Where both components count, one that happens to vanish is as uncertain as the whole.
+    let component = |vector: [f64; 2], i: usize| Reading {
+        size: match askew {
+            true => vector[0].hypot(vector[1]),
+            false => vector[i].abs(),
+        },
+        ..Reading::new(vector[i])
+    };
+    for (figure, vector) in [
+        (Figure::TractionCoefficient, mid),
+        (Figure::TractionCoefficientPlane, plane),
+        (Figure::TractionCoefficientBall, ball),
+        (Figure::TractionForce, f.force),
+    ] {
+        figures.note(figure, component(vector, 0));
+    }
     for (figure, value) in [
-        (Figure::TractionCoefficient, mid[0]),
-        (Figure::TractionCoefficientPlane, plane[0]),
-        (Figure::TractionCoefficientBall, ball[0]),
-        (Figure::TractionForce, f.force[0]),
         (Figure::FrictionPower, f.power),
         (Figure::ShearStressMaximum, f.stress_maximum),
     ] {
         figures.note(figure, Reading::new(value));
     }
-    let shape = &d.contact.shape;
-    if is_askew(shape, fluid) {
-        // A component that happens to vanish is as uncertain as the whole.
-        let across = |[along, across]: [f64; 2]| Reading {
-            size: along.hypot(across),
-            ..Reading::new(across)
-        };
-        figures.note(Figure::TractionCoefficientAcross, across(mid));
-        figures.note(Figure::TractionCoefficientAcrossPlane, across(plane));
-        figures.note(Figure::TractionCoefficientAcrossBall, across(ball));
-        figures.note(Figure::TractionForceAcross, across(f.force));
+    if askew {
+        for (figure, vector) in [
+            (Figure::TractionCoefficientAcross, mid),
+            (Figure::TractionCoefficientAcrossPlane, plane),
+            (Figure::TractionCoefficientAcrossBall, ball),
+            (Figure::TractionForceAcross, f.force),
+        ] {
+            figures.note(figure, component(vector, 1));
+        }
     }
-    if is_askew(shape, fluid) && shape.kind.is_point() {
+    if askew && shape.kind.is_point() {
         let [moment, size] = f.moment;
         let moment = Reading {
             size,

@@ -6,8 +6,9 @@ use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
 use super::bearing::{Ring, SOURCE, gamma, rolling};
+use super::spin::{self, BallInGrooves};
 use super::{Machine, Rows, point_load, required_length};
-use crate::contact::Contact;
+use crate::contact::{Contact, Motion};
 
 /// Contact angles, rad: from radial to thrust bearings.
 const ANGLE: Bounds = Bounds::closed(0.0, FRAC_PI_2);
@@ -47,7 +48,17 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     rows.length(ring.formula(), radii[0]);
     rows.length("R_y = D/(2 − 1/f)", radii[1]);
     rows.number("load of the ball", contact.load, "N");
-    let motion = rolling(table, pitch_diameter, gamma, &mut rows)?;
+    let (motion, relative_speed) = rolling(table, pitch_diameter, gamma, &mut rows)?;
+    let ball = BallInGrooves {
+        diameter,
+        pitch_diameter,
+        angle,
+        relative_speed,
+    };
+    let motion = Motion {
+        spin: spin::read(table, ring, &ball, &mut rows)?,
+        ..motion
+    };
     rows.text("source", SOURCE);
     Ok(Machine {
         contact,

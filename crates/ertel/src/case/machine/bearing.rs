@@ -77,13 +77,13 @@ pub(super) fn gamma(
 ///
 /// u = |ω_i − ω_o| d_m (1 − γ²)/4,  ω in rad/s, d_m in m, u in m/s
 ///
-/// Its direction does not count, because x goes along with it. Spin and skidding are left out.
+/// Its direction does not count, because x goes along with it. Skidding is left out. Comes with ω_i − ω_o.
 pub(super) fn rolling(
     table: &mut Table<'_>,
     pitch_diameter: f64,
     gamma: f64,
     rows: &mut Rows,
-) -> Result<Motion, InputError> {
+) -> Result<(Motion, f64), InputError> {
     let inner =
         table.required_quantity("inner_ring_speed", Dimension::ANGULAR_SPEED, ANGULAR_SPEED)?;
     let outer = table
@@ -94,5 +94,5 @@ pub(super) fn rolling(
     let cage = 0.5 * (inner * (1.0 - gamma) + outer * (1.0 + gamma));
     rows.number("cage [ω_i (1−γ) + ω_o (1+γ)]/2", cage, "rad/s");
     rows.number("u = |ω_i − ω_o| d_m (1 − γ²)/4", speed, "m/s");
-    Ok(motion)
+    Ok((motion, inner - outer))
 }

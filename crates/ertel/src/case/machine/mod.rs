@@ -8,6 +8,7 @@ mod ball_on_disc;
 mod bearing;
 mod cam;
 mod roller_bearing;
+mod spin;
 mod spur_gear;
 
 use ertel_rheology::input::{Bounds, InputError, Table};

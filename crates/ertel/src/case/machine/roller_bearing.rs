@@ -30,7 +30,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     rows.length(ring.formula(), contact.radius);
     rows.number("load of the roller", contact.load * length, "N");
     rows.number("load per length Q/l", contact.load, "N/m");
-    let motion = rolling(table, pitch_diameter, gamma, &mut rows)?;
+    let (motion, _) = rolling(table, pitch_diameter, gamma, &mut rows)?;
     rows.text("source", SOURCE);
     Ok(Machine {
         contact,

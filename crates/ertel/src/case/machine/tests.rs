@@ -157,6 +157,48 @@ fn ball_bearing() {
     check(&reverse.unwrap(), 3.776_352, 500.0, 3.457_928, 0.0);
 }
 
+/// Spin at 40 degrees and 3000 rpm, solved for as three linear equations in the angular velocity of the ball and the cage's: no slip at both
+/// contacts, and no spin at the raceway that controls (cross products of vectors in 3D, in double precision).
+#[test]
+fn ball_bearing_with_spin() {
+    let spin = |ring: &str, control: &str| {
+        let text = BALL
+            .replace(
+                "\"0 deg\"",
+                &format!("\"40 deg\"\nraceway_control = \"{control}\""),
+            )
+            .replace("\"inner\"\nball", &format!("\"{ring}\"\nball"));
+        let case = read(&text).unwrap();
+        assert_relative_eq!(
+            case.motion.entrainment_speed,
+            3.521_930,
+            max_relative = 1e-6
+        );
+        case.motion.spin
+    };
+    for (ring, control, expected) in [
+        ("inner", "outer", [116.984_636, -84.953_047]),
+        ("outer", "outer", [84.953_047, 84.953_047]),
+        ("inner", "inner", [116.984_636, 116.984_636]),
+        ("outer", "inner", [84.953_047, -116.984_636]),
+    ] {
+        let control = if ring == control { ring } else { control };
+        for (found, expected) in spin(ring, control).iter().zip(expected) {
+            assert_relative_eq!(*found, expected, max_relative = 1e-6);
+        }
+    }
+    // Without the key spin is left out, and at 0 degrees there is none.
+    assert_eq!(with(BALL, "0 deg", "40 deg").unwrap().motion.spin, [0.0; 2]);
+    let radial = with(BALL, "\"0 deg\"", "\"0 deg\"\nraceway_control = \"outer\"").unwrap();
+    assert_eq!(radial.motion.spin, [0.0; 2]);
+    refused(
+        BALL,
+        "\"0 deg\"",
+        "\"40 deg\"\nraceway_control = \"both\"",
+        &["raceway_control", "inner", "outer"],
+    );
+}
+
 /// Without a groove (f → ∞) and in a large bearing (γ → 0) both radii are that of the ball on a flat, D/2; a groove as
 /// narrow as the ball is refused.
 #[test]

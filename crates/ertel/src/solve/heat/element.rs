@@ -368,7 +368,7 @@ fn body_part(
             let weight = area * point.weight;
             e.account.bodies[body] += weight * carried;
             for i in 0..basis.n {
-                let streamline = tau * (u * basis.slopes[i][0] + v * basis.slopes[i][1]);
+                let streamline = tau * u * basis.slopes[i][0] + tau * v * basis.slopes[i][1];
                 let test = basis.values[i] + streamline;
                 for (a, node) in layer.nodes.iter().enumerate() {
                     let shape = point.shapes[a];
@@ -386,7 +386,7 @@ fn body_part(
                     let gradients = basis.slopes[i][0] * basis.slopes[j][0]
                         + basis.slopes[i][1] * basis.slopes[j][1];
                     let flat = weight
-                        * (test * (u * basis.slopes[j][0] + v * basis.slopes[j][1])
+                        * (test * u * basis.slopes[j][0] + test * v * basis.slopes[j][1]
                             - streamline * conduction * basis.laplacians[j]
                             + conduction * gradients);
                     let strong = weight * streamline * conduction * basis.values[j];
