@@ -63,7 +63,7 @@ fn of_entrainment(table: &mut Table<'_>) -> Result<Motion, InputError> {
 
 /// From the speeds of both surfaces, and the angle φ from the velocity of body 1 to that of body 2:
 ///
-/// u_m e = (u_1 + u_2)/2,  S = (u_2 − u_1)·e/u_m,  S_⊥ = (u_2 − u_1)·n/u_m,  n across e
+/// u_m e = (u_1 + u_2)/2,  S = (u_2 − u_1)·e/u_m = (u_2² − u_1²)/2u_m²,  S_⊥ = (u_2 − u_1)·n/u_m = u_1 u_2 sin φ/u_m²,  n across e
 fn of_speeds(table: &mut Table<'_>, keys: [&'static str; 2]) -> Result<Motion, InputError> {
     let bounds = Bounds::closed(-MAX_SPEED, MAX_SPEED);
     let [plane_key, ball_key] = keys;
@@ -92,15 +92,14 @@ fn of_speeds(table: &mut Table<'_>, keys: [&'static str; 2]) -> Result<Motion, I
     };
     let (sin, cos) = skew.sin_cos();
     let mean = [0.5 * (plane + ball * cos), 0.5 * ball * sin];
-    let sliding = [ball * cos - plane, ball * sin];
     let entrainment_speed = mean[0].hypot(mean[1]);
     check_entrainment(table, ball_key, entrainment_speed)?;
     let square = entrainment_speed * entrainment_speed;
     Ok(Motion {
-        slide_to_roll_ratio_across: (sliding[1] * mean[0] - sliding[0] * mean[1]) / square,
+        slide_to_roll_ratio_across: plane * ball * sin / square,
         ..Motion::straight(
             entrainment_speed,
-            (sliding[0] * mean[0] + sliding[1] * mean[1]) / square,
+            0.5 * (ball - plane) * (ball + plane) / square,
         )
     })
 }

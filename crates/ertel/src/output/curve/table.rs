@@ -138,6 +138,8 @@ pub const COLUMNS: &[Column] = &[
     estimate!("traction_coefficient", "", p => p.outcome.solution().map(|s| s.traction.coefficient)),
     estimate!("traction_coefficient_plane", "", p => p.outcome.solution().map(|s| s.traction.coefficient_plane)),
     estimate!("traction_coefficient_ball", "", p => p.outcome.solution().map(|s| s.traction.coefficient_ball)),
+    estimate!("traction_coefficient_across", "", p => p.outcome.solution().and_then(|s| s.traction.across.map(|t| t.coefficient))),
+    estimate!("traction_moment", "N_m", p => p.outcome.solution().and_then(|s| s.traction.moment)),
     estimate!("friction_power", "W", p => p.outcome.solution().map(|s| s.traction.friction_power))
         .per_length(),
     estimate!("shear_stress_maximum", "Pa", p => p.outcome.solution().map(|s| s.traction.shear_stress_maximum)),
