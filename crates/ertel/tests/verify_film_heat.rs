@@ -168,6 +168,7 @@ fn heat_of_the_film() {
                 pressure_gradient: GRADIENT,
                 film: FILM,
                 temperature: [0.0; MOST_NODES],
+                held_conductance: None,
             };
             for (m, s) in nodes.iter().enumerate() {
                 place.temperature[m] = profile(*s) + if warmer == Some(m) { by } else { 0.0 };

@@ -12,7 +12,7 @@
 use std::collections::HashMap;
 
 use super::space::HeatSpace;
-use super::system::assemble;
+use super::system::{Kept, assemble};
 use crate::contact::Scales;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
@@ -49,8 +49,12 @@ pub fn heat_balance(
     heat: &Heat,
     scales: &Scales,
 ) -> Balance {
-    let unlifted = assemble(d, fluid, heat, state, None, &[], None);
-    let system = assemble(d, fluid, heat, state, None, &unlifted.cross_flow, None);
+    let unlifted = assemble(d, fluid, heat, state, None, Kept::default(), None);
+    let kept = Kept {
+        cross_flow: &unlifted.cross_flow,
+        ..Kept::default()
+    };
+    let system = assemble(d, fluid, heat, state, None, kept, None);
     let account = system.account;
     let scale = scales.area(&d.contact.shape);
     let [to_plane, to_ball] = [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b]));
@@ -147,6 +151,7 @@ impl Film<'_> {
             pressure_gradient: fields.pressure_gradient,
             film: fields.film,
             temperature: fields.temperature.unwrap_or_default().temperature,
+            held_conductance: None,
         };
         film_column(self.fluid, self.heat, heights, &place, &mut self.rule)
     }

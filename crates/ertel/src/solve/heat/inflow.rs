@@ -93,6 +93,7 @@ fn film_velocities(
             .temperature
             .expect("a discretisation with heat")
             .temperature,
+        held_conductance: None,
     };
     let film = film_column(fluid, heat, &column.heights, &place, rule);
     // at the height next to each node

@@ -92,6 +92,7 @@ impl HeatSpace {
             pressure_gradient: fields.pressure_gradient,
             film: fields.film,
             temperature,
+            held_conductance: None,
         }
     }
 

@@ -33,6 +33,17 @@ pub struct HeatSystem {
     pub cross_flow: Vec<f64>,
     /// Heat that the film takes up in each element, W/m² times half-widths squared.
     pub taken_up: Vec<f64>,
+    /// Conductance Ψ at each point of each element.
+    pub conductances: Vec<f64>,
+}
+
+/// What an assembly keeps from the ones before.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Kept<'a> {
+    /// ω at each height over each vertex; empty: none.
+    pub cross_flow: &'a [f64],
+    /// Conductance Ψ of the flow that is held, at each point of each element; empty: the pressure gradient is as it stands.
+    pub conductances: &'a [f64],
 }
 
 /// Heat made and carried off over the whole (half) contact area, W/m² times half-widths squared.
@@ -57,7 +68,7 @@ pub fn assemble(
     heat: &Heat,
     state: &State,
     source: Source,
-    cross_flow: &[f64],
+    kept: Kept,
     jacobian: Option<(&mut BlockMatrix, f64)>,
 ) -> HeatSystem {
     let space = d.heat.as_ref().expect("a discretisation with heat");
@@ -69,6 +80,7 @@ pub fn assemble(
         account: Account::default(),
         cross_flow: vec![0.0; d.contact.surface.n_vertices() * space.column.heights.n()],
         taken_up: Vec::with_capacity(d.contact.n_elements()),
+        conductances: Vec::with_capacity(d.contact.n_elements() * space.rule.weights.len()),
     };
     if let Some(matrix) = &mut matrix {
         matrix.clear();
@@ -80,7 +92,8 @@ pub fn assemble(
         heat,
         state,
         source,
-        cross_flow,
+        cross_flow: kept.cross_flow,
+        conductances: kept.conductances,
         with_jacobian: matrix.is_some(),
         damping: damping.unwrap_or(0.0),
     };
@@ -139,6 +152,7 @@ impl HeatSystem {
         }
         self.account.add(&e.account);
         self.taken_up.push(e.taken_up);
+        self.conductances.extend(&e.conductances);
         let n_heights = space.column.heights.n();
         let vertices = d.contact.surface.cell(c);
         for (vertex, rise) in vertices.iter().zip(e.rise.chunks_exact(n_heights)) {
