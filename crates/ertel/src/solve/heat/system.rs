@@ -12,13 +12,14 @@
 use ertel_fem::linear::block_ilu::BlockMatrix;
 use rayon::prelude::*;
 
+use super::cross_flow::{divide_by_mass, subtract_edges};
 use super::element::{Assembly, Element, size_of_layers};
 use super::inflow::prescribed;
 use super::space::HeatSpace;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{Heat, Source};
-use crate::solve::discretisation::{Discretisation, on_edge};
+use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
 /// Energy equation at a state.
@@ -118,7 +119,8 @@ pub fn assemble(
             }
         }
     }
-    divide_by_area(d, &mut system.cross_flow);
+    subtract_edges(d, fluid, heat, state, &mut system.cross_flow);
+    divide_by_mass(d, space, &mut system.cross_flow);
     for (k, fixed) in system.fixed.iter().enumerate() {
         if *fixed {
             // What the prescribed temperature takes up, is conducted out of the body.
@@ -203,24 +205,5 @@ fn scatter(space: &HeatSpace, nodes: &[u32], e: &Element, matrix: &mut BlockMatr
                 }
             }
         }
-    }
-}
-
-/// ω from its integrals: over the area of each vertex; none at the edge of the contact area, where the integrals lack
-/// what passes through it.
-fn divide_by_area(d: &Discretisation, cross_flow: &mut [f64]) {
-    let surface = &d.contact.surface;
-    let n = cross_flow.len() / surface.n_vertices();
-    let mut areas = vec![0.0; surface.n_vertices()];
-    for c in 0..surface.n_cells() {
-        for vertex in surface.cell(c) {
-            areas[*vertex as usize] += surface.measure(c) / surface.cell(c).len() as f64;
-        }
-    }
-    let values = cross_flow.chunks_exact_mut(n);
-    for ((values, area), point) in values.zip(areas).zip(&surface.vertices) {
-        let inside = !on_edge(&d.contact.shape, &d.contact.extents, *point);
-        let factor = if inside { 1.0 / area } else { 0.0 };
-        values.iter_mut().for_each(|v| *v *= factor);
     }
 }
