@@ -135,6 +135,7 @@ impl Film<'_> {
     fn through(&mut self, side: Side) -> f64 {
         let heights = &self.space.column.heights;
         let SideRule { normal, points } = SideRule::new(&self.d.contact, side);
+        let edge = self.space.edges.binary_search(&side).is_ok();
         let mut sum = 0.0;
         for (xi, weight) in points {
             let column = self.column(&fields_in(self.d, self.state, side.0, xi));
@@ -142,6 +143,8 @@ impl Film<'_> {
                 let point = &column.heights[k];
                 let out = point.velocity[0] * normal[0] + point.velocity[1] * normal[1];
                 let rise = point.temperature - self.heat.inlet_temperature;
+                // Through the edge it flows in at the temperature of the inlet.
+                let out = if edge { out.max(0.0) } else { out };
                 sum += weight * w * point.capacity * out * rise;
             }
         }

@@ -8,58 +8,13 @@
 //! take up, ∫∫ ρu·∇T + ωT_s ds dA, is what flows out through the edge, because ∫ λ_j (∇·m + ω) dA is zero at each height for each j. With
 //! the mass matrix lumped, or without the edge, it is not: in coarse inlets, where warm lubricant flows back, heat would be lost or made.
 
-use super::sides::SideRule;
 use super::space::HeatSpace;
-use crate::film::FilmFluid;
-use crate::film::cross_film::CrossFilm;
-use crate::forms::energy::{FilmPlace, Heat, film_column};
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::fields_in;
-use crate::solve::system::State;
 
 /// Relative residual of the mass matrix's solution, and iterations at most: each shrinks it by 3 at the least (Wathen, IMA J. Numer.
 /// Anal. 7 (1987) 449-457).
 const TOLERANCE: f64 = 1e-9;
 const MOST_ITERATIONS: usize = 40;
-
-/// Takes −∮ λ m·n dl to the sums ∫ m·∇λ dA at each height over each vertex.
-pub(super) fn subtract_edges(
-    d: &Discretisation,
-    fluid: &FilmFluid,
-    heat: &Heat,
-    state: &State,
-    sums: &mut [f64],
-) {
-    let space = d.heat.as_ref().expect("a discretisation with heat");
-    let (heights, n) = (&space.column.heights, space.column.heights.n());
-    let mut rule = CrossFilm::default();
-    for side in &space.edges {
-        let (c, _) = *side;
-        let SideRule { normal, points } = SideRule::new(&d.contact, *side);
-        for (xi, weight) in points {
-            let fields = fields_in(d, state, c, xi);
-            let place = FilmPlace {
-                pressure: fields.pressure,
-                pressure_gradient: fields.pressure_gradient,
-                film: fields.film,
-                temperature: fields.temperature.unwrap_or_default().temperature,
-                held_conductance: None,
-            };
-            let film = film_column(fluid, heat, heights, &place, &mut rule);
-            for (v, vertex) in d.contact.surface.cell(c).iter().enumerate() {
-                let share = match v {
-                    0 => 1.0 - xi[..d.contact.surface.dim].iter().sum::<f64>(),
-                    _ => xi[v - 1],
-                };
-                let sums = &mut sums[*vertex as usize * n..][..n];
-                for (sum, point) in sums.iter_mut().zip(&film.heights) {
-                    let [x, y] = point.mass_below;
-                    *sum -= weight * share * (x * normal[0] + y * normal[1]);
-                }
-            }
-        }
-    }
-}
 
 /// ω at each height over each vertex from ∫ λω dA, by conjugate gradients with the diagonal as preconditioner, all heights at once.
 pub(super) fn divide_by_mass(d: &Discretisation, space: &HeatSpace, sums: &mut [f64]) {

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!   film:    ∫∫ Ŵ(C v·∇T + cωT_s − hQ) − (Ŵ − W) κ T_ss + κ T_s W_s ds dA,   C = ρc h u_m/a, κ = k/h
+//!   edge:    ∫∫ W max(−C v·n, 0)(T − T_inlet) ds dl                   what flows in
 //!   bodies:  ∫∫ Ŵ c T_X − (Ŵ − W) κ ΔT + κ ∇T·∇W dZ dA,              c = ρc u, κ = k/a
 //!   Ŵ = W + τ_S v·∇W     streamline upwinding (Habchi 2008, eq. 5.26 and following)
 //! ```
@@ -12,7 +13,7 @@
 use ertel_fem::linear::block_ilu::BlockMatrix;
 use rayon::prelude::*;
 
-use super::cross_flow::{divide_by_mass, subtract_edges};
+use super::cross_flow::divide_by_mass;
 use super::element::{Assembly, Element, size_of_layers};
 use super::inflow::prescribed;
 use super::space::HeatSpace;
@@ -77,7 +78,7 @@ pub fn assemble(
     let (mut matrix, damping) = jacobian.unzip();
     let mut system = HeatSystem {
         residual: vec![0.0; space.n()],
-        fixed: prescribed(d, space, fluid, heat, state),
+        fixed: prescribed(d, space, heat),
         account: Account::default(),
         cross_flow: vec![0.0; d.contact.surface.n_vertices() * space.column.heights.n()],
         taken_up: Vec::with_capacity(d.contact.n_elements()),
@@ -119,16 +120,14 @@ pub fn assemble(
             }
         }
     }
-    subtract_edges(d, fluid, heat, state, &mut system.cross_flow);
+    assembly.add_edges(&mut system, matrix.as_deref_mut());
     divide_by_mass(d, space, &mut system.cross_flow);
     for (k, fixed) in system.fixed.iter().enumerate() {
         if *fixed {
             // What the prescribed temperature takes up, is conducted out of the body.
             let unknown = k % n;
             let body = usize::from(unknown > space.column.first);
-            if !space.column.film_range().contains(&unknown) {
-                system.account.conducted[body] -= system.residual[k];
-            }
+            system.account.conducted[body] -= system.residual[k];
             system.residual[k] = 0.0;
             if let Some(matrix) = &mut matrix {
                 matrix.fix((k / n) as u32, unknown);
