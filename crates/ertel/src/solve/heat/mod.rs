@@ -18,8 +18,8 @@
 pub mod balance;
 pub mod column;
 pub mod coupling;
-pub mod deviation;
 mod cross_flow;
+pub mod deviation;
 mod element;
 pub mod figures;
 mod inflow;
