@@ -6,10 +6,10 @@ mod common;
 use approx::assert_relative_eq;
 use common::rigid::heated_case;
 use ertel::case::Case;
-use ertel::contact::ContactKind;
+use ertel::contact::{ContactKind, Motion};
 use ertel::film::cross_film::CrossFilm;
 use ertel::film::{MOST_NODES, TemperatureProfile};
-use ertel::forms::energy::{FilmPlace, film_column};
+use ertel::forms::energy::{FilmColumn, FilmPlace, film_column};
 use ertel::run::problem;
 use ertel::solve::evaluate::PointFields;
 use ertel::solve::sequence::Problem;
@@ -191,6 +191,7 @@ fn heat_of_the_film() {
                 pressure_gradient: GRADIENT,
                 film: FILM,
                 temperature: [0.0; MOST_NODES],
+                held_conductance: None,
             };
             for (m, s) in nodes.iter().enumerate() {
                 place.temperature[m] = profile(*s) + if warmer == Some(m) { by } else { 0.0 };
@@ -250,6 +251,115 @@ fn heat_of_the_film() {
                     + point.by_stress[0] * slope[0]
                     + point.by_stress[1] * slope[1];
                 assert_relative_eq!(change, difference, epsilon = 1e-5 * point.shear);
+            }
+        }
+    }
+}
+
+/// A film whose flow is held, at temperatures `warmer` than the profile by a function of s. With `held`, the conductance is that of the
+/// profile itself.
+fn film_at(problem: &Problem, held: bool, warmer: impl Fn(f64) -> f64) -> FilmColumn {
+    let heat = problem.heat.as_ref().unwrap();
+    let nodes = problem.fluid.nodes().unwrap().points();
+    let column = |held_conductance: Option<f64>, warmer: &dyn Fn(f64) -> f64| {
+        let mut place = FilmPlace {
+            at: AT,
+            pressure: PRESSURE,
+            pressure_gradient: GRADIENT,
+            film: FILM,
+            temperature: [0.0; MOST_NODES],
+            held_conductance,
+        };
+        for (t, s) in place.temperature.iter_mut().zip(nodes) {
+            *t = profile(*s) + warmer(*s);
+        }
+        film_column(
+            &problem.fluid,
+            &heat.heat,
+            &heat.column.heights,
+            &place,
+            &mut CrossFilm::default(),
+        )
+    };
+    let conductance = column(None, &|_| 0.0).conductance;
+    column(held.then_some(conductance), &warmer)
+}
+
+/// In pure rolling the pressure drives the same flow through a warmer film, whatever the fluid and the profile; at the old gradient it
+/// would be more than twice as much. A Newtonian film is heated by the stress of the gradient that this takes.
+#[test]
+fn a_held_flow_is_that_of_the_film_before() {
+    for thins in [false, true] {
+        let mut case = case(thins);
+        case.motion = Motion::straight(case.motion.entrainment_speed, 0.0);
+        let problem = problem(&case);
+        let heights = &problem.heat.as_ref().unwrap().column.heights;
+        let mean = |column: &FilmColumn, i: usize| -> f64 {
+            let points = column.heights.iter().zip(heights.weights());
+            points.map(|(point, w)| w * point.velocity[i]).sum()
+        };
+        let warmer = |s: f64| 35.0 + 20.0 * s - 60.0 * s * s;
+        let before = film_at(&problem, false, |_| 0.0);
+        let same = film_at(&problem, true, |_| 0.0);
+        let (free, held) = (
+            film_at(&problem, false, warmer),
+            film_at(&problem, true, warmer),
+        );
+        for i in 0..2 {
+            // the plane's velocity is that of entrainment
+            let driven = |column: &FilmColumn| mean(column, i) - [1.0, 0.0][i];
+            assert_relative_eq!(driven(&held), driven(&before), max_relative = 1e-6);
+            assert_relative_eq!(driven(&same), driven(&before), max_relative = 1e-12);
+            assert!(driven(&free).abs() > 2.0 * driven(&before).abs());
+        }
+        if thins {
+            continue;
+        }
+        // κ = Ψ/Ψ_warm, Ψ = ∫(s − s̄)²/μ ds; t = κ h∇p (s − s̄), Q = |t|²/μ
+        let p = PRESSURE * problem.scales.pressure;
+        let h = FILM * problem.scales.film;
+        let law = &case.lubricant.viscosity;
+        let fluidity = |s: f64, by: f64| (-law.ln_viscosity(p, profile(s) + by * warmer(s))).exp();
+        let [[_, cold], [centre, warm]] = [0.0, 1.0].map(|by| {
+            let centre = below(0.5, |s| s * fluidity(s, by)) / below(0.5, |s| fluidity(s, by));
+            let conductance = below(0.5, |s| (s - centre).powi(2) * fluidity(s, by));
+            [centre, conductance]
+        });
+        assert!(cold < 0.5 * warm, "{cold} {warm}");
+        let unit = h * problem.scales.pressure / problem.scales.length;
+        let gradient = GRADIENT[0].hypot(GRADIENT[1]) * unit * cold / warm;
+        for (point, s) in held.heights.iter().zip(heights.points()) {
+            let heat = h * (gradient * (s - centre)).powi(2) * fluidity(*s, 1.0);
+            assert_relative_eq!(point.shear, heat, max_relative = 1e-5);
+        }
+    }
+}
+
+/// With the temperature of a node the heat of a held flow changes by itself, by the stress at mid-film, and by the pressure gradient.
+#[test]
+fn heat_of_a_held_flow_by_temperature() {
+    for (thins, slide) in [(false, 0.0), (false, SLIDE), (true, 0.0), (true, SLIDE)] {
+        let mut case = case(thins);
+        case.motion.slide_to_roll_ratio = slide;
+        let problem = problem(&case);
+        let column = &problem.heat.as_ref().unwrap().column;
+        let n = column.film.n();
+        let away = |s: f64| 15.0 + 10.0 * s;
+        let found = film_at(&problem, true, away);
+        for m in 0..n {
+            let node = problem.fluid.nodes().unwrap().points()[m];
+            let [up, down] = [1e-3, -1e-3].map(|by| {
+                let nudge = move |s: f64| if s == node { by } else { 0.0 };
+                film_at(&problem, true, move |s| away(s) + nudge(s))
+            });
+            for (k, point) in found.heights.iter().enumerate().take(column.heights.n()) {
+                let difference = (up.heights[k].shear - down.heights[k].shear) / 2e-3;
+                let change = point.shear * found.thinning[m] * column.heights.shapes[k][m]
+                    + point.by_stress[0] * found.stress_slopes[m][0]
+                    + point.by_stress[1] * found.stress_slopes[m][1]
+                    + point.by_gradient_factor * found.gradient_factor_slopes[m];
+                let largest = found.heights.iter().fold(0.0_f64, |m, h| m.max(h.shear));
+                assert_relative_eq!(change, difference, epsilon = 1e-5 * largest);
             }
         }
     }

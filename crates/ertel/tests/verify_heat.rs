@@ -314,6 +314,7 @@ fn directions_of_the_flow_are_alike() {
             pressure_gradient,
             film: 0.5,
             temperature: [0.0; MOST_NODES],
+            held_conductance: None,
         };
         for (k, t) in place.temperature.iter_mut().take(7).enumerate() {
             *t = 320.0 + 3.0 * k as f64;

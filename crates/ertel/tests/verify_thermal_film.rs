@@ -38,6 +38,7 @@ fn film_properties_follow_pressure_and_temperature() {
             pressure_gradient: [0.0; 2],
             film: 0.3,
             temperature: [0.0; MOST_NODES],
+            held_conductance: None,
         };
         let nodes = problem.fluid.nodes().unwrap().points();
         for (t, s) in place.temperature.iter_mut().zip(nodes) {

@@ -518,7 +518,7 @@ pub(crate) fn solve(k: [f64; 3], b: [f64; 2]) -> [f64; 2] {
 }
 
 #[inline(always)]
-pub(super) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(crate) fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 

@@ -11,12 +11,16 @@
 //! lubricant crosses from one to another. Conduction along the film is left out. Fluxes meet at the walls, z being measured in
 //! each layer's own way. T is the absolute temperature in K.
 
+mod held_flow;
+
 use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
+use held_flow::Driven;
+
 use crate::contact::Planar;
-use crate::film::closure::{mid_stress, solve};
+use crate::film::closure::{dot, solve};
 use crate::film::cross_film::CrossFilm;
 use crate::film::fluidity::Fluidity;
 use crate::film::{FilmFluid, FilmNodes, MOST_NODES, Nodal};
@@ -174,6 +178,8 @@ pub struct FilmHeat {
     pub lift_capacity: f64,
     /// ∂(hQ_shear)/∂τ, W/m² by unit of stress.
     pub by_stress: [f64; 2],
+    /// ∂(hQ_shear)/∂κ at a fixed τ, W/m².
+    pub by_gradient_factor: f64,
 }
 
 /// The film at a point, height by height.
@@ -185,6 +191,10 @@ pub struct FilmColumn {
     pub thinning: Nodal,
     /// ∂τ/∂T of the temperature of each node.
     pub stress_slopes: [[f64; 2]; MOST_NODES],
+    /// ∂κ/∂T of the temperature of each node; zero where no flow is held.
+    pub gradient_factor_slopes: Nodal,
+    /// Conductance Ψ at these temperatures and the pressure's own gradient, where none is held.
+    pub conductance: f64,
 }
 
 /// Pressure and film thickness at a point, dimensionless.
@@ -200,6 +210,8 @@ pub struct FilmPlace {
     pub film: f64,
     /// Temperature at the nodes, K.
     pub temperature: Nodal,
+    /// Conductance Ψ of the film whose flow is held (see [`held`]); `None`: the pressure gradient is as it stands.
+    pub held_conductance: Option<f64>,
 }
 
 /// Evaluates the film at a point.
@@ -242,10 +254,22 @@ fn evaluate(
     let thermal = fluid.thermal_values(place.pressure, &place.temperature);
     let law = fluid.thermal_law(place.pressure, &thermal);
     let mu = thermal.viscosity[0];
-    let g = place.pressure_gradient.map(|p| place.film * p);
-    let omega = (fluid.slide().at(place.at)).map(|slide| slide * mu / place.film);
-    let tau = mid_stress(&law, g, omega, rule);
     let n = heights.n();
+    let factors = law.factors_at(heights.points());
+    let driven = Driven {
+        law: &law,
+        factors: &factors,
+        heights,
+        gradient: place.pressure_gradient.map(|p| place.film * p),
+        slide: (fluid.slide().at(place.at)).map(|slide| slide * mu / place.film),
+        viscosity: mu,
+    };
+    let flow = match place.held_conductance {
+        Some(conductance) => driven.held(conductance, rule),
+        None => driven.at(1.0, rule),
+    };
+    let tau = flow.mid_stress;
+    let g = driven.gradient.map(|g| flow.factor * g);
     let h = place.film * heat.film;
     let stress = fluid.stress_scale();
     // S²/(μ_R μ̄), W/m³, and S/(μ_R μ̄), 1/s
@@ -254,10 +278,13 @@ fn evaluate(
         heights: [FilmHeat::default(); MOST_NODES],
         thinning: thermal.ln_viscosities[1].map(|v| -v),
         stress_slopes: [[0.0; 2]; MOST_NODES],
+        gradient_factor_slopes: [0.0; MOST_NODES],
+        conductance: flow.conductance,
     };
     let mut rates = [[0.0; 2]; MOST_NODES];
     let mut stiffness = [0.0; 3];
-    let factors = law.factors_at(heights.points());
+    let mut conductance_slopes = [0.0; MOST_NODES];
+    let mut conductance_by_stress = [0.0; 2];
     for k in 0..n {
         let (s, w) = (heights.points()[k], heights.weights()[k]);
         let t = [0, 1].map(|i: usize| tau[i] + s * g[i]);
@@ -268,9 +295,17 @@ fn evaluate(
         point.shear = h * stress * rate_scale * f * square;
         let slope = h * stress * rate_scale * 2.0 * (f + square * by_square);
         point.by_stress = t.map(|t| slope * t);
+        point.by_gradient_factor = slope * s * dot(t, driven.gradient);
         stiffness[0] += w * (f + 2.0 * by_square * t[0] * t[0]);
         stiffness[1] += w * 2.0 * by_square * t[0] * t[1];
         stiffness[2] += w * (f + 2.0 * by_square * t[1] * t[1]);
+        let weight = flow.weights[k];
+        for (sum, t) in conductance_by_stress.iter_mut().zip(t) {
+            *sum += weight * 2.0 * by_square * t;
+        }
+        for (m, slope) in conductance_slopes.iter_mut().enumerate() {
+            *slope += weight * f * heights.shapes[k][m] * column.thinning[m];
+        }
         for (m, slope) in column.stress_slopes.iter_mut().enumerate() {
             let share = w * heights.shapes[k][m] * column.thinning[m];
             slope[0] -= share * rates[k][0];
@@ -279,6 +314,18 @@ fn evaluate(
     }
     for slope in &mut column.stress_slopes {
         *slope = solve(stiffness, *slope);
+    }
+    if place.held_conductance.is_some() {
+        let answer = flow.conductance + flow.conductance_slope;
+        for m in 0..MOST_NODES {
+            let stress = &mut column.stress_slopes[m];
+            let change = conductance_slopes[m] + dot(conductance_by_stress, *stress);
+            let by_factor = -flow.factor * change / answer;
+            column.gradient_factor_slopes[m] = by_factor;
+            for (slope, by) in stress.iter_mut().zip(flow.mid_stress_slope) {
+                *slope += by * by_factor;
+            }
+        }
     }
     let plane = (heat.bodies[0].velocity.at(place.at)).map(|u| u / heat.entrainment_speed);
     let by_speed = 12.0 * place.film / (heat.lambda * mu);

@@ -136,6 +136,7 @@ pub fn solve_coupled(
                 .map(rise)
                 .fold(NEGLIGIBLE_RISE, f64::max)
         };
+        temperatures.hold_flow(state);
         let mut settled = false;
         for _ in 0..MOST_STEPS {
             let step = temperatures.step(state)?;

@@ -7,7 +7,7 @@ use super::space::HeatSpace;
 use super::system::Account;
 use crate::film::cross_film::CrossFilm;
 use crate::film::{FilmFluid, MOST_NODES, Nodal};
-use crate::forms::energy::{FilmColumn, Heat, Layer, Source, film_column};
+use crate::forms::energy::{FilmColumn, FilmPlace, Heat, Layer, Source, film_column};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
@@ -27,6 +27,8 @@ pub(super) struct Element {
     pub rise: Vec<f64>,
     /// ∫∫ C v·∇T + cωT_s ds dA.
     pub taken_up: f64,
+    /// Ψ at each point.
+    pub conductances: Vec<f64>,
 }
 
 pub(super) fn size_of_layers(layers: &[super::column::Layer]) -> usize {
@@ -51,6 +53,8 @@ pub(super) struct Assembly<'a> {
     pub source: Source<'a>,
     /// ω at each height over each vertex, of the assembly before; empty: none.
     pub cross_flow: &'a [f64],
+    /// Ψ of the flow that is held, at each point of each element; empty: none is.
+    pub conductances: &'a [f64],
     pub with_jacobian: bool,
     /// Inverse 1/θ of a temperature, 1/K: the heat of shearing is taken to fall by 1/θ of itself per K beside what the fluid makes
     /// of it; in the Jacobian only.
@@ -71,7 +75,9 @@ impl Assembly<'_> {
             account: Account::default(),
             rise: vec![0.0; d.contact.surface.cell(c).len() * column.heights.n()],
             taken_up: 0.0,
+            conductances: Vec::with_capacity(space.rule.weights.len()),
         };
+        let n_points = space.rule.weights.len();
         let size = d.contact.sizes[c] / space.surface.element.order() as f64;
         for (q, weight) in space.rule.weights.iter().enumerate() {
             let area = weight * map.determinant;
@@ -91,8 +97,12 @@ impl Assembly<'_> {
             let xi = space.rule.points[q];
             let [x, y] = d.contact.point(c, xi);
             let further = |layer: Layer| self.source.map_or(0.0, |f| f([x, y], layer));
-            let place = space.film_at(d, state, c, q);
+            let place = FilmPlace {
+                held_conductance: self.conductances.get(c * n_points + q).copied(),
+                ..space.film_at(d, state, c, q)
+            };
             let film = film_column(self.fluid, heat, &column.heights, &place, rule);
+            e.conductances.push(film.conductance);
             let lift = self.lift(c, xi);
             self.add_rise(c, &film, area, &mut e);
             vectorised(FilmPart {
@@ -225,8 +235,8 @@ fn film_part(
     let with_jacobian = !e.film.is_empty();
     let at = |j: usize, m: usize| state.temperature[nodes[j] as usize * n + first + m];
     let heights = &column.heights;
-    // ∫ Ŵ ℓ ∂(hQ)/∂τ ds for each surface node and film node
-    let mut by_stress = [[[0.0; 2]; MOST_NODES]; MOST_SURFACE];
+    // ∫ Ŵ ℓ ∂(hQ)/∂(τ, κ) ds for each surface node and film node
+    let mut by_stress = [[[0.0; 3]; MOST_NODES]; MOST_SURFACE];
     for k in 0..heights.n() {
         let point = &film.heights[k];
         let (shapes, [first_slopes, second_slopes]) = (&heights.shapes[k], &heights.slopes[k]);
@@ -254,6 +264,8 @@ fn film_part(
         e.account.compression_size += weight * point.compression.abs();
         let source = point.shear + point.compression + further(Layer::Film(heights.points()[k]));
         let by_temperature = point.compression / point.temperature;
+        let [by_x, by_y] = point.by_stress;
+        let by = [by_x, by_y, point.by_gradient_factor];
         for i in 0..basis.n {
             let streamline = tau * along[i];
             let test = basis.values[i] + streamline;
@@ -262,7 +274,7 @@ fn film_part(
                 e.residual[i * n + first + m] += shapes[m]
                     * (whole * (carried - source) - upwind * point.conduction * curvature)
                     + plain * point.conduction * slope * first_slopes[m];
-                for (sum, by) in by_stress[i][m].iter_mut().zip(point.by_stress) {
+                for (sum, by) in by_stress[i][m].iter_mut().zip(by) {
                     *sum += whole * shapes[m] * by;
                 }
             }
@@ -301,9 +313,10 @@ fn film_part(
             let block = &mut e.film[(i * basis.n + j) * f * f..][..f * f];
             for b in 0..f {
                 let [x, y] = film.stress_slopes[b].map(|s| basis.values[j] * s);
+                let factor = basis.values[j] * film.gradient_factor_slopes[b];
                 for a in 0..f {
-                    let [by_x, by_y] = by_stress[i][a];
-                    block[b * f + a] -= by_x * x + by_y * y;
+                    let [by_x, by_y, by_factor] = by_stress[i][a];
+                    block[b * f + a] -= by_x * x + by_y * y + by_factor * factor;
                 }
             }
         }

@@ -1,26 +1,30 @@
-//! Temperatures that are prescribed: where bodies and lubricant enter, and at the bottom of the bodies.
+//! Temperatures with which bodies and lubricant enter.
+//!
+//! ```text
+//!   bodies:  T = T_b at the bottom and where the surface enters                     prescribed
+//!   film:    ∫∫ W max(−C v·n, 0)(T − T_inlet) ds dl over the edge is added           C = ρc h u_m/a
+//! ```
+//! The film's condition is weak: heights that flow in bring their heat along, those that flow out (in the inlet the middle of the film flows
+//! back) take what they have, and where one passes into the other no temperature jumps. Nothing is held, so that all the heat that leaves
+//! through the edge leaves with lubricant.
 
+use ertel_fem::linear::block_ilu::BlockMatrix;
+
+use super::element::Assembly;
+use super::sides::SideRule;
 use super::space::HeatSpace;
+use super::system::HeatSystem;
 use crate::contact::Symmetry;
-use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{FilmPlace, Heat, film_column};
 use crate::solve::discretisation::{ContactSurface, Discretisation};
-use crate::solve::system::State;
+use crate::solve::evaluate::fields_in;
 
-/// Which temperatures are prescribed: those at the bottom of the bodies, and those with which bodies and
-/// lubricant enter.
-pub(super) fn prescribed(
-    d: &Discretisation,
-    space: &HeatSpace,
-    fluid: &FilmFluid,
-    heat: &Heat,
-    state: &State,
-) -> Vec<bool> {
+/// Which temperatures are prescribed: those at the bottom of the bodies, and those with which bodies enter.
+pub(super) fn prescribed(d: &Discretisation, space: &HeatSpace, heat: &Heat) -> Vec<bool> {
     let column = &space.column;
     let n = column.n();
     let mut fixed = vec![false; space.n()];
-    let mut rule = CrossFilm::default();
     for (node, point) in space.surface.points.iter().enumerate() {
         let own = &mut fixed[node * n..(node + 1) * n];
         for body in 0..2 {
@@ -29,26 +33,10 @@ pub(super) fn prescribed(
         let Some(outward) = outward(&d.contact, *point) else {
             continue;
         };
-        let walls = [column.first, column.first + column.film.n() - 1];
         for (body, law) in heat.bodies.iter().enumerate() {
             let [u, v] = law.velocity.at([point[0], point[1]]);
             if outward[0] * u + outward[1] * v <= 0.0 {
                 own[column.body_range(body)].fill(true);
-            }
-        }
-        let inward = film_velocities(
-            d,
-            space,
-            fluid,
-            heat,
-            state,
-            [point[0], point[1]],
-            &mut rule,
-        );
-        for (m, u) in inward.iter().enumerate() {
-            let unknown = column.first + m;
-            if outward[0] * u[0] + outward[1] * u[1] < 0.0 && !walls.contains(&unknown) {
-                own[unknown] = true;
             }
         }
     }
@@ -72,41 +60,84 @@ fn outward(contact: &ContactSurface, [x, y, _]: [f64; 3]) -> Option<[f64; 2]> {
     Some(shape.zone.turn.to_motion(normal))
 }
 
-/// Velocity, over the entrainment speed, at the film's nodes over a point.
-fn film_velocities(
+impl Assembly<'_> {
+    /// Adds what flows through the edge of the contact area: the lubricant's heat where it flows in, and −∮ λ m·n dl to the sums of
+    /// ω (see [`super::cross_flow`]).
+    pub fn add_edges(&self, system: &mut HeatSystem, mut matrix: Option<&mut BlockMatrix>) {
+        let (d, space) = (self.d, self.space);
+        let mut rule = CrossFilm::default();
+        for side in &space.edges {
+            let SideRule { normal, points } = SideRule::new(&d.contact, *side);
+            for (xi, weight) in &points {
+                let fields = fields_in(d, self.state, side.0, *xi);
+                let place = FilmPlace {
+                    at: fields.place,
+                    pressure: fields.pressure,
+                    pressure_gradient: fields.pressure_gradient,
+                    film: fields.film,
+                    temperature: fields.temperature.unwrap_or_default().temperature,
+                    held_conductance: None,
+                };
+                let heights = &space.column.heights;
+                let film = film_column(self.fluid, self.heat, heights, &place, &mut rule);
+                let n = heights.n();
+                for (vertex, share) in barycentric(d, side.0, *xi) {
+                    let sums = &mut system.cross_flow[vertex * n..][..n];
+                    for (sum, point) in sums.iter_mut().zip(&film.heights) {
+                        let [x, y] = point.mass_below;
+                        *sum -= weight * share * (x * normal[0] + y * normal[1]);
+                    }
+                }
+                let basis: Vec<f64> = space.surface.element.values(*xi).collect();
+                let nodes = space.surface.nodes_of(side.0);
+                let (unknowns, first) = (space.column.n(), space.column.first);
+                let f = space.column.film.n();
+                for (k, w) in heights.weights().iter().enumerate() {
+                    let point = &film.heights[k];
+                    let out = point.velocity[0] * normal[0] + point.velocity[1] * normal[1];
+                    let inflow = weight * w * point.capacity * (-out).max(0.0);
+                    if inflow == 0.0 {
+                        continue;
+                    }
+                    let shapes = &heights.shapes[k];
+                    let brought = inflow * (point.temperature - self.heat.inlet_temperature);
+                    system.taken_up[side.0] += brought;
+                    for (value, node) in basis.iter().zip(nodes) {
+                        let rows = &mut system.residual[*node as usize * unknowns + first..][..f];
+                        for (sum, shape) in rows.iter_mut().zip(shapes) {
+                            *sum += value * shape * brought;
+                        }
+                    }
+                    let Some(matrix) = &mut matrix else {
+                        continue;
+                    };
+                    for (own, row) in basis.iter().zip(nodes) {
+                        for (other, column) in basis.iter().zip(nodes) {
+                            let block = matrix.block_mut(*row, *column);
+                            for b in 0..f {
+                                let entries = &mut block[(first + b) * unknowns + first..][..f];
+                                let factor = inflow * own * other * shapes[b];
+                                for (entry, shape) in entries.iter_mut().zip(shapes) {
+                                    *entry += factor * shape;
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Vertices of an element with their barycentric coordinates of a point.
+fn barycentric(
     d: &Discretisation,
-    space: &HeatSpace,
-    fluid: &FilmFluid,
-    heat: &Heat,
-    state: &State,
-    point: [f64; 2],
-    rule: &mut CrossFilm,
-) -> Vec<[f64; 2]> {
-    let column = &space.column;
-    let Some(f) = crate::solve::evaluate::fields_at(d, state, point) else {
-        return vec![[0.0; 2]; column.film.n()];
-    };
-    let place = FilmPlace {
-        at: f.place,
-        pressure: f.pressure,
-        pressure_gradient: f.pressure_gradient,
-        film: f.film,
-        temperature: f
-            .temperature
-            .expect("a discretisation with heat")
-            .temperature,
-    };
-    let film = film_column(fluid, heat, &column.heights, &place, rule);
-    // at the height next to each node
-    let s = column.heights.points();
-    let nearest = |node: &f64| {
-        let distance = |k: &usize| (s[*k] - node).abs();
-        (0..s.len())
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-            .unwrap_or(0)
-    };
-    let nodes = column.film.points().iter();
-    nodes
-        .map(|node| film.heights[nearest(node)].velocity)
-        .collect()
+    c: usize,
+    xi: [f64; 3],
+) -> impl Iterator<Item = (usize, f64)> + '_ {
+    let surface = &d.contact.surface;
+    let first = 1.0 - xi[..surface.dim].iter().sum::<f64>();
+    let shares = std::iter::once(first).chain(xi);
+    let vertices = surface.cell(c).iter().map(|v| *v as usize);
+    vertices.zip(shares)
 }

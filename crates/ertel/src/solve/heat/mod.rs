@@ -3,6 +3,8 @@
 //! - `column`: the layers over a point of the contact area, bottom to top;
 //! - `space`: temperatures over the contact area, and what the film equations see of them;
 //! - `inflow`: temperatures that are prescribed;
+//! - `cross_flow`: the mass flow across the film;
+//! - `sides`: sides of elements, and what flows through them;
 //! - `element`: what an element adds to residual and Jacobian of the energy equation;
 //! - `system`: both as a whole;
 //! - `newton`: temperatures for given pressures and films;
@@ -16,6 +18,7 @@
 pub mod balance;
 pub mod column;
 pub mod coupling;
+mod cross_flow;
 pub mod deviation;
 mod element;
 pub mod figures;
@@ -23,6 +26,7 @@ mod inflow;
 pub mod newton;
 pub mod recovery;
 mod relaxation;
+mod sides;
 pub mod space;
 pub mod stopping;
 pub mod system;

@@ -12,7 +12,7 @@
 use ertel_fem::linear::block_ilu::{BlockIlu, BlockIluError, BlockMatrix};
 use ertel_fem::linear::gmres::{GmresError, GmresParams, gmres};
 
-use super::system::{HeatSystem, assemble};
+use super::system::{HeatSystem, Kept, assemble};
 use crate::film::{FilmFluid, FilmNodes};
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
@@ -81,6 +81,8 @@ pub struct HeatNewton<'a> {
     source: Source<'a>,
     /// ω, of the last assembly.
     cross_flow: Vec<f64>,
+    /// Ψ of the flow that is held; empty: none is.
+    conductances: Vec<f64>,
     matrix: BlockMatrix,
     /// 1/θ, 1/K; 0 in Newton's method.
     damping: f64,
@@ -109,6 +111,7 @@ impl<'a> HeatNewton<'a> {
             params,
             source: None,
             cross_flow: Vec::new(),
+            conductances: Vec::new(),
             matrix: BlockMatrix::new(space.column.n(), space.graph.clone()),
             damping: 0.0,
             stats: HeatStats::default(),
@@ -118,6 +121,19 @@ impl<'a> HeatNewton<'a> {
     /// The same with further heat.
     pub fn with_source(self, source: Source<'a>) -> HeatNewton<'a> {
         HeatNewton { source, ..self }
+    }
+
+    /// Holds the flow that the pressure drives at a state, in the steps from there, instead of the pressure gradient.
+    pub fn hold_flow(&mut self, state: &State) {
+        self.conductances.clear();
+        self.conductances = self.assembled(state).conductances;
+    }
+
+    fn kept(&self) -> Kept<'_> {
+        Kept {
+            cross_flow: &self.cross_flow,
+            conductances: &self.conductances,
+        }
     }
 
     /// One step; returns the largest change of a temperature, K, as far as it says how near the solution is: that of a time step
@@ -167,7 +183,10 @@ impl<'a> HeatNewton<'a> {
             self.heat,
             state,
             self.source,
-            &self.cross_flow,
+            Kept {
+                cross_flow: &self.cross_flow,
+                conductances: &self.conductances,
+            },
             Some((&mut self.matrix, self.damping)),
         );
         let right: Vec<f64> = system.residual.iter().map(|r| -r).collect();
@@ -198,7 +217,7 @@ impl<'a> HeatNewton<'a> {
             self.heat,
             state,
             self.source,
-            &self.cross_flow,
+            self.kept(),
             None,
         )
     }

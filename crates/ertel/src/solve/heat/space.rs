@@ -6,6 +6,7 @@ use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::Space;
 
 use super::column::Column;
+use super::sides::{Side, outer_sides};
 use crate::film::{MOST_NODES, TemperatureProfile};
 use crate::forms::energy::FilmPlace;
 use crate::solve::discretisation::{ContactSurface, Discretisation};
@@ -31,6 +32,8 @@ pub struct HeatSpace {
     film_tables: [Tabulation; 2],
     /// Surface shape functions at the points of the film equations.
     film_table: Tabulation,
+    /// Sides of elements on the edge of the contact area.
+    pub(super) edges: Vec<Side>,
 }
 
 impl HeatSpace {
@@ -58,6 +61,7 @@ impl HeatSpace {
             film_table: surface.element.tabulate(film_rule),
             rule,
             surface,
+            edges: outer_sides(contact, |_| true),
         }
     }
 
@@ -93,6 +97,7 @@ impl HeatSpace {
             pressure_gradient: fields.pressure_gradient,
             film: fields.film,
             temperature,
+            held_conductance: None,
         }
     }
 

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!   film:    ∫∫ Ŵ(C v·∇T + cωT_s − hQ) − (Ŵ − W) κ T_ss + κ T_s W_s ds dA,   C = ρc h u_m/a, κ = k/h
+//!   edge:    ∫∫ W max(−C v·n, 0)(T − T_inlet) ds dl                   what flows in
 //!   bodies:  ∫∫ Ŵ c T_X − (Ŵ − W) κ ΔT + κ ∇T·∇W dZ dA,              c = ρc u, κ = k/a
 //!   Ŵ = W + τ_S v·∇W     streamline upwinding (Habchi 2008, eq. 5.26 and following)
 //! ```
@@ -12,13 +13,14 @@
 use ertel_fem::linear::block_ilu::BlockMatrix;
 use rayon::prelude::*;
 
+use super::cross_flow::divide_by_mass;
 use super::element::{Assembly, Element, size_of_layers};
 use super::inflow::prescribed;
 use super::space::HeatSpace;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{Heat, Source};
-use crate::solve::discretisation::{Discretisation, on_edge};
+use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
 /// Energy equation at a state.
@@ -33,6 +35,17 @@ pub struct HeatSystem {
     pub cross_flow: Vec<f64>,
     /// Heat that the film takes up in each element, W/m² times half-widths squared.
     pub taken_up: Vec<f64>,
+    /// Conductance Ψ at each point of each element.
+    pub conductances: Vec<f64>,
+}
+
+/// What an assembly keeps from the ones before.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Kept<'a> {
+    /// ω at each height over each vertex; empty: none.
+    pub cross_flow: &'a [f64],
+    /// Conductance Ψ of the flow that is held, at each point of each element; empty: the pressure gradient is as it stands.
+    pub conductances: &'a [f64],
 }
 
 /// Heat made and carried off over the whole (half) contact area, W/m² times half-widths squared.
@@ -57,7 +70,7 @@ pub fn assemble(
     heat: &Heat,
     state: &State,
     source: Source,
-    cross_flow: &[f64],
+    kept: Kept,
     jacobian: Option<(&mut BlockMatrix, f64)>,
 ) -> HeatSystem {
     let space = d.heat.as_ref().expect("a discretisation with heat");
@@ -65,10 +78,11 @@ pub fn assemble(
     let (mut matrix, damping) = jacobian.unzip();
     let mut system = HeatSystem {
         residual: vec![0.0; space.n()],
-        fixed: prescribed(d, space, fluid, heat, state),
+        fixed: prescribed(d, space, heat),
         account: Account::default(),
         cross_flow: vec![0.0; d.contact.surface.n_vertices() * space.column.heights.n()],
         taken_up: Vec::with_capacity(d.contact.n_elements()),
+        conductances: Vec::with_capacity(d.contact.n_elements() * space.rule.weights.len()),
     };
     if let Some(matrix) = &mut matrix {
         matrix.clear();
@@ -80,7 +94,8 @@ pub fn assemble(
         heat,
         state,
         source,
-        cross_flow,
+        cross_flow: kept.cross_flow,
+        conductances: kept.conductances,
         with_jacobian: matrix.is_some(),
         damping: damping.unwrap_or(0.0),
     };
@@ -105,15 +120,14 @@ pub fn assemble(
             }
         }
     }
-    divide_by_area(d, &mut system.cross_flow);
+    assembly.add_edges(&mut system, matrix.as_deref_mut());
+    divide_by_mass(d, space, &mut system.cross_flow);
     for (k, fixed) in system.fixed.iter().enumerate() {
         if *fixed {
             // What the prescribed temperature takes up, is conducted out of the body.
             let unknown = k % n;
             let body = usize::from(unknown > space.column.first);
-            if !space.column.film_range().contains(&unknown) {
-                system.account.conducted[body] -= system.residual[k];
-            }
+            system.account.conducted[body] -= system.residual[k];
             system.residual[k] = 0.0;
             if let Some(matrix) = &mut matrix {
                 matrix.fix((k / n) as u32, unknown);
@@ -139,6 +153,7 @@ impl HeatSystem {
         }
         self.account.add(&e.account);
         self.taken_up.push(e.taken_up);
+        self.conductances.extend(&e.conductances);
         let n_heights = space.column.heights.n();
         let vertices = d.contact.surface.cell(c);
         for (vertex, rise) in vertices.iter().zip(e.rise.chunks_exact(n_heights)) {
@@ -189,24 +204,5 @@ fn scatter(space: &HeatSpace, nodes: &[u32], e: &Element, matrix: &mut BlockMatr
                 }
             }
         }
-    }
-}
-
-/// ω from its integrals: over the area of each vertex; none at the edge of the contact area, where the integrals lack
-/// what passes through it.
-fn divide_by_area(d: &Discretisation, cross_flow: &mut [f64]) {
-    let surface = &d.contact.surface;
-    let n = cross_flow.len() / surface.n_vertices();
-    let mut areas = vec![0.0; surface.n_vertices()];
-    for c in 0..surface.n_cells() {
-        for vertex in surface.cell(c) {
-            areas[*vertex as usize] += surface.measure(c) / surface.cell(c).len() as f64;
-        }
-    }
-    let values = cross_flow.chunks_exact_mut(n);
-    for ((values, area), point) in values.zip(areas).zip(&surface.vertices) {
-        let inside = !on_edge(&d.contact.shape, &d.contact.extents, *point);
-        let factor = if inside { 1.0 / area } else { 0.0 };
-        values.iter_mut().for_each(|v| *v *= factor);
     }
 }
