@@ -93,6 +93,11 @@ pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
         );
         warnings.push(Warning::beyond(WarningKind::WideContact, share, text));
     }
+    warnings.extend(super::roller::warning(
+        &case.contact,
+        hertz,
+        case.reduced_modulus(),
+    ));
     warnings
 }
 
@@ -145,17 +150,20 @@ pub(crate) fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warni
     Ok(warnings)
 }
 
-/// Refuses finite-element bodies below elliptical contacts: their meshes are made around circles.
-pub(super) fn body_of_ellipse(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
-    if case.contact.kind != ContactKind::Elliptical
-        || case.elastic_model() == ElasticModel::HalfSpace
-    {
+/// Refuses finite-element bodies below elliptical contacts and rollers: their meshes are made around circles.
+pub(super) fn body_of_wide_contact(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
+    let name = match case.contact.kind {
+        ContactKind::Elliptical => "an elliptical contact",
+        ContactKind::Roller => "a roller",
+        ContactKind::Line | ContactKind::Circular => return Ok(()),
+    };
+    if case.elastic_model() == ElasticModel::HalfSpace {
         return Ok(());
     }
     Err(table
         .error(
             "kind",
-            "an elliptical contact needs half-spaces, but this case asks for finite-element bodies",
+            format!("{name} needs half-spaces, but this case asks for finite-element bodies"),
         )
         .with_help("remove `elasticity` and `linear` from [solver] and `body_field` from [output]"))
 }

@@ -68,6 +68,7 @@ impl<'t> Tables<'t> {
                 let motion_table = motion_table.insert(root.required_table("motion")?);
                 let motion = contact::read_motion(motion_table, "plane_speed")?;
                 let hertz = check::hertz(table, "load", &contact, reduced_modulus)?;
+                super::roller::check(table, &contact, &hertz, reduced_modulus)?;
                 (contact, motion, None, hertz)
             }
             Tables::Machine(table) => {
@@ -84,6 +85,7 @@ impl<'t> Tables<'t> {
                 } = machine::read(table, reduced_modulus)?;
                 let hertz = check::hertz(table, load_key, &contact, reduced_modulus)
                     .map_err(|error| error.with_help(computed(&contact)))?;
+                super::roller::check(table, &contact, &hertz, reduced_modulus)?;
                 (contact, motion, Some(echo), hertz)
             }
         };
@@ -120,7 +122,7 @@ impl<'t> Tables<'t> {
 
 /// The contact of a machine, whose file says none of these.
 fn computed(contact: &Contact) -> String {
-    let radii = match contact.kind.is_point() {
+    let radii = match !contact.kind.is_cylinder() {
         true => format!(
             "radii R_x = {} and R_y = {}",
             length(contact.radius),

@@ -22,6 +22,8 @@
 //! viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
 //! ```
 //!
+//! `kind = "roller"` asks for `length` and `profile`, too.
+//!
 //! `[machine]` describes a bearing, a gear or a cam in place of `[contact]` and `[motion]`.
 //!
 //! `lubricant = "squalane-pip"` with a top-level `temperature = "40 degC"` is short for a `[lubricant]`
@@ -38,6 +40,7 @@ mod geometry;
 mod lubricant;
 mod machine;
 mod params;
+mod roller;
 pub mod study;
 mod thermal;
 
@@ -186,7 +189,7 @@ impl Case {
             given: echo::json_of(document.tree()),
             curve: None,
         };
-        check::body_of_ellipse(&case, tables.main())?;
+        check::body_of_wide_contact(&case, tables.main())?;
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);
         if let Some(table) = &mesh_table {

@@ -39,7 +39,11 @@ pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
         let flow = fluid.flow(g, omega, &mut CrossFilm::default()).flow;
         let factor = 12.0 * rho * f.film.powi(2) / (mu * model.constants.lambda);
         let [along, across] = [rho * f.film - factor * flow[0], -factor * flow[1]];
-        along * normal[0] + across * normal[1]
+        let stretch = match &zone.roller {
+            None => 1.0,
+            Some(roller) => roller.stretch(roller.place(y)),
+        };
+        stretch * (along * normal[0] + across * normal[1])
     };
     let section = match (d.contact.surface.dim, d.contact.shape.symmetry) {
         (1, _) => flux(0.0),

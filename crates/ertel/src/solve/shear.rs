@@ -178,7 +178,7 @@ pub fn beyond_edges(
         ContactKind::Circular | ContactKind::Elliptical => {
             (reach[0] / edge).max(reach[1] / extents.side)
         }
-        ContactKind::Line => reach[0] / edge,
+        ContactKind::Line | ContactKind::Roller => reach[0] / edge,
     };
     if further <= 1.0 {
         return BeyondEdges::default();
@@ -193,6 +193,11 @@ pub fn beyond_edges(
                     / (shape.symmetry.multiplicity() * shape.gap.curvature_ratio.sqrt())
             }
             ContactKind::Line => 3.0 * (1.0 - 1.0 / further) / edge,
+            // The cylinder's, all along the part that is solved.
+            ContactKind::Roller => {
+                let length = (shape.zone.roller.as_ref()).map_or(1.0, |r| 2.0 * r.half_length());
+                3.0 * (1.0 - 1.0 / further) / edge * length / shape.symmetry.multiplicity()
+            }
         };
     let radius = scales.length * scales.length / scales.film;
     let speed = scales.lambda * scales.length.powi(3) * scales.pressure

@@ -123,6 +123,13 @@ impl FieldMap<'_> {
             let lines: String = lines.map(|line| polyline(line)).collect();
             svg.stroke(&lines, Stroke::solid("#262626", 0.45));
         }
+        if let Some(roller) = &self.zone.roller {
+            let rim = roller.rim().into_iter();
+            let rim: Vec<[f64; 2]> = rim.map(|p| [frame.x(x, p[0]), frame.y(y, p[1])]).collect();
+            svg.stroke(&polyline(&rim), Stroke::solid(self.rim, 0.9));
+            svg.end_clip();
+            return;
+        }
         let radius = frame.x(x, 1.0) - frame.x(x, 0.0);
         let (cx, cy) = (frame.x(x, 0.0), frame.y(y, 0.0));
         let stroke = Stroke::solid(self.rim, 0.9);
