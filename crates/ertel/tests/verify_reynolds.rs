@@ -128,10 +128,12 @@ fn shape(kind: ContactKind) -> Shape {
             gap: Gap {
                 curvature_ratio: CURVATURES,
                 turn,
+                along_roller: None,
             },
             zone: HertzZone {
                 axis_ratio: RATIO,
                 turn,
+                roller: None,
             },
             symmetry: Symmetry::Full,
         },

@@ -239,6 +239,8 @@ fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> 
 #[cfg(test)]
 mod ellipse_tests;
 #[cfg(test)]
+mod roller_tests;
+#[cfg(test)]
 mod tests;
 #[cfg(test)]
 mod thermal_tests;

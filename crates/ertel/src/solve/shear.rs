@@ -254,10 +254,12 @@ mod tests {
             gap: Gap {
                 curvature_ratio: 0.3,
                 turn: Turn::NONE,
+                along_roller: None,
             },
             zone: HertzZone {
                 axis_ratio: 1.7,
                 turn: Turn::NONE,
+                roller: None,
             },
             symmetry: Symmetry::Full,
         };

@@ -16,10 +16,18 @@ use crate::contact::HertzZone;
 const MAP_HEIGHT: f64 = 330.0;
 const WIDTHS: [f64; 2] = [220.0, 760.0];
 
+/// Width over height from which a map is that of a long roller, and the least width of its frame, px.
+const LONG: f64 = 1.0 / 12.0;
+const LEAST_WIDTH_OF_LONG: f64 = 110.0;
+
 /// Height of the frame of a map, px: that of most, but wide and slender contacts keep their shape.
 pub(super) fn map_height([[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> f64 {
     let width_of_one = (x1 - x0) / (y1 - y0);
-    (MAP_HEIGHT * width_of_one).clamp(WIDTHS[0], WIDTHS[1]) / width_of_one
+    let least = match width_of_one < LONG {
+        true => LEAST_WIDTH_OF_LONG,
+        false => WIDTHS[0],
+    };
+    (MAP_HEIGHT * width_of_one).clamp(least, WIDTHS[1]) / width_of_one
 }
 
 /// A map of a field; lengths in Hertz half-widths.
