@@ -152,7 +152,9 @@ fn pressure<D: DualNum<Primitive = f64> + Copy>(kind: ContactKind, x: D, y: D) -
     let along = (x * (0.5 * PI)).cos() * (x * 0.4 + 1.0);
     match kind {
         ContactKind::Line => along,
-        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => along * (y * (0.5 * PI)).cos(),
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
+            along * (y * (0.5 * PI)).cos()
+        }
     }
 }
 
@@ -250,7 +252,9 @@ fn errors(
     let kind = contact.shape.kind;
     let like = match kind {
         ContactKind::Line => ContactKind::Line,
-        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => ContactKind::Circular,
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
+            ContactKind::Circular
+        }
     };
     let d = Discretisation::new(contact, order);
     let constants = FilmConstants {

@@ -82,14 +82,14 @@ fn bad_rollers() {
     };
     let load = "load = \"1 kN\"";
     let negative = "radius = \"5 mm\"\nlength = \"-8 mm\"";
-    let short = "radius = \"5 mm\"\nlength = \"0.1 mm\"";
+    let short = "radius = \"5 mm\"\nlength = \"0.5 mm\"";
     let tilted = |tilt: &str| format!("{CROWN}\nmisalignment = {tilt}");
     let sharp =
         "profile = { kind = \"straight\", straight_length = \"7.99 mm\", end_radius = \"1 mm\" }";
     let small_arc =
         "profile = { kind = \"straight\", straight_length = \"2 mm\", end_radius = \"1 mm\" }";
     for (sizes, rest, line, expected) in [
-        (negative, CROWN.to_owned(), 4, "must not be below 1 um"),
+        (negative, CROWN.to_owned(), 4, "must be between 1e-6 m"),
         (
             short,
             CROWN.to_owned(),
@@ -171,4 +171,46 @@ fn bad_rollers() {
             "{line}: {error}"
         );
     }
+}
+
+/// The example of the reference is a case.
+#[test]
+fn the_documented_roller() {
+    let text = include_str!("../../../../docs/reference/case-file.md");
+    let (_, section) = text.split_once("### Rollers").unwrap();
+    let (_, example) = section.split_once("```toml\n").unwrap();
+    let (example, _) = example.split_once("```").unwrap();
+    let text = format!("{example}{REST}");
+    let document = Document::parse("case.toml", text.as_str()).unwrap();
+    let case = Case::from_document(&document, Path::new("")).unwrap();
+    assert_relative_eq!(
+        case.contact.roller.unwrap().misalignment,
+        0.005_f64.to_radians()
+    );
+}
+
+/// A roller bearing with a profile has the load of the roller, not that per length; without one it is a line.
+#[test]
+fn a_roller_of_a_bearing() {
+    let machine = "[machine]\nkind = \"roller-bearing\"\nring = \"inner\"\nroller_diameter = \"10 mm\"\n\
+                   pitch_diameter = \"50 mm\"\nroller_length = \"12 mm\"\nroller_load = \"2 kN\"\n\
+                   inner_ring_speed = \"900 rpm\"\n";
+    let (bodies, rest) = REST.split_once("[motion]").unwrap();
+    let (_, lubricant) = rest.split_once("[lubricant]").unwrap();
+    let read = |profile: &str| {
+        let text = format!("{machine}{profile}\n{bodies}\n[lubricant]{lubricant}");
+        let document = Document::parse("case.toml", text.as_str()).unwrap();
+        Case::from_document(&document, Path::new("")).unwrap()
+    };
+    let line = read("");
+    let roller = read("profile = { kind = \"iso-16281\", diameter = \"10 mm\" }");
+    assert_eq!(line.contact.kind, ContactKind::Line);
+    assert_eq!(roller.contact.kind, ContactKind::Roller);
+    assert_relative_eq!(roller.contact.load, 2e3, max_relative = 1e-12);
+    assert_relative_eq!(
+        roller.contact.line_load(),
+        line.contact.load,
+        max_relative = 1e-12
+    );
+    assert_eq!(roller.contact.radius, line.contact.radius);
 }
