@@ -15,7 +15,7 @@ use crate::params::{
 use crate::plausible;
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
-use crate::solution::{IterationRecord, Solution, Stats, Unresolved};
+use crate::solution::{IterationRecord, RollerFigures, Solution, Stats, Unresolved};
 use crate::solve::adapt::AdaptParams;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::figures::measure;
@@ -91,7 +91,6 @@ pub fn problem(case: &Case) -> Problem {
         start_film,
     );
     Problem {
-        shape,
         extents: extents(reach, &case.mesh, start_film, &shape),
         reach: [reach.inlet, reach.side],
         stages: stages(
@@ -144,6 +143,7 @@ pub fn problem(case: &Case) -> Problem {
             }
         }),
         heat,
+        shape,
     }
 }
 
@@ -370,7 +370,11 @@ fn describe(
         case.mesh.target_error,
     ));
     if let (Some(thermal), Some(params)) = (&thermal, case.thermal()) {
-        let extents = [extents.inlet, extents.outlet, extents.side];
+        let extents = [
+            extents.inlet,
+            extents.outlet,
+            side_of(problem, extents.side),
+        ];
         warnings.extend(post::thermal::warnings(
             thermal,
             &case.lubricant,
@@ -384,14 +388,18 @@ fn describe(
         post::limits::roughness_warning("the minimum film thickness", minimum, sigma)
     }));
     let mut solution = Solution {
-        shape: problem.shape,
+        shape: problem.shape.clone(),
         hertz,
         reduced_modulus: case.reduced_modulus(),
         formulas: crate::reference::film_formulas(&case.contact, &groups),
         groups,
         groups_asymptotic,
         scales,
-        extents: [extents.inlet, extents.outlet, extents.side],
+        extents: [
+            extents.inlet,
+            extents.outlet,
+            side_of(problem, extents.side),
+        ],
         centreline: post::fields::centreline(finest, &problem.fluid, &scales),
         surface: post::fields::surface(finest, &problem.fluid, &scales),
         elements: post::elements::elements(finest, &scales),
@@ -401,6 +409,7 @@ fn describe(
             .flatten(),
         unresolved: Unresolved::all(&summary, &traction, case.motion.slides(), thermal.as_ref()),
         summary,
+        roller: RollerFigures::of(&measured),
         traction,
         film_reduction,
         thermal,
@@ -411,6 +420,12 @@ fn describe(
     let doubts = plausible::warnings(case, &solution);
     solution.warnings.extend(doubts);
     Ok(solution)
+}
+
+/// Half the extent of the contact area across the motion, in half-widths, or semi-axes along y of an ellipse.
+fn side_of(problem: &Problem, side: f64) -> f64 {
+    let roller = problem.shape.zone.roller.as_ref();
+    roller.map_or(side, |roller| roller.half_length())
 }
 
 /// Groups of a case for a pressure-viscosity coefficient in 1/Pa.
@@ -433,7 +448,7 @@ pub(crate) fn predicted_film(case: &Case) -> f64 {
     let g = groups(case, slope.max(0.0));
     let [along, across] = case.contact.radii_along_and_across();
     let h = match case.contact.kind {
-        ContactKind::Line => moes_line_film(g.moes_load, g.moes_material),
+        ContactKind::Line | ContactKind::Roller => moes_line_film(g.moes_load, g.moes_material),
         ContactKind::Circular | ContactKind::Elliptical => {
             nijenbanning_venner_moes_film(g.moes_load, g.moes_material, along / across)
         }
@@ -458,7 +473,7 @@ fn flooded(film: f64) -> f64 {
 /// line contacts it is 4e-6 at 2.5.
 fn widening(kind: ContactKind, film: f64) -> f64 {
     match kind {
-        ContactKind::Line => 2.5,
+        ContactKind::Line | ContactKind::Roller => 2.5,
         ContactKind::Circular | ContactKind::Elliptical => 5.0 + 15.0 * film.min(1.0),
     }
 }
@@ -503,6 +518,10 @@ fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents
         if turned { outlet + 1.5 } else { outlet }
     });
     let side = mesh.side.unwrap_or_else(|| {
+        // The film ends with the roller.
+        if let Some(roller) = &shape.zone.roller {
+            return roller.side();
+        }
         // Where the motion is at an angle, a part of the lubricant comes from the side.
         let reach = if turned {
             reach.side.max(reach.inlet)

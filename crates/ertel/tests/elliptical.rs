@@ -135,7 +135,7 @@ fn hertz_pressure_closes_the_gap() {
             Means::default(),
         );
         let d = Discretisation::new(&Arc::new(contact.unwrap()), 2);
-        let zone = d.contact.shape.zone;
+        let zone = &d.contact.shape.zone;
         let pressure: Vec<f64> = d
             .pressure
             .points

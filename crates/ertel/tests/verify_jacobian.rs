@@ -225,13 +225,9 @@ fn circular() {
         None,
         false,
     );
-    check(
-        ContactKind::Elliptical,
-        ElasticModel::HalfSpace,
-        2,
-        None,
-        false,
-    );
+    for kind in [ContactKind::Elliptical, ContactKind::Roller] {
+        check(kind, ElasticModel::HalfSpace, 2, None, false);
+    }
 }
 
 /// Laws of which every part acts in these states: two plateaus, and a limit that moves with the pressure.

@@ -61,7 +61,7 @@ fn motion<D: DualNum<Primitive = f64> + Copy>(kind: ContactKind, x: D, y: D) -> 
             [-y * SPIN + 1.0, x * SPIN],
             [-y * SLIDE_SPIN + SLIDE, x * SLIDE_SPIN + SLIDE_ACROSS],
         ],
-        ContactKind::Line | ContactKind::Circular => {
+        ContactKind::Line | ContactKind::Circular | ContactKind::Roller => {
             let zero = x * 0.0;
             [[zero + 1.0, zero], [zero + SLIDE, zero]]
         }
@@ -81,7 +81,9 @@ fn fields(kind: ContactKind) -> [Planar; 2] {
                 spin: SLIDE_SPIN,
             },
         ],
-        ContactKind::Line | ContactKind::Circular => [1.0, SLIDE].map(Planar::along_x),
+        ContactKind::Line | ContactKind::Circular | ContactKind::Roller => {
+            [1.0, SLIDE].map(Planar::along_x)
+        }
     }
 }
 
@@ -152,7 +154,7 @@ fn turned<D: DualNum<Primitive = f64> + Copy>(x: D, y: D) -> [D; 2] {
 /// ½(x² + κy²) along the principal directions.
 fn gap(kind: ContactKind, x: Dual64, y: Dual64) -> Dual64 {
     match kind {
-        ContactKind::Elliptical => {
+        ContactKind::Elliptical | ContactKind::Roller => {
             let [x, y] = turned(x, y);
             (x * x + y * y * CURVATURES) * 0.5
         }
@@ -166,15 +168,17 @@ fn shape(kind: ContactKind) -> Shape {
     match kind {
         ContactKind::Line => Shape::LINE,
         ContactKind::Circular => Shape::CIRCULAR,
-        ContactKind::Elliptical => Shape {
+        ContactKind::Elliptical | ContactKind::Roller => Shape {
             kind,
             gap: Gap {
                 curvature_ratio: CURVATURES,
                 turn,
+                along_roller: None,
             },
             zone: HertzZone {
                 axis_ratio: RATIO,
                 turn,
+                roller: None,
             },
             symmetry: Symmetry::Full,
         },
@@ -184,7 +188,7 @@ fn shape(kind: ContactKind) -> Shape {
 /// P*: zero on the edge, level across the symmetry line, lopsided along X.
 fn pressure<D: DualNum<Primitive = f64> + Copy>(kind: ContactKind, x: D, y: D) -> D {
     let [x, y] = match kind {
-        ContactKind::Elliptical => {
+        ContactKind::Elliptical | ContactKind::Roller => {
             let [x, y] = turned(x, y);
             [x, y / RATIO]
         }
@@ -193,7 +197,9 @@ fn pressure<D: DualNum<Primitive = f64> + Copy>(kind: ContactKind, x: D, y: D) -
     let along = (x * (0.5 * PI)).cos() * (x * 0.4 + 1.0);
     match kind {
         ContactKind::Line => along,
-        ContactKind::Circular | ContactKind::Elliptical => along * (y * (0.5 * PI)).cos(),
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
+            along * (y * (0.5 * PI)).cos()
+        }
     }
 }
 
@@ -275,7 +281,7 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
     let rigid = match kind {
         ContactKind::Line | ContactKind::Circular => Elasticity::finite_elements(2, &[]),
         // What it would answer does not count: the deflection is prescribed.
-        ContactKind::Elliptical => Elasticity::half_space(2, &[(1.0, 0.3)]),
+        ContactKind::Elliptical | ContactKind::Roller => Elasticity::half_space(2, &[(1.0, 0.3)]),
     };
     let means = Means::default();
     Arc::new(ContactSurface::new(&shape(kind), &extents, &sizes, &rigid, means).unwrap())
@@ -292,7 +298,9 @@ fn errors(
     let kind = contact.shape.kind;
     let like = match kind {
         ContactKind::Line => ContactKind::Line,
-        ContactKind::Circular | ContactKind::Elliptical => ContactKind::Circular,
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
+            ContactKind::Circular
+        }
     };
     let d = Discretisation::new(contact, order);
     let constants = FilmConstants {

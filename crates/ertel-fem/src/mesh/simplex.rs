@@ -87,6 +87,16 @@ impl SimplexMesh {
         signed_measure(&self.vertices, self.cell(cell), &self.axes[..self.dim])
     }
 
+    /// Mean of the vertices of a cell, x and y.
+    #[must_use]
+    pub fn centre(&self, cell: usize) -> [f64; 2] {
+        let nodes = self.cell(cell);
+        [0, 1].map(|a: usize| {
+            let sum: f64 = nodes.iter().map(|v| self.vertices[*v as usize][a]).sum();
+            sum / nodes.len() as f64
+        })
+    }
+
     /// Longest edge of a cell.
     #[must_use]
     pub fn longest_edge(&self, cell: usize) -> f64 {

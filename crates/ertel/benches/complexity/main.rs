@@ -205,7 +205,9 @@ const MONOLITHIC_ITERATIONS: usize = 4;
 fn measure(root: &Path, sweep: Sweep, factor: f64) -> Point {
     let name = match sweep.kind() {
         ContactKind::Line => "roller.toml",
-        ContactKind::Circular => "ball-on-disc.toml",
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
+            "ball-on-disc.toml"
+        }
     };
     let mut case = Case::read(&root.join("cases").join(name)).expect("a shipped case");
     case.mesh = MeshParams::preset(Default::default(), sweep.kind());

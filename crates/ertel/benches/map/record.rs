@@ -243,7 +243,7 @@ impl Record {
         let quoted = |t: &str| format!("\"{}\"", t.replace('"', "'"));
         let kind = match self.kind {
             ContactKind::Line => "line",
-            ContactKind::Circular | ContactKind::Elliptical => "circular",
+            ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => "circular",
         };
         let reason = if self.converged() {
             String::new()

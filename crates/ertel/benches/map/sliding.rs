@@ -207,7 +207,7 @@ fn case(
     let thermal = oil.heated && (family == Family::Newtonian || i % 4 != 3);
     let contact = match kind {
         ContactKind::Line => "line",
-        ContactKind::Circular | ContactKind::Elliptical => "circular",
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => "circular",
     };
     let heat = if thermal { "[thermal]\n" } else { "" };
     let name = format!(

@@ -93,6 +93,11 @@ pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
         );
         warnings.push(Warning::beyond(WarningKind::WideContact, share, text));
     }
+    warnings.extend(super::roller::warning(
+        &case.contact,
+        hertz,
+        case.reduced_modulus(),
+    ));
     warnings
 }
 
@@ -145,18 +150,20 @@ pub(crate) fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warni
     Ok(warnings)
 }
 
-/// Refuses finite-element bodies below elliptical contacts and surfaces that slide askew or spin: their meshes are made around
+/// Refuses finite-element bodies below elliptical contacts, rollers, and surfaces that slide askew or spin: their meshes are made around
 /// circles, and halves of them.
-pub(super) fn body_of_ellipse(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
-    let halved = case.motion.is_straight() || !case.contact.kind.is_point();
-    let ellipse = case.contact.kind == ContactKind::Elliptical;
-    if (halved && !ellipse) || case.elastic_model() == ElasticModel::HalfSpace {
+pub(super) fn body_of_wide_contact(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
+    let what = match case.contact.kind {
+        ContactKind::Elliptical => "an elliptical contact",
+        ContactKind::Roller => "a roller",
+        ContactKind::Circular if !case.motion.is_straight() => {
+            "a contact whose surfaces slide across the entrainment or spin"
+        }
+        ContactKind::Line | ContactKind::Circular => return Ok(()),
+    };
+    if case.elastic_model() == ElasticModel::HalfSpace {
         return Ok(());
     }
-    let what = match ellipse {
-        true => "an elliptical contact",
-        false => "a contact whose surfaces slide across the entrainment or spin",
-    };
     Err(table
         .error(
             "kind",

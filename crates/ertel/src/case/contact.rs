@@ -26,12 +26,17 @@ pub(super) fn read_contact(
             ("circular", ContactKind::Circular),
             ("line", ContactKind::Line),
             ("elliptical", ContactKind::Elliptical),
+            ("roller", ContactKind::Roller),
         ],
     )?;
     let mut contact = match kind {
         ContactKind::Elliptical => read_ellipse(table, shapes)?,
         kind if shapes.is_some() => {
-            let name = if kind.is_point() { "circular" } else { "line" };
+            let name = match kind {
+                ContactKind::Roller => "roller",
+                ContactKind::Line => "line",
+                ContactKind::Circular | ContactKind::Elliptical => "circular",
+            };
             return Err(table
                 .error(
                     "kind",
@@ -39,6 +44,7 @@ pub(super) fn read_contact(
                 )
                 .with_help("kind = \"elliptical\" takes them"));
         }
+        ContactKind::Roller => super::roller::read(table, reduced_modulus)?,
         kind => {
             let radius = table.required_quantity("radius", Dimension::LENGTH, RADIUS)?;
             Contact::of_one_radius(kind, radius, 0.0)

@@ -17,7 +17,7 @@ impl Case {
             title: self.title.clone(),
             given: self.given.clone(),
             case_file: (!self.source.is_empty()).then(|| self.source.clone()),
-            contact: self.contact,
+            contact: self.contact.clone(),
             motion: self.motion,
             machine: self.machine.clone(),
             plane: body(&self.plane),

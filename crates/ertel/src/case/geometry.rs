@@ -72,8 +72,9 @@ impl<'t> Tables<'t> {
                     motion_table,
                     &motion,
                     contact.kind.is_point(),
-                    reach(&hertz),
+                    reach(&contact, &hertz),
                 )?;
+                super::roller::check(table, &contact, &hertz, reduced_modulus)?;
                 (contact, motion, None, hertz)
             }
             Tables::Machine(table) => {
@@ -90,7 +91,13 @@ impl<'t> Tables<'t> {
                 } = machine::read(table, reduced_modulus)?;
                 let hertz = check::hertz(table, load_key, &contact, reduced_modulus)
                     .map_err(|error| error.with_help(computed(&contact)))?;
-                motion::check_spin(table, &motion, contact.kind.is_point(), reach(&hertz))?;
+                motion::check_spin(
+                    table,
+                    &motion,
+                    contact.kind.is_point(),
+                    reach(&contact, &hertz),
+                )?;
+                super::roller::check(table, &contact, &hertz, reduced_modulus)?;
                 (contact, motion, Some(echo), hertz)
             }
         };
@@ -125,14 +132,16 @@ impl<'t> Tables<'t> {
     }
 }
 
-/// Largest half-width, m.
-fn reach(hertz: &Hertz) -> f64 {
-    (hertz.half_width_y).map_or(hertz.half_width, |b| b.max(hertz.half_width))
+/// How far the contact reaches from its centre, m.
+fn reach(contact: &Contact, hertz: &Hertz) -> f64 {
+    let half_length = contact.roller.as_ref().map(|roller| 0.5 * roller.length);
+    let across = half_length.or(hertz.half_width_y);
+    across.map_or(hertz.half_width, |b| b.max(hertz.half_width))
 }
 
 /// The contact of a machine, whose file says none of these.
 fn computed(contact: &Contact) -> String {
-    let radii = match contact.kind.is_point() {
+    let radii = match !contact.kind.is_cylinder() {
         true => format!(
             "radii R_x = {} and R_y = {}",
             length(contact.radius),

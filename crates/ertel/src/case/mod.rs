@@ -22,6 +22,8 @@
 //! viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
 //! ```
 //!
+//! `kind = "roller"` asks for `length` and `profile`, too.
+//!
 //! `[machine]` describes a bearing, a gear or a cam in place of `[contact]` and `[motion]`.
 //!
 //! `lubricant = "squalane-pip"` with a top-level `temperature = "40 degC"` is short for a `[lubricant]`
@@ -39,6 +41,7 @@ mod lubricant;
 mod machine;
 mod motion;
 mod params;
+mod roller;
 pub mod study;
 mod thermal;
 
@@ -187,7 +190,7 @@ impl Case {
             given: echo::json_of(document.tree()),
             curve: None,
         };
-        check::body_of_ellipse(&case, tables.main())?;
+        check::body_of_wide_contact(&case, tables.main())?;
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);
         if let Some(table) = &mesh_table {
@@ -238,6 +241,8 @@ fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> 
 mod ellipse_tests;
 #[cfg(test)]
 mod motion_tests;
+#[cfg(test)]
+mod roller_tests;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]

@@ -90,7 +90,9 @@ pub(crate) fn read_mesh(
     read_pressure_error(&mut table, &mut mesh)?;
     // Sizes in Hertz half-widths; below these, no memory is large enough.
     let size = match kind {
-        ContactKind::Circular | ContactKind::Elliptical => Bounds::closed(0.01, 2.0),
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
+            Bounds::closed(0.01, 2.0)
+        }
         ContactKind::Line => Bounds::closed(0.0002, 2.0),
     };
     set(
@@ -131,6 +133,12 @@ pub(crate) fn read_mesh(
     let half_width = mesh.body_width.map_or(FARTHEST, |width| 0.5 * width);
     mesh.inlet = table.optional_number("inlet", Bounds::from_to(-half_width, -1.0))?;
     mesh.outlet = table.optional_number("outlet", Bounds::above_to(1.0, half_width))?;
+    if kind == ContactKind::Roller && table.contains("side") {
+        return Err(table.error(
+            "side",
+            "`side` is for circular and elliptical contacts; under a roller the film ends with its `length`",
+        ));
+    }
     if kind.is_point() {
         mesh.side = table.optional_number("side", Bounds::above_to(1.0, half_width))?;
     } else if table.contains("side") {

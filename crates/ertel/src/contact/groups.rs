@@ -6,7 +6,7 @@ use super::{Contact, ContactKind};
 
 /// Load, speed and material groups for one pressure-viscosity coefficient.
 ///
-/// Circular: W = F/(E'R²), R along the entrainment of ellipses, M = W (2U)^(−3/4); line: W = w/(E'R), M = W (2U)^(−1/2);
+/// Circular: W = F/(E'R²), R along the entrainment of ellipses, M = W (2U)^(−3/4); line and, with w = F/l, roller: W = w/(E'R), M = W (2U)^(−1/2);
 /// U = μ₀ u_m/(E'R), G = αE', L = G (2U)^(1/4).
 ///
 /// Source: Habchi 2008, eqs. 2.33, 2.34 (corrected).
@@ -41,7 +41,7 @@ impl Groups {
             ContactKind::Circular | ContactKind::Elliptical => {
                 contact.load / (reduced_modulus * r * r)
             }
-            ContactKind::Line => contact.load / (reduced_modulus * r),
+            ContactKind::Line | ContactKind::Roller => contact.line_load() / (reduced_modulus * r),
         };
         Groups {
             load,

@@ -24,9 +24,10 @@ impl Hertz {
     ///
     /// Circular: a³ = 3FR/(2E'), p_h = 3F/(2πa²) (Habchi 2008, eqs. 2.25, 2.26, corrected).
     /// Line: a² = 8wR/(πE'), p_h = 2w/(πa) (Johnson 1985, eqs. 4.43, 4.45).
+    /// Roller: the line contact under the mean load per length w = F/l.
     /// Elliptical: a_l³ = 6κ²E(m)FR/(πE'), p_h = 3F/(2π a_l a_s) (Johnson 1985, eqs. 4.25 to 4.28).
     pub fn new(contact: &Contact, reduced_modulus: f64) -> Hertz {
-        let Contact { radius, load, .. } = *contact;
+        let (radius, load) = (contact.radius, contact.line_load());
         match contact.kind {
             ContactKind::Circular => {
                 let half_width = (1.5 * load * radius / reduced_modulus).cbrt();
@@ -36,7 +37,7 @@ impl Hertz {
                     pressure: 1.5 * load / (PI * half_width * half_width),
                 }
             }
-            ContactKind::Line => {
+            ContactKind::Line | ContactKind::Roller => {
                 let half_width = (8.0 * load * radius / (PI * reduced_modulus)).sqrt();
                 Hertz {
                     half_width,
@@ -56,7 +57,7 @@ impl Hertz {
         }
     }
 
-    /// Load under which a contact has the given Hertz pressure (Pa): N, or N/m for a line. The load of `contact` is not read.
+    /// Load under which a contact has the given Hertz pressure (Pa), of rollers that of the line contact: N, or N/m for a line. The load of `contact` is not read.
     pub fn load_for_pressure(contact: &Contact, reduced_modulus: f64, pressure: f64) -> f64 {
         let radius = contact.radius;
         match contact.kind {
@@ -66,15 +67,15 @@ impl Hertz {
                 2.0 / 3.0 * PI * a * a * pressure
             }
             // p_h = E' a/(4 R)
-            ContactKind::Line => {
+            ContactKind::Line | ContactKind::Roller => {
                 let a = 4.0 * radius * pressure / reduced_modulus;
-                0.5 * PI * a * pressure
+                0.5 * PI * a * pressure * contact.roller.as_ref().map_or(1.0, |r| r.length)
             }
             // p_h grows with the cube root of the load.
             ContactKind::Elliptical => {
                 let unit = Contact {
                     load: 1.0,
-                    ..*contact
+                    ..contact.clone()
                 };
                 (pressure / Hertz::new(&unit, reduced_modulus).pressure).powi(3)
             }
@@ -87,11 +88,12 @@ pub fn pressure_profile(r: f64) -> f64 {
     (1.0 - r * r).max(0.0).sqrt()
 }
 
-/// Dimensionless integral of P over the whole contact: 2π/3 (circular; elliptical in units of both semi-axes), π/2 (line).
+/// Dimensionless integral of P over the whole contact: 2π/3 (circular; elliptical in units of both semi-axes), π/2 (line;
+/// rollers per length).
 pub fn load_integral(kind: ContactKind) -> f64 {
     match kind {
         ContactKind::Circular | ContactKind::Elliptical => 2.0 * PI / 3.0,
-        ContactKind::Line => 0.5 * PI,
+        ContactKind::Line | ContactKind::Roller => 0.5 * PI,
     }
 }
 
@@ -103,7 +105,7 @@ pub fn load_integral(kind: ContactKind) -> f64 {
 /// Line: relative to the centre, since the plane displacement has no far-field limit:
 /// δ = −r²/2 inside, δ = −r²/2 + [r√(r²−1) − ln(r + √(r²−1))]/2 outside.
 ///
-/// Elliptical: that of the circle, which it resembles.
+/// Elliptical: that of the circle, which it resembles; rollers: that of the line.
 pub fn deflection_profile(kind: ContactKind, r: f64) -> f64 {
     let r = r.abs();
     match kind {
@@ -111,8 +113,8 @@ pub fn deflection_profile(kind: ContactKind, r: f64) -> f64 {
         ContactKind::Circular | ContactKind::Elliptical => {
             ((2.0 - r * r) * (1.0 / r).asin() + (r * r - 1.0).sqrt()) / PI
         }
-        ContactKind::Line if r <= 1.0 => -0.5 * r * r,
-        ContactKind::Line => {
+        ContactKind::Line | ContactKind::Roller if r <= 1.0 => -0.5 * r * r,
+        ContactKind::Line | ContactKind::Roller => {
             let s = (r * r - 1.0).sqrt();
             -0.5 * r * r + 0.5 * (r * s - (r + s).ln())
         }

@@ -7,6 +7,7 @@ pub mod gap;
 pub mod groups;
 pub mod hertz;
 pub mod motion;
+pub mod roller;
 pub mod scales;
 pub mod shape;
 pub mod turn;
@@ -17,6 +18,7 @@ pub use gap::Gap;
 pub use groups::Groups;
 pub use hertz::Hertz;
 pub use motion::{Motion, Planar};
+pub use roller::Roller;
 pub use scales::Scales;
 pub use shape::{Shape, Symmetry};
 pub use turn::Turn;
@@ -36,6 +38,8 @@ pub enum ContactKind {
     Circular,
     /// Bodies with two radii of curvature each; the axes of the contact lie along x and y.
     Elliptical,
+    /// A roller of finite length on a plane, its axis along y.
+    Roller,
 }
 
 impl ContactKind {
@@ -43,7 +47,7 @@ impl ContactKind {
     pub fn body_dimension(self) -> usize {
         match self {
             ContactKind::Line => 2,
-            ContactKind::Circular | ContactKind::Elliptical => 3,
+            ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => 3,
         }
     }
 
@@ -52,19 +56,27 @@ impl ContactKind {
         self != ContactKind::Line
     }
 
+    /// Whether a cylinder touches, whose films are those of a line contact under the load per length.
+    pub fn is_cylinder(self) -> bool {
+        match self {
+            ContactKind::Line | ContactKind::Roller => true,
+            ContactKind::Circular | ContactKind::Elliptical => false,
+        }
+    }
+
     /// The power k of Moes' load group, `M = W (2U)^(-k)`.
     pub fn moes_power(self) -> f64 {
         match self {
-            ContactKind::Line => 0.5,
+            ContactKind::Line | ContactKind::Roller => 0.5,
             ContactKind::Circular | ContactKind::Elliptical => 0.75,
         }
     }
 }
 
 /// A loaded contact.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Contact {
-    /// Line, circular or elliptical.
+    /// Line, circular, elliptical or roller.
     pub kind: ContactKind,
     /// Reduced radius of curvature R in the plane of x, m.
     pub radius: f64,
@@ -75,6 +87,9 @@ pub struct Contact {
     pub load: f64,
     /// Direction of the entrainment velocity, from x towards y, rad; 0 but for ellipses.
     pub entrainment_angle: f64,
+    /// Length, relief and misalignment of a roller; `None` of all others.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub roller: Option<Box<Roller>>,
 }
 
 /// Whether a number has no place in a file.
@@ -91,6 +106,7 @@ impl Contact {
             radius_y: f64::INFINITY,
             load,
             entrainment_angle: 0.0,
+            roller: None,
         }
     }
 
@@ -102,6 +118,7 @@ impl Contact {
             radius_y: radius,
             load,
             entrainment_angle: 0.0,
+            roller: None,
         }
     }
 
@@ -113,18 +130,37 @@ impl Contact {
             radius_y: radii[1],
             load,
             entrainment_angle,
+            roller: None,
         }
+    }
+
+    /// A roller of the reduced radius R (m) under a load (N).
+    pub fn of_roller(radius: f64, load: f64, roller: Roller) -> Contact {
+        Contact {
+            kind: ContactKind::Roller,
+            roller: Some(Box::new(roller)),
+            ..Contact::line(radius, load)
+        }
+    }
+
+    /// Load per length of a cylinder, N/m: w, or F/l of a roller; the load itself of other contacts.
+    pub fn line_load(&self) -> f64 {
+        self.roller
+            .as_ref()
+            .map_or(self.load, |roller| self.load / roller.length)
     }
 
     /// Line or circular.
     ///
     /// # Panics
-    /// For ellipses, which have two radii.
+    /// For ellipses, which have two radii, and rollers, which have a length.
     pub fn of_one_radius(kind: ContactKind, radius: f64, load: f64) -> Contact {
         match kind {
             ContactKind::Line => Contact::line(radius, load),
             ContactKind::Circular => Contact::circular(radius, load),
-            ContactKind::Elliptical => panic!("an ellipse has two radii"),
+            ContactKind::Elliptical | ContactKind::Roller => {
+                panic!("an ellipse has two radii, a roller a length")
+            }
         }
     }
 
@@ -136,7 +172,7 @@ impl Contact {
                 let [a, b] = ellipse::Ellipse::of_radii([along, across]).semi_axes(1.0, 1.0);
                 b / a
             }
-            ContactKind::Circular | ContactKind::Line => 1.0,
+            ContactKind::Circular | ContactKind::Line | ContactKind::Roller => 1.0,
         }
     }
 
@@ -155,7 +191,7 @@ impl Contact {
             radius_y,
             // A quarter turn in binary digits is not quite one.
             entrainment_angle: if angle.abs() < 1e-14 { 0.0 } else { angle },
-            ..*self
+            ..self.clone()
         }
     }
 

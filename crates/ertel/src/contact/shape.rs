@@ -1,6 +1,10 @@
 //! What the solver knows of a contact's geometry.
 
-use super::{Contact, ContactKind, Gap, Hertz, HertzZone, Motion, Turn, hertz};
+use std::sync::Arc;
+
+use super::gap::RollerGap;
+use super::roller::{RollerZone, Slices};
+use super::{Contact, ContactKind, Gap, Hertz, HertzZone, Motion, Roller, Turn, hertz};
 
 /// Which part of the contact is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,9 +26,9 @@ impl Symmetry {
 }
 
 /// Geometry of a contact, dimensionless; X along the entrainment.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// Line, circular or elliptical.
+    /// Line, circular, elliptical or roller.
     pub kind: ContactKind,
     /// The undeformed gap.
     pub gap: Gap,
@@ -41,10 +45,12 @@ impl Shape {
         gap: Gap {
             curvature_ratio: 0.0,
             turn: Turn::NONE,
+            along_roller: None,
         },
         zone: HertzZone {
             axis_ratio: 1.0,
             turn: Turn::NONE,
+            roller: None,
         },
         symmetry: Symmetry::Full,
     };
@@ -55,29 +61,63 @@ impl Shape {
         gap: Gap {
             curvature_ratio: 1.0,
             turn: Turn::NONE,
+            along_roller: None,
         },
         zone: HertzZone {
             axis_ratio: 1.0,
             turn: Turn::NONE,
+            roller: None,
         },
         symmetry: Symmetry::Half,
     };
 
+    /// Of a roller of the reduced radius R (m) whose line contact has the half-width b (m).
+    fn of_roller(roller: &Roller, radius: f64, half_width: f64) -> Shape {
+        let gap = RollerGap::new(roller.clone(), half_width, half_width * half_width / radius);
+        let half_length = 0.5 * roller.length / half_width;
+        let slices = Slices::new(half_length, |y| gap.at(y)[0]);
+        let kinks: Vec<f64> = (roller.profile.kinks().iter())
+            .map(|y| y / half_width)
+            .collect();
+        Shape {
+            kind: ContactKind::Roller,
+            gap: Gap {
+                along_roller: Some(gap),
+                ..Shape::LINE.gap
+            },
+            zone: HertzZone {
+                roller: Some(Arc::new(RollerZone::new(half_length, slices, &kinks))),
+                ..Shape::LINE.zone
+            },
+            symmetry: match roller.is_symmetric() {
+                true => Symmetry::Half,
+                false => Symmetry::Full,
+            },
+        }
+    }
+
     /// Of a contact with its Hertz theory, in some motion: all of it is solved where nothing makes its halves alike.
+    ///
+    /// # Panics
+    /// For rollers without a length.
     pub fn new(contact: &Contact, hertz: &Hertz, motion: &Motion) -> Shape {
         let turn = Turn::by(contact.entrainment_angle);
-        let shape = match contact.kind {
-            ContactKind::Line => Shape::LINE,
-            ContactKind::Circular => Shape::CIRCULAR,
-            ContactKind::Elliptical => Shape {
+        let shape = match (contact.kind, &contact.roller) {
+            (_, Some(roller)) => Shape::of_roller(roller, contact.radius, hertz.half_width),
+            (ContactKind::Roller, None) => panic!("a roller has a length"),
+            (ContactKind::Line, None) => Shape::LINE,
+            (ContactKind::Circular, None) => Shape::CIRCULAR,
+            (ContactKind::Elliptical, None) => Shape {
                 kind: contact.kind,
                 gap: Gap {
                     curvature_ratio: contact.radius / contact.radius_y,
                     turn,
+                    along_roller: None,
                 },
                 zone: HertzZone {
                     axis_ratio: hertz.half_width_y.map_or(1.0, |b| b / hertz.half_width),
                     turn,
+                    roller: None,
                 },
                 symmetry: match turn.is_none() {
                     true => Symmetry::Half,
@@ -99,7 +139,10 @@ impl Shape {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (a.abs() + b.abs());
         let [c, s] = self.zone.turn.to_axes([1.0, 0.0]);
         let [d, t] = other.zone.turn.to_axes([1.0, 0.0]);
-        self.kind == other.kind
+        // Rollers of other loads have other lengths in half-widths.
+        self.zone.roller == other.zone.roller
+            && self.gap.along_roller == other.gap.along_roller
+            && self.kind == other.kind
             && self.symmetry == other.symmetry
             && close(self.gap.curvature_ratio, other.gap.curvature_ratio)
             && close(self.zone.axis_ratio, other.zone.axis_ratio)
@@ -108,12 +151,18 @@ impl Shape {
 
     /// Target of ∫P over the part that is solved.
     pub fn load(&self) -> f64 {
-        hertz::load_integral(self.kind) * self.zone.axis_ratio / self.symmetry.multiplicity()
+        let length = (self.zone.roller.as_ref()).map_or(1.0, |r| 2.0 * r.half_length());
+        hertz::load_integral(self.kind) * self.zone.axis_ratio * length
+            / self.symmetry.multiplicity()
     }
 
     /// Area of the Hertz zone in the part that is solved.
     pub fn zone_area(&self) -> f64 {
+        if let Some(roller) = &self.zone.roller {
+            return roller.area() / self.symmetry.multiplicity();
+        }
         let whole = match self.kind {
+            ContactKind::Roller => panic!("a roller has a zone of its own"),
             ContactKind::Line => 2.0,
             ContactKind::Circular | ContactKind::Elliptical => {
                 std::f64::consts::PI * self.zone.axis_ratio

@@ -1,33 +1,58 @@
 //! The Hertz zone: where the dry contact carries pressure.
 
+use std::sync::Arc;
+
+use super::roller::RollerZone;
 use super::{Turn, hertz};
 
-/// A circle, an ellipse, or a strip across the motion; in half-widths a, the semi-axis along the first principal direction.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A circle, an ellipse, a strip across the motion, or what a roller has; in half-widths a, the semi-axis along the first principal direction.
+#[derive(Clone, Debug, PartialEq)]
 pub struct HertzZone {
-    /// Semi-axis along the second principal direction over that along the first; 1 for circles and strips.
+    /// Semi-axis along the second principal direction over that along the first; 1 for circles, strips and rollers.
     pub axis_ratio: f64,
     /// From the motion to the principal directions.
     pub turn: Turn,
+    /// The zone of a roller; it is not turned against the motion.
+    pub roller: Option<Arc<RollerZone>>,
 }
 
 impl HertzZone {
-    /// Where a place would lie if the zone were the unit circle and its axes the coordinates.
+    /// Where a place lies in the plane in which meshes are made: there the zone is the unit circle and its axes the coordinates, or a
+    /// roller is shortened along its axis.
     #[inline(always)]
     pub fn unit(&self, at: [f64; 2]) -> [f64; 2] {
         let [x, y] = self.turn.to_axes(at);
-        [x, y / self.axis_ratio]
+        match &self.roller {
+            None => [x, y / self.axis_ratio],
+            Some(roller) => [x, roller.unit(y)],
+        }
     }
 
-    /// The inverse: the place of a point of the unit circle's plane.
+    /// The inverse: the place of a point of that plane.
     #[inline(always)]
     pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        self.turn.to_motion([x, y * self.axis_ratio])
+        let y = match &self.roller {
+            None => y * self.axis_ratio,
+            Some(roller) => roller.place(y),
+        };
+        self.turn.to_motion([x, y])
     }
 
-    /// Distance from the centre, 1 on the rim.
+    /// How much longer along the second principal direction than along the first a cell is at a place that is not so where it was made.
+    #[inline(always)]
+    pub fn stretch(&self, at: [f64; 2]) -> f64 {
+        match &self.roller {
+            None => self.axis_ratio,
+            Some(roller) => roller.stretch(at[1]),
+        }
+    }
+
+    /// Distance from the centre, of rollers from the axis, 1 on the rim.
     #[inline(always)]
     pub fn radius(&self, at: [f64; 2]) -> f64 {
+        if let Some(roller) = &self.roller {
+            return roller.radius(at);
+        }
         let [x, y] = self.unit(at);
         x.hypot(y)
     }
@@ -41,7 +66,23 @@ impl HertzZone {
     /// Pressure of the dry contact, in p_h.
     #[inline(always)]
     pub fn pressure(&self, at: [f64; 2]) -> f64 {
-        hertz::pressure_profile(self.radius(at))
+        self.peak(at) * hertz::pressure_profile(self.radius(at))
+    }
+
+    /// Its largest value: at the centre, of rollers in the slice of a place.
+    #[inline(always)]
+    pub fn peak(&self, at: [f64; 2]) -> f64 {
+        self.roller
+            .as_ref()
+            .map_or(1.0, |roller| roller.peak(at[1]))
+    }
+
+    /// The place whose distance is `share` of that of another, on the way from there to the centre or the axis.
+    pub fn drawn_in(&self, [x, y]: [f64; 2], share: f64) -> [f64; 2] {
+        match &self.roller {
+            None => [share * x, share * y],
+            Some(_) => [share * x, y],
+        }
     }
 
     /// How long a cell is along the motion that would be of the length 1 around the unit circle.
@@ -52,6 +93,9 @@ impl HertzZone {
 
     /// Half the extent of the zone along and across the motion.
     pub fn half_extents(&self) -> [f64; 2] {
+        if let Some(roller) = &self.roller {
+            return roller.half_extents();
+        }
         let [c, s] = self.turn.to_axes([1.0, 0.0]);
         let k = self.axis_ratio;
         [c.hypot(k * s), s.hypot(k * c)]
@@ -69,6 +113,7 @@ mod tests {
         let zone = HertzZone {
             axis_ratio: 2.5,
             turn: Turn::by(std::f64::consts::FRAC_PI_6),
+            roller: None,
         };
         let mut widest = [0.0_f64; 2];
         for i in 0..3600 {

@@ -69,7 +69,9 @@ impl HalfSpace {
                     .map(|v| shift * v)
                     .collect()
             }),
-            near: symbol_stiffness(mesh, space, pairs, shape.zone.axis_ratio, &|k| 2.0 * c / k),
+            near: symbol_stiffness(mesh, space, pairs, &|at| shape.zone.stretch(at), &|k| {
+                2.0 * c / k
+            }),
         }
     }
 

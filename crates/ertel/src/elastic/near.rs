@@ -37,7 +37,7 @@ pub fn symbol_stiffness(
     mesh: &SimplexMesh,
     space: &Space,
     pairs: &[(u32, u32)],
-    axis_ratio: f64,
+    stretch: &dyn Fn([f64; 2]) -> f64,
     answer: &dyn Fn(f64) -> f64,
 ) -> Vec<f64> {
     let rule = Quadrature::simplex(mesh.dim, 2 * space.element.order());
@@ -53,7 +53,10 @@ pub fn symbol_stiffness(
         let size = match mesh.dim {
             1 => map.determinant,
             // The shorter way across a cell as stretched as the Hertz zone.
-            _ => (map.determinant / axis_ratio.max(axis_ratio.recip())).sqrt(),
+            _ => {
+                let ratio = stretch(mesh.centre(c));
+                (map.determinant / ratio.max(ratio.recip())).sqrt()
+            }
         };
         let kappa = 2.0 * std::f64::consts::PI * WAVE_SHARE / size;
         let s = 1.0 / answer(kappa);

@@ -159,7 +159,7 @@ pub fn estimate(case: &Case) -> CaseEstimate {
 
 fn chart(kind: ContactKind, groups: &Groups) -> ChartParameters {
     let (w, u, g) = (groups.load, groups.speed, groups.material);
-    let circular = |value: f64| kind.is_point().then_some(value);
+    let circular = |value: f64| (!kind.is_cylinder()).then_some(value);
     ChartParameters {
         viscosity_parameter: circular(g * w.powi(3) / (u * u)),
         elasticity_parameter: circular(w.powf(8.0 / 3.0) / (u * u)),
@@ -175,7 +175,9 @@ fn film(case: &Case, groups: &Groups, regime: Regime) -> FilmEstimate {
             FilmFormula::NijenbanningVennerMoes,
             FilmFormula::HamrockDowson,
         ),
-        ContactKind::Line => (FilmFormula::MoesLine, FilmFormula::DowsonHigginson),
+        ContactKind::Line | ContactKind::Roller => {
+            (FilmFormula::MoesLine, FilmFormula::DowsonHigginson)
+        }
     };
     let isoviscous = matches!(regime, Regime::IsoviscousRigid | Regime::IsoviscousElastic);
     let minimum_film = (minimum.film(&case.contact, groups).1)

@@ -57,7 +57,7 @@ pub fn regime(contact: &Contact, groups: &Groups) -> RegimeEstimate {
         ContactKind::Circular | ContactKind::Elliptical => {
             nijenbanning_venner_moes_asymptotes(m, l, radius / across)
         }
-        ContactKind::Line => moes_line_asymptotes(m, l),
+        ContactKind::Line | ContactKind::Roller => moes_line_asymptotes(m, l),
     };
     let rigid = (a.isoviscous_rigid, Regime::IsoviscousRigid);
     let elastic = (a.isoviscous_elastic, Regime::IsoviscousElastic);

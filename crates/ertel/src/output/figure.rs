@@ -172,7 +172,7 @@ pub fn place(solution: &Solution, at: &Located) -> String {
     match solution.shape.kind {
         ContactKind::Line => position(along, a),
         _ if at.y == 0.0 => format!("{}, y/a 0", position(along, a)),
-        ContactKind::Circular | ContactKind::Elliptical => {
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
             let error = at.place_error.map(|error| error / a);
             // The other sign belongs to the mirror image.
             let (sign, y) = match solution.shape.symmetry {

@@ -123,6 +123,12 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
         ),
         ("largest pressure", &s.pressure_maximum),
     ];
+    if let Some(roller) = &solution.roller {
+        located.push(("edge pressure", &roller.edge_pressure_left));
+        located.push(("edge pressure", &roller.edge_pressure_right));
+        estimates.push(("moment of the roller", roller.roller_moment));
+        estimates.push(("position of the load", roller.load_position));
+    }
     located.extend(s.spike.iter().map(|spike| ("pressure spike", spike)));
     if let Some(thermal) = &solution.thermal {
         let (temperatures, places) = heat(thermal);

@@ -23,6 +23,7 @@ pub(super) fn contact(kind: ContactKind) -> Contact {
         ContactKind::Circular => Contact::circular(0.016, 100.0),
         ContactKind::Elliptical => Contact::elliptical([0.016, 0.032], 100.0, 0.0),
         ContactKind::Line => Contact::line(0.015, 2e5),
+        ContactKind::Roller => panic!("no made-up roller"),
     }
 }
 
@@ -76,7 +77,7 @@ fn film(kind: ContactKind, x: f64, y: f64, gap: f64) -> f64 {
     let open = 0.5 * r * r + deflection_profile(kind, r) - deflection_profile(kind, 0.0);
     let lobe = match kind {
         ContactKind::Line => f64::from(u8::from(x > 0.0)),
-        ContactKind::Circular | ContactKind::Elliptical => {
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
             (0.5 + 0.9 * y.abs() / r.max(1e-9) - 0.45)
                 .clamp(0.0, 1.0)
                 .max(f64::from(u8::from(x > 0.0)) * 0.55)
@@ -107,7 +108,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         .collect();
     let ys: Vec<f64> = match kind {
         ContactKind::Line => vec![0.0],
-        ContactKind::Circular | ContactKind::Elliptical => (0..=n)
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => (0..=n)
             .map(|j| -3.0 * (1.0 - f64::from(j) / f64::from(n)).powf(1.3))
             .collect(),
     };
@@ -120,7 +121,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         ContactKind::Line => (0..xs.len() - 1)
             .map(|i| [id(i, 0), id(i + 1, 0), 0])
             .collect(),
-        ContactKind::Circular | ContactKind::Elliptical => (0..ys.len() - 1)
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => (0..ys.len() - 1)
             .flat_map(|j| (0..xs.len() - 1).map(move |i| (i, j)))
             .flat_map(|(i, j)| {
                 [
@@ -204,6 +205,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             load_balance_error: 3e-12,
             rigid_separation: -1.4e-6,
         },
+        roller: None,
         traction: Traction {
             coefficient: bar(0.035),
             coefficient_plane: bar(0.034),

@@ -107,6 +107,7 @@ pub(crate) fn name_of_ball(kind: ContactKind) -> &'static str {
     match kind {
         ContactKind::Circular | ContactKind::Elliptical => "ball",
         ContactKind::Line => "cylinder",
+        ContactKind::Roller => "roller",
     }
 }
 

@@ -9,7 +9,7 @@ use super::figure::{
 };
 use super::name_of_ball;
 use super::{CaseEcho, heat};
-use crate::contact::{ContactKind, Groups, Hertz};
+use crate::contact::{ContactKind, Groups, Hertz, Symmetry};
 use crate::solution::{Located, Solution, Timings};
 use crate::warning::Warning;
 
@@ -82,6 +82,7 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         ContactKind::Circular => ("N", "circular (ball on plane)"),
         ContactKind::Elliptical => ("N", "elliptical"),
         ContactKind::Line => ("N/m", "line (cylinder on plane)"),
+        ContactKind::Roller => ("N", "roller of finite length (on plane)"),
     };
     if let Some(machine) = &case.machine {
         out.heading("From the machine");
@@ -98,7 +99,7 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
             let angle = case.contact.entrainment_angle.to_degrees();
             out.row("entrainment to x", format!("{} deg", digits(angle, 6)));
         }
-        ContactKind::Circular | ContactKind::Line => {
+        ContactKind::Circular | ContactKind::Line | ContactKind::Roller => {
             out.row("radius R", length(case.contact.radius));
         }
     }
@@ -106,6 +107,22 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         "load",
         format!("{} {load_unit}", digits(case.contact.load, 6)),
     );
+    if let Some(roller) = &case.contact.roller {
+        out.row("length l", length(roller.length));
+        out.row("profile", roller.profile.name());
+        let [left, right] = [-0.5, 0.5].map(|share| {
+            let [drop, _] = roller.profile.drop(roller.length, share * roller.length);
+            length(drop)
+        });
+        match roller.profile.is_symmetric() {
+            true => out.row("  drop at the ends", left),
+            false => out.row("  drop at y < 0, at y > 0", format!("{left}, {right}")),
+        }
+        let tilt = digits(1e3 * roller.misalignment, 6);
+        out.row("misalignment θ", format!("{tilt} mrad"));
+        let per_length = digits(case.contact.line_load(), 6);
+        out.row("load per length F/l", format!("{per_length} N/m"));
+    }
     let ball = name_of_ball(case.contact.kind);
     for (role, body) in [("plane", &case.plane), (ball, &case.ball)] {
         let e = &body.elasticity;
@@ -254,6 +271,7 @@ fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
         "film ends (centreline)",
         position(s.outlet_position, solution.hertz.half_width),
     );
+    write_roller(out, solution);
     write_traction(out, solution);
     out.row("mass balance error", percent_or_power(s.film_balance_error));
     out.row("load balance error", percent_or_power(s.load_balance_error));
@@ -264,6 +282,33 @@ pub(super) fn beside(text: &str, other: &str) -> String {
     format!("{text:<VALUE_WIDTH$}  {other}")
         .trim_end()
         .to_owned()
+}
+
+fn write_roller(out: &mut Lines, solution: &Solution) {
+    let Some(roller) = &solution.roller else {
+        return;
+    };
+    let row = |p: &Located| beside(&pressure_estimate(p.estimate()), &place(solution, p));
+    if solution.shape.symmetry == Symmetry::Half {
+        out.row(
+            "largest pressure near the ends",
+            row(&roller.edge_pressure_left),
+        );
+        return;
+    }
+    out.row(
+        "largest pressure, end y < 0",
+        row(&roller.edge_pressure_left),
+    );
+    out.row(
+        "largest pressure, end y > 0",
+        row(&roller.edge_pressure_right),
+    );
+    out.row(
+        "moment about the middle",
+        in_unit(roller.roller_moment, 1.0, "N m"),
+    );
+    out.row("load stands at y", in_unit(roller.load_position, 1e3, "mm"));
 }
 
 fn write_traction(out: &mut Lines, solution: &Solution) {

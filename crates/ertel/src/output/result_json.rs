@@ -58,6 +58,9 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "history": serde_json::to_value(&solution.history)?,
         "units": units(),
     });
+    if let Some(roller) = &solution.roller {
+        document["roller"] = serde_json::to_value(roller)?;
+    }
     if let Some(thermal) = &solution.thermal {
         document["thermal"] = serde_json::to_value(thermal)?;
     }
@@ -77,6 +80,7 @@ pub(super) fn units() -> Value {
                 "half_width",
                 "radius",
                 "roughness",
+                "length",
             ],
         ),
         (

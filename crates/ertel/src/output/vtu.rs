@@ -67,7 +67,7 @@ pub fn write_surface(
     let points: Vec<[f64; 3]> = field.points.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
     let n_nodes = match shape.kind {
         ContactKind::Line => 2,
-        ContactKind::Circular | ContactKind::Elliptical => 3,
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => 3,
     };
     let cells: Vec<&[u32]> = field.cells.iter().map(|c| &c[..n_nodes]).collect();
     let scalar = |name, values| Array {

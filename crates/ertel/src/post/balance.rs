@@ -44,7 +44,11 @@ pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
             rho * f.film * u - factor * flow[0],
             rho * f.film * v - factor * flow[1],
         ];
-        along * normal[0] + across * normal[1]
+        let stretch = match &zone.roller {
+            None => 1.0,
+            Some(roller) => roller.stretch(roller.place(y)),
+        };
+        stretch * (along * normal[0] + across * normal[1])
     };
     let section = match (d.contact.surface.dim, d.contact.shape.symmetry) {
         (1, _) => flux(0.0),

@@ -53,7 +53,7 @@ impl ElasticExponents {
     pub fn of(contact: ContactKind) -> ElasticExponents {
         match contact {
             ContactKind::Circular | ContactKind::Elliptical => nijenbanning_venner_moes::EXPONENTS,
-            ContactKind::Line => moes_line::EXPONENTS,
+            ContactKind::Line | ContactKind::Roller => moes_line::EXPONENTS,
         }
     }
 

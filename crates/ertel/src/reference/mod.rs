@@ -82,7 +82,7 @@ impl FilmFormula {
 
     /// Whether the formula was made for a contact of this shape and direction of motion.
     pub fn applies(self, contact: &Contact) -> bool {
-        let point = contact.kind.is_point();
+        let point = !contact.kind.is_cylinder();
         let along_an_axis = (2.0 * contact.entrainment_angle).sin().abs() < 1e-9;
         match self {
             // Fitted from circles to ellipses eight times as wide as long.

@@ -43,6 +43,14 @@ figures! {
     FilmCentrelineMinimum, "film_centreline_minimum", "m";
     /// Largest pressure.
     PressureMaximum, "pressure_maximum", "Pa";
+    /// Largest pressure over the quarter of a roller at its end y < 0.
+    EdgePressureLeft, "edge_pressure_left", "Pa";
+    /// The same at its end y > 0.
+    EdgePressureRight, "edge_pressure_right", "Pa";
+    /// Moment of the pressure about the middle of a roller.
+    RollerMoment, "roller_moment", "N m";
+    /// Distance of the resultant of the pressure from the middle of a roller.
+    LoadPosition, "load_position", "m";
     /// Pressure spike near the outlet on the centreline.
     Spike, "spike", "Pa";
     /// Where the film breaks on the centreline.
@@ -108,6 +116,8 @@ impl Figure {
                 | Figure::FilmCentrelineMinimum
                 | Figure::PressureMaximum
                 | Figure::Spike
+                | Figure::EdgePressureLeft
+                | Figure::EdgePressureRight
                 | Figure::FilmTemperatureMaximum
                 | Figure::FilmTemperatureLowest
                 | Figure::PlaneTemperatureMaximum

@@ -2,6 +2,7 @@
 
 mod elements;
 mod figures;
+mod roller;
 mod thermal;
 mod unresolved;
 
@@ -13,6 +14,7 @@ use crate::warning::Warning;
 
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, Reading};
+pub use roller::RollerFigures;
 pub use thermal::{
     Coupling, CrossProfile, FilmTemperatures, HeatBalance, TemperatureField, Thermal,
     ThermalReduction,
@@ -168,12 +170,20 @@ pub struct ErrorEstimate {
     pub largest: f64,
     /// The same around the spike on the centreline, Pa; zero without one.
     pub spike: f64,
+    /// The same around the edge pressures at y < 0 and y > 0 of a roller, Pa; zero without them.
+    #[serde(skip_serializing_if = "are_zero")]
+    pub ends: [f64; 2],
     /// Error of the largest shear stress from the slopes of the pressure, Pa.
     pub shear_stress: f64,
     /// What rolling drags along beyond the edges of the contact area.
     pub beyond_edges: BeyondEdges,
     /// Errors of the temperatures; zero where there are none, and where they are not of linear elements.
     pub temperatures: TemperatureErrors,
+}
+
+/// Whether there is nothing to write.
+fn are_zero(values: &[f64; 2]) -> bool {
+    *values == [0.0; 2]
 }
 
 /// Share of the rolling friction that lies between edges of the contact area that are set by hand and those that it would have otherwise.
@@ -487,6 +497,8 @@ pub struct Solution {
     pub extents: [f64; 3],
     /// The figures.
     pub summary: Summary,
+    /// Ends and load of a roller; `None` of other contacts.
+    pub roller: Option<RollerFigures>,
     /// Traction and friction.
     pub traction: Traction,
     /// Effect of shear thinning on the film; `None` for Newtonian fluids, or where the film of the

@@ -52,7 +52,9 @@ pub fn grading_errors(shape: &Shape, model: BodyModel, sizes: &LevelSizes) -> [f
         return [SMALLEST_ERROR; 2];
     }
     let (errors, growth) = match shape.kind {
-        ContactKind::Circular | ContactKind::Elliptical => ([5e-3, 6e-3], 0.9),
+        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
+            ([5e-3, 6e-3], 0.9)
+        }
         ContactKind::Line => ([6e-4, 8e-4], 0.3),
     };
     let ratio = sizes.depth_growth / growth;

@@ -130,6 +130,8 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
     match figure {
         Figure::PressureMaximum => largest,
         Figure::Spike => local(Figure::Spike, estimate.spike),
+        Figure::EdgePressureLeft => local(figure, estimate.ends[0]),
+        Figure::EdgePressureRight => local(figure, estimate.ends[1]),
         Figure::ShearStressMaximum => {
             let relative = largest / size(Figure::PressureMaximum);
             SHARE_OF_PRESSURE_MAXIMUM * relative * size(figure)

@@ -207,17 +207,18 @@ impl ContactSurface {
         let along = shape.zone.stretch_along_motion();
         let element_sizes = maps
             .iter()
-            .map(|m| {
+            .enumerate()
+            .map(|(c, m)| {
                 if surface.dim == 1 {
                     m.determinant
                 } else {
                     // Cells are as stretched as the zone.
-                    along * (m.determinant / shape.zone.axis_ratio).sqrt()
+                    along * (m.determinant / shape.zone.stretch(surface.centre(c))).sqrt()
                 }
             })
             .collect();
         Ok(ContactSurface {
-            shape: *shape,
+            shape: shape.clone(),
             extents: *extents,
             elasticity: elasticity.clone(),
             support,

@@ -219,6 +219,15 @@ pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
 
 /// Largest pressure, on a lattice of eight points per element edge, and where it is.
 pub fn largest_pressure(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
+    largest_pressure_where(d, state, |_| true)
+}
+
+/// The same over the places that `counts`; minus infinity where none does.
+pub fn largest_pressure_where(
+    d: &Discretisation,
+    state: &State,
+    counts: impl Fn([f64; 2]) -> bool,
+) -> (f64, [f64; 2]) {
     let lattice = Lattice::new(&d.pressure.element, 8);
     let mut best = (f64::NEG_INFINITY, [0.0; 2]);
     for c in 0..d.contact.n_elements() {
@@ -226,7 +235,7 @@ pub fn largest_pressure(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
         for (xi, basis) in lattice.basis() {
             let values = nodes.iter().map(|n| state.pressure[*n as usize]);
             let p = basis.iter().zip(values).map(|(b, v)| b * v).sum();
-            if p > best.0 {
+            if p > best.0 && counts(d.contact.point(c, *xi)) {
                 best = (p, d.contact.point(c, *xi));
             }
         }

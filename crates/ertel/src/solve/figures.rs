@@ -3,13 +3,14 @@
 use super::adapt::{error_bars, grading_errors};
 use super::bars::bars;
 use super::discretisation::Discretisation;
-use super::evaluate::{central_film, largest_pressure, minimum_film};
+use super::evaluate::{central_film, largest_pressure, largest_pressure_where, minimum_film};
 use super::heat::balance::heat_balance;
 use super::heat::figures::{Extremes, zone_means};
 use super::profile::{PER_EDGE, Profile};
 use super::sequence::{Problem, StageSolution};
 use super::shear::{friction, is_askew};
 use super::system::State;
+use crate::contact::Symmetry;
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading};
 
@@ -43,6 +44,7 @@ pub fn figures(
     if extent == Extent::Films {
         return figures;
     }
+    note_roller(&mut figures, problem, d, state);
     let profile = Profile::new(d, state, PER_EDGE);
     let (h_line, x_line) = profile.film_minimum();
     let thinnest = at(scales.film * h_line, [x_line, 0.0]);
@@ -55,6 +57,62 @@ pub fn figures(
     note_friction(&mut figures, problem, fluid, d, state);
     note_heat(&mut figures, problem, fluid, d, state);
     figures
+}
+
+/// Pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
+fn note_roller(figures: &mut Figures, problem: &Problem, d: &Discretisation, state: &State) {
+    let Some(roller) = &problem.shape.zone.roller else {
+        return;
+    };
+    let scales = &problem.scales;
+    let quarter = 0.5 * roller.half_length();
+    let whole = problem.shape.symmetry == Symmetry::Full;
+    let sides: [(Figure, f64); 2] = [
+        (Figure::EdgePressureLeft, -1.0),
+        (Figure::EdgePressureRight, 1.0),
+    ];
+    // Where one half is solved, it is the left one.
+    for (figure, sign) in sides.into_iter().take(if whole { 2 } else { 1 }) {
+        let (p, place) = largest_pressure_where(d, state, |[_, y]| sign * y >= quarter);
+        let place = place.map(|x| x * scales.length);
+        figures.note(figure, Reading::new(scales.pressure * p).at(place));
+    }
+    if !whole {
+        return;
+    }
+    let [force, moment, arms] = moments(d, state);
+    let unit = scales.pressure * scales.length.powi(2);
+    for (figure, scale) in [
+        (Figure::RollerMoment, unit * scales.length),
+        (Figure::LoadPosition, scales.length / force),
+    ] {
+        // A resultant in the middle is as uncertain as one elsewhere.
+        let reading = Reading {
+            size: scale * arms,
+            ..Reading::new(scale * moment)
+        };
+        figures.note(figure, reading);
+    }
+}
+
+/// ∫P, ∫P y and ∫P|y| over the part that is solved.
+fn moments(d: &Discretisation, state: &State) -> [f64; 3] {
+    let n = d.pressure_table.n_nodes;
+    let mut sums = [0.0; 3];
+    for (c, map) in d.contact.maps.iter().enumerate() {
+        let nodes = d.pressure.nodes_of(c);
+        for (q, (weight, xi)) in d.rule.weights.iter().zip(&d.rule.points).enumerate() {
+            let basis = &d.pressure_table.values[q * n..(q + 1) * n];
+            let values = basis.iter().zip(nodes);
+            let p: f64 = values.map(|(b, v)| b * state.pressure[*v as usize]).sum();
+            let [_, y] = d.contact.point(c, *xi);
+            let share = weight * map.determinant * p;
+            for (sum, arm) in sums.iter_mut().zip([1.0, y, y.abs()]) {
+                *sum += share * arm;
+            }
+        }
+    }
+    sums
 }
 
 fn note_friction(

@@ -58,16 +58,18 @@ impl Indicator {
     pub fn estimate(
         &self,
         d: &Discretisation,
-        places: [Option<[f64; 2]>; 2],
+        places: [Option<[f64; 2]>; 4],
         scale: f64,
     ) -> ErrorEstimate {
-        let [largest, spike] = places.map(|place| place.map_or(0.0, |p| scale * self.around(d, p)));
+        let around = |place: Option<[f64; 2]>| place.map_or(0.0, |p| scale * self.around(d, p));
+        let [largest, spike, left, right] = places.map(around);
         ErrorEstimate {
             films: self.totals(),
             edges: self.edges,
             pressure: self.pressure_error(),
             largest,
             spike,
+            ends: [left, right],
             shear_stress: 0.0,
             beyond_edges: BeyondEdges::default(),
             temperatures: TemperatureErrors::default(),
@@ -251,7 +253,10 @@ fn edge_error(
             .map(|(node, alpha)| {
                 let [x, y, _] = d.pressure.points[*node as usize];
                 let drop = along * x + across * y;
-                if !on_edge(node) || drop >= 0.0 {
+                // At the ends of a roller the film ends.
+                let at_end = d.contact.shape.zone.roller.is_some()
+                    && x > d.contact.extents.inlet * (1.0 - 1e-9);
+                if !on_edge(node) || at_end || drop >= 0.0 {
                     return 0.0;
                 }
                 let xi = [1, 2, 3].map(|v: usize| f64::from(alpha[v]) / order);

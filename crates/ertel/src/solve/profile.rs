@@ -1,5 +1,6 @@
 //! The centreline y = 0 and what is read off it, dimensionless.
 
+use crate::contact::Symmetry;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{PointFields, fields_at};
 use crate::solve::system::State;
@@ -30,8 +31,8 @@ impl Profile {
             .filter(|v| v[1].abs() < ON_LINE)
             .map(|v| v[0])
             .collect();
-        // A mesh turned against the motion has few vertices on the centreline, or none.
-        if !d.contact.shape.zone.turn.is_none() {
+        // A mesh of all of the contact has few vertices on the centreline, or none.
+        if d.contact.shape.symmetry == Symmetry::Full && surface.dim == 2 {
             for c in 0..surface.n_cells() {
                 let cell = surface
                     .cell(c)

@@ -200,7 +200,7 @@ pub fn beyond_edges(
         ContactKind::Circular | ContactKind::Elliptical => {
             (reach[0] / edge).max(reach[1] / extents.side)
         }
-        ContactKind::Line => reach[0] / edge,
+        ContactKind::Line | ContactKind::Roller => reach[0] / edge,
     };
     if further <= 1.0 {
         return BeyondEdges::default();
@@ -215,6 +215,11 @@ pub fn beyond_edges(
                     / (shape.symmetry.multiplicity() * shape.gap.curvature_ratio.sqrt())
             }
             ContactKind::Line => 3.0 * (1.0 - 1.0 / further) / edge,
+            // The cylinder's, all along the part that is solved.
+            ContactKind::Roller => {
+                let length = (shape.zone.roller.as_ref()).map_or(1.0, |r| 2.0 * r.half_length());
+                3.0 * (1.0 - 1.0 / further) / edge * length / shape.symmetry.multiplicity()
+            }
         };
     let radius = scales.length * scales.length / scales.film;
     let speed = scales.lambda * scales.length.powi(3) * scales.pressure
@@ -271,10 +276,12 @@ mod tests {
             gap: Gap {
                 curvature_ratio: 0.3,
                 turn: Turn::NONE,
+                along_roller: None,
             },
             zone: HertzZone {
                 axis_ratio: 1.7,
                 turn: Turn::NONE,
+                roller: None,
             },
             symmetry: Symmetry::Full,
         };

@@ -3,6 +3,7 @@
 use ertel_fem::mesh::{SizeField, SizeZone, Zone};
 
 use super::discretisation::Extents;
+use crate::contact::roller::RollerZone;
 use crate::contact::{ContactKind, Shape, Symmetry};
 
 /// Cell sizes of one level and the region they cover, in Hertz half-widths.
@@ -38,6 +39,9 @@ impl LevelSizes {
 /// Size field, where the Hertz zone is the unit circle: fine under the Hertz zone, finer in a crescent at its outlet side, `edge` on the
 /// rest of the contact area, growing into the body.
 pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -> f64 {
+    if let Some(roller) = &shape.zone.roller {
+        return size_of_roller(roller, s, [x[0], x[1]]);
+    }
     let origin = [0.0; 3];
     let zones = [
         SizeZone {
@@ -54,7 +58,7 @@ pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -
                 half_width: 0.1,
                 x_min: match (shape.kind, shape.symmetry) {
                     (ContactKind::Line, _) => 0.5,
-                    (_, Symmetry::Half) => -0.3,
+                    (_, Symmetry::Half) => OUTLET_FROM,
                     // The outlet may lie on any side.
                     (_, Symmetry::Full) => f64::NEG_INFINITY,
                 },
@@ -97,6 +101,28 @@ pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -
     surface.min(largest) + s.depth_growth * -x[2]
 }
 
+/// The same around the zone of a roller, in the plane where it is shortened: fine inside, finer along the outlet and at the ends.
+fn size_of_roller(roller: &RollerZone, s: &LevelSizes, at: [f64; 2]) -> f64 {
+    let (distance, inside) = roller.rim_distance(at);
+    let signed = if inside { -distance } else { distance };
+    // As the crescent of circles: from 0.15 inside to 0.05 outside.
+    let from_band = ((signed + 0.05).abs() - 0.1).max(0.0);
+    let outlet = |from: f64| match at[0] > OUTLET_FROM {
+        true => from,
+        false => from.hypot(OUTLET_FROM - at[0]),
+    };
+    let sizes = [
+        s.hertz + s.growth * signed.max(0.0),
+        s.constriction + s.growth * outlet(from_band),
+        s.rim + s.growth * (distance - s.rim_width).max(0.0),
+    ];
+    let largest = s.edge * (at[0].abs() / 3.0).max(1.0);
+    sizes.into_iter().fold(largest, f64::min)
+}
+
+/// Where the crescent of finer cells at the outlet begins, X.
+const OUTLET_FROM: f64 = -0.3;
+
 /// Share of s² or s that a cell of the longest edge s covers on average, in circular and in line contacts: halved until they are
 /// small enough, cells are smaller than that. Measured.
 const COVERED: [f64; 2] = [0.125, 0.75];
@@ -108,6 +134,11 @@ pub fn expected_unknowns(
     sizes: &LevelSizes,
     order: usize,
 ) -> f64 {
+    let k = order as f64;
+    if let Some(roller) = &shape.zone.roller {
+        return 0.5 * k * k * cells_of_roller(roller, extents, sizes)
+            / shape.symmetry.multiplicity();
+    }
     let reach = (-extents.inlet).max(extents.outlet).max(extents.side);
     let size = |x: f64, y: f64| size_at(shape, extents, sizes, [x, y, 0.0]);
     // Rings around the rim whose widths grow with the distance from it, from a fraction of the finest cell on.
@@ -144,10 +175,28 @@ pub fn expected_unknowns(
             }
         }
     }
-    let k = order as f64;
     match shape.kind.is_point() {
         // Counted over one half.
         true => 0.5 * k * k * cells * (2.0 / shape.symmetry.multiplicity()),
         false => k * cells,
     }
+}
+
+/// Cells of all of the film under a roller: in rows across, in steps that grow with the distance from the rim.
+fn cells_of_roller(roller: &RollerZone, extents: &Extents, sizes: &LevelSizes) -> f64 {
+    const ROWS: usize = 120;
+    let height = 2.0 * roller.side() / ROWS as f64;
+    let mut cells = 0.0;
+    for row in 0..ROWS {
+        let v = (row as f64 + 0.5) * height - roller.side();
+        let mut u = extents.inlet;
+        while u < extents.outlet {
+            let size = size_of_roller(roller, sizes, [u, v]);
+            let width = (0.5 * size).min(extents.outlet - u);
+            let size = size_of_roller(roller, sizes, [u + 0.5 * width, v]);
+            cells += width * height / (COVERED[0] * size * size);
+            u += width;
+        }
+    }
+    cells
 }

@@ -73,7 +73,7 @@ impl Deflection {
             ContactKind::Circular | ContactKind::Elliptical => {
                 self.largest(|x, v| v - hertz::deflection_profile(kind, x))
             }
-            ContactKind::Line => self.shape_error(kind),
+            ContactKind::Line | ContactKind::Roller => self.shape_error(kind),
         }
     }
 

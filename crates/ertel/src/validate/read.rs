@@ -211,6 +211,10 @@ fn set_groups(case: &mut Case, m: f64, l: f64) -> Result<(), String> {
             m * twice_speed.powf(0.75) * modulus * radius * radius
         }
         ContactKind::Line => m * twice_speed.sqrt() * modulus * radius,
+        ContactKind::Roller => {
+            let length = case.contact.roller.as_ref().map_or(1.0, |r| r.length);
+            m * twice_speed.sqrt() * modulus * radius * length
+        }
     };
     let alpha = l * twice_speed.powf(-0.25) / modulus;
     let law = match case.lubricant.viscosity {

@@ -6,6 +6,7 @@ pub mod rigid;
 use std::f64::consts::PI;
 
 use ertel::case::{Body, Case, Lubricant};
+use ertel::contact::roller::{Profile, Roller};
 use ertel::contact::{Contact, ContactKind, Elasticity, Hertz, Motion, Shape, reduced_modulus};
 use ertel::elastic::BodyConstants;
 use ertel::params::{MeshParams, MeshPreset, OutputParams, SolverParams, ThermalParams};
@@ -26,6 +27,15 @@ pub const GLASS: Elasticity = Elasticity {
     poissons_ratio: 0.208,
 };
 
+/// A short crowned roller, tilted by a milliradian.
+pub fn roller() -> Roller {
+    Roller {
+        length: 1.2e-3,
+        profile: Profile::Crown { crown_radius: 0.2 },
+        misalignment: 1e-3,
+    }
+}
+
 /// Steel on steel in a mineral oil after Roelands and Dowson-Higginson: R = 16 mm, 0.8 m/s; load
 /// in N (circular) or N/m (line).
 pub fn case(kind: ContactKind, load: f64) -> Case {
@@ -34,6 +44,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         title: String::new(),
         contact: match kind {
             ContactKind::Elliptical => Contact::elliptical([0.016, 0.024], load, 0.4),
+            ContactKind::Roller => Contact::of_roller(0.016, load, roller()),
             kind => Contact::of_one_radius(kind, 0.016, load),
         },
         plane: steel.clone(),
@@ -103,6 +114,7 @@ pub fn moes_case(kind: ContactKind, m: f64, l: f64) -> Case {
     let speed = 2.0 * viscosity * case.motion.entrainment_speed / (modulus * radius);
     case.contact.load = match kind {
         ContactKind::Line => m * modulus * radius * speed.sqrt(),
+        ContactKind::Roller => m * modulus * radius * speed.sqrt() * roller().length,
         ContactKind::Circular | ContactKind::Elliptical => {
             m * modulus * radius * radius * speed.powf(0.75)
         }
@@ -122,7 +134,9 @@ pub fn shape(kind: ContactKind) -> Shape {
     match kind {
         ContactKind::Line => Shape::LINE,
         ContactKind::Circular => Shape::CIRCULAR,
-        ContactKind::Elliptical => ertel::run::problem(&case(kind, 50.0)).shape,
+        ContactKind::Elliptical | ContactKind::Roller => {
+            ertel::run::problem(&case(kind, 50.0)).shape
+        }
     }
 }
 
@@ -144,7 +158,7 @@ pub fn noise(n: usize, seed: u64) -> Vec<f64> {
 pub fn hertz_bodies(kind: ContactKind, poissons_ratios: &[f64]) -> Vec<BodyConstants> {
     let reduced = match kind {
         ContactKind::Circular | ContactKind::Elliptical => PI,
-        ContactKind::Line => 4.0,
+        ContactKind::Line | ContactKind::Roller => 4.0,
     };
     (poissons_ratios.iter())
         .map(|nu| {

@@ -44,7 +44,7 @@ pub fn rigid(
 ) -> (Discretisation, State) {
     let bodies = match kind {
         ContactKind::Line | ContactKind::Circular => Elasticity::finite_elements(2, &[(1.0, 0.3)]),
-        ContactKind::Elliptical => Elasticity::half_space(2, &[(1.0, 0.3)]),
+        ContactKind::Elliptical | ContactKind::Roller => Elasticity::half_space(2, &[(1.0, 0.3)]),
     };
     let sizes = cells(size);
     let contact = ContactSurface::new(

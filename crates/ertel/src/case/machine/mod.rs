@@ -93,7 +93,7 @@ fn required_length(table: &mut Table<'_>, key: &str) -> Result<f64, InputError> 
 
 /// Refuses reduced radii that contacts cannot have.
 fn check_radii(table: &Table<'_>, contact: &Contact) -> Result<(), InputError> {
-    let radii = match contact.kind.is_point() {
+    let radii = match !contact.kind.is_cylinder() {
         true => vec![("R_x", contact.radius), ("R_y", contact.radius_y)],
         false => vec![("R", contact.radius)],
     };
@@ -103,7 +103,7 @@ fn check_radii(table: &Table<'_>, contact: &Contact) -> Result<(), InputError> {
             RADIUS.describe("m")
         )));
     }
-    let slender = match contact.kind.is_point() {
+    let slender = match !contact.kind.is_cylinder() {
         true => too_slender([contact.radius, contact.radius_y]),
         false => None,
     };

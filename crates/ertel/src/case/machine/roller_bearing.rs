@@ -4,10 +4,11 @@ use ertel_rheology::input::{InputError, Table};
 
 use super::bearing::{Ring, SOURCE, gamma, rolling};
 use super::{Machine, Rows, line_load, required_length};
+use crate::case::roller::read_roller;
 use crate::contact::Contact;
 
-/// Reads the keys of `kind = "roller-bearing"`; `reduced_modulus` in Pa. The load per length is that of a roller without
-/// crowning that does not tilt.
+/// Reads the keys of `kind = "roller-bearing"`; `reduced_modulus` in Pa. Without a `profile` the contact is a line, under
+/// the load per length of a roller without crowning that does not tilt.
 pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machine, InputError> {
     let ring = Ring::read(table)?;
     let diameter = required_length(table, "roller_diameter")?;
@@ -17,7 +18,12 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     let gamma = gamma(table, "roller_diameter", diameter, pitch_diameter, 0.0)?;
     let mut contact = Contact::line(ring.radius_of_rolling(diameter, gamma), 0.0);
     super::check_radii(table, &contact)?;
-    contact.load = line_load(table, "roller_load", length, &contact, reduced_modulus)?;
+    let line_load = line_load(table, "roller_load", length, &contact, reduced_modulus)?;
+    contact.load = line_load;
+    if table.contains("profile") {
+        let roller = read_roller(table, contact.radius, length, reduced_modulus)?;
+        contact = Contact::of_roller(contact.radius, line_load * length, roller);
+    }
     let mut rows = Rows::default();
     rows.text(
         "machine",
@@ -28,8 +34,8 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     );
     rows.number("γ = D/d_m", gamma, "");
     rows.length(ring.formula(), contact.radius);
-    rows.number("load of the roller", contact.load * length, "N");
-    rows.number("load per length Q/l", contact.load, "N/m");
+    rows.number("load of the roller", line_load * length, "N");
+    rows.number("load per length Q/l", line_load, "N/m");
     let (motion, _) = rolling(table, pitch_diameter, gamma, &mut rows)?;
     rows.text("source", SOURCE);
     Ok(Machine {

@@ -31,7 +31,7 @@ pub(super) fn fit(
         ContactKind::Circular | ContactKind::Elliptical => {
             nijenbanning_venner_moes_asymptotes(1.0, 1.0, 1.0)
         }
-        ContactKind::Line => moes_line_asymptotes(1.0, 1.0),
+        ContactKind::Line | ContactKind::Roller => moes_line_asymptotes(1.0, 1.0),
     };
     let residuals = |x: &[f64], r: &mut [f64]| {
         let constants = [x[0].exp(), x[1].exp(), x[2].exp()];

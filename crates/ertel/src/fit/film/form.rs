@@ -122,9 +122,9 @@ impl FilmForm {
                 format!("h = R √(2U) [(c_1 M^({m}))^s + (c_2 M^({n}) L^({l}))^s]^(1/s)").into()
             }
             Self::Speed => "h = c (u/(1 m/s))^a".into(),
-            Self::SpeedLoad(ContactKind::Circular | ContactKind::Elliptical) => {
-                "h = c (u/(1 m/s))^a (F/(1 N))^b".into()
-            }
+            Self::SpeedLoad(
+                ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
+            ) => "h = c (u/(1 m/s))^a (F/(1 N))^b".into(),
             Self::SpeedLoad(ContactKind::Line) => "h = c (u/(1 m/s))^a (w/(1 N/m))^b".into(),
         }
     }
@@ -161,7 +161,9 @@ impl FilmForm {
             Self::Moes | Self::Blend(_) => MOES,
             Self::HamrockDowson(_) => GROUPS,
             Self::Speed => &SPEED_AND_FORCE[..1],
-            Self::SpeedLoad(ContactKind::Circular | ContactKind::Elliptical) => SPEED_AND_FORCE,
+            Self::SpeedLoad(
+                ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
+            ) => SPEED_AND_FORCE,
             Self::SpeedLoad(ContactKind::Line) => SPEED_AND_LINE_LOAD,
         }
     }

@@ -141,12 +141,12 @@ fn source(table: &CsvTable, form: FilmForm, radius: Option<f64>) -> Result<Sourc
     let none = Dimension::DIMENSIONLESS;
     match form {
         FilmForm::Speed => Ok(Source::Columns(vec![speed()?])),
-        FilmForm::SpeedLoad(ContactKind::Circular | ContactKind::Elliptical) => {
-            Ok(Source::Columns(vec![
-                speed()?,
-                load(Dimension::FORCE, "N")?,
-            ]))
-        }
+        FilmForm::SpeedLoad(
+            ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
+        ) => Ok(Source::Columns(vec![
+            speed()?,
+            load(Dimension::FORCE, "N")?,
+        ])),
         FilmForm::SpeedLoad(ContactKind::Line) => Ok(Source::Columns(vec![
             speed()?,
             load(Dimension::FORCE_PER_LENGTH, "N_per_m")?,

@@ -16,10 +16,18 @@ use crate::contact::HertzZone;
 const MAP_HEIGHT: f64 = 330.0;
 const WIDTHS: [f64; 2] = [220.0, 760.0];
 
+/// Width over height from which a map is that of a long roller, and the least width of its frame, px.
+const LONG: f64 = 1.0 / 12.0;
+const LEAST_WIDTH_OF_LONG: f64 = 110.0;
+
 /// Height of the frame of a map, px: that of most, but wide and slender contacts keep their shape.
 pub(super) fn map_height([[x0, x1], [y0, y1]]: [[f64; 2]; 2]) -> f64 {
     let width_of_one = (x1 - x0) / (y1 - y0);
-    (MAP_HEIGHT * width_of_one).clamp(WIDTHS[0], WIDTHS[1]) / width_of_one
+    let least = match width_of_one < LONG {
+        true => LEAST_WIDTH_OF_LONG,
+        false => WIDTHS[0],
+    };
+    (MAP_HEIGHT * width_of_one).clamp(least, WIDTHS[1]) / width_of_one
 }
 
 /// A map of a field; lengths in Hertz half-widths.
@@ -122,6 +130,13 @@ impl FieldMap<'_> {
             let lines = regions.iter().flat_map(|r| &r.level_lines);
             let lines: String = lines.map(|line| polyline(line)).collect();
             svg.stroke(&lines, Stroke::solid("#262626", 0.45));
+        }
+        if let Some(roller) = &self.zone.roller {
+            let rim = roller.rim().into_iter();
+            let rim: Vec<[f64; 2]> = rim.map(|p| [frame.x(x, p[0]), frame.y(y, p[1])]).collect();
+            svg.stroke(&polyline(&rim), Stroke::solid(self.rim, 0.9));
+            svg.end_clip();
+            return;
         }
         let radius = frame.x(x, 1.0) - frame.x(x, 0.0);
         let (cx, cy) = (frame.x(x, 0.0), frame.y(y, 0.0));

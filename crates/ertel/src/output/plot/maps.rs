@@ -105,7 +105,7 @@ pub fn pressure_map(title: &str, solution: &Solution) -> String {
         colours,
         bar: Bar::Continuous([0.0, top]),
         bar_label: &format!("Pressure *p* ({unit})"),
-        zone: solution.shape.zone,
+        zone: solution.shape.zone.clone(),
         rim: "#ffffff",
     }
     .svg()
@@ -129,7 +129,7 @@ pub fn temperature_map(
         colours,
         bar: Bar::Continuous(bounds),
         bar_label: label,
-        zone: solution.shape.zone,
+        zone: solution.shape.zone.clone(),
         rim: "#ffffff",
     }
     .svg()
@@ -157,7 +157,7 @@ pub fn film_map(title: &str, solution: &Solution) -> String {
         colours,
         bar: Bar::Steps,
         bar_label: &format!("Film thickness *h* ({unit})"),
-        zone: solution.shape.zone,
+        zone: solution.shape.zone.clone(),
         rim: "#ffffff",
     }
     .svg()

@@ -277,7 +277,13 @@ impl<'a> StageRun<'a> {
             let place = stats.figures.get(figure)?.place?;
             Some(place.map(|x| x / problem.scales.length))
         };
-        let places = [place(Figure::PressureMaximum), place(Figure::Spike)];
+        let places = [
+            Figure::PressureMaximum,
+            Figure::Spike,
+            Figure::EdgePressureLeft,
+            Figure::EdgePressureRight,
+        ]
+        .map(place);
         stats.estimate = indicator.map(|i| i.estimate(d, places, problem.scales.pressure));
         if let (Some(estimate), Some(i)) = (&mut stats.estimate, indicator) {
             let unit = problem.fluid.stress_scale();

@@ -3,7 +3,7 @@
 use super::{Problem, StageSolution};
 use crate::elastic::Accuracy;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::{central_film, minimum_film};
+use crate::solve::evaluate::{central_film, fields_at, minimum_film};
 use crate::solve::system::State;
 
 /// Hertz pressure, and H0 such that the central film is the problem's start film.
@@ -25,6 +25,13 @@ pub(super) fn cold_start(problem: &Problem, d: &Discretisation) -> State {
             .map_or_else(Vec::new, |heat| heat.unheated()),
     };
     state.rigid_separation = problem.start_film - central_film(d, &state);
+    if let Some(roller) = &problem.shape.zone.roller {
+        // The middle of a tilted roller may not touch, and slices are not quite in balance.
+        let at = fields_at(d, &state, [0.0, roller.heaviest()]);
+        let loaded = at.map_or(0.0, |fields| problem.start_film - fields.film);
+        let (thinnest, _) = minimum_film(d, &state);
+        state.rigid_separation += loaded.max(0.5 * problem.start_film - thinnest);
+    }
     state
 }
 

@@ -195,9 +195,11 @@ fn stretched(d: &Discretisation, state: &State, q: f64) -> Vec<f64> {
             let stretch = if r < 1.0 { r / q + (1.0 - r) } else { 1.0 / q };
             let from = 1.0 + (r - 1.0) * stretch;
             let share = if r > 0.0 { from / r } else { 1.0 };
-            let excess =
-                pressure_at(d, state, [share * p[0], share * p[1]]) - hertz::pressure_profile(from);
-            (hertz::pressure_profile(r) + q.sqrt() * excess).max(0.0)
+            let zone = &d.contact.shape.zone;
+            let peak = zone.peak([p[0], p[1]]);
+            let excess = pressure_at(d, state, zone.drawn_in([p[0], p[1]], share))
+                - peak * hertz::pressure_profile(from);
+            (peak * hertz::pressure_profile(r) + q.sqrt() * excess).max(0.0)
         })
         .collect()
 }

@@ -1,0 +1,216 @@
+//! Rollers in case files.
+
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use ertel_rheology::input::{Document, InputError};
+
+use super::Case;
+use crate::contact::ContactKind;
+use crate::contact::roller::Profile;
+
+const REST: &str = r#"
+[bodies]
+plane = "steel"
+ball = "steel"
+[motion]
+entrainment_speed = "1 m/s"
+slide_to_roll_ratio = 0.0
+[lubricant]
+temperature = "40 degC"
+density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
+"#;
+
+const SIZES: &str = "radius = \"5 mm\"\nlength = \"8 mm\"";
+const LOG: &str = "profile = { kind = \"logarithmic\", design_load = \"1.5 kN\" }";
+const CROWN: &str = "profile = { kind = \"crown\", end_drop = \"5 um\" }";
+
+fn read(sizes: &str, load: &str, rest: &str) -> Result<Case, InputError> {
+    let text = format!("[contact]\nkind = \"roller\"\n{sizes}\n{load}\n{rest}\n{REST}");
+    Case::from_document(&Document::parse("case.toml", text.as_str())?, Path::new(""))
+}
+
+/// Loads per length by hand: 1 kN over 8 mm; the line contact of steel, E' = 230.77 GPa, has b² = 8 · 125e3 · 0.005/(π E') and
+/// 2w/(πb) = 958.2 MPa. As a pressure it gives the load back.
+#[test]
+fn load_or_pressure() {
+    let case = read(SIZES, "load = \"1 kN\"", LOG).unwrap();
+    assert_eq!(case.contact.kind, ContactKind::Roller);
+    assert_relative_eq!(case.contact.line_load(), 125e3, max_relative = 1e-12);
+    assert_relative_eq!(case.hertz().pressure, 958.2e6, max_relative = 1e-4);
+    let same = read(SIZES, "hertz_pressure = \"958.2 MPa\"", LOG).unwrap();
+    assert_relative_eq!(same.contact.load, 1e3, max_relative = 2e-4);
+    assert!(same.warnings.is_empty());
+}
+
+/// Every kind of profile, and the drop at the ends, m: an arc of 20 mm over 1 mm is 1 − √(1 − 1/400) = 1.25078e-3 of 20 mm.
+#[test]
+fn profiles() {
+    let iso = "profile = { kind = \"iso-16281\", diameter = \"10 mm\" }";
+    let straight =
+        "profile = { kind = \"straight\", straight_length = \"6 mm\", end_radius = \"20 mm\" }";
+    let table = "profile = { kind = \"table\", position = [\"0 mm\", \"3 mm\", \"4 mm\"], drop = [\"0 um\", \"1 um\", \"9 um\"] }";
+    let crown = "profile = { kind = \"crown\", crown_radius = \"1.6 m\" }";
+    for (text, end) in [
+        (straight, 25.0156e-6),
+        (table, 9e-6),
+        (CROWN, 5e-6),
+        (crown, 5.0e-6),
+    ] {
+        let case = read(SIZES, "load = \"1 kN\"", text).unwrap();
+        let roller = case.contact.roller.as_ref().unwrap();
+        let [drop, _] = roller.profile.drop(roller.length, 0.5 * roller.length);
+        assert_relative_eq!(drop, end, max_relative = 1e-4);
+        assert!(roller.is_symmetric());
+    }
+    let case = read(SIZES, "load = \"1 kN\"", iso).unwrap();
+    let roller = case.contact.roller.unwrap();
+    assert_eq!(roller.profile, Profile::iso_16281(0.008, 0.01));
+    let tilted = format!("{CROWN}\nmisalignment = \"0.01 deg\"");
+    let case = read(SIZES, "load = \"1 kN\"", &tilted).unwrap();
+    let roller = case.contact.roller.unwrap();
+    assert_relative_eq!(roller.misalignment, 1.745_33e-4, max_relative = 1e-5);
+    assert!(!roller.is_symmetric());
+}
+
+/// Each names the line and what is wrong.
+#[test]
+fn bad_rollers() {
+    let table = |positions: &str, drops: &str| {
+        format!("profile = {{ kind = \"table\", position = [{positions}], drop = [{drops}] }}")
+    };
+    let load = "load = \"1 kN\"";
+    let negative = "radius = \"5 mm\"\nlength = \"-8 mm\"";
+    let short = "radius = \"5 mm\"\nlength = \"0.5 mm\"";
+    let tilted = |tilt: &str| format!("{CROWN}\nmisalignment = {tilt}");
+    let sharp =
+        "profile = { kind = \"straight\", straight_length = \"7.99 mm\", end_radius = \"1 mm\" }";
+    let small_arc =
+        "profile = { kind = \"straight\", straight_length = \"2 mm\", end_radius = \"1 mm\" }";
+    for (sizes, rest, line, expected) in [
+        (negative, CROWN.to_owned(), 4, "must be between 1e-6 m"),
+        (
+            short,
+            CROWN.to_owned(),
+            4,
+            "is shorter than 4 half-widths of the contact",
+        ),
+        (SIZES, String::new(), 1, "`profile`"),
+        (
+            SIZES,
+            table(
+                "\"0 mm\", \"4 mm\", \"3 mm\"",
+                "\"0 um\", \"1 um\", \"2 um\"",
+            ),
+            6,
+            "positions increase",
+        ),
+        (
+            SIZES,
+            table(
+                "\"0 mm\", \"3 mm\", \"4 mm\"",
+                "\"0 um\", \"2 um\", \"1 um\"",
+            ),
+            6,
+            "drops grow towards both ends",
+        ),
+        (
+            SIZES,
+            table(
+                "\"0 mm\", \"2 mm\", \"3 mm\"",
+                "\"0 um\", \"1 um\", \"2 um\"",
+            ),
+            6,
+            "but the roller from",
+        ),
+        (
+            SIZES,
+            table("\"0 mm\", \"3 mm\", \"4 mm\"", "\"0 um\", \"1 um\""),
+            6,
+            "2 drops for 3 positions",
+        ),
+        (
+            SIZES,
+            "profile = { kind = \"crown\", end_drop = 5 }".to_owned(),
+            6,
+            "unit",
+        ),
+        (SIZES, tilted("0.01"), 7, "unit"),
+        (
+            SIZES,
+            tilted("\"0.3 deg\""),
+            7,
+            "lifts the whole roller off",
+        ),
+        (SIZES, sharp.to_owned(), 6, "sharp edges"),
+        (SIZES, small_arc.to_owned(), 6, "does not reach"),
+        (
+            SIZES,
+            "profile = { kind = \"round\" }".to_owned(),
+            6,
+            "logarithmic",
+        ),
+        (
+            SIZES,
+            format!("{CROWN}\n[mesh]\nside = 3"),
+            8,
+            "the film ends with its `length`",
+        ),
+        (
+            SIZES,
+            format!("{CROWN}\n[solver]\nelasticity = \"equivalent\""),
+            2,
+            "a roller needs half-spaces",
+        ),
+    ] {
+        let error = read(sizes, load, &rest).unwrap_err().to_string();
+        assert!(error.contains(expected), "{expected}: {error}");
+        assert!(
+            error.contains(&format!("case.toml:{line}:")),
+            "{line}: {error}"
+        );
+    }
+}
+
+/// The example of the reference is a case.
+#[test]
+fn the_documented_roller() {
+    let text = include_str!("../../../../docs/reference/case-file.md");
+    let (_, section) = text.split_once("### Rollers").unwrap();
+    let (_, example) = section.split_once("```toml\n").unwrap();
+    let (example, _) = example.split_once("```").unwrap();
+    let text = format!("{example}{REST}");
+    let document = Document::parse("case.toml", text.as_str()).unwrap();
+    let case = Case::from_document(&document, Path::new("")).unwrap();
+    assert_relative_eq!(
+        case.contact.roller.unwrap().misalignment,
+        0.005_f64.to_radians()
+    );
+}
+
+/// A roller bearing with a profile has the load of the roller, not that per length; without one it is a line.
+#[test]
+fn a_roller_of_a_bearing() {
+    let machine = "[machine]\nkind = \"roller-bearing\"\nring = \"inner\"\nroller_diameter = \"10 mm\"\n\
+                   pitch_diameter = \"50 mm\"\nroller_length = \"12 mm\"\nroller_load = \"2 kN\"\n\
+                   inner_ring_speed = \"900 rpm\"\n";
+    let (bodies, rest) = REST.split_once("[motion]").unwrap();
+    let (_, lubricant) = rest.split_once("[lubricant]").unwrap();
+    let read = |profile: &str| {
+        let text = format!("{machine}{profile}\n{bodies}\n[lubricant]{lubricant}");
+        let document = Document::parse("case.toml", text.as_str()).unwrap();
+        Case::from_document(&document, Path::new("")).unwrap()
+    };
+    let line = read("");
+    let roller = read("profile = { kind = \"iso-16281\", diameter = \"10 mm\" }");
+    assert_eq!(line.contact.kind, ContactKind::Line);
+    assert_eq!(roller.contact.kind, ContactKind::Roller);
+    assert_relative_eq!(roller.contact.load, 2e3, max_relative = 1e-12);
+    assert_relative_eq!(
+        roller.contact.line_load(),
+        line.contact.load,
+        max_relative = 1e-12
+    );
+    assert_eq!(roller.contact.radius, line.contact.radius);
+}

@@ -1,0 +1,211 @@
+//! Rollers of finite length against lines, ellipses and closed forms.
+
+mod common;
+
+use std::sync::Arc;
+
+use approx::assert_relative_eq;
+use common::{case, heated};
+use ertel::case::Case;
+use ertel::contact::roller::{Profile, Roller};
+use ertel::contact::{Contact, ContactKind, Hertz, Symmetry};
+use ertel::elastic::Accuracy;
+use ertel::params::{MeshParams, MeshPreset};
+use ertel::run::solve;
+use ertel::solution::{Estimate, Solution};
+use ertel::solve::Silent;
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
+
+const RADIUS: f64 = 0.016;
+const PRESSURE: f64 = 0.7e9;
+
+/// A roller under a load (N), refined to films within 1 %.
+fn roller(load: f64, length: f64, profile: Profile, misalignment: f64) -> Case {
+    let mut case = case(ContactKind::Circular, 1.0);
+    let roller = Roller {
+        length,
+        profile,
+        misalignment,
+    };
+    case.contact = Contact::of_roller(RADIUS, load, roller);
+    case.mesh = MeshParams::adaptive(1e-2, ContactKind::Roller);
+    case
+}
+
+/// The line contact at the pressure of these tests.
+fn line() -> Case {
+    let mut case = case(ContactKind::Circular, 1.0);
+    case.contact = Contact::line(RADIUS, 1.0);
+    case.contact.load = Hertz::load_for_pressure(&case.contact, case.reduced_modulus(), PRESSURE);
+    case.mesh = MeshParams::preset(MeshPreset::Fine, ContactKind::Line);
+    case
+}
+
+/// A roller of this length with Lundberg's profile for the load per length of that line, under that load.
+fn lundberg(length: f64) -> Case {
+    let line = line();
+    let (w, modulus) = (line.contact.load, line.reduced_modulus());
+    let b = line.hertz().half_width;
+    roller(
+        w * length,
+        length,
+        Profile::lundberg(length, w, b, modulus),
+        0.0,
+    )
+}
+
+fn solved(case: &Case) -> Solution {
+    solve(case, &mut Silent).unwrap()
+}
+
+/// Whether two figures agree within their bars and a share of themselves.
+fn assert_alike(a: Estimate, b: Estimate, share: f64) {
+    let bar = a.error.unwrap() + b.error.unwrap() + share * b.value.abs();
+    assert!((a.value - b.value).abs() <= bar, "{a:?} {b:?}");
+}
+
+/// In the middle of a long roller of uniform pressure the film and the outlet are those of the line contact.
+#[test]
+fn the_middle_of_a_long_roller_is_a_line() {
+    let (long, line) = (solved(&lundberg(0.012)), solved(&line()));
+    assert_eq!(long.shape.symmetry, Symmetry::Half);
+    assert_alike(long.summary.film_central, line.summary.film_central, 5e-3);
+    assert_alike(
+        long.summary.film_centreline_minimum.estimate(),
+        line.summary.film_centreline_minimum.estimate(),
+        5e-3,
+    );
+    assert_alike(
+        long.summary.outlet_position,
+        line.summary.outlet_position,
+        5e-3,
+    );
+    assert!(long.summary.load_balance_error < 1e-10);
+    // The ends of a profile for uniform pressure have the thinnest film.
+    let thinnest = long.summary.film_minimum_at;
+    assert!(thinnest.y < -0.45 * 0.012, "{thinnest:?}");
+}
+
+/// Under uniform Hertz pressure half-spaces close the gap of Lundberg's profile: G + δ is level on the middle line, but for the last
+/// half-widths, by 3 % of the drop at the ends.
+#[test]
+fn uniform_pressure_closes_the_gap_of_lundberg() {
+    let problem = ertel::run::problem(&lundberg(0.02));
+    let contact = ContactSurface::new(
+        &problem.shape,
+        &problem.extents,
+        &common::uniform(0.06),
+        &problem.elasticity,
+        Means::default(),
+    );
+    let d = Discretisation::new(&Arc::new(contact.unwrap()), 2);
+    let pressure = d.pressure.points.iter();
+    let pressure: Vec<f64> = pressure
+        .map(|p| (1.0 - p[0] * p[0]).max(0.0).sqrt())
+        .collect();
+    let deflection = d.deflect(&pressure, Accuracy::Full);
+    let zone = &d.contact.shape.zone;
+    let half = zone.roller.as_ref().unwrap().half_length();
+    let gap = &d.contact.shape.gap;
+    let levels: Vec<f64> = (d.contact.deflection.points.iter().zip(&deflection))
+        .filter(|(p, _)| p[0].abs() < 0.02 && p[1].abs() < half - 3.0)
+        .map(|(p, v)| gap.value([p[0], p[1]]) + v)
+        .collect();
+    let low = levels.iter().fold(f64::INFINITY, |m, v| m.min(*v));
+    let high = levels.iter().fold(f64::NEG_INFINITY, |m, v| m.max(*v));
+    let drop = gap.value([0.0, half]);
+    assert!(levels.len() > 20 && drop > 1.0, "{} {drop}", levels.len());
+    assert!(high - low < 0.03 * drop, "{low} to {high}, drop {drop}");
+}
+
+/// Radius of the crown of these tests, m.
+const CROWN: f64 = 20.0 * RADIUS;
+
+/// The ellipse of a crowned roller that is longer than its contact, and the roller, tilted by an angle (rad).
+fn crowned(tilt: f64) -> [Case; 2] {
+    let mut ellipse = case(ContactKind::Circular, 1.0);
+    let contact = Contact::elliptical([RADIUS, CROWN], 1.0, 0.0);
+    let load = Hertz::load_for_pressure(&contact, ellipse.reduced_modulus(), PRESSURE);
+    ellipse.contact = Contact { load, ..contact };
+    ellipse.mesh = MeshParams::adaptive(1e-2, ContactKind::Elliptical);
+    let length = 5.0 * ellipse.hertz().half_width_y.unwrap();
+    let profile = Profile::Crown {
+        crown_radius: CROWN,
+    };
+    let roller = roller(load, length, profile, tilt);
+    [ellipse, roller]
+}
+
+/// A crowned roller that is longer than its contact has a Hertz ellipse, and its films and pressure.
+#[test]
+fn a_crowned_roller_is_an_ellipse() {
+    let [ellipse, roller] = crowned(0.0).map(|case| solved(&case));
+    assert_alike(
+        roller.summary.film_central,
+        ellipse.summary.film_central,
+        2e-3,
+    );
+    assert_alike(
+        roller.summary.film_minimum,
+        ellipse.summary.film_minimum,
+        2e-3,
+    );
+    let [p, q] = [&roller, &ellipse].map(|s| s.summary.pressure_maximum.estimate());
+    assert_alike(p, q, 5e-3);
+    // The half-length of what slices take for the contact is that of the ellipse.
+    let [_, along_y] = roller.shape.zone.half_extents();
+    let semi_axis = ellipse.hertz.half_width_y.unwrap() / roller.hertz.half_width;
+    assert_relative_eq!(along_y, semi_axis, max_relative = 0.05);
+}
+
+/// A tilt θ moves the contact of a crown of the radius R along it by θR, towards the end that it presses in; the opposite tilt to the
+/// other one. The film does not change, nor does the pressure.
+#[test]
+fn a_tilt_shifts_the_contact_along_the_crown() {
+    let [ellipse, _] = crowned(0.0);
+    let semi_axis = ellipse.hertz().half_width_y.unwrap();
+    let tilt = 0.4 * semi_axis / CROWN;
+    let ellipse = solved(&ellipse);
+    let [right, left] = [tilt, -tilt].map(|angle| {
+        let [_, case] = crowned(angle);
+        let solution = solved(&case);
+        assert_eq!(solution.shape.symmetry, Symmetry::Full);
+        assert_alike(
+            solution.summary.film_minimum,
+            ellipse.summary.film_minimum,
+            5e-3,
+        );
+        let figures = solution.roller.unwrap();
+        let position = figures.load_position;
+        let bar = position.error.unwrap() + 2e-3 * semi_axis;
+        let shift = angle * CROWN;
+        assert!((position.value - shift).abs() < bar, "{position:?} {shift}");
+        let moment = figures.roller_moment.value;
+        assert_relative_eq!(
+            moment,
+            case.contact.load * position.value,
+            max_relative = 1e-9
+        );
+        figures
+    });
+    // Mirror images: the ends exchange their pressures.
+    let [a, b] = [&right, &left].map(|f| [&f.edge_pressure_right, &f.edge_pressure_left]);
+    assert_alike(a[0].estimate(), b[1].estimate(), 5e-3);
+    assert!(a[0].value > 2.0 * a[1].value && b[1].value > 2.0 * b[0].value);
+    assert!(a[0].y > 0.0 && b[1].y < 0.0);
+}
+
+/// Heat under a tilted roller: what is made is carried off, and the film is warmer than what flows in.
+#[test]
+fn heat_of_a_tilted_roller() {
+    let [_, mut case] = crowned(2e-4);
+    case = heated(case);
+    case.motion.slide_to_roll_ratio = 0.2;
+    case.mesh = MeshParams::preset(MeshPreset::Coarse, ContactKind::Roller);
+    let solution = solved(&case);
+    let thermal = solution.thermal.as_ref().unwrap();
+    let error = thermal.balance.error;
+    assert!(error.abs() < 0.02, "{error}");
+    assert!(thermal.film_maximum.value > case.lubricant.temperature + 1.0);
+    assert!(solution.roller.unwrap().load_position.value > 0.0);
+}
