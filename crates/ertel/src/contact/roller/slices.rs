@@ -56,10 +56,8 @@ impl Slices {
     /// Load per length at y, in the mean one.
     pub fn load(&self, y: f64) -> f64 {
         let place = (y + self.half_length) / self.width - 0.5;
-        let at = |i: f64| match i >= 0.0 && (i as usize) < self.load.len() {
-            true => self.load[i as usize],
-            false => 0.0,
-        };
+        // A load that the end of the roller cuts off goes on to there.
+        let at = |i: f64| self.load[(i.max(0.0) as usize).min(self.load.len() - 1)];
         let below = place.floor();
         let share = place - below;
         (1.0 - share) * at(below) + share * at(below + 1.0)

@@ -226,12 +226,12 @@ mod tests {
     fn the_pressure_carries_the_load() {
         let zone = zone();
         let n = 1500;
-        let [dx, dy] = [3.2 / f64::from(n), 100.0 / f64::from(n)];
+        let [dx, dy] = [5.0 / f64::from(n), 100.0 / f64::from(n)];
         let (mut load, mut area) = (0.0, 0.0);
         for i in 0..n {
             for j in 0..n {
                 let at = [
-                    (f64::from(i) + 0.5) * dx - 1.6,
+                    (f64::from(i) + 0.5) * dx - 2.5,
                     (f64::from(j) + 0.5) * dy - 50.0,
                 ];
                 load += zone.pressure(at) * dx * dy;
