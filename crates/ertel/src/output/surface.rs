@@ -15,7 +15,7 @@ pub(super) struct Mirrored {
 
 /// The half y ≤ 0 with its mirror image.
 pub(super) fn mirror(points: &[[f64; 2]], cells: &[[u32; 3]]) -> Mirrored {
-    let on_centreline = near_centreline(points);
+    let on_centreline = near_zero(points.iter().map(|p| p[1]));
     let mut whole = Mirrored {
         points: points.to_vec(),
         cells: cells.to_vec(),
@@ -37,10 +37,10 @@ pub(super) fn mirror(points: &[[f64; 2]], cells: &[[u32; 3]]) -> Mirrored {
     whole
 }
 
-/// Whether a y is that of the centreline, for all that rounding does.
-pub(super) fn near_centreline(points: &[[f64; 2]]) -> impl Fn(f64) -> bool + use<> {
-    let reach = points.iter().fold(0.0, |r: f64, p| r.max(p[1].abs()));
-    move |y| y.abs() <= 1e-9 * reach
+/// Whether a number among others counts as zero, for all that rounding does.
+pub(super) fn near_zero(all: impl Iterator<Item = f64>) -> impl Fn(f64) -> bool {
+    let reach = all.fold(0.0, |r: f64, v| r.max(v.abs()));
+    move |v| v.abs() <= 1e-9 * reach
 }
 
 /// Fields on the whole contact area: a half y ≤ 0 with its mirror image, nodes on y = 0 shared; one that was solved whole as

@@ -2,13 +2,13 @@
 
 use ertel_fem::element::Lagrange;
 
-use super::super::surface::near_centreline;
+use super::super::surface::near_zero;
 use super::sampling::{CORNERS, value};
 use crate::solution::{ElementFields, Polynomials, Solution};
 
 /// A field along y = 0, times a factor, over x/a.
 pub(crate) fn profile(solution: &Solution, field: &Polynomials, factor: f64) -> Vec<[f64; 2]> {
-    (along_centreline(&solution.elements, field).into_iter())
+    (along(&solution.elements, field, X).into_iter())
         .map(|[x, v]| [x / solution.hertz.half_width, factor * v])
         .collect()
 }
@@ -19,71 +19,50 @@ pub(crate) fn profile_across(
     field: &Polynomials,
     factor: f64,
 ) -> Vec<[f64; 2]> {
-    (along_x_zero(&solution.elements, field).into_iter())
+    (along(&solution.elements, field, Y).into_iter())
         .map(|[y, v]| [y / solution.hertz.half_width, factor * v])
         .collect()
-}
-
-/// A field along x = 0, where this line cuts the triangles: y, m, rising, and value, SI.
-fn along_x_zero(elements: &ElementFields, field: &Polynomials) -> Vec<[f64; 2]> {
-    if field.values.is_empty() || elements.dim != 2 {
-        return Vec::new();
-    }
-    let lagrange = Lagrange::new(elements.dim, field.order);
-    let mut line = Vec::new();
-    for (element, cell) in elements.cells.iter().enumerate() {
-        let corners = cell.map(|n| elements.vertices[n as usize]);
-        // Where it enters and leaves: y, and the place in the reference triangle. A corner on the line belongs to the
-        // edges on its right.
-        let mut ends: Vec<(f64, [f64; 3])> = Vec::new();
-        for (i, j) in [(0, 1), (1, 2), (2, 0)] {
-            let (a, b) = (corners[i], corners[j]);
-            if (a[0] < 0.0) != (b[0] < 0.0) {
-                let t = a[0] / (a[0] - b[0]);
-                let xi =
-                    [0, 1, 2].map(|k: usize| CORNERS[i][k] + t * (CORNERS[j][k] - CORNERS[i][k]));
-                ends.push((a[1] + t * (b[1] - a[1]), xi));
-            }
-        }
-        if let [(y0, from), (y1, to)] = ends[..] {
-            for k in 0..=PER_EDGE {
-                let t = k as f64 / PER_EDGE as f64;
-                let xi = [0, 1, 2].map(|i: usize| from[i] + t * (to[i] - from[i]));
-                line.push([y0 + t * (y1 - y0), value(&lagrange, field, element, xi)]);
-            }
-        }
-    }
-    line.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    line
 }
 
 /// Samples per element edge.
 const PER_EDGE: usize = 32;
 
-/// A field along y = 0, by its polynomials: x, m, rising, and value, SI.
-fn along_centreline(elements: &ElementFields, field: &Polynomials) -> Vec<[f64; 2]> {
+/// Axes of coordinates.
+const X: usize = 0;
+const Y: usize = 1;
+
+/// A field along an axis, by its polynomials: x or y, m, rising, and value, SI.
+fn along(elements: &ElementFields, field: &Polynomials, axis: usize) -> Vec<[f64; 2]> {
     let lagrange = match field.values.is_empty() {
         true => return Vec::new(),
         false => Lagrange::new(elements.dim, field.order),
     };
-    let on_centreline = near_centreline(&elements.vertices);
+    // Along the axis, and across it.
+    let turned = |v: u32| [axis, 1 - axis].map(|k| elements.vertices[v as usize][k]);
+    let across = elements.vertices.iter().map(|v| v[1 - axis]);
+    let on_axis = near_zero(across);
     let mut edges: Vec<Piece> = Vec::new();
     for (element, cell) in elements.cells.iter().enumerate() {
         for (i, j) in [(0, 1), (1, 2), (2, 0)] {
             if i.max(j) > elements.dim {
                 continue;
             }
-            let [a, b] = [cell[i], cell[j]].map(|n| elements.vertices[n as usize]);
-            if !(on_centreline(a[1]) && on_centreline(b[1])) {
+            let [a, b] = [cell[i], cell[j]].map(turned);
+            if !(on_axis(a[1]) && on_axis(b[1])) {
                 continue;
             }
             edges.push(rising([a[0], b[0]], element, [CORNERS[i], CORNERS[j]]));
         }
         if elements.dim == 2 {
-            edges.extend(chord(elements, element, &on_centreline));
+            edges.extend(chord(cell.map(turned), element, &on_axis));
         }
     }
     edges.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+    // An edge with an element on either side counts once.
+    edges.dedup_by(|b, a| {
+        let [from, to] = [0, 1].map(|k: usize| (a.0[k] - b.0[k]).abs());
+        from + to <= 1e-9 * (a.0[1] - a.0[0])
+    });
     let sample = |([x0, x1], element, [from, to]): &Piece, k: usize| {
         let t = k as f64 / PER_EDGE as f64;
         let xi = [0, 1, 2].map(|i: usize| from[i] + t * (to[i] - from[i]));
@@ -97,7 +76,7 @@ fn along_centreline(elements: &ElementFields, field: &Polynomials) -> Vec<[f64; 
     line
 }
 
-/// A piece of the centreline: its ends, the element, and the same in the element's coordinates.
+/// A piece of the axis: its ends, the element, and the same in the element's coordinates.
 type Piece = ([f64; 2], usize, [[f64; 3]; 2]);
 
 fn rising([a, b]: [f64; 2], element: usize, [from, to]: [[f64; 3]; 2]) -> Piece {
@@ -107,20 +86,9 @@ fn rising([a, b]: [f64; 2], element: usize, [from, to]: [[f64; 3]; 2]) -> Piece 
     }
 }
 
-/// The piece of the centreline inside a triangle that it cuts.
-fn chord(
-    elements: &ElementFields,
-    element: usize,
-    on_centreline: &impl Fn(f64) -> bool,
-) -> Option<Piece> {
-    let corners = elements.cells[element].map(|n| elements.vertices[n as usize]);
-    let side = corners.map(|c| {
-        if on_centreline(c[1]) {
-            0.0
-        } else {
-            c[1].signum()
-        }
-    });
+/// The piece of the axis inside a triangle that it cuts; of the corners the coordinates along and across it.
+fn chord(corners: [[f64; 2]; 3], element: usize, on_axis: &impl Fn(f64) -> bool) -> Option<Piece> {
+    let side = corners.map(|c| if on_axis(c[1]) { 0.0 } else { c[1].signum() });
     if !(side.contains(&1.0) && side.contains(&-1.0)) {
         return None;
     }
@@ -164,12 +132,34 @@ mod tests {
                 .map(|n| value(vertices[*n as usize]))
                 .collect(),
         };
-        let line = along_centreline(&elements, &field);
+        let line = along(&elements, &field, X);
         // By hand: y = 0 meets the sides at x = −1/2, 5/4 and 7/3.
         assert!((line[0][0] + 0.5).abs() < 1e-12);
         assert!((line[line.len() - 1][0] - 7.0 / 3.0).abs() < 1e-12);
         assert!(line.is_sorted_by(|a, b| a[0] < b[0]));
         assert!(line.iter().all(|[x, v]| (v - 3.0 * x).abs() < 1e-12));
+    }
+
+    /// Triangles on both sides of an edge on the line: each piece of it once, and rising.
+    #[test]
+    fn an_edge_between_two_triangles_counts_once() {
+        let vertices = vec![[-1.0, 0.0], [1.0, 0.0], [0.0, -1.0], [0.0, 1.0], [3.0, 0.0]];
+        let elements = ElementFields {
+            dim: 2,
+            cells: vec![[0, 1, 2], [1, 0, 3], [1, 4, 3]],
+            vertices: vertices.clone(),
+            ..ElementFields::default()
+        };
+        let field = Polynomials {
+            order: 1,
+            values: (elements.cells.iter().flatten())
+                .map(|n| vertices[*n as usize][0])
+                .collect(),
+        };
+        let line = along(&elements, &field, X);
+        assert_eq!(line.len(), 2 * PER_EDGE + 1);
+        assert!(line.is_sorted_by(|a, b| a[0] < b[0]));
+        assert!(line.iter().all(|[x, v]| (v - x).abs() < 1e-12));
     }
 
     /// y² + x on two triangles of order 2, one on each side of the line, and a third one left of it.
@@ -198,8 +188,8 @@ mod tests {
             cells: cells.to_vec(),
             ..ElementFields::default()
         };
-        let line = along_x_zero(&elements, &Polynomials { order: 2, values });
-        assert_eq!(line.len(), 2 * (PER_EDGE + 1));
+        let line = along(&elements, &Polynomials { order: 2, values }, Y);
+        assert_eq!(line.len(), 2 * PER_EDGE + 1);
         assert_eq!((line[0][0], line[line.len() - 1][0]), (-2.0, 0.0));
         for [y, v] in line {
             assert!((v - y * y).abs() < 1e-12, "{y} {v}");
@@ -227,7 +217,7 @@ mod tests {
             cells: vec![[0, 1, 0], [1, 2, 0]],
             ..ElementFields::default()
         };
-        let line = along_centreline(&elements, &field);
+        let line = along(&elements, &field, X);
         assert_eq!(line.len(), 2 * PER_EDGE + 1);
         assert!(line.is_sorted_by(|a, b| a[0] < b[0]));
         for [x, v] in &line {
@@ -236,6 +226,6 @@ mod tests {
         let top = (line.iter()).filter(|p| (0.0..0.8).contains(&p[0]));
         let top = top.map(|p| p[1]).fold(0.0, f64::max);
         assert!(top > 0.99, "{top}");
-        assert!(along_centreline(&elements, &Polynomials::default()).is_empty());
+        assert!(along(&elements, &Polynomials::default(), X).is_empty());
     }
 }
