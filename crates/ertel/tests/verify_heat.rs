@@ -13,6 +13,7 @@ use ertel::forms::energy::{FilmPlace, Layer, film_column};
 use ertel::run::problem;
 use ertel::solve::discretisation::Extents;
 use ertel::solve::heat::column::Column;
+use ertel::solve::heat::newton::{HeatError, HeatNewton, HeatParams};
 use ertel_fem::quadrature::Quadrature;
 use ertel_rheology::{ConductivityLaw, ViscosityLaw};
 
@@ -422,4 +423,28 @@ fn scaled_k0(z: f64) -> f64 {
         }
     }
     h * sum
+}
+
+/// Heat beyond what a matrix in single precision carries is refused as such, not as a preconditioner that breaks down.
+#[test]
+fn heat_beyond_all_bounds_is_refused() {
+    let case = heated_case(ContactKind::Line, 6);
+    let problem = problem(&case);
+    let heat = &problem.heat.as_ref().unwrap().heat;
+    let column = Column::new(6, 4, 1.2, [0.3, 0.3]);
+    let (d, state) = rigid(ContactKind::Line, &EXTENTS, 0.5, 1, column, heat);
+    for (made, refused) in [(1e8, false), (1e60, true)] {
+        let source = |_: [f64; 2], layer: Layer| match layer {
+            Layer::Film(_) => made,
+            Layer::Plane(_) | Layer::Ball(_) => 0.0,
+        };
+        let mut newton = HeatNewton::new(&d, &problem.fluid, heat, HeatParams::default())
+            .with_source(Some(&source));
+        let step = newton.step(&mut state.clone());
+        assert_eq!(
+            matches!(step, Err(HeatError::Overheated)),
+            refused,
+            "{made:e}: {step:?}"
+        );
+    }
 }

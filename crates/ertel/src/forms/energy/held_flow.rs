@@ -122,7 +122,7 @@ impl<L: Fluidity> Driven<'_, L> {
             };
             let step = (next - ln_factor).abs();
             // Not a number: the caller finds out by the heat.
-            if !(step > CLOSE) {
+            if step <= CLOSE || step.is_nan() {
                 break;
             }
             ln_factor = next;

@@ -63,7 +63,7 @@ pub(super) fn divide_by_mass(d: &Discretisation, space: &HeatSpace, sums: &mut [
     sums.fill(0.0);
     for _ in 0..MOST_ITERATIONS {
         // also where nothing flows across, or what does is not a number
-        if !(square > goal) {
+        if square <= goal || square.is_nan() {
             break;
         }
         product(&direction, &mut images);

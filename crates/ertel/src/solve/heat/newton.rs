@@ -39,6 +39,9 @@ const LONGEST_WARMING: f64 = 1e4;
 /// Factor by which time steps are shortened or lengthened.
 const WARMING_FACTOR: f64 = 2.0;
 
+/// Residual, W/m² times half-widths squared, beyond which no matrix in single precision is factorised: the sun's surface radiates 6e7 W/m².
+const BEYOND_BOUNDS: f64 = 1e30;
+
 impl Default for HeatParams {
     fn default() -> Self {
         HeatParams {
@@ -67,6 +70,12 @@ pub enum HeatError {
     /// The linear solver did not converge.
     #[error(transparent)]
     Krylov(#[from] GmresError),
+    /// The heat of shearing is beyond all bounds, as where a pressure gradient asks for more than the limiting stress.
+    #[error(
+        "shearing heats the film beyond all bounds: at the pressures found so far its stress is far above what its law bears (a limiting \
+         stress, or Eyring's, that grows exponentially beyond)"
+    )]
+    Overheated,
     /// A temperature or a source is not a number.
     #[error("the heat of the film is not finite")]
     NotFinite,
@@ -151,7 +160,8 @@ impl<'a> HeatNewton<'a> {
             let shortest = self.damping * SHORTEST_WARMING >= 1.0;
             match solved {
                 Ok(found) if shortest || max_abs(&found.0) <= largest_step => break found,
-                Err(HeatError::NotFinite) => return Err(HeatError::NotFinite),
+                // Steps in time change the matrix, not these.
+                Err(e @ (HeatError::NotFinite | HeatError::Overheated)) => return Err(e),
                 Err(e) if shortest => return Err(e),
                 _ => self.damping = (WARMING_FACTOR * self.damping).max(1.0 / FIRST_WARMING),
             }
@@ -192,6 +202,9 @@ impl<'a> HeatNewton<'a> {
         let right: Vec<f64> = system.residual.iter().map(|r| -r).collect();
         if right.iter().any(|r| !r.is_finite()) {
             return Err(HeatError::NotFinite);
+        }
+        if max_abs(&right) > BEYOND_BOUNDS {
+            return Err(HeatError::Overheated);
         }
         let mut ilu = BlockIlu::new(&self.matrix)?;
         let mut change = vec![0.0; right.len()];
