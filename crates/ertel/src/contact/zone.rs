@@ -85,6 +85,14 @@ impl HertzZone {
         }
     }
 
+    /// Half the length of the zone on the centreline y = 0.
+    pub fn centreline_half_width(&self) -> f64 {
+        match &self.roller {
+            None => self.stretch_along_motion(),
+            Some(roller) => roller.peak(0.0),
+        }
+    }
+
     /// How long a cell is along the motion that would be of the length 1 around the unit circle.
     pub fn stretch_along_motion(&self) -> f64 {
         let [x, y] = self.unit([1.0, 0.0]);

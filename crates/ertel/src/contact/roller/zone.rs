@@ -217,7 +217,8 @@ mod tests {
         assert_eq!(zone.unit(0.0), 0.0);
         assert_relative_eq!(zone.unit(50.0), zone.side(), max_relative = 1e-14);
         assert_eq!((2.0 * zone.side()).fract(), 0.0);
-        let [_, end] = zone.half_extents();
+        let [width, end] = zone.half_extents();
+        assert!(zone.peak(0.0) <= width);
         assert!(zone.stretch(0.0) > 10.0 * zone.stretch(end));
     }
 

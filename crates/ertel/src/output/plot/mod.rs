@@ -118,7 +118,7 @@ pub fn centreline(title: &str, solution: &Solution) -> Chart {
     let hertz_curve = (0..=n_hertz)
         .map(|i| -(std::f64::consts::PI * f64::from(i) / f64::from(n_hertz)).cos())
         .map(|x| {
-            let x = x * solution.shape.zone.stretch_along_motion();
+            let x = x * solution.shape.zone.centreline_half_width();
             [
                 x,
                 p_factor * solution.hertz.pressure * solution.shape.zone.pressure([x, 0.0]),
