@@ -110,4 +110,35 @@ mod tests {
         let kappa = Ellipse::of_radii([1.0, 1.0 + 1e-6]).axis_ratio;
         assert_relative_eq!(kappa - 1.0, 2.0 / 3.0 * 1e-6, max_relative = 1e-4);
     }
+
+    /// Axes of twenty ellipses from long to wide, against data/hertz_ellipse.csv.
+    #[test]
+    fn ellipses_of_the_closed_form() {
+        let (load, modulus) = (100.0, 230.769e9);
+        let rows = include_str!("data/hertz_ellipse.csv").lines();
+        let rows: Vec<[f64; 4]> = rows
+            .filter(|row| !row.starts_with(['#', 'r']))
+            .map(|row| {
+                let numbers: Vec<f64> = row.split(',').map(|v| v.parse().unwrap()).collect();
+                numbers.try_into().unwrap()
+            })
+            .collect();
+        assert_eq!(rows.len(), 20);
+        for [radii, axes, e, k] in rows {
+            let ratio = axes * axes;
+            let small = 0.016;
+            let radius = small * radii / (1.0 + radii);
+            let long = (6.0 * ratio * e * load * radius / (PI * modulus)).cbrt();
+            let found = Ellipse::of_radii([small, small * radii]).semi_axes(load, modulus);
+            assert_relative_eq!(found[0], long / axes, max_relative = 1e-6);
+            assert_relative_eq!(found[1], long, max_relative = 1e-6);
+            let wide = Ellipse::of_radii([small * radii, small]).semi_axes(load, modulus);
+            assert_relative_eq!(wide[0], long, max_relative = 1e-6);
+            assert_relative_eq!(wide[1], long / axes, max_relative = 1e-6);
+            // B and D of the row itself: E = B + (1 − m) D, K = B + D.
+            let [b, d] = integrals(1.0 / ratio);
+            assert_relative_eq!(b + d / ratio, e, max_relative = 1e-6);
+            assert_relative_eq!(b + d, k, max_relative = 1e-6);
+        }
+    }
 }
