@@ -13,6 +13,7 @@ use crate::case::Case;
 use crate::contact::{ContactKind, Groups, Hertz};
 use crate::plausible::thick_film;
 use crate::post::limits::{Separation, roughness_warning, thin_film_warning};
+use crate::reference::biboulet_houpert::rolling_resistance;
 use crate::reference::thermal::{ThermalReduction, thermal_loading};
 use crate::reference::{FilmFormula, film_formulas};
 use crate::run::{groups, predicted_film};
@@ -44,6 +45,8 @@ pub struct CaseEstimate {
     pub newtonian_only: bool,
     /// Film that the other estimates reckon with.
     pub film: FilmEstimate,
+    /// Rolling resistance of each surface after Biboulet and Houpert, N (N/m of a line), where their formulas reach.
+    pub rolling_resistance: Option<f64>,
     /// Reynolds numbers.
     pub reynolds: FilmReynolds,
     /// Heating of the inlet.
@@ -133,6 +136,7 @@ pub fn estimate(case: &Case) -> CaseEstimate {
         regime,
         formulas: formulas(&g),
         formulas_asymptotic: groups_asymptotic.as_ref().map(formulas),
+        rolling_resistance: rolling_resistance(contact, &hertz, &g, modulus),
         groups: g,
         groups_asymptotic,
         newtonian_only: case.shear_thinning().is_some(),

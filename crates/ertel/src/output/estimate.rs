@@ -8,6 +8,7 @@ use super::report::{Lines, digits, length, power, write_case, write_contact};
 use super::result_json::units;
 use super::{CaseEcho, FORMAT_VERSION};
 use crate::estimate::{CaseEstimate, NEGLIGIBLE_INERTIA};
+use crate::reference::biboulet_houpert::SOURCE;
 use crate::solution::FormulaFilm;
 
 /// Value of the key `format` of the JSON document.
@@ -127,6 +128,11 @@ fn write_film(out: &mut Lines, estimate: &CaseEstimate) {
                 lambda.separation.name()
             ),
         );
+    }
+    if let Some(force) = estimate.rolling_resistance {
+        let unit = if estimate.kind.is_point() { "N" } else { "N/m" };
+        let text = format!("{} {unit} on each surface ({SOURCE})", digits(force, 4));
+        out.row("rolling resistance", text);
     }
     let re = &estimate.reynolds;
     out.row(

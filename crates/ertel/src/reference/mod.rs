@@ -3,6 +3,7 @@
 //! Every formula carries its source and how sure its constants are. The film is h = H R in metres;
 //! groups follow [`Groups`].
 
+pub mod biboulet_houpert;
 mod chittenden;
 mod dowson_higginson;
 mod dowson_toyoda;
