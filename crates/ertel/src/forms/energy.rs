@@ -210,7 +210,7 @@ pub struct FilmPlace {
     pub film: f64,
     /// Temperature at the nodes, K.
     pub temperature: Nodal,
-    /// Conductance Ψ of the film whose flow is held (see [`held`]); `None`: the pressure gradient is as it stands.
+    /// Conductance Ψ of the film whose flow is held (see the module `held_flow`); `None`: the pressure gradient is as it stands.
     pub held_conductance: Option<f64>,
 }
 
