@@ -108,7 +108,7 @@ impl Motion {
     }
 }
 
-/// A rigid motion in the plane: v(X, Y) = v_0 + ω(−Y, X).
+/// A rigid motion in the plane: v(X, Y) = v_0 + ω(−Y, X), in the units of whoever fills it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Planar {
     /// Velocity at the centre.

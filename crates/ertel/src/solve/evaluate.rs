@@ -3,6 +3,7 @@
 use ertel_fem::element::{Lagrange, Tabulation};
 
 use crate::film::TemperatureProfile;
+use crate::forms::energy::FilmPlace;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
@@ -21,6 +22,20 @@ pub struct PointFields {
     pub deflection: f64,
     /// Temperature across the film, where it varies.
     pub temperature: Option<TemperatureProfile>,
+}
+
+impl PointFields {
+    /// What the energy equation sees of the film, its flow not held.
+    pub fn film_place(&self) -> FilmPlace {
+        FilmPlace {
+            at: self.place,
+            pressure: self.pressure,
+            pressure_gradient: self.pressure_gradient,
+            film: self.film,
+            temperature: self.temperature.unwrap_or_default().temperature,
+            held_conductance: None,
+        }
+    }
 }
 
 /// Evaluates the fields; `None` outside the contact area.

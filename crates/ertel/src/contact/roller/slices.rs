@@ -10,7 +10,7 @@ const MOST: f64 = 151.0;
 const ROUNDS: usize = 15;
 const LIFTS: usize = 40;
 /// Half-width, in that of the line, below which none counts.
-const NARROWEST: f64 = 0.05;
+pub(super) const NARROWEST: f64 = 0.05;
 
 /// Load per length along a roller, in the mean one w = F/l; y in half-widths b of the line contact under w.
 ///

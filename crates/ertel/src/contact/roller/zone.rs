@@ -1,6 +1,7 @@
 //! Where the dry contact of a roller carries pressure, and how a mesh is drawn out along it.
 
 use super::Slices;
+use super::slices::NARROWEST;
 use crate::contact::hertz;
 
 /// How long a cell may be along the axis that would be as long as wide, at the ends of the contact and where the profile has a kink,
@@ -11,8 +12,6 @@ const GROWTH: f64 = 1.5;
 const LONGEST: f64 = 50.0;
 /// Knots of the map.
 const KNOTS: usize = 400;
-/// Half-width, in that of the line, below which places count as outside.
-const NARROWEST: f64 = 0.05;
 /// Distance, in half-widths, of places outside of all that is loaded.
 const OUTSIDE: f64 = 1e3;
 

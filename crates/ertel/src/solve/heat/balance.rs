@@ -15,7 +15,7 @@ use super::system::{Kept, assemble};
 use crate::contact::Scales;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
-use crate::forms::energy::{FilmColumn, FilmPlace, Heat, film_column};
+use crate::forms::energy::{FilmColumn, Heat, film_column};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::evaluate::{PointFields, fields_in};
 use crate::solve::system::State;
@@ -115,14 +115,7 @@ struct Film<'a> {
 impl Film<'_> {
     fn column(&mut self, fields: &PointFields) -> FilmColumn {
         let heights = &self.space.column.heights;
-        let place = FilmPlace {
-            at: fields.place,
-            pressure: fields.pressure,
-            pressure_gradient: fields.pressure_gradient,
-            film: fields.film,
-            temperature: fields.temperature.unwrap_or_default().temperature,
-            held_conductance: None,
-        };
+        let place = fields.film_place();
         film_column(self.fluid, self.heat, heights, &place, &mut self.rule)
     }
 

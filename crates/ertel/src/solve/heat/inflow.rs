@@ -16,7 +16,7 @@ use super::space::HeatSpace;
 use super::system::HeatSystem;
 use crate::contact::Symmetry;
 use crate::film::cross_film::CrossFilm;
-use crate::forms::energy::{FilmPlace, Heat, film_column};
+use crate::forms::energy::{Heat, film_column};
 use crate::solve::discretisation::{ContactSurface, Discretisation};
 use crate::solve::evaluate::fields_in;
 
@@ -70,14 +70,7 @@ impl Assembly<'_> {
             let SideRule { normal, points } = SideRule::new(&d.contact, *side);
             for (xi, weight) in &points {
                 let fields = fields_in(d, self.state, side.0, *xi);
-                let place = FilmPlace {
-                    at: fields.place,
-                    pressure: fields.pressure,
-                    pressure_gradient: fields.pressure_gradient,
-                    film: fields.film,
-                    temperature: fields.temperature.unwrap_or_default().temperature,
-                    held_conductance: None,
-                };
+                let place = fields.film_place();
                 let heights = &space.column.heights;
                 let film = film_column(self.fluid, self.heat, heights, &place, &mut rule);
                 let n = heights.n();

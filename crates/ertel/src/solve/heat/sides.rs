@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use crate::contact::Symmetry;
 use crate::solve::discretisation::ContactSurface;
 
 /// A side of an element: of which element, and opposite to which of its corners.
@@ -24,7 +25,7 @@ pub(super) fn outer_sides(contact: &ContactSurface, set: impl Fn(usize) -> bool)
     }
     let on_symmetry = |side: &[u32]| {
         let mut points = side.iter().map(|v| surface.vertices[*v as usize]);
-        surface.dim == 2 && points.all(|p| p[1].abs() < 1e-12)
+        contact.shape.symmetry == Symmetry::Half && points.all(|p| p[1].abs() < 1e-12)
     };
     let mut outer: Vec<Side> = sides
         .into_iter()
