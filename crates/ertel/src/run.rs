@@ -3,7 +3,10 @@
 use std::time::Instant;
 
 use crate::case::{Case, SolidHeat};
-use crate::contact::{ContactKind, EquivalentBody, Groups, Hertz, Planar, Scales, Shape, hertz};
+use crate::contact::starvation::starved_film;
+use crate::contact::{
+    ContactKind, EquivalentBody, Groups, Hertz, Inlet, OilLayer, Planar, Scales, Shape, Supply, hertz,
+};
 use crate::elastic::Elasticity;
 use crate::elastic::cache::OperatorCache;
 use crate::film::FilmFluid;
@@ -47,8 +50,22 @@ pub fn problem(case: &Case) -> Problem {
         viscosity,
         lubricant.ambient_density(),
     );
-    let shape = Shape::new(&contact, &hertz, &case.motion);
-    let start_film = predicted_film(case) / scales.film;
+    let shape = Shape::new(&contact, &hertz, &case.motion).with_inlet(match case.supply {
+        Supply::Flooded => Inlet::Flooded,
+        Supply::Meniscus { .. } => Inlet::Meniscus,
+        Supply::OilLayer { thickness } => Inlet::Layer(OilLayer {
+            thickness: thickness / scales.film,
+            lambda: scales.lambda,
+        }),
+    });
+    let flooded_film = predicted_film(case) / scales.film;
+    let start_film = starved_film(
+        contact.kind,
+        flooded_film,
+        &case.supply,
+        scales.length,
+        scales.film,
+    );
     let constants = FilmConstants {
         lambda: scales.lambda,
         entrainment: case.motion.entrainment(scales.length),
@@ -88,10 +105,14 @@ pub fn problem(case: &Case) -> Problem {
         contact.kind,
         case.elastic_model(),
         heat.is_some(),
-        start_film,
+        flooded_film,
     );
+    let mut extents = extents(reach, &case.mesh, flooded_film, &shape);
+    if let Supply::Meniscus { distance } = case.supply {
+        extents.inlet = -distance / scales.length;
+    }
     Problem {
-        extents: extents(reach, &case.mesh, start_film, &shape),
+        extents,
         reach: [reach.inlet, reach.side],
         stages: stages(
             &case.mesh,
@@ -487,14 +508,9 @@ struct Reach {
 
 /// The thesis's contact area where the film is thin; longer where a thick film builds up further out.
 fn reach(kind: ContactKind, model: ElasticModel, heats: bool, film: f64) -> Reach {
-    let gap = |x: f64| {
-        0.5 * x * x + hertz::deflection_profile(kind, x)
-            - hertz::deflection_profile(kind, 1.0)
-            - 0.5
-    };
     let mut inlet: f64 = 4.5;
     let target = flooded(film) * film;
-    while gap(inlet) < target {
+    while hertz::dry_gap(kind, inlet) < target {
         inlet = (1.05 * inlet).ceil_half();
     }
     // A finite-element body grows with the contact area; half-spaces afford a wider one.

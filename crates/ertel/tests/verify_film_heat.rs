@@ -190,6 +190,7 @@ fn heat_of_the_film() {
                 pressure: PRESSURE,
                 pressure_gradient: GRADIENT,
                 film: FILM,
+                filling: 1.0,
                 temperature: [0.0; MOST_NODES],
                 held_conductance: None,
             };
@@ -267,6 +268,7 @@ fn film_at(problem: &Problem, held: bool, warmer: impl Fn(f64) -> f64) -> FilmCo
             pressure: PRESSURE,
             pressure_gradient: GRADIENT,
             film: FILM,
+            filling: 1.0,
             temperature: [0.0; MOST_NODES],
             held_conductance,
         };

@@ -314,6 +314,7 @@ fn directions_of_the_flow_are_alike() {
             pressure: 0.3,
             pressure_gradient,
             film: 0.5,
+            filling: 1.0,
             temperature: [0.0; MOST_NODES],
             held_conductance: None,
         };

@@ -20,7 +20,7 @@ mod common;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use ertel::contact::{ContactKind, Gap, HertzZone, Planar, Scales, Shape, Symmetry, Turn};
+use ertel::contact::{ContactKind, Gap, HertzZone, Inlet, Planar, Scales, Shape, Symmetry, Turn};
 use ertel::elastic::Elasticity;
 use ertel::film::FilmFluid;
 use ertel::params::Formulation;
@@ -181,6 +181,7 @@ fn shape(kind: ContactKind) -> Shape {
                 roller: None,
             },
             symmetry: Symmetry::Full,
+            inlet: Inlet::Flooded,
         },
     }
 }

@@ -37,6 +37,7 @@ fn film_properties_follow_pressure_and_temperature() {
             pressure,
             pressure_gradient: [0.0; 2],
             film: 0.3,
+            filling: 1.0,
             temperature: [0.0; MOST_NODES],
             held_conductance: None,
         };

@@ -27,7 +27,7 @@
 //! `[machine]` describes a bearing, a gear or a cam in place of `[contact]` and `[motion]`.
 //!
 //! `lubricant = "squalane-pip"` with a top-level `temperature = "40 degC"` is short for a `[lubricant]`
-//! table with `name` and `temperature`. `[thermal]` switches heat on. `[mesh]`, `[solver]` and `[output]` are optional; everything
+//! table with `name` and `temperature`. `[thermal]` switches heat on, `[inlet]` limits the oil that arrives. `[mesh]`, `[solver]` and `[output]` are optional; everything
 //! physical is required. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
 
 mod bodies;
@@ -37,6 +37,7 @@ pub mod curve;
 mod echo;
 mod files;
 mod geometry;
+mod inlet;
 mod lubricant;
 mod machine;
 mod motion;
@@ -51,7 +52,7 @@ use ertel_rheology::database::DatabaseError;
 use ertel_rheology::input::{Document, InputError, Table};
 use ertel_rheology::{Files, ShearThinning};
 
-use crate::contact::{Contact, Hertz, Motion, reduced_modulus};
+use crate::contact::{Contact, Hertz, Motion, Supply, reduced_modulus};
 use crate::output::MachineEcho;
 use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
@@ -87,6 +88,8 @@ pub struct Case {
     pub motion: Motion,
     /// The machine that contact and motion were computed from, if the file gives one.
     pub machine: Option<MachineEcho>,
+    /// How much oil reaches the contact.
+    pub supply: Supply,
     /// Lubricant and its temperature.
     pub lubricant: Lubricant,
     /// Mesh and elements.
@@ -165,6 +168,13 @@ impl Case {
             Some(table) => params::read_mesh(table, contact.kind, solver.error_estimate)?,
             None => params::default_mesh(contact.kind, solver.error_estimate),
         };
+        let supply = match root.optional_table("inlet")? {
+            Some(table) => {
+                let along = Hertz::new(&contact.along_motion(), modulus);
+                inlet::read(table, &contact, along.half_width, mesh_table.as_ref())?
+            }
+            None => Supply::Flooded,
+        };
         let output = match root.optional_table("output")? {
             Some(table) => params::read_output(table, &solver)?,
             None => OutputParams::default(),
@@ -180,6 +190,7 @@ impl Case {
             roughness,
             motion,
             machine,
+            supply,
             lubricant,
             mesh,
             solver,

@@ -121,6 +121,11 @@ pub fn deflection_profile(kind: ContactKind, r: f64) -> f64 {
     }
 }
 
+/// Gap of a dry contact, in a²/R, at the distance `r` > 1 in half-widths.
+pub fn dry_gap(kind: ContactKind, r: f64) -> f64 {
+    0.5 * r * r + deflection_profile(kind, r) - deflection_profile(kind, 1.0) - 0.5
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::gap::RollerGap;
 use super::roller::{RollerZone, Slices};
-use super::{Contact, ContactKind, Gap, Hertz, HertzZone, Motion, Roller, Turn, hertz};
+use super::{Contact, ContactKind, Gap, Hertz, HertzZone, Inlet, Motion, Roller, Turn, hertz};
 
 /// Which part of the contact is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +25,7 @@ impl Symmetry {
     }
 }
 
-/// Geometry of a contact, dimensionless; X along the entrainment.
+/// Geometry of a contact and of its oil, dimensionless; X along the entrainment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// Line, circular, elliptical or roller.
@@ -36,6 +36,8 @@ pub struct Shape {
     pub zone: HertzZone,
     /// Which part of the contact is solved.
     pub symmetry: Symmetry,
+    /// How much oil reaches it.
+    pub inlet: Inlet,
 }
 
 impl Shape {
@@ -53,6 +55,7 @@ impl Shape {
             roller: None,
         },
         symmetry: Symmetry::Full,
+        inlet: Inlet::Flooded,
     };
 
     /// A ball.
@@ -69,6 +72,7 @@ impl Shape {
             roller: None,
         },
         symmetry: Symmetry::Half,
+        inlet: Inlet::Flooded,
     };
 
     /// Of a roller of the reduced radius R (m) whose line contact has the half-width b (m).
@@ -93,6 +97,7 @@ impl Shape {
                 true => Symmetry::Half,
                 false => Symmetry::Full,
             },
+            inlet: Inlet::Flooded,
         }
     }
 
@@ -123,6 +128,7 @@ impl Shape {
                     true => Symmetry::Half,
                     false => Symmetry::Full,
                 },
+                inlet: Inlet::Flooded,
             },
         };
         match motion.is_straight() {
@@ -134,7 +140,13 @@ impl Shape {
         }
     }
 
-    /// Whether another shape is the same but for rounding.
+    /// The same where this much oil reaches the contact.
+    #[must_use]
+    pub fn with_inlet(self, inlet: Inlet) -> Shape {
+        Shape { inlet, ..self }
+    }
+
+    /// Whether another shape is the same but for rounding; layers of oil may differ.
     pub fn is_like(&self, other: &Shape) -> bool {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (a.abs() + b.abs());
         let [c, s] = self.zone.turn.to_axes([1.0, 0.0]);
@@ -144,6 +156,7 @@ impl Shape {
             && self.gap.along_roller == other.gap.along_roller
             && self.kind == other.kind
             && self.symmetry == other.symmetry
+            && self.inlet.is_like(&other.inlet)
             && close(self.gap.curvature_ratio, other.gap.curvature_ratio)
             && close(self.zone.axis_ratio, other.zone.axis_ratio)
             && (c - d).abs() + (s - t).abs() < 1e-12

@@ -197,6 +197,21 @@ pub struct FilmColumn {
     pub conductance: f64,
 }
 
+impl FilmColumn {
+    /// Where oil fills a share θ of the gap, it carries, conducts and heats by that share.
+    fn scale(&mut self, filling: f64) {
+        for point in &mut self.heights {
+            point.capacity *= filling;
+            point.conduction *= filling;
+            point.shear *= filling;
+            point.compression *= filling;
+            point.mass_below = point.mass_below.map(|m| filling * m);
+            point.by_stress = point.by_stress.map(|slope| filling * slope);
+            point.by_gradient_factor *= filling;
+        }
+    }
+}
+
 /// Pressure and film thickness at a point, dimensionless.
 #[derive(Clone, Copy, Debug)]
 pub struct FilmPlace {
@@ -208,6 +223,8 @@ pub struct FilmPlace {
     pub pressure_gradient: [f64; 2],
     /// H.
     pub film: f64,
+    /// θ, the share of the gap that is filled with oil.
+    pub filling: f64,
     /// Temperature at the nodes, K.
     pub temperature: Nodal,
     /// Conductance Ψ of the film whose flow is held (see the module `held_flow`); `None`: the pressure gradient is as it stands.
@@ -382,6 +399,9 @@ fn evaluate(
         let share = heights.points()[k] + 0.5;
         let below = total(&flux, &heights.below[k]);
         column.heights[k].mass_below = [0, 1].map(|i: usize| below[i] - share * whole[i]);
+    }
+    if place.filling < 1.0 {
+        column.scale(place.filling);
     }
     column
 }

@@ -4,4 +4,5 @@ pub mod dual;
 pub mod elasticity;
 pub mod energy;
 pub mod flow;
+pub mod oil_layer;
 pub mod reynolds;

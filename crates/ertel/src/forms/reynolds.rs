@@ -13,6 +13,7 @@
 //!   κ = I − π, π the L² projection onto the polynomials that the deflection sees,  Pe_δ = ρ̄h_e²/(2lε)
 //! ```
 //! ū is the mean velocity of the surfaces over the entrainment speed, free of divergence: e_x + ω̄(−Y, X), with the mean spin ω̄.
+//! Where a layer of oil arrives that does not fill the gap, ρ̄H in the wedge is ρ̄θH and β = ∂(ρ̄θH)/∂P (see [`super::oil_layer`]).
 //! In generalized-Newtonian films Q comes from the closure and ε is ∂Q_x/∂P_x (see [`super::flow`]).
 //!
 //! The wedge ū·∇(ρ̄H) answers to pressure in two ways: by the density, H ∂ρ̄/∂P, which alone is the β
@@ -25,9 +26,10 @@
 //! Habchi 2008, eqs. 2.29, 3.8, 3.9, 3.13 to 3.18, 4.12; f = 0 but for manufactured solutions. The
 //! convection term is integrated by parts, so that the discrete equation conserves mass.
 
-use crate::contact::Planar;
+use crate::contact::{OilLayer, Planar};
 use crate::forms::dual::Number;
 use crate::forms::flow::{Flow, PointState, Properties};
+use crate::forms::oil_layer::missing;
 use crate::params::Formulation;
 
 /// Constants of the equation on one element.
@@ -49,6 +51,10 @@ pub struct ElementConstants {
     pub isotropic_diffusion: f64,
     /// Whether β and κ reckon with the deflection; only in SUPG and GLS.
     pub elastic_stabilisation: bool,
+    /// The layer of oil that arrives; `None`: the gap is full.
+    pub oil_layer: Option<OilLayer>,
+    /// Length over which the gap fills up.
+    pub filling_length: f64,
 }
 
 /// The integrand as a linear form of the test function: a W + b·∇W + c ΔW + d κW.
@@ -94,11 +100,14 @@ pub fn reynolds_point<D: Number>(
     } else {
         zero
     };
+    let missing = (e.oil_layer.as_ref())
+        .and_then(|layer| missing(layer, s.pressure, h, e.filling_length));
+    let carried = missing.map_or(h, |missing| h - missing.film);
     let mut test = TestCoefficients {
         value: penalty - source,
         gradient: [
-            flow.flux[0] - m.density * h * u,
-            flow.flux[1] - m.density * h * v,
+            flow.flux[0] - m.density * carried * u,
+            flow.flux[1] - m.density * carried * v,
         ],
         laplacian: zero,
         unseen: zero,
@@ -121,9 +130,14 @@ pub fn reynolds_point<D: Number>(
         let weight = upwind(peclet) * peclet * m.density * (UNSEEN_WEIGHT / e.size);
         test.unseen = weight * s.pressure_unseen;
     }
-    let wedge = m.density_slope * (px * u + py * v) * h
+    let mut wedge = m.density_slope * (px * u + py * v) * carried
         + (flow.drift[0] * u + flow.drift[1] * v)
         + m.density * (hx * u + hy * v);
+    if let Some(missing) = missing {
+        let along = missing.by_pressure * (px * u + py * v) + missing.by_film * (hx * u + hy * v);
+        wedge -= m.density * along;
+        beta -= missing.film * m.density_slope + m.density * missing.by_pressure;
+    }
     let residual = -flow.divergence + wedge + penalty - source;
     let peclet = beta * (u.hypot(v) * e.size / l2) / epsilon;
     let tau = upwind(peclet) * (e.size * e.size / (l2 * l2)) / epsilon;

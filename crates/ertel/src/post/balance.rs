@@ -11,7 +11,7 @@ use crate::solve::system::System;
 /// (inflow − side leakage − flow through the section)/inflow.
 ///
 /// Inflow and leakage are the fluxes that the edge nodes take up in the weak form; the flow
-/// through the section is integrated from the discrete gradients, m_x = ρ̄H − Q_x, which the
+/// through the section is integrated from the discrete gradients, m_x = ρ̄θH − Q_x, which the
 /// weak form never asks for there. Side nodes count upstream of it.
 pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
     let (d, state) = (&solution.discretisation, &solution.state);
@@ -41,8 +41,8 @@ pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
         let factor = 12.0 * rho * f.film.powi(2) / (mu * model.constants.lambda);
         let [u, v] = model.constants.entrainment.at(at);
         let [along, across] = [
-            rho * f.film * u - factor * flow[0],
-            rho * f.film * v - factor * flow[1],
+            rho * (f.film - f.missing) * u - factor * flow[0],
+            rho * (f.film - f.missing) * v - factor * flow[1],
         ];
         let stretch = match &zone.roller {
             None => 1.0,

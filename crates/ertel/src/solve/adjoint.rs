@@ -46,6 +46,7 @@ pub fn adjoints(
     let mut response = d.load.clone();
     preconditioner.solve_transposed(&mut response);
     let schur = dot(&system.by_separation, &response);
+    let weights = weights(d, system);
     let adjoint = |point: &[f64; 2]| -> Result<Adjoint, SolveError> {
         let mut sparse = preconditioner.clone();
         let mut at = vec![0.0; d.contact.deflection.n_nodes()];
@@ -57,6 +58,7 @@ pub fn adjoints(
         }
         let mut rhs = d.deflect_transposed(&at, Accuracy::Full);
         rhs.push(1.0);
+        multiply(&mut rhs, &weights);
         let apply = |x: &[f64], y: &mut [f64]| {
             let (by_pressure, by_deflection) = multiply_transposed(d, system, &x[..n]);
             let through = d.deflect_transposed(&by_deflection, Accuracy::Krylov);
@@ -64,9 +66,11 @@ pub fn adjoints(
                 y[i] = by_pressure[i] + through[i] + d.load[i] * x[n];
             }
             y[n] = dot(&system.by_separation, &x[..n]);
+            multiply(y, &weights);
         };
         let precondition = |x: &mut [f64]| {
             let (film, load) = x.split_at_mut(n);
+            film.iter_mut().zip(&weights).for_each(|(x, w)| *x /= w);
             sparse.solve_transposed(film);
             let s = (dot(&system.by_separation, film) - load[0]) / schur;
             for (z, r) in film.iter_mut().zip(&response) {
@@ -92,6 +96,35 @@ pub fn adjoints(
         })
     };
     points.par_iter().with_max_len(1).map(adjoint).collect()
+}
+
+/// Weights of the equations of each pressure unknown in the norm of the residual: where a layer of oil arrives, z does not fall off
+/// upstream, while the coefficients of the film equations grow as H³; without, all count alike.
+fn weights(d: &Discretisation, system: &System) -> Vec<f64> {
+    if d.contact.shape.inlet.layer().is_none() {
+        return vec![1.0; d.n_pressure];
+    }
+    let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+    let mut diagonal = vec![0.0; d.n_pressure];
+    for c in 0..d.contact.n_elements() {
+        for (i, node) in d.pressure.nodes_of(c).iter().enumerate() {
+            let dof = d.pressure_dofs[*node as usize];
+            if dof != CONSTRAINED {
+                diagonal[dof as usize] += system.blocks[(c * n + i) * (n + m) + i];
+            }
+        }
+    }
+    let mut sorted: Vec<f64> = diagonal.iter().map(|v| v.abs()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let typical = sorted[sorted.len() / 2];
+    (diagonal.iter())
+        .map(|v| (typical / v.abs()).min(1.0))
+        .collect()
+}
+
+/// Weighs the equations of the pressure unknowns.
+fn multiply(x: &mut [f64], weights: &[f64]) {
+    x.iter_mut().zip(weights).for_each(|(x, w)| *x *= w);
 }
 
 /// R_Pᵀ z and R_δᵀ z.

@@ -42,6 +42,8 @@ pub struct Assembler<'a> {
     constants: &'a FilmConstants,
     state: &'a State,
     source: Source<'a>,
+    /// Share of the length over which a gap fills up.
+    filling: f64,
     kernel: Kernel<'a>,
 }
 
@@ -94,7 +96,17 @@ impl<'a> Assembler<'a> {
             constants,
             state,
             source,
+            filling: 1.0,
             kernel,
+        }
+    }
+
+    /// The same where a gap fills up over a share of the length.
+    #[must_use]
+    pub fn filling_over(self, share: f64) -> Assembler<'a> {
+        Assembler {
+            filling: share,
+            ..self
         }
     }
 
@@ -119,7 +131,9 @@ impl<'a> Assembler<'a> {
     ) {
         let d = self.d;
         let order = d.pressure.element.order();
-        let local = self.constants.on_element(d.contact.sizes[c], order);
+        let oil_layer = d.contact.shape.inlet.layer().copied();
+        let mut local = (self.constants).on_element(d.contact.sizes[c], order, oil_layer);
+        local.filling_length *= self.filling;
         element.points.clear();
         element.pressure.resize(d.rule.len() * N_LISTS * N, 0.0);
         element.deflection.resize(d.rule.len() * 3 * M, 0.0);

@@ -4,6 +4,7 @@ use ertel_fem::element::{Lagrange, Tabulation};
 
 use crate::film::TemperatureProfile;
 use crate::forms::energy::FilmPlace;
+use crate::forms::oil_layer::{filling_length, missing};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
 
@@ -18,6 +19,8 @@ pub struct PointFields {
     pub pressure_gradient: [f64; 2],
     /// H.
     pub film: f64,
+    /// F, what the gap lacks where a layer of oil does not fill it (see [`crate::forms::oil_layer`]).
+    pub missing: f64,
     /// Deflection.
     pub deflection: f64,
     /// Temperature across the film, where it varies.
@@ -25,6 +28,24 @@ pub struct PointFields {
 }
 
 impl PointFields {
+    /// θ, the share of the gap that is filled with oil.
+    pub fn filling(&self) -> f64 {
+        1.0 - self.missing / self.film
+    }
+
+    /// Finds what the gap lacks, in an element of a discretisation.
+    fn with_missing(self, d: &Discretisation, cell: usize) -> PointFields {
+        let Some(layer) = d.contact.shape.inlet.layer() else {
+            return self;
+        };
+        let length = filling_length(d.contact.sizes[cell], d.pressure.element.order());
+        let missing = missing(layer, self.pressure, self.film, length);
+        PointFields {
+            missing: missing.map_or(0.0, |missing| missing.film),
+            ..self
+        }
+    }
+
     /// What the energy equation sees of the film, its flow not held.
     pub fn film_place(&self) -> FilmPlace {
         FilmPlace {
@@ -32,6 +53,7 @@ impl PointFields {
             pressure: self.pressure,
             pressure_gradient: self.pressure_gradient,
             film: self.film,
+            filling: self.filling(),
             temperature: self.temperature.unwrap_or_default().temperature,
             held_conductance: None,
         }
@@ -51,6 +73,7 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
         pressure: 0.0,
         pressure_gradient: [0.0; 2],
         film: state.rigid_separation,
+        missing: 0.0,
         deflection: 0.0,
         temperature: d
             .heat
@@ -78,7 +101,7 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
     }
     fields.place = [point[0], point[1]];
     fields.film += fields.deflection + d.contact.shape.gap.value(fields.place);
-    fields
+    fields.with_missing(d, cell)
 }
 
 /// The same at the `q`-th quadrature point of an element, from tables, with the place of the point.
@@ -134,7 +157,7 @@ pub fn fields_from(
     }
     fields.place = [point[0], point[1]];
     fields.film += fields.deflection + d.contact.shape.gap.value(fields.place);
-    (point, fields)
+    (point, fields.with_missing(d, cell))
 }
 
 /// Film thickness at the centre of the contact.

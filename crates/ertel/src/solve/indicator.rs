@@ -23,11 +23,12 @@ use ertel_fem::space::Space;
 use super::SolveError;
 use super::adjoint::adjoints;
 use super::discretisation::Discretisation;
+use super::element::{Assembler, Element, N_SUMS};
 use super::evaluate::{central_film, fields_in, minimum_film};
 use super::newton::FilmModel;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
-use crate::contact::Gap;
+use crate::contact::{Gap, Inlet};
 use crate::film::cross_film::CrossFilm;
 use crate::solution::{BeyondEdges, ErrorEstimate, TemperatureErrors};
 
@@ -190,6 +191,17 @@ pub fn indicator(
             );
         }
     }
+    if d.contact.shape.inlet.layer().is_some() {
+        let weights = [0, 1].map(|j: usize| adjoint[j].film.as_slice());
+        let own = blurring(d, model, state, weights);
+        for ((share, own), film) in shares.iter_mut().zip(own).zip(films) {
+            let (sum, size) = (own.iter().sum::<f64>().abs(), sum_of_sizes(&own));
+            let weight = (sum / size).max(LEAST_BLURRING) / film;
+            if size > 0.0 {
+                share.iter_mut().zip(own).for_each(|(s, o)| *s += weight * o.abs());
+            }
+        }
+    }
     let [central, minimum] = shares;
     let zone = d.contact.shape.zone_area();
     let unresolved = unresolved(&d.pressure, &state.pressure);
@@ -213,6 +225,45 @@ pub fn indicator(
             .map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / films[j]),
         pressure: squares.iter().map(|s| s / zone).collect(),
     })
+}
+
+/// Least share of the sizes of the elements' changes that their sum counts as, though they may cancel.
+const LEAST_BLURRING: f64 = 0.5;
+
+fn sum_of_sizes(changes: &[f64]) -> f64 {
+    changes.iter().map(|change| change.abs()).sum()
+}
+
+/// By how much two films would change, element by element, if a gap that a layer of oil fills up did so over half the length; `weights`
+/// are the adjoints of the films.
+fn blurring(
+    d: &Discretisation,
+    model: &FilmModel,
+    state: &State,
+    weights: [&[f64]; 2],
+) -> [Vec<f64>; 2] {
+    let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+    let [whole, half] = [1.0, 0.5].map(|share| {
+        Assembler::new(d, &model.fluid, &model.constants, state, None).filling_over(share)
+    });
+    let (mut element, mut block) = (Element::default(), vec![0.0; n * (n + m)]);
+    let mut sums = [vec![[0.0; N_SUMS]; n], vec![[0.0; N_SUMS]; n]];
+    let mut changes = [Vec::new(), Vec::new()];
+    for c in 0..d.contact.n_elements() {
+        for (assembler, sums) in [&whole, &half].into_iter().zip(&mut sums) {
+            assembler.element(c, &mut element, &mut block, sums);
+        }
+        for (change, weights) in changes.iter_mut().zip(weights) {
+            let nodes = d.pressure.nodes_of(c).iter().zip(&sums[0]).zip(&sums[1]);
+            change.push(
+                nodes
+                    .filter(|((node, _), _)| d.pressure_dofs[**node as usize] != CONSTRAINED)
+                    .map(|((node, a), b)| -weights[*node as usize] * (b[1] - a[1]))
+                    .sum(),
+            );
+        }
+    }
+    changes
 }
 
 /// c of the pressure −λ c·X/H² far from a contact, along and across the motion.
@@ -254,9 +305,18 @@ fn edge_error(
                 let [x, y, _] = d.pressure.points[*node as usize];
                 let drop = along * x + across * y;
                 // At the ends of a roller the film ends.
+                // Nor does pressure go on beyond a meniscus, or where the gap is not full.
+                let dry = match &d.contact.shape.inlet {
+                    Inlet::Flooded => false,
+                    Inlet::Meniscus => x < d.contact.extents.inlet * (1.0 - 1e-9),
+                    Inlet::Layer(layer) => {
+                        let xi = [1, 2, 3].map(|v: usize| f64::from(alpha[v]) / order);
+                        fields_in(d, state, c, xi).film > layer.thickness
+                    }
+                };
                 let at_end = d.contact.shape.zone.roller.is_some()
                     && x > d.contact.extents.inlet * (1.0 - 1e-9);
-                if !on_edge(node) || at_end || drop >= 0.0 {
+                if !on_edge(node) || at_end || dry || drop >= 0.0 {
                     return 0.0;
                 }
                 let xi = [1, 2, 3].map(|v: usize| f64::from(alpha[v]) / order);

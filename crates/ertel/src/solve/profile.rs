@@ -74,7 +74,7 @@ impl Profile {
     }
 
     /// Where the film breaks: the first X downstream of the largest pressure with P ≤ 0, between
-    /// samples by linear interpolation; the last X if there is none.
+    /// samples by linear interpolation, or where a layer of oil no longer fills the gap; the last X if there is none.
     pub fn outlet(&self) -> f64 {
         let Some(top) = self.extreme(|f| f.pressure) else {
             return f64::NAN;
@@ -83,6 +83,9 @@ impl Profile {
             let (p0, p1) = (self.fields[i - 1].pressure, self.fields[i].pressure);
             if p1 <= 0.0 && p0 > 0.0 {
                 return self.x[i - 1] + (self.x[i] - self.x[i - 1]) * p0 / (p0 - p1);
+            }
+            if self.fields[i].missing > 0.0 {
+                return self.x[i];
             }
         }
         self.x.last().copied().unwrap_or(f64::NAN)
@@ -131,6 +134,7 @@ mod tests {
                 pressure_gradient: [0.0; 2],
                 film: 0.1 + 0.02 * (x - 0.5_f64).powi(2),
                 deflection: 0.0,
+                missing: 0.0,
             })
             .collect();
         Profile { x, fields }

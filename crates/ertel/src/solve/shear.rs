@@ -127,8 +127,9 @@ pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &S
     let of_element = |shear: &mut Shear, c: usize| {
         let mut sums = Sums::default();
         for (q, weight) in d.rule.weights.iter().enumerate() {
-            let area = weight * d.contact.maps[c].determinant;
             let ([x, y, _], f) = fields_at_quadrature(d, state, c, q);
+            // Oil that does not fill the gap shears on the share of the area that it wets.
+            let area = weight * d.contact.maps[c].determinant * f.filling();
             let s = shear.at(&f);
             for (sum, stress) in sums
                 .force
@@ -240,7 +241,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
-    use crate::contact::{Gap, HertzZone, Turn};
+    use crate::contact::{Gap, HertzZone, Inlet, Turn};
 
     /// The far field by quadrature in ring and angle, ½H ∂P/∂X by differences, over the half of a ball and the line of a roller.
     #[test]
@@ -284,6 +285,7 @@ mod tests {
                 roller: None,
             },
             symmetry: Symmetry::Full,
+            inlet: Inlet::Flooded,
         };
         for (r, width) in radii {
             for k in 0..64 {

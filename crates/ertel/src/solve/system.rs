@@ -16,9 +16,10 @@ use rayon::prelude::*;
 
 use super::discretisation::Discretisation;
 use super::element::{Assembler, Element, N_SUMS};
-use crate::contact::Planar;
+use crate::contact::{OilLayer, Planar};
 use crate::elastic::Accuracy;
 use crate::film::FilmFluid;
+use crate::forms::oil_layer::filling_length;
 use crate::forms::reynolds::ElementConstants;
 use crate::params::{Formulation, PenaltyScaling};
 
@@ -44,7 +45,12 @@ pub struct FilmConstants {
 }
 
 impl FilmConstants {
-    pub(super) fn on_element(&self, size: f64, order: usize) -> ElementConstants {
+    pub(super) fn on_element(
+        &self,
+        size: f64,
+        order: usize,
+        oil_layer: Option<OilLayer>,
+    ) -> ElementConstants {
         let penalty = match self.penalty_scaling {
             PenaltyScaling::ElementSquared => self.penalty * size * size,
             PenaltyScaling::Constant => self.penalty,
@@ -62,6 +68,8 @@ impl FilmConstants {
             formulation: self.formulation,
             isotropic_diffusion: self.isotropic_diffusion,
             elastic_stabilisation: self.elastic_stabilisation,
+            oil_layer,
+            filling_length: filling_length(size, order),
         }
     }
 }

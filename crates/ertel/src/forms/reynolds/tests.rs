@@ -16,6 +16,8 @@ fn constants(formulation: Formulation) -> ElementConstants {
         formulation,
         isotropic_diffusion: 0.5,
         elastic_stabilisation: true,
+        oil_layer: None,
+        filling_length: 0.0,
     }
 }
 

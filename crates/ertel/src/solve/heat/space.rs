@@ -96,6 +96,7 @@ impl HeatSpace {
             pressure: fields.pressure,
             pressure_gradient: fields.pressure_gradient,
             film: fields.film,
+            filling: fields.filling(),
             temperature,
             held_conductance: None,
         }
