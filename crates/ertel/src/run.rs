@@ -5,7 +5,8 @@ use std::time::Instant;
 use crate::case::{Case, SolidHeat};
 use crate::contact::starvation::starved_film;
 use crate::contact::{
-    ContactKind, EquivalentBody, Groups, Hertz, Inlet, OilLayer, Planar, Scales, Shape, Supply, hertz,
+    ContactKind, EquivalentBody, Groups, Hertz, Inlet, OilLayer, Planar, Scales, Shape, Supply,
+    hertz,
 };
 use crate::elastic::Elasticity;
 use crate::elastic::cache::OperatorCache;
@@ -18,7 +19,7 @@ use crate::params::{
 use crate::plausible;
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
-use crate::solution::{IterationRecord, RollerFigures, Solution, Stats, Unresolved};
+use crate::solution::{IterationRecord, RollerFigures, Solution, Starvation, Stats, Unresolved};
 use crate::solve::adapt::AdaptParams;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::figures::measure;
@@ -271,7 +272,36 @@ impl Session {
     ) -> Result<(Solution, Start), SolveError> {
         // On a thread of the pool: from outside, each of the thousands of short parallel loops would wait for one
         // thread to be woken before it began.
-        rayon::scope(|_| self.solve_here(case, start, ahead, observer))
+        rayon::scope(|_| {
+            let flooded = self.solve_flooded(case, start, observer)?;
+            let (mut solution, start) = self.solve_here(case, start, ahead, observer)?;
+            let Some((full, full_start)) = flooded else {
+                return Ok((solution, start));
+            };
+            solution.beside_flooded(&full);
+            Ok((solution, start.beside(full_start)))
+        })
+    }
+
+    /// The same case with more oil than the contact takes, where it has less; `None`, too, where that does not converge.
+    fn solve_flooded(
+        &self,
+        case: &Case,
+        start: Option<&Start>,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<(Solution, Start)>, SolveError> {
+        if !case.supply.is_limited() {
+            return Ok(None);
+        }
+        let flooded = Case {
+            supply: Supply::Flooded,
+            ..case.clone()
+        };
+        let start = start.and_then(Start::flooded);
+        match self.solve_here(&flooded, start, &[], observer) {
+            Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+            end => Ok(end.ok()),
+        }
     }
 
     fn solve_here(
@@ -430,6 +460,7 @@ fn describe(
             .flatten(),
         unresolved: Unresolved::all(&summary, &traction, case.motion.slides(), thermal.as_ref()),
         summary,
+        starvation: Starvation::of(&measured, &case.supply),
         roller: RollerFigures::of(&measured),
         traction,
         film_reduction,
@@ -461,7 +492,7 @@ pub fn groups(case: &Case, pressure_viscosity_coefficient: f64) -> Groups {
 }
 
 /// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular, elliptical) predict.
-pub(crate) fn predicted_film(case: &Case) -> f64 {
+pub fn predicted_film(case: &Case) -> f64 {
     let slope = case
         .lubricant
         .viscosity

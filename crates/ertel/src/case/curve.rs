@@ -60,7 +60,7 @@ pub struct Quantity {
 }
 
 /// The quantities in order of the documentation; the load is a force here, in line contacts a force per length.
-const QUANTITIES: [Quantity; 9] = [
+const QUANTITIES: [Quantity; 11] = [
     quantity(
         "motion.entrainment_speed",
         "entrainment speed",
@@ -93,6 +93,18 @@ const QUANTITIES: [Quantity; 9] = [
         Dimension::PRESSURE,
     ),
     quantity("contact.radius", "radius", "*R*", Dimension::LENGTH),
+    quantity(
+        "inlet.oil_layer",
+        "oil layer",
+        "*h*_{oil}",
+        Dimension::LENGTH,
+    ),
+    quantity(
+        "inlet.meniscus_distance",
+        "distance of the meniscus",
+        "",
+        Dimension::LENGTH,
+    ),
     quantity("temperature", "temperature", "*T*", Dimension::TEMPERATURE),
     quantity(
         "lubricant.temperature",

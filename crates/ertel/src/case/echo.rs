@@ -20,6 +20,7 @@ impl Case {
             contact: self.contact.clone(),
             motion: self.motion,
             machine: self.machine.clone(),
+            supply: self.supply,
             plane: body(&self.plane),
             ball: body(&self.ball),
             roughness: self.roughness,

@@ -26,7 +26,10 @@ pub(super) fn read(
     let supply = match (layer, distance) {
         (Some(_), Some(_)) => {
             return Err(table
-                .error("meniscus_distance", "`oil_layer` and `meniscus_distance` are both given")
+                .error(
+                    "meniscus_distance",
+                    "`oil_layer` and `meniscus_distance` are both given",
+                )
                 .with_help("the layer decides where the meniscus is: give one or the other"));
         }
         (None, None) => {
@@ -70,4 +73,76 @@ pub(super) fn read(
     };
     table.finish()?;
     Ok(supply)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use ertel_rheology::input::Document;
+
+    use super::super::Case;
+    use super::*;
+
+    fn read(contact: &str, rest: &str) -> Result<Case, InputError> {
+        let text = format!(
+            "[contact]\n{contact}\n[motion]\nentrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.0\n{rest}\n{}",
+            r#"
+[bodies]
+body_1 = "steel"
+body_2 = "steel"
+[lubricant]
+temperature = "40 degC"
+density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
+"#
+        );
+        Case::from_document(&Document::parse("case.toml", text.as_str())?, Path::new(""))
+    }
+
+    const BALL: &str = "kind = \"circular\"\nradius = \"16 mm\"\nload = \"100 N\"";
+    const ELLIPSE: &str =
+        "kind = \"elliptical\"\nradius_x = \"16 mm\"\nradius_y = \"32 mm\"\nload = \"100 N\"";
+
+    #[test]
+    fn supplies() {
+        let supply = |contact: &str, rest: &str| read(contact, rest).unwrap().supply;
+        assert_eq!(supply(BALL, ""), Supply::Flooded);
+        let layer = supply(BALL, "[inlet]\noil_layer = \"150 nm\"");
+        assert_eq!(layer, Supply::OilLayer { thickness: 150e-9 });
+        let meniscus = supply(ELLIPSE, "[inlet]\nmeniscus_distance = \"1 mm\"");
+        assert_eq!(meniscus, Supply::Meniscus { distance: 1e-3 });
+    }
+
+    #[test]
+    fn bad_supplies_are_refused() {
+        let askew = format!("{ELLIPSE}\nentrainment_angle = \"30 deg\"");
+        let cases = [
+            (BALL, "", "oil_layer"),
+            (BALL, "oil_layer = 1", "unit"),
+            (BALL, "oil_layer = \"-1 nm\"", "oil_layer"),
+            (BALL, "oil_layer = \"1 Pa\"", "oil_layer"),
+            (BALL, "oil_layer = \"nan nm\"", "oil_layer"),
+            (BALL, "thickness = \"1 nm\"", "oil_layer"),
+            (
+                BALL,
+                "oil_layer = \"1 um\"\nmeniscus_distance = \"1 mm\"",
+                "one or the other",
+            ),
+            (BALL, "meniscus_distance = \"0.2 mm\"", "half-width"),
+            (BALL, "meniscus_distance = \"1 m\"", "flooded"),
+            (
+                BALL,
+                "meniscus_distance = \"1 mm\"\n[mesh]\ninlet = -4.0",
+                "[mesh]",
+            ),
+            (askew.as_str(), "meniscus_distance = \"1 mm\"", "oil_layer"),
+        ];
+        for (contact, inlet, word) in cases {
+            let error = read(contact, &format!("[inlet]\n{inlet}"))
+                .unwrap_err()
+                .to_string();
+            assert!(error.contains(word), "`{word}` is not in {error}");
+        }
+    }
 }

@@ -63,9 +63,8 @@ mod tests {
     #[test]
     fn films_of_near_and_far_menisci() {
         for kind in [ContactKind::Line, ContactKind::Circular] {
-            let film = |distance| {
-                starved_film(kind, 0.01, &Supply::Meniscus { distance }, 1.0, 1.0)
-            };
+            let film =
+                |distance| starved_film(kind, 0.01, &Supply::Meniscus { distance }, 1.0, 1.0);
             assert_relative_eq!(film(50.0), 0.01, max_relative = 1e-3);
             let mut last = 0.0;
             for distance in [1.001, 1.01, 1.1, 1.5, 3.0] {
@@ -73,8 +72,10 @@ mod tests {
                 last = film(distance);
             }
             let h = film(1.1);
-            let [starved, flooded] =
-                [inlet_integral(kind, h, 1.1), inlet_integral(kind, 0.01, FAR)];
+            let [starved, flooded] = [
+                inlet_integral(kind, h, 1.1),
+                inlet_integral(kind, 0.01, FAR),
+            ];
             assert_relative_eq!(starved, flooded, max_relative = 1e-6);
             let layer = Supply::OilLayer { thickness: 0.004 };
             assert_eq!(starved_film(kind, 0.01, &layer, 1.0, 1.0), 0.004);

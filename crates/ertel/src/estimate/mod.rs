@@ -242,6 +242,13 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
             "the estimates are of the case itself, not of the points of its [curve]",
         ));
     }
+    if case.supply.is_limited() {
+        warnings.push(Warning::new(
+            WarningKind::Other,
+            "[inlet] limits the oil that reaches the contact; all film formulas and estimates are those of a flooded one, and \
+             films may be thinner: `ertel solve` computes them",
+        ));
+    }
     if estimate.newtonian_only {
         warnings.push(Warning::new(
             WarningKind::Other,

@@ -65,3 +65,75 @@ fn share<D: Number>(t: D) -> Option<[D; 2]> {
 pub fn filling_length(size: f64, order: usize) -> f64 {
     size / order as f64
 }
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::forms::dual::Dual;
+
+    const LAYER: OilLayer = OilLayer {
+        thickness: 0.05,
+        lambda: 0.02,
+    };
+
+    fn film(pressure: f64, film: f64) -> f64 {
+        missing(&LAYER, pressure, film, 0.1).map_or(0.0, |m| m.film)
+    }
+
+    /// Slopes as printed and as the dual numbers carry them, against differences.
+    #[test]
+    fn slopes_against_differences() {
+        // κ = 500 H³: full from P = 0.29 at H = 0.08, 0.3 at 0.1
+        for (p, h) in [
+            (-2e-3, 0.1),
+            (0.0, 0.1),
+            (0.02, 0.1),
+            (0.08, 0.1),
+            (0.01, 0.3),
+            (0.05, 0.06),
+        ] {
+            let variables = [Dual::<2>::variable(p, 0), Dual::<2>::variable(h, 1)];
+            let found = missing(&LAYER, variables[0], variables[1], 0.1).unwrap();
+            let e = 1e-7;
+            let by_pressure = (film(p + e, h) - film(p - e, h)) / (2.0 * e);
+            let by_film = (film(p, h + e) - film(p, h - e)) / (2.0 * e);
+            assert_relative_eq!(
+                found.by_pressure.re,
+                by_pressure,
+                max_relative = 1e-5,
+                epsilon = 1e-7
+            );
+            assert_relative_eq!(
+                found.by_film.re,
+                by_film,
+                max_relative = 1e-5,
+                epsilon = 1e-7
+            );
+            assert_relative_eq!(
+                found.film.slopes[0],
+                by_pressure,
+                max_relative = 1e-5,
+                epsilon = 1e-7
+            );
+            assert_relative_eq!(
+                found.film.slopes[1],
+                by_film,
+                max_relative = 1e-5,
+                epsilon = 1e-7
+            );
+        }
+    }
+
+    /// Without pressure the gap carries the layer, under pressure it is full; a gap thinner than the layer is always full.
+    #[test]
+    fn limits() {
+        assert_relative_eq!(film(0.0, 0.2), 0.15, max_relative = 1e-14);
+        // κ = 4: D/κ = 0.0375
+        assert_eq!(film(0.0376, 0.2), 0.0);
+        assert!(film(0.0374, 0.2) > 0.0);
+        assert_eq!(film(-1.0, 0.049), 0.0);
+        assert!(film(-1.0, 0.2) < 0.3);
+    }
+}

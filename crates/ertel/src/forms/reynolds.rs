@@ -100,8 +100,8 @@ pub fn reynolds_point<D: Number>(
     } else {
         zero
     };
-    let missing = (e.oil_layer.as_ref())
-        .and_then(|layer| missing(layer, s.pressure, h, e.filling_length));
+    let missing =
+        (e.oil_layer.as_ref()).and_then(|layer| missing(layer, s.pressure, h, e.filling_length));
     let carried = missing.map_or(h, |missing| h - missing.film);
     let mut test = TestCoefficients {
         value: penalty - source,

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::contact::{Contact, Elasticity, Motion};
+use crate::contact::{Contact, Elasticity, Motion, Supply};
 use crate::params::{MeshParams, SolverParams, ThermalParams};
 
 /// One of the bodies.
@@ -91,6 +91,9 @@ pub struct CaseEcho {
     /// The machine they come from; `given` holds its keys.
     #[serde(skip)]
     pub machine: Option<MachineEcho>,
+    /// How much oil reaches the contact.
+    #[serde(skip_serializing_if = "is_flooded")]
+    pub supply: Supply,
     /// The plane.
     pub plane: BodyEcho,
     /// The ball or cylinder.
@@ -109,4 +112,8 @@ pub struct CaseEcho {
     /// Heat, in a thermal contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thermal: Option<ThermalEcho>,
+}
+
+fn is_flooded(supply: &Supply) -> bool {
+    !supply.is_limited()
 }

@@ -123,6 +123,16 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
         ),
         ("largest pressure", &s.pressure_maximum),
     ];
+    if let Some(s) = &solution.starvation {
+        let found = [
+            s.film_central_flooded,
+            s.film_minimum_flooded,
+            s.ratio_central,
+            s.ratio_minimum,
+            s.meniscus_position,
+        ];
+        estimates.extend(found.into_iter().flatten().map(|e| ("starvation", e)));
+    }
     if let Some(roller) = &solution.roller {
         located.push(("edge pressure", &roller.edge_pressure_left));
         located.push(("edge pressure", &roller.edge_pressure_right));

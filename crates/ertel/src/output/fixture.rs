@@ -5,7 +5,9 @@ use serde_json::json;
 
 use super::{BodyEcho, CaseEcho, FluidEcho};
 use crate::contact::hertz::{deflection_profile, pressure_profile};
-use crate::contact::{Contact, ContactKind, Elasticity, Groups, Hertz, Motion, Scales, Shape};
+use crate::contact::{
+    Contact, ContactKind, Elasticity, Groups, Hertz, Motion, Scales, Shape, Supply,
+};
 use crate::params::{MeshParams, MeshPreset, SolverParams};
 use crate::reference::film_formulas;
 use crate::solution::*;
@@ -39,6 +41,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
         contact: contact(kind),
         motion: Motion::straight(0.8, 0.5),
         machine: None,
+        supply: Supply::Flooded,
         plane: steel("plane"),
         ball: steel("ball"),
         roughness: None,
@@ -205,6 +208,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             load_balance_error: 3e-12,
             rigid_separation: -1.4e-6,
         },
+        starvation: None,
         roller: None,
         traction: Traction {
             coefficient: bar(0.035),

@@ -9,8 +9,8 @@ use super::figure::{
 };
 use super::name_of_ball;
 use super::{CaseEcho, heat};
-use crate::contact::{ContactKind, Groups, Hertz, Symmetry};
-use crate::solution::{Located, Solution, Timings};
+use crate::contact::{ContactKind, Groups, Hertz, Supply, Symmetry};
+use crate::solution::{Estimate, Located, Solution, Timings};
 use crate::warning::Warning;
 
 /// Width of the column of names.
@@ -160,6 +160,13 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
             digits(motion.plane_speed(), 6)
         ),
     );
+    match case.supply {
+        Supply::Flooded => {}
+        Supply::OilLayer { thickness } => out.row("oil layer on both surfaces", length(thickness)),
+        Supply::Meniscus { distance } => {
+            out.row("meniscus before the centre", length(distance));
+        }
+    }
     let fluid = &case.fluid;
     out.row(
         "lubricant",
@@ -271,6 +278,7 @@ fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
         "film ends (centreline)",
         position(s.outlet_position, solution.hertz.half_width),
     );
+    write_starvation(out, solution);
     write_roller(out, solution);
     write_traction(out, solution);
     out.row("mass balance error", percent_or_power(s.film_balance_error));
@@ -282,6 +290,30 @@ pub(super) fn beside(text: &str, other: &str) -> String {
     format!("{text:<VALUE_WIDTH$}  {other}")
         .trim_end()
         .to_owned()
+}
+
+fn write_starvation(out: &mut Lines, solution: &Solution) {
+    let Some(s) = &solution.starvation else {
+        return;
+    };
+    let ratio = |ratio: Option<Estimate>| ratio.map_or("not known".to_owned(), number);
+    let of =
+        |film: Option<Estimate>| film.map_or(String::new(), |h| format!("of {}", estimate(&h)));
+    out.row(
+        "h_c over the flooded film",
+        beside(&ratio(s.ratio_central), &of(s.film_central_flooded)),
+    );
+    out.row(
+        "h_min over the flooded film",
+        beside(&ratio(s.ratio_minimum), &of(s.film_minimum_flooded)),
+    );
+    out.row(
+        "gap is full from (centreline)",
+        match s.meniscus_position {
+            Some(x) => position(x, solution.hertz.half_width),
+            None => "the edge of the contact area on".to_owned(),
+        },
+    );
 }
 
 fn write_roller(out: &mut Lines, solution: &Solution) {
@@ -379,7 +411,10 @@ fn write_formulas(out: &mut Lines, solution: &Solution) {
         Some(h) => format!("{} ({:+.1} %)", length(h), 100.0 * (h / film - 1.0)),
         None => "–".to_owned(),
     };
-    out.heading("Published formulas (difference from the computed film)");
+    out.heading(match solution.starvation {
+        None => "Published formulas (difference from the computed film)",
+        Some(_) => "Published formulas of flooded contacts (difference from the computed film)",
+    });
     let header = beside("central", "minimum");
     out.row("", header);
     for f in &solution.formulas {

@@ -58,6 +58,9 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "history": serde_json::to_value(&solution.history)?,
         "units": units(),
     });
+    if let Some(starvation) = &solution.starvation {
+        document["starvation"] = serde_json::to_value(starvation)?;
+    }
     if let Some(roller) = &solution.roller {
         document["roller"] = serde_json::to_value(roller)?;
     }
@@ -80,6 +83,10 @@ pub(super) fn units() -> Value {
                 "half_width",
                 "radius",
                 "roughness",
+                "thickness",
+                "distance",
+                "film_central_flooded",
+                "film_minimum_flooded",
                 "length",
             ],
         ),

@@ -2,7 +2,7 @@
 
 use super::balance::film_balance_error;
 use super::limits::thin_film_warning;
-use crate::contact::{ContactKind, Scales};
+use crate::contact::{ContactKind, Inlet, Scales};
 use crate::solution::{
     Figure, FilmReduction, LevelStats, Measured, Summary, Traction, TractionAcross, solved,
 };
@@ -198,7 +198,7 @@ pub fn warnings(
     }
     let inlet_film = profile.fields.first().map_or(f64::INFINITY, |f| f.film);
     let centre = central_film(d, &solution.state);
-    if inlet_film < 20.0 * centre {
+    if d.contact.shape.inlet == Inlet::Flooded && inlet_film < 20.0 * centre {
         let text = format!(
             "the film at the inlet edge X = {} is only {:.0} times the central film: the contact is \
              starved by its own contact area; move the edge outward ([mesh] inlet{})",

@@ -55,6 +55,8 @@ figures! {
     Spike, "spike", "Pa";
     /// Where the film breaks on the centreline.
     OutletPosition, "outlet_position", "m";
+    /// Where the gap is full from on, on the centreline.
+    MeniscusPosition, "meniscus_position", "m";
     /// Traction coefficient from the stress at mid-film.
     TractionCoefficient, "traction_coefficient", "";
     /// The same from the stress at the plane.

@@ -3,6 +3,7 @@
 mod elements;
 mod figures;
 mod roller;
+mod starvation;
 mod thermal;
 mod unresolved;
 
@@ -15,6 +16,7 @@ use crate::warning::Warning;
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, Reading};
 pub use roller::RollerFigures;
+pub use starvation::Starvation;
 pub use thermal::{
     Coupling, CrossProfile, FilmTemperatures, HeatBalance, TemperatureField, Thermal,
     ThermalReduction,
@@ -31,15 +33,24 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// 1 − with/without of two solutions, each of which errs on its own.
-    pub fn reduction(with: Estimate, without: Estimate) -> Estimate {
+    /// with/without of two solutions, each of which errs on its own.
+    pub fn ratio(with: Estimate, without: Estimate) -> Estimate {
         let ratio = with.value / without.value;
         let relative = |e: Estimate| Some(e.error? / e.value.abs());
         let both = relative(with).zip(relative(without));
         let error = both.map(|(with, without)| (with + without) * ratio.abs());
         Estimate {
-            value: 1.0 - ratio,
+            value: ratio,
             error: error.filter(|error| error.is_finite()),
+        }
+    }
+
+    /// 1 − with/without of two solutions, each of which errs on its own.
+    pub fn reduction(with: Estimate, without: Estimate) -> Estimate {
+        let ratio = Estimate::ratio(with, without);
+        Estimate {
+            value: 1.0 - ratio.value,
+            ..ratio
         }
     }
 }
@@ -497,6 +508,8 @@ pub struct Solution {
     pub extents: [f64; 3],
     /// The figures.
     pub summary: Summary,
+    /// What a lack of oil does to the film; `None` where there is enough by itself.
+    pub starvation: Option<Starvation>,
     /// Ends and load of a roller; `None` of other contacts.
     pub roller: Option<RollerFigures>,
     /// Traction and friction.

@@ -137,7 +137,9 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
             SHARE_OF_PRESSURE_MAXIMUM * relative * size(figure)
                 + SHARE_OF_SLOPE * estimate.shear_stress
         }
-        Figure::FilmCentrelineMinimum | Figure::OutletPosition => film * size(figure),
+        Figure::FilmCentrelineMinimum | Figure::OutletPosition | Figure::MeniscusPosition => {
+            film * size(figure)
+        }
         Figure::TractionCoefficientPlane
         | Figure::TractionCoefficientBall
         | Figure::TractionCoefficientAcrossPlane

@@ -54,6 +54,12 @@ pub fn figures(
     }
     let outlet = scales.length * profile.outlet();
     figures.note(Figure::OutletPosition, Reading::new(outlet));
+    if let Some(layer) = problem.shape.inlet.layer()
+        && let Some(x) = profile.meniscus(layer.thickness)
+    {
+        let reading = Reading::new(scales.length * x);
+        figures.note(Figure::MeniscusPosition, reading);
+    }
     note_friction(&mut figures, problem, fluid, d, state);
     note_heat(&mut figures, problem, fluid, d, state);
     figures

@@ -198,7 +198,10 @@ pub fn indicator(
             let (sum, size) = (own.iter().sum::<f64>().abs(), sum_of_sizes(&own));
             let weight = (sum / size).max(LEAST_BLURRING) / film;
             if size > 0.0 {
-                share.iter_mut().zip(own).for_each(|(s, o)| *s += weight * o.abs());
+                share
+                    .iter_mut()
+                    .zip(own)
+                    .for_each(|(s, o)| *s += weight * o.abs());
             }
         }
     }

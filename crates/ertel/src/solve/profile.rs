@@ -91,6 +91,23 @@ impl Profile {
         self.x.last().copied().unwrap_or(f64::NAN)
     }
 
+    /// Where the gap is full from on that a layer of oil does not fill upstream: the pressure in front of the place where it fills up
+    /// falls off as it would to zero from the meniscus, where it has filled up by 1/e. `None` where it is full everywhere.
+    pub fn meniscus(&self, layer: f64) -> Option<f64> {
+        let full = 1.0 - (-1.0_f64).exp();
+        let share = |i: usize| {
+            let f = &self.fields[i];
+            match f.film > layer {
+                true => f.missing / (f.film - layer),
+                false => 0.0,
+            }
+        };
+        let centre = self.x.iter().position(|x| *x >= 0.0)?;
+        let i = (0..centre).rev().find(|i| share(*i) > full)?;
+        let (here, next) = (share(i), share(i + 1));
+        Some(self.x[i] + (self.x[i + 1] - self.x[i]) * (here - full) / (here - next))
+    }
+
     /// Pressure spike: between the centre and the outlet, the highest pressure behind a dip that
     /// lies at least 0.2 % of p_h below it and below the pressures before it.
     pub fn spike(&self) -> Option<(f64, f64)> {

@@ -3,7 +3,7 @@
 use super::mesh_solver::solve_from;
 use super::start::pressure_at;
 use super::{Problem, Role, Stage, StageSolution};
-use crate::contact::hertz;
+use crate::contact::{Inlet, hertz};
 use crate::elastic::{Accuracy, Elasticity};
 use crate::solution::LevelStats;
 use crate::solve::adapt::{error_bars, grading_errors};
@@ -20,6 +20,8 @@ pub struct Start {
     film: f64,
     /// Largest error bar over the target, of the last solution that did not start from another.
     miss: f64,
+    /// The same contact with more oil than it takes, where it has less.
+    flooded: Option<Box<Start>>,
 }
 
 /// Ratio by which the contact area of a mesh or its cells are changed for the sake of a later problem.
@@ -37,7 +39,8 @@ impl Problem {
         let (extents, stages) = (self.extents, self.stages.clone());
         for other in others {
             let its = &other.extents;
-            if near(-extents.inlet, -its.inlet)
+            if self.shape.inlet != Inlet::Meniscus
+                && near(-extents.inlet, -its.inlet)
                 && near(extents.outlet, its.outlet)
                 && near(extents.side, its.side)
             {
@@ -103,7 +106,22 @@ impl Start {
             elasticity: problem.elasticity.clone(),
             film: problem.start_film,
             miss,
+            flooded: None,
         }
+    }
+
+    /// The same with the start of the flooded contact beside.
+    #[must_use]
+    pub(crate) fn beside(self, flooded: Start) -> Start {
+        Start {
+            flooded: Some(Box::new(flooded)),
+            ..self
+        }
+    }
+
+    /// The start of the flooded contact.
+    pub(crate) fn flooded(&self) -> Option<&Start> {
+        self.flooded.as_deref()
     }
 
     /// The same for a problem that was solved from this start.
@@ -148,7 +166,10 @@ impl Start {
             has.rim / wants.rim,
             has.edge / wants.edge,
         ];
+        // A meniscus is where the contact area ends.
+        let ends_alike = problem.shape.inlet != Inlet::Meniscus || close(here[0], there[0]);
         contact.shape.is_like(&problem.shape)
+            && ends_alike
             && bodies
             && within(film, 1.0 / FARTHEST_FILM, FARTHEST_FILM)
             && (here.iter().zip(there)).all(|(h, t)| within(h / t, SHORTEST_REACH, LONGEST_REACH))
