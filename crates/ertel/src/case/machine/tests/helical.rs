@@ -67,7 +67,7 @@ impl Flank {
     /// First and second differences at the contact: by u, by z, and uu, uz, zz.
     fn differences(&self) -> ([Vector; 2], [Vector; 3]) {
         let at = [self.unwound / self.base_radius, 0.0];
-        let step = [1e-3, 1e-5];
+        let step = [1e-4, 1e-5];
         let p = |i: f64, j: f64| self.point([at[0] + i * step[0], at[1] + j * step[1]]);
         let [h, k] = step;
         let first = [
