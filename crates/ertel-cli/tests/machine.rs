@@ -23,7 +23,7 @@ fn text(bytes: &[u8]) -> &str {
 /// Radii, loads and speeds worked out by hand in the tests of the machines.
 #[test]
 fn every_machine_is_estimated_and_checked() {
-    let machines: [(&str, &[&str]); 5] = [
+    let machines: [(&str, &[&str]); 6] = [
         ("ball-on-disc", &["9.525 mm", "30 N"]),
         (
             "ball-bearing",
@@ -33,6 +33,20 @@ fn every_machine_is_estimated_and_checked() {
         (
             "spur-gear",
             &["15.68 mm", "25.36 mm", "9.69 mm", "133022 N/m", "1.635"],
+        ),
+        (
+            "helical-gear",
+            &[
+                "16.6 mm",
+                "27.2 mm",
+                "10.63 mm",
+                "82660.9 N/m",
+                "1.56093",
+                "1.02981",
+                "20.6469 deg",
+                "14.0761 deg",
+                "1.48043 m/s",
+            ],
         ),
         (
             "cam-and-flat-tappet",

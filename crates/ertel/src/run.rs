@@ -122,8 +122,11 @@ pub fn problem(case: &Case) -> Problem {
             case.solver.error_estimate,
             case.shear_thinning().is_some(),
             heat.is_some(),
-            // Continuations in sliding or in the shear law are known.
-            fluid.has_limit() || (heat.is_some() && fluid.slides()),
+            // Continuations in sliding or in the shear law are known, and that of rollers in diffusion, away from the pressures at their
+            // ends that a diffusive start has drawn out.
+            fluid.has_limit()
+                || (heat.is_some() && fluid.slides())
+                || contact.kind == ContactKind::Roller,
         ),
         elasticity: match case.elastic_model() {
             ElasticModel::HalfSpace => {
@@ -557,25 +560,16 @@ fn reach(kind: ContactKind, model: ElasticModel, heats: bool, film: f64) -> Reac
 
 /// Contact area, and the body that grows with it.
 fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents {
-    let turned = !shape.zone.turn.is_none();
     let inlet = mesh.inlet.unwrap_or(-reach.inlet);
-    let outlet = mesh.outlet.unwrap_or_else(|| {
-        let outlet = 1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half());
-        // An edge at an angle to the motion comes nearer to the places where the film breaks off.
-        if turned { outlet + 1.5 } else { outlet }
-    });
+    let outlet = mesh
+        .outlet
+        .unwrap_or_else(|| 1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half()));
     let side = mesh.side.unwrap_or_else(|| {
         // The film ends with the roller.
         if let Some(roller) = &shape.zone.roller {
             return roller.side();
         }
-        // Where the motion is at an angle, a part of the lubricant comes from the side.
-        let reach = if turned {
-            reach.side.max(reach.inlet)
-        } else {
-            reach.side
-        };
-        3.0_f64.max(reach.ceil_half())
+        3.0_f64.max(reach.side.ceil_half())
     });
     let widest = inlet.abs().max(outlet).max(side);
     Extents {

@@ -4,6 +4,7 @@
 //! CSV table, a summary in markdown and a picture go into the output folder.
 
 mod cases;
+mod machine;
 mod picture;
 mod record;
 mod sliding;
@@ -24,6 +25,8 @@ use record::{Record, Settings};
 enum Kind {
     Line,
     Circular,
+    Elliptical,
+    Roller,
 }
 
 /// Which contacts.
@@ -33,6 +36,8 @@ enum Map {
     Rolling,
     /// Sliding, heat and fluids that thin or limit their stress
     Sliding,
+    /// Ellipses at any angle and rollers with each profile
+    Machine,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -47,10 +52,10 @@ enum Preset {
 struct Args {
     /// Only cases whose names contain all of these, such as `barus` or `M10000-L1`
     filters: Vec<String>,
-    /// Which of the two maps
+    /// Which of the maps
     #[arg(long, value_enum, default_value_t = Map::Rolling)]
     map: Map,
-    /// Only line or only circular contacts
+    /// Only contacts of one kind
     #[arg(long)]
     kind: Option<Kind>,
     /// Only every n-th of the cases that are left
@@ -87,6 +92,7 @@ fn main() -> std::io::Result<()> {
     let all = match args.map {
         Map::Rolling => cases::cases(),
         Map::Sliding => sliding::cases(),
+        Map::Machine => machine::cases(),
     };
     let n_all = all.len();
     let selected: Vec<_> = all
@@ -94,6 +100,8 @@ fn main() -> std::io::Result<()> {
         .filter(|c| match args.kind {
             Some(Kind::Line) => c.kind == ContactKind::Line,
             Some(Kind::Circular) => c.kind == ContactKind::Circular,
+            Some(Kind::Elliptical) => c.kind == ContactKind::Elliptical,
+            Some(Kind::Roller) => c.kind == ContactKind::Roller,
             None => true,
         })
         .filter(|c| args.filters.iter().all(|f| c.name.contains(f.as_str())))

@@ -16,13 +16,21 @@ const STEPS: [(usize, &str); 4] = [
 ];
 const FAILED: &str = "#D55E00";
 
-/// Line contacts left, circular ones right.
+/// Line contacts left, circular ones right; or ellipses and rollers.
 pub fn svg(records: &[Record]) -> String {
-    let charts = [
-        (ContactKind::Line, "Line contacts"),
-        (ContactKind::Circular, "Circular contacts"),
-    ]
-    .map(|(kind, heading)| {
+    let of_machines =
+        (records.iter()).any(|r| matches!(r.kind, ContactKind::Elliptical | ContactKind::Roller));
+    let panels = match of_machines {
+        true => [
+            (ContactKind::Elliptical, "Elliptical contacts"),
+            (ContactKind::Roller, "Rollers"),
+        ],
+        false => [
+            (ContactKind::Line, "Line contacts"),
+            (ContactKind::Circular, "Circular contacts"),
+        ],
+    };
+    let charts = panels.map(|(kind, heading)| {
         let of_kind: Vec<&Record> = records.iter().filter(|r| r.kind == kind).collect();
         panel(heading, &of_kind)
     });

@@ -243,7 +243,9 @@ impl Record {
         let quoted = |t: &str| format!("\"{}\"", t.replace('"', "'"));
         let kind = match self.kind {
             ContactKind::Line => "line",
-            ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => "circular",
+            ContactKind::Circular => "circular",
+            ContactKind::Elliptical => "elliptical",
+            ContactKind::Roller => "roller",
         };
         let reason = if self.converged() {
             String::new()

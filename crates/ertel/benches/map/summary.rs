@@ -16,6 +16,8 @@ pub fn markdown(records: &[Record], n_all: usize) -> String {
     for (kind, label) in [
         (ContactKind::Line, "line"),
         (ContactKind::Circular, "circular"),
+        (ContactKind::Elliptical, "elliptical"),
+        (ContactKind::Roller, "roller"),
     ] {
         let of_kind: Vec<&Record> = records.iter().filter(|r| r.kind == kind).collect();
         for family in Family::ALL {

@@ -17,25 +17,56 @@ pub struct HertzZone {
 }
 
 impl HertzZone {
-    /// Where a place lies in the plane in which meshes are made: there the zone is the unit circle and its axes the coordinates, or a
-    /// roller is shortened along its axis.
+    /// Where a place lies in the plane in which meshes are made: there the zone is the unit circle and x lies along the motion, or a
+    /// roller is shortened along its axis. Lines along the motion stay so.
     #[inline(always)]
     pub fn unit(&self, at: [f64; 2]) -> [f64; 2] {
-        let [x, y] = self.turn.to_axes(at);
         match &self.roller {
-            None => [x, y / self.axis_ratio],
-            Some(roller) => [x, roller.unit(y)],
+            None if self.turn.is_none() => self.circle(at),
+            None => self.heading().to_motion(self.circle(at)),
+            Some(roller) => [at[0], roller.unit(at[1])],
         }
+    }
+
+    /// A place in semi-axes of an ellipse.
+    #[inline(always)]
+    fn circle(&self, at: [f64; 2]) -> [f64; 2] {
+        let [x, y] = self.turn.to_axes(at);
+        [x, y / self.axis_ratio]
+    }
+
+    /// From what the motion becomes where the zone is the unit circle to what its axes become.
+    fn heading(&self) -> Turn {
+        let [x, y] = self.circle([1.0, 0.0]);
+        Turn::by(y.atan2(x))
     }
 
     /// The inverse: the place of a point of that plane.
     #[inline(always)]
-    pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let y = match &self.roller {
-            None => y * self.axis_ratio,
-            Some(roller) => roller.place(y),
+    pub fn place(&self, at: [f64; 2]) -> [f64; 2] {
+        if let Some(roller) = &self.roller {
+            return [at[0], roller.place(at[1])];
+        }
+        let [x, y] = match self.turn.is_none() {
+            true => at,
+            false => self.heading().to_axes(at),
         };
-        self.turn.to_motion([x, y])
+        self.turn.to_motion([x, y * self.axis_ratio])
+    }
+
+    /// Direction in which the outside lies from an edge whose outward normal is n where meshes are made.
+    pub fn outward(&self, normal: [f64; 2]) -> [f64; 2] {
+        if self.turn.is_none() {
+            return normal;
+        }
+        // The gradient of n·unit(r), and unit is linear.
+        let along = |e: [f64; 2]| {
+            let [x, y] = self.unit(e);
+            normal[0] * x + normal[1] * y
+        };
+        let gradient = [along([1.0, 0.0]), along([0.0, 1.0])];
+        let norm = gradient[0].hypot(gradient[1]);
+        gradient.map(|g| g / norm)
     }
 
     /// How much longer along the second principal direction than along the first a cell is at a place that is not so where it was made.
@@ -53,7 +84,7 @@ impl HertzZone {
         if let Some(roller) = &self.roller {
             return roller.radius(at);
         }
-        let [x, y] = self.unit(at);
+        let [x, y] = self.circle(at);
         x.hypot(y)
     }
 
@@ -95,7 +126,7 @@ impl HertzZone {
 
     /// How long a cell is along the motion that would be of the length 1 around the unit circle.
     pub fn stretch_along_motion(&self) -> f64 {
-        let [x, y] = self.unit([1.0, 0.0]);
+        let [x, y] = self.circle([1.0, 0.0]);
         1.0 / x.hypot(y)
     }
 
@@ -115,7 +146,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// Unit circle and zone map onto each other; the widest points of an ellipse turned by 30 degrees, by a scan of its rim.
+    /// Unit circle and zone map onto each other, lines along the motion onto such lines; the widest points of an ellipse turned by 30 degrees, by a scan of its rim.
     #[test]
     fn the_zone_is_the_unit_circle_drawn_out() {
         let zone = HertzZone {
@@ -128,17 +159,28 @@ mod tests {
             let angle = f64::from(i) * std::f64::consts::TAU / 3600.0;
             let place = zone.place([angle.cos(), angle.sin()]);
             assert_relative_eq!(zone.radius(place), 1.0, max_relative = 1e-14);
+            let [c, s] = zone.unit(place);
+            assert_relative_eq!(c, angle.cos(), epsilon = 1e-14);
+            assert_relative_eq!(s, angle.sin(), epsilon = 1e-14);
             widest = [0, 1].map(|k: usize| widest[k].max(place[k]));
         }
         let extents = zone.half_extents();
         assert_relative_eq!(extents[0], widest[0], max_relative = 1e-6);
         assert_relative_eq!(extents[1], widest[1], max_relative = 1e-6);
-        // The end of the second axis lies at 60 degrees to the motion.
-        let end = zone.place([0.0, 1.0]);
-        assert_relative_eq!(
-            end[1].atan2(end[0]).to_degrees(),
-            60.0,
-            max_relative = 1e-12
-        );
+        let [x, y] = zone.unit([3.0, 0.0]);
+        assert!(x > 0.0 && y.abs() < 1e-14, "{x} {y}");
+        // The first axis, of the length 1, lies at −30 degrees to the motion, the second at 60.
+        let (c, s) = (0.75_f64.sqrt(), 0.5);
+        assert_relative_eq!(zone.radius([c, -s]), 1.0, max_relative = 1e-14);
+        assert_relative_eq!(zone.radius([2.5 * s, 2.5 * c]), 1.0, max_relative = 1e-14);
+        // Along an edge of the mesh nothing changes across it.
+        for normal in [[1.0, 0.0], [0.0, -1.0]] {
+            let [nx, ny] = zone.outward(normal);
+            let edge = zone.place([-normal[1], normal[0]]);
+            assert_relative_eq!(nx * edge[0] + ny * edge[1], 0.0, epsilon = 1e-14);
+            let beyond = zone.place(normal);
+            assert!(nx * beyond[0] + ny * beyond[1] > 0.0);
+            assert_relative_eq!(nx.hypot(ny), 1.0, max_relative = 1e-14);
+        }
     }
 }

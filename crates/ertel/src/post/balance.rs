@@ -28,7 +28,14 @@ pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
             inflow += flux;
         }
     }
-    let normal = zone.turn.to_motion([1.0, 0.0]);
+    // Across the section x = 0 of the mesh, times its length for each y over the axis ratio.
+    let normal = match zone.turn.is_none() {
+        true => [1.0, 0.0],
+        false => {
+            let [x, y] = zone.place([0.0, 1.0]);
+            [y / zone.axis_ratio, -x / zone.axis_ratio]
+        }
+    };
     let flux = |y: f64| {
         let at = zone.place([0.0, y]);
         let Some(f) = fields_at(d, state, at) else {

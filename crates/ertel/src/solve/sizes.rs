@@ -59,6 +59,8 @@ pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -
                 x_min: match (shape.kind, shape.symmetry) {
                     (ContactKind::Line, _) => 0.5,
                     (_, Symmetry::Half) => OUTLET_FROM,
+                    // The mesh of an ellipse at an angle lies along the motion.
+                    (_, Symmetry::Full) if !shape.zone.turn.is_none() => OUTLET_FROM,
                     // The outlet may lie on any side.
                     (_, Symmetry::Full) => f64::NEG_INFINITY,
                 },

@@ -7,9 +7,10 @@ mod ball_bearing;
 mod ball_on_disc;
 mod bearing;
 mod cam;
+mod gears;
+mod involute;
 mod roller_bearing;
 mod spin;
-mod spur_gear;
 
 use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
@@ -29,6 +30,7 @@ enum MachineKind {
     BallBearing,
     RollerBearing,
     SpurGear,
+    HelicalGear,
     CamAndFlatTappet,
 }
 
@@ -50,6 +52,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
             ("ball-bearing", MachineKind::BallBearing),
             ("roller-bearing", MachineKind::RollerBearing),
             ("spur-gear", MachineKind::SpurGear),
+            ("helical-gear", MachineKind::HelicalGear),
             ("cam-and-flat-tappet", MachineKind::CamAndFlatTappet),
         ],
     )?;
@@ -57,7 +60,8 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         MachineKind::BallOnDisc => ball_on_disc::read(table, reduced_modulus),
         MachineKind::BallBearing => ball_bearing::read(table, reduced_modulus),
         MachineKind::RollerBearing => roller_bearing::read(table, reduced_modulus),
-        MachineKind::SpurGear => spur_gear::read(table),
+        MachineKind::SpurGear => gears::read(table, gears::Teeth::Straight),
+        MachineKind::HelicalGear => gears::read(table, gears::Teeth::Helical),
         MachineKind::CamAndFlatTappet => cam::read(table, reduced_modulus),
     }
 }

@@ -9,6 +9,7 @@ use crate::case::Case;
 use crate::contact::ContactKind;
 
 mod bad;
+mod helical;
 use bad::refused;
 
 const REST: &str = r#"

@@ -57,7 +57,7 @@ fn outward(contact: &ContactSurface, [x, y, _]: [f64; 3]) -> Option<[f64; 2]> {
     } else {
         [0.0, y.signum()]
     };
-    Some(shape.zone.turn.to_motion(normal))
+    Some(shape.zone.outward(normal))
 }
 
 impl Assembly<'_> {

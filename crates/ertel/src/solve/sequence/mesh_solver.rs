@@ -8,6 +8,7 @@ use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::strategies::Outline;
 use super::{Problem, Role, Stage, StageSolution};
+use crate::contact::ContactKind;
 use crate::solution::LevelStats;
 use crate::solve::adapt::{grading_errors, next_refinement};
 use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
@@ -77,6 +78,7 @@ impl Outline {
         Outline {
             usual: problem.stages.clone(),
             exponential: problem.fluid.is_exponential(),
+            impatient: problem.shape.kind == ContactKind::Roller,
             slides: problem.fluid.slides(),
             refined: problem.adapt.is_some(),
         }

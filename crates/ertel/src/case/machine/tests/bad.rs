@@ -121,7 +121,7 @@ fn bad_machines_are_refused_with_their_reason() {
             GEAR,
             "module",
             "helix_angle = \"10 deg\"\nmodule",
-            &["helical gears are not covered"],
+            &["the teeth of a spur gear are straight", "helical-gear"],
         ),
         (
             GEAR,

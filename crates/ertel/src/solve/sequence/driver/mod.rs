@@ -182,7 +182,7 @@ impl<S: StageSolver> Driver<S> {
                 self.queue.push_back(Stage {
                     refinements: stage.refinements + 1,
                     undamped: false,
-                    given_up_early: false,
+                    given_up_early: self.outline.impatient,
                     ..*stage
                 });
             }

@@ -23,6 +23,8 @@ pub(super) struct Outline {
     pub usual: Vec<Stage>,
     /// Whether shear rates grow exponentially with the stress (Eyring, limiting stress).
     pub exponential: bool,
+    /// Whether runs that go round in circles are given up early on refined meshes, too.
+    pub impatient: bool,
     /// Whether the surfaces slide.
     pub slides: bool,
     /// Whether the mesh is refined locally after the first solution.

@@ -54,6 +54,7 @@ pub(in super::super) fn outline(order: usize) -> Outline {
     Outline {
         usual: vec![start, solution],
         exponential: false,
+        impatient: false,
         slides: false,
         refined: true,
     }
@@ -72,6 +73,7 @@ fn outlines() -> Vec<Outline> {
     ] {
         let mut outline = Outline {
             exponential,
+            impatient: false,
             slides,
             refined,
             ..outline(3)
