@@ -213,20 +213,30 @@ fn ellipses_have_the_formula_of_their_page() {
         .lines()
         .filter(|l| l.contains("contact.entrainment_angle ="));
     assert_eq!(points.count(), 100);
+    let page = std::fs::read_to_string(root.join("docs/studies/ellipses.md")).unwrap();
+    // Limits of the root mean square deviation of the central and the minimum film, %.
+    for (name, limits) in [("ellipses", [10.0, 16.0]), ("ellipses-wide", [5.0, 14.0])] {
+        let table = study.join("results").join(name).with_extension("csv");
+        let form = ["--form", "elliptical"];
+        let output = ertel(&[&["fit", "film", table.to_str().unwrap()], &form[..]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let report = text(&output.stdout);
+        let of = |start: &str| -> Vec<&str> {
+            let lines = report.lines();
+            let values = lines.filter_map(|l| Some(l.trim().strip_prefix(start)?.trim()));
+            values.collect()
+        };
+        assert_eq!(of("text ").len(), 2, "{report}");
+        for formula in of("text ") {
+            assert!(page.contains(formula), "{formula}");
+        }
+        for (rms, limit) in of("deviation, rms").into_iter().zip(limits) {
+            let rms: f64 = rms.trim_end_matches(" %").parse().unwrap();
+            assert!(rms < limit, "{name}: {rms}");
+        }
+    }
     let table = study.join("results/ellipses.csv");
     let arguments = ["fit", "film", table.to_str().unwrap(), "--form"];
-    let output = ertel(&[&arguments[..], &["elliptical"]].concat());
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let page = std::fs::read_to_string(root.join("docs/studies/ellipses.md")).unwrap();
-    let report = text(&output.stdout);
-    let formulas: Vec<&str> = report
-        .lines()
-        .filter_map(|l| Some(l.trim().strip_prefix("text ")?.trim()))
-        .collect();
-    assert_eq!(formulas.len(), 2, "{report}");
-    for formula in formulas {
-        assert!(page.contains(formula), "{formula}");
-    }
     let output = ertel(&[&arguments[..], &["moes"]].concat());
     let warnings = text(&output.stderr);
     assert!(
