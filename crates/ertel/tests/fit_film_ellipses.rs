@@ -278,6 +278,7 @@ fn bad_tables_are_refused_with_their_place() {
     );
     // Axes of studies name the inputs.
     let axes = good
+        .replace("radius_m,", "radius_x_m,")
         .replace("radius_y_m", "contact.radius_y_m")
         .replace("entrainment_angle_rad", "contact.entrainment_angle [rad]");
     let named = read(&axes, FilmForm::Elliptical).unwrap().unwrap();

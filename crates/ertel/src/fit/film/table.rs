@@ -27,6 +27,16 @@ pub struct Films {
     pub warnings: Vec<String>,
 }
 
+/// Where the reduced radius comes from.
+enum Radius {
+    /// One for all films, m.
+    Given(f64),
+    /// A column.
+    Column(Box<Column>),
+    /// The radii of ellipses.
+    Ellipses(Box<Ellipses>),
+}
+
 /// Where the variables of a form come from.
 enum Source {
     /// Moes' M and L, U and R.
@@ -34,9 +44,7 @@ enum Source {
         load: Column,
         material: Column,
         speed: Column,
-        radius: Result<f64, Column>,
-        /// Where the table is one of ellipses.
-        ellipses: Option<Ellipses>,
+        radius: Radius,
     },
     /// The variables themselves.
     Columns(Vec<Column>),
@@ -88,7 +96,6 @@ pub fn read_films(
                 material,
                 speed,
                 radius,
-                ellipses,
             } => {
                 let load = positive(&table, row, load, false)?;
                 let speed = positive(&table, row, speed, false)?;
@@ -97,16 +104,17 @@ pub fn read_films(
                     n_isoviscous += 1;
                     first_isoviscous.get_or_insert((row, material.index));
                 }
-                if let Some(ellipses) = ellipses {
-                    let contact = ellipses.contact(&table, row)?;
-                    unlike.add(&contact);
-                    of_ellipse(form, &contact, speed, load, l)
-                } else {
-                    let radius = match radius {
-                        Ok(radius) => *radius,
-                        Err(column) => positive(&table, row, column, false)?,
-                    };
-                    groups(form, radius, speed, load, l)
+                match radius {
+                    Radius::Given(radius) => groups(form, *radius, speed, load, l),
+                    Radius::Column(column) => {
+                        let radius = positive(&table, row, column, false)?;
+                        groups(form, radius, speed, load, l)
+                    }
+                    Radius::Ellipses(ellipses) => {
+                        let contact = ellipses.contact(&table, row)?;
+                        unlike.add(&contact);
+                        of_ellipse(form, &contact, speed, load, l)
+                    }
                 }
             }
         };
@@ -166,25 +174,34 @@ fn source(table: &CsvTable, form: FilmForm, radius: Option<f64>) -> Result<Sourc
         ])),
         FilmForm::Moes | FilmForm::HamrockDowson(_) | FilmForm::Blend(_) | FilmForm::Elliptical => {
             Ok(Source::Groups {
-                ellipses: match form {
-                    FilmForm::Elliptical => Some(Ellipses::new(table, radius)?),
-                    _ => Ellipses::of(table, radius)?,
-                },
                 load: need(table, &["moes load"], none, "")?,
                 material: need(table, &["moes material"], none, "")?,
                 speed: need(table, &["speed group"], none, "")?,
-                radius: match radius {
-                    Some(radius) => Ok(radius),
-                    None => Err(need(
-                        table,
-                        &["radius"],
-                        Dimension::LENGTH,
-                        " with a unit, such as `radius_m`, and no radius for all is given (`--radius`)",
-                    )?),
-                },
+                radius: radius_source(table, form, radius)?,
             })
         }
     }
+}
+
+/// Where a form in groups has its radius from.
+fn radius_source(
+    table: &CsvTable,
+    form: FilmForm,
+    radius: Option<f64>,
+) -> Result<Radius, DataError> {
+    let ellipses = match form {
+        FilmForm::Elliptical => Some(Ellipses::new(table, radius)?),
+        _ => Ellipses::of(table, radius)?,
+    };
+    if let Some(ellipses) = ellipses {
+        return Ok(Radius::Ellipses(Box::new(ellipses)));
+    }
+    if let Some(radius) = radius {
+        return Ok(Radius::Given(radius));
+    }
+    let help = " with a unit, such as `radius_m`, and no radius for all is given (`--radius`)";
+    let column = need(table, &["radius"], Dimension::LENGTH, help)?;
+    Ok(Radius::Column(Box::new(column)))
 }
 
 /// Scale (m) and variables of a form in groups, from R (m), U, M and L.
