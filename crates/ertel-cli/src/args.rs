@@ -196,8 +196,8 @@ pub struct FitFilmArgs {
     /// Table with the columns film_central_m or film_minimum_m, and those that the form needs
     #[arg(value_name = "RESULTS.csv")]
     pub results: PathBuf,
-    /// The form: moes, h = c R sqrt(2U) M^a L^b; hamrock-dowson, h = c R U^a G^b W^d; blend, of the elastic asymptotes of the
-    /// central film; speed, h = c u^a; speed-load, h = c u^a F^b
+    /// The form: moes, h = c R sqrt(2U) M^a L^b; hamrock-dowson, h = c R U^a G^b W^d; elliptical, the same with ellipticity and
+    /// the angle of the motion; blend, of the elastic asymptotes of the central film; speed, h = c u^a; speed-load, h = c u^a F^b
     #[arg(long, value_name = "FORM", default_value = "moes", value_parser = PossibleValuesParser::new(ertel::fit::FilmForm::NAMES))]
     pub form: String,
     /// Reduced radius of all films, such as "12.7 mm" (default: the column radius_m)

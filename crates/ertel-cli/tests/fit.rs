@@ -197,6 +197,54 @@ fn films_of_chapter_6_lie_by_its_formulas() {
     }
 }
 
+/// The ellipses of docs/studies/ellipses.md: every point of the study is a valid case, and the formula that the page gives is the one
+/// that its command fits to the table.
+#[test]
+fn ellipses_have_the_formula_of_their_page() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let study = root.join("studies/ellipses");
+    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(["sweep", "ellipses.toml", "--dry-run"])
+        .current_dir(&study)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let points = text(&output.stdout)
+        .lines()
+        .filter(|l| l.contains("contact.entrainment_angle ="));
+    assert_eq!(points.count(), 100);
+    let page = std::fs::read_to_string(root.join("docs/studies/ellipses.md")).unwrap();
+    // Limits of the root mean square deviation of the central and the minimum film, %.
+    for (name, limits) in [("ellipses", [10.0, 16.0]), ("ellipses-wide", [5.0, 14.0])] {
+        let table = study.join("results").join(name).with_extension("csv");
+        let form = ["--form", "elliptical"];
+        let output = ertel(&[&["fit", "film", table.to_str().unwrap()], &form[..]].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let report = text(&output.stdout);
+        let of = |start: &str| -> Vec<&str> {
+            let lines = report.lines();
+            let values = lines.filter_map(|l| Some(l.trim().strip_prefix(start)?.trim()));
+            values.collect()
+        };
+        assert_eq!(of("text ").len(), 2, "{report}");
+        for formula in of("text ") {
+            assert!(page.contains(formula), "{formula}");
+        }
+        for (rms, limit) in of("deviation, rms").into_iter().zip(limits) {
+            let rms: f64 = rms.trim_end_matches(" %").parse().unwrap();
+            assert!(rms < limit, "{name}: {rms}");
+        }
+    }
+    let table = study.join("results/ellipses.csv");
+    let arguments = ["fit", "film", table.to_str().unwrap(), "--form"];
+    let output = ertel(&[&arguments[..], &["moes"]].concat());
+    let warnings = text(&output.stderr);
+    assert!(
+        warnings.contains("the ellipses differ, R_y/R_x"),
+        "{warnings}"
+    );
+}
+
 /// The title of a column is shown, not obeyed, where a warning quotes it.
 #[test]
 fn warnings_show_control_characters_of_titles() {

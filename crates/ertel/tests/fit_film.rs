@@ -405,5 +405,5 @@ fn forms_have_names() {
         assert_eq!(error, FormError::Shape(name.to_owned()));
     }
     let error = FilmForm::named("grubin", None).unwrap_err().to_string();
-    assert!(error.contains("moes, hamrock-dowson, blend, speed, speed-load"));
+    assert!(error.contains("moes, hamrock-dowson, elliptical, blend, speed, speed-load"));
 }

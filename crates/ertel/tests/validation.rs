@@ -35,6 +35,7 @@ macro_rules! studies {
 }
 
 studies! {
+    ellipses_hamrock_dowson: "ellipses-hamrock-dowson",
     figure_3_10: "figure-3-10",
     figure_3_3: "figure-3-3",
     figure_3_8: "figure-3-8",

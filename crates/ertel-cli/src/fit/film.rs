@@ -93,14 +93,17 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
 fn check_given(form: FilmForm, given: &[(FilmKind, Vec<f64>)]) -> Result<(), Failure> {
     let names = form.constants();
     for (_, constants) in given {
-        let mut positive = constants.iter().take(form.n_positive());
-        if constants.len() != names.len() || !positive.all(|c| *c > 0.0) {
+        let signs = form.positive();
+        let mut given = constants.iter().zip(signs);
+        if constants.len() != names.len() || !given.all(|(c, positive)| *c > 0.0 || !positive) {
+            let positive = names.iter().zip(signs).filter(|(_, positive)| **positive);
+            let positive: Vec<&str> = positive.map(|(name, _)| *name).collect();
             return Err(Failure::Argument(format!(
-                "--beside: write {} constants, {}, of {}, the first {} above zero",
+                "--beside: write {} constants, {}, of {}; {} above zero",
                 names.len(),
                 names.join(", "),
                 form.formula(),
-                form.n_positive(),
+                positive.join(", "),
             )));
         }
     }

@@ -242,6 +242,15 @@ pub(super) fn fields(point: &PointSolution) -> Vec<(String, String)> {
     let mut fields: Vec<(String, String)> = operating
         .map(|(name, value)| (name.to_owned(), number(value)))
         .into();
+    if case.contact.kind == ContactKind::Elliptical {
+        // An angle without a unit is in rad.
+        for (name, value) in [
+            ("radius_y_m", case.contact.radius_y),
+            ("entrainment_angle_rad", case.contact.entrainment_angle),
+        ] {
+            fields.push((name.to_owned(), number(value)));
+        }
+    }
     let columns = COLUMNS.iter().filter(|column| belongs(column.name));
     for (title, value) in columns.flat_map(|column| column.fields(is_line)) {
         let value = match value(point) {

@@ -47,7 +47,10 @@ impl Conditions {
         let names = match form {
             FilmForm::Speed => &CONDITIONS[..],
             FilmForm::SpeedLoad(_) => &CONDITIONS[2..],
-            _ => &[],
+            FilmForm::Moes
+            | FilmForm::HamrockDowson(_)
+            | FilmForm::Blend(_)
+            | FilmForm::Elliptical => &[],
         };
         let none = [f64::INFINITY, f64::NEG_INFINITY];
         let mut columns = Vec::new();

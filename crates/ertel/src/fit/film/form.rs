@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::FilmState;
+use super::{FilmState, ellipse};
 use crate::contact::ContactKind;
 use crate::reference::{ElasticExponents, Fraction};
 
@@ -33,6 +33,14 @@ pub enum FilmForm {
     ///
     /// h = c (u/(1 m/s))^a (F/(1 N))^b
     SpeedLoad(ContactKind),
+    /// Ellipses with the motion at any angle, in the groups along the principal direction nearest to it: the shape of
+    /// Chittenden et al. (1985) along either axis, and between the axes what the components of the speed make of these.
+    ///
+    /// ```text
+    ///   h = c R_x U^a G^b W^d [S(D)^(2/a) cos²θ + (D^(1−a−2d) S(1/D))^(2/a) sin²θ]^(a/2)
+    ///   D = R_y/R_x,  S(D) = 1 − exp(−e D^f)
+    /// ```
+    Elliptical,
 }
 
 /// What a film depends on.
@@ -56,6 +64,17 @@ const fn group(symbol: &'static str) -> Variable {
 
 const MOES: &[Variable] = &[group("M"), group("L")];
 const GROUPS: &[Variable] = &[group("U"), group("G"), group("W")];
+const ELLIPSES: &[Variable] = &[
+    group("U"),
+    group("G"),
+    group("W"),
+    group("R_y/R_x"),
+    Variable {
+        symbol: "θ",
+        name: "the angle",
+        unit: "rad",
+    },
+];
 const SPEED: Variable = Variable {
     symbol: "u",
     name: "the speed",
@@ -93,7 +112,14 @@ pub enum FormError {
 
 impl FilmForm {
     /// Names of the forms.
-    pub const NAMES: [&'static str; 5] = ["moes", "hamrock-dowson", "blend", "speed", "speed-load"];
+    pub const NAMES: [&'static str; 6] = [
+        "moes",
+        "hamrock-dowson",
+        "elliptical",
+        "blend",
+        "speed",
+        "speed-load",
+    ];
 
     /// The form of this name, for contacts of this shape.
     ///
@@ -105,6 +131,7 @@ impl FilmForm {
         match name {
             "moes" => Ok(Self::Moes),
             "hamrock-dowson" => Ok(Self::HamrockDowson(shape()?)),
+            "elliptical" => Ok(Self::Elliptical),
             "blend" => Ok(Self::Blend(shape()?)),
             "speed" => Ok(Self::Speed),
             "speed-load" => Ok(Self::SpeedLoad(shape()?)),
@@ -126,6 +153,11 @@ impl FilmForm {
                 ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
             ) => "h = c (u/(1 m/s))^a (F/(1 N))^b".into(),
             Self::SpeedLoad(ContactKind::Line) => "h = c (u/(1 m/s))^a (w/(1 N/m))^b".into(),
+            Self::Elliptical => {
+                "h = c R_x U^a G^b W^d [(1 - exp(-e D^f))^(2/a) cos²θ + (D^(1-a-2d) (1 - exp(-e D^(-f))))^(2/a) sin²θ]^(a/2), \
+                 D = R_y/R_x"
+                    .into()
+            }
         }
     }
 
@@ -136,14 +168,18 @@ impl FilmForm {
             Self::HamrockDowson(_) => &["c", "a", "b", "d"],
             Self::Blend(_) => &["c_1", "c_2", "s"],
             Self::Speed => &["c", "a"],
+            Self::Elliptical => &["c", "a", "b", "d", "e", "f"],
         }
     }
 
-    /// How many of the constants, from the first on, are above zero by their meaning.
-    pub fn n_positive(self) -> usize {
+    /// Whether each constant is above zero by its meaning.
+    pub fn positive(self) -> &'static [bool] {
         match self {
-            Self::Blend(_) => 3,
-            _ => 1,
+            Self::Moes | Self::SpeedLoad(_) => &[true, false, false],
+            Self::HamrockDowson(_) => &[true, false, false, false],
+            Self::Blend(_) => &[true; 3],
+            Self::Speed => &[true, false],
+            Self::Elliptical => &[true, true, false, false, true, true],
         }
     }
 
@@ -151,15 +187,17 @@ impl FilmForm {
     pub fn unit(self) -> &'static str {
         match self {
             Self::Speed | Self::SpeedLoad(_) => "m",
-            _ => "",
+            Self::Moes | Self::HamrockDowson(_) | Self::Blend(_) | Self::Elliptical => "",
         }
     }
 
-    /// What the film depends on; in power laws each has an exponent, in this order.
+    /// What the film depends on; in power laws each has an exponent, in this order. Those of ellipses are of the contact seen
+    /// from the principal direction x that is nearest to the motion: θ lies between 0 and 45 degrees.
     pub fn variables(self) -> &'static [Variable] {
         match self {
             Self::Moes | Self::Blend(_) => MOES,
             Self::HamrockDowson(_) => GROUPS,
+            Self::Elliptical => ELLIPSES,
             Self::Speed => &SPEED_AND_FORCE[..1],
             Self::SpeedLoad(
                 ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
@@ -170,6 +208,9 @@ impl FilmForm {
 
     /// Film thickness by the form, m, with the constants in the order of [`Self::constants`].
     pub fn film(self, constants: &[f64], state: &FilmState) -> f64 {
+        if self == Self::Elliptical {
+            return ellipse::film(constants, state);
+        }
         if let Self::Blend(contact) = self {
             let [c_1, c_2, s] = [constants[0], constants[1], constants[2]];
             let [m, l] = [state.variables[0], state.variables[1]];

@@ -2,8 +2,10 @@
 
 mod blend;
 mod conditions;
+mod ellipse;
 mod form;
 mod formula;
+mod geometry;
 mod header;
 mod parity;
 mod power;
@@ -126,6 +128,18 @@ pub enum FilmFitError {
         "no film depends on {0}: it cannot be determined; vary M and L more, or take another form"
     )]
     Undetermined(&'static str),
+    /// A constant of ellipses that no film depends on, by its name.
+    #[error(
+        "no film depends on {0}: it cannot be determined; vary speed, load, R_y/R_x and the angle, or take the form \
+         `hamrock-dowson` for ellipses of one shape"
+    )]
+    Unvaried(&'static str),
+    /// Constants of ellipses that make up for each other in all films.
+    #[error(
+        "{0} make up for each other in all films: they cannot be told apart; vary speed, load, R_y/R_x and the angle one \
+         without the other, or take the form `hamrock-dowson` for ellipses of one shape"
+    )]
+    Inseparable(String),
     /// The confidence is no probability.
     #[error("the confidence {0} is not between 0 and 1")]
     Confidence(f64),
@@ -177,7 +191,10 @@ pub fn fit_film(films: &Films, confidence: f64) -> Result<FilmFit, FilmFitError>
         .collect();
     let found = match films.form {
         FilmForm::Blend(contact) => blend::fit(films, contact, confidence)?,
-        _ => power::fit(films, &ranges, confidence)?,
+        FilmForm::Elliptical => ellipse::fit(films, &ranges, confidence)?,
+        FilmForm::Moes | FilmForm::HamrockDowson(_) | FilmForm::Speed | FilmForm::SpeedLoad(_) => {
+            power::fit(films, &ranges, confidence)?
+        }
     };
     let deviations: Vec<f64> = found.residuals.iter().map(|r| r.exp_m1()).collect();
     if let Some(i) = deviations.iter().position(|d| !d.is_finite()) {

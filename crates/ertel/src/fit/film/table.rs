@@ -4,10 +4,12 @@ use ertel_rheology::input::csv::{Column, CsvTable};
 use ertel_rheology::quantity::Dimension;
 
 use super::conditions::Conditions;
+use super::geometry::Ellipses;
 use super::header::{need, positive};
 use super::{FilmForm, FilmKind, FilmState};
-use crate::contact::ContactKind;
+use crate::contact::{Contact, ContactKind};
 use crate::fit::DataError;
+use crate::output::digits;
 
 /// Names of the column of the entrainment speed, as results and curves have it, and a short one.
 const SPEED_NAMES: [&str; 3] = ["entrainment speed", "motion.entrainment speed", "speed"];
@@ -25,6 +27,16 @@ pub struct Films {
     pub warnings: Vec<String>,
 }
 
+/// Where the reduced radius comes from.
+enum Radius {
+    /// One for all films, m.
+    Given(f64),
+    /// A column.
+    Column(Box<Column>),
+    /// The radii of ellipses.
+    Ellipses(Box<Ellipses>),
+}
+
 /// Where the variables of a form come from.
 enum Source {
     /// Moes' M and L, U and R.
@@ -32,14 +44,15 @@ enum Source {
         load: Column,
         material: Column,
         speed: Column,
-        radius: Result<f64, Column>,
+        radius: Radius,
     },
     /// The variables themselves.
     Columns(Vec<Column>),
 }
 
 /// Reads films from the text of a CSV file with a column `film_central_m` or `film_minimum_m` and what the form needs:
-/// `moes_load`, `moes_material`, `speed_group` and `radius_m`, which `radius` (m) replaces, for forms in groups;
+/// `moes_load`, `moes_material`, `speed_group` and `radius_m`, which `radius` (m) replaces, for forms in groups, of ellipses
+/// with `radius_y_m` and, where it is not 0, `entrainment_angle_rad`;
 /// `entrainment_speed_m_per_s` and the load for those in speed and load; error bars from `film_central_error_m` or
 /// `film_minimum_error_m`, where there are such. Any unit of the dimension does. Lines without a
 /// film are left out.
@@ -67,6 +80,7 @@ pub fn read_films(
     let mut conditions = Conditions::new(&table, form)?;
     let mut states = Vec::new();
     let (mut n_isoviscous, mut first_isoviscous) = (0, None);
+    let mut unlike = Unlike::default();
     for row in table.rows() {
         if row.cell(film.index).is_empty() {
             continue;
@@ -90,11 +104,18 @@ pub fn read_films(
                     n_isoviscous += 1;
                     first_isoviscous.get_or_insert((row, material.index));
                 }
-                let radius = match radius {
-                    Ok(radius) => *radius,
-                    Err(column) => positive(&table, row, column, false)?,
-                };
-                groups(form, radius, speed, load, l)
+                match radius {
+                    Radius::Given(radius) => groups(form, *radius, speed, load, l),
+                    Radius::Column(column) => {
+                        let radius = positive(&table, row, column, false)?;
+                        groups(form, radius, speed, load, l)
+                    }
+                    Radius::Ellipses(ellipses) => {
+                        let contact = ellipses.contact(&table, row)?;
+                        unlike.add(&contact);
+                        of_ellipse(form, &contact, speed, load, l)
+                    }
+                }
             }
         };
         conditions.add(&table, row);
@@ -124,7 +145,7 @@ pub fn read_films(
         form,
         kind,
         states,
-        warnings: conditions.warnings(&table),
+        warnings: [conditions.warnings(&table), unlike.warnings(form)].concat(),
     }))
 }
 
@@ -151,21 +172,36 @@ fn source(table: &CsvTable, form: FilmForm, radius: Option<f64>) -> Result<Sourc
             speed()?,
             load(Dimension::FORCE_PER_LENGTH, "N_per_m")?,
         ])),
-        FilmForm::Moes | FilmForm::HamrockDowson(_) | FilmForm::Blend(_) => Ok(Source::Groups {
-            load: need(table, &["moes load"], none, "")?,
-            material: need(table, &["moes material"], none, "")?,
-            speed: need(table, &["speed group"], none, "")?,
-            radius: match radius {
-                Some(radius) => Ok(radius),
-                None => Err(need(
-                    table,
-                    &["radius"],
-                    Dimension::LENGTH,
-                    " with a unit, such as `radius_m`, and no radius for all is given (`--radius`)",
-                )?),
-            },
-        }),
+        FilmForm::Moes | FilmForm::HamrockDowson(_) | FilmForm::Blend(_) | FilmForm::Elliptical => {
+            Ok(Source::Groups {
+                load: need(table, &["moes load"], none, "")?,
+                material: need(table, &["moes material"], none, "")?,
+                speed: need(table, &["speed group"], none, "")?,
+                radius: radius_source(table, form, radius)?,
+            })
+        }
     }
+}
+
+/// Where a form in groups has its radius from.
+fn radius_source(
+    table: &CsvTable,
+    form: FilmForm,
+    radius: Option<f64>,
+) -> Result<Radius, DataError> {
+    let ellipses = match form {
+        FilmForm::Elliptical => Some(Ellipses::new(table, radius)?),
+        _ => Ellipses::of(table, radius)?,
+    };
+    if let Some(ellipses) = ellipses {
+        return Ok(Radius::Ellipses(Box::new(ellipses)));
+    }
+    if let Some(radius) = radius {
+        return Ok(Radius::Given(radius));
+    }
+    let help = " with a unit, such as `radius_m`, and no radius for all is given (`--radius`)";
+    let column = need(table, &["radius"], Dimension::LENGTH, help)?;
+    Ok(Radius::Column(Box::new(column)))
 }
 
 /// Scale (m) and variables of a form in groups, from R (m), U, M and L.
@@ -179,6 +215,72 @@ fn groups(form: FilmForm, radius: f64, u: f64, m: f64, l: f64) -> (f64, Vec<f64>
             (radius, vec![u, g, w])
         }
         _ => (radius * (2.0 * u).sqrt(), vec![m, l]),
+    }
+}
+
+/// The same of an ellipse, whose U and M are those of the radius along the motion, R_e.
+///
+/// Those along its first axis: U = U_e R_e/R_x, W = W_e (R_e/R_x)²
+fn of_ellipse(form: FilmForm, contact: &Contact, u: f64, m: f64, l: f64) -> (f64, Vec<f64>) {
+    let [along, _] = contact.radii_along_and_across();
+    if form != FilmForm::Elliptical {
+        return groups(form, along, u, m, l);
+    }
+    let (radius, in_groups) = groups(
+        FilmForm::HamrockDowson(ContactKind::Elliptical),
+        along,
+        u,
+        m,
+        l,
+    );
+    let ratio = radius / contact.radius;
+    let variables = vec![
+        in_groups[0] * ratio,
+        in_groups[1],
+        in_groups[2] * ratio * ratio,
+        contact.radius_y / contact.radius,
+        contact.entrainment_angle.abs(),
+    ];
+    (contact.radius, variables)
+}
+
+/// Shapes of ellipses, as far as they differ.
+struct Unlike {
+    ratio: [f64; 2],
+    angle: [f64; 2],
+}
+
+impl Default for Unlike {
+    fn default() -> Self {
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        Unlike {
+            ratio: none,
+            angle: none,
+        }
+    }
+}
+
+impl Unlike {
+    fn add(&mut self, contact: &Contact) {
+        let widen = |[low, high]: [f64; 2], value: f64| [low.min(value), high.max(value)];
+        self.ratio = widen(self.ratio, contact.radius_y / contact.radius);
+        self.angle = widen(self.angle, contact.entrainment_angle.abs().to_degrees());
+    }
+
+    /// What a form leaves out.
+    fn warnings(&self, form: FilmForm) -> Vec<String> {
+        let ([flat, wide], [low, high]) = (self.ratio, self.angle);
+        if form == FilmForm::Elliptical || !(wide > 1.01 * flat || high > low + 0.5) {
+            return Vec::new();
+        }
+        vec![format!(
+            "the ellipses differ, R_y/R_x from {} to {} and the motion at {} to {} deg to x: the form leaves that out; take the form \
+             `elliptical`",
+            digits(flat, 3),
+            digits(wide, 3),
+            digits(low, 3),
+            digits(high, 3)
+        )]
     }
 }
 
