@@ -561,9 +561,14 @@ fn reach(kind: ContactKind, model: ElasticModel, heats: bool, film: f64) -> Reac
 /// Contact area, and the body that grows with it.
 fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents {
     let inlet = mesh.inlet.unwrap_or(-reach.inlet);
-    let outlet = mesh
-        .outlet
-        .unwrap_or_else(|| 1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half()));
+    let outlet = mesh.outlet.unwrap_or_else(|| {
+        // Where thick films break off at an angle to the motion, an edge near by cuts into them (M = 0.5, R_y/R_x = 12: 12 % of the film).
+        let askew = match shape.zone.turn.is_none() {
+            true => 0.0,
+            false => 4.0 * film,
+        };
+        1.5_f64.max((1.0 + 1.5 * film.sqrt() + askew).ceil_half())
+    });
     let side = mesh.side.unwrap_or_else(|| {
         // The film ends with the roller.
         if let Some(roller) = &shape.zone.roller {
