@@ -337,7 +337,7 @@ fn a_thermal_contact_writes_its_temperatures() {
     let report = text(&output.stdout);
     for words in [
         "\nHeat\n",
-        "carried off by the plane",
+        "carried off by body 1",
         "reduction by heat",
         "temperatures ",
         "no profile across the film at [9, 0]",
@@ -359,7 +359,7 @@ fn a_thermal_contact_writes_its_temperatures() {
     let thermal = &json["thermal"];
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     let balance = &thermal["balance"];
-    let [plane, ball] = ["to_plane", "to_ball"].map(|key| number(&balance[key]["value"]));
+    let [plane, ball] = ["to_body_1", "to_body_2"].map(|key| number(&balance[key]["value"]));
     // The film is symmetric about its middle: what is left is the tolerance of the coupling.
     assert!(
         plane > 0.0 && (plane / ball - 1.0).abs() < 1e-3,
@@ -380,12 +380,10 @@ fn a_thermal_contact_writes_its_temperatures() {
         assert!((line[8] - 1.0).abs() < 1e-6, "{line:?}");
     }
     let centreline = read("centreline.csv");
-    assert!(
-        centreline.lines().next().unwrap().ends_with(
-            "temperature_mid_K,temperature_mean_K,temperature_plane_K,temperature_ball_K"
-        )
-    );
-    assert!(read("surface.vtu").contains("Name=\"temperature_ball_K\""));
+    assert!(centreline.lines().next().unwrap().ends_with(
+        "temperature_mid_K,temperature_mean_K,temperature_body_1_K,temperature_body_2_K"
+    ));
+    assert!(read("surface.vtu").contains("Name=\"temperature_body_2_K\""));
     let field = read("temperature.vtu");
     assert!(field.contains("Name=\"region\"") && field.contains("film_magnification"));
 }

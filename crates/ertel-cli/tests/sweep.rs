@@ -167,8 +167,8 @@ values = [false, true]
     for name in [
         "film_temperature_maximum_K",
         "film_temperature_mean_K",
-        "plane_temperature_maximum_K",
-        "ball_temperature_maximum_K",
+        "body_1_temperature_maximum_K",
+        "body_2_temperature_maximum_K",
         "heat_shear_W_per_m",
         "heat_balance_error",
         "thermal_reduction_central",

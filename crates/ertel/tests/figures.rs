@@ -29,18 +29,18 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
         (Figure::FilmMinimum, s.film_minimum),
         (Figure::OutletPosition, s.outlet_position),
         (Figure::TractionCoefficient, t.coefficient),
-        (Figure::TractionCoefficientPlane, t.coefficient_plane),
-        (Figure::TractionCoefficientBall, t.coefficient_ball),
+        (Figure::TractionCoefficientBody1, t.coefficient_body_1),
+        (Figure::TractionCoefficientBody2, t.coefficient_body_2),
         (Figure::TractionForce, t.force),
         (Figure::FrictionPower, t.friction_power),
         (Figure::ShearStressMaximum, t.shear_stress_maximum),
         (Figure::FilmTemperatureMean, heat.film_mean),
-        (Figure::PlaneTemperatureMean, heat.plane_mean),
-        (Figure::BallTemperatureMean, heat.ball_mean),
+        (Figure::Body1TemperatureMean, heat.body_1_mean),
+        (Figure::Body2TemperatureMean, heat.body_2_mean),
         (Figure::HeatShear, heat.balance.shear),
         (Figure::HeatCompression, heat.balance.compression),
-        (Figure::HeatToPlane, heat.balance.to_plane),
-        (Figure::HeatToBall, heat.balance.to_ball),
+        (Figure::HeatToBody1, heat.balance.to_body_1),
+        (Figure::HeatToBody2, heat.balance.to_body_2),
         (Figure::HeatByFilm, heat.balance.by_film),
     ];
     let located = [
@@ -49,8 +49,8 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
         (Figure::PressureMaximum, s.pressure_maximum),
         (Figure::FilmTemperatureMaximum, heat.film_maximum),
         (Figure::FilmTemperatureLowest, heat.film_lowest),
-        (Figure::PlaneTemperatureMaximum, heat.plane_maximum),
-        (Figure::BallTemperatureMaximum, heat.ball_maximum),
+        (Figure::Body1TemperatureMaximum, heat.body_1_maximum),
+        (Figure::Body2TemperatureMaximum, heat.body_2_maximum),
     ];
     let finest = solution.stats.solved().unwrap();
     let check = |figure: Figure, e: Estimate| {
@@ -86,7 +86,7 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
         "/traction/coefficient",
         "/traction/friction_power",
         "/thermal/film_maximum",
-        "/thermal/balance/to_ball",
+        "/thermal/balance/to_body_2",
         "/thermal/reduction/central",
     ] {
         let figure = json.pointer(path).unwrap();

@@ -26,7 +26,7 @@ fn films_resist_rolling_as_published() {
             _ => estimate(&case).rolling_resistance.unwrap(),
         };
         let t = &s.traction;
-        let force = 0.5 * (t.coefficient_ball.value - t.coefficient_plane.value) * load;
+        let force = 0.5 * (t.coefficient_body_2.value - t.coefficient_body_1.value) * load;
         println!("{kind:?} M {}: {force} {published}", s.groups.moes_load);
         assert_relative_eq!(force, published, max_relative = 0.05);
     }

@@ -92,7 +92,10 @@ fn figures_of_made_up_temperatures() {
     let inlet = solution.discretisation.contact.extents.inlet;
     let lowest = 346.0 + 10.0 * inlet;
     assert_relative_eq!(found.film_lowest.value, lowest, epsilon = 1e-9);
-    for (located, value) in [(&found.plane_maximum, 346.0), (&found.ball_maximum, 354.0)] {
+    for (located, value) in [
+        (&found.body_1_maximum, 346.0),
+        (&found.body_2_maximum, 354.0),
+    ] {
         assert_relative_eq!(located.value, value + 10.0 * outlet, epsilon = 1e-9);
         assert_relative_eq!(located.x, outlet * scales.length, max_relative = 1e-12);
     }
@@ -100,8 +103,8 @@ fn figures_of_made_up_temperatures() {
     let measured = measure(&problem, &solution, &levels);
     for (figure, value) in [
         (Figure::FilmTemperatureMaximum, found.film_maximum.value),
-        (Figure::PlaneTemperatureMaximum, 346.0 + 10.0 * outlet),
-        (Figure::BallTemperatureMaximum, 354.0 + 10.0 * outlet),
+        (Figure::Body1TemperatureMaximum, 346.0 + 10.0 * outlet),
+        (Figure::Body2TemperatureMaximum, 354.0 + 10.0 * outlet),
     ] {
         let size = measured.figures.get(figure).unwrap().size;
         assert_relative_eq!(size, value - 313.15, epsilon = 1e-9);
@@ -109,8 +112,8 @@ fn figures_of_made_up_temperatures() {
     // The Hertz zone is told by quadrature points: its ends err by a share of a cell, times 10 K.
     for (mean, value) in [
         (found.film_mean.value, 358.0),
-        (found.plane_mean.value, 346.0),
-        (found.ball_mean.value, 354.0),
+        (found.body_1_mean.value, 346.0),
+        (found.body_2_mean.value, 354.0),
     ] {
         assert_relative_eq!(mean, value, epsilon = 0.1);
     }
@@ -236,11 +239,11 @@ fn heat_is_accounted_for() {
     let made = b.shear.value + b.compression.value;
     assert_relative_eq!(
         made,
-        b.to_plane.value + b.to_ball.value + b.by_film.value,
+        b.to_body_1.value + b.to_body_2.value + b.by_film.value,
         max_relative = 0.01
     );
     // The error is of the heat made, compression with its sign; what compression and expansion make is a small part of the heat.
-    let lost = made - b.to_plane.value - b.to_ball.value - b.by_film.value;
+    let lost = made - b.to_body_1.value - b.to_body_2.value - b.by_film.value;
     assert_relative_eq!(b.error * b.shear.value, lost, max_relative = 0.1);
     // Across the film the velocity goes from one surface's to the other's.
     for profile in &thermal.profiles {
@@ -259,12 +262,12 @@ fn heat_is_accounted_for() {
     // Glass conducts next to nothing out of the area; steel a little, to where it comes in.
     assert_relative_eq!(
         carried(&case, &solution, 0),
-        b.to_plane.value,
+        b.to_body_1.value,
         max_relative = 0.02
     );
     assert_relative_eq!(
         carried(&case, &solution, 2),
-        b.to_ball.value,
+        b.to_body_2.value,
         max_relative = 0.05
     );
     let reduction = thermal.reduction.unwrap();

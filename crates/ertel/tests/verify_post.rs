@@ -78,8 +78,8 @@ fn figures_and_fields_of_a_small_contact() {
         if inside {
             let half = 0.5 * line.film_thickness[i] * slope * scales.pressure / scales.length;
             let off = 1e-6 * (stress.abs() + half.abs());
-            assert_relative_eq!(shear.stress_plane[i], stress - half, epsilon = off);
-            assert_relative_eq!(shear.stress_ball[i], stress + half, epsilon = off);
+            assert_relative_eq!(shear.stress_body_1[i], stress - half, epsilon = off);
+            assert_relative_eq!(shear.stress_body_2[i], stress + half, epsilon = off);
         }
     }
     for (i, p) in field

@@ -96,8 +96,8 @@ fn the_sign_of_sliding_turns_the_traction() {
         assert!(f.coefficient.value > 0.01);
         for (x, y) in [
             (f.coefficient.value, -b.coefficient.value),
-            (f.coefficient_ball.value, -b.coefficient_plane.value),
-            (f.coefficient_plane.value, -b.coefficient_ball.value),
+            (f.coefficient_body_2.value, -b.coefficient_body_1.value),
+            (f.coefficient_body_1.value, -b.coefficient_body_2.value),
             (f.friction_power.value, b.friction_power.value),
         ] {
             assert_relative_eq!(x, y, max_relative = 1e-8);
@@ -130,8 +130,8 @@ fn rolling_alone_has_the_traction_of_the_pressure_gradient() {
         let t = &solution.traction;
         assert_eq!(t.coefficient.value, 0.0);
         assert_relative_eq!(
-            t.coefficient_ball.value,
-            -t.coefficient_plane.value,
+            t.coefficient_body_2.value,
+            -t.coefficient_body_1.value,
             max_relative = 1e-12
         );
         let line = &solution.centreline;
@@ -139,12 +139,12 @@ fn rolling_alone_has_the_traction_of_the_pressure_gradient() {
         let force = integral(line, |i, slope| [h[i - 1], h[i]].map(|h| 0.5 * h * slope));
         println!(
             "{:.5e} {:.5e}",
-            t.coefficient_ball.value,
+            t.coefficient_body_2.value,
             force / case.contact.load
         );
         // The profile's points are dense, and its slopes differences of second order.
         assert_relative_eq!(
-            t.coefficient_ball.value,
+            t.coefficient_body_2.value,
             force / case.contact.load,
             max_relative = 2e-3
         );
@@ -201,8 +201,8 @@ fn friction_is_what_the_surfaces_put_in() {
         }
         let t = solved(&case).traction;
         let power = case.contact.load
-            * (t.coefficient_ball.value * case.motion.ball_speed()
-                - t.coefficient_plane.value * case.motion.plane_speed());
+            * (t.coefficient_body_2.value * case.motion.ball_speed()
+                - t.coefficient_body_1.value * case.motion.plane_speed());
         println!(
             "{kind:?}, SRR {srr}: {:.6e} {power:.6e}, sliding {:.6e}",
             t.friction_power.value,

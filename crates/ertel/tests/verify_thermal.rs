@@ -75,7 +75,7 @@ fn bodies_of_one_material() {
     let rolling = with(0.0);
     assert!(
         rolling.traction.coefficient.value.abs()
-            < 1e-6 * rolling.traction.coefficient_plane.value.abs()
+            < 1e-6 * rolling.traction.coefficient_body_1.value.abs()
     );
     let (one, other) = (with(0.5), with(-0.5));
     assert_relative_eq!(

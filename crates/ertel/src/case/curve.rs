@@ -60,7 +60,7 @@ pub struct Quantity {
 }
 
 /// The quantities in order of the documentation; the load is a force here, in line contacts a force per length.
-const QUANTITIES: [Quantity; 11] = [
+const QUANTITIES: [Quantity; 13] = [
     quantity(
         "motion.entrainment_speed",
         "entrainment speed",
@@ -73,15 +73,22 @@ const QUANTITIES: [Quantity; 11] = [
         "",
         Dimension::DIMENSIONLESS,
     ),
+    quantity("motion.ball_speed", "speed of body 2", "", Dimension::SPEED),
     quantity(
-        "motion.ball_speed",
-        "speed of the ball",
+        "motion.plane_speed",
+        "speed of body 1",
         "",
         Dimension::SPEED,
     ),
     quantity(
-        "motion.plane_speed",
-        "speed of the plane",
+        "motion.body_1_speed",
+        "speed of body 1",
+        "",
+        Dimension::SPEED,
+    ),
+    quantity(
+        "motion.body_2_speed",
+        "speed of body 2",
         "",
         Dimension::SPEED,
     ),

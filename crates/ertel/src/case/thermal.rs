@@ -41,10 +41,19 @@ pub(crate) fn read(mut table: Table<'_>, kind: ContactKind) -> Result<ThermalPar
     set(&mut thermal.tolerance, tolerance);
     let iterations = count(table.optional_integer("max_iterations", 1..=10_000)?);
     set(&mut thermal.max_iterations, iterations);
-    let mut temperature =
-        |key: &str| table.optional_quantity(key, Dimension::TEMPERATURE, TEMPERATURE);
-    thermal.plane_temperature = temperature("plane_temperature")?;
-    thermal.ball_temperature = temperature("ball_temperature")?;
+    let mut temperature = |key: &str, older: &str| {
+        if table.contains(key) && table.contains(older) {
+            return Err(table.error(
+                older,
+                format!("`{older}` and `{key}` are the same temperature; keep one of them"),
+            ));
+        }
+        let given = table.optional_quantity(key, Dimension::TEMPERATURE, TEMPERATURE)?;
+        let as_before = table.optional_quantity(older, Dimension::TEMPERATURE, TEMPERATURE)?;
+        Ok(given.or(as_before))
+    };
+    thermal.plane_temperature = temperature("body_1_temperature", "plane_temperature")?;
+    thermal.ball_temperature = temperature("body_2_temperature", "ball_temperature")?;
     let points = table.optional_points("profiles", Bounds::closed(-FARTHEST, FARTHEST))?;
     set(&mut thermal.profiles, points);
     if kind == ContactKind::Line && thermal.profiles.iter().any(|[_, y]| *y != 0.0) {

@@ -72,8 +72,8 @@ mod tests {
             hertz_pressure: vec![0.0, 9.5e8],
             shear: ShearFields {
                 stress_mid: vec![0.0, 1e6],
-                stress_plane: vec![0.0, 2e6],
-                stress_ball: vec![0.0, 3e6],
+                stress_body_1: vec![0.0, 2e6],
+                stress_body_2: vec![0.0, 3e6],
                 stress_across: Default::default(),
                 rate_mid: vec![0.0, 4e6],
                 generalized_viscosity: vec![0.04, 5.0],

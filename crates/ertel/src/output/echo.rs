@@ -45,8 +45,10 @@ pub struct ThermalEcho {
     /// The lubricant at the temperature of the inlet.
     pub lubricant: HeatEcho,
     /// The plane at its bulk temperature.
+    #[serde(rename = "body_1")]
     pub plane: HeatEcho,
     /// The ball or cylinder at its bulk temperature.
+    #[serde(rename = "body_2")]
     pub ball: HeatEcho,
 }
 
@@ -95,8 +97,10 @@ pub struct CaseEcho {
     #[serde(skip_serializing_if = "is_flooded")]
     pub supply: Supply,
     /// The plane.
+    #[serde(rename = "body_1")]
     pub plane: BodyEcho,
     /// The ball or cylinder.
+    #[serde(rename = "body_2")]
     pub ball: BodyEcho,
     /// Composite rms roughness, m, if given.
     #[serde(skip_serializing_if = "Option::is_none")]

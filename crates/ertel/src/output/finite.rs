@@ -95,8 +95,8 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
         ("minimum film thickness", s.film_minimum),
         ("outlet position", s.outlet_position),
         ("traction", t.coefficient),
-        ("traction", t.coefficient_plane),
-        ("traction", t.coefficient_ball),
+        ("traction", t.coefficient_body_1),
+        ("traction", t.coefficient_body_2),
         ("traction", t.force),
         ("friction power", t.friction_power),
         ("largest shear stress", t.shear_stress_maximum),
@@ -104,8 +104,8 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
     let across = t.across.iter().flat_map(|t| {
         [
             t.coefficient,
-            t.coefficient_plane,
-            t.coefficient_ball,
+            t.coefficient_body_1,
+            t.coefficient_body_2,
             t.force,
         ]
     });
@@ -194,12 +194,12 @@ fn heat(thermal: &Thermal) -> (Vec<Estimate>, [&Located; 4]) {
     let b = &thermal.balance;
     let mut list = vec![
         thermal.film_mean,
-        thermal.plane_mean,
-        thermal.ball_mean,
+        thermal.body_1_mean,
+        thermal.body_2_mean,
         b.shear,
         b.compression,
-        b.to_plane,
-        b.to_ball,
+        b.to_body_1,
+        b.to_body_2,
         b.by_film,
     ];
     if let Some(r) = &thermal.reduction {
@@ -209,8 +209,8 @@ fn heat(thermal: &Thermal) -> (Vec<Estimate>, [&Located; 4]) {
     let located = [
         &thermal.film_maximum,
         &thermal.film_lowest,
-        &thermal.plane_maximum,
-        &thermal.ball_maximum,
+        &thermal.body_1_maximum,
+        &thermal.body_2_maximum,
     ];
     (list, located)
 }

@@ -212,8 +212,8 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         roller: None,
         traction: Traction {
             coefficient: bar(0.035),
-            coefficient_plane: bar(0.034),
-            coefficient_ball: bar(0.036),
+            coefficient_body_1: bar(0.034),
+            coefficient_body_2: bar(0.036),
             force: bar(3.5),
             across: None,
             moment: None,
@@ -272,8 +272,8 @@ fn body(kind: ContactKind, a: f64) -> BodyField {
 fn shear(n: usize) -> ShearFields {
     ShearFields {
         stress_mid: vec![1e6; n],
-        stress_plane: vec![0.9e6; n],
-        stress_ball: vec![1.1e6; n],
+        stress_body_1: vec![0.9e6; n],
+        stress_body_2: vec![1.1e6; n],
         stress_across: Default::default(),
         rate_mid: vec![1e5; n],
         generalized_viscosity: vec![10.0; n],

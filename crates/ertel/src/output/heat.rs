@@ -5,11 +5,11 @@ use std::io::{self, Write};
 use super::figure::{in_unit, number, percent, place, temperature};
 use super::report::{Lines, beside, percent_or_power, power};
 use super::{HeatEcho, ThermalEcho, digits};
-use crate::output::name_of_ball;
+use crate::output::BODIES;
 use crate::solution::{CrossProfile, Estimate, Located, Solution, Thermal};
 
-/// What carries the heat, `ball` being the word for the second body.
-pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho, ball: &str) {
+/// What carries the heat.
+pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho) {
     let of = |material: &HeatEcho| {
         let law = |name: &str| match name {
             "constant" => String::new(),
@@ -26,8 +26,8 @@ pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho, ball: &str) {
     out.row("conductivity, lubricant", of(&thermal.lubricant));
     let params = &thermal.params;
     for (role, material, temperature) in [
-        ("plane", &thermal.plane, params.plane_temperature),
-        (ball, &thermal.ball, params.ball_temperature),
+        (BODIES[0], &thermal.plane, params.plane_temperature),
+        (BODIES[1], &thermal.ball, params.ball_temperature),
     ] {
         let bulk = temperature.map_or(String::new(), |t| format!(", bulk {} K", digits(t, 6)));
         out.row(&format!("conductivity, {role}"), of(material) + &bulk);
@@ -44,12 +44,11 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
         out.row("lowest film temperature", largest(&thermal.film_lowest));
     }
     out.row("mean in the Hertz zone", rise(thermal.film_mean));
-    let ball = name_of_ball(solution.shape.kind);
     for (name, maximum, mean) in [
-        ("plane", &thermal.plane_maximum, thermal.plane_mean),
-        (ball, &thermal.ball_maximum, thermal.ball_mean),
+        (BODIES[0], &thermal.body_1_maximum, thermal.body_1_mean),
+        (BODIES[1], &thermal.body_2_maximum, thermal.body_2_mean),
     ] {
-        out.row(&format!("surface of the {name}"), largest(maximum));
+        out.row(&format!("surface of {name}"), largest(maximum));
         out.row("  mean in the Hertz zone", temperature(mean, None));
     }
     let unit = if solution.shape.kind.is_point() {
@@ -74,11 +73,11 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
             watts(b.compression)
         ),
     );
-    let carried = b.to_plane.value + b.to_ball.value + b.by_film.value;
+    let carried = b.to_body_1.value + b.to_body_2.value + b.by_film.value;
     for (name, heat) in [
-        ("  carried off by the plane", b.to_plane),
-        (&format!("  by the {ball}"), b.to_ball),
-        ("  by the lubricant", b.by_film),
+        (format!("  carried off by {}", BODIES[0]), b.to_body_1),
+        (format!("  by {}", BODIES[1]), b.to_body_2),
+        ("  by the lubricant".to_owned(), b.by_film),
     ] {
         // Of next to nothing, shares say nothing.
         let share = if carried.abs() > 1e-6 * b.shear.value.abs() {
@@ -86,7 +85,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
         } else {
             String::new()
         };
-        out.row(name, beside(&watts(heat), &share));
+        out.row(&name, beside(&watts(heat), &share));
     }
     out.row("heat balance error", percent_or_power(b.error));
     if let Some(r) = &thermal.reduction {

@@ -47,7 +47,6 @@ use std::path::{Path, PathBuf};
 
 use folder::{NewFolder, Part};
 
-use crate::contact::ContactKind;
 use crate::params::OutputParams;
 use crate::solution::Solution;
 
@@ -102,14 +101,8 @@ impl OutputError {
     }
 }
 
-/// What the second body is called.
-pub(crate) fn name_of_ball(kind: ContactKind) -> &'static str {
-    match kind {
-        ContactKind::Circular | ContactKind::Elliptical => "ball",
-        ContactKind::Line => "cylinder",
-        ContactKind::Roller => "roller",
-    }
-}
+/// What outputs call the bodies.
+pub(crate) const BODIES: [&str; 2] = ["body 1", "body 2"];
 
 /// Writes a result folder: `result.json`, `report.txt`, `case.toml`, `centreline.csv`,
 /// `surface.vtu`, `body.vtu` and the pictures, as `params` asks (its `folder` is not looked at); of a thermal contact

@@ -3,11 +3,11 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use super::BODIES;
 use super::figure::{
     estimate, in_unit, length_unit, number, percent, place, position, pressure_estimate,
     pressure_unit,
 };
-use super::name_of_ball;
 use super::{CaseEcho, heat};
 use crate::contact::{ContactKind, Groups, Hertz, Supply, Symmetry};
 use crate::solution::{Estimate, Located, Solution, Timings};
@@ -123,8 +123,7 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         let per_length = digits(case.contact.line_load(), 6);
         out.row("load per length F/l", format!("{per_length} N/m"));
     }
-    let ball = name_of_ball(case.contact.kind);
-    for (role, body) in [("plane", &case.plane), (ball, &case.ball)] {
+    for (role, body) in BODIES.into_iter().zip([&case.plane, &case.ball]) {
         let e = &body.elasticity;
         let text = format!(
             "{}, E {}, ν {}",
@@ -148,16 +147,18 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         out.row("  across the entrainment", ratio);
     }
     if motion.spin != [0.0; 2] {
-        let [plane, ball_spin] = motion.spin.map(|w| digits(w, 6));
-        let text = format!("{ball} {ball_spin} rad/s, plane {plane} rad/s");
+        let [one, two] = motion.spin.map(|w| digits(w, 6));
+        let text = format!("{} {one} rad/s, {} {two} rad/s", BODIES[0], BODIES[1]);
         out.row("spin about the contact normal", text);
     }
     out.row(
         "surface speeds",
         format!(
-            "{ball} {} m/s, plane {} m/s",
-            digits(motion.ball_speed(), 6),
-            digits(motion.plane_speed(), 6)
+            "{} {} m/s, {} {} m/s",
+            BODIES[0],
+            digits(motion.plane_speed(), 6),
+            BODIES[1],
+            digits(motion.ball_speed(), 6)
         ),
     );
     match case.supply {
@@ -205,7 +206,7 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         out.row("  asymptotic, α*", coefficient(alpha));
     }
     if let Some(thermal) = &case.thermal {
-        heat::write(out, thermal, ball);
+        heat::write(out, thermal);
     }
 }
 
@@ -353,11 +354,11 @@ fn write_traction(out: &mut Lines, solution: &Solution) {
     }
     out.row("traction coefficient", number(t.coefficient));
     out.row(
-        "  at the plane, at the ball",
+        "  at body 1, at body 2",
         format!(
             "{}, {}",
-            number(t.coefficient_plane),
-            number(t.coefficient_ball)
+            number(t.coefficient_body_1),
+            number(t.coefficient_body_2)
         ),
     );
     let (force, power) = match solution.shape.kind.is_point() {
@@ -374,11 +375,11 @@ fn write_traction(out: &mut Lines, solution: &Solution) {
             ),
         );
         out.row(
-            "  at the plane, at the ball",
+            "  at body 1, at body 2",
             format!(
                 "{}, {}",
-                number(across.coefficient_plane),
-                number(across.coefficient_ball)
+                number(across.coefficient_body_1),
+                number(across.coefficient_body_2)
             ),
         );
     }
@@ -559,7 +560,7 @@ mod tests {
             Some(Path::new("results/ball")),
         );
         for expected in [
-            "ball 1 m/s, plane 0.6 m/s",
+            "body 1 0.6 m/s, body 2 1 m/s",
             "218.3 µm",
             "1.002 GPa",
             "M 199.3   L 10.36",

@@ -90,8 +90,8 @@ mod tests {
             density: values.clone(),
             shear: ShearFields {
                 stress_mid: values.clone(),
-                stress_plane: values.clone(),
-                stress_ball: values.clone(),
+                stress_body_1: values.clone(),
+                stress_body_2: values.clone(),
                 stress_across: Default::default(),
                 rate_mid: values.clone(),
                 generalized_viscosity: values,

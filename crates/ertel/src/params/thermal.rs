@@ -18,8 +18,10 @@ pub struct ThermalParams {
     /// Largest number of rounds of that coupling.
     pub max_iterations: usize,
     /// Bulk temperature of the plane, K; `None`: that of the lubricant in the inlet.
+    #[serde(rename = "body_1_temperature")]
     pub plane_temperature: Option<f64>,
     /// Bulk temperature of the ball, K; `None`: that of the lubricant in the inlet.
+    #[serde(rename = "body_2_temperature")]
     pub ball_temperature: Option<f64>,
     /// Points [X, Y], in half-widths, at which profiles across the film are written.
     pub profiles: Vec<[f64; 2]>,

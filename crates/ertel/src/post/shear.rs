@@ -20,8 +20,8 @@ pub fn fields<'p>(
         let s = shear.at(point);
         let [mid, plane, ball] = s.stress;
         fields.stress_mid.push(mid[0]);
-        fields.stress_plane.push(plane[0]);
-        fields.stress_ball.push(ball[0]);
+        fields.stress_body_1.push(plane[0]);
+        fields.stress_body_2.push(ball[0]);
         if askew {
             for (field, stress) in fields.stress_across.iter_mut().zip(s.stress) {
                 field.push(stress[1]);

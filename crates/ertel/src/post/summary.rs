@@ -42,8 +42,8 @@ pub fn summarise(
 pub fn traction(measured: &Measured) -> Traction {
     Traction {
         coefficient: measured.estimate(Figure::TractionCoefficient),
-        coefficient_plane: measured.estimate(Figure::TractionCoefficientPlane),
-        coefficient_ball: measured.estimate(Figure::TractionCoefficientBall),
+        coefficient_body_1: measured.estimate(Figure::TractionCoefficientBody1),
+        coefficient_body_2: measured.estimate(Figure::TractionCoefficientBody2),
         force: measured.estimate(Figure::TractionForce),
         across: across(measured),
         moment: measured.find(Figure::TractionMoment),
@@ -57,8 +57,8 @@ pub fn traction(measured: &Measured) -> Traction {
 fn across(measured: &Measured) -> Option<TractionAcross> {
     Some(TractionAcross {
         coefficient: measured.find(Figure::TractionCoefficientAcross)?,
-        coefficient_plane: measured.find(Figure::TractionCoefficientAcrossPlane)?,
-        coefficient_ball: measured.find(Figure::TractionCoefficientAcrossBall)?,
+        coefficient_body_1: measured.find(Figure::TractionCoefficientAcrossBody1)?,
+        coefficient_body_2: measured.find(Figure::TractionCoefficientAcrossBody2)?,
         force: measured.find(Figure::TractionForceAcross)?,
     })
 }

@@ -60,17 +60,17 @@ figures! {
     /// Traction coefficient from the stress at mid-film.
     TractionCoefficient, "traction_coefficient", "";
     /// The same from the stress at the plane.
-    TractionCoefficientPlane, "traction_coefficient_plane", "";
+    TractionCoefficientBody1, "traction_coefficient_body_1", "";
     /// The same from the stress at the ball.
-    TractionCoefficientBall, "traction_coefficient_ball", "";
+    TractionCoefficientBody2, "traction_coefficient_body_2", "";
     /// Traction force at mid-film: N, or N/m.
     TractionForce, "traction_force", "";
     /// Traction coefficient across the motion, from the stress at mid-film.
     TractionCoefficientAcross, "traction_coefficient_across", "";
     /// The same from the stress at the plane.
-    TractionCoefficientAcrossPlane, "traction_coefficient_across_plane", "";
+    TractionCoefficientAcrossBody1, "traction_coefficient_across_body_1", "";
     /// The same from the stress at the ball.
-    TractionCoefficientAcrossBall, "traction_coefficient_across_ball", "";
+    TractionCoefficientAcrossBody2, "traction_coefficient_across_body_2", "";
     /// Traction force across the motion at mid-film: N, or N/m.
     TractionForceAcross, "traction_force_across", "";
     /// Moment of the traction at mid-film about the contact normal.
@@ -90,21 +90,21 @@ figures! {
     /// Mean temperature of the film over the Hertz zone.
     FilmTemperatureMean, "film_temperature_mean", "K";
     /// Largest temperature of the plane's surface.
-    PlaneTemperatureMaximum, "plane_temperature_maximum", "K";
+    Body1TemperatureMaximum, "body_1_temperature_maximum", "K";
     /// Its mean over the Hertz zone.
-    PlaneTemperatureMean, "plane_temperature_mean", "K";
+    Body1TemperatureMean, "body_1_temperature_mean", "K";
     /// Largest temperature of the ball's surface.
-    BallTemperatureMaximum, "ball_temperature_maximum", "K";
+    Body2TemperatureMaximum, "body_2_temperature_maximum", "K";
     /// Its mean over the Hertz zone.
-    BallTemperatureMean, "ball_temperature_mean", "K";
+    Body2TemperatureMean, "body_2_temperature_mean", "K";
     /// Heat made by shear: W, or W/m.
     HeatShear, "heat_shear", "";
     /// Heat made by compression, less what expansion takes: W, or W/m.
     HeatCompression, "heat_compression", "";
     /// Heat carried off by the plane: W, or W/m.
-    HeatToPlane, "heat_to_plane", "";
+    HeatToBody1, "heat_to_body_1", "";
     /// Heat carried off by the ball: W, or W/m.
-    HeatToBall, "heat_to_ball", "";
+    HeatToBody2, "heat_to_body_2", "";
     /// Heat carried off by the lubricant: W, or W/m.
     HeatByFilm, "heat_by_film", "";
 }
@@ -122,8 +122,8 @@ impl Figure {
                 | Figure::EdgePressureRight
                 | Figure::FilmTemperatureMaximum
                 | Figure::FilmTemperatureLowest
-                | Figure::PlaneTemperatureMaximum
-                | Figure::BallTemperatureMaximum
+                | Figure::Body1TemperatureMaximum
+                | Figure::Body2TemperatureMaximum
         )
     }
 }

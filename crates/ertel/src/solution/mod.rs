@@ -309,9 +309,9 @@ pub struct Traction {
     /// Traction coefficient from the stress at mid-film; positive where the ball is the faster surface.
     pub coefficient: Estimate,
     /// The same from the stress at the plane.
-    pub coefficient_plane: Estimate,
+    pub coefficient_body_1: Estimate,
     /// The same from the stress at the ball.
-    pub coefficient_ball: Estimate,
+    pub coefficient_body_2: Estimate,
     /// Traction force at mid-film: N (circular), N/m (line).
     pub force: Estimate,
     /// Traction across the motion, where anything is askew.
@@ -355,9 +355,9 @@ pub struct TractionAcross {
     /// Traction coefficient from the stress at mid-film; positive where the ball drags the plane towards +y.
     pub coefficient: Estimate,
     /// The same from the stress at the plane.
-    pub coefficient_plane: Estimate,
+    pub coefficient_body_1: Estimate,
     /// The same from the stress at the ball.
-    pub coefficient_ball: Estimate,
+    pub coefficient_body_2: Estimate,
     /// Traction force at mid-film: N, N/m (line).
     pub force: Estimate,
 }
@@ -382,9 +382,9 @@ pub struct ShearFields {
     /// Shear stress at mid-film, Pa.
     pub stress_mid: Vec<f64>,
     /// Shear stress at the plane, Pa.
-    pub stress_plane: Vec<f64>,
+    pub stress_body_1: Vec<f64>,
     /// Shear stress at the ball, Pa.
-    pub stress_ball: Vec<f64>,
+    pub stress_body_2: Vec<f64>,
     /// Shear stresses across the motion at mid-film, plane and ball, Pa; empty where both halves of the contact are alike.
     #[serde(skip_serializing_if = "are_empty")]
     pub stress_across: [Vec<f64>; 3],
@@ -399,8 +399,8 @@ impl ShearFields {
     pub fn columns(&self) -> Vec<(&'static str, &[f64])> {
         let mut columns: Vec<(&'static str, &[f64])> = vec![
             ("shear_stress_mid_Pa", &self.stress_mid),
-            ("shear_stress_plane_Pa", &self.stress_plane),
-            ("shear_stress_ball_Pa", &self.stress_ball),
+            ("shear_stress_body_1_Pa", &self.stress_body_1),
+            ("shear_stress_body_2_Pa", &self.stress_body_2),
             ("shear_rate_mid_per_s", &self.rate_mid),
             (
                 "generalized_viscosity_mid_Pa_s",
@@ -409,8 +409,8 @@ impl ShearFields {
         ];
         let names = [
             "shear_stress_across_mid_Pa",
-            "shear_stress_across_plane_Pa",
-            "shear_stress_across_ball_Pa",
+            "shear_stress_across_body_1_Pa",
+            "shear_stress_across_body_2_Pa",
         ];
         let across = names.into_iter().zip(&self.stress_across);
         columns.extend(
@@ -425,8 +425,8 @@ impl ShearFields {
     pub fn repeat(&mut self, i: usize) {
         for field in [
             &mut self.stress_mid,
-            &mut self.stress_plane,
-            &mut self.stress_ball,
+            &mut self.stress_body_1,
+            &mut self.stress_body_2,
             &mut self.rate_mid,
             &mut self.generalized_viscosity,
         ] {

@@ -16,13 +16,13 @@ pub struct Thermal {
     /// Mean temperature of the film over the Hertz zone and across the film, K.
     pub film_mean: Estimate,
     /// Largest temperature of the plane's surface, K.
-    pub plane_maximum: Located,
+    pub body_1_maximum: Located,
     /// Mean temperature of the plane's surface over the Hertz zone, K.
-    pub plane_mean: Estimate,
+    pub body_1_mean: Estimate,
     /// Largest temperature of the ball's surface, K.
-    pub ball_maximum: Located,
+    pub body_2_maximum: Located,
     /// Mean temperature of the ball's surface over the Hertz zone, K.
-    pub ball_mean: Estimate,
+    pub body_2_mean: Estimate,
     /// Where the heat comes from and goes to.
     pub balance: HeatBalance,
     /// What heat does to film and traction; `None` where the isothermal film was not found.
@@ -51,9 +51,9 @@ pub struct HeatBalance {
     /// Made by compression, less what expansion takes.
     pub compression: Estimate,
     /// Carried off by the plane.
-    pub to_plane: Estimate,
+    pub to_body_1: Estimate,
     /// Carried off by the ball.
-    pub to_ball: Estimate,
+    pub to_body_2: Estimate,
     /// Carried off by the lubricant.
     pub by_film: Estimate,
     /// (made − carried off)/(heat of shear + size of the heat of compression).
@@ -111,8 +111,8 @@ impl FilmTemperatures {
         [
             ("temperature_mid_K", &self.mid),
             ("temperature_mean_K", &self.mean),
-            ("temperature_plane_K", &self.plane),
-            ("temperature_ball_K", &self.ball),
+            ("temperature_body_1_K", &self.plane),
+            ("temperature_body_2_K", &self.ball),
         ]
     }
 }

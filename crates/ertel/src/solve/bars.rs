@@ -140,10 +140,10 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
         Figure::FilmCentrelineMinimum | Figure::OutletPosition | Figure::MeniscusPosition => {
             film * size(figure)
         }
-        Figure::TractionCoefficientPlane
-        | Figure::TractionCoefficientBall
-        | Figure::TractionCoefficientAcrossPlane
-        | Figure::TractionCoefficientAcrossBall
+        Figure::TractionCoefficientBody1
+        | Figure::TractionCoefficientBody2
+        | Figure::TractionCoefficientAcrossBody1
+        | Figure::TractionCoefficientAcrossBody2
         | Figure::FrictionPower
         | Figure::HeatShear => {
             let beyond = estimate.beyond_edges;
@@ -157,7 +157,7 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
         _ => {
             let cut = estimate.beyond_edges.cut
                 * match figure {
-                    Figure::HeatToPlane | Figure::HeatToBall | Figure::HeatByFilm => {
+                    Figure::HeatToBody1 | Figure::HeatToBody2 | Figure::HeatByFilm => {
                         SHARE_OF_CUT * size(Figure::HeatShear)
                     }
                     Figure::HeatCompression => SHARE_OF_CUT_COMPRESSION * size(figure),
@@ -175,11 +175,11 @@ fn temperature_bar(figure: Figure, level: &LevelStats) -> f64 {
     match figure {
         Figure::FilmTemperatureMaximum => film_hot,
         Figure::FilmTemperatureLowest => film_cold,
-        Figure::PlaneTemperatureMaximum => plane,
-        Figure::BallTemperatureMaximum => ball,
+        Figure::Body1TemperatureMaximum => plane,
+        Figure::Body2TemperatureMaximum => ball,
         Figure::FilmTemperatureMean
-        | Figure::PlaneTemperatureMean
-        | Figure::BallTemperatureMean => SHARE_OF_TEMPERATURE * errors.rms,
+        | Figure::Body1TemperatureMean
+        | Figure::Body2TemperatureMean => SHARE_OF_TEMPERATURE * errors.rms,
         _ => 0.0,
     }
 }

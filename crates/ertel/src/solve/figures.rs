@@ -141,8 +141,8 @@ fn note_friction(
     };
     for (figure, vector) in [
         (Figure::TractionCoefficient, mid),
-        (Figure::TractionCoefficientPlane, plane),
-        (Figure::TractionCoefficientBall, ball),
+        (Figure::TractionCoefficientBody1, plane),
+        (Figure::TractionCoefficientBody2, ball),
         (Figure::TractionForce, f.force),
     ] {
         figures.note(figure, component(vector, 0));
@@ -156,8 +156,8 @@ fn note_friction(
     if askew {
         for (figure, vector) in [
             (Figure::TractionCoefficientAcross, mid),
-            (Figure::TractionCoefficientAcrossPlane, plane),
-            (Figure::TractionCoefficientAcrossBall, ball),
+            (Figure::TractionCoefficientAcrossBody1, plane),
+            (Figure::TractionCoefficientAcrossBody2, ball),
             (Figure::TractionForceAcross, f.force),
         ] {
             figures.note(figure, component(vector, 1));
@@ -202,15 +202,15 @@ fn note_heat(
     for (figure, (value, place)) in [
         (Figure::FilmTemperatureMaximum, extremes.film_maximum),
         (Figure::FilmTemperatureLowest, extremes.film_lowest),
-        (Figure::PlaneTemperatureMaximum, extremes.walls[0]),
-        (Figure::BallTemperatureMaximum, extremes.walls[1]),
+        (Figure::Body1TemperatureMaximum, extremes.walls[0]),
+        (Figure::Body2TemperatureMaximum, extremes.walls[1]),
     ] {
         temperature(figure, value, Some(place));
     }
     let means = [
         Figure::FilmTemperatureMean,
-        Figure::PlaneTemperatureMean,
-        Figure::BallTemperatureMean,
+        Figure::Body1TemperatureMean,
+        Figure::Body2TemperatureMean,
     ];
     for (figure, value) in means.into_iter().zip(zone_means(d, state, space)) {
         temperature(figure, value, None);
@@ -219,8 +219,8 @@ fn note_heat(
     for (figure, value) in [
         (Figure::HeatShear, balance.shear),
         (Figure::HeatCompression, balance.compression),
-        (Figure::HeatToPlane, balance.to_plane),
-        (Figure::HeatToBall, balance.to_ball),
+        (Figure::HeatToBody1, balance.to_body_1),
+        (Figure::HeatToBody2, balance.to_body_2),
         (Figure::HeatByFilm, balance.by_film),
     ] {
         figures.note(figure, Reading::new(value));

@@ -298,7 +298,9 @@ impl Quantity {
             Quantity::FilmRiseOfTemperature => {
                 Some(thermal.film_maximum.value - thermal.inlet_temperature)
             }
-            Quantity::SurfaceDifference => Some(thermal.plane_mean.value - thermal.ball_mean.value),
+            Quantity::SurfaceDifference => {
+                Some(thermal.body_1_mean.value - thermal.body_2_mean.value)
+            }
             Quantity::OutletCooling => {
                 let line = &thermal.centreline;
                 let below = |i: usize| 0.5 * (line.plane[i] + line.ball[i]) - line.mid[i];

@@ -92,8 +92,8 @@ const MAPS: [&str; 5] = [
     "pressure",
     "film",
     "temperature-mid",
-    "temperature-plane",
-    "temperature-ball",
+    "temperature-body-1",
+    "temperature-body-2",
 ];
 
 /// `range` of a picture with a left axis.

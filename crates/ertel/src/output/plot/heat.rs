@@ -3,7 +3,7 @@
 use super::super::heat::profile_label;
 use super::maps::temperature_map;
 use super::{Axis, Chart, Look, PALETTE, Series, Side, Task, profile, window_x};
-use crate::output::name_of_ball;
+use crate::output::BODIES;
 use crate::solution::{Polynomials, Solution, Thermal};
 
 /// Least range of a colour scale, K: below it, a map would show noise.
@@ -33,8 +33,8 @@ pub fn heat_pictures<'a>(
         let walls = range(&[&t.plane, &t.ball]);
         for (name, field, place, range) in [
             ("temperature-mid", &t.mid, "mid-film", range(&[&t.mid])),
-            ("temperature-plane", &t.plane, "plane", walls),
-            ("temperature-ball", &t.ball, "ball", walls),
+            ("temperature-body-1", &t.plane, BODIES[0], walls),
+            ("temperature-body-2", &t.ball, BODIES[1], walls),
         ] {
             let label = format!("Temperature *T*, {place} (K)");
             let draw = move || temperature_map(title, solution, field, &label, range);
@@ -53,13 +53,12 @@ pub fn heat_pictures<'a>(
 /// Temperatures at mid-film, of both surfaces, and across the film on average, along y = 0.
 pub fn temperature_chart(title: &str, solution: &Solution) -> Chart {
     let [low, high] = window_x(solution);
-    let ball = name_of_ball(solution.shape.kind);
     let fields = (solution.elements.temperatures.iter()).flat_map(|t| {
         [
             ("mid-film", &t.mid, Look::Line, PALETTE[1]),
             ("mean of the film", &t.mean, Look::Dashed, PALETTE[1]),
-            ("plane", &t.plane, Look::Line, PALETTE[0]),
-            (ball, &t.ball, Look::Line, PALETTE[2]),
+            (BODIES[0], &t.plane, Look::Line, PALETTE[0]),
+            (BODIES[1], &t.ball, Look::Line, PALETTE[2]),
         ]
     });
     let series: Vec<Series> = fields
@@ -89,7 +88,7 @@ pub fn cross_film_chart(title: &str, solution: &Solution, thermal: &Thermal) -> 
     let values = thermal.profiles.iter().flat_map(|p| &p.temperature);
     let mut chart = Chart::new(
         title,
-        Axis::linear("Height over the plane *z*/*h*", 0.0, 1.0),
+        Axis::linear("Height over body 1 *z*/*h*", 0.0, 1.0),
         Axis::linear_around("Temperature *T* (K)", values.copied()),
     );
     for (i, profile) in thermal.profiles.iter().enumerate() {

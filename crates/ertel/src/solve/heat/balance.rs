@@ -31,9 +31,9 @@ pub struct Balance {
     /// Made by compression, less what expansion takes.
     pub compression: f64,
     /// Carried off by the plane.
-    pub to_plane: f64,
+    pub to_body_1: f64,
     /// Carried off by the ball.
-    pub to_ball: f64,
+    pub to_body_2: f64,
     /// Carried off by the lubricant.
     pub by_film: f64,
     /// (made − carried off)/(heat of shear + size of the heat of compression).
@@ -56,16 +56,16 @@ pub fn heat_balance(
     let system = assemble(d, fluid, heat, state, None, kept, None);
     let account = system.account;
     let scale = scales.area(&d.contact.shape);
-    let [to_plane, to_ball] = [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b]));
+    let [to_body_1, to_body_2] = [0, 1].map(|b| scale * (account.bodies[b] + account.conducted[b]));
     let by_film = scale * carried_by_film(d, state, fluid, heat, &system.taken_up);
     let (shear, compression) = (scale * account.shear, scale * account.compression);
     let size = shear + scale * account.compression_size;
-    let lost = shear + compression - to_plane - to_ball - by_film;
+    let lost = shear + compression - to_body_1 - to_body_2 - by_film;
     Balance {
         shear,
         compression,
-        to_plane,
-        to_ball,
+        to_body_1,
+        to_body_2,
         by_film,
         // Nothing is out of balance where there is no heat.
         error: if size > 0.0 { lost / size } else { 0.0 },
