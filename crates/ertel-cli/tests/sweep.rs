@@ -179,7 +179,7 @@ values = [false, true]
     }
     let ambient = 313.15;
     assert!(value("film_temperature_maximum_K", 4) > value("film_temperature_maximum_K", 2));
-    for name in ["film", "plane", "ball"].map(|of| format!("{of}_temperature_maximum_K")) {
+    for name in ["film", "body_1", "body_2"].map(|of| format!("{of}_temperature_maximum_K")) {
         assert!(value(&name, 4) > ambient);
     }
     assert!(value("heat_balance_error", 4).abs() < 0.01);

@@ -36,23 +36,37 @@ fn manufactured(kind: ContactKind, order: usize, sizes: [f64; 3]) {
     let depth = 1.2;
     let amplitude = 10.0;
     // g and its derivatives: value, ū·∇g, XX + YY
+    // Over an ellipse in coordinates u(r), linear in r and not at right angles: zero on all edges, and level on all but the inlet's.
     let over_ellipse = |at: [f64; 2]| {
+        let (length, width) = (extents.outlet - extents.inlet, 2.0 * extents.side);
         let [x, y] = zone.unit(at);
-        let (k, l) = (
-            PI / (2.0 * (extents.outlet - extents.inlet)),
-            PI / (4.0 * extents.side),
+        let (u, v) = ((x - extents.inlet) / length, (y + extents.side) / width);
+        let p = [
+            u * (1.0 - u).powi(2),
+            (1.0 - u) * (1.0 - 3.0 * u),
+            6.0 * u - 4.0,
+        ]
+        .map(|p| 6.75 * p);
+        let q = [
+            (v * (1.0 - v)).powi(2),
+            2.0 * v * (1.0 - v) * (1.0 - 2.0 * v),
+            2.0 - 12.0 * v * (1.0 - v),
+        ]
+        .map(|q| 16.0 * q);
+        let [to_x, to_y] = [zone.unit([1.0, 0.0]), zone.unit([0.0, 1.0])];
+        let (du, dv) = (
+            [to_x[0] / length, to_y[0] / length],
+            [to_x[1] / width, to_y[1] / width],
         );
-        let (along, across) = (k * (x - extents.inlet), l * (y + extents.side));
-        let value = along.sin() * across.sin();
-        // Slopes along the axes of the ellipse, whose second one is longer than the first.
-        let l = l / zone.axis_ratio;
-        let slopes = [
-            k * along.cos() * across.sin(),
-            l * along.sin() * across.cos(),
-        ];
-        let velocity = zone.turn.to_axes([1.0 - spin * at[1], spin * at[0]]);
-        let carried = velocity[0] * slopes[0] + velocity[1] * slopes[1];
-        [value, carried, -(k * k + l * l) * value]
+        let value = p[0] * q[0];
+        let slope = |i: usize| p[1] * q[0] * du[i] + p[0] * q[1] * dv[i];
+        let second = |i: usize| {
+            p[2] * q[0] * du[i] * du[i]
+                + 2.0 * p[1] * q[1] * du[i] * dv[i]
+                + p[0] * q[2] * dv[i] * dv[i]
+        };
+        let carried = (1.0 - spin * at[1]) * slope(0) + spin * at[0] * slope(1);
+        [value, carried, second(0) + second(1)]
     };
     let g = |at: [f64; 2]| {
         let [x, y] = at;
