@@ -322,13 +322,13 @@ fn directions_of_the_flow_are_alike() {
         body.velocity = Planar::default();
     }
     let heights = Column::new(6, 2, 1.0, [0.3, 0.3]).heights;
-    let column = |pressure_gradient| {
+    let column_of = |pressure_gradient, filling| {
         let mut place = FilmPlace {
             at: [0.0; 2],
             pressure: 0.3,
             pressure_gradient,
             film: 0.5,
-            filling: 1.0,
+            filling,
             temperature: [0.0; MOST_NODES],
             held_conductance: None,
         };
@@ -343,6 +343,7 @@ fn directions_of_the_flow_are_alike() {
             &mut CrossFilm::default(),
         )
     };
+    let column = |pressure_gradient| column_of(pressure_gradient, 1.0);
     let (along, across) = (column([-0.4, 0.0]), column([0.0, -0.4]));
     for (a, b) in along.heights.iter().zip(&across.heights).take(heights.n()) {
         assert!(a.compression != 0.0 && a.velocity[0] > 0.0);
@@ -352,6 +353,21 @@ fn directions_of_the_flow_are_alike() {
             assert_relative_eq!(a[0], b[1], max_relative = 1e-10);
             assert!(a[1] == 0.0 && b[0] == 0.0);
         }
+    }
+    // Oil that fills two fifths of the gap carries, conducts and heats two fifths.
+    let part = column_of([-0.4, 0.0], 0.4);
+    for (a, b) in along.heights.iter().zip(&part.heights).take(heights.n()) {
+        for (a, b) in [
+            (a.capacity, b.capacity),
+            (a.conduction, b.conduction),
+            (a.shear, b.shear),
+            (a.compression, b.compression),
+            (a.mass_below[0], b.mass_below[0]),
+            (a.by_stress[0], b.by_stress[0]),
+        ] {
+            assert_relative_eq!(b, 0.4 * a, max_relative = 1e-14);
+        }
+        assert_eq!(a.velocity, b.velocity);
     }
 }
 

@@ -95,8 +95,8 @@ fn every_setting_is_read() {
     );
     let echo = serde_json::to_value(case.echo()).unwrap();
     assert_eq!(echo["thermal"]["depth"], 2.5);
-    assert_eq!(echo["thermal"]["ball_temperature"], 323.0);
-    assert_eq!(echo["thermal"]["plane"]["thermal_conductivity"], 1.114);
+    assert_eq!(echo["thermal"]["body_2_temperature"], 323.0);
+    assert_eq!(echo["thermal"]["body_1"]["thermal_conductivity"], 1.114);
     assert_eq!(
         thermal("profiles = []")
             .unwrap()
