@@ -190,8 +190,13 @@ fn shape(kind: ContactKind) -> Shape {
 fn pressure<D: DualNum<Primitive = f64> + Copy>(kind: ContactKind, x: D, y: D) -> D {
     let [x, y] = match kind {
         ContactKind::Elliptical | ContactKind::Roller => {
+            // Where the ellipse is a circle and x lies along what the motion becomes there: the edges of the mesh.
             let [x, y] = turned(x, y);
-            [x, y / RATIO]
+            let (s, c) = ANGLE.sin_cos();
+            let length = c.hypot(s / RATIO);
+            let [c, s] = [c / length, s / RATIO / length];
+            let y = y / RATIO;
+            [x * c + y * s, y * c - x * s]
         }
         ContactKind::Line | ContactKind::Circular => [x, y],
     };
