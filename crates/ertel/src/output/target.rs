@@ -10,7 +10,7 @@ use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 32] = [
+pub(super) const OWN_FILES: [&str; 36] = [
     "result.json",
     "curve.json",
     "curve.csv",
@@ -41,6 +41,11 @@ pub(super) const OWN_FILES: [&str; 32] = [
     "temperature-body-1.png",
     "temperature-body-2.svg",
     "temperature-body-2.png",
+    // As they were called before.
+    "temperature-plane.svg",
+    "temperature-plane.png",
+    "temperature-ball.svg",
+    "temperature-ball.png",
     "cross-film.svg",
     "cross-film.png",
 ];
