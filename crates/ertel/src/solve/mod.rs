@@ -132,10 +132,13 @@ pub enum SolveError {
     #[error("temperatures: {0}")]
     Heat(#[from] heat::newton::HeatError),
     /// A linear system could not be solved.
-    #[error("linear solver: {0}")]
+    #[error("no convergence: the linear equations of a step cannot be solved: {0}")]
     Krylov(#[from] GmresError),
     /// A factorisation failed.
-    #[error(transparent)]
+    #[error(
+        "no convergence: the equations at the pressures found so far cannot be solved ({0}), as where the viscosity changes by more \
+         decades than can be computed; constants of the lubricant's laws that are far from those of an oil do so"
+    )]
     Factorisation(#[from] LuError),
     /// Mesh or elastic operator failed.
     #[error(transparent)]

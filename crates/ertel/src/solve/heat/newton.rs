@@ -4,14 +4,20 @@
 //! heats itself less. Without it, temperatures would swing to and fro where heating is strong.
 //!
 //! Far from the solution that is no help. At a given stress a warm layer shears faster and heats up further, and where that outweighs
-//! conduction, between films of very unequal temperature, the Jacobian is nearly singular: single nodes would go off by 1e5 K, and a
-//! step cut down to what they bear moves nothing. There the steps are those of an implicit Euler method in time, with a time step
-//! at each point in which its heat of shearing would warm it by θ (pseudo-transient continuation: Kelley and Keyes, SIAM J. Numer.
-//! Anal. 35 (1998) 508-523): |Q|/θ is added to the derivative of −Q. θ grows as steps get short, back to Newton's method itself.
+//! conduction, between films of very unequal temperature, the Jacobian is nearly singular: single nodes would go off by 1e5 K. A step
+//! cut down as a whole to what they bear would move nothing, so each temperature is cut down on its own; below the coldest of the start,
+//! where viscosities grow without bound, to much less. Where that leads to heat that is not finite, half of the way is taken back.
+//!
+//! Where the linear equations cannot be solved, the steps are those of an implicit Euler method in time, with a time step at each
+//! point in which its heat of shearing would warm it by θ (pseudo-transient continuation: Kelley and Keyes, SIAM J. Numer. Anal. 35
+//! (1998) 508-523): |Q|/θ is added to the derivative of −Q. θ grows again from step to step, back to Newton's method itself.
+//!
+//! A factorisation serves for further steps as long as it costs few iterations more than when it was new.
 
 use ertel_fem::linear::block_ilu::{BlockIlu, BlockIluError, BlockMatrix};
 use ertel_fem::linear::gmres::{GmresError, GmresParams, gmres};
 
+use super::relaxation::Relaxation;
 use super::system::{HeatSystem, Kept, assemble};
 use crate::film::{FilmFluid, FilmNodes};
 use crate::forms::energy::{Heat, Source};
@@ -27,6 +33,8 @@ pub struct HeatParams {
     pub max_krylov: usize,
     /// Largest change of a temperature in one step, K.
     pub largest_step: f64,
+    /// The same downwards from the coldest of the start, K.
+    pub largest_cooling: f64,
 }
 
 /// θ of the first time step, K: less than viscosities fall by e over, so that no layer feeds its own heating.
@@ -39,6 +47,12 @@ const LONGEST_WARMING: f64 = 1e4;
 /// Factor by which time steps are shortened or lengthened.
 const WARMING_FACTOR: f64 = 2.0;
 
+/// Times that half of a step is taken back.
+const MOST_HALVINGS: usize = 8;
+
+/// Krylov iterations that cost less than a new factorisation.
+const SPARE_KRYLOV: usize = 12;
+
 /// Residual, W/m² times half-widths squared, beyond which no matrix in single precision is factorised: the sun's surface radiates 6e7 W/m².
 const BEYOND_BOUNDS: f64 = 1e30;
 
@@ -48,6 +62,7 @@ impl Default for HeatParams {
             linear_tolerance: 1e-3,
             max_krylov: 200,
             largest_step: 60.0,
+            largest_cooling: 2.0,
         }
     }
 }
@@ -95,6 +110,13 @@ pub struct HeatNewton<'a> {
     matrix: BlockMatrix,
     /// 1/θ, 1/K; 0 in Newton's method.
     damping: f64,
+    /// A factorisation, and the Krylov iterations that it cost when it was new.
+    factors: Option<(BlockIlu, usize)>,
+    /// Coldest temperature of the start, K.
+    coldest: Option<f64>,
+    relaxation: Relaxation,
+    /// Temperatures before the last step.
+    before: Vec<f64>,
     /// Effort so far.
     pub stats: HeatStats,
 }
@@ -123,6 +145,10 @@ impl<'a> HeatNewton<'a> {
             conductances: Vec::new(),
             matrix: BlockMatrix::new(space.column.n(), space.graph.clone()),
             damping: 0.0,
+            factors: None,
+            coldest: None,
+            before: Vec::new(),
+            relaxation: Relaxation::default(),
             stats: HeatStats::default(),
         }
     }
@@ -134,6 +160,7 @@ impl<'a> HeatNewton<'a> {
 
     /// Holds the flow that the pressure drives at a state, in the steps from there, instead of the pressure gradient.
     pub fn hold_flow(&mut self, state: &State) {
+        self.relaxation = Relaxation::default();
         self.conductances.clear();
         self.conductances = self.assembled(state).conductances;
     }
@@ -154,31 +181,50 @@ impl<'a> HeatNewton<'a> {
         if self.cross_flow.is_empty() {
             self.cross_flow = self.assembled(state).cross_flow;
         }
-        let largest_step = self.params.largest_step;
+        let (largest_step, largest_cooling) =
+            (self.params.largest_step, self.params.largest_cooling);
+        let start = state.temperature.iter().copied();
+        let inlet = self.heat.inlet_temperature;
+        let coldest = *(self.coldest).get_or_insert_with(|| start.fold(inlet, f64::min));
+        let mut halvings = 0;
         let (change, cross_flow) = loop {
-            let solved = self.solve(state);
-            let shortest = self.damping * SHORTEST_WARMING >= 1.0;
-            match solved {
-                Ok(found) if shortest || max_abs(&found.0) <= largest_step => break found,
+            match self.solve(state) {
+                Ok(found) => break found,
+                Err(HeatError::NotFinite | HeatError::Overheated)
+                    if halvings < MOST_HALVINGS && !self.before.is_empty() =>
+                {
+                    halvings += 1;
+                    for (t, before) in state.temperature.iter_mut().zip(&self.before) {
+                        *t = 0.5 * (*t + before);
+                    }
+                }
                 // Steps in time change the matrix, not these.
                 Err(e @ (HeatError::NotFinite | HeatError::Overheated)) => return Err(e),
-                Err(e) if shortest => return Err(e),
+                Err(e) if self.damping * SHORTEST_WARMING >= 1.0 => return Err(e),
                 _ => self.damping = (WARMING_FACTOR * self.damping).max(1.0 / FIRST_WARMING),
             }
         };
         self.cross_flow = cross_flow;
         self.stats.iterations += 1;
-        let largest = max_abs(&change);
-        let share = (largest_step / largest).min(1.0);
+        self.before.clone_from(&state.temperature);
+        let share = match max_abs(&change) > largest_step || self.damping > 0.0 {
+            true => {
+                self.relaxation = Relaxation::default();
+                1.0
+            }
+            false => self.relaxation.share(&change),
+        };
         for (t, dt) in state.temperature.iter_mut().zip(&change) {
-            *t += share * dt;
+            let dt = share * dt;
+            let lowest = t.min(coldest) - largest_cooling;
+            *t = (*t + dt.clamp(-largest_step, largest_step)).max(lowest);
         }
         if self.damping == 0.0 {
-            return Ok(share * largest);
+            let largest = max_abs(&change);
+            self.relaxation.taken(share, change);
+            return Ok(largest);
         }
-        if largest < 0.5 * largest_step {
-            self.damping /= WARMING_FACTOR;
-        }
+        self.damping /= WARMING_FACTOR * WARMING_FACTOR;
         if self.damping * LONGEST_WARMING < 1.0 {
             self.damping = 0.0;
         }
@@ -206,20 +252,36 @@ impl<'a> HeatNewton<'a> {
         if max_abs(&right) > BEYOND_BOUNDS {
             return Err(HeatError::Overheated);
         }
-        let mut ilu = BlockIlu::new(&self.matrix)?;
-        let mut change = vec![0.0; right.len()];
-        let info = gmres(
-            |x, y| self.matrix.multiply(x, y),
-            |x| ilu.solve(x),
-            &right,
-            &mut change,
-            GmresParams {
-                tolerance: self.params.linear_tolerance,
-                max_iterations: self.params.max_krylov,
-            },
-        )?;
-        self.stats.krylov_iterations += info.iterations;
+        let (change, iterations) = self.solve_linear(&right)?;
+        self.stats.krylov_iterations += iterations;
         Ok((change, system.cross_flow))
+    }
+
+    /// Solves the linear equations with the last factorisation, if that is still good for it, else with a new one; returns the
+    /// iterations, too.
+    fn solve_linear(&mut self, right: &[f64]) -> Result<(Vec<f64>, usize), HeatError> {
+        let matrix = &self.matrix;
+        let tolerance = self.params.linear_tolerance;
+        let solve = |ilu: &mut BlockIlu, max_iterations| {
+            let mut change = vec![0.0; right.len()];
+            let params = GmresParams {
+                tolerance,
+                max_iterations,
+            };
+            let multiply = |x: &[f64], y: &mut [f64]| matrix.multiply(x, y);
+            gmres(multiply, |x| ilu.solve(x), right, &mut change, params)
+                .map(|info| (change, info.iterations))
+        };
+        if let Some((mut ilu, when_new)) = self.factors.take()
+            && let Ok(solved) = solve(&mut ilu, when_new + SPARE_KRYLOV)
+        {
+            self.factors = Some((ilu, when_new));
+            return Ok(solved);
+        }
+        let mut ilu = BlockIlu::new(matrix)?;
+        let solved = solve(&mut ilu, self.params.max_krylov)?;
+        self.factors = Some((ilu, solved.1));
+        Ok(solved)
     }
 
     /// The energy equation at a state, without its Jacobian.

@@ -35,7 +35,7 @@ const ROUGH_TOLERANCE: f64 = 1e-3;
 const EXPONENTIAL_TOLERANCE: f64 = 1e-2;
 
 /// Change of film and temperature from round to round at which a continuation step is good enough, and its rounds.
-const PATH_COUPLING: f64 = 5e-2;
+const PATH_COUPLING: f64 = 0.3;
 const PATH_ROUNDS: usize = 15;
 
 /// Newton iterations that a start may take for each share of the ramp, and those without a smaller update.
