@@ -84,7 +84,8 @@ fn is_hot_and_balanced(s: &Solution) {
         s.traction.coefficient.value, thermal.balance.error
     );
     assert!(thermal.balance.error.abs() < 0.01);
-    assert!(s.traction.coefficient.value > 0.005 && s.traction.coefficient.value < 0.2);
+    let friction = s.traction.coefficient.value.abs();
+    assert!(friction > 0.004 && friction < 0.2);
 }
 
 /// Squalane + PIP on steel or glass at high sliding: cold, the film of the isothermal contact overheats by hundreds of K.
@@ -145,4 +146,51 @@ target_error = "3 %"
     let iterations: usize = hot.map(|l| l.newton_iterations).sum();
     println!("{iterations} iterations of hot films");
     assert!(iterations < 40, "{iterations}");
+}
+
+/// Contacts whose temperatures would not settle at given films: 2.1 GPa at a sliding ratio of -2, where single nodes would go off by
+/// 1e5 K, and an inlet at 22 m/s whose oil flows back and takes its heat along, where whole steps swing to and fro.
+#[test]
+fn temperatures_settle_far_from_the_isothermal_film() {
+    let s = solved(
+        r#"
+[contact]
+kind = "line"
+radius = "5 mm"
+hertz_pressure = "2100 MPa"
+[bodies]
+plane = "gear-steel"
+ball = "gear-steel"
+[motion]
+entrainment_speed = "16 m/s"
+slide_to_roll_ratio = -2
+[lubricant]
+name = "squalane-pip"
+temperature = "313 K"
+shear_thinning = { law = "carreau-yasuda", g = "0.02 MPa", n = 0.8, a = 3.0, mu_2 = "15.7 mPa.s" }
+[thermal]
+"#,
+    );
+    is_hot_and_balanced(&s);
+    let s = solved(
+        r#"
+[contact]
+kind = "line"
+radius = "20 mm"
+hertz_pressure = "500 MPa"
+[bodies]
+plane = "steel"
+ball = { name = "silicon-nitride", thermal_conductivity = "29 W/(m.K)", heat_capacity = "680 J/(kg.K)" }
+[motion]
+entrainment_speed = "22 m/s"
+slide_to_roll_ratio = 0.01
+[lubricant]
+name = "glycerol"
+temperature = "313 K"
+shear_thinning = { law = "ree-eyring", tau_0 = "10 MPa" }
+[thermal]
+"#,
+    );
+    let thermal = s.thermal.as_ref().expect("a thermal contact");
+    assert!(thermal.balance.error.abs() < 0.01);
 }

@@ -95,6 +95,9 @@ const MOST_STEPS: usize = 40;
 /// The same where a continuation is known that takes fewer.
 const FEW_STEPS: usize = 12;
 
+/// The best that is believed of how steps for the temperatures shrink.
+const LEAST_SHRINKING: f64 = 0.2;
+
 /// Share of a round's change to which each of its halves is solved.
 const INNER_SHARE: f64 = 0.1;
 
@@ -124,6 +127,8 @@ pub fn solve_coupled(
     let mut first_change = 0.0;
     let mut change: f64 = 1.0;
     let mut relaxation = Relaxation::default();
+    // By how much steps for the temperatures shrink, of this round or the one before.
+    let mut shrinks: f64 = 1.0;
     let stopping = StoppingRule {
         tolerance: params.tolerance,
         inner_share: INNER_SHARE,
@@ -149,9 +154,16 @@ pub fn solve_coupled(
             true => FEW_STEPS,
             false => MOST_STEPS,
         };
+        let mut last = f64::INFINITY;
         for _ in 0..most_steps {
             let step = temperatures.step(state)?;
-            settled = step / rise(state) < (INNER_SHARE * change).max(0.1 * params.tolerance);
+            if last.is_finite() {
+                shrinks = (step / last).clamp(LEAST_SHRINKING, 1.0);
+            }
+            last = step;
+            // Far from the solution, in the first round, they say nothing of the next.
+            let left = if round == 1 { step } else { shrinks * step } / rise(state);
+            settled = left < (INNER_SHARE * change).max(0.1 * params.tolerance);
             if settled {
                 break;
             }
@@ -225,8 +237,8 @@ pub fn solve_coupled(
         } else {
             coupling.contraction = (change / first_change).powf(1.0 / (round - 1) as f64);
         }
-        let shrinks = (round > 1).then_some(change / previous);
-        if share == wanted && stopping.holds(change, share, shrinks) {
+        let ratio = (round > 1).then_some(change / previous);
+        if share == wanted && stopping.holds(change, share, ratio) {
             return Ok((reached, coupling));
         }
         relaxation.taken(share, defect);
