@@ -194,3 +194,32 @@ shear_thinning = { law = "ree-eyring", tau_0 = "10 MPa" }
     let thermal = s.thermal.as_ref().expect("a thermal contact");
     assert!(thermal.balance.error.abs() < 0.01);
 }
+
+/// 4 N carried by 7 mm of film: the contact area of the dry contact is smaller than any element, and its mean temperature that of the centre.
+#[test]
+fn a_film_far_thicker_than_the_contact_has_temperatures() {
+    let s = solved(
+        r#"
+[contact]
+kind = "circular"
+radius = "12.7 mm"
+hertz_pressure = "300 MPa"
+[bodies]
+plane = "steel"
+ball = "steel"
+[motion]
+entrainment_speed = "30 m/s"
+slide_to_roll_ratio = 0.01
+[lubricant]
+name = "glycerol"
+temperature = "313 K"
+[thermal]
+"#,
+    );
+    let thermal = s.thermal.as_ref().expect("a thermal contact");
+    let mean = thermal.film_mean.value;
+    assert!(
+        mean >= 313.0 && mean <= thermal.film_maximum.value,
+        "{mean}"
+    );
+}

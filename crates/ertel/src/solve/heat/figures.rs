@@ -65,26 +65,34 @@ pub fn walls(film: &FilmNodes, values: &Nodal) -> [f64; 2] {
     [values[0], values[film.n() - 1]]
 }
 
-/// Means over the Hertz zone, K: of the film, of the plane's and of the ball's surface.
+/// Means over the Hertz zone, K: of the film, of the plane's and of the ball's surface. Where the film is so thick that no element is as small as
+/// the zone, what is nearest its centre.
 pub fn zone_means(d: &Discretisation, state: &State, space: &HeatSpace) -> [f64; 3] {
     let film = &space.column.film;
     let (mut sums, mut zone) = ([0.0; 3], 0.0);
+    let (mut nearest, mut centre) = (f64::INFINITY, [f64::NAN; 3]);
     for c in 0..d.contact.n_elements() {
         for (q, weight) in d.rule.weights.iter().enumerate() {
             let ([x, y, _], fields) = fields_at_quadrature(d, state, c, q);
-            let Some(profile) = fields
-                .temperature
-                .filter(|_| d.contact.shape.zone.contains([x, y]))
-            else {
+            let Some(profile) = fields.temperature else {
                 continue;
             };
-            let area = weight * d.contact.maps[c].determinant;
             let [plane, ball] = walls(film, &profile.temperature);
-            zone += area;
-            for (sum, t) in (sums.iter_mut()).zip([film.mean(&profile.temperature), plane, ball]) {
-                *sum += area * t;
+            let means = [film.mean(&profile.temperature), plane, ball];
+            if x.hypot(y) < nearest {
+                (nearest, centre) = (x.hypot(y), means);
+            }
+            if d.contact.shape.zone.contains([x, y]) {
+                let area = weight * d.contact.maps[c].determinant;
+                zone += area;
+                for (sum, t) in sums.iter_mut().zip(means) {
+                    *sum += area * t;
+                }
             }
         }
     }
-    sums.map(|sum| sum / zone)
+    match zone > 0.0 {
+        true => sums.map(|sum| sum / zone),
+        false => centre,
+    }
 }
