@@ -14,6 +14,7 @@ use ertel::run::problem;
 use ertel::solve::discretisation::Extents;
 use ertel::solve::heat::column::Column;
 use ertel::solve::heat::newton::{HeatError, HeatNewton, HeatParams};
+use ertel::solve::heat::system::{Kept, assemble};
 use ertel_fem::quadrature::Quadrature;
 use ertel_rheology::{ConductivityLaw, ViscosityLaw};
 
@@ -478,4 +479,37 @@ fn heat_beyond_all_bounds_is_refused() {
             "{made:e}: {step:?}"
         );
     }
+}
+
+/// Lubricant that enters δ warmer brings ρc h u_m δ of heat along. The gap h at the inlet is known, and what the rows of prescribed
+/// temperatures would have taken up counts as conducted.
+#[test]
+fn what_flows_in_brings_its_heat_along() {
+    let case = heated_case(ContactKind::Line, 6);
+    let problem = problem_without_expansion(&case);
+    let heat = &problem.heat.as_ref().unwrap().heat;
+    let column = Column::new(6, 4, 1.2, [0.3, 0.3]);
+    let (d, state) = rigid(ContactKind::Line, &EXTENTS, 0.5, 1, column, heat);
+    let warmer = 10.0;
+    let taken_up = |inlet_temperature: f64| {
+        let mut heat = heat.clone();
+        heat.inlet_temperature = inlet_temperature;
+        let system = assemble(
+            &d,
+            &problem.fluid,
+            &heat,
+            &state,
+            None,
+            Kept::default(),
+            None,
+        );
+        let rows: f64 = system.residual.iter().sum();
+        let fixed: f64 = system.account.conducted.iter().sum();
+        rows - fixed
+    };
+    let gap = (0.5 + 0.5 * EXTENTS.inlet.powi(2)) * heat.film;
+    let brought = 870.0 * 2000.0 * gap * heat.entrainment_speed / heat.length * warmer;
+    let inlet = heat.inlet_temperature;
+    let less = taken_up(inlet) - taken_up(inlet + warmer);
+    assert_relative_eq!(less, brought, max_relative = 1e-10);
 }
