@@ -22,6 +22,9 @@ pub const LARGEST_FILM: f64 = 0.01;
 /// no more is left of an unresolved inflow.
 const UNDERSHOOT: (f64, f64) = (0.02, 1.0);
 
+/// Share of the heat made from which it is told that the balance is open.
+const LARGEST_HEAT_ERROR: f64 = 0.01;
+
 /// Warnings about a solution that cannot be true.
 pub fn warnings(case: &Case, solution: &Solution) -> Vec<Warning> {
     [
@@ -32,6 +35,7 @@ pub fn warnings(case: &Case, solution: &Solution) -> Vec<Warning> {
             case.contact.radius,
         ),
         cold_inlet(case, solution),
+        open_balance(solution),
     ]
     .into_iter()
     .flatten()
@@ -125,6 +129,22 @@ fn cold_inlet(case: &Case, solution: &Solution) -> Option<Warning> {
         .min(heat.ball.temperature);
     let rise = thermal.film_maximum.value - coldest;
     undershoot(&thermal.film_lowest, coldest, rise, solution.scales.length)
+}
+
+/// Says so if more heat is made than is carried off, or less.
+fn open_balance(solution: &Solution) -> Option<Warning> {
+    let balance = &solution.thermal.as_ref()?.balance;
+    let error = balance.error;
+    if error.abs() <= LARGEST_HEAT_ERROR {
+        return None;
+    }
+    let share = digits(100.0 * error.abs(), 2);
+    let text = format!(
+        "bodies and film carry off {share} % {} heat than is made: the mesh does not resolve the temperature, mostly where skins are thin \
+         at the inlet edge; what each of them carries off is as uncertain",
+        if error < 0.0 { "more" } else { "less" }
+    );
+    Some(Warning::beyond(WarningKind::HeatBalance, error.abs(), text))
 }
 
 /// Says so if the lowest temperature of the film is before the contact and below `coldest`, K, that of all that flows in; `rise`

@@ -26,6 +26,8 @@ pub enum WarningKind {
     ColdestFilm,
     /// A film that is colder before the contact than all that flows in.
     ColdInlet,
+    /// Heat that is lost or gained on the way.
+    HeatBalance,
     /// A film too thin for a continuum.
     ThinFilm,
     /// A film that is not small beside the radius.

@@ -111,3 +111,39 @@ fn what_the_mesh_does_not_resolve() {
         "{words}"
     );
 }
+
+/// Surfaces at 0 and 60 m/s: skins of 60 µm that form within a cell at the far inlet edge take up heat that is not there. At 2 m/s heat is balanced, and
+/// nothing is said.
+#[test]
+fn an_open_heat_balance() {
+    let hot = |speed, ratio| {
+        solved(&format!(
+            r#"
+    [contact]
+    kind = "line"
+    radius = "20 mm"
+    hertz_pressure = "400 MPa"
+    [bodies]
+    plane = "sapphire"
+    ball = "steel"
+    [motion]
+    entrainment_speed = "{speed} m/s"
+    slide_to_roll_ratio = {ratio}
+    [lubricant]
+    temperature = "40 degC"
+    density = {{ law = "dowson-higginson", rho_0 = "870 kg/m^3" }}
+    viscosity = {{ law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa", beta = "0.04 1/K", reference_temperature = "40 degC" }}
+    thermal_conductivity = "0.14 W/(m.K)"
+    heat_capacity = "2000 J/(kg.K)"
+    shear_thinning = {{ law = "carreau-yasuda", g = "5 MPa", n = 0.45, a = 5.0, mu_2 = "0 Pa.s" }}
+    [thermal]
+"#
+        ))
+    };
+    let fast = hot(30.0, 2.0);
+    let words = warning(&fast, WarningKind::HeatBalance).unwrap();
+    assert!(words.contains("2.2 % more heat than is made"), "{words}");
+    let slow = hot(2.0, 0.1);
+    assert!(slow.thermal.as_ref().unwrap().balance.error.abs() < 0.01);
+    assert_eq!(warning(&slow, WarningKind::HeatBalance), None);
+}

@@ -3,6 +3,7 @@
 use fastrand::Rng;
 
 use super::Words;
+use super::bytes::LONGEST;
 use super::tokens::NUMBERS;
 
 /// Titles that readers know, and some that they do not.
@@ -61,6 +62,9 @@ pub fn damage(text: &mut String, rng: &mut Rng, words: &Words) {
         2 => {
             let times = [1, 1, 2, 100, MOST_ROWS][rng.usize(0..5)];
             let copy = rows[row].clone();
+            // What is longer is cut off anyway.
+            let length: usize = copy.iter().map(|cell| cell.len() + 1).sum();
+            let times = times.min(1 + LONGEST / length);
             rows.splice(row..row, std::iter::repeat_n(copy, times));
         }
         3 => rows
