@@ -36,7 +36,7 @@ use crate::warning::{Warning, WarningKind};
 
 /// Version of the numerics: raised whenever the figures of some case move by more than rounding, so that points of studies that
 /// were solved before are solved anew.
-pub const NUMERICS: u32 = 3;
+pub const NUMERICS: u32 = 4;
 
 /// Dimensionless problem of a case.
 pub fn problem(case: &Case) -> Problem {
