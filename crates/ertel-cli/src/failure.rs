@@ -56,9 +56,6 @@ impl From<QuantityError> for Failure {
 
 impl From<DatabaseError> for Failure {
     fn from(error: DatabaseError) -> Self {
-        match error {
-            DatabaseError::Unknown { .. } => Self::Argument(error.to_string()),
-            DatabaseError::Data(error) => Self::Other(error.to_string()),
-        }
+        Self::Argument(error.to_string())
     }
 }

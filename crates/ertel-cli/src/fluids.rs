@@ -36,7 +36,7 @@ pub fn run(arguments: &FluidsArgs) -> Result<(), Failure> {
             temperature,
             plot,
         }) => {
-            let fluid = database::fluid(name)?;
+            let fluid = database::fluid_or_file(name, Path::new(""))?;
             let temperature = state_temperature(&fluid, temperature.as_deref())?;
             if let Some(path) = plot {
                 write_plot(path, &fluid, temperature)?;

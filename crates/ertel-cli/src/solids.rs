@@ -1,5 +1,7 @@
 //! `ertel solids`.
 
+use std::path::Path;
+
 use ertel::output::pressure;
 use ertel_rheology::database;
 
@@ -40,7 +42,7 @@ fn list() -> Result<String, Failure> {
 }
 
 fn show(name: &str) -> Result<String, Failure> {
-    let solid = database::solid(name)?;
+    let solid = database::solid_or_file(name, Path::new(""))?;
     let mut text = format!("{}: {}\n\n", solid.name, solid.title);
     text += &data(&solid.provenance);
     text += &notes(&solid.notes);

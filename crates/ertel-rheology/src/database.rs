@@ -3,11 +3,16 @@
 //! One TOML file each in `data/fluids` and `data/solids`, with the schema of [`Fluid::from_table`] and
 //! [`Solid::from_table`]. A file opens with `title`, `source` (a key of `data/references.bib`), `locator` (the place in
 //! it), `status` and `notes`; these hold for each of its numbers unless `[provenance."key.path"]` says otherwise.
+//!
+//! Files of a user have the same schema; of the head nothing must be there. A name that ends with `.toml` is a file.
+
+use std::path::{Path, PathBuf};
 
 use thiserror::Error;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::input::file::{LARGEST_DOCUMENT, read_text};
 use crate::input::{Document, InputError, Table};
 use crate::provenance::{Datum, Status};
 use crate::{Files, Fluid, Solid};
@@ -54,9 +59,17 @@ pub enum DatabaseError {
         /// All names.
         choices: Vec<&'static str>,
     },
-    /// A file of the database is wrong.
+    /// A file of the database, or of the user, is wrong.
     #[error(transparent)]
     Data(#[from] InputError),
+    /// A file of the user cannot be read.
+    #[error("{path} {reason}")]
+    File {
+        /// The file.
+        path: String,
+        /// Why not.
+        reason: String,
+    },
 }
 
 /// Names of the fluids, in alphabetical order.
@@ -69,6 +82,11 @@ pub fn solid_names() -> Vec<&'static str> {
     SOLIDS.iter().map(|(name, _)| *name).collect()
 }
 
+/// Whether a name is that of a file of the user.
+pub fn is_file(name: &str) -> bool {
+    name.ends_with(".toml")
+}
+
 /// The fluid of that name.
 ///
 /// # Errors
@@ -77,14 +95,20 @@ pub fn solid_names() -> Vec<&'static str> {
 pub fn fluid(name: &str) -> Result<Fluid, DatabaseError> {
     let (name, text) = find("fluid", FLUIDS, name)?;
     let document = Document::parse(format!("data/fluids/{name}.toml"), text)?;
-    let mut table = document.root();
-    let entry = Entry::read(&mut table)?;
-    let mut fluid = Fluid::from_table(&mut table, name, Files::Embedded(TABLES))?;
-    table.finish()?;
-    fluid.provenance = entry.provenance(text);
-    fluid.title = entry.title;
-    fluid.notes = entry.notes;
-    Ok(fluid)
+    read_fluid(&document, name, Files::Embedded(TABLES), Head::Whole)
+}
+
+/// The fluid of that name, or of that file in `folder`. Tables that the file names are found in its own folder.
+///
+/// # Errors
+///
+/// As of [`fluid`]; a file that cannot be read, and whatever is wrong in it, with its line.
+pub fn fluid_or_file(name: &str, folder: &Path) -> Result<Fluid, DatabaseError> {
+    if !is_file(name) {
+        return fluid(name);
+    }
+    let own = OwnFile::read(folder, name)?;
+    read_fluid(&own.document, name, own.files(), Head::AsFarAsGiven)
 }
 
 /// The solid of that name.
@@ -95,14 +119,83 @@ pub fn fluid(name: &str) -> Result<Fluid, DatabaseError> {
 pub fn solid(name: &str) -> Result<Solid, DatabaseError> {
     let (name, text) = find("solid", SOLIDS, name)?;
     let document = Document::parse(format!("data/solids/{name}.toml"), text)?;
+    read_solid(&document, name, Files::Embedded(TABLES), Head::Whole)
+}
+
+/// The solid of that name, or of that file in `folder`; as [`fluid_or_file`].
+///
+/// # Errors
+///
+/// As of [`solid`]; a file that cannot be read, and whatever is wrong in it, with its line.
+pub fn solid_or_file(name: &str, folder: &Path) -> Result<Solid, DatabaseError> {
+    if !is_file(name) {
+        return solid(name);
+    }
+    let own = OwnFile::read(folder, name)?;
+    read_solid(&own.document, name, own.files(), Head::AsFarAsGiven)
+}
+
+fn read_fluid(
+    document: &Document,
+    name: &str,
+    files: Files<'_>,
+    head: Head,
+) -> Result<Fluid, DatabaseError> {
     let mut table = document.root();
-    let entry = Entry::read(&mut table)?;
-    let mut solid = Solid::from_table(&mut table, name, Files::Embedded(TABLES))?;
+    let entry = Entry::read(&mut table, head, name)?;
+    let mut fluid = Fluid::from_table(&mut table, name, files)?;
     table.finish()?;
-    solid.provenance = entry.provenance(text);
+    fluid.provenance = entry.provenance(document.text());
+    fluid.title = entry.title;
+    fluid.notes = entry.notes;
+    Ok(fluid)
+}
+
+fn read_solid(
+    document: &Document,
+    name: &str,
+    files: Files<'_>,
+    head: Head,
+) -> Result<Solid, DatabaseError> {
+    let mut table = document.root();
+    let entry = Entry::read(&mut table, head, name)?;
+    let mut solid = Solid::from_table(&mut table, name, files)?;
+    table.finish()?;
+    solid.provenance = entry.provenance(document.text());
     solid.title = entry.title;
     solid.notes = entry.notes;
     Ok(solid)
+}
+
+/// A file of the user.
+struct OwnFile {
+    path: PathBuf,
+    document: Document,
+}
+
+impl OwnFile {
+    fn read(folder: &Path, name: &str) -> Result<Self, DatabaseError> {
+        let path = folder.join(name);
+        let text = read_text(&path, LARGEST_DOCUMENT).map_err(|error| DatabaseError::File {
+            path: path.display().to_string(),
+            reason: error.to_string(),
+        })?;
+        let document = Document::parse(path.display().to_string(), text)?;
+        Ok(Self { path, document })
+    }
+
+    fn files(&self) -> Files<'_> {
+        Files::Folder(self.path.parent().unwrap_or(Path::new("")))
+    }
+}
+
+/// What of the head of a data file must be there.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Head {
+    /// All of it: files of the database.
+    Whole,
+    /// Nothing: files of users.
+    AsFarAsGiven,
 }
 
 fn find(
@@ -169,13 +262,21 @@ struct Origin {
 }
 
 impl Entry {
-    fn read(table: &mut Table<'_>) -> Result<Self, InputError> {
-        let title = table.required_str("title")?.to_owned();
+    fn read(table: &mut Table<'_>, head: Head, name: &str) -> Result<Self, InputError> {
+        if head == Head::Whole {
+            for key in ["title", "source", "locator", "status"] {
+                if !table.contains(key) {
+                    return Err(table.missing(key));
+                }
+            }
+        }
+        let text = |text: Option<&str>| text.map(str::to_owned);
+        let title = text(table.optional_str("title")?).unwrap_or_else(|| name.to_owned());
         let notes = table.optional_strs("notes")?.unwrap_or_default();
         let origin = Origin {
-            source: Some(table.required_str("source")?.to_owned()),
-            locator: Some(table.required_str("locator")?.to_owned()),
-            status: Some(table.required_choice("status", &Status::NAMES)?),
+            source: text(table.optional_str("source")?).or(Some(name.to_owned())),
+            locator: text(table.optional_str("locator")?),
+            status: table.optional_choice("status", &Status::NAMES)?,
             note: None,
         };
         let mut exceptions = Vec::new();
@@ -183,7 +284,6 @@ impl Entry {
             let keys: Vec<&str> = provenance.keys().collect();
             for key in keys {
                 let mut of_key = provenance.required_table(key)?;
-                let text = |text: Option<&str>| text.map(str::to_owned);
                 let origin = Origin {
                     source: text(of_key.optional_str("source")?),
                     locator: text(of_key.optional_str("locator")?),

@@ -1,5 +1,7 @@
 //! `[bodies]`.
 
+use std::path::Path;
+
 use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
 use ertel_rheology::quantity::Dimension;
 use ertel_rheology::{ConductivityLaw, Files, HeatCapacityLaw, Solid, database};
@@ -10,9 +12,9 @@ use crate::contact::curvature::Curvatures;
 /// One of the two bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
-    /// Name of its material in the database, or what a case file calls it.
+    /// Name of its material in the database, file of the user, or what a case file calls it.
     pub name: String,
-    /// Whether that name is one of the database.
+    /// Whether that name is one of the database or a file.
     pub in_database: bool,
     /// Elastic constants.
     pub elasticity: Elasticity,
@@ -67,11 +69,11 @@ const LEAST_BODY_RADIUS: f64 = 1e-6;
 const ANGLE: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI);
 
 /// Reads both bodies, and their shapes and roughness where given.
-pub(super) fn read(mut table: Table<'_>, files: Files<'_>) -> Result<Bodies, InputError> {
+pub(super) fn read(mut table: Table<'_>, folder: &Path) -> Result<Bodies, InputError> {
     let keys = [["body_1", "plane"], ["body_2", "ball"]].map(|names| name_in(&mut table, names));
     let [first, second] = keys;
-    let (plane, shape_1) = read_body(&mut table, first?, files)?;
-    let (ball, shape_2) = read_body(&mut table, second?, files)?;
+    let (plane, shape_1) = read_body(&mut table, first?, folder)?;
+    let (ball, shape_2) = read_body(&mut table, second?, folder)?;
     let roughness = table.optional_quantity("roughness", Dimension::LENGTH, ROUGHNESS)?;
     let angle = table.optional_quantity("axes_angle", Dimension::ANGLE, ANGLE)?;
     let shapes = match (shape_1, shape_2) {
@@ -146,26 +148,30 @@ fn read_shape(table: &mut Table<'_>) -> Result<Option<Curvatures>, InputError> {
 fn read_body(
     table: &mut Table<'_>,
     key: &str,
-    files: Files<'_>,
+    folder: &Path,
 ) -> Result<(Body, Option<Curvatures>), InputError> {
     let mut shape = None;
     let (solid, in_database) = match table.required_str_or_table(key)? {
         StrOrTable::Str(name) => {
-            let solid = database::solid(name).map_err(super::unknown(table, key))?;
+            let solid =
+                database::solid_or_file(name, folder).map_err(super::unknown(table, key))?;
             (solid, true)
         }
         StrOrTable::Table(mut inner) => {
             shape = read_shape(&mut inner)?;
             let found = match inner.optional_str("name")? {
                 Some(name) => {
-                    let mut solid =
-                        database::solid(name).map_err(super::unknown(&inner, "name"))?;
-                    solid.override_from(&mut inner, files)?;
+                    let mut solid = database::solid_or_file(name, folder)
+                        .map_err(super::unknown(&inner, "name"))?;
+                    solid.override_from(&mut inner, Files::Folder(folder))?;
                     (solid, true)
                 }
                 None => {
                     let name = "given by its constants";
-                    (Solid::from_table(&mut inner, name, files)?, false)
+                    (
+                        Solid::from_table(&mut inner, name, Files::Folder(folder))?,
+                        false,
+                    )
                 }
             };
             inner.finish()?;

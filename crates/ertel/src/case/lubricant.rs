@@ -1,5 +1,7 @@
 //! `lubricant` and `temperature`.
 
+use std::path::Path;
+
 use crate::warning::Warning;
 use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
 use ertel_rheology::provenance::TemperatureRange;
@@ -19,7 +21,7 @@ const DENSITY: Bounds = Bounds::closed(0.1, 3e4);
 /// The lubricant of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lubricant {
-    /// Name in the database; `None` for laws written in the case file.
+    /// Name in the database, or file of the user; `None` for laws written in the case file.
     pub name: Option<String>,
     /// Temperature, K.
     pub temperature: f64,
@@ -63,17 +65,18 @@ impl Lubricant {
 
 /// Reads the lubricant at the top level: a name with a top-level `temperature`, or a table.
 ///
-/// `pressure` is the Hertz pressure, Pa. Returns the warnings about the range of the data, too, with that of the thermal
+/// Files that it names are in `folder`. `pressure` is the Hertz pressure, Pa. Returns the warnings about the range of the data, too, with that of the thermal
 /// data where there is `heat`.
 pub(super) fn read(
     root: &mut Table<'_>,
-    files: Files<'_>,
+    folder: &Path,
     pressure: f64,
     heat: bool,
 ) -> Result<(Lubricant, Vec<Warning>), InputError> {
     match root.required_str_or_table("lubricant")? {
         StrOrTable::Str(name) => {
-            let fluid = database::fluid(name).map_err(super::unknown(root, "lubricant"))?;
+            let fluid =
+                database::fluid_or_file(name, folder).map_err(super::unknown(root, "lubricant"))?;
             let temperature = root
                 .required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)
                 .map_err(|error| {
@@ -99,9 +102,9 @@ pub(super) fn read(
             let name = table.optional_str("name")?;
             let fluid = match name {
                 Some(name) => {
-                    let mut fluid =
-                        database::fluid(name).map_err(super::unknown(&table, "name"))?;
-                    fluid.override_from(&mut table, files)?;
+                    let mut fluid = database::fluid_or_file(name, folder)
+                        .map_err(super::unknown(&table, "name"))?;
+                    fluid.override_from(&mut table, Files::Folder(folder))?;
                     fluid
                 }
                 None => {
@@ -110,7 +113,7 @@ pub(super) fn read(
                             "such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }",
                         ));
                     }
-                    Fluid::from_table(&mut table, "the lubricant", files)?
+                    Fluid::from_table(&mut table, "the lubricant", Files::Folder(folder))?
                 }
             };
             let key = if name.is_some() { "name" } else { "viscosity" };

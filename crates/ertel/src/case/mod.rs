@@ -48,9 +48,9 @@ mod thermal;
 
 use std::path::Path;
 
+use ertel_rheology::ShearThinning;
 use ertel_rheology::database::DatabaseError;
 use ertel_rheology::input::{Document, InputError, Table};
-use ertel_rheology::{Files, ShearThinning};
 
 use crate::contact::{Contact, Hertz, Motion, Supply, reduced_modulus};
 use crate::output::MachineEcho;
@@ -142,7 +142,7 @@ impl Case {
             ball,
             roughness,
             shapes,
-        } = bodies::read(root.required_table("bodies")?, Files::Folder(folder))?;
+        } = bodies::read(root.required_table("bodies")?, folder)?;
         let modulus = reduced_modulus(plane.elasticity, ball.elasticity);
         let Geometry {
             contact,
@@ -161,8 +161,7 @@ impl Case {
             None => None,
         };
         let heat = thermal.is_some() && !solver.isothermal;
-        let (lubricant, range_warnings) =
-            lubricant::read(&mut root, Files::Folder(folder), hertz.pressure, heat)?;
+        let (lubricant, range_warnings) = lubricant::read(&mut root, folder, hertz.pressure, heat)?;
         let mesh_table = root.optional_table("mesh")?;
         let mesh = match mesh_table.clone() {
             Some(table) => params::read_mesh(table, contact.kind, solver.error_estimate)?,
@@ -245,6 +244,7 @@ fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> 
     move |error| match error {
         DatabaseError::Unknown { choices, .. } => table.unknown_name(key, choices),
         DatabaseError::Data(error) => error,
+        DatabaseError::File { .. } => table.error(key, error.to_string()),
     }
 }
 
