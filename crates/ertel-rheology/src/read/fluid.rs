@@ -71,10 +71,7 @@ impl Fluid {
         files: Files<'_>,
     ) -> Result<(), InputError> {
         if let Some(density) = read_density(table, files)? {
-            // A heat capacity per volume stays what it is.
-            if let Some(HeatCapacityLaw::LarssonAndersson(law)) = &mut self.heat_capacity {
-                law.density = density.clone();
-            }
+            self.follow(&density);
             self.density = Some(density);
         }
         if let Some(viscosity) = table.optional_table("viscosity")? {
@@ -92,6 +89,29 @@ impl Fluid {
             }
         }
         Ok(())
+    }
+
+    /// Laws that refer to the density refer to this one: a heat capacity per volume and a kinematic viscosity stay what
+    /// they are.
+    fn follow(&mut self, density: &DensityLaw) {
+        let laws = [
+            match &mut self.viscosity {
+                ViscosityLaw::Walther(law) => Some(&mut law.density),
+                _ => None,
+            },
+            match &mut self.thermal_conductivity {
+                Some(ConductivityLaw::Scaling(law)) => Some(&mut law.density),
+                _ => None,
+            },
+            match &mut self.heat_capacity {
+                Some(HeatCapacityLaw::LarssonAndersson(law)) => Some(&mut law.density),
+                Some(HeatCapacityLaw::Scaling(law)) => Some(&mut law.density),
+                _ => None,
+            },
+        ];
+        for law in laws.into_iter().flatten() {
+            law.clone_from(density);
+        }
     }
 
     /// After the viscosity and the reference temperature, which the second plateau refers to.
@@ -124,8 +144,9 @@ impl Fluid {
     /// After the density, which a heat capacity per volume refers to.
     fn read_thermal(&mut self, table: &mut Table<'_>, files: Files<'_>) -> Result<(), InputError> {
         let material = Material::Lubricant;
-        let conductivity = ConductivityLaw::read(table, "thermal_conductivity", material, files)?;
         let density = self.density.as_ref();
+        let conductivity =
+            ConductivityLaw::read(table, "thermal_conductivity", material, density, files)?;
         let heat = HeatCapacityLaw::read(table, "heat_capacity", material, density, files)?;
         if conductivity.is_some() {
             self.thermal_conductivity = conductivity;
