@@ -81,7 +81,10 @@ pub fn fluid(name: &str) -> Result<Fluid, DatabaseError> {
     let entry = Entry::read(&mut table)?;
     let mut fluid = Fluid::from_table(&mut table, name, Files::Embedded(TABLES))?;
     table.finish()?;
-    fluid.provenance = entry.provenance(text);
+    // What a data sheet leaves open is not in the file.
+    let derived = |datum: &Datum| matches!(datum.status, Status::Estimated | Status::Computed);
+    fluid.provenance.retain(derived);
+    fluid.provenance.splice(0..0, entry.provenance(text));
     fluid.title = entry.title;
     fluid.notes = entry.notes;
     Ok(fluid)

@@ -1,6 +1,7 @@
 //! Laws, fluids and solids from TOML tables: the same schema in the database and in case files.
 
 mod conductivity;
+mod data_sheet;
 mod density;
 mod fluid;
 mod heat_capacity;
@@ -126,6 +127,8 @@ fn law_name<'t>(table: &mut Table<'_>, names: &[&'t str]) -> Result<&'t str, Inp
     table.required_choice("law", &options)
 }
 
+#[cfg(test)]
+mod data_sheet_tests;
 #[cfg(test)]
 mod high_pressure_tests;
 #[cfg(test)]
