@@ -252,3 +252,16 @@ fn a_sheet_that_contradicts_itself_is_refused() {
         assert!(!error.help().is_empty(), "{error}");
     }
 }
+
+#[test]
+fn a_fluid_of_the_database_takes_no_sheet() {
+    let document = Document::parse("case.toml", "iso_vg = 46").unwrap();
+    let mut fluid = crate::database::fluid("iso-vg-46-mineral").unwrap();
+    let error = fluid
+        .override_from(&mut document.root(), Files::Embedded(&[]))
+        .unwrap_err();
+    assert!(
+        error.message().contains("describes an oil of its own"),
+        "{error}"
+    );
+}

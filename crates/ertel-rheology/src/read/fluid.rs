@@ -101,6 +101,15 @@ impl Fluid {
         table: &mut Table<'_>,
         files: Files<'_>,
     ) -> Result<(), InputError> {
+        if let Some(key) = data_sheet::first_key(table) {
+            return Err(table.error(
+                key,
+                format!(
+                    "`{key}` describes an oil of its own; {} is one of the database",
+                    self.name
+                ),
+            ));
+        }
         if let Some(density) = read_density(table, files)? {
             self.follow(&density);
             self.density = Some(density);

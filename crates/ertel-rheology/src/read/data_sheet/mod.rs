@@ -94,7 +94,7 @@ pub(super) fn read(
         validity: ValidityRange {
             pressure: Some((0.0, 3000.0 * 101_325.0)),
             temperature: Some((CELSIUS_20, 423.15)),
-            source: "estimated oil: what Roelands, Vlugter and Waterman (1963) state for the law"
+            source: "not given with the oil; what Roelands, Vlugter and Waterman (1963) state for the law"
                 .to_owned(),
         },
         provenance: data,
