@@ -175,6 +175,12 @@ impl Fluid {
                 "end of the WLF law: glass transition or F = 0",
             ));
         }
+        if let ViscosityLaw::ImprovedYasutomi(law) = &self.viscosity {
+            pressure_limits.push((
+                law.limiting_pressure(temperature),
+                "end of the Yasutomi law: glass transition",
+            ));
+        }
 
         let mut warnings = Vec::new();
         let tightest = pressure_limits

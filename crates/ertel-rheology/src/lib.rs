@@ -17,6 +17,7 @@
 //! ```
 
 pub mod conductivity;
+pub mod data_sheet;
 pub mod database;
 pub mod density;
 mod error;

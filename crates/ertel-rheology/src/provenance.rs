@@ -36,6 +36,8 @@ pub enum Status {
     Coolprop,
     /// Computed from other data of the same entry.
     Computed,
+    /// Estimated from other data by a correlation or a typical value; a note tells how far it may be off.
+    Estimated,
     /// Not from any source: stands in for a number that does not influence an isothermal film.
     Nominal,
     /// Given by the user.
@@ -44,13 +46,14 @@ pub enum Status {
 
 impl Status {
     /// All statuses with the names used in data files.
-    pub const NAMES: [(&'static str, Status); 8] = [
+    pub const NAMES: [(&'static str, Status); 9] = [
         ("thesis", Self::Thesis),
         ("published", Self::Published),
         ("code", Self::Code),
         ("page", Self::Page),
         ("coolprop", Self::Coolprop),
         ("computed", Self::Computed),
+        ("estimated", Self::Estimated),
         ("nominal", Self::Nominal),
         ("user", Self::User),
     ];

@@ -16,13 +16,16 @@ fn check_provenance(entry: &str, provenance: &[Datum]) {
             ..
         } = datum;
         assert!(!value.is_empty(), "{entry}: {key}");
-        let name = key.ends_with(".law") || key.ends_with(".file");
+        let name = key.ends_with(".law") || key.ends_with(".file") || key == "base_oil";
         assert!(name == unit.is_empty(), "{entry}: {key} = {value} [{unit}]");
         if *status == Status::Nominal {
             assert!(
                 datum.note.is_some(),
                 "{entry}: {key} is nominal without saying why"
             );
+        } else if *status == Status::Estimated {
+            let note = datum.note.as_deref().unwrap_or_default();
+            assert!(note.starts_with("estimate, "), "{entry}: {key}: {note}");
         } else {
             let reference = source.split(',').next().unwrap();
             assert!(

@@ -1,10 +1,11 @@
 //! Exact derivatives of every law against central differences, and the behaviour of tables, on random states.
 
 use ertel_rheology::density::{
-    self, BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
+    self, BulkModulusSoftening, DowsonHigginson, Murnaghan, Tait, TaitVolume, ThermalExpansion,
 };
 use ertel_rheology::viscosity::{
-    self, Cheng, Doolittle, ModifiedWlf, OccupiedVolume, Roelands, TemperatureSlope,
+    self, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
+    PressureLaw, Roelands, TemperatureSlope, Walther,
 };
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 use num_dual::{HyperDual64, second_derivative, second_partial_derivative};
@@ -81,8 +82,53 @@ fn viscosity_laws() -> Vec<ViscosityLaw> {
             )
             .unwrap(),
         ),
+        ViscosityLaw::ImprovedYasutomi(
+            ImprovedYasutomi::new(ImprovedYasutomi {
+                glass_viscosity: 1e12,
+                glass_temperature: 201.45,
+                a_1: 210.6,
+                a_2: 0.455e-9,
+                b_1: 7.606e-9,
+                b_2: -0.4193,
+                c_1: 16.372,
+                c_2: 29.99,
+            })
+            .unwrap(),
+        ),
+        ViscosityLaw::McEwen(McEwen::new(0.04, 20e-9, 8.0).unwrap()),
+        ViscosityLaw::Paluch(Paluch::new(0.024, 27.5, 2.73e9).unwrap()),
+        ViscosityLaw::Hybrid(
+            Hybrid::new(Hybrid {
+                mu_0: 0.03,
+                a_0: 12e-9,
+                q: 3.0,
+                fragility: 20.0,
+                divergence_pressure: 3e9,
+            })
+            .unwrap(),
+        ),
+        walther(PressureLaw::Roelands),
+        walther(PressureLaw::Barus),
         ViscosityLaw::Table(viscosity::Table::new(t, p, v).unwrap()),
     ]
+}
+
+fn walther(pressure: PressureLaw) -> ViscosityLaw {
+    let thermal = ThermalExpansion {
+        reference_temperature: 288.15,
+        temperature_coefficient: 6.4e-4,
+    };
+    let density = DensityLaw::DowsonHigginson(DowsonHigginson::new(870.0, Some(thermal)).unwrap());
+    let (a, b) = Walther::constants([(313.15, 46e-6), (373.15, 6.9e-6)]);
+    let law = Walther {
+        a,
+        b,
+        density,
+        alpha: 20e-9,
+        reference_temperature: 313.15,
+        pressure,
+    };
+    ViscosityLaw::Walther(Walther::new(law).unwrap())
 }
 
 fn density_laws() -> Vec<DensityLaw> {
@@ -95,6 +141,7 @@ fn density_laws() -> Vec<DensityLaw> {
         DensityLaw::constant(870.0).unwrap(),
         DensityLaw::DowsonHigginson(DowsonHigginson::new(870.0, Some(thermal)).unwrap()),
         DensityLaw::Tait(Tait::new(818.0, volume()).unwrap()),
+        DensityLaw::Murnaghan(Murnaghan::new(872.0, 9.234e9, 10.545, volume().thermal).unwrap()),
         DensityLaw::Table(density::Table::new(t, p, v).unwrap()),
     ]
 }

@@ -3,7 +3,7 @@
 
 use approx::assert_relative_eq;
 use ertel_rheology::conductivity::{self, LinearFactor};
-use ertel_rheology::density::{DowsonHigginson, ThermalExpansion};
+use ertel_rheology::density::{BulkModulusSoftening, DowsonHigginson, Murnaghan, ThermalExpansion};
 use ertel_rheology::heat_capacity::{self, VolumetricConstants};
 use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, LawError};
 use num_dual::{Dual64, DualVec64, first_derivative};
@@ -15,6 +15,16 @@ fn density() -> DensityLaw {
         temperature_coefficient: 7e-4,
     };
     DensityLaw::DowsonHigginson(DowsonHigginson::new(870.0, Some(thermal)).unwrap())
+}
+
+fn murnaghan() -> DensityLaw {
+    let thermal = BulkModulusSoftening {
+        reference_temperature: 298.0,
+        bulk_modulus_coefficient: 6.09e-3,
+        bulk_modulus_slope_coefficient: 0.0,
+        expansivity: 7.734e-4,
+    };
+    DensityLaw::Murnaghan(Murnaghan::new(872.0, 9.234e9, 10.545, Some(thermal)).unwrap())
 }
 
 fn constants() -> VolumetricConstants {
@@ -56,6 +66,20 @@ fn conductivity_laws() -> Vec<ConductivityLaw> {
             conductivity::LarssonAndersson::new(0.137, 1.72e-9, 0.54e-9).unwrap(),
         ),
         ConductivityLaw::Table(conductivity::Table::new(t, p, v).unwrap()),
+        ConductivityLaw::Scaling(
+            conductivity::Scaling::new(
+                conductivity::ScalingConstants {
+                    b: 0.053,
+                    c: 0.026,
+                    s: 7.6,
+                    a: -0.101,
+                    q: 3.0,
+                    reference_temperature: 298.0,
+                },
+                murnaghan(),
+            )
+            .unwrap(),
+        ),
     ]
 }
 
@@ -71,6 +95,18 @@ fn heat_capacity_laws() -> Vec<HeatCapacityLaw> {
             heat_capacity::LarssonAndersson::new(constants(), density()).unwrap(),
         ),
         HeatCapacityLaw::Table(heat_capacity::Table::new(t, p, v).unwrap()),
+        HeatCapacityLaw::Scaling(
+            heat_capacity::Scaling::new(
+                heat_capacity::ScalingConstants {
+                    rho_c_0: 1.17e6,
+                    m: 0.39e6,
+                    w: 4.0,
+                    reference_temperature: 298.0,
+                },
+                murnaghan(),
+            )
+            .unwrap(),
+        ),
     ]
 }
 

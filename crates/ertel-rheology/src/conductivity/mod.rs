@@ -6,12 +6,14 @@
 mod constant;
 mod larsson_andersson;
 mod linear;
+mod scaling;
 mod table;
 
 pub use crate::linear::LinearFactor;
 pub use constant::Constant;
 pub use larsson_andersson::LarssonAndersson;
 pub use linear::Linear;
+pub use scaling::{Scaling, ScalingConstants};
 pub use table::Table;
 
 use crate::{LawError, Scalar};
@@ -25,13 +27,21 @@ pub enum ConductivityLaw {
     Linear(Linear),
     /// `k = k₀ [1 + d₁ p / (1 + d₂ p)]`
     LarssonAndersson(LarssonAndersson),
+    /// `k = B + C κ^(-s)`, `κ = (V/V_R) [1 + A (T/T_R) (V/V_R)^q]`
+    Scaling(Scaling),
     /// Monotone interpolation in a table over pressure and temperature.
     Table(Table),
 }
 
 impl ConductivityLaw {
     /// Names of the laws as written in data files.
-    pub const NAMES: [&'static str; 4] = ["constant", "linear", "larsson-andersson", "table"];
+    pub const NAMES: [&'static str; 5] = [
+        "constant",
+        "linear",
+        "larsson-andersson",
+        "scaling",
+        "table",
+    ];
 
     /// A conductivity `k_0` (W/(m·K)) that does not change.
     ///
@@ -49,6 +59,7 @@ impl ConductivityLaw {
             Self::Constant(law) => law.conductivity(pressure, temperature),
             Self::Linear(law) => law.conductivity(pressure, temperature),
             Self::LarssonAndersson(law) => law.conductivity(pressure, temperature),
+            Self::Scaling(law) => law.conductivity(pressure, temperature),
             Self::Table(law) => law.conductivity(pressure, temperature),
         }
     }
@@ -67,6 +78,7 @@ impl ConductivityLaw {
             Self::Constant(_) => "constant",
             Self::Linear(_) => "linear",
             Self::LarssonAndersson(_) => "larsson-andersson",
+            Self::Scaling(_) => "scaling",
             Self::Table(_) => "table",
         }
     }

@@ -4,11 +4,13 @@
 
 mod constant;
 mod dowson_higginson;
+mod murnaghan;
 mod table;
 mod tait;
 
 pub use constant::Constant;
 pub use dowson_higginson::{DowsonHigginson, ThermalExpansion};
+pub use murnaghan::Murnaghan;
 pub use table::Table;
 pub use tait::{BulkModulusSoftening, Tait, TaitVolume};
 
@@ -23,13 +25,16 @@ pub enum DensityLaw {
     DowsonHigginson(DowsonHigginson),
     /// `ρ = ρ₀ / [(1 + a_V (T - T_R)) (1 - ln(1 + (1 + K₀') p / K₀) / (1 + K₀'))]`
     Tait(Tait),
+    /// `ρ = ρ₀ (1 + K₀' p / K₀)^(1/K₀') / (1 + a_V (T - T_R))`
+    Murnaghan(Murnaghan),
     /// Monotone interpolation in a table over pressure and temperature.
     Table(Table),
 }
 
 impl DensityLaw {
     /// Names of the laws as written in data files.
-    pub const NAMES: [&'static str; 4] = ["constant", "dowson-higginson", "tait", "table"];
+    pub const NAMES: [&'static str; 5] =
+        ["constant", "dowson-higginson", "tait", "murnaghan", "table"];
 
     /// An incompressible lubricant of density `rho_0` (kg/m³).
     pub fn constant(rho_0: f64) -> Result<Self, LawError> {
@@ -48,8 +53,15 @@ impl DensityLaw {
             Self::Constant(law) => law.density(pressure, temperature),
             Self::DowsonHigginson(law) => law.density(pressure, temperature),
             Self::Tait(law) => law.density(pressure, temperature),
+            Self::Murnaghan(law) => law.density(pressure, temperature),
             Self::Table(law) => law.density(pressure, temperature),
         }
+    }
+
+    /// Density over that at ambient pressure and `reference` (K): `V_R/V`.
+    #[inline]
+    pub(crate) fn relative<D: Scalar>(&self, pressure: D, temperature: D, reference: f64) -> D {
+        self.density(pressure, temperature) / self.density(0.0, reference)
     }
 
     /// Name of the law as written in data files.
@@ -58,6 +70,7 @@ impl DensityLaw {
             Self::Constant(_) => "constant",
             Self::DowsonHigginson(_) => "dowson-higginson",
             Self::Tait(_) => "tait",
+            Self::Murnaghan(_) => "murnaghan",
             Self::Table(_) => "table",
         }
     }
@@ -70,6 +83,7 @@ impl DensityLaw {
                 (law.thermal.as_ref()).is_some_and(|thermal| thermal.temperature_coefficient != 0.0)
             }
             Self::Tait(law) => law.volume.thermal.is_some(),
+            Self::Murnaghan(law) => law.thermal.is_some(),
             Self::Table(law) => law.depends_on_temperature(),
         }
     }

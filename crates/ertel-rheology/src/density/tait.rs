@@ -60,6 +60,41 @@ pub struct BulkModulusSoftening {
     pub expansivity: f64,
 }
 
+impl BulkModulusSoftening {
+    /// Checks the constants for a law.
+    pub(super) fn check(&self, check: &Check) -> Result<(), LawError> {
+        check.positive("reference_temperature", self.reference_temperature)?;
+        check.finite("beta_k", self.bulk_modulus_coefficient)?;
+        check.finite("beta_k_prime", self.bulk_modulus_slope_coefficient)?;
+        // V₀ must stay positive down to 0 K; expansion upwards has no limit.
+        check.that(
+            self.expansivity >= 0.0 && self.expansivity * self.reference_temperature < 1.0,
+            "a_v",
+            self.expansivity,
+            "zero or positive and below 1/T_R, else the volume vanishes on cooling",
+        )
+    }
+
+    /// K₀ (Pa) and K₀' (-) at `temperature` (K), from the factors K₀R (Pa) and K₀R' (-).
+    #[inline]
+    pub(super) fn bulk_modulus_and_slope<D: Scalar>(
+        &self,
+        (bulk_modulus, slope): (f64, f64),
+        temperature: D,
+    ) -> (D, D) {
+        (
+            (temperature * -self.bulk_modulus_coefficient).exp() * bulk_modulus,
+            (temperature * self.bulk_modulus_slope_coefficient).exp() * slope,
+        )
+    }
+
+    /// V₀/V_R at `temperature` (K).
+    #[inline]
+    pub(super) fn expansion<D: Scalar>(&self, temperature: D) -> D {
+        (temperature - self.reference_temperature) * self.expansivity + 1.0
+    }
+}
+
 impl TaitVolume {
     /// `bulk_modulus` in Pa, `bulk_modulus_slope` without dimension.
     pub fn new(
@@ -71,17 +106,7 @@ impl TaitVolume {
         check.positive("k_0r", bulk_modulus)?;
         check.positive("k_0r_prime", bulk_modulus_slope)?;
         if let Some(thermal) = &thermal {
-            check.positive("reference_temperature", thermal.reference_temperature)?;
-            check.finite("beta_k", thermal.bulk_modulus_coefficient)?;
-            check.finite("beta_k_prime", thermal.bulk_modulus_slope_coefficient)?;
-            // V₀ must stay positive down to 0 K; expansion upwards has no limit.
-            check.that(
-                thermal.expansivity >= 0.0
-                    && thermal.expansivity * thermal.reference_temperature < 1.0,
-                "a_v",
-                thermal.expansivity,
-                "zero or positive and below 1/T_R, else the volume vanishes on cooling",
-            )?;
+            thermal.check(&check)?;
         }
         Ok(Self {
             bulk_modulus,
@@ -95,11 +120,8 @@ impl TaitVolume {
     pub fn bulk_modulus_and_slope<D: Scalar>(&self, temperature: D) -> (D, D) {
         match &self.thermal {
             None => (D::from(self.bulk_modulus), D::from(self.bulk_modulus_slope)),
-            Some(thermal) => (
-                (temperature * -thermal.bulk_modulus_coefficient).exp() * self.bulk_modulus,
-                (temperature * thermal.bulk_modulus_slope_coefficient).exp()
-                    * self.bulk_modulus_slope,
-            ),
+            Some(thermal) => thermal
+                .bulk_modulus_and_slope((self.bulk_modulus, self.bulk_modulus_slope), temperature),
         }
     }
 
@@ -111,10 +133,7 @@ impl TaitVolume {
         let compression = -(pressure * n / k_0).ln_1p() / n + 1.0; // V/V₀
         match &self.thermal {
             None => compression,
-            Some(thermal) => {
-                compression
-                    * ((temperature - thermal.reference_temperature) * thermal.expansivity + 1.0)
-            }
+            Some(thermal) => compression * thermal.expansion(temperature),
         }
     }
 }

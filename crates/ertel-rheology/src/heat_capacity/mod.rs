@@ -6,12 +6,14 @@
 mod constant;
 mod larsson_andersson;
 mod linear;
+mod scaling;
 mod table;
 
 pub use crate::linear::LinearFactor;
 pub use constant::Constant;
 pub use larsson_andersson::{LarssonAndersson, VolumetricConstants};
 pub use linear::Linear;
+pub use scaling::{Scaling, ScalingConstants};
 pub use table::Table;
 
 use crate::{LawError, Scalar};
@@ -25,13 +27,21 @@ pub enum HeatCapacityLaw {
     Linear(Linear),
     /// `ρ c = (ρ c)₀ [1 + β₀ (1 + b₁ p + b₂ p²) (T - T_R)] [1 + k₁ p / (1 + k₂ p)]`
     LarssonAndersson(LarssonAndersson),
+    /// `ρ c = C₀ + m (T/T_R) (V/V_R)^(-w)`
+    Scaling(Scaling),
     /// Monotone interpolation in a table over pressure and temperature.
     Table(Table),
 }
 
 impl HeatCapacityLaw {
     /// Names of the laws as written in data files.
-    pub const NAMES: [&'static str; 4] = ["constant", "linear", "larsson-andersson", "table"];
+    pub const NAMES: [&'static str; 5] = [
+        "constant",
+        "linear",
+        "larsson-andersson",
+        "scaling",
+        "table",
+    ];
 
     /// A heat capacity `c_0` (J/(kg·K)) that does not change.
     ///
@@ -49,6 +59,7 @@ impl HeatCapacityLaw {
             Self::Constant(law) => law.heat_capacity(pressure, temperature),
             Self::Linear(law) => law.heat_capacity(pressure, temperature),
             Self::LarssonAndersson(law) => law.heat_capacity(pressure, temperature),
+            Self::Scaling(law) => law.heat_capacity(pressure, temperature),
             Self::Table(law) => law.heat_capacity(pressure, temperature),
         }
     }
@@ -67,6 +78,7 @@ impl HeatCapacityLaw {
             Self::Constant(_) => "constant",
             Self::Linear(_) => "linear",
             Self::LarssonAndersson(_) => "larsson-andersson",
+            Self::Scaling(_) => "scaling",
             Self::Table(_) => "table",
         }
     }

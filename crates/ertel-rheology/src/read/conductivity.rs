@@ -1,25 +1,31 @@
 //! Conductivity laws from a table.
 
 use super::{
-    Files, Material, given_law, law_name, linear_factor, locate,
+    Files, Material,
+    density::reference_temperature,
+    density_beside, given_law, law_name, linear_factor, locate,
     table::{Columns, Pressures},
 };
-use crate::ConductivityLaw;
-use crate::conductivity::{LarssonAndersson, Linear, Table as ConductivityTable};
+use crate::conductivity::{
+    LarssonAndersson, Linear, Scaling, ScalingConstants, Table as ConductivityTable,
+};
 use crate::input::{Bounds, InputError, Table};
 use crate::quantity::Dimension;
+use crate::{ConductivityLaw, DensityLaw};
 
 const DIMENSION: Dimension = Dimension::THERMAL_CONDUCTIVITY;
 
 impl ConductivityLaw {
     /// Reads the law at `key` of `table`, `None` if there is none: a quantity such as `"0.13 W/(m.K)"` for a constant,
-    /// or a table such as `{ law = "table", file = "oil.csv" }`, whose unknown keys are refused.
+    /// or a table such as `{ law = "table", file = "oil.csv" }`, whose unknown keys are refused. `density` is that of the
+    /// same lubricant.
     ///
     /// | law | keys |
     /// |---|---|
     /// | `constant` | `k_0` |
     /// | `linear` | `k_0`, `reference_temperature`, `a_t`; optional `a_p` (lubricants) |
     /// | `larsson-andersson` | `k_0`, `d_1`, `d_2` (lubricants) |
+    /// | `scaling` | `b`, `c`, `s`, `a`, `q`, `reference_temperature` (lubricants) |
     /// | `table` | `file`, a CSV file; or `isotherms`, `units`; pressures may be left out |
     ///
     /// # Errors
@@ -29,6 +35,7 @@ impl ConductivityLaw {
         table: &mut Table<'_>,
         key: &str,
         material: Material,
+        density: Option<&DensityLaw>,
         files: Files<'_>,
     ) -> Result<Option<Self>, InputError> {
         let Some(mut inner) = given_law(table, key)? else {
@@ -54,6 +61,18 @@ impl ConductivityLaw {
                 let (d_1, d_2) = (read("d_1")?, read("d_2")?);
                 let law = LarssonAndersson::new(k_0, d_1, d_2);
                 Self::LarssonAndersson(law.map_err(locate(table))?)
+            }
+            "scaling" => {
+                let constants = ScalingConstants {
+                    b: table.required_quantity("b", DIMENSION, Bounds::NON_NEGATIVE)?,
+                    c: table.required_quantity("c", DIMENSION, Bounds::POSITIVE)?,
+                    s: table.required_number("s", Bounds::POSITIVE)?,
+                    a: table.required_number("a", Bounds::above_to(-0.5, 10.0))?,
+                    q: table.required_number("q", Bounds::ANY)?,
+                    reference_temperature: reference_temperature(table)?,
+                };
+                let density = density_beside(table, density, "a function of the volume")?;
+                Self::Scaling(Scaling::new(constants, density).map_err(locate(table))?)
             }
             _ => {
                 let columns = Columns::read(

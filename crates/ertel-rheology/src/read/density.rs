@@ -6,7 +6,7 @@ use super::{
 };
 use crate::DensityLaw;
 use crate::density::{
-    BulkModulusSoftening, DowsonHigginson, Table as DensityTable, Tait, TaitVolume,
+    BulkModulusSoftening, DowsonHigginson, Murnaghan, Table as DensityTable, Tait, TaitVolume,
     ThermalExpansion,
 };
 use crate::input::{Bounds, InputError, Table};
@@ -20,6 +20,7 @@ impl DensityLaw {
     /// | `constant` | `rho_0` |
     /// | `dowson-higginson` | `rho_0`; optional `c_1`, `c_2`; optional together `reference_temperature`, `beta` |
     /// | `tait` | `rho_0`, `k_0r`, `k_0r_prime`; optional together `reference_temperature`, `beta_k`, `beta_k_prime`, `a_v` |
+    /// | `murnaghan` | as `tait` |
     /// | `table` | `file`, a CSV file; or `isotherms`, `units` |
     ///
     /// # Errors
@@ -34,6 +35,12 @@ impl DensityLaw {
                 let rho_0 = rho_0(&mut table)?;
                 let volume = TaitVolume::read(&mut table)?;
                 Self::Tait(Tait::new(rho_0, volume).map_err(locate(&table))?)
+            }
+            "murnaghan" => {
+                let rho_0 = rho_0(&mut table)?;
+                let (modulus, slope, thermal) = bulk_modulus(&mut table)?;
+                let law = Murnaghan::new(rho_0, modulus, slope, thermal);
+                Self::Murnaghan(law.map_err(locate(&table))?)
             }
             _ => {
                 let columns = Columns::read(
@@ -58,33 +65,36 @@ impl TaitVolume {
     ///
     /// Missing keys, wrong units and impossible values.
     pub(super) fn read(table: &mut Table<'_>) -> Result<Self, InputError> {
-        let bulk_modulus =
-            table.required_quantity("k_0r", Dimension::PRESSURE, Bounds::POSITIVE)?;
-        let bulk_modulus_slope = table.required_number("k_0r_prime", Bounds::POSITIVE)?;
-        let thermal = if group(
-            table,
-            &["reference_temperature", "beta_k", "beta_k_prime", "a_v"],
-        )? {
-            let per_kelvin = Dimension::INVERSE_TEMPERATURE;
-            Some(BulkModulusSoftening {
-                reference_temperature: reference_temperature(table)?,
-                bulk_modulus_coefficient: table.required_quantity(
-                    "beta_k",
-                    per_kelvin,
-                    Bounds::ANY,
-                )?,
-                bulk_modulus_slope_coefficient: table.required_quantity(
-                    "beta_k_prime",
-                    per_kelvin,
-                    Bounds::ANY,
-                )?,
-                expansivity: table.required_quantity("a_v", per_kelvin, Bounds::NON_NEGATIVE)?,
-            })
-        } else {
-            None
-        };
+        let (bulk_modulus, bulk_modulus_slope, thermal) = bulk_modulus(table)?;
         Self::new(bulk_modulus, bulk_modulus_slope, thermal).map_err(locate(table))
     }
+}
+
+/// `k_0r`, `k_0r_prime` and the temperature terms.
+fn bulk_modulus(
+    table: &mut Table<'_>,
+) -> Result<(f64, f64, Option<BulkModulusSoftening>), InputError> {
+    let modulus = table.required_quantity("k_0r", Dimension::PRESSURE, Bounds::POSITIVE)?;
+    let slope = table.required_number("k_0r_prime", Bounds::POSITIVE)?;
+    let thermal = if group(
+        table,
+        &["reference_temperature", "beta_k", "beta_k_prime", "a_v"],
+    )? {
+        let per_kelvin = Dimension::INVERSE_TEMPERATURE;
+        Some(BulkModulusSoftening {
+            reference_temperature: reference_temperature(table)?,
+            bulk_modulus_coefficient: table.required_quantity("beta_k", per_kelvin, Bounds::ANY)?,
+            bulk_modulus_slope_coefficient: table.required_quantity(
+                "beta_k_prime",
+                per_kelvin,
+                Bounds::ANY,
+            )?,
+            expansivity: table.required_quantity("a_v", per_kelvin, Bounds::NON_NEGATIVE)?,
+        })
+    } else {
+        None
+    };
+    Ok((modulus, slope, thermal))
 }
 
 fn rho_0(table: &mut Table<'_>) -> Result<f64, InputError> {

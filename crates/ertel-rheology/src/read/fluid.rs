@@ -1,6 +1,6 @@
 //! Fluids from a table.
 
-use super::{Files, Material};
+use super::{Files, Material, data_sheet};
 use crate::input::{Bounds, InputError, Table};
 use crate::provenance::{Datum, Status, ValidityRange};
 use crate::quantity::Dimension;
@@ -22,6 +22,11 @@ impl Fluid {
     /// `reference_temperature`, `thermal_conductivity`, `heat_capacity` and
     /// `validity = { pressure = [..], temperature = [..], source = ".." }`.
     ///
+    /// In place of `viscosity`, and of `density` where wanted, the keys of a data sheet: `iso_vg` or
+    /// `kinematic_viscosity_40`, `kinematic_viscosity_100` or `viscosity_index`, `density_15`, `density_20` or
+    /// `relative_density_15`, `base_oil`, `pressure_viscosity_coefficient`, `pressure_law`. What they leave open is
+    /// estimated ([`crate::data_sheet`]); such numbers have [`Status::Estimated`] in the provenance.
+    ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the fluid is called in
     /// messages.
     ///
@@ -33,9 +38,30 @@ impl Fluid {
         name: &str,
         files: Files<'_>,
     ) -> Result<Self, InputError> {
-        let density = read_density(table, files)?;
-        let viscosity =
-            ViscosityLaw::from_table(table.required_table("viscosity")?, density.as_ref(), files)?;
+        let mut density = read_density(table, files)?;
+        let sheet = match data_sheet::first_key(table) {
+            Some(key) if table.contains("viscosity") => {
+                return Err(table.error(
+                    key,
+                    format!(
+                        "`viscosity` and `{key}` say the same thing: give a law or a data sheet"
+                    ),
+                ));
+            }
+            Some(_) => Some(data_sheet::read(table, density.take())?),
+            None => None,
+        };
+        let viscosity = match &sheet {
+            Some(sheet) => {
+                density = Some(sheet.density.clone());
+                sheet.viscosity.clone()
+            }
+            None => ViscosityLaw::from_table(
+                table.required_table("viscosity")?,
+                density.as_ref(),
+                files,
+            )?,
+        };
         let mut fluid = Self {
             name: name.to_owned(),
             title: name.to_owned(),
@@ -49,6 +75,11 @@ impl Fluid {
             notes: Vec::new(),
             provenance: Vec::new(),
         };
+        if let Some(sheet) = sheet {
+            fluid.reference_temperature = Some(sheet.reference_temperature);
+            fluid.validity = Some(sheet.validity);
+            fluid.provenance = sheet.provenance;
+        }
         fluid.read_numbers(table)?;
         fluid.read_thermal(table, files)?;
         fluid.read_shear_thinning(table)?;
@@ -70,11 +101,17 @@ impl Fluid {
         table: &mut Table<'_>,
         files: Files<'_>,
     ) -> Result<(), InputError> {
+        if let Some(key) = data_sheet::first_key(table) {
+            return Err(table.error(
+                key,
+                format!(
+                    "`{key}` describes an oil of its own; {} is one of the database",
+                    self.name
+                ),
+            ));
+        }
         if let Some(density) = read_density(table, files)? {
-            // A heat capacity per volume stays what it is.
-            if let Some(HeatCapacityLaw::LarssonAndersson(law)) = &mut self.heat_capacity {
-                law.density = density.clone();
-            }
+            self.follow(&density);
             self.density = Some(density);
         }
         if let Some(viscosity) = table.optional_table("viscosity")? {
@@ -92,6 +129,29 @@ impl Fluid {
             }
         }
         Ok(())
+    }
+
+    /// Laws that refer to the density refer to this one: a heat capacity per volume and a kinematic viscosity stay what
+    /// they are.
+    fn follow(&mut self, density: &DensityLaw) {
+        let laws = [
+            match &mut self.viscosity {
+                ViscosityLaw::Walther(law) => Some(&mut law.density),
+                _ => None,
+            },
+            match &mut self.thermal_conductivity {
+                Some(ConductivityLaw::Scaling(law)) => Some(&mut law.density),
+                _ => None,
+            },
+            match &mut self.heat_capacity {
+                Some(HeatCapacityLaw::LarssonAndersson(law)) => Some(&mut law.density),
+                Some(HeatCapacityLaw::Scaling(law)) => Some(&mut law.density),
+                _ => None,
+            },
+        ];
+        for law in laws.into_iter().flatten() {
+            law.clone_from(density);
+        }
     }
 
     /// After the viscosity and the reference temperature, which the second plateau refers to.
@@ -124,8 +184,9 @@ impl Fluid {
     /// After the density, which a heat capacity per volume refers to.
     fn read_thermal(&mut self, table: &mut Table<'_>, files: Files<'_>) -> Result<(), InputError> {
         let material = Material::Lubricant;
-        let conductivity = ConductivityLaw::read(table, "thermal_conductivity", material, files)?;
         let density = self.density.as_ref();
+        let conductivity =
+            ConductivityLaw::read(table, "thermal_conductivity", material, density, files)?;
         let heat = HeatCapacityLaw::read(table, "heat_capacity", material, density, files)?;
         if conductivity.is_some() {
             self.thermal_conductivity = conductivity;

@@ -3,11 +3,12 @@
 use super::{
     Files, Material,
     density::reference_temperature,
-    given_law, law_name, linear_factor, locate,
+    density_beside, given_law, law_name, linear_factor, locate,
     table::{Columns, Pressures},
 };
 use crate::heat_capacity::{
-    LarssonAndersson, Linear, Table as HeatCapacityTable, VolumetricConstants,
+    LarssonAndersson, Linear, Scaling, ScalingConstants, Table as HeatCapacityTable,
+    VolumetricConstants,
 };
 use crate::input::{Bounds, InputError, Table};
 use crate::quantity::Dimension;
@@ -25,6 +26,7 @@ impl HeatCapacityLaw {
     /// | `constant` | `c_0` |
     /// | `linear` | `c_0`, `reference_temperature`, `a_t`; optional `a_p` (lubricants) |
     /// | `larsson-andersson` | `rho_c_0`, `reference_temperature`, `beta_0`, `b_1`, `b_2`, `k_1`, `k_2` (lubricants) |
+    /// | `scaling` | `rho_c_0`, `m`, `reference_temperature`; optional `w` (lubricants) |
     /// | `table` | `file`, a CSV file; or `isotherms`, `units`; pressures may be left out |
     ///
     /// # Errors
@@ -55,15 +57,22 @@ impl HeatCapacityLaw {
             }
             "larsson-andersson" => {
                 let constants = volumetric_constants(table)?;
-                let Some(density) = density else {
-                    return Err(table
-                        .error("law", "this law is per volume: it needs a density law beside it")
-                        .with_help(
-                            "such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }",
-                        ));
-                };
-                let law = LarssonAndersson::new(constants, density.clone());
+                let density = density_beside(table, density, "per volume")?;
+                let law = LarssonAndersson::new(constants, density);
                 Self::LarssonAndersson(law.map_err(locate(table))?)
+            }
+            "scaling" => {
+                let heat = Dimension::VOLUMETRIC_HEAT;
+                let constants = ScalingConstants {
+                    rho_c_0: table.required_quantity("rho_c_0", heat, Bounds::POSITIVE)?,
+                    m: table.required_quantity("m", heat, Bounds::NON_NEGATIVE)?,
+                    w: table
+                        .optional_number("w", Bounds::NON_NEGATIVE)?
+                        .unwrap_or(Scaling::VOLUME_EXPONENT),
+                    reference_temperature: reference_temperature(table)?,
+                };
+                let density = density_beside(table, density, "per volume")?;
+                Self::Scaling(Scaling::new(constants, density).map_err(locate(table))?)
             }
             _ => {
                 let columns = Columns::read(

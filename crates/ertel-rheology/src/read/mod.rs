@@ -1,6 +1,7 @@
 //! Laws, fluids and solids from TOML tables: the same schema in the database and in case files.
 
 mod conductivity;
+mod data_sheet;
 mod density;
 mod fluid;
 mod heat_capacity;
@@ -12,11 +13,11 @@ mod viscosity;
 use std::borrow::Cow;
 use std::path::Path;
 
-use crate::LawError;
 use crate::input::file::{LARGEST_TABLE, read_text};
 use crate::input::{Bounds, InputError, Table};
 use crate::linear::LinearFactor;
 use crate::quantity::Dimension;
+use crate::{DensityLaw, LawError};
 
 /// Where the files named in a table are found.
 #[derive(Debug, Clone, Copy)]
@@ -55,7 +56,9 @@ pub enum Material {
 impl Material {
     /// Of `names`, those of the laws that suit the material.
     fn law_names(self, names: &[&'static str]) -> Vec<&'static str> {
-        let suits = |name: &&&str| self == Self::Lubricant || **name != "larsson-andersson";
+        let suits = |name: &&&str| {
+            self == Self::Lubricant || !["larsson-andersson", "scaling"].contains(*name)
+        };
         names.iter().filter(suits).copied().collect()
     }
 }
@@ -102,12 +105,32 @@ fn group(table: &mut Table<'_>, keys: &[&str]) -> Result<bool, InputError> {
     }
 }
 
+/// The density of the same lubricant, which a law refers to `why`.
+fn density_beside(
+    table: &Table<'_>,
+    density: Option<&DensityLaw>,
+    why: &str,
+) -> Result<DensityLaw, InputError> {
+    density.cloned().ok_or_else(|| {
+        table
+            .error(
+                "law",
+                format!("this law is {why}: it needs a density law beside it"),
+            )
+            .with_help("such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }")
+    })
+}
+
 /// The law named by the key `law`, or an error that lists the laws.
 fn law_name<'t>(table: &mut Table<'_>, names: &[&'t str]) -> Result<&'t str, InputError> {
     let options: Vec<(&str, &'t str)> = names.iter().map(|name| (*name, *name)).collect();
     table.required_choice("law", &options)
 }
 
+#[cfg(test)]
+mod data_sheet_tests;
+#[cfg(test)]
+mod high_pressure_tests;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]

@@ -65,7 +65,7 @@ impl Solid {
             self.record("density", density.to_string(), "kg/m^3");
         }
         let key = "thermal_conductivity";
-        if let Some(law) = ConductivityLaw::read(table, key, Material::Solid, files)? {
+        if let Some(law) = ConductivityLaw::read(table, key, Material::Solid, None, files)? {
             match law.constant_value() {
                 Some(value) => self.record(key, value.to_string(), "W/(m.K)"),
                 None => self.record_law(key, law.name()),

@@ -318,14 +318,17 @@ fn unknown_names_list_the_choices() {
     );
     assert_eq!(
         error.help(),
-        ["`law` is one of: constant, barus, cheng, roelands, wlf, doolittle, table"]
+        [
+            "`law` is one of: constant, barus, cheng, roelands, wlf, doolittle, yasutomi, mcewen, paluch, mcewen-paluch, \
+          walther, table"
+        ]
     );
     let error = viscosity("law = 'barus', mu_0 = '40 mPa.s', alpha = '22 1/GPa', beta = '1 1/K'")
         .unwrap_err();
     assert_eq!(error.message(), "unknown key `beta` in [viscosity]");
     let error = density("law = 'tate'").unwrap_err();
     assert!(
-        error.help()[0].contains("constant, dowson-higginson, tait, table"),
+        error.help()[0].contains("constant, dowson-higginson, tait, murnaghan, table"),
         "{error}"
     );
 }

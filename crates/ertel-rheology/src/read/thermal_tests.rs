@@ -169,7 +169,7 @@ fn what_is_wrong_is_named() {
         (
             "heat_capacity = { law = 'larson', c_0 = '1 J/(kg.K)' }",
             "heat_capacity.law",
-            "constant, linear, larsson-andersson, table",
+            "constant, linear, larsson-andersson, scaling, table",
         ),
         (
             "thermal_conductivity = { law = 'larsson-andersson', k_0 = '0.1 W/(m.K)', d_1 = '-1 1/GPa', \

@@ -3,15 +3,15 @@
 use super::{
     Files,
     density::reference_temperature,
-    group, law_name, locate,
+    density_beside, group, law_name, locate,
     table::{Columns, Pressures},
 };
 use crate::density::TaitVolume;
 use crate::input::{Bounds, InputError, Table};
 use crate::quantity::Dimension;
 use crate::viscosity::{
-    Barus, Cheng, Doolittle, ModifiedWlf, OccupiedVolume, Roelands, Table as ViscosityTable,
-    TemperatureSlope,
+    Barus, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
+    PressureLaw, Roelands, Table as ViscosityTable, TemperatureSlope, Walther,
 };
 use crate::{DensityLaw, ViscosityLaw};
 
@@ -28,6 +28,11 @@ impl ViscosityLaw {
     /// | `roelands` | `mu_0`, `alpha` or `z`; optional `p_0`; optional together `reference_temperature`, `beta` |
     /// | `wlf` | `mu_g`, `t_g0`, `a_1`, `a_2`, `b_1`, `b_2`, `c_1`, `c_2` |
     /// | `doolittle` | `mu_0`, `b`, `r_0`; optional together `reference_temperature`, `epsilon`; `equation_of_state` with the keys of the density law `tait` except `rho_0` |
+    /// | `yasutomi` | `mu_g`, `t_g0`, `a_1`, `a_2`, `b_1`, `b_2`, `c_1`, `c_2` |
+    /// | `mcewen` | `mu_0`, `alpha`, `q` |
+    /// | `paluch` | `mu_0` or `mu_inf`, `c_f`, `p_inf` |
+    /// | `mcewen-paluch` | `mu_0`, `a_0`, `q`, `c_f`, `p_inf` |
+    /// | `walther` | `a`, `b`, `alpha`, `reference_temperature`; optional `pressure` (`roelands` or `barus`); needs a density law beside it |
     /// | `table` | `file`, a CSV file; or `isotherms`, `units` |
     ///
     /// # Errors
@@ -49,6 +54,15 @@ impl ViscosityLaw {
             "roelands" => Self::Roelands(roelands(&mut table)?),
             "wlf" => Self::ModifiedWlf(wlf(&mut table)?),
             "doolittle" => Self::Doolittle(doolittle(&mut table, density)?),
+            "yasutomi" => Self::ImprovedYasutomi(yasutomi(&mut table)?),
+            "mcewen" => {
+                let (mu_0, alpha) = (mu_0(&mut table)?, alpha(&mut table)?);
+                let q = table.required_number("q", Bounds::POSITIVE)?;
+                Self::McEwen(McEwen::new(mu_0, alpha, q).map_err(locate(&table))?)
+            }
+            "paluch" => Self::Paluch(paluch(&mut table)?),
+            "mcewen-paluch" => Self::Hybrid(hybrid(&mut table)?),
+            "walther" => Self::Walther(walther(&mut table, density)?),
             _ => {
                 let columns = Columns::read(
                     &mut table,
@@ -166,4 +180,78 @@ fn doolittle(table: &mut Table<'_>, density: Option<&DensityLaw>) -> Result<Dool
         }
     };
     Doolittle::new(mu_0, b, r_0, thermal, volume).map_err(locate(table))
+}
+
+fn yasutomi(table: &mut Table<'_>) -> Result<ImprovedYasutomi, InputError> {
+    let difference = Dimension::TEMPERATURE_DIFFERENCE;
+    let per_pressure = Dimension::INVERSE_PRESSURE;
+    let constants = ImprovedYasutomi {
+        glass_viscosity: table.required_quantity("mu_g", Dimension::VISCOSITY, Bounds::POSITIVE)?,
+        glass_temperature: table.required_quantity(
+            "t_g0",
+            Dimension::TEMPERATURE,
+            Bounds::POSITIVE,
+        )?,
+        a_1: table.required_quantity("a_1", difference, Bounds::POSITIVE)?,
+        a_2: table.required_quantity("a_2", per_pressure, Bounds::POSITIVE)?,
+        b_1: table.required_quantity("b_1", per_pressure, Bounds::POSITIVE)?,
+        b_2: table.required_number("b_2", Bounds::NEGATIVE)?,
+        c_1: table.required_number("c_1", Bounds::POSITIVE)?,
+        c_2: table.required_quantity("c_2", difference, Bounds::POSITIVE)?,
+    };
+    ImprovedYasutomi::new(constants).map_err(locate(table))
+}
+
+fn paluch(table: &mut Table<'_>) -> Result<Paluch, InputError> {
+    let (fragility, divergence_pressure) = divergence(table)?;
+    match (table.contains("mu_0"), table.contains("mu_inf")) {
+        (true, true) => Err(table.error(
+            "mu_inf",
+            "`mu_0` and `mu_inf` say the same thing: give one of them",
+        )),
+        (false, true) => {
+            let mu_inf =
+                table.required_quantity("mu_inf", Dimension::VISCOSITY, Bounds::POSITIVE)?;
+            Paluch::from_factor(mu_inf, fragility, divergence_pressure).map_err(locate(table))
+        }
+        _ => Paluch::new(mu_0(table)?, fragility, divergence_pressure).map_err(locate(table)),
+    }
+}
+
+/// `c_f` and `p_inf` of the law of Paluch.
+fn divergence(table: &mut Table<'_>) -> Result<(f64, f64), InputError> {
+    Ok((
+        table.required_number("c_f", Bounds::above_to(0.0, 1000.0))?,
+        table.required_quantity("p_inf", Dimension::PRESSURE, Bounds::POSITIVE)?,
+    ))
+}
+
+fn hybrid(table: &mut Table<'_>) -> Result<Hybrid, InputError> {
+    let mu_0 = mu_0(table)?;
+    let a_0 = table.required_quantity("a_0", Dimension::INVERSE_PRESSURE, Bounds::NON_NEGATIVE)?;
+    let q = table.required_number("q", Bounds::POSITIVE)?;
+    let (fragility, divergence_pressure) = divergence(table)?;
+    let constants = Hybrid {
+        mu_0,
+        a_0,
+        q,
+        fragility,
+        divergence_pressure,
+    };
+    Hybrid::new(constants).map_err(locate(table))
+}
+
+fn walther(table: &mut Table<'_>, density: Option<&DensityLaw>) -> Result<Walther, InputError> {
+    let density = density_beside(table, density, "kinematic")?;
+    let constants = Walther {
+        a: table.required_number("a", Bounds::ANY)?,
+        b: table.required_number("b", Bounds::POSITIVE)?,
+        density,
+        alpha: alpha(table)?,
+        reference_temperature: reference_temperature(table)?,
+        pressure: table
+            .optional_choice("pressure", &PressureLaw::NAMES)?
+            .unwrap_or(PressureLaw::Roelands),
+    };
+    Walther::new(constants).map_err(locate(table))
 }

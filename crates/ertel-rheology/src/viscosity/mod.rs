@@ -8,18 +8,28 @@ mod cheng;
 mod coefficient;
 mod constant;
 mod doolittle;
+mod hybrid;
+mod mcewen;
+mod paluch;
 mod roelands;
 mod table;
+mod walther;
 mod wlf;
+mod yasutomi;
 
 pub use barus::Barus;
 pub use cheng::Cheng;
 pub use coefficient::NoAsymptote;
 pub use constant::Constant;
 pub use doolittle::{Doolittle, OccupiedVolume};
+pub use hybrid::Hybrid;
+pub use mcewen::McEwen;
+pub use paluch::Paluch;
 pub use roelands::{Roelands, TemperatureSlope};
 pub use table::Table;
+pub use walther::{PressureLaw, Walther};
 pub use wlf::ModifiedWlf;
+pub use yasutomi::ImprovedYasutomi;
 
 use crate::{LawError, Scalar};
 
@@ -38,19 +48,34 @@ pub enum ViscosityLaw {
     ModifiedWlf(ModifiedWlf),
     /// `μ = μ₀ exp{B R₀ [v∞ / (V/V_R - R₀ v∞) - 1/(1 - R₀)]}`
     Doolittle(Doolittle),
+    /// `μ = μ_g exp[-2.303 C₁ (T - T_g) F / (C₂ + (T - T_g) F)]`, `F = (1 + b₁ p)^b₂`
+    ImprovedYasutomi(ImprovedYasutomi),
+    /// `μ = μ₀ (1 + α p / q)^q`
+    McEwen(McEwen),
+    /// `μ = μ₀ exp[C_F p / (p∞ - p)]`
+    Paluch(Paluch),
+    /// `μ = μ₀ (1 + a₀ p / q)^q exp[C_F p / (p∞ - p)]`
+    Hybrid(Hybrid),
+    /// `μ = ν(T) ρ(0, T)` with Walther's equation, times the growth with pressure of Roelands or Barus
+    Walther(Walther),
     /// Monotone interpolation of `ln μ` in a table over pressure and temperature.
     Table(Table),
 }
 
 impl ViscosityLaw {
     /// Names of the laws as written in data files.
-    pub const NAMES: [&'static str; 7] = [
+    pub const NAMES: [&'static str; 12] = [
         "constant",
         "barus",
         "cheng",
         "roelands",
         "wlf",
         "doolittle",
+        "yasutomi",
+        "mcewen",
+        "paluch",
+        "mcewen-paluch",
+        "walther",
         "table",
     ];
 
@@ -87,6 +112,11 @@ impl ViscosityLaw {
             Self::Roelands(law) => law.ln_viscosity(pressure, temperature),
             Self::ModifiedWlf(law) => law.ln_viscosity(pressure, temperature),
             Self::Doolittle(law) => law.ln_viscosity(pressure, temperature),
+            Self::ImprovedYasutomi(law) => law.ln_viscosity(pressure, temperature),
+            Self::McEwen(law) => law.ln_viscosity(pressure, temperature),
+            Self::Paluch(law) => law.ln_viscosity(pressure, temperature),
+            Self::Hybrid(law) => law.ln_viscosity(pressure, temperature),
+            Self::Walther(law) => law.ln_viscosity(pressure, temperature),
             Self::Table(law) => law.ln_viscosity(pressure, temperature),
         }
     }
@@ -100,6 +130,11 @@ impl ViscosityLaw {
             Self::Roelands(_) => "roelands",
             Self::ModifiedWlf(_) => "wlf",
             Self::Doolittle(_) => "doolittle",
+            Self::ImprovedYasutomi(_) => "yasutomi",
+            Self::McEwen(_) => "mcewen",
+            Self::Paluch(_) => "paluch",
+            Self::Hybrid(_) => "mcewen-paluch",
+            Self::Walther(_) => "walther",
             Self::Table(_) => "table",
         }
     }
@@ -110,17 +145,29 @@ impl ViscosityLaw {
             Self::Cheng(law) => Some(law.reference_temperature),
             Self::Roelands(law) => law.thermal.as_ref().map(|t| t.reference_temperature),
             Self::Doolittle(law) => law.thermal.as_ref().map(|t| t.reference_temperature),
-            Self::Constant(_) | Self::Barus(_) | Self::ModifiedWlf(_) | Self::Table(_) => None,
+            Self::Walther(law) => Some(law.reference_temperature),
+            Self::Constant(_)
+            | Self::Barus(_)
+            | Self::ModifiedWlf(_)
+            | Self::ImprovedYasutomi(_)
+            | Self::McEwen(_)
+            | Self::Paluch(_)
+            | Self::Hybrid(_)
+            | Self::Table(_) => None,
         }
     }
 
     /// Whether the viscosity changes with temperature.
     pub fn depends_on_temperature(&self) -> bool {
         match self {
-            Self::Constant(_) | Self::Barus(_) => false,
+            Self::Constant(_)
+            | Self::Barus(_)
+            | Self::McEwen(_)
+            | Self::Paluch(_)
+            | Self::Hybrid(_) => false,
             Self::Cheng(law) => law.beta != 0.0 || law.gamma != 0.0,
             Self::Roelands(law) => law.thermal.as_ref().is_some_and(|t| t.beta != 0.0),
-            Self::ModifiedWlf(_) => true,
+            Self::ModifiedWlf(_) | Self::ImprovedYasutomi(_) | Self::Walther(_) => true,
             Self::Doolittle(law) => law.thermal.is_some() || law.volume.thermal.is_some(),
             Self::Table(law) => law.depends_on_temperature(),
         }

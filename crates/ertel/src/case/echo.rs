@@ -2,10 +2,11 @@
 
 use ertel_rheology::ShearThinning;
 use ertel_rheology::input::tree::{Node, Value};
+use ertel_rheology::provenance::Datum;
 use serde_json::{Map, json};
 
 use super::{Body, Case, SolidHeat};
-use crate::output::{BodyEcho, CaseEcho, FluidEcho, HeatEcho, ThermalEcho};
+use crate::output::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, ThermalEcho};
 use crate::params::ThermalParams;
 
 impl Case {
@@ -25,10 +26,14 @@ impl Case {
             ball: body(&self.ball),
             roughness: self.roughness,
             fluid: FluidEcho {
-                name: lubricant
-                    .name
-                    .clone()
-                    .unwrap_or_else(|| "given by its laws".to_owned()),
+                name: lubricant.name.clone().unwrap_or_else(|| {
+                    let by = if lubricant.estimates.is_empty() {
+                        "laws"
+                    } else {
+                        "data sheet"
+                    };
+                    format!("given by its {by}")
+                }),
                 viscosity_law: lubricant.viscosity.name().to_owned(),
                 shear_thinning: lubricant
                     .shear_thinning
@@ -42,6 +47,7 @@ impl Case {
                     .viscosity
                     .pressure_viscosity_reciprocal_asymptotic(temperature)
                     .ok(),
+                estimates: lubricant.estimates.iter().map(estimate).collect(),
             },
             temperature,
             mesh: self.mesh.clone(),
@@ -70,6 +76,16 @@ impl Case {
             plane: solid(&heat.plane),
             ball: solid(&heat.ball),
         })
+    }
+}
+
+fn estimate(datum: &Datum) -> EstimateEcho {
+    EstimateEcho {
+        key: datum.key.clone(),
+        value: datum.value.clone(),
+        unit: datum.unit.clone(),
+        source: datum.source.clone(),
+        note: datum.note.clone().unwrap_or_default(),
     }
 }
 

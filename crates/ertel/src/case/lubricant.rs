@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::warning::Warning;
 use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
-use ertel_rheology::provenance::TemperatureRange;
+use ertel_rheology::provenance::{Datum, Status, TemperatureRange};
 use ertel_rheology::quantity::Dimension;
 use ertel_rheology::{
     ConductivityLaw, DensityLaw, Files, Fluid, HeatCapacityLaw, ShearThinning, ViscosityLaw,
@@ -37,6 +37,8 @@ pub struct Lubricant {
     pub heat_capacity: Option<HeatCapacityLaw>,
     /// Temperatures that the data cover, each with what it rests on.
     pub temperature_ranges: Vec<TemperatureRange>,
+    /// Numbers that are estimates, as of an oil given by its data sheet.
+    pub estimates: Vec<Datum>,
 }
 
 impl Lubricant {
@@ -108,7 +110,7 @@ pub(super) fn read(
                     fluid
                 }
                 None => {
-                    if !table.contains("density") {
+                    if table.contains("viscosity") && !table.contains("density") {
                         return Err(table.missing("density").with_help(
                             "such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }",
                         ));
@@ -143,6 +145,8 @@ fn check(
         fluid.check_range(pressure, temperature)
     };
     let temperature_ranges = fluid.temperature_ranges();
+    let mut estimates = fluid.provenance;
+    estimates.retain(|datum| datum.status == Status::Estimated);
     let lubricant = Lubricant {
         name: name.map(str::to_owned),
         temperature,
@@ -152,6 +156,7 @@ fn check(
         thermal_conductivity: fluid.thermal_conductivity,
         heat_capacity: fluid.heat_capacity,
         temperature_ranges,
+        estimates,
     };
     let must_lie = |what: &str, value: f64, bounds: Bounds, unit: &str| {
         if bounds.contains(value) {

@@ -34,6 +34,24 @@ pub struct FluidEcho {
     pub pressure_viscosity: f64,
     /// Reciprocal asymptotic isoviscous pressure coefficient α*, 1/Pa, where it exists.
     pub pressure_viscosity_asymptotic: Option<f64>,
+    /// Numbers that are estimates, as of an oil given by its data sheet.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub estimates: Vec<EstimateEcho>,
+}
+
+/// A number of the lubricant that is an estimate.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct EstimateEcho {
+    /// Key path.
+    pub key: String,
+    /// The number in `unit`.
+    pub value: String,
+    /// Its unit; `1` for a pure number.
+    pub unit: String,
+    /// Key in the bibliography of the database, and the place.
+    pub source: String,
+    /// How far it may be off, and what that rests on.
+    pub note: String,
 }
 
 /// Heat: the settings, with the bulk temperatures that they leave open, and what carries it.

@@ -54,6 +54,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
             density: 870.0,
             pressure_viscosity: 22e-9,
             pressure_viscosity_asymptotic: Some(18.2e-9),
+            estimates: Vec::new(),
         },
         temperature: 313.15,
         mesh: MeshParams::preset(MeshPreset::Normal, kind),

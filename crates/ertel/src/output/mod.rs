@@ -30,7 +30,7 @@ mod workplace_tests;
 
 pub(crate) use csv::{quoted, text_field};
 pub use curve::{curve_report, write_curve};
-pub use echo::{BodyEcho, CaseEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho};
+pub use echo::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use figure::unresolved;
 pub use file::write_whole;

@@ -205,6 +205,19 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     if let Some(alpha) = fluid.pressure_viscosity_asymptotic {
         out.row("  asymptotic, α*", coefficient(alpha));
     }
+    for estimate in &fluid.estimates {
+        let range = estimate.note.split(": ").next().unwrap_or_default();
+        let unit = if estimate.unit == "1" {
+            ""
+        } else {
+            &estimate.unit
+        };
+        let value = format!("{} {unit}", estimate.value);
+        out.row(
+            &estimate.key.replace('_', " "),
+            format!("{} ({range})", value.trim_end()),
+        );
+    }
     if let Some(thermal) = &case.thermal {
         heat::write(out, thermal);
     }

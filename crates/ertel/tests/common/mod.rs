@@ -60,6 +60,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
             thermal_conductivity: None,
             heat_capacity: None,
             temperature_ranges: Vec::new(),
+            estimates: Vec::new(),
         },
         mesh: MeshParams::preset(MeshPreset::Coarse, kind),
         solver: SolverParams::default(),

@@ -1,0 +1,73 @@
+//! Where the numbers of a data sheet come from.
+
+use crate::data_sheet::Estimate;
+use crate::input::Table;
+use crate::provenance::{Datum, Status};
+
+/// A number that the table gives.
+pub(super) fn given(table: &Table<'_>, key: &str, value: String, unit: &str) -> Datum {
+    let source = if table.path().is_empty() {
+        "given".to_owned()
+    } else {
+        format!("given in [{}]", table.path())
+    };
+    datum(key, value, unit, source, Status::User, None)
+}
+
+/// A number that follows from given ones.
+pub(super) fn computed(key: &str, value: String, unit: &str, source: &str) -> Datum {
+    datum(key, value, unit, source.to_owned(), Status::Computed, None)
+}
+
+/// The datum of an estimate, times `scale` in `unit`.
+pub(super) fn estimated(key: &str, estimate: &Estimate, scale: f64, unit: &str) -> Datum {
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    let range = if estimate.below == estimate.above {
+        format!("± {}", percent(estimate.above))
+    } else {
+        format!(
+            "-{} to +{}",
+            percent(estimate.below),
+            percent(estimate.above)
+        )
+    };
+    let note = format!("estimate, {range}: {}", estimate.basis);
+    let value = figures(scale * estimate.value);
+    datum(
+        key,
+        value,
+        unit,
+        estimate.source.to_owned(),
+        Status::Estimated,
+        Some(note),
+    )
+}
+
+fn datum(
+    key: &str,
+    value: String,
+    unit: &str,
+    source: String,
+    status: Status,
+    note: Option<String>,
+) -> Datum {
+    Datum {
+        key: key.to_owned(),
+        value,
+        unit: unit.to_owned(),
+        source,
+        status,
+        note,
+    }
+}
+
+/// Four figures, without zeros at the end.
+pub(super) fn figures(value: f64) -> String {
+    let decimals = (3.0 - value.abs().log10().floor()).clamp(0.0, 12.0) as usize;
+    let text = format!("{value:.decimals$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}

@@ -1,0 +1,185 @@
+//! Oils by their data sheet.
+
+mod data;
+mod viscosity;
+
+use self::data::{estimated, figures, given};
+use self::viscosity::{viscosity_40, viscosity_100};
+use super::{density::reference_temperature, locate};
+use crate::data_sheet::{BaseOil, WATER_AT_15};
+use crate::density::{DowsonHigginson, ThermalExpansion};
+use crate::input::{Bounds, InputError, Table};
+use crate::provenance::{Datum, ValidityRange};
+use crate::quantity::Dimension;
+use crate::viscosity::{PressureLaw, Walther};
+use crate::{DensityLaw, ViscosityLaw};
+
+/// Keys of a data sheet. `reference_temperature` is one of the fluid.
+pub(super) const KEYS: [&str; 10] = [
+    "iso_vg",
+    "kinematic_viscosity_40",
+    "kinematic_viscosity_100",
+    "viscosity_index",
+    "density_15",
+    "density_20",
+    "relative_density_15",
+    "base_oil",
+    "pressure_viscosity_coefficient",
+    "pressure_law",
+];
+
+const CELSIUS_15: f64 = 288.15;
+const CELSIUS_20: f64 = 293.15;
+const CELSIUS_40: f64 = 313.15;
+const CELSIUS_100: f64 = 373.15;
+/// The laws of an oil, and where their numbers come from.
+pub(super) struct Sheet {
+    pub density: DensityLaw,
+    pub viscosity: ViscosityLaw,
+    pub reference_temperature: f64,
+    pub validity: ValidityRange,
+    pub provenance: Vec<Datum>,
+}
+
+/// Whether the table has keys of a data sheet; the first of them.
+pub(super) fn first_key(table: &mut Table<'_>) -> Option<&'static str> {
+    KEYS.into_iter().find(|key| table.contains(key))
+}
+
+/// Reads the keys of a data sheet. `density` is the law of the density where the table has one.
+pub(super) fn read(
+    table: &mut Table<'_>,
+    density: Option<DensityLaw>,
+) -> Result<Sheet, InputError> {
+    let base_oil = table.optional_choice("base_oil", &BaseOil::NAMES)?;
+    let mut data = Vec::new();
+    if base_oil.is_some() {
+        let name = table.optional_str("base_oil")?.unwrap_or_default();
+        data.push(given(table, "base_oil", name.to_owned(), ""));
+    }
+    let nu_40 = viscosity_40(table, &mut data)?;
+    let nu_100 = viscosity_100(table, nu_40, base_oil, &mut data)?;
+    let density = match density {
+        None => read_density(table, base_oil, &mut data)?,
+        Some(law) => match ["density_15", "density_20", "relative_density_15"]
+            .into_iter()
+            .find(|key| table.contains(key))
+        {
+            None => law,
+            Some(key) => return Err(twice(table, key, "density")),
+        },
+    };
+    let reference = if table.contains("reference_temperature") {
+        reference_temperature(table)?
+    } else {
+        CELSIUS_40
+    };
+    let (a, b) = Walther::constants([(CELSIUS_40, nu_40), (CELSIUS_100, nu_100)]);
+    let mut law = Walther {
+        a,
+        b,
+        density: density.clone(),
+        alpha: 0.0,
+        reference_temperature: reference,
+        pressure: table
+            .optional_choice("pressure_law", &PressureLaw::NAMES)?
+            .unwrap_or(PressureLaw::Roelands),
+    };
+    law.alpha = coefficient(table, &law, base_oil, &mut data)?;
+    let viscosity = Walther::new(law).map_err(locate(table))?;
+    Ok(Sheet {
+        density,
+        viscosity: ViscosityLaw::Walther(viscosity),
+        reference_temperature: reference,
+        validity: ValidityRange {
+            pressure: Some((0.0, 3000.0 * 101_325.0)),
+            temperature: Some((CELSIUS_20, 423.15)),
+            source: "not given with the oil; what Roelands, Vlugter and Waterman (1963) state for the law"
+                .to_owned(),
+        },
+        provenance: data,
+    })
+}
+
+/// Dowson and Higginson's law with the density at 15 or 20 degC and the expansion of the kind of oil.
+fn read_density(
+    table: &mut Table<'_>,
+    base_oil: Option<BaseOil>,
+    data: &mut Vec<Datum>,
+) -> Result<DensityLaw, InputError> {
+    let bounds = Bounds::closed(500.0, 2500.0);
+    let mut found = Vec::new();
+    for (key, temperature) in [("density_15", CELSIUS_15), ("density_20", CELSIUS_20)] {
+        if let Some(rho) = table.optional_quantity(key, Dimension::DENSITY, bounds)? {
+            data.push(given(table, key, figures(rho), "kg/m^3"));
+            found.push((key, rho, temperature));
+        }
+    }
+    let key = "relative_density_15";
+    if let Some(relative) = table.optional_number(key, Bounds::closed(0.5, 2.5))? {
+        data.push(given(table, key, relative.to_string(), "1"));
+        found.push((key, relative * WATER_AT_15, CELSIUS_15));
+    }
+    let (rho_0, reference_temperature) = match (&found[..], base_oil) {
+        ([(first, ..), (key, ..), ..], _) => return Err(twice(table, key, first)),
+        ([(_, rho, temperature)], _) => (*rho, *temperature),
+        ([], Some(base_oil)) => {
+            let typical = base_oil.density_at_15();
+            data.push(estimated("density_15", &typical, 1.0, "kg/m^3"));
+            (typical.value, CELSIUS_15)
+        }
+        ([], None) => {
+            return Err(needs_base_oil(table, "density_15"));
+        }
+    };
+    let Some(base_oil) = base_oil else {
+        return Err(needs_base_oil(table, "base_oil"));
+    };
+    let expansion = base_oil.expansion();
+    data.push(estimated("density.beta", &expansion, 1.0, "1/K"));
+    // The share is of the density at 15 degC.
+    let beta = expansion.value;
+    let beta = beta / (1.0 - beta * (reference_temperature - CELSIUS_15));
+    let thermal = ThermalExpansion {
+        reference_temperature,
+        temperature_coefficient: beta,
+    };
+    let law = DowsonHigginson::new(rho_0, Some(thermal)).map_err(locate(table))?;
+    Ok(DensityLaw::DowsonHigginson(law))
+}
+
+/// Pressure-viscosity coefficient (1/Pa) at the reference temperature of `law`, measured or by correlation.
+fn coefficient(
+    table: &mut Table<'_>,
+    law: &Walther,
+    base_oil: Option<BaseOil>,
+    data: &mut Vec<Datum>,
+) -> Result<f64, InputError> {
+    let key = "pressure_viscosity_coefficient";
+    let bounds = Bounds::closed(0.0, 100e-9);
+    if let Some(alpha) = table.optional_quantity(key, Dimension::INVERSE_PRESSURE, bounds)? {
+        data.push(given(table, key, figures(1e9 * alpha), "1/GPa"));
+        return Ok(alpha);
+    }
+    let Some(base_oil) = base_oil else {
+        return Err(needs_base_oil(table, key));
+    };
+    let nu: f64 = law.kinematic_viscosity(law.reference_temperature);
+    let estimate = base_oil.pressure_viscosity(nu);
+    data.push(estimated(key, &estimate, 1e9, "1/GPa"));
+    Ok(estimate.value)
+}
+
+fn needs_base_oil(table: &Table<'_>, key: &str) -> InputError {
+    let names = BaseOil::NAMES.map(|(name, _)| name).join(", ");
+    table.missing(key).with_help(format!(
+        "`base_oil` lets it be estimated; it is one of: {names}"
+    ))
+}
+
+fn twice(table: &Table<'_>, key: &str, other: &str) -> InputError {
+    table.error(
+        key,
+        format!("`{other}` and `{key}` say the same thing: give one of them"),
+    )
+}

@@ -1,0 +1,267 @@
+//! Oils by their data sheet: figures by mpmath, and sheets that contradict themselves.
+
+use approx::assert_relative_eq;
+
+use super::Files;
+use crate::input::{Document, InputError};
+use crate::provenance::Status;
+use crate::{Fluid, ViscosityLaw};
+
+fn oil(sheet: &str) -> Result<Fluid, InputError> {
+    let text = format!("\n[lubricant]\n{sheet}");
+    let document = Document::parse("case.toml", text)?;
+    let mut root = document.root();
+    let mut table = root.required_table("lubricant")?;
+    let fluid = Fluid::from_table(&mut table, "lubricant", Files::Embedded(&[]))?;
+    table.finish()?;
+    Ok(fluid)
+}
+
+/// Key, value and unit, and whether it is an estimate.
+fn datum<'f>(fluid: &'f Fluid, key: &str) -> (&'f str, &'f str, bool) {
+    let datum = fluid.provenance.iter().find(|datum| datum.key == key);
+    let datum = datum.unwrap_or_else(|| panic!("no {key}"));
+    let estimated = datum.status == Status::Estimated;
+    assert_eq!(estimated, datum.note.is_some(), "{key}");
+    (&datum.value, &datum.unit, estimated)
+}
+
+const SHEET: &str = "kinematic_viscosity_40 = '46 cSt'\nkinematic_viscosity_100 = '6.9 cSt'\n\
+     density_15 = '870 kg/m^3'\nbase_oil = 'mineral'\n";
+
+#[test]
+fn a_full_sheet() {
+    let oil = oil(SHEET).unwrap();
+    // 46 mm²/s times 870 (1 - 5.8e-4 · 25) kg/m³, by hand.
+    let close =
+        |value: f64, expected: f64| assert_relative_eq!(value, expected, max_relative = 1e-9);
+    close(oil.viscosity(0.0, 313.15), 46e-6 * 870.0 * 0.9855);
+    close(oil.density(0.0, 288.15).unwrap(), 870.0);
+    // 0.9904 · 46^0.139 · 10 1/GPa, and Roelands' law at that temperature.
+    let alpha = 9.904e-9 * 46_f64.powf(0.139);
+    close(oil.pressure_viscosity_slope(313.15), alpha);
+    let roelands = ViscosityLaw::roelands(46e-6 * 870.0 * 0.9855, alpha).unwrap();
+    close(
+        oil.viscosity(0.5e9, 313.15),
+        roelands.viscosity(0.5e9, 313.15),
+    );
+    // Walther's equation, as in tests/high_pressure_laws.rs.
+    close(
+        oil.viscosity(0.0, 353.15),
+        11.234533054e-6 * 870.0 * (1.0 - 5.8e-4 * 65.0),
+    );
+    assert_eq!(oil.reference_temperature, Some(313.15));
+    assert_eq!(
+        datum(&oil, "pressure_viscosity_coefficient"),
+        ("16.86", "1/GPa", true)
+    );
+    assert_eq!(datum(&oil, "density.beta"), ("0.00058", "1/K", true));
+    assert_eq!(datum(&oil, "viscosity_index"), ("105", "1", false));
+    assert_eq!(
+        datum(&oil, "kinematic_viscosity_100"),
+        ("6.9", "mm^2/s", false)
+    );
+    assert_eq!(datum(&oil, "density_15"), ("870", "kg/m^3", false));
+    assert_eq!(oil.check_range(0.3e9, 313.15), []);
+    assert_eq!(oil.check_range(0.5e9, 433.15).len(), 2);
+}
+
+#[test]
+fn what_is_left_out_is_estimated() {
+    let oil = oil("iso_vg = 46\nbase_oil = 'mineral'").unwrap();
+    assert_eq!(
+        datum(&oil, "kinematic_viscosity_40"),
+        ("46", "mm^2/s", true)
+    );
+    assert_eq!(datum(&oil, "viscosity_index"), ("95", "1", true));
+    assert_eq!(datum(&oil, "density_15"), ("902", "kg/m^3", true));
+    // D2270 inverted by an independent program (the `chemicals` library): 6.645 mm²/s.
+    assert_eq!(
+        datum(&oil, "kinematic_viscosity_100"),
+        ("6.645", "mm^2/s", false)
+    );
+    let ViscosityLaw::Walther(law) = &oil.viscosity else {
+        panic!("not Walther's law");
+    };
+    let nu: f64 = law.kinematic_viscosity(373.15);
+    assert_relative_eq!(nu, 6.645e-6, max_relative = 1e-4);
+}
+
+#[test]
+fn other_ways_to_say_it() {
+    let same = |sheet: &str, p: f64, t: f64| {
+        let (one, other) = (oil(SHEET).unwrap(), oil(sheet).unwrap());
+        let ratio = other.viscosity(p, t) / one.viscosity(p, t);
+        assert!((ratio - 1.0).abs() < 2e-4, "{sheet}: {ratio}");
+    };
+    same(&SHEET.replace("870 kg/m^3", "0.87 g/cm^3"), 0.3e9, 350.0);
+    same(
+        &SHEET.replace("density_15 = '870 kg/m^3'", "relative_density_15 = 0.8708"),
+        0.3e9,
+        350.0,
+    );
+    // 870 (1 - 5.8e-4 · 5)
+    same(
+        &SHEET.replace("density_15 = '870 ", "density_20 = '867.477 "),
+        0.3e9,
+        350.0,
+    );
+    same(&format!("iso_vg = 46\n{SHEET}"), 0.3e9, 350.0);
+    same(&format!("viscosity_index = 105\n{SHEET}"), 0.3e9, 350.0);
+    let law = "density = { law = 'dowson-higginson', rho_0 = '870 kg/m^3', reference_temperature = '15 degC', beta = '5.8e-4 1/K' }";
+    same(
+        &SHEET.replace("density_15 = '870 kg/m^3'", law),
+        0.3e9,
+        350.0,
+    );
+    same(
+        &format!("{SHEET}pressure_viscosity_coefficient = '16.863 1/GPa'"),
+        0.3e9,
+        350.0,
+    );
+
+    let barus = oil(&format!("{SHEET}pressure_law = 'barus'")).unwrap();
+    let ratio: f64 = barus.viscosity(0.5e9, 313.15) / barus.viscosity(0.0, 313.15);
+    assert_relative_eq!(
+        ratio.ln(),
+        barus.pressure_viscosity_slope(313.15) * 0.5e9,
+        max_relative = 1e-12
+    );
+    // The correlation at another temperature.
+    let warm = oil(&format!("{SHEET}reference_temperature = '100 degC'")).unwrap();
+    let alpha = 9.904e-9 * 6.9_f64.powf(0.139);
+    assert_relative_eq!(
+        warm.pressure_viscosity_slope(373.15),
+        alpha,
+        max_relative = 1e-4
+    );
+    // All measured: no kind of oil is needed.
+    let measured = "kinematic_viscosity_40 = '46 cSt'\nkinematic_viscosity_100 = '6.9 cSt'\n\
+                    pressure_viscosity_coefficient = '20 1/GPa'\ndensity = { law = 'constant', rho_0 = '857 kg/m^3' }";
+    let measured = oil(measured).unwrap();
+    assert!(
+        measured
+            .provenance
+            .iter()
+            .all(|datum| datum.status != Status::Estimated)
+    );
+}
+
+#[test]
+fn a_sheet_that_contradicts_itself_is_refused() {
+    let with = |from: &str, to: &str| SHEET.replace(from, to);
+    for (sheet, line, key, part) in [
+        (
+            format!("iso_vg = 46\n{}", with("'46 cSt'", "'32 cSt'")),
+            4,
+            "kinematic_viscosity_40",
+            "41.4 to 50.6 mm^2/s",
+        ),
+        (
+            with("6.9", "60"),
+            4,
+            "kinematic_viscosity_100",
+            "must be below that at 40 degC",
+        ),
+        (
+            with("6.9", "45"),
+            4,
+            "kinematic_viscosity_100",
+            "which no oil has",
+        ),
+        (
+            format!("{SHEET}viscosity_index = 150"),
+            7,
+            "viscosity_index",
+            "make an index of 105, not 150",
+        ),
+        (
+            format!("{SHEET}density_20 = '867 kg/m^3'"),
+            7,
+            "density_20",
+            "say the same thing",
+        ),
+        (
+            format!("{SHEET}viscosity = {{ law = 'constant', mu_0 = '1 mPa.s' }}"),
+            3,
+            "kinematic_viscosity_40",
+            "a law or a data sheet",
+        ),
+        (
+            format!("{SHEET}density = {{ law = 'constant', rho_0 = '1 g/cm^3' }}"),
+            5,
+            "density_15",
+            "say the same thing",
+        ),
+        (
+            with("mineral", "minerals"),
+            6,
+            "base_oil",
+            "mineral, PAO, ester, PAG",
+        ),
+        (
+            with("870", "8.7"),
+            5,
+            "density_15",
+            "between 500 kg/m^3 and 2500 kg/m^3",
+        ),
+        (
+            "iso_vg = 45\nbase_oil = 'PAO'".to_owned(),
+            3,
+            "iso_vg",
+            "32, 46, 68",
+        ),
+        (
+            "iso_vg = 5\nbase_oil = 'PAO'".to_owned(),
+            4,
+            "base_oil",
+            "more than 2 mm^2/s",
+        ),
+        (
+            "iso_vg = 46\nviscosity_index = 900\nbase_oil = 'PAO'".to_owned(),
+            4,
+            "viscosity_index",
+            "between -200 and 500",
+        ),
+    ] {
+        let error = oil(&sheet).unwrap_err();
+        assert_eq!(error.key(), format!("lubricant.{key}"), "{error}");
+        if sheet.contains(&format!("{key} =")) {
+            assert_eq!(error.line(), Some(line), "{error}");
+        }
+        assert!(error.to_string().contains(part), "{error}");
+    }
+    for (sheet, part) in [
+        ("base_oil = 'PAO'", "missing key `kinematic_viscosity_40`"),
+        ("iso_vg = 46", "missing key `kinematic_viscosity_100`"),
+        (
+            "iso_vg = 46\nbase_oil = 'ester'",
+            "missing key `kinematic_viscosity_100`",
+        ),
+        (
+            "iso_vg = 46\nviscosity_index = 95\ndensity_15 = '870 kg/m^3'",
+            "missing key `base_oil`",
+        ),
+        (
+            "iso_vg = 46\nviscosity_index = 95\ndensity = { law = 'constant', rho_0 = '870 kg/m^3' }",
+            "missing key `pressure_viscosity_coefficient`",
+        ),
+    ] {
+        let error = oil(sheet).unwrap_err();
+        assert!(error.message().contains(part), "{error}");
+        assert!(!error.help().is_empty(), "{error}");
+    }
+}
+
+#[test]
+fn a_fluid_of_the_database_takes_no_sheet() {
+    let document = Document::parse("case.toml", "iso_vg = 46").unwrap();
+    let mut fluid = crate::database::fluid("iso-vg-46-mineral").unwrap();
+    let error = fluid
+        .override_from(&mut document.root(), Files::Embedded(&[]))
+        .unwrap_err();
+    assert!(
+        error.message().contains("describes an oil of its own"),
+        "{error}"
+    );
+}
