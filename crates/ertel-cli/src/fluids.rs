@@ -20,6 +20,8 @@ const PRESSURES: [f64; 10] = [
 ];
 /// Shear stresses of the table, Pa.
 const STRESSES: [f64; 7] = [0.0, 1e4, 1e5, 0.3e6, 1e6, 3e6, 1e7];
+/// Ranges that end below are drawn on to 0.1 GPa, with room for a word about that, Pa.
+const SHORT_RANGE: f64 = 0.08e9;
 /// Points of the curve in the picture.
 const N_POINTS: usize = 201;
 
@@ -265,7 +267,13 @@ fn write_plot(path: &Path, fluid: &Fluid, temperature: f64) -> Result<(), Failur
         .as_ref()
         .and_then(|validity| validity.pressure);
     // Nothing tells how far to draw: 1 GPa, where most contacts are.
-    let highest = valid.map_or(1e9, |(_, high)| high.clamp(0.1e9, 3e9));
+    let highest = valid.map_or(1e9, |(_, high)| {
+        if high < SHORT_RANGE {
+            0.1e9
+        } else {
+            high.min(3e9)
+        }
+    });
     let pressures: Vec<f64> = (0..N_POINTS)
         .map(|i| highest * i as f64 / (N_POINTS - 1) as f64)
         .collect();

@@ -56,6 +56,12 @@ impl Fluid {
                 density = Some(sheet.density.clone());
                 sheet.viscosity.clone()
             }
+            None if !table.contains("viscosity") => {
+                return Err(table.missing("viscosity").with_help(
+                    "give a law, or what the data sheet of the oil says: `iso_vg` or `kinematic_viscosity_40`, \
+                     `kinematic_viscosity_100`, `density_15`, `base_oil`",
+                ));
+            }
             None => ViscosityLaw::from_table(
                 table.required_table("viscosity")?,
                 density.as_ref(),

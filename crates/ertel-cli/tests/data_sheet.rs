@@ -1,0 +1,75 @@
+//! An oil from its data sheet, end to end: the shipped case, its report, and the fluids of the database.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn ertel(arguments: &[&str]) -> Output {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
+    command.args(arguments).current_dir(folder);
+    // Tests leave the user's cache alone.
+    command.env("ERTEL_CACHE", "");
+    command.output().unwrap()
+}
+
+fn report(arguments: &[&str]) -> String {
+    let output = ertel(arguments);
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {message}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn the_shipped_case_is_solved_and_tells_its_estimates() {
+    let folder = tempfile::tempdir().unwrap();
+    let results = folder.path().join("results");
+    let report = report(&[
+        "solve",
+        "cases/data-sheet-oil.toml",
+        "--output",
+        results.to_str().unwrap(),
+    ]);
+    for words in [
+        "given by its data sheet: viscosity walther, density dowson-higginson",
+        "16.86 1/GPa (estimate, -10 % to +60 %)",
+        "0.00058 1/K (estimate, ± 20 %)",
+    ] {
+        assert!(report.contains(words), "{words}: {report}");
+    }
+    let json = std::fs::read_to_string(results.join("result.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let fluid = &json["case"]["si"]["fluid"];
+    let estimates = fluid["estimates"].as_array().unwrap();
+    let keys: Vec<&str> = estimates
+        .iter()
+        .map(|e| e["key"].as_str().unwrap())
+        .collect();
+    assert_eq!(keys, ["density.beta", "pressure_viscosity_coefficient"]);
+    assert!(
+        estimates[1]["source"]
+            .as_str()
+            .unwrap()
+            .starts_with("gold2001")
+    );
+    // 46 mm²/s times 870 (1 - 5.8e-4 · 25) kg/m³.
+    let viscosity = fluid["viscosity"].as_f64().unwrap();
+    assert!(
+        (viscosity / (46e-6 * 870.0 * 0.9855) - 1.0).abs() < 1e-9,
+        "{viscosity}"
+    );
+}
+
+#[test]
+fn estimates_of_the_database_are_shown_as_such() {
+    let shown = report(&["fluids", "show", "iso-vg-46-pao"]);
+    for words in [
+        "estimated",
+        "estimate, -10 % to +60 %",
+        "Gold, P. W.",
+        "viscosity_index",
+    ] {
+        assert!(shown.contains(words), "{words}: {shown}");
+    }
+    let list = report(&["fluids"]);
+    assert!(list.lines().count() > 60, "{list}");
+}
