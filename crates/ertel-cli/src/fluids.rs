@@ -38,7 +38,7 @@ pub fn run(arguments: &FluidsArgs) -> Result<(), Failure> {
             temperature,
             plot,
         }) => {
-            let fluid = database::fluid_or_file(name, Path::new(""))?;
+            let fluid = database::fluid_or_file(name, Path::new(""), None)?;
             let temperature = state_temperature(&fluid, temperature.as_deref())?;
             if let Some(path) = plot {
                 write_plot(path, &fluid, temperature)?;

@@ -42,7 +42,7 @@ fn list() -> Result<String, Failure> {
 }
 
 fn show(name: &str) -> Result<String, Failure> {
-    let solid = database::solid_or_file(name, Path::new(""))?;
+    let solid = database::solid_or_file(name, Path::new(""), None)?;
     let mut text = format!("{}: {}\n\n", solid.name, solid.title);
     text += &data(&solid.provenance);
     text += &notes(&solid.notes);

@@ -13,7 +13,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::input::file::{LARGEST_DOCUMENT, read_text};
-use crate::input::{Document, InputError, Table};
+use crate::input::{Document, InputError, Recorder, Table};
 use crate::provenance::{Datum, Status};
 use crate::{Files, Fluid, Solid};
 
@@ -100,22 +100,37 @@ pub fn is_file(name: &str) -> bool {
 ///
 /// [`DatabaseError::Unknown`] lists the names there are.
 pub fn fluid(name: &str) -> Result<Fluid, DatabaseError> {
-    let (name, text) = find("fluid", FLUIDS, name)?;
-    let document = Document::parse(format!("data/fluids/{name}.toml"), text)?;
-    read_fluid(&document, name, Files::Embedded(TABLES), Head::Whole)
+    fluid_noted_by(name, None)
 }
 
-/// The fluid of that name, or of that file in `folder`. Tables that the file names are found in its own folder.
+fn fluid_noted_by(name: &str, inputs: Option<Recorder<'_>>) -> Result<Fluid, DatabaseError> {
+    let (name, text) = find("fluid", FLUIDS, name)?;
+    let document = Document::parse(format!("data/fluids/{name}.toml"), text)?;
+    read_fluid(
+        &document,
+        name,
+        Files::Embedded(TABLES),
+        Head::Whole,
+        inputs,
+    )
+}
+
+/// The fluid of that name, or of that file in `folder`. Tables that the file names are found in its own folder; `inputs` notes its
+/// quantities.
 ///
 /// # Errors
 ///
 /// As of [`fluid`]; a file that cannot be read, and whatever is wrong in it, with its line.
-pub fn fluid_or_file(name: &str, folder: &Path) -> Result<Fluid, DatabaseError> {
+pub fn fluid_or_file(
+    name: &str,
+    folder: &Path,
+    inputs: Option<Recorder<'_>>,
+) -> Result<Fluid, DatabaseError> {
     if !is_file(name) {
-        return fluid(name);
+        return fluid_noted_by(name, inputs);
     }
     let own = OwnFile::read(folder, name)?;
-    read_fluid(&own.document, name, own.files(), Head::AsFarAsGiven)
+    read_fluid(&own.document, name, own.files(), Head::AsFarAsGiven, inputs)
 }
 
 /// The solid of that name.
@@ -124,9 +139,19 @@ pub fn fluid_or_file(name: &str, folder: &Path) -> Result<Fluid, DatabaseError> 
 ///
 /// [`DatabaseError::Unknown`] lists the names there are.
 pub fn solid(name: &str) -> Result<Solid, DatabaseError> {
+    solid_noted_by(name, None)
+}
+
+fn solid_noted_by(name: &str, inputs: Option<Recorder<'_>>) -> Result<Solid, DatabaseError> {
     let (name, text) = find("solid", SOLIDS, name)?;
     let document = Document::parse(format!("data/solids/{name}.toml"), text)?;
-    read_solid(&document, name, Files::Embedded(TABLES), Head::Whole)
+    read_solid(
+        &document,
+        name,
+        Files::Embedded(TABLES),
+        Head::Whole,
+        inputs,
+    )
 }
 
 /// The solid of that name, or of that file in `folder`; as [`fluid_or_file`].
@@ -134,12 +159,16 @@ pub fn solid(name: &str) -> Result<Solid, DatabaseError> {
 /// # Errors
 ///
 /// As of [`solid`]; a file that cannot be read, and whatever is wrong in it, with its line.
-pub fn solid_or_file(name: &str, folder: &Path) -> Result<Solid, DatabaseError> {
+pub fn solid_or_file(
+    name: &str,
+    folder: &Path,
+    inputs: Option<Recorder<'_>>,
+) -> Result<Solid, DatabaseError> {
     if !is_file(name) {
-        return solid(name);
+        return solid_noted_by(name, inputs);
     }
     let own = OwnFile::read(folder, name)?;
-    read_solid(&own.document, name, own.files(), Head::AsFarAsGiven)
+    read_solid(&own.document, name, own.files(), Head::AsFarAsGiven, inputs)
 }
 
 fn read_fluid(
@@ -147,8 +176,9 @@ fn read_fluid(
     name: &str,
     files: Files<'_>,
     head: Head,
+    inputs: Option<Recorder<'_>>,
 ) -> Result<Fluid, DatabaseError> {
-    let mut table = document.root();
+    let mut table = document.root_noted_by(inputs);
     let entry = Entry::read(&mut table, head, name)?;
     let mut fluid = Fluid::from_table(&mut table, name, files)?;
     table.finish()?;
@@ -168,8 +198,9 @@ fn read_solid(
     name: &str,
     files: Files<'_>,
     head: Head,
+    inputs: Option<Recorder<'_>>,
 ) -> Result<Solid, DatabaseError> {
-    let mut table = document.root();
+    let mut table = document.root_noted_by(inputs);
     let entry = Entry::read(&mut table, head, name)?;
     let mut solid = Solid::from_table(&mut table, name, files)?;
     table.finish()?;

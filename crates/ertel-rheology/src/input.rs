@@ -22,6 +22,7 @@ mod bounds;
 pub mod csv;
 mod error;
 pub mod file;
+mod inputs;
 mod shown;
 mod table;
 pub mod tree;
@@ -32,6 +33,7 @@ use std::sync::Arc;
 
 pub use bounds::Bounds;
 pub use error::InputError;
+pub use inputs::{Correlation, Input, Inputs, Recorder};
 pub use shown::{LONGEST_EXCERPT, escaped, excerpt};
 pub use table::{StrOrTable, Table};
 
@@ -222,6 +224,12 @@ impl Document {
     #[must_use]
     pub fn root(&self) -> Table<'_> {
         Table::new(&self.source, &self.root, String::new())
+    }
+
+    /// The same with its quantities noted as they are read.
+    #[must_use]
+    pub fn root_noted_by<'a>(&'a self, inputs: Option<Recorder<'a>>) -> Table<'a> {
+        self.root().noted_by(inputs)
     }
 }
 

@@ -8,9 +8,11 @@
 //! where a temperature difference is asked for, or inside a compound unit, `degC` is the same as `K`.
 
 mod dimension;
+mod uncertain;
 mod unit;
 
 pub use dimension::Dimension;
+pub use uncertain::{COVERAGE, CUT, Uncertainty, parse_uncertain};
 pub use unit::{Unit, UnitError};
 
 /// Standard atmosphere (Pa), the ambient pressure that is taken off absolute ones.
@@ -59,6 +61,14 @@ pub enum QuantityError {
         found: Dimension,
         /// What was asked for.
         expected: Dimension,
+    },
+    /// The uncertainty cannot be read.
+    #[error("`{text}`: {reason}")]
+    Uncertainty {
+        /// The text as given.
+        text: String,
+        /// What is wrong with it.
+        reason: String,
     },
     /// A temperature below 0 K.
     #[error("`{text}` is below absolute zero")]

@@ -15,6 +15,7 @@ pub mod plausible;
 pub mod post;
 pub mod reference;
 pub mod run;
+pub mod sensitivity;
 pub mod solution;
 pub mod solve;
 pub mod study;

@@ -274,4 +274,6 @@ pub struct OutputParams {
     pub png: bool,
     /// Write the displacement of the whole body (`body.vtu`).
     pub body_field: bool,
+    /// Derivatives of the figures by every input; `None`: where an input has an uncertainty.
+    pub sensitivities: Option<bool>,
 }

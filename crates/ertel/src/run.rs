@@ -19,7 +19,10 @@ use crate::params::{
 use crate::plausible;
 use crate::post;
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
-use crate::solution::{IterationRecord, RollerFigures, Solution, Starvation, Stats, Unresolved};
+use crate::sensitivity::{by_adjoint, by_differences};
+use crate::solution::{
+    IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties, Unresolved,
+};
 use crate::solve::adapt::AdaptParams;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::figures::measure;
@@ -349,6 +352,12 @@ impl Session {
             Some(start) => start.followed_by(&problem, finest, levels),
             None => Start::new(&problem, finest, levels),
         };
+        if problem.heat.is_some() && case.wants_sensitivities() {
+            let only_uncertain = case.output.sensitivities.is_none();
+            let found = by_differences(case, &problem, &start, only_uncertain, recorder.observer)?;
+            solution.uncertainty = Uncertainties::first_order(&found, case.correlations());
+            solution.sensitivities = Some(found);
+        }
         solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
         solution.stats.peak_memory = peak_memory();
         Ok((solution, start))
@@ -403,6 +412,10 @@ fn describe(
     let summary = post::summary::summarise(finest, &measured, &model, &scales);
     let thermal = (case.thermal())
         .and_then(|params| post::thermal::thermal(finest, problem, levels, &measured, params));
+    let sensitivities = match case.wants_sensitivities() {
+        true => by_adjoint(case, problem, finest)?,
+        false => None,
+    };
     let mut warnings = case.warnings.clone();
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {
@@ -467,6 +480,9 @@ fn describe(
         roller: RollerFigures::of(&measured),
         traction,
         film_reduction,
+        uncertainty: (sensitivities.as_ref())
+            .and_then(|s| Uncertainties::first_order(s, case.correlations())),
+        sensitivities,
         thermal,
         history,
         stats,

@@ -89,6 +89,7 @@ impl Fluid {
         fluid.read_numbers(table)?;
         fluid.read_thermal(table, files)?;
         fluid.read_shear_thinning(table)?;
+        table.read_correlations()?;
         for key in Self::KEYS {
             if table.contains(key) {
                 fluid.record_override(table, key);
@@ -126,6 +127,7 @@ impl Fluid {
         self.read_numbers(table)?;
         self.read_thermal(table, files)?;
         self.read_shear_thinning(table)?;
+        table.read_correlations()?;
         for key in Self::KEYS {
             if table.contains(key) {
                 let prefix = format!("{key}.");

@@ -153,15 +153,15 @@ fn read_body(
     let mut shape = None;
     let (solid, in_database) = match table.required_str_or_table(key)? {
         StrOrTable::Str(name) => {
-            let solid =
-                database::solid_or_file(name, folder).map_err(super::unknown(table, key))?;
+            let solid = database::solid_or_file(name, folder, table.recorder(key))
+                .map_err(super::unknown(table, key))?;
             (solid, true)
         }
         StrOrTable::Table(mut inner) => {
             shape = read_shape(&mut inner)?;
             let found = match inner.optional_str("name")? {
                 Some(name) => {
-                    let mut solid = database::solid_or_file(name, folder)
+                    let mut solid = database::solid_or_file(name, folder, inner.own_recorder())
                         .map_err(super::unknown(&inner, "name"))?;
                     solid.override_from(&mut inner, Files::Folder(folder))?;
                     (solid, true)

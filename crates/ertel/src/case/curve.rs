@@ -10,6 +10,7 @@
 //! Each point is the case read once more with this value in place of the file's, so that every check
 //! applies; errors point to the line of the curve.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use ertel_rheology::input::tree::{Node, Value};
@@ -340,7 +341,7 @@ fn point(
     let varied = document
         .with_value(quantity.path, node)
         .expect("its presence was checked");
-    let mut case = Case::without_curve(&varied, folder).map_err(|error| {
+    let mut case = Case::without_curve(&varied, folder, BTreeMap::new()).map_err(|error| {
         let unit = quantity.unit();
         error.with_help(format!(
             "[curve] puts {} in place of `{}`",

@@ -77,8 +77,8 @@ pub(super) fn read(
 ) -> Result<(Lubricant, Vec<Warning>), InputError> {
     match root.required_str_or_table("lubricant")? {
         StrOrTable::Str(name) => {
-            let fluid =
-                database::fluid_or_file(name, folder).map_err(super::unknown(root, "lubricant"))?;
+            let fluid = database::fluid_or_file(name, folder, root.recorder("lubricant"))
+                .map_err(super::unknown(root, "lubricant"))?;
             let temperature = root
                 .required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)
                 .map_err(|error| {
@@ -104,7 +104,7 @@ pub(super) fn read(
             let name = table.optional_str("name")?;
             let fluid = match name {
                 Some(name) => {
-                    let mut fluid = database::fluid_or_file(name, folder)
+                    let mut fluid = database::fluid_or_file(name, folder, table.own_recorder())
                         .map_err(super::unknown(&table, "name"))?;
                     fluid.override_from(&mut table, Files::Folder(folder))?;
                     fluid

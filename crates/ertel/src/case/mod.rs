@@ -38,6 +38,7 @@ mod echo;
 mod files;
 mod geometry;
 mod inlet;
+mod inputs;
 mod lubricant;
 mod machine;
 mod motion;
@@ -46,11 +47,13 @@ mod roller;
 pub mod study;
 mod thermal;
 
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 use ertel_rheology::ShearThinning;
 use ertel_rheology::database::DatabaseError;
-use ertel_rheology::input::{Document, InputError, Table};
+use ertel_rheology::input::{Document, InputError, Inputs, Table};
 
 use crate::contact::{Contact, Hertz, Motion, Supply, reduced_modulus};
 use crate::output::MachineEcho;
@@ -64,6 +67,7 @@ pub use bodies::Body;
 pub(crate) use check::mesh_of_bodies as check_mesh_of_bodies;
 pub use curve::Curve;
 use geometry::Geometry;
+pub use inputs::Origin;
 pub use lubricant::Lubricant;
 pub(crate) use params::{read_mesh, read_solver};
 pub use study::Study;
@@ -106,6 +110,8 @@ pub struct Case {
     pub source: String,
     /// Its keys and values as given, quantities with their units; null for a case made in code.
     pub given: serde_json::Value,
+    /// Where its quantities come from; `None` for a case made in code.
+    pub origin: Option<Arc<Origin>>,
     /// The points of `[curve]`, each a case of its own; [`crate::run`] solves the case without them.
     pub curve: Option<Curve>,
 }
@@ -128,13 +134,19 @@ impl Case {
     ///
     /// As [`Case::read`].
     pub fn from_document(document: &Document, folder: &Path) -> Result<Self, InputError> {
-        let mut case = Self::without_curve(document, folder)?;
+        let mut case = Self::without_curve(document, folder, BTreeMap::new())?;
         case.curve = curve::read(document, folder, &case)?;
         Ok(case)
     }
 
-    fn without_curve(document: &Document, folder: &Path) -> Result<Self, InputError> {
-        let mut root = document.root();
+    /// The case with other values, SI, at the key paths `replaced`.
+    fn without_curve(
+        document: &Document,
+        folder: &Path,
+        replaced: BTreeMap<String, f64>,
+    ) -> Result<Self, InputError> {
+        let inputs = Inputs::replacing(replaced);
+        let mut root = document.root_noted_by(Some(inputs.recorder()));
         let title = root.optional_str("title")?.unwrap_or_default().to_owned();
         let tables = geometry::Tables::of(&mut root)?;
         let Bodies {
@@ -179,6 +191,7 @@ impl Case {
             None => OutputParams::default(),
         };
         root.contains("curve");
+        root.read_correlations()?;
         tables.clone().finish()?;
         root.finish()?;
         let mut case = Self {
@@ -198,6 +211,7 @@ impl Case {
             warnings: Vec::new(),
             source: document.text().to_owned(),
             given: echo::json_of(document.tree()),
+            origin: None,
             curve: None,
         };
         check::body_of_wide_contact(&case, tables.main())?;
@@ -209,6 +223,7 @@ impl Case {
         if let Some(table) = &thermal_table {
             case.warnings.extend(thermal::check(&case, table)?);
         }
+        case.origin = Some(Arc::new(Origin::new(document, folder, inputs)?));
         Ok(case)
     }
 

@@ -312,6 +312,7 @@ pub(super) fn read_output(
     }
     set(&mut output.png, table.optional_bool("png")?);
     set(&mut output.body_field, table.optional_bool("body_field")?);
+    output.sensitivities = table.optional_bool("sensitivities")?;
     if output.body_field {
         needs_body(&table, solver, "body_field", "`body_field = true`")?;
     }

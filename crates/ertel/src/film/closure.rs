@@ -34,6 +34,8 @@ pub struct Closure {
     pub slopes: [[f64; N_DEMANDS]; 2],
     /// ∂²q/∂y∂y, likewise.
     pub curvatures: [[[f64; N_DEMANDS]; N_DEMANDS]; 2],
+    /// ∂τ/∂y, for each y.
+    pub stress_slopes: [[f64; 2]; N_DEMANDS],
 }
 
 impl Closure {
@@ -46,6 +48,7 @@ impl Closure {
         };
         for i in 0..2 {
             closure.slopes[i][i] = 1.0 / 12.0;
+            closure.stress_slopes[2 + i][i] = 1.0;
         }
         closure
     }
@@ -423,6 +426,7 @@ pub fn close<const ACROSS: bool>(
     let mut closure = Closure {
         mid_stress: tau,
         flow: m.flow,
+        stress_slopes: mid_by,
         ..Closure::default()
     };
     // q_y = K¹ τ_y + (K², 0, 0, q_P).

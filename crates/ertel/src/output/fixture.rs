@@ -224,6 +224,8 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             beyond_second_limit: None,
         },
         thermal: None,
+        sensitivities: None,
+        uncertainty: None,
         film_reduction: Some(FilmReduction {
             central: bar(0.31),
             minimum: bar(0.28),

@@ -8,7 +8,7 @@ use super::figure::{
     estimate, in_unit, length_unit, number, percent, place, position, pressure_estimate,
     pressure_unit,
 };
-use super::{CaseEcho, heat};
+use super::{CaseEcho, heat, inputs};
 use crate::contact::{ContactKind, Groups, Hertz, Supply, Symmetry};
 use crate::solution::{Estimate, Located, Solution, Timings};
 use crate::warning::Warning;
@@ -35,6 +35,7 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
     if let Some(thermal) = &solution.thermal {
         heat::write_results(&mut out, solution, thermal);
     }
+    inputs::write(&mut out, solution);
     write_formulas(&mut out, solution);
     write_effort(&mut out, solution, folder);
     out.text
@@ -58,6 +59,10 @@ impl Lines {
 
     pub fn heading(&mut self, heading: &str) {
         let _ = writeln!(self.text, "\n{heading}");
+    }
+
+    pub fn line(&mut self, text: &str) {
+        let _ = writeln!(self.text, "  {}", text.trim_end());
     }
 
     pub fn row(&mut self, name: &str, value: impl AsRef<str>) {

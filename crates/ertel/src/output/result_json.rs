@@ -64,6 +64,20 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     if let Some(roller) = &solution.roller {
         document["roller"] = serde_json::to_value(roller)?;
     }
+    if let Some(sensitivities) = &solution.sensitivities {
+        document["sensitivities"] = serde_json::to_value(sensitivities)?;
+        document["sensitivities_by"] = match sensitivities.by_adjoint {
+            true => "adjoint".into(),
+            false => "differences of solves".into(),
+        };
+        let left_out: serde_json::Map<String, Value> = (sensitivities.left_out.iter())
+            .map(|input| (input.key.clone(), input.reason.clone().into()))
+            .collect();
+        document["sensitivities_left_out"] = left_out.into();
+    }
+    if let Some(uncertainty) = &solution.uncertainty {
+        document["uncertainty"] = serde_json::to_value(uncertainty)?;
+    }
     if let Some(thermal) = &solution.thermal {
         document["thermal"] = serde_json::to_value(thermal)?;
     }

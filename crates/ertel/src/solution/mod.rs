@@ -3,8 +3,10 @@
 mod elements;
 mod figures;
 mod roller;
+mod sensitivities;
 mod starvation;
 mod thermal;
+mod uncertainty;
 mod unresolved;
 
 use serde::Serialize;
@@ -16,11 +18,13 @@ use crate::warning::Warning;
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, Reading};
 pub use roller::RollerFigures;
+pub use sensitivities::{FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
 pub use starvation::Starvation;
 pub use thermal::{
     Coupling, CrossProfile, FilmTemperatures, HeatBalance, TemperatureField, Thermal,
     ThermalReduction,
 };
+pub use uncertainty::{FigureUncertainty, Uncertainties};
 pub use unresolved::Unresolved;
 
 /// A figure with its discretisation error bar.
@@ -519,6 +523,10 @@ pub struct Solution {
     pub film_reduction: Option<FilmReduction>,
     /// Temperatures and heat; `None` for an isothermal contact.
     pub thermal: Option<Thermal>,
+    /// How much each input counts, where that was asked for and can be computed.
+    pub sensitivities: Option<Sensitivities>,
+    /// What the uncertainty of the inputs comes to; `None` where they have none.
+    pub uncertainty: Option<Uncertainties>,
     /// Film-thickness formulas for the same case.
     pub formulas: Vec<FormulaFilm>,
     /// Profiles along the centreline.

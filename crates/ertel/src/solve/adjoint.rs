@@ -1,4 +1,4 @@
-//! What the central and the minimum film thickness depend on: the adjoint of the film equations.
+//! What a film thickness, or another figure, depends on: the adjoint of the film equations.
 //!
 //! ```text
 //!   j = H0 + δ(x) + gap(x)          the film at a point; w_x the deflection shape functions there
@@ -6,7 +6,7 @@
 //!   | R_Pᵀ + Mᵀ C R_δᵀ   c | | z |   | Mᵀ C w_x |
 //!   | r_0ᵀ               0 | | s | = | 1        |
 //! ```
-//! A defect r of the film equations then changes j by −z·r, and a defect e of the deflection changes it
+//! Other figures have right sides of their own (j_P + Mᵀ C j_δ over j_H0). A defect r of the film equations then changes j by −z·r, one of the load, ∫P too large, by −s times it, and a defect e of the deflection changes it
 //! by w·e with w = w_x − R_δᵀz; ζ = C w is the deflection under the loads w. At the place of the minimum
 //! film ∇H = 0, so that its shift does not count.
 
@@ -21,18 +21,65 @@ use super::step::{dot, scatter};
 use super::system::System;
 use crate::elastic::Accuracy;
 
-/// Adjoint of the film thickness at one point.
+/// What a figure depends on: its derivatives by the pressures, the deflections and the separation.
+pub struct Functional {
+    /// By the pressure at every pressure node.
+    pub by_pressure: Vec<f64>,
+    /// By the deflection at every deflection node.
+    pub by_deflection: Vec<f64>,
+    /// By H0.
+    pub by_separation: f64,
+}
+
+impl Functional {
+    /// Of what depends on nothing yet.
+    pub fn zero(d: &Discretisation) -> Functional {
+        Functional {
+            by_pressure: vec![0.0; d.pressure.n_nodes()],
+            by_deflection: vec![0.0; d.contact.deflection.n_nodes()],
+            by_separation: 0.0,
+        }
+    }
+
+    /// The film thickness at a point of the contact area.
+    pub fn film_at(d: &Discretisation, point: [f64; 2]) -> Functional {
+        let mut film = Functional {
+            by_separation: 1.0,
+            ..Functional::zero(d)
+        };
+        if let Some((cell, xi)) = d.contact.locator.find(&d.contact.surface, point) {
+            let basis = d.contact.deflection.element.values(xi);
+            for (b, node) in basis.zip(d.contact.deflection.nodes_of(cell)) {
+                film.by_deflection[*node as usize] += b;
+            }
+        }
+        film
+    }
+
+    /// The pressure at a point of the contact area.
+    pub fn pressure_at(d: &Discretisation, point: [f64; 2]) -> Functional {
+        let mut pressure = Functional::zero(d);
+        if let Some((cell, xi)) = d.contact.locator.find(&d.contact.surface, point) {
+            let basis = d.pressure.element.values(xi);
+            for (b, node) in basis.zip(d.pressure.nodes_of(cell)) {
+                pressure.by_pressure[*node as usize] += b;
+            }
+        }
+        pressure
+    }
+}
+
+/// Adjoint of a figure.
 pub struct Adjoint {
     /// z at every pressure node, zero on the edge.
     pub film: Vec<f64>,
+    /// s, of the load.
+    pub load: f64,
     /// ζ = C w at every deflection node.
     pub deflection: Vec<f64>,
 }
 
-/// Relative residual at which an adjoint is good enough to weigh errors.
-const TOLERANCE: f64 = 1e-3;
-
-/// Adjoints of the film thickness at several points of the contact area.
+/// Adjoints of several figures, to a relative residual of `tolerance`.
 ///
 /// # Errors
 /// When the Krylov iterations run out.
@@ -40,28 +87,32 @@ pub fn adjoints(
     d: &Discretisation,
     system: &System,
     mut preconditioner: Preconditioner,
-    points: &[[f64; 2]],
+    functionals: &[Functional],
+    tolerance: f64,
 ) -> Result<Vec<Adjoint>, SolveError> {
     let n = d.n_pressure;
     let mut response = d.load.clone();
     preconditioner.solve_transposed(&mut response);
     let schur = dot(&system.by_separation, &response);
     let weights = weights(d, system);
-    let adjoint = |point: &[f64; 2]| -> Result<Adjoint, SolveError> {
+    let accuracy = match tolerance < ROUGH {
+        true => Accuracy::Full,
+        false => Accuracy::Krylov,
+    };
+    let adjoint = |functional: &Functional| -> Result<Adjoint, SolveError> {
         let mut sparse = preconditioner.clone();
-        let mut at = vec![0.0; d.contact.deflection.n_nodes()];
-        if let Some((cell, xi)) = d.contact.locator.find(&d.contact.surface, *point) {
-            let basis = d.contact.deflection.element.values(xi);
-            for (b, node) in basis.zip(d.contact.deflection.nodes_of(cell)) {
-                at[*node as usize] += b;
+        let mut at = functional.by_deflection.clone();
+        let mut rhs = d.deflect_transposed(&at, Accuracy::Full);
+        for (value, dof) in functional.by_pressure.iter().zip(&d.pressure_dofs) {
+            if *dof != CONSTRAINED {
+                rhs[*dof as usize] += value;
             }
         }
-        let mut rhs = d.deflect_transposed(&at, Accuracy::Full);
-        rhs.push(1.0);
+        rhs.push(functional.by_separation);
         multiply(&mut rhs, &weights);
         let apply = |x: &[f64], y: &mut [f64]| {
             let (by_pressure, by_deflection) = multiply_transposed(d, system, &x[..n]);
-            let through = d.deflect_transposed(&by_deflection, Accuracy::Krylov);
+            let through = d.deflect_transposed(&by_deflection, accuracy);
             for i in 0..n {
                 y[i] = by_pressure[i] + through[i] + d.load[i] * x[n];
             }
@@ -80,7 +131,7 @@ pub fn adjoints(
         };
         let mut x = vec![0.0; n + 1];
         let params = GmresParams {
-            tolerance: TOLERANCE,
+            tolerance,
             max_iterations: 100,
         };
         gmres(apply, precondition, &rhs, &mut x, params)?;
@@ -92,11 +143,22 @@ pub fn adjoints(
         }
         Ok(Adjoint {
             film,
+            load: x[n],
             deflection: d.contact.response.respond(&d.trace, &at),
         })
     };
-    points.par_iter().with_max_len(1).map(adjoint).collect()
+    functionals
+        .par_iter()
+        .with_max_len(1)
+        .map(adjoint)
+        .collect()
 }
+
+/// Relative residual at which an adjoint is good enough to weigh errors.
+pub const TO_WEIGH_ERRORS: f64 = 1e-3;
+
+/// Tolerance from which on products may be as rough as those of Newton's steps.
+const ROUGH: f64 = 1e-4;
 
 /// Weights of the equations of each pressure unknown in the norm of the residual: where a layer of oil arrives, z does not fall off
 /// upstream, while the coefficients of the film equations grow as H³; without, all count alike.

@@ -15,7 +15,7 @@ use super::heat::column::Column;
 use super::heat::space::HeatSpace;
 pub use super::sizes::LevelSizes;
 use super::sizes::size_at;
-use crate::contact::{ContactKind, HertzZone, Shape, Symmetry};
+use crate::contact::{ContactKind, HertzZone, Inlet, Shape, Symmetry};
 use crate::elastic::cache::OperatorCache;
 use crate::elastic::{
     Accuracy, BodyModel, Elasticity, FiniteBodies, FiniteBody, FiniteBodyError, HalfSpace,
@@ -41,14 +41,16 @@ pub struct Extents {
 pub type DiscretisationError = FiniteBodyError;
 
 /// What the contact area is meshed with.
+#[derive(Clone)]
 enum Support {
     /// Nothing below it.
-    Surface(Box<SurfaceMesh>),
+    Surface(Arc<SurfaceMesh>),
     /// A body below it, with its condensed answers.
-    Body(Box<FiniteBody>, FiniteBodies),
+    Body(Arc<FiniteBody>, FiniteBodies),
 }
 
 /// Mesh of the contact area with what the bodies answer there; pressure spaces of any order stand on it.
+#[derive(Clone)]
 pub struct ContactSurface {
     /// Geometry of the contact.
     pub shape: Shape,
@@ -123,12 +125,12 @@ impl ContactSurface {
                     },
                 };
                 let size = |x: [f64; 2]| size_at(shape, extents, sizes, [x[0], x[1], 0.0]);
-                Mesh::Surface(Box::new(surface_mesh(&params, &size)?))
+                Mesh::Surface(Arc::new(surface_mesh(&params, &size)?))
             }
             BodyModel::FiniteElements => {
                 let params = body_params(shape.kind, extents);
                 let size = |x: [f64; 3]| size_at(shape, extents, sizes, x);
-                Mesh::Body(Box::new(FiniteBody::new(&params, &size)?))
+                Mesh::Body(Arc::new(FiniteBody::new(&params, &size)?))
             }
         };
         let seconds = start.elapsed().as_secs_f64();
@@ -155,8 +157,8 @@ impl ContactSurface {
             })
             .collect();
         let mesh = match &self.support {
-            Support::Surface(surface) => Mesh::Surface(Box::new(surface.refined(&sizes)?)),
-            Support::Body(body, _) => Mesh::Body(Box::new(body.refined(&sizes)?)),
+            Support::Surface(surface) => Mesh::Surface(Arc::new(surface.refined(&sizes)?)),
+            Support::Body(body, _) => Mesh::Body(Arc::new(body.refined(&sizes)?)),
         };
         let seconds = start.elapsed().as_secs_f64();
         ContactSurface::on(
@@ -167,6 +169,23 @@ impl ContactSurface {
             &self.elasticity,
             means,
         )
+    }
+
+    /// The same where another amount of oil reaches the contact.
+    pub fn with_inlet(&self, inlet: Inlet) -> ContactSurface {
+        ContactSurface {
+            shape: self.shape.clone().with_inlet(inlet),
+            ..self.clone()
+        }
+    }
+
+    /// The same mesh, moved along, around a contact of another shape; `None` above finite-element bodies, whose meshes do not move.
+    pub fn reshaped(&self, shape: &Shape, means: Means) -> Option<ContactSurface> {
+        let Support::Surface(mesh) = &self.support else {
+            return None;
+        };
+        let mesh = Mesh::Surface(mesh.clone());
+        ContactSurface::on(shape, &self.extents, mesh, 0.0, &self.elasticity, means).ok()
     }
 
     /// Makes the elastic response of a mesh.
@@ -272,8 +291,8 @@ impl ContactSurface {
 
 /// A mesh before its bodies answer.
 enum Mesh {
-    Surface(Box<SurfaceMesh>),
-    Body(Box<FiniteBody>),
+    Surface(Arc<SurfaceMesh>),
+    Body(Arc<FiniteBody>),
 }
 
 /// Pressure space on a contact surface, and everything that Newton's method reuses.

@@ -481,7 +481,7 @@ impl Point {
 }
 
 /// Derivatives by (X, Y) from those by reference coordinates.
-struct Metric {
+pub(super) struct Metric {
     inverse: [[f64; 2]; 2],
     /// Σ_m ∂ξ_a/∂x_m ∂ξ_b/∂x_m: 11, 12 twice, 22.
     products: [f64; 3],
@@ -489,7 +489,7 @@ struct Metric {
 
 impl Metric {
     #[inline(always)]
-    fn new(map: &Affine) -> Metric {
+    pub(super) fn new(map: &Affine) -> Metric {
         let i = &map.inverse;
         let product = |a: usize, b: usize| i[a][0] * i[b][0] + i[a][1] * i[b][1];
         Metric {
@@ -499,14 +499,14 @@ impl Metric {
     }
 
     #[inline(always)]
-    fn gradient(&self, reference: &[f64; 3]) -> [f64; 2] {
+    pub(super) fn gradient(&self, reference: &[f64; 3]) -> [f64; 2] {
         let i = &self.inverse;
         [0, 1].map(|m: usize| i[0][m] * reference[0] + i[1][m] * reference[1])
     }
 
     /// xx, xy, yy.
     #[inline(always)]
-    fn second(&self, reference: &[[f64; 3]; 3]) -> [f64; 3] {
+    pub(super) fn second(&self, reference: &[[f64; 3]; 3]) -> [f64; 3] {
         let i = &self.inverse;
         let entry = |a: usize, b: usize| {
             let mut sum = 0.0;
@@ -521,7 +521,7 @@ impl Metric {
     }
 
     #[inline(always)]
-    fn laplacian(&self, reference: &[[f64; 3]; 3]) -> f64 {
+    pub(super) fn laplacian(&self, reference: &[[f64; 3]; 3]) -> f64 {
         let [p11, p12, p22] = self.products;
         p11 * reference[0][0] + p12 * reference[0][1] + p22 * reference[1][1]
     }

@@ -21,7 +21,7 @@ use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::Space;
 
 use super::SolveError;
-use super::adjoint::adjoints;
+use super::adjoint::{Functional, TO_WEIGH_ERRORS, adjoints};
 use super::discretisation::Discretisation;
 use super::element::{Assembler, Element, N_SUMS};
 use super::evaluate::{central_film, fields_in, minimum_film};
@@ -133,11 +133,12 @@ pub fn indicator(
     let system = System::assemble(d, &model.fluid, &model.constants, state, None);
     let (h_m, at) = minimum_film(d, state);
     let films = [central_film(d, state), h_m];
-    let points = [[0.0; 2], at];
-    let adjoint = match kept.map(|kept| adjoints(d, &system, kept, &points)) {
+    let thicknesses = [[0.0; 2], at].map(|point| Functional::film_at(d, point));
+    let solve = |by| adjoints(d, &system, by, &thicknesses, TO_WEIGH_ERRORS);
+    let adjoint = match kept.map(solve) {
         Some(Ok(adjoint)) => adjoint,
         // None, or of no use any more.
-        _ => adjoints(d, &system, Preconditioner::new(d, near, &system)?, &points)?,
+        _ => solve(Preconditioner::new(d, near, &system)?)?,
     };
     let surface = &d.contact.surface;
     let neighbours = Neighbours::new(surface);

@@ -13,11 +13,13 @@ pub mod monolithic;
 pub mod newton;
 pub mod preconditioner;
 pub mod profile;
+pub mod sensitivity;
 pub mod sequence;
 pub mod shear;
 pub mod sizes;
 mod step;
 pub mod system;
+pub mod weighted;
 
 use ertel_fem::linear::condensed::CholeskyError;
 use ertel_fem::linear::gmres::GmresError;

@@ -73,6 +73,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         source: String::new(),
         given: serde_json::Value::Null,
         curve: None,
+        origin: None,
         machine: None,
         supply: ertel::contact::Supply::Flooded,
     }

@@ -1,5 +1,6 @@
 //! A table whose keys are read by name, and which knows the keys nobody read.
 
+mod correlations;
 mod errors;
 mod numbers;
 mod tables;
@@ -8,6 +9,7 @@ mod text;
 use std::ops::Range;
 
 use super::Source;
+use super::inputs::Recorder;
 use super::tree::{Entry, Node, Value};
 
 /// A TOML table being read.
@@ -22,6 +24,8 @@ pub struct Table<'a> {
     entries: &'a [Entry],
     /// Keys asked for so far, in that order.
     known: Vec<String>,
+    /// Where its quantities are noted, if anywhere.
+    inputs: Option<Recorder<'a>>,
 }
 
 /// A value that is a name or a table: `steel` or `{ youngs_modulus = "210 GPa", ... }`.
@@ -46,7 +50,27 @@ impl<'a> Table<'a> {
             span: node.span.clone(),
             entries,
             known: Vec::new(),
+            inputs: None,
         }
+    }
+
+    /// The same with its quantities noted, those of tables in it, too.
+    pub(super) fn noted_by(self, inputs: Option<Recorder<'a>>) -> Self {
+        Self { inputs, ..self }
+    }
+
+    /// Where the quantities are noted that stand for the key `key` of this table, if anywhere.
+    #[must_use]
+    pub fn recorder(&self, key: &str) -> Option<Recorder<'a>> {
+        let inputs = self.inputs.as_ref()?;
+        Some(inputs.within(&self.path_of(key)))
+    }
+
+    /// The same for this table itself.
+    #[must_use]
+    pub fn own_recorder(&self) -> Option<Recorder<'a>> {
+        let inputs = self.inputs.as_ref()?;
+        Some(inputs.within(&self.path))
     }
 
     /// The key path of this table, `bodies.ball`; empty for the top level.
@@ -79,7 +103,7 @@ impl<'a> Table<'a> {
     }
 
     fn child(&self, node: &'a Node, key: &str) -> Table<'a> {
-        Table::new(self.source, node, self.path_of(key))
+        Table::new(self.source, node, self.path_of(key)).noted_by(self.inputs.clone())
     }
 
     fn path_of(&self, key: &str) -> String {

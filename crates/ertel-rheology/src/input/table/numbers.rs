@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use super::Table;
 use crate::input::tree::{Node, Value};
 use crate::input::{Bounds, InputError};
-use crate::quantity::{self, Dimension, QuantityError};
+use crate::quantity::{self, Dimension, QuantityError, Uncertainty};
 
 impl Table<'_> {
     /// A number with a unit, in SI; a pure number may be written without quotes.
@@ -37,8 +37,16 @@ impl Table<'_> {
         let Some(entry) = self.entry(key) else {
             return Ok(None);
         };
-        self.quantity_of(&entry.node, key, dimension, bounds)
-            .map(Some)
+        let (value, uncertainty) = self.uncertain_of(&entry.node, key, dimension, bounds)?;
+        let Some(inputs) = &self.inputs else {
+            return Ok(Some(value));
+        };
+        let path = self.path_of(key);
+        match inputs.read(&path, value, dimension, uncertainty) {
+            Some(other) if bounds.contains(other) => Ok(Some(other)),
+            Some(_) => Err(self.out_of(&entry.node, key, dimension, bounds)),
+            None => Ok(Some(value)),
+        }
     }
 
     /// A pure number: `0.3`, or a text such as `"30 %"`.
@@ -198,6 +206,7 @@ impl Table<'_> {
         }
     }
 
+    /// One of several, without an uncertainty.
     fn quantity_of(
         &self,
         node: &Node,
@@ -205,6 +214,23 @@ impl Table<'_> {
         dimension: Dimension,
         bounds: Bounds,
     ) -> Result<f64, InputError> {
+        match self.uncertain_of(node, key, dimension, bounds)? {
+            (value, None) => Ok(value),
+            (_, Some(_)) => Err(self.at_node(
+                node,
+                key,
+                format!("values in the list `{key}` cannot have an uncertainty"),
+            )),
+        }
+    }
+
+    fn uncertain_of(
+        &self,
+        node: &Node,
+        key: &str,
+        dimension: Dimension,
+        bounds: Bounds,
+    ) -> Result<(f64, Option<Uncertainty>), InputError> {
         let bare = |value: f64| {
             if dimension == Dimension::DIMENSIONLESS {
                 Ok(value)
@@ -220,14 +246,14 @@ impl Table<'_> {
                     )))
             }
         };
-        let value = match &node.value {
+        let (value, uncertainty) = match &node.value {
             Value::Float(value) if !value.is_finite() => {
                 return Err(self.at_node(node, key, format!("`{key}` must be a finite number")));
             }
-            Value::Float(value) => bare(*value)?,
+            Value::Float(value) => (bare(*value)?, None),
             // Exact for every integer a person writes.
-            Value::Integer(Some(value)) => bare(*value as f64)?,
-            Value::Str(text) => quantity::parse(text, dimension)
+            Value::Integer(Some(value)) => (bare(*value as f64)?, None),
+            Value::Str(text) => quantity::parse_uncertain(text, dimension)
                 .map_err(|error| self.at_node(node, key, describe(&error, key)))?,
             _ => {
                 let example = dimension.si_unit();
@@ -242,12 +268,34 @@ impl Table<'_> {
                 return Err(self.at_node(node, key, message));
             }
         };
-        if bounds.contains(value) {
-            Ok(value)
-        } else {
-            let must = bounds.describe(&dimension.si_unit());
-            Err(self.at_node(node, key, format!("`{key}` must be {must}")))
+        if !bounds.contains(value) {
+            return Err(self.out_of(node, key, dimension, bounds));
         }
+        if let Some(uncertainty) = uncertainty {
+            let reach = uncertainty.reach();
+            let ends = [value - reach, value + reach];
+            if let Some(end) = ends.iter().find(|end| !bounds.contains(**end)) {
+                let unit = dimension.si_unit();
+                return Err(self
+                    .at_node(
+                        node,
+                        key,
+                        format!(
+                            "the uncertainty of `{key}` reaches {end:.4e} {unit}, but it must be {}",
+                            bounds.describe(&unit)
+                        ),
+                    )
+                    .with_help(
+                        "a ± reaches four standard deviations, twice as far as it says; limits, \"[36, 44] mPa.s\", reach no further",
+                    ));
+            }
+        }
+        Ok((value, uncertainty))
+    }
+
+    fn out_of(&self, node: &Node, key: &str, dimension: Dimension, bounds: Bounds) -> InputError {
+        let must = bounds.describe(&dimension.si_unit());
+        self.at_node(node, key, format!("`{key}` must be {must}"))
     }
 }
 

@@ -73,7 +73,8 @@ impl<'a> Table<'a> {
         nodes
             .iter()
             .map(|node| match &node.value {
-                Value::Table(_) => Ok(self.child(node, key)),
+                // Keys of several tables are not told apart.
+                Value::Table(_) => Ok(self.child(node, key).noted_by(None)),
                 _ => Err(self.at_node(
                     node,
                     key,

@@ -34,7 +34,7 @@ use crate::params::LinearSolver;
 
 pub use mesh_solver::solve_stages;
 pub use stage::{Role, Stage};
-pub use warm::{Start, solve_warm};
+pub use warm::{Start, solve_on_mesh, solve_warm};
 
 /// Everything a solve needs, dimensionless.
 pub struct Problem {

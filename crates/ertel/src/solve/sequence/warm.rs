@@ -1,10 +1,12 @@
 //! From the solution of one problem to that of a similar one, on its mesh.
 
+use std::sync::Arc;
+
 use super::mesh_solver::solve_from;
 use super::start::pressure_at;
 use super::{Problem, Role, Stage, StageSolution};
 use crate::contact::{Inlet, hertz};
-use crate::elastic::{Accuracy, Elasticity};
+use crate::elastic::{Accuracy, BodyModel, Elasticity, compliance};
 use crate::solution::LevelStats;
 use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::discretisation::{Discretisation, Extents};
@@ -110,6 +112,11 @@ impl Start {
         }
     }
 
+    /// The solution that it starts from.
+    pub(crate) fn solution(&self) -> &StageSolution {
+        &self.solution
+    }
+
     /// The same with the start of the flooded contact beside.
     #[must_use]
     pub(crate) fn beside(self, flooded: Start) -> Start {
@@ -148,9 +155,15 @@ impl Start {
         let (own, its) = (&self.elasticity, &problem.elasticity);
         let bodies = own.model == its.model
             && own.order == its.order
-            && own.bodies.len() == its.bodies.len()
-            && (own.bodies.iter().zip(&its.bodies))
-                .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1));
+            && match own.model {
+                // Half-spaces answer alike whose compliance is.
+                BodyModel::HalfSpace => close(compliance(&own.bodies), compliance(&its.bodies)),
+                BodyModel::FiniteElements => {
+                    own.bodies.len() == its.bodies.len()
+                        && (own.bodies.iter().zip(&its.bodies))
+                            .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1))
+                }
+            };
         let film = problem.start_film / self.film;
         let within = |ratio: f64, low: f64, high: f64| (low..=high).contains(&ratio);
         let reach = |e: &Extents| [-e.inlet, e.outlet, e.side, e.body_width, e.body_depth];
@@ -181,6 +194,11 @@ impl Start {
     /// Its pressures and film as they are foreseen to be in the problem.
     fn rescaled(&self, problem: &Problem) -> StageSolution {
         let mut start = self.solution.clone();
+        let contact = &start.discretisation.contact;
+        if contact.shape.inlet != problem.shape.inlet {
+            let contact = contact.with_inlet(problem.shape.inlet);
+            start.discretisation.contact = Arc::new(contact);
+        }
         let d = &start.discretisation;
         let ratio = problem.start_film / self.film;
         let (centre, thinnest) = (
@@ -261,6 +279,45 @@ pub fn solve_warm(
         }
     }
     Ok(None)
+}
+
+/// Solves a problem, which must not ask for refinement, on the mesh of a start, whatever its own mesh would be: for differences that no change of the mesh should blur. `None`
+/// where Newton's method does not converge.
+///
+/// # Errors
+/// Only [`SolveError::Interrupted`].
+pub fn solve_on_mesh(
+    problem: &Problem,
+    start: &Start,
+    observer: &mut dyn Observer,
+) -> Result<Option<StageSolution>, SolveError> {
+    if !start
+        .solution
+        .discretisation
+        .contact
+        .shape
+        .is_like(&problem.shape)
+    {
+        return Ok(None);
+    }
+    let stage = Stage {
+        constants: problem
+            .stages
+            .last()
+            .map_or(start.solution.stage.constants, |s| s.constants),
+        undamped: true,
+        cold: false,
+        given_up_early: false,
+        role: Role::Final,
+        ..start.solution.stage
+    };
+    match solve_from(problem, start.rescaled(problem), stage, observer) {
+        Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+        end => Ok(end
+            .ok()
+            .map(|(solution, _)| solution)
+            .filter(|s| s.converged)),
+    }
 }
 
 /// Largest error bar over the target; zero where there is none.

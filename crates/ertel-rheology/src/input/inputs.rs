@@ -1,0 +1,149 @@
+//! The quantities of a document, noted as they are read; and other values to read in their place.
+
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
+use crate::quantity::{Dimension, Uncertainty};
+
+/// A quantity that was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input {
+    /// Its key path, as `contact.load`; of what a name stands for, below the key of the name: `lubricant.viscosity.mu_0`.
+    pub key: String,
+    /// Its value as written, SI.
+    pub value: f64,
+    /// What it measures.
+    pub dimension: Dimension,
+    /// Its uncertainty, if it has one.
+    pub uncertainty: Option<Uncertainty>,
+    /// Whether it stands in the document itself, and not in what a name stands for.
+    pub written: bool,
+}
+
+/// Correlation of two quantities with an uncertainty.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Correlation {
+    /// Their key paths.
+    pub keys: [String; 2],
+    /// Correlation coefficient, between −1 and 1.
+    pub coefficient: f64,
+}
+
+/// Quantities of a document, in the order in which they were read.
+#[derive(Debug, Default)]
+pub struct Inputs {
+    replaced: BTreeMap<String, f64>,
+    noted: Mutex<Noted>,
+}
+
+#[derive(Debug, Default)]
+struct Noted {
+    inputs: Vec<Input>,
+    correlations: Vec<Correlation>,
+}
+
+impl Inputs {
+    /// None yet; quantities of these key paths are read as these values, SI.
+    #[must_use]
+    pub fn replacing(replaced: BTreeMap<String, f64>) -> Self {
+        Self {
+            replaced,
+            noted: Mutex::default(),
+        }
+    }
+
+    /// What notes the quantities of the document itself.
+    #[must_use]
+    pub fn recorder(&self) -> Recorder<'_> {
+        Recorder {
+            inputs: self,
+            prefix: String::new(),
+            written: true,
+        }
+    }
+
+    /// The quantities, and their correlations.
+    #[must_use]
+    pub fn into_noted(self) -> (Vec<Input>, Vec<Correlation>) {
+        let noted = (self.noted.into_inner()).unwrap_or_else(PoisonError::into_inner);
+        (noted.inputs, noted.correlations)
+    }
+
+    fn note(&self, input: Input) {
+        let mut noted = self.noted.lock().unwrap_or_else(PoisonError::into_inner);
+        // What is read again, or overrides what a name stands for, counts as it was read last.
+        match noted.inputs.iter_mut().find(|i| i.key == input.key) {
+            Some(known) => *known = input,
+            None => noted.inputs.push(input),
+        }
+    }
+}
+
+/// Notes the quantities of a table, and of those in it.
+#[derive(Clone, Debug)]
+pub struct Recorder<'a> {
+    inputs: &'a Inputs,
+    prefix: String,
+    written: bool,
+}
+
+impl<'a> Recorder<'a> {
+    /// What notes the quantities of the file that the key `key` names.
+    #[must_use]
+    pub fn within(&self, key: &str) -> Recorder<'a> {
+        Recorder {
+            inputs: self.inputs,
+            prefix: self.path(key),
+            written: false,
+        }
+    }
+
+    /// Notes a correlation of two quantities of the table; `Err` with the one that has no uncertainty.
+    pub(super) fn correlate<'k>(
+        &self,
+        keys: [&'k str; 2],
+        coefficient: f64,
+    ) -> Result<(), &'k str> {
+        let mut noted = (self.inputs.noted.lock()).unwrap_or_else(PoisonError::into_inner);
+        let paths = keys.map(|key| self.path(key));
+        for (key, path) in keys.into_iter().zip(&paths) {
+            let uncertain = |i: &Input| i.key == *path && i.uncertainty.is_some();
+            if !noted.inputs.iter().any(uncertain) {
+                return Err(key);
+            }
+        }
+        noted.correlations.push(Correlation {
+            keys: paths,
+            coefficient,
+        });
+        Ok(())
+    }
+
+    fn path(&self, key: &str) -> String {
+        match (self.prefix.as_str(), key) {
+            ("", key) => key.to_owned(),
+            (prefix, "") => prefix.to_owned(),
+            (prefix, key) => format!("{prefix}.{key}"),
+        }
+    }
+
+    /// Notes a quantity; returns the value to read in its place, if there is one.
+    pub(super) fn read(
+        &self,
+        key: &str,
+        value: f64,
+        dimension: Dimension,
+        uncertainty: Option<Uncertainty>,
+    ) -> Option<f64> {
+        let key = self.path(key);
+        let replaced = self.inputs.replaced.get(&key).copied();
+        self.inputs.note(Input {
+            key,
+            value,
+            dimension,
+            uncertainty,
+            written: self.written,
+        });
+        replaced
+    }
+}

@@ -1,0 +1,121 @@
+//! The quantities that a case was made of, and the same case with other values.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use nalgebra::DMatrix;
+
+use ertel_rheology::input::{Correlation, Document, Input, InputError, Inputs};
+
+use super::Case;
+
+/// Sections whose numbers say how to solve, and not what.
+const NUMERICS: [&str; 4] = ["mesh", "solver", "output", "curve"];
+
+/// Numbers of `[thermal]` that say how to solve.
+const NUMERICS_OF_HEAT: [&str; 2] = ["thermal.tolerance", "thermal.depth"];
+
+/// Where the quantities of a case come from.
+#[derive(Clone, Debug)]
+pub struct Origin {
+    document: Document,
+    folder: PathBuf,
+    inputs: Vec<Input>,
+    correlations: Vec<Correlation>,
+}
+
+impl Origin {
+    pub(super) fn new(
+        document: &Document,
+        folder: &Path,
+        inputs: Inputs,
+    ) -> Result<Self, InputError> {
+        let (mut inputs, correlations) = inputs.into_noted();
+        let is_numeric = |input: &Input| {
+            let section = input.key.split('.').next().unwrap_or_default();
+            NUMERICS.contains(&section) || NUMERICS_OF_HEAT.contains(&input.key.as_str())
+        };
+        if let Some(input) = (inputs.iter()).find(|i| is_numeric(i) && i.uncertainty.is_some()) {
+            let at = document.tree().entry(&input.key);
+            let span = at.map_or(0..0, |entry| entry.node.span.clone());
+            return Err(document.error_at(
+                span,
+                &input.key,
+                format!(
+                    "`{}` says how to solve, and not what: it has no uncertainty",
+                    input.key
+                ),
+            ));
+        }
+        inputs.retain(|input| !is_numeric(input));
+        if !is_possible(&correlations) {
+            let at = document.tree().entry("correlation");
+            let span = at.map_or(0..0, |entry| entry.node.span.clone());
+            let message = "no quantities can be correlated so: some combination of them would have a negative variance";
+            return Err(document.error_at(span, "correlation", message));
+        }
+        Ok(Self {
+            document: document.clone(),
+            folder: folder.to_owned(),
+            inputs,
+            correlations,
+        })
+    }
+}
+
+/// Whether correlations make a matrix that is not negative in any direction.
+fn is_possible(correlations: &[Correlation]) -> bool {
+    let mut keys: Vec<&String> = correlations.iter().flat_map(|c| &c.keys).collect();
+    if keys.is_empty() {
+        return true;
+    }
+    keys.sort();
+    keys.dedup();
+    let mut matrix = DMatrix::<f64>::identity(keys.len(), keys.len());
+    for correlation in correlations {
+        let at = |key: &String| keys.binary_search(&key).unwrap_or(0);
+        let [i, j] = [at(&correlation.keys[0]), at(&correlation.keys[1])];
+        matrix[(i, j)] = correlation.coefficient;
+        matrix[(j, i)] = correlation.coefficient;
+    }
+    let values = matrix.symmetric_eigenvalues();
+    values.iter().all(|value| *value > -LEAST_EIGENVALUE)
+}
+
+/// How far below zero digits that were left out may take an eigenvalue.
+const LEAST_EIGENVALUE: f64 = 1e-3;
+
+impl Case {
+    /// The physical quantities that the case was read from, in the order in which they were read; those that a lubricant or a material
+    /// of the database or in a file brings along stand below its key. None for a case made in code.
+    pub fn inputs(&self) -> &[Input] {
+        self.origin.as_ref().map_or(&[], |origin| &origin.inputs)
+    }
+
+    /// Correlations of inputs with an uncertainty.
+    pub fn correlations(&self) -> &[Correlation] {
+        (self.origin.as_ref()).map_or(&[], |origin| &origin.correlations)
+    }
+
+    /// Whether derivatives by its inputs are to be computed.
+    pub fn wants_sensitivities(&self) -> bool {
+        let uncertain = || {
+            self.inputs()
+                .iter()
+                .any(|input| input.uncertainty.is_some())
+        };
+        self.output.sensitivities.unwrap_or_else(uncertain)
+    }
+
+    /// The same case with other values, SI, of some of its inputs, named by their key paths; without its curve.
+    ///
+    /// # Errors
+    ///
+    /// Values that no contact can have.
+    pub fn with_values(&self, values: BTreeMap<String, f64>) -> Result<Self, InputError> {
+        let Some(origin) = &self.origin else {
+            return Ok(self.clone());
+        };
+        Self::without_curve(&origin.document, &origin.folder, values)
+    }
+}

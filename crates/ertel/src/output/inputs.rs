@@ -1,0 +1,132 @@
+//! What the inputs of a case do to its figures, in the report.
+
+use super::report::{Lines, digits};
+use crate::solution::{Figure, FigureSensitivity, FigureUncertainty, Sensitivities, Solution};
+
+/// Widths of the columns of keys and numbers.
+const KEY_WIDTH: usize = 44;
+const NUMBER_WIDTH: usize = 11;
+
+/// Effects, in per cent of a figure for one per cent of an input, that are not listed one by one.
+const NEGLIGIBLE: f64 = 1e-3;
+
+/// Shares of an uncertainty that are not listed one by one.
+const NEGLIGIBLE_SHARE: f64 = 0.01;
+
+/// Half-width of an interval, over the figure, beyond which derivatives alone tell little.
+const FAR_FROM_LINEAR: f64 = 0.2;
+
+/// Short name of a figure.
+fn symbol(figure: Figure) -> &'static str {
+    match figure {
+        Figure::FilmCentral => "h_c",
+        Figure::FilmMinimum => "h_min",
+        Figure::PressureMaximum => "p_max",
+        Figure::TractionCoefficient => "traction",
+        Figure::FilmTemperatureMaximum => "T_max",
+        figure => figure.name(),
+    }
+}
+
+/// Sensitivities, the largest for the films first, and the uncertainty that those of the inputs come to.
+pub(super) fn write(out: &mut Lines, solution: &Solution) {
+    write_uncertainty(out, solution);
+    let Some(sensitivities) = &solution.sensitivities else {
+        return;
+    };
+    out.heading(
+        "Sensitivities: per cent of the figure for one per cent of the input (temperatures in K)",
+    );
+    // A traction that is zero has no per cent.
+    let figures: Vec<&FigureSensitivity> = sensitivities
+        .figures
+        .iter()
+        .filter(|f| f.value != 0.0)
+        .collect();
+    let mut head = format!("{:<KEY_WIDTH$}", "");
+    for figure in &figures {
+        head += &format!("{:<NUMBER_WIDTH$}", symbol(figure.figure));
+    }
+    out.line(&head);
+    let (rows, negligible) = rows(sensitivities, &figures);
+    for (key, by) in rows {
+        let mut line = format!("{key:<KEY_WIDTH$}");
+        for by in by {
+            line += &format!("{:<NUMBER_WIDTH$}", signed(by));
+        }
+        out.line(&line);
+    }
+    if !negligible.is_empty() {
+        out.line(&format!("below {NEGLIGIBLE}: {}", negligible.join(", ")));
+    }
+    for input in &sensitivities.left_out {
+        out.line(&format!("{}: not known, {}", input.key, input.reason));
+    }
+    if !sensitivities.by_adjoint {
+        out.line("by differences of solves on one mesh, good to about a per cent");
+    }
+}
+
+/// Keys with their effects, the largest on a film first, and the keys without.
+fn rows<'a>(
+    sensitivities: &'a Sensitivities,
+    figures: &[&FigureSensitivity],
+) -> (Vec<(&'a str, Vec<f64>)>, Vec<&'a str>) {
+    let all = (sensitivities.inputs.iter().enumerate())
+        .filter(|(_, input)| input.value != 0.0)
+        .map(|(i, input)| {
+            let of = |f: &&FigureSensitivity| f.derivatives[i] * input.value / f.value;
+            (
+                input.key.as_str(),
+                figures.iter().map(of).collect::<Vec<f64>>(),
+            )
+        });
+    let (mut rows, negligible): (Vec<_>, Vec<_>) =
+        all.partition(|(_, by)| by.iter().any(|by| by.abs() >= NEGLIGIBLE));
+    let on_films = |by: &[f64]| by.iter().take(2).fold(0.0_f64, |m, by| m.max(by.abs()));
+    rows.sort_by(|a, b| on_films(&b.1).total_cmp(&on_films(&a.1)));
+    let keys = negligible.into_iter().map(|(key, _)| key).collect();
+    (rows, keys)
+}
+
+fn write_uncertainty(out: &mut Lines, solution: &Solution) {
+    let Some(uncertainty) = &solution.uncertainty else {
+        return;
+    };
+    out.heading("Uncertainty of the inputs, to first order (95 % intervals)");
+    for figure in &uncertainty.0 {
+        let shares: Vec<String> = (figure.shares.iter())
+            .filter(|(_, share)| share.abs() >= NEGLIGIBLE_SHARE)
+            .map(|(key, share)| format!("{key} {:.0} %", 100.0 * share))
+            .collect();
+        let size = match figure.value {
+            0.0 => digits(figure.half_width, 2),
+            value => format!("{} %", digits(100.0 * figure.half_width / value.abs(), 2)),
+        };
+        out.row(
+            symbol(figure.figure),
+            format!("± {size:<10} of it {}", shares.join(", ")),
+        );
+    }
+    let wide = |u: &&FigureUncertainty| u.half_width > FAR_FROM_LINEAR * u.value.abs();
+    let far: Vec<&str> = uncertainty
+        .0
+        .iter()
+        .filter(wide)
+        .map(|u| symbol(u.figure))
+        .collect();
+    if !far.is_empty() {
+        out.line(&format!(
+            "{}: too wide for the first order; --monte-carlo N samples the inputs instead",
+            far.join(", ")
+        ));
+    }
+}
+
+/// With its sign, to three decimals.
+fn signed(value: f64) -> String {
+    if value.abs() < 0.5 * NEGLIGIBLE {
+        return "0".to_owned();
+    }
+    format!("{value:+.3}")
+}

@@ -1,0 +1,267 @@
+//! Derivatives of the figures of a solution by the inputs of its case file.
+//!
+//! Each input is moved a little to either side, the case is read again with it, and the two problems that come of it are put to
+//! [`crate::solve::sensitivity`]: machines, data sheets and laws of any kind need nothing of their own. Where heat counts, which the adjoint
+//! does not reach, the two problems are solved on the mesh of the solution.
+
+use std::collections::BTreeMap;
+
+use ertel_rheology::input::Input;
+
+use crate::case::Case;
+use crate::params::ElasticModel;
+use crate::run::problem;
+use crate::solution::{Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
+use crate::solve::figures::{Extent, figures};
+use crate::solve::sensitivity::{Sensitivity, Sides};
+use crate::solve::sequence::{Problem, StageSolution, Start, solve_on_mesh};
+use crate::solve::{Observer, SolveError};
+
+/// Steps of inputs, over their size: where the equations stay on their mesh, and where the mesh changes, whose elastic response has
+/// rounding of its own.
+const STEP: f64 = 1e-5;
+const STEP_OF_SHAPE: f64 = 1e-3;
+
+/// Step of an input that is zero, over its uncertainty.
+const STEP_FROM_ZERO: f64 = 1e-3;
+
+/// Step of differences of solves, of an input without an uncertainty; with one, the step is its standard deviation.
+const STEP_OF_SOLVES: f64 = 0.01;
+
+/// Figures that differences of solves are taken of.
+const FIGURES_WITH_HEAT: [Figure; 5] = [
+    Figure::FilmCentral,
+    Figure::FilmMinimum,
+    Figure::PressureMaximum,
+    Figure::TractionCoefficient,
+    Figure::FilmTemperatureMaximum,
+];
+
+/// The same where heat counts: for each input two solves on the mesh of `start`, for `only_uncertain` inputs or all of them.
+///
+/// # Errors
+/// Only when the user wants to stop.
+pub fn by_differences(
+    case: &Case,
+    own: &Problem,
+    start: &Start,
+    only_uncertain: bool,
+    observer: &mut dyn Observer,
+) -> Result<Sensitivities, SolveError> {
+    let of = |problem: &Problem, solution: &StageSolution| -> Vec<Option<f64>> {
+        let (d, state) = (&solution.discretisation, &solution.state);
+        let found = figures(problem, &problem.fluid, d, state, Extent::All);
+        FIGURES_WITH_HEAT.map(|figure| found.value(figure)).to_vec()
+    };
+    let values = of(own, start.solution());
+    let present: Vec<usize> = (0..values.len()).filter(|i| values[*i].is_some()).collect();
+    let mut sensitivities = Sensitivities {
+        by_adjoint: false,
+        inputs: Vec::new(),
+        figures: (present.iter())
+            .map(|i| FigureSensitivity {
+                figure: FIGURES_WITH_HEAT[*i],
+                value: values[*i].unwrap_or(f64::NAN),
+                derivatives: Vec::new(),
+            })
+            .collect(),
+        left_out: Vec::new(),
+    };
+    let asked = case.inputs().iter().filter(|input| match only_uncertain {
+        true => input.uncertainty.is_some(),
+        false => input.value != 0.0 || input.uncertainty.is_some(),
+    });
+    for input in asked {
+        let step = (input.uncertainty).map_or(STEP_OF_SOLVES * input.value.abs(), |u| u.standard());
+        let mut side = |value: f64| -> Result<Result<Vec<Option<f64>>, &str>, SolveError> {
+            let values = BTreeMap::from([(input.key.clone(), value)]);
+            let Ok(case) = case.with_values(values) else {
+                return Ok(Err("it lies at the end of what a case may have"));
+            };
+            let problem = Problem {
+                adapt: None,
+                error_estimate: false,
+                ..problem(&case)
+            };
+            Ok(match solve_on_mesh(&problem, start, observer)? {
+                Some(solution) => Ok(of(&problem, &solution)),
+                None => Err("a solve beside did not converge on the mesh of the solution"),
+            })
+        };
+        match (side(input.value - step)?, side(input.value + step)?) {
+            (Ok(below), Ok(above)) if below == above && !input.written => {}
+            (Ok(below), Ok(above)) => {
+                for (figure, i) in sensitivities.figures.iter_mut().zip(&present) {
+                    let [below, above] = [below[*i], above[*i]].map(|v| v.unwrap_or(f64::NAN));
+                    figure.derivatives.push((above - below) / (2.0 * step));
+                }
+                sensitivities.inputs.push(SensitivityInput {
+                    key: input.key.clone(),
+                    value: input.value,
+                    unit: input.dimension.si_unit(),
+                    uncertainty: input.uncertainty,
+                });
+            }
+            (Err(reason), _) | (_, Err(reason)) => sensitivities.left_out.push(LeftOut {
+                key: input.key.clone(),
+                reason: reason.to_owned(),
+            }),
+        }
+    }
+    Ok(sensitivities)
+}
+
+/// Derivatives of films, largest pressure and traction by every input; `None` where heat counts, which the adjoint does not reach.
+///
+/// # Errors
+/// When the adjoints cannot be solved for.
+pub fn by_adjoint(
+    case: &Case,
+    problem: &Problem,
+    solution: &StageSolution,
+) -> Result<Option<Sensitivities>, SolveError> {
+    if problem.heat.is_some() || case.inputs().is_empty() {
+        return Ok(None);
+    }
+    let adjoint = Sensitivity::new(problem, solution)?;
+    let modulus = ByModulus::of(case);
+    let mut left_out = Vec::new();
+    let mut asked: Vec<(&Input, Sides)> = Vec::new();
+    for input in case.inputs() {
+        if modulus
+            .as_ref()
+            .is_some_and(|modulus| modulus.follows(input))
+        {
+            continue;
+        }
+        match sides(case, problem, input) {
+            Some(Ok(sides)) => asked.push((input, sides)),
+            Some(Err(reason)) if input.written => left_out.push(LeftOut {
+                key: input.key.clone(),
+                reason,
+            }),
+            // Of no effect, or at the end of what a law of the database allows.
+            _ => {}
+        }
+    }
+    let (inputs, sides): (Vec<&Input>, Vec<Sides>) = asked.into_iter().unzip();
+    let mut figures: Vec<FigureSensitivity> = (adjoint.figures())
+        .map(|figure| FigureSensitivity {
+            figure,
+            value: adjoint.value(figure),
+            derivatives: Vec::new(),
+        })
+        .collect();
+    let mut known = Vec::new();
+    let mut add = |input: &Input, derivatives: &[f64]| {
+        for (figure, by) in figures.iter_mut().zip(derivatives) {
+            figure.derivatives.push(*by);
+        }
+        known.push(SensitivityInput {
+            key: input.key.clone(),
+            value: input.value,
+            unit: input.dimension.si_unit(),
+            uncertainty: input.uncertainty,
+        });
+    };
+    for (input, derivatives) in inputs.into_iter().zip(adjoint.derivatives(&sides)) {
+        match derivatives {
+            // What a law of the database has beside what counts here.
+            Ok(derivatives) if !input.written && derivatives.iter().all(|by| *by == 0.0) => {}
+            Ok(derivatives) => {
+                add(input, &derivatives);
+                if let Some(modulus) = &modulus {
+                    for (other, ratio) in modulus.others(input) {
+                        let by: Vec<f64> = derivatives.iter().map(|by| ratio * by).collect();
+                        add(other, &by);
+                    }
+                }
+            }
+            Err(reason) => left_out.push(LeftOut {
+                key: input.key.clone(),
+                reason: reason.to_string(),
+            }),
+        }
+    }
+    Ok(Some(Sensitivities {
+        by_adjoint: true,
+        inputs: known,
+        figures,
+        left_out,
+    }))
+}
+
+/// The problems on either side of an input; `None` where it is of no effect that a derivative could tell.
+fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Sides, String>> {
+    let at = |step: f64| -> Result<Sides, String> {
+        let side = |value: f64| {
+            let values = BTreeMap::from([(input.key.clone(), value)]);
+            (case.with_values(values).map(|case| problem(&case)))
+                .map_err(|_| "it lies at the end of what a case may have".to_owned())
+        };
+        Ok(Sides {
+            problems: [side(input.value - step)?, side(input.value + step)?],
+            distance: 2.0 * step,
+        })
+    };
+    let size = match input.value {
+        0.0 => STEP_FROM_ZERO / STEP * input.uncertainty?.standard(),
+        value => value.abs(),
+    };
+    let sides = at(STEP * size);
+    let moves = |sides: &Sides| {
+        let mut problems = sides.problems.iter();
+        problems.any(|problem| !own.shape.is_like(&problem.shape))
+    };
+    Some(match sides {
+        Ok(sides) if moves(&sides) => at(STEP_OF_SHAPE * size),
+        sides => sides,
+    })
+}
+
+/// Elastic constants of half-spaces count by the reduced modulus alone.
+struct ByModulus<'a> {
+    /// The first of them, which is asked for, and d E'/d of it.
+    first: (&'a Input, f64),
+    others: Vec<(&'a Input, f64)>,
+}
+
+impl<'a> ByModulus<'a> {
+    fn of(case: &'a Case) -> Option<ByModulus<'a>> {
+        if case.elastic_model() != ElasticModel::HalfSpace {
+            return None;
+        }
+        let is_elastic = |input: &&Input| {
+            input.key.starts_with("bodies.")
+                && (input.key.ends_with(".youngs_modulus")
+                    || input.key.ends_with(".poissons_ratio"))
+                && input.value != 0.0
+        };
+        let slope = |input: &'a Input| -> Option<(&'a Input, f64)> {
+            let modulus = |value: f64| {
+                let values = BTreeMap::from([(input.key.clone(), value)]);
+                Some(case.with_values(values).ok()?.reduced_modulus())
+            };
+            let step = STEP * input.value.abs();
+            let [below, above] = [modulus(input.value - step)?, modulus(input.value + step)?];
+            Some((input, (above - below) / (2.0 * step)))
+        };
+        let mut all = case.inputs().iter().filter(is_elastic).filter_map(slope);
+        Some(ByModulus {
+            first: all.next()?,
+            others: all.collect(),
+        })
+    }
+
+    /// Whether an input follows from the first.
+    fn follows(&self, input: &Input) -> bool {
+        self.others.iter().any(|(other, _)| other.key == input.key)
+    }
+
+    /// The others, with the ratio of derivatives by them and by this one, if it is the first.
+    fn others(&self, input: &Input) -> impl Iterator<Item = (&'a Input, f64)> + '_ {
+        let is_first = input.key == self.first.0.key;
+        (self.others.iter().filter(move |_| is_first))
+            .map(|(other, slope)| (*other, slope / self.first.1))
+    }
+}

@@ -1,0 +1,84 @@
+//! How much each input counts.
+
+use ertel_rheology::quantity::Uncertainty;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+
+use super::Figure;
+
+/// Derivatives of figures by the inputs of a case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sensitivities {
+    /// Whether they are derivatives of the discrete solution by its adjoint; else they are differences of solves, good to about a per cent.
+    pub by_adjoint: bool,
+    /// The inputs that derivatives are by.
+    pub inputs: Vec<SensitivityInput>,
+    /// The figures that derivatives are of.
+    pub figures: Vec<FigureSensitivity>,
+    /// Inputs whose derivatives are not known.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// An input.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SensitivityInput {
+    /// Key path in the case file; of what a name stands for, below the key of the name.
+    pub key: String,
+    /// Its value, SI.
+    pub value: f64,
+    /// SI unit; empty of pure numbers.
+    pub unit: String,
+    /// Its uncertainty, if the case gives one.
+    pub uncertainty: Option<Uncertainty>,
+}
+
+/// A figure with its derivatives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FigureSensitivity {
+    /// The figure.
+    pub figure: Figure,
+    /// Its value, SI.
+    pub value: f64,
+    /// Its derivative by each input, SI.
+    pub derivatives: Vec<f64>,
+}
+
+/// An input whose derivatives are not known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeftOut {
+    /// Its key path.
+    pub key: String,
+    /// Why.
+    pub reason: String,
+}
+
+impl Sensitivities {
+    /// d ln(figure)/d ln(input) with the key of each input, the largest first; none where the figure is zero. Temperatures count from
+    /// absolute zero.
+    pub fn logarithmic(&self, figure: &FigureSensitivity) -> Vec<(&str, f64)> {
+        if figure.value == 0.0 {
+            return Vec::new();
+        }
+        let inputs = self.inputs.iter().zip(&figure.derivatives);
+        let mut sorted: Vec<(&str, f64)> = inputs
+            .filter(|(input, _)| input.value != 0.0)
+            .map(|(input, by)| (input.key.as_str(), by * input.value / figure.value))
+            .collect();
+        sorted.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        sorted
+    }
+}
+
+/// For each figure a map from the key of an input to d ln(figure)/d ln(input).
+impl Serialize for Sensitivities {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.figures.len()))?;
+        for figure in &self.figures {
+            let by: serde_json::Map<String, serde_json::Value> = (self.logarithmic(figure))
+                .into_iter()
+                .map(|(key, by)| (key.to_owned(), by.into()))
+                .collect();
+            map.serialize_entry(figure.figure.name(), &by)?;
+        }
+        map.end()
+    }
+}

@@ -1,0 +1,332 @@
+//! Derivatives of figures by inputs at a solution, by one adjoint for each figure.
+//!
+//! ```text
+//!   R(q; θ) = 0,  j(q; θ):      dj/dθ = ∂j/∂θ − z·∂R/∂θ − s ∂(∫P − load)/∂θ,      Jᵀ(z, s) = ∂j/∂q
+//! ```
+//! The figures are those of the discrete solution on its mesh, which keeps its place in half-widths of the contact: what differs by the
+//! error of the mesh is left alone. Partial derivatives by θ are central differences of residuals and figures at the fields of the solution;
+//! no equation is solved for them. Where an input changes the shape of the contact in half-widths (axis ratio of an ellipse, length of a
+//! roller), mesh and elastic response are made anew on either side, and
+//! derivatives are good to about 1e-4 of the largest. Isothermal films only: the adjoint of the heat is not at hand.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::SolveError;
+use super::adjoint::{Adjoint, Functional, adjoints};
+use super::discretisation::{ContactSurface, Discretisation, Means};
+use super::element::Metric;
+use super::evaluate::{fields_in, largest_pressure, minimum_film};
+use super::newton::FilmModel;
+use super::preconditioner::{NearStiffness, Preconditioner};
+use super::sequence::{Problem, StageSolution};
+use super::shear::friction;
+use super::system::{FilmConstants, State, System};
+use super::weighted::{Equations, weighted_residuals};
+use crate::contact::Scales;
+use crate::elastic::{Accuracy, BodyModel};
+use crate::film::FilmFluid;
+use crate::film::cross_film::CrossFilm;
+use crate::forms::oil_layer::{filling_length, missing};
+use crate::solution::Figure;
+
+/// Relative residual of the adjoints.
+const TOLERANCE: f64 = 1e-7;
+
+/// Figures that have sensitivities.
+pub const FIGURES: [Figure; 4] = [
+    Figure::FilmCentral,
+    Figure::FilmMinimum,
+    Figure::PressureMaximum,
+    Figure::TractionCoefficient,
+];
+
+/// What keeps an input's derivatives from being known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoDerivative {
+    /// It changes the answer of a finite-element body.
+    #[error("it changes how bodies of finite elements deflect; with half-spaces it is known")]
+    FiniteElements,
+    /// It moves the edge of the contact area.
+    #[error("it moves the edge of the contact area")]
+    Edge,
+    /// The mesh cannot be made for the changed shape.
+    #[error("the mesh cannot be made for a changed shape")]
+    Mesh,
+}
+
+/// A figure with its adjoint.
+struct Goal {
+    figure: Figure,
+    adjoint: Adjoint,
+}
+
+/// Derivatives at a solution.
+pub struct Sensitivity<'a> {
+    solution: &'a StageSolution,
+    problem: &'a Problem,
+    goals: Vec<Goal>,
+    /// Elements and reference coordinates of the figures that are read at a place.
+    places: [Option<(usize, [f64; 3])>; 3],
+}
+
+/// A problem on either side of the solution's, by the same step of an input.
+pub struct Sides {
+    /// Below and above.
+    pub problems: [Problem; 2],
+    /// By how much the input differs between them.
+    pub distance: f64,
+}
+
+impl<'a> Sensitivity<'a> {
+    /// Solves for the adjoints of an isothermal solution; traction has one only where surfaces slide.
+    ///
+    /// # Errors
+    /// When the Krylov iterations run out.
+    ///
+    /// # Panics
+    /// For films that heat up.
+    pub fn new(
+        problem: &'a Problem,
+        solution: &'a StageSolution,
+    ) -> Result<Sensitivity<'a>, SolveError> {
+        assert!(problem.heat.is_none(), "isothermal films only");
+        let (d, state) = (&solution.discretisation, &solution.state);
+        let model = FilmModel {
+            fluid: problem.fluid.clone(),
+            constants: solution.stage.constants,
+        };
+        let system = System::assemble(d, &model.fluid, &model.constants, state, None);
+        let preconditioner = Preconditioner::new(d, &NearStiffness::new(d), &system)?;
+        let (_, thinnest) = minimum_film(d, state);
+        let (_, largest) = largest_pressure(d, state);
+        let mut figures = FIGURES.to_vec();
+        figures.retain(|f| *f != Figure::TractionCoefficient || problem.fluid.slides());
+        let functionals: Vec<Functional> = (figures.iter())
+            .map(|figure| match figure {
+                Figure::FilmCentral => Functional::film_at(d, [0.0; 2]),
+                Figure::FilmMinimum => Functional::film_at(d, thinnest),
+                Figure::PressureMaximum => Functional::pressure_at(d, largest),
+                _ => traction(d, state, &model.fluid, &problem.scales),
+            })
+            .collect();
+        let adjoints = adjoints(d, &system, preconditioner, &functionals, TOLERANCE)?;
+        let goals = (figures.into_iter().zip(adjoints))
+            .map(|(figure, adjoint)| Goal { figure, adjoint })
+            .collect();
+        let find = |place| d.contact.locator.find(&d.contact.surface, place);
+        Ok(Sensitivity {
+            solution,
+            problem,
+            goals,
+            places: [[0.0; 2], thinnest, largest].map(find),
+        })
+    }
+
+    /// The figures that derivatives are of.
+    pub fn figures(&self) -> impl Iterator<Item = Figure> + '_ {
+        self.goals.iter().map(|goal| goal.figure)
+    }
+
+    /// Value of a figure at the solution, SI.
+    pub fn value(&self, figure: Figure) -> f64 {
+        let (d, state) = (&self.solution.discretisation, &self.solution.state);
+        self.figure(figure, d, state, self.problem)
+    }
+
+    /// Derivatives of the figures, SI, for each input.
+    pub fn derivatives(&self, inputs: &[Sides]) -> Vec<Result<Vec<f64>, NoDerivative>> {
+        let (d, state) = (&self.solution.discretisation, &self.solution.state);
+        let here: Vec<bool> = (inputs.iter())
+            .map(|sides| {
+                (sides.problems.iter()).all(|p| self.problem.shape.is_like(&p.shape))
+                    && self.obstacle(sides).is_none()
+            })
+            .collect();
+        let on_mesh: Vec<&Problem> = (inputs.iter().zip(&here))
+            .filter(|(_, here)| **here)
+            .flat_map(|(sides, _)| &sides.problems)
+            .collect();
+        let mut lagrangians = self.lagrangians(d, state, &on_mesh).into_iter();
+        let mut derivatives = Vec::new();
+        for (sides, here) in inputs.iter().zip(here) {
+            let values = if here {
+                [lagrangians.next(), lagrangians.next()].map(|v| v.ok_or(NoDerivative::Mesh))
+            } else if let Some(obstacle) = self.obstacle(sides) {
+                [Err(obstacle), Err(obstacle)]
+            } else {
+                (sides.problems.each_ref()).map(|problem| self.reshaped(problem))
+            };
+            let difference = |[below, above]: [Vec<f64>; 2]| {
+                let pairs = below.iter().zip(&above);
+                pairs.map(|(b, a)| (a - b) / sides.distance).collect()
+            };
+            let [below, above] = values;
+            derivatives.push(below.and_then(|below| Ok(difference([below, above?]))));
+        }
+        derivatives
+    }
+
+    /// What keeps derivatives by an input from being known.
+    fn obstacle(&self, sides: &Sides) -> Option<NoDerivative> {
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
+        let own = &self.problem.elasticity;
+        for problem in &sides.problems {
+            let finite = own.model == BodyModel::FiniteElements;
+            let bodies = own.bodies.iter().zip(&problem.elasticity.bodies);
+            if finite
+                && !bodies
+                    .clone()
+                    .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1))
+            {
+                return Some(NoDerivative::FiniteElements);
+            }
+            let inlet = self.problem.shape.inlet;
+            if inlet == crate::contact::Inlet::Meniscus
+                && !close(self.problem.extents.inlet, problem.extents.inlet)
+            {
+                return Some(NoDerivative::Edge);
+            }
+        }
+        None
+    }
+
+    /// j − z·R − s(∫P − load) of each figure at the fields of the solution, in the equations of each problem.
+    fn lagrangians(
+        &self,
+        d: &Discretisation,
+        state: &State,
+        problems: &[&Problem],
+    ) -> Vec<Vec<f64>> {
+        let equations: Vec<Equations> = problems.iter().map(|p| self.equations(p)).collect();
+        let weights: Vec<&[f64]> = (self.goals.iter())
+            .map(|goal| goal.adjoint.film.as_slice())
+            .collect();
+        let residuals = weighted_residuals(d, state, &weights, &equations);
+        let carried = d.integral(&state.pressure);
+        (problems.par_iter().zip(residuals))
+            .map(|(problem, residuals)| {
+                let goals = self.goals.iter().zip(residuals);
+                goals
+                    .map(|(goal, residual)| {
+                        let unit = self.unit(goal.figure);
+                        let excess = goal.adjoint.load * (carried - problem.load);
+                        self.figure(goal.figure, d, state, problem) - unit * (residual + excess)
+                    })
+                    .collect()
+            })
+            .collect()
+    }
+
+    /// The same on a mesh of the changed shape, where deflections follow from the pressures.
+    fn reshaped(&self, problem: &Problem) -> Result<Vec<f64>, NoDerivative> {
+        let own = &self.solution.discretisation;
+        let contact = ContactSurface::reshaped(&own.contact, &problem.shape, Means::default())
+            .ok_or(NoDerivative::Mesh)?;
+        let d = Discretisation::new(&Arc::new(contact), own.pressure.element.order());
+        if d.pressure.n_nodes() != own.pressure.n_nodes() || d.n_pressure != own.n_pressure {
+            return Err(NoDerivative::Mesh);
+        }
+        let state = State {
+            deflection: d.deflect(&self.solution.state.pressure, Accuracy::Full),
+            ..self.solution.state.clone()
+        };
+        let mut values = self.lagrangians(&d, &state, &[problem]);
+        values.pop().ok_or(NoDerivative::Mesh)
+    }
+
+    fn equations(&self, problem: &Problem) -> Equations {
+        // All of them, but for the steps that led to the solution.
+        let (own, its) = (&self.solution.stage.constants, problem.stages.last());
+        let theirs = its.map_or(*own, |stage| stage.constants);
+        Equations {
+            fluid: problem.fluid.clone(),
+            constants: FilmConstants {
+                lambda: theirs.lambda,
+                entrainment: theirs.entrainment,
+                film_scale: theirs.film_scale,
+                ..*own
+            },
+            oil_layer: problem.shape.inlet.layer().copied(),
+        }
+    }
+
+    /// SI unit of the dimensionless figure that the adjoint is of.
+    fn unit(&self, figure: Figure) -> f64 {
+        let scales = &self.problem.scales;
+        match figure {
+            Figure::FilmCentral | Figure::FilmMinimum => scales.film,
+            Figure::PressureMaximum => scales.pressure,
+            _ => 1.0,
+        }
+    }
+
+    /// A figure at the fields of the solution in the scales of a problem, SI.
+    fn figure(&self, figure: Figure, d: &Discretisation, state: &State, problem: &Problem) -> f64 {
+        let scales = &problem.scales;
+        let at = |place: Option<(usize, [f64; 3])>| {
+            place.map(|(cell, xi)| fields_in(d, state, cell, xi))
+        };
+        let [centre, thinnest, largest] = self.places;
+        match figure {
+            Figure::FilmCentral => scales.film * at(centre).map_or(f64::NAN, |f| f.film),
+            Figure::FilmMinimum => scales.film * at(thinnest).map_or(f64::NAN, |f| f.film),
+            Figure::PressureMaximum => {
+                scales.pressure * at(largest).map_or(f64::NAN, |f| f.pressure)
+            }
+            _ => friction(d, state, &problem.fluid, scales).coefficients[0][0],
+        }
+    }
+}
+
+/// What the traction coefficient along the motion depends on:
+///
+/// ```text
+///   f = S/load ∫θ τ_x dA,   τ = τ(G, Ω, P),  G = H∇P,  Ω = σμ̄/H,  θ = 1 − F(P, H)/H
+/// ```
+fn traction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &Scales) -> Functional {
+    let unit = fluid.stress_scale() / (scales.load * scales.pressure);
+    let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
+    let mut rule = CrossFilm::default();
+    let mut functional = Functional::zero(d);
+    let layer = d.contact.shape.inlet.layer();
+    for (c, map) in d.contact.maps.iter().enumerate() {
+        let metric = Metric::new(map);
+        let length = filling_length(d.contact.sizes[c], d.pressure.element.order());
+        for (q, weight) in d.rule.weights.iter().enumerate() {
+            let (_, f) = super::evaluate::fields_at_quadrature(d, state, c, q);
+            let local = fluid.local(f.pressure, None);
+            let (g, omega) = local.demands(f.place, f.pressure_gradient, f.film);
+            let closure = local.close(g, omega, &mut rule);
+            let tau = closure.mid_stress[0];
+            let [by_gx, by_gy, by_ox, by_oy, by_p] = closure.stress_slopes.map(|slopes| slopes[0]);
+            let through_slide = by_ox * omega[0] + by_oy * omega[1];
+            let [mu, mu_p, _] = local.point().viscosity;
+            let [px, py] = f.pressure_gradient;
+            let mut by_pressure = by_p + through_slide * mu_p / mu;
+            let mut by_film = by_gx * px + by_gy * py - through_slide / f.film;
+            let mut filling = 1.0;
+            if let Some(lack) = layer.and_then(|layer| missing(layer, f.pressure, f.film, length)) {
+                filling = 1.0 - lack.film / f.film;
+                by_pressure = filling * by_pressure - tau * lack.by_pressure / f.film;
+                by_film = filling * by_film - tau * (lack.by_film - lack.film / f.film) / f.film;
+            }
+            let area = unit * weight * map.determinant;
+            let by_slopes = [by_gx, by_gy].map(|by| filling * by * f.film);
+            let table = &d.pressure_table;
+            for (j, node) in d.pressure.nodes_of(c).iter().enumerate() {
+                let k = q * n + j;
+                let [gx, gy] = metric.gradient(&table.gradients[k]);
+                functional.by_pressure[*node as usize] +=
+                    area * (by_pressure * table.values[k] + by_slopes[0] * gx + by_slopes[1] * gy);
+            }
+            for (j, node) in d.contact.deflection.nodes_of(c).iter().enumerate() {
+                functional.by_deflection[*node as usize] +=
+                    area * by_film * d.deflection_table.values[q * m + j];
+            }
+            functional.by_separation += area * by_film;
+        }
+    }
+    functional
+}

@@ -1,0 +1,228 @@
+//! Derivatives by the adjoint against central differences of solves on one mesh.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use ertel::case::Case;
+use ertel::run::{Session, Start};
+use ertel::solution::{Figure, Solution};
+use ertel::solve::Silent;
+use ertel_rheology::input::Document;
+
+/// Steps of the inputs, over their size.
+const STEP: f64 = 5e-5;
+
+fn case(text: &str) -> Case {
+    let document = Document::parse("case.toml", text).unwrap();
+    Case::from_document(&document, Path::new("")).unwrap()
+}
+
+fn solved(case: &Case, start: Option<&Start>) -> (Solution, Start) {
+    let (solution, next) = Session::default()
+        .solve_from(case, start, &[], &mut Silent)
+        .unwrap();
+    assert_eq!(solution.stats.warm, start.is_some(), "another mesh");
+    (solution, next)
+}
+
+fn value(solution: &Solution, figure: Figure) -> f64 {
+    match figure {
+        Figure::FilmCentral => solution.summary.film_central.value,
+        Figure::FilmMinimum => solution.summary.film_minimum.value,
+        Figure::PressureMaximum => solution.summary.pressure_maximum.value,
+        _ => solution.traction.coefficient.value,
+    }
+}
+
+/// Compares every derivative with differences of solves: relative to 1e-5, small ones to 1e-6 of the largest.
+fn against_differences(text: &str, n_inputs: usize, n_figures: usize) {
+    against_differences_to(text, n_inputs, n_figures, 1e-5);
+}
+
+fn against_differences_to(text: &str, n_inputs: usize, n_figures: usize, tolerance: f64) {
+    let base = case(&format!("{text}\n[output]\nsensitivities = true\n"));
+    let (solution, start) = solved(&base, None);
+    let sensitivities = solution.sensitivities.as_ref().unwrap();
+    assert_eq!(sensitivities.left_out, []);
+    assert_eq!(sensitivities.inputs.len(), n_inputs, "{sensitivities:#?}");
+    assert_eq!(sensitivities.figures.len(), n_figures);
+    let mut differences = Vec::new();
+    for input in &sensitivities.inputs {
+        let step = STEP * input.value.abs();
+        let at = |value: f64| {
+            let values = BTreeMap::from([(input.key.clone(), value)]);
+            let mut there = base.with_values(values).unwrap();
+            there.output.sensitivities = Some(false);
+            solved(&there, Some(&start)).0
+        };
+        let sides = [at(input.value - step), at(input.value + step)];
+        let by: Vec<f64> = (sensitivities.figures.iter())
+            .map(|figure| {
+                let [below, above] = (sides.each_ref()).map(|s| value(s, figure.figure));
+                (above - below) / (2.0 * STEP * figure.value) * input.value.signum()
+            })
+            .collect();
+        differences.push(by);
+    }
+    let mut worst = 0.0_f64;
+    for (f, figure) in sensitivities.figures.iter().enumerate() {
+        let largest = differences.iter().fold(0.0_f64, |m, by| m.max(by[f].abs()));
+        let found = sensitivities.logarithmic(figure);
+        for (input, by) in sensitivities.inputs.iter().zip(&differences) {
+            let (_, found) = found.iter().find(|(key, _)| *key == input.key).unwrap();
+            let error = (found - by[f]).abs() / (by[f].abs() + 0.1 * largest);
+            println!(
+                "{:24} {:40} {found:+.9} {:+.9} {error:.1e}",
+                figure.figure.name(),
+                input.key,
+                by[f]
+            );
+            worst = worst.max(error);
+        }
+    }
+    assert!(worst < tolerance, "{worst:e}");
+}
+
+const NEWTONIAN: &str = r#"
+[bodies]
+body_1 = "steel"
+body_2 = { youngs_modulus = "400 GPa", poissons_ratio = 0.25 }
+[motion]
+entrainment_speed = "0.8 m/s"
+slide_to_roll_ratio = 0.1
+[lubricant]
+temperature = "60 degC"
+density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "18 1/GPa" }
+[mesh]
+preset = "coarse"
+[solver]
+tolerance = 1e-11
+"#;
+
+const SHEAR_THINNING: &str = r#"
+lubricant = "squalane-pip"
+temperature = "313 K"
+[bodies]
+body_1 = "glass"
+body_2 = "steel"
+[motion]
+entrainment_speed = "0.74 m/s"
+slide_to_roll_ratio = 0.2
+[mesh]
+preset = "coarse"
+[solver]
+tolerance = 1e-11
+"#;
+
+#[test]
+fn newtonian_line() {
+    let contact = "[contact]\nkind = \"line\"\nradius = \"16 mm\"\nload = \"60 kN/m\"\n";
+    against_differences(&format!("{contact}{NEWTONIAN}"), 12, 4);
+}
+
+#[test]
+fn newtonian_circle() {
+    let contact = "[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"50 N\"\n";
+    against_differences(&format!("{contact}{NEWTONIAN}"), 12, 4);
+}
+
+#[test]
+fn shear_thinning_line() {
+    let contact = "[contact]\nkind = \"line\"\nradius = \"12.7 mm\"\nload = \"30 kN/m\"\n";
+    against_differences(&format!("{SHEAR_THINNING}{contact}"), 21, 4);
+}
+
+#[test]
+fn shear_thinning_circle() {
+    let contact = "[contact]\nkind = \"circular\"\nradius = \"12.7 mm\"\nload = \"23 N\"\n";
+    against_differences(&format!("{SHEAR_THINNING}{contact}"), 21, 4);
+}
+
+/// A layer of 150 nm, as an input of its own.
+#[test]
+fn starved_circle() {
+    let contact = "[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"50 N\"\n";
+    let inlet = "[inlet]\noil_layer = \"150 nm\"\n";
+    // Where the gap fills up the equations have a corner, which points of quadrature cross: 1.1e-5 seen.
+    against_differences_to(&format!("{contact}{NEWTONIAN}{inlet}"), 13, 4, 3e-5);
+}
+
+/// Surfaces that spin and slide askew.
+#[test]
+fn skewed_circle() {
+    let contact = "[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"20 N\"\n";
+    let askew = "slide_to_roll_ratio = 0.1\nslide_to_roll_ratio_across = 0.05\nbody_2_spin = \"2000 rad/s\"\n";
+    let text = NEWTONIAN.replace("slide_to_roll_ratio = 0.1\n", askew);
+    against_differences(&format!("{contact}{text}"), 14, 4);
+}
+
+/// Sums that dimensions fix. A contact twice as large, its load four times and its speed twice as large, has a film twice as thick, and the
+/// same pressures and traction; one of twice the modulus, load and viscosity and half the pressure-viscosity coefficient has twice the
+/// pressures, and all else the same. By hand, for any shape.
+fn scales_with_size_and_stress(text: &str, lengths: &[&str], tolerance: f64, of_pressure: f64) {
+    let base = case(&format!("{text}\n[output]\nsensitivities = true\n"));
+    let (solution, _) = solved(&base, None);
+    let sensitivities = solution.sensitivities.as_ref().unwrap();
+    for figure in &sensitivities.figures {
+        let found = sensitivities.logarithmic(figure);
+        let by = |key: &str| {
+            let found = found.iter().find(|(k, _)| *k == key);
+            found.unwrap_or_else(|| panic!("no {key}")).1
+        };
+        // A largest pressure is read at a point of a mesh that moves.
+        let tolerance = match figure.figure {
+            Figure::PressureMaximum => of_pressure,
+            _ => tolerance,
+        };
+        let is_film = matches!(figure.figure, Figure::FilmCentral | Figure::FilmMinimum);
+        let size = lengths.iter().map(|key| by(key)).sum::<f64>()
+            + 2.0 * by("contact.load")
+            + by("motion.entrainment_speed");
+        let largest = found.iter().fold(0.0_f64, |m, (_, by)| m.max(by.abs()));
+        let expected = if is_film { 1.0 } else { 0.0 };
+        println!("{} {size} {expected}", figure.figure.name());
+        assert!((size - expected).abs() < tolerance * largest, "{size}");
+        let stress = by("bodies.body_1.youngs_modulus")
+            + by("bodies.body_2.youngs_modulus")
+            + by("contact.load")
+            + by("lubricant.viscosity.mu_0")
+            - by("lubricant.viscosity.alpha");
+        let expected = if figure.figure == Figure::PressureMaximum {
+            1.0
+        } else {
+            0.0
+        };
+        println!("{} {stress} {expected}", figure.figure.name());
+        assert!((stress - expected).abs() < tolerance * largest, "{stress}");
+    }
+}
+
+/// Roelands' law has a pressure of its own; Barus' has none. No compressibility.
+fn scalable() -> String {
+    (NEWTONIAN.replace("law = \"roelands\"", "law = \"barus\""))
+        .replace(
+            "law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\"",
+            "law = \"constant\", rho_0 = \"870 kg/m^3\"",
+        )
+        .replace("18 1/GPa", "12 1/GPa")
+}
+
+#[test]
+fn ellipses_scale() {
+    let contact = "[contact]\nkind = \"elliptical\"\nradius_x = \"16 mm\"\nradius_y = \"40 mm\"\nload = \"100 N\"\n";
+    let lengths = ["contact.radius_x", "contact.radius_y"];
+    scales_with_size_and_stress(&format!("{contact}{}", scalable()), &lengths, 1e-4, 1e-4);
+}
+
+#[test]
+fn rollers_scale() {
+    let contact = "[contact]\nkind = \"roller\"\nradius = \"10 mm\"\nload = \"200 N\"\nlength = \"2 mm\"\n\
+                   profile = { kind = \"crown\", crown_radius = \"300 mm\" }\n";
+    let lengths = [
+        "contact.radius",
+        "contact.length",
+        "contact.profile.crown_radius",
+    ];
+    scales_with_size_and_stress(&format!("{contact}{}", scalable()), &lengths, 1e-4, 1e-2);
+}
