@@ -55,6 +55,12 @@ pub struct SolveArgs {
     /// Neither use nor keep elastic operators of other solves
     #[arg(long)]
     pub no_cache: bool,
+    /// Solve N samples of the uncertain inputs, too, in the folder `<results>-monte-carlo`; a run that was stopped goes on there
+    #[arg(long, value_name = "N")]
+    pub monte_carlo: Option<usize>,
+    /// Which samples: the same number gives the same ones
+    #[arg(long, value_name = "S", default_value_t = 1, requires = "monte_carlo")]
+    pub seed: u64,
     /// Exit code 0 also where an error bar is wider than half of a figure
     #[arg(long)]
     pub accept_unresolved: bool,

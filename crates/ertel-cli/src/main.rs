@@ -11,6 +11,7 @@ mod failure;
 mod fit;
 mod fluids;
 mod inputs;
+mod monte_carlo;
 mod print;
 mod progress;
 mod provenance;

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use ertel::case::{Case, Curve};
 use ertel::output;
+use ertel::params::SensitivityDemand;
 use ertel::run::{self, Session};
 use ertel::solution::Unresolved;
 use ertel::solve::{DiscretisationError, SolveError};
@@ -15,6 +16,7 @@ use crate::args::SolveArgs;
 use crate::cache::user_cache;
 use crate::failure::Failure;
 use crate::inputs;
+use crate::monte_carlo;
 use crate::print;
 use crate::progress::Progress;
 
@@ -35,6 +37,9 @@ const HELP: &str = "  = help: nothing was written. A finer mesh ([mesh] preset =
 pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     let mut case = Case::read(&arguments.case)?;
     case.output.png |= arguments.png;
+    if case.curve.is_none() && case.output.sensitivities == SensitivityDemand::WhereUncertain {
+        case.output.sensitivities = SensitivityDemand::WhereCheap;
+    }
     let folder = folder(arguments, &case);
     if arguments.check || arguments.quiet {
         warn(&input_warnings(&case));
@@ -60,6 +65,7 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     check_writable(&folder)?;
     listen_for_interrupts();
 
+    let samples = monte_carlo::samples(arguments, &case, &folder)?;
     let mut progress = Progress::new(arguments.quiet, &CANCELLED);
     if let Some(curve) = &case.curve {
         let solution = solve_curve(&session, curve, &mut progress);
@@ -83,6 +89,9 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     } else {
         print::stdout(&output::report(&echo, &solution, Some(&folder)))
     };
+    if let Some(samples) = &samples {
+        monte_carlo::run(&session, samples, &solution, arguments)?;
+    }
     match &solution.unresolved[..] {
         [] => shown,
         _ if arguments.accept_unresolved => shown,

@@ -229,14 +229,14 @@ fn remarks(summary: &SweepSummary) -> String {
 }
 
 /// Points on stderr as they are finished: a bar in a terminal, a line per point elsewhere.
-struct Progress<'a> {
+pub struct Progress<'a> {
     quiet: bool,
     bar: Mutex<Option<ProgressBar>>,
     cancelled: &'a AtomicBool,
 }
 
 impl<'a> Progress<'a> {
-    fn new(quiet: bool, cancelled: &'a AtomicBool) -> Self {
+    pub fn new(quiet: bool, cancelled: &'a AtomicBool) -> Self {
         Self {
             quiet,
             bar: Mutex::new(None),

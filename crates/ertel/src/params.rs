@@ -274,6 +274,21 @@ pub struct OutputParams {
     pub png: bool,
     /// Write the displacement of the whole body (`body.vtu`).
     pub body_field: bool,
-    /// Derivatives of the figures by every input; `None`: where an input has an uncertainty.
-    pub sensitivities: Option<bool>,
+    /// Which derivatives of the figures by inputs are computed.
+    pub sensitivities: SensitivityDemand,
+}
+
+/// Which derivatives of the figures by inputs are computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SensitivityDemand {
+    /// None.
+    Off,
+    /// Where an input has an uncertainty.
+    #[default]
+    WhereUncertain,
+    /// Those too that cost little beside a solve: not where heat counts, nor by what changes the length of a roller in half-widths.
+    WhereCheap,
+    /// All of them.
+    All,
 }

@@ -14,7 +14,7 @@ use crate::film::FilmFluid;
 use crate::forms::energy::{BodyHeat, Heat};
 use crate::params::{
     DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE, DEFAULT_MAX_UNKNOWNS_OF_BODIES,
-    ElasticModel, Formulation, MeshParams,
+    ElasticModel, Formulation, MeshParams, SensitivityDemand,
 };
 use crate::plausible;
 use crate::post;
@@ -353,7 +353,7 @@ impl Session {
             None => Start::new(&problem, finest, levels),
         };
         if problem.heat.is_some() && case.wants_sensitivities() {
-            let only_uncertain = case.output.sensitivities.is_none();
+            let only_uncertain = case.output.sensitivities != SensitivityDemand::All;
             let found = by_differences(case, &problem, &start, only_uncertain, recorder.observer)?;
             solution.uncertainty = Uncertainties::first_order(&found, case.correlations());
             solution.sensitivities = Some(found);

@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use ertel_rheology::input::Input;
 
 use crate::case::Case;
-use crate::params::ElasticModel;
+use crate::contact::ContactKind;
+use crate::params::{ElasticModel, SensitivityDemand};
 use crate::run::problem;
 use crate::solution::{Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
 use crate::solve::figures::{Extent, figures};
@@ -135,6 +136,20 @@ pub fn by_adjoint(
             continue;
         }
         match sides(case, problem, input) {
+            Some(Ok(sides))
+                if is_costly(case, input)
+                    && sides
+                        .problems
+                        .iter()
+                        .any(|p| !problem.shape.is_like(&p.shape)) =>
+            {
+                left_out.push(LeftOut {
+                    key: input.key.clone(),
+                    reason: "it changes the length of the roller in half-widths; [output] sensitivities = true makes two more \
+                             meshes for it"
+                        .to_owned(),
+                });
+            }
             Some(Ok(sides)) => asked.push((input, sides)),
             Some(Err(reason)) if input.written => left_out.push(LeftOut {
                 key: input.key.clone(),
@@ -189,6 +204,13 @@ pub fn by_adjoint(
         figures,
         left_out,
     }))
+}
+
+/// Whether another mesh for an input costs more than was asked for.
+fn is_costly(case: &Case, input: &Input) -> bool {
+    case.contact.kind == ContactKind::Roller
+        && case.output.sensitivities != SensitivityDemand::All
+        && input.uncertainty.is_none()
 }
 
 /// The problems on either side of an input; `None` where it is of no effect that a derivative could tell.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use ertel::case::Case;
+use ertel::params::SensitivityDemand;
 use ertel::run::{Session, Start};
 use ertel::solution::{Figure, Solution};
 use ertel::solve::Silent;
@@ -52,7 +53,7 @@ fn against_differences_to(text: &str, n_inputs: usize, n_figures: usize, toleran
         let at = |value: f64| {
             let values = BTreeMap::from([(input.key.clone(), value)]);
             let mut there = base.with_values(values).unwrap();
-            there.output.sensitivities = Some(false);
+            there.output.sensitivities = SensitivityDemand::Off;
             solved(&there, Some(&start)).0
         };
         let sides = [at(input.value - step), at(input.value + step)];

@@ -8,6 +8,7 @@ use nalgebra::DMatrix;
 use ertel_rheology::input::{Correlation, Document, Input, InputError, Inputs};
 
 use super::Case;
+use crate::params::SensitivityDemand;
 
 /// Sections whose numbers say how to solve, and not what.
 const NUMERICS: [&str; 4] = ["mesh", "solver", "output", "curve"];
@@ -104,7 +105,12 @@ impl Case {
                 .iter()
                 .any(|input| input.uncertainty.is_some())
         };
-        self.output.sensitivities.unwrap_or_else(uncertain)
+        match self.output.sensitivities {
+            SensitivityDemand::Off => false,
+            SensitivityDemand::WhereUncertain => uncertain(),
+            SensitivityDemand::WhereCheap => self.thermal().is_none() || uncertain(),
+            SensitivityDemand::All => true,
+        }
     }
 
     /// The same case with other values, SI, of some of its inputs, named by their key paths; without its curve.

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use ertel_rheology::input::{Bounds, InputError, Table};
 
 use crate::contact::ContactKind;
+use crate::params::SensitivityDemand;
 use crate::params::{
     DEFAULT_TARGET_ERROR, ElasticModel, Formulation, LinearSolver, MeshParams, MeshPreset,
     OutputParams, PenaltyScaling, SolverParams,
@@ -312,7 +313,12 @@ pub(super) fn read_output(
     }
     set(&mut output.png, table.optional_bool("png")?);
     set(&mut output.body_field, table.optional_bool("body_field")?);
-    output.sensitivities = table.optional_bool("sensitivities")?;
+    if let Some(wanted) = table.optional_bool("sensitivities")? {
+        output.sensitivities = match wanted {
+            true => SensitivityDemand::All,
+            false => SensitivityDemand::Off,
+        };
+    }
     if output.body_field {
         needs_body(&table, solver, "body_field", "`body_field = true`")?;
     }

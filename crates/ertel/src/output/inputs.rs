@@ -32,6 +32,9 @@ fn symbol(figure: Figure) -> &'static str {
 pub(super) fn write(out: &mut Lines, solution: &Solution) {
     write_uncertainty(out, solution);
     let Some(sensitivities) = &solution.sensitivities else {
+        if solution.thermal.is_some() {
+            out.heading("Sensitivities: not computed where heat counts; [output] sensitivities = true takes two solves for each input");
+        }
         return;
     };
     out.heading(
@@ -59,8 +62,8 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
     if !negligible.is_empty() {
         out.line(&format!("below {NEGLIGIBLE}: {}", negligible.join(", ")));
     }
-    for input in &sensitivities.left_out {
-        out.line(&format!("{}: not known, {}", input.key, input.reason));
+    for (reason, keys) in left_out(sensitivities) {
+        out.line(&format!("not computed: {} ({reason})", keys.join(", ")));
     }
     if !sensitivities.by_adjoint {
         out.line("by differences of solves on one mesh, good to about a per cent");
@@ -87,6 +90,21 @@ fn rows<'a>(
     rows.sort_by(|a, b| on_films(&b.1).total_cmp(&on_films(&a.1)));
     let keys = negligible.into_iter().map(|(key, _)| key).collect();
     (rows, keys)
+}
+
+/// Inputs left out, by their reason.
+fn left_out(sensitivities: &Sensitivities) -> Vec<(&str, Vec<&str>)> {
+    let mut reasons: Vec<(&str, Vec<&str>)> = Vec::new();
+    for input in &sensitivities.left_out {
+        match reasons
+            .iter_mut()
+            .find(|(reason, _)| *reason == input.reason)
+        {
+            Some((_, keys)) => keys.push(&input.key),
+            None => reasons.push((&input.reason, vec![&input.key])),
+        }
+    }
+    reasons
 }
 
 fn write_uncertainty(out: &mut Lines, solution: &Solution) {

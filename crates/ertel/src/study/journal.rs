@@ -37,6 +37,7 @@ impl PointKey {
         case.title.clear();
         case.source.clear();
         case.given = serde_json::Value::Null;
+        case.origin = None;
         case.output = crate::params::OutputParams::default();
         case.warnings.clear();
         // Contact and motion hold all that the machine says.

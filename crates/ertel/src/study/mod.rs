@@ -2,6 +2,7 @@
 
 pub mod curve;
 pub mod journal;
+pub mod monte_carlo;
 pub mod plan;
 mod sweep;
 mod table;

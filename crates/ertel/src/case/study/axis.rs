@@ -95,18 +95,18 @@ pub(super) struct Axis {
 impl Axis {
     /// Title of its column.
     pub fn header(&self) -> String {
-        let unit = match self.values.first() {
-            Some((_, AxisValue::Number(_, dimension))) => dimension.si_unit(),
-            _ => String::new(),
-        };
-        match unit.as_str() {
-            "" => self.key.clone(),
-            unit => format!(
-                "{}_{}",
-                self.key,
-                unit.replace('/', "_per_").replace('.', "_")
-            ),
+        match self.values.first() {
+            Some((_, AxisValue::Number(_, dimension))) => header(&self.key, *dimension),
+            _ => self.key.clone(),
         }
+    }
+}
+
+/// Title of the column of a quantity: its key, and its SI unit.
+pub(super) fn header(key: &str, dimension: Dimension) -> String {
+    match dimension.si_unit().as_str() {
+        "" => key.to_owned(),
+        unit => format!("{key}_{}", unit.replace('/', "_per_").replace('.', "_")),
     }
 }
 

@@ -30,6 +30,7 @@ use std::path::{Path, PathBuf};
 
 use ertel_rheology::input::tree::{Node, Value};
 use ertel_rheology::input::{Document, InputError, Table};
+use ertel_rheology::quantity::Dimension;
 
 use super::Case;
 use crate::contact::ContactKind;
@@ -67,6 +68,16 @@ pub struct StudyColumn {
     pub header: String,
 }
 
+impl StudyColumn {
+    /// Of a key whose values measure something.
+    pub(crate) fn of(key: &str, dimension: Dimension) -> Self {
+        Self {
+            key: key.to_owned(),
+            header: axis::header(key, dimension),
+        }
+    }
+}
+
 /// A point of a study.
 #[derive(Clone, Debug)]
 pub struct StudyPoint {
@@ -88,6 +99,23 @@ struct Setting {
 }
 
 impl Study {
+    /// A study made in code of points of one case.
+    pub(crate) fn of_points(
+        base: &Case,
+        columns: Vec<StudyColumn>,
+        points: Vec<StudyPoint>,
+    ) -> Self {
+        Self {
+            title: base.title.clone(),
+            base: PathBuf::new(),
+            columns,
+            points,
+            files: Vec::new(),
+            source: base.source.clone(),
+            kind: base.contact.kind,
+        }
+    }
+
     /// Reads a study, its base case and every point of it.
     ///
     /// # Errors

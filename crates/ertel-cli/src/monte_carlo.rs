@@ -1,0 +1,95 @@
+//! `ertel solve --monte-carlo`: samples of the uncertain inputs beside the solve.
+
+use std::path::{Path, PathBuf};
+
+use ertel::case::{Case, Study};
+use ertel::output;
+use ertel::run::Session;
+use ertel::solution::Solution;
+use ertel::study::monte_carlo::{MonteCarlo, MonteCarloParams, study_of};
+use ertel::study::{SweepParams, finished_points, sweep};
+
+use crate::args::SolveArgs;
+use crate::failure::Failure;
+use crate::print;
+use crate::solve::CANCELLED;
+use crate::sweep::Progress;
+
+/// Samples to solve, and where.
+pub struct Samples {
+    study: Study,
+    folder: PathBuf,
+}
+
+/// The samples that are asked for, made before anything is solved.
+///
+/// # Errors
+/// A case with a curve, one without uncertain inputs, samples that no contact can have.
+pub fn samples(
+    arguments: &SolveArgs,
+    case: &Case,
+    folder: &Path,
+) -> Result<Option<Samples>, Failure> {
+    let Some(n) = arguments.monte_carlo else {
+        return Ok(None);
+    };
+    let file = arguments.case.display();
+    if case.curve.is_some() {
+        return Err(Failure::Argument(format!(
+            "{file}: --monte-carlo samples the inputs of one contact, but this case has a [curve]"
+        )));
+    }
+    let params = MonteCarloParams {
+        n,
+        seed: arguments.seed,
+    };
+    let study =
+        study_of(case, &params).map_err(|error| Failure::Argument(format!("{file}: {error}")))?;
+    let mut name = folder.file_name().unwrap_or("results".as_ref()).to_owned();
+    name.push("-monte-carlo");
+    Ok(Some(Samples {
+        study,
+        folder: folder.with_file_name(name),
+    }))
+}
+
+/// Solves the samples, or what is left of them, and writes what they come to.
+///
+/// # Errors
+/// A folder that cannot be written, an interruption, samples that were not solved.
+pub fn run(
+    session: &Session,
+    samples: &Samples,
+    solution: &Solution,
+    arguments: &SolveArgs,
+) -> Result<(), Failure> {
+    let Samples { study, folder } = samples;
+    let params = SweepParams {
+        threads: Some(1),
+        ..SweepParams::default()
+    };
+    let progress = Progress::new(arguments.quiet, &CANCELLED);
+    let summary = sweep(session, study, folder, &params, &progress);
+    drop(progress);
+    let summary = summary?;
+    if summary.interrupted {
+        return Err(Failure::InterruptedCurve(format!(
+            "interrupted; the samples solved so far are in {}, from which the same command goes on",
+            folder.display()
+        )));
+    }
+    let found = MonteCarlo::of(study, &finished_points(study, folder)?);
+    output::write_monte_carlo(&found, solution, folder)?;
+    if !arguments.quiet {
+        print::stdout(&output::monte_carlo_report(&found, solution))?;
+        print::stdout(&format!("\n  {}\n", folder.display()))?;
+    }
+    match summary.failures.len() {
+        0 => Ok(()),
+        n => Err(Failure::NotConverged(format!(
+            "{n} of {} samples failed and count for nothing; the reasons stand in {}",
+            study.points.len(),
+            folder.join(ertel::study::TABLE).display()
+        ))),
+    }
+}

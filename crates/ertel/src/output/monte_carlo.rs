@@ -1,0 +1,210 @@
+//! What sampled inputs come to: a file, a picture and a table for the terminal.
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::figure::{length_unit, pressure_unit};
+use super::plot::{Axis, Chart, Look, PALETTE, Series, Side, side_by_side};
+use super::report::{Lines, digits};
+use super::{OutputError, write_whole};
+use crate::solution::{Figure, Solution, Uncertainties};
+use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES};
+
+/// Name of the statistics beside the table of the samples.
+pub const MONTE_CARLO: &str = "monte-carlo.json";
+/// The picture among them.
+pub const MONTE_CARLO_PICTURE: &str = "monte-carlo.svg";
+
+/// Writes statistics and picture into the folder of the study, with the uncertainties to first order beside where there are any.
+///
+/// # Errors
+/// Files that cannot be written.
+pub fn write_monte_carlo(
+    found: &MonteCarlo,
+    solution: &Solution,
+    folder: &Path,
+) -> Result<(), OutputError> {
+    let document = json(found, solution.uncertainty.as_ref());
+    let failed = |path: &Path, source: std::io::Error| OutputError::Io {
+        path: path.to_owned(),
+        source,
+    };
+    let text = serde_json::to_string_pretty(&document)
+        .map_err(|e| failed(&folder.join(MONTE_CARLO), e.into()))?;
+    for (name, text) in [
+        (MONTE_CARLO, text),
+        (MONTE_CARLO_PICTURE, picture(found, solution)),
+    ] {
+        let path = folder.join(name);
+        write_whole(&path, text.as_bytes()).map_err(|e| failed(&path, e))?;
+    }
+    Ok(())
+}
+
+fn json(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Value {
+    let mut figures = serde_json::Map::new();
+    for figure in &found.figures {
+        let quantiles: serde_json::Map<String, Value> = (QUANTILES.iter().zip(figure.quantiles))
+            .map(|(p, value)| (p.to_string(), value.into()))
+            .collect();
+        let correlations: serde_json::Map<String, Value> =
+            (found.inputs.iter().zip(&figure.correlations))
+                .map(|(key, value)| (key.clone(), (*value).into()))
+                .collect();
+        figures.insert(
+            figure.figure.to_owned(),
+            json!({
+                "mean": figure.mean,
+                "standard": figure.standard,
+                "standard_error": figure.standard_error,
+                "standard_of_first_order": standard(figure, first_order),
+                "quantiles": quantiles,
+                "correlations": correlations,
+            }),
+        );
+    }
+    json!({ "samples": found.n, "solved": found.n_solved, "figures": figures })
+}
+
+/// Standard deviation to first order.
+fn standard(figure: &Distribution, first_order: Option<&Uncertainties>) -> Option<f64> {
+    let found = first_order?
+        .0
+        .iter()
+        .find(|u| u.figure.name() == figure.figure)?;
+    Some(0.5 * found.half_width)
+}
+
+/// The table for the terminal.
+pub fn monte_carlo_report(found: &MonteCarlo, solution: &Solution) -> String {
+    let mut out = Lines::default();
+    out.heading(&format!(
+        "Uncertainty of the inputs, {} of {} samples solved (95 % intervals)",
+        found.n_solved, found.n
+    ));
+    for figure in &found.figures {
+        let (factor, unit) = unit(figure);
+        let value = |v: f64| digits(factor * v, 4);
+        let [low, .., high] = figure.quantiles;
+        let first = standard(figure, solution.uncertainty.as_ref());
+        let first = first.map_or(String::new(), |s| {
+            format!(", to first order ± {}", digits(2.0 * factor * s, 3))
+        });
+        out.row(
+            figure.figure,
+            format!(
+                "{} to {}{unit}, median {}, ± {} (two standard deviations, each ± {:.0} %){first}",
+                value(low),
+                value(high),
+                value(figure.quantiles[2]),
+                digits(2.0 * factor * figure.standard, 3),
+                100.0 * figure.standard_error / figure.standard,
+            ),
+        );
+        let mut inputs: Vec<(&String, f64)> = found
+            .inputs
+            .iter()
+            .zip(figure.correlations.iter().copied())
+            .collect();
+        inputs.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+        let shown: Vec<String> = (inputs.iter().take(4))
+            .map(|(key, c)| format!("{key} {c:+.2}"))
+            .collect();
+        out.row("  correlated with", shown.join(", "));
+    }
+    out.text
+}
+
+/// Factor and unit in which a figure is shown.
+fn unit(figure: &Distribution) -> (f64, String) {
+    let (factor, unit) = match figure.figure {
+        "film_central" | "film_minimum" => length_unit(figure.mean),
+        "pressure_maximum" => pressure_unit(figure.mean),
+        "film_temperature_maximum" => (1.0, "K"),
+        _ => (1.0, ""),
+    };
+    let space = if unit.is_empty() { "" } else { " " };
+    (factor, format!("{space}{unit}"))
+}
+
+/// Frequencies of the samples, and the normal distribution of the first order.
+fn picture(found: &MonteCarlo, solution: &Solution) -> String {
+    let charts: Vec<Chart> = found.figures.iter().map(|f| chart(f, solution)).collect();
+    side_by_side("Uncertainty of the inputs", &charts, 2)
+}
+
+fn chart(figure: &Distribution, solution: &Solution) -> Chart {
+    let (factor, unit) = unit(figure);
+    let name = match figure.figure {
+        "film_central" => "Central film *h*_c",
+        "film_minimum" => "Minimum film *h*_min",
+        "pressure_maximum" => "Largest pressure *p*_max",
+        "film_temperature_maximum" => "Largest temperature *T*",
+        _ => "Traction coefficient",
+    };
+    let values: Vec<f64> = figure.values.iter().map(|v| factor * v).collect();
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    // Sturges' number of classes
+    let n = (values.len() as f64).log2().ceil() as usize + 1;
+    let width = (most - least) / n as f64;
+    let mut counts = vec![0usize; n];
+    for value in &values {
+        counts[(((value - least) / width) as usize).min(n - 1)] += 1;
+    }
+    let density = |count: usize| count as f64 / (values.len() as f64 * width);
+    let mut steps = vec![[least, 0.0]];
+    for (i, count) in counts.iter().enumerate() {
+        let (from, y) = (least + i as f64 * width, density(*count));
+        steps.extend([[from, y], [from + width, y]]);
+    }
+    steps.push([most, 0.0]);
+    let mut series = vec![Series {
+        label: format!("{} samples", values.len()),
+        points: steps,
+        look: Look::Line,
+        colour: PALETTE[0].into(),
+        side: Side::Left,
+    }];
+    let reading = solution.uncertainty.as_ref().and_then(|u| {
+        let figure = Figure::ALL
+            .into_iter()
+            .find(|f| f.name() == figure.figure)?;
+        u.get(figure).cloned()
+    });
+    if let Some(first) = reading.filter(|u| u.half_width > 0.0) {
+        let (centre, standard) = (factor * first.value, 0.5 * factor * first.half_width);
+        let normal = |x: f64| {
+            let z = (x - centre) / standard;
+            (-0.5 * z * z).exp() / (standard * (2.0 * PI).sqrt())
+        };
+        series.push(Series {
+            label: "first order".into(),
+            points: (-60..=60)
+                .map(|i| centre + standard * f64::from(i) / 20.0)
+                .map(|x| [x, normal(x)])
+                .collect(),
+            look: Look::Dashed,
+            colour: PALETTE[1].into(),
+            side: Side::Left,
+        });
+    }
+    let all = || series.iter().flat_map(|s| &s.points);
+    let low = all().map(|p| p[0]).fold(f64::INFINITY, f64::min);
+    let high = all().map(|p| p[0]).fold(f64::NEG_INFINITY, f64::max);
+    let tallest = all().map(|p| p[1]).fold(0.0, f64::max);
+    let unit = unit.trim();
+    let (label, per) = match unit {
+        "" => (name.to_owned(), "Density".to_owned()),
+        unit => (format!("{name} ({unit})"), format!("Density (1/{unit})")),
+    };
+    let mut chart = Chart::new(
+        name,
+        Axis::linear_around(&label, [low, high]),
+        Axis::linear_around(&per, [0.0, 1.1 * tallest]),
+    );
+    chart.series = series;
+    chart
+}
