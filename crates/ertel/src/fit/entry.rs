@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use ertel_rheology::density::TaitVolume;
+use ertel_rheology::quantity::COVERAGE;
 use ertel_rheology::viscosity::Doolittle;
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
@@ -55,6 +56,10 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
     );
     line(&format!("    {},", quoted(&scatter)));
     line(&format!("    {},", quoted(&intervals(fit))));
+    if !has_narrow_intervals(fit) {
+        let text = "The intervals are too wide, or none, for an uncertainty that contacts could reckon with.";
+        line(&format!("    {},", quoted(text)));
+    }
     for warning in &fit.warnings {
         line(&format!("    {},", quoted(&format!("Warning: {warning}."))));
     }
@@ -87,12 +92,17 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
 
     line(&format!("[{}]", data.property.name()));
     line(&format!("law = \"{}\"", fit.name.name()));
+    let uncertain = has_narrow_intervals(fit);
     for constant in &fit.constants {
-        line(&format!(
-            "{} = {}",
-            constant.key,
-            value(constant.value, constant.unit)
-        ));
+        let text = match constant.standard.filter(|_| uncertain) {
+            Some(standard) => format!(
+                "\"{} ± {}\"",
+                written(constant.value, constant.unit),
+                written(COVERAGE * standard, constant.unit)
+            ),
+            None => value(constant.value, constant.unit),
+        };
+        line(&format!("{} = {text}", constant.key));
     }
     if let Some(t_r) = law_reference(fit) {
         line(&format!(
@@ -103,8 +113,31 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
     if let FittedLaw::Viscosity(ViscosityLaw::Doolittle(Doolittle { volume, .. })) = &fit.law {
         line(&format!("equation_of_state = {}", equation(volume)));
     }
+    if uncertain {
+        for ([one, other], coefficient) in &fit.correlations {
+            let [of, with] = [one, other].map(|i| fit.constants[*i].key);
+            let property = data.property.name();
+            line(&format!(
+                "\n[[correlation]]\nof = \"{property}.{of}\"\nwith = \"{property}.{with}\"\ncoefficient = {coefficient:.9}"
+            ));
+        }
+    }
     text
 }
+
+/// Whether all intervals are so narrow that the constants keep their sign within four standard deviations: then the entry hands their
+/// uncertainty on. Some of them alone would be wrong, as what they are correlated with would be missing.
+fn has_narrow_intervals(fit: &Fit) -> bool {
+    let fitted = fit
+        .constants
+        .iter()
+        .filter_map(|c| Some((c.value, c.standard?)));
+    let mut widths = fitted.map(|(value, standard)| standard / value.abs());
+    widths.all(|width| width > 0.0 && width < WIDEST)
+}
+
+/// Standard deviation, over the size of a constant, from which on its uncertainty is not handed on.
+const WIDEST: f64 = 0.2;
 
 /// Reference temperature among the constants of the law.
 fn law_reference(fit: &Fit) -> Option<f64> {

@@ -37,6 +37,17 @@ pub struct Minimum {
 const LEAST_SHARE: f64 = 0.2;
 
 impl Minimum {
+    /// Standard deviation of an unknown: with the pseudo-inverse J⁺ of the Jacobian, the covariance is s² J⁺ J⁺ᵀ.
+    pub fn standard(&self, unknown: usize) -> f64 {
+        self.scatter * dot(&self.sensitivity[unknown], &self.sensitivity[unknown]).sqrt()
+    }
+
+    /// Coefficient of correlation of two unknowns.
+    pub fn correlation(&self, one: usize, other: usize) -> f64 {
+        let [a, b] = [&self.sensitivity[one], &self.sensitivity[other]];
+        dot(a, b) / (dot(a, a) * dot(b, b)).sqrt()
+    }
+
     /// Names of the unknowns that trade off most, of `names` by unknown: a change of one of them is nearly made
     /// up for by the others.
     pub fn trading<'n>(&self, names: impl IntoIterator<Item = &'n str>) -> Vec<&'n str> {
@@ -44,6 +55,10 @@ impl Minimum {
         let named = shares.filter(|(_, share)| share.abs() > LEAST_SHARE);
         named.map(|(name, _)| name).collect()
     }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Why there is no minimum.

@@ -169,6 +169,8 @@ pub struct FittedConstant {
     pub value: f64,
     /// Confidence interval (SI); `None` where the constant was held.
     pub interval: Option<[f64; 2]>,
+    /// Standard deviation (SI) of the linearised problem; likewise.
+    pub standard: Option<f64>,
 }
 
 /// A fitted law.
@@ -186,6 +188,8 @@ pub struct Fit {
     pub deviations: Vec<f64>,
     /// Condition number of the Jacobian with columns of unit length.
     pub condition: f64,
+    /// Coefficients of correlation of each pair of constants that were fitted, by their places.
+    pub correlations: Vec<([usize; 2], f64)>,
     /// What the data leave open.
     pub warnings: Vec<String>,
     /// Confidence of the intervals.
@@ -300,13 +304,22 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
             unit: constant.unit,
             value: *value,
             interval: None,
+            standard: None,
         })
         .collect();
     for (j, i) in free.iter().enumerate() {
         let half = minimum.half_widths[j];
         let ends = [minimum.x[j] - half, minimum.x[j] + half];
         constants[*i].interval = Some(ends.map(|x| model.constants[*i].unscaled(x)));
+        let step = 1e-6;
+        let sides = [-step, step].map(|s| model.constants[*i].unscaled(minimum.x[j] + s));
+        let slope = (sides[1] - sides[0]) / (2.0 * step);
+        constants[*i].standard = Some(minimum.standard(j) * slope.abs());
     }
+    let correlations = (0..free.len())
+        .flat_map(|j| (0..j).map(move |k| [k, j]))
+        .map(|[k, j]| ([free[k], free[j]], minimum.correlation(k, j)))
+        .collect();
     let deviation =
         |s: &State| (fitted.ln_value(s.pressure, s.temperature) - s.value.ln()).exp_m1();
     let deviations: Vec<f64> = data.states.iter().map(deviation).collect();
@@ -334,6 +347,7 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
         law: fitted,
         warnings,
         constants,
+        correlations,
         reference_temperature: model.reference_temperature(),
         deviations,
         condition: minimum.condition,

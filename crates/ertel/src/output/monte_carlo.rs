@@ -138,9 +138,9 @@ fn picture(found: &MonteCarlo, solution: &Solution) -> String {
 fn chart(figure: &Distribution, solution: &Solution) -> Chart {
     let (factor, unit) = unit(figure);
     let name = match figure.figure {
-        "film_central" => "Central film *h*_c",
-        "film_minimum" => "Minimum film *h*_min",
-        "pressure_maximum" => "Largest pressure *p*_max",
+        "film_central" => "Central film *h*_{c}",
+        "film_minimum" => "Minimum film *h*_{min}",
+        "pressure_maximum" => "Largest pressure *p*_{max}",
         "film_temperature_maximum" => "Largest temperature *T*",
         _ => "Traction coefficient",
     };
