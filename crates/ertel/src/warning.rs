@@ -34,6 +34,10 @@ pub enum WarningKind {
     ThickFilm,
     /// A film that roughness pierces.
     Roughness,
+    /// Asperities that carry so much that the film of smooth surfaces is not theirs.
+    AsperityLoad,
+    /// Numbers of asperities unlike those of measured surfaces.
+    AsperityData,
     /// Friction that no lubricant transmits.
     Friction,
     /// An error bar of the central film beyond the target.

@@ -11,8 +11,10 @@ pub use regime::{Regime, RegimeEstimate, regime};
 
 use crate::case::Case;
 use crate::contact::{ContactKind, Groups, Hertz};
+use crate::mixed::{Separation, roughness_warning};
 use crate::plausible::thick_film;
-use crate::post::limits::{Separation, roughness_warning, thin_film_warning};
+use crate::post::limits::thin_film_warning;
+use crate::post::mixed::share_warning;
 use crate::reference::biboulet_houpert::rolling_resistance;
 use crate::reference::thermal::{ThermalReduction, thermal_loading};
 use crate::reference::{FilmFormula, film_formulas};
