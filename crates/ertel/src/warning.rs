@@ -36,6 +36,8 @@ pub enum WarningKind {
     Roughness,
     /// Asperities that carry so much that the film of smooth surfaces is not theirs.
     AsperityLoad,
+    /// Asperities that cannot carry the load however thin the film.
+    AsperityLimit,
     /// Numbers of asperities unlike those of measured surfaces.
     AsperityData,
     /// Friction that no lubricant transmits.

@@ -12,7 +12,9 @@
 //! asperities of one tip radius on both surfaces, Gaussian heights, no interaction of neighbours.
 //!
 //! Film and traction are those of smooth surfaces under the whole load. What the asperities carry would lower the pressure of the
-//! film and thicken it; the model leaves that out, and holds while the share is small ([`SMALL_SHARE`]).
+//! film and thicken it; the model leaves that out, and holds while the share is small ([`SMALL_SHARE`]). A film has no negative
+//! thickness, so that p_a is at most p_a(0), tens to some hundred MPa with usual asperities: under higher Hertz pressures the share
+//! stays below one however thin the film ([`Asperities::largest_share`]).
 
 mod load;
 mod separation;
@@ -55,6 +57,12 @@ impl Asperities {
         let shape = self.asperity_group.powi(2) * self.rms_height_to_asperity_radius.sqrt();
         let factor = 16.0 * 2f64.sqrt() * PI / 15.0 * shape * 0.5 * reduced_modulus;
         factor * five_halves_integral(film_to_height)
+    }
+
+    /// Share of a load (N, or N/m of lines) that they carry if the mean planes of both surfaces met all over the dry contact (m², or m): more they
+    /// cannot carry over a film, which has no negative thickness.
+    pub fn largest_share(&self, reduced_modulus: f64, area: f64, load: f64) -> f64 {
+        self.pressure(0.0, reduced_modulus) * area / load
     }
 }
 

@@ -12,6 +12,7 @@ mod file;
 mod finite;
 mod folder;
 mod heat;
+mod mixed;
 pub mod plot;
 mod report;
 mod result_json;

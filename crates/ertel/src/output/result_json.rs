@@ -64,6 +64,9 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     if let Some(roller) = &solution.roller {
         document["roller"] = serde_json::to_value(roller)?;
     }
+    if let Some(mixed) = &solution.mixed {
+        document["mixed"] = serde_json::to_value(mixed)?;
+    }
     if let Some(thermal) = &solution.thermal {
         document["thermal"] = serde_json::to_value(thermal)?;
     }
@@ -95,6 +98,7 @@ pub(super) fn units() -> Value {
             &[
                 "pressure",
                 "pressure_minimum",
+                "asperity_pressure_maximum",
                 "reduced_modulus",
                 "youngs_modulus",
             ],

@@ -4,6 +4,7 @@ use crate::contact::{Motion, Symmetry};
 use crate::mixed::{
     Asperities, AsperityForces, SMALL_SHARE, Separation, asperity_forces, roughness_warning,
 };
+use crate::output::digits;
 use crate::solution::{
     AsperityFigures, ElementFields, Estimate, MixedFriction, MixedLubrication, Summary, Traction,
 };
@@ -20,6 +21,8 @@ pub struct RoughSurfaces {
     pub reduced_modulus: f64,
     /// Load, N, or N/m of line contacts.
     pub load: f64,
+    /// Area of the dry contact, m², or m of line contacts.
+    pub dry_area: f64,
 }
 
 /// Lambda ratio, load and friction of a solution.
@@ -59,6 +62,11 @@ pub fn mixed_lubrication(
         AsperityFigures {
             asperity_load: load,
             asperity_load_share: share,
+            asperity_load_share_limit: asperities.largest_share(
+                surfaces.reduced_modulus,
+                surfaces.dry_area,
+                surfaces.load,
+            ),
             asperity_pressure_maximum: pressure(lambda_minimum.value),
             friction: coefficient.map(|boundary| friction(boundary, share, &found, traction)),
         }
@@ -127,14 +135,25 @@ fn friction(
 pub fn warnings(mixed: &MixedLubrication, summary: &Summary, rms_height: f64) -> Vec<Warning> {
     let minimum = summary.film_minimum.value;
     let lambda = roughness_warning("the minimum film thickness", minimum, rms_height);
-    let share = mixed
-        .asperities
-        .as_ref()
-        .map(|a| a.asperity_load_share.value);
-    lambda
-        .into_iter()
-        .chain(share.and_then(share_warning))
-        .collect()
+    let asperities = mixed.asperities.as_ref();
+    let share = asperities.and_then(|a| share_warning(a.asperity_load_share.value));
+    let limit = asperities
+        .and_then(|a| limit_warning(mixed.lambda_minimum.value, a.asperity_load_share_limit));
+    lambda.into_iter().chain(share).chain(limit).collect()
+}
+
+/// Lambda ratio below which asperities are expected to touch (Zhu and Wang 2012, abstract: little or no contact above 0.6 to 1.2).
+const TOUCHING: f64 = 1.0;
+
+/// Says so if asperities touch but could not carry the load however thin the film; `limit` is their largest share.
+pub fn limit_warning(lambda: f64, limit: f64) -> Option<Warning> {
+    let text = format!(
+        "these asperities carry at most {} % of this load, even where the mean planes of the surfaces meet: friction of thin films \
+         comes out below that of boundary lubrication, and the load of the asperities too small",
+        digits(100.0 * limit, 2)
+    );
+    (lambda < TOUCHING && limit < 1.0)
+        .then(|| Warning::beyond(WarningKind::AsperityLimit, -limit, text))
 }
 
 /// Says so if a share of the load on asperities is beyond what the film of smooth surfaces bears.
@@ -236,6 +255,9 @@ mod tests {
                 .unwrap()
                 .contains("carry 11 % of the load")
         );
+        assert_eq!(limit_warning(0.5, 1.1), None);
+        assert_eq!(limit_warning(1.5, 0.1), None);
+        assert!(limit_warning(0.5, 0.041).unwrap().contains("at most 4.1 %"));
         assert!(share_warning(1.5).unwrap().contains("1.50 times the load"));
     }
 }

@@ -26,6 +26,8 @@ pub struct AsperityFigures {
     pub asperity_load: Estimate,
     /// L = W_a/W, likewise.
     pub asperity_load_share: Estimate,
+    /// L if the mean planes of both surfaces met all over the dry contact. Where it is below one, the model knows no boundary lubrication.
+    pub asperity_load_share_limit: f64,
     /// Asperity pressure where the film is thinnest, Pa.
     pub asperity_pressure_maximum: f64,
     /// Friction of film and asperities, with a boundary friction coefficient and sliding surfaces.
