@@ -444,7 +444,6 @@ fn describe(
             asperities: case.asperities,
             reduced_modulus: case.reduced_modulus(),
             load: case.contact.load,
-            dry_area: hertz.area(&contact),
         };
         let symmetry = problem.shape.symmetry;
         let (motion, summary) = (&case.motion, &summary);

@@ -14,7 +14,7 @@ use crate::contact::{ContactKind, Groups, Hertz};
 use crate::mixed::{Separation, roughness_warning};
 use crate::plausible::thick_film;
 use crate::post::limits::thin_film_warning;
-use crate::post::mixed::{limit_warning, share_warning};
+use crate::post::mixed::share_warning;
 use crate::reference::biboulet_houpert::rolling_resistance;
 use crate::reference::thermal::{ThermalReduction, thermal_loading};
 use crate::reference::{FilmFormula, film_formulas};
@@ -118,9 +118,9 @@ pub struct LambdaRatio {
     /// `None` where the case does not describe them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub asperity_load_share: Option<f64>,
-    /// The same if the mean planes of both surfaces met: the most that the model can give.
+    /// The same if the mean planes of both surfaces met there.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub asperity_load_share_limit: Option<f64>,
+    pub asperity_load_share_at_contact: Option<f64>,
 }
 
 /// Estimates from formulas; calls no solver.
@@ -166,8 +166,8 @@ pub fn estimate(case: &Case) -> CaseEstimate {
                 let pressure = asperities.pressure(film.central / sigma, modulus);
                 pressure * hertz.area(contact) / contact.load
             }),
-            asperity_load_share_limit: case.asperities.map(|asperities| {
-                asperities.largest_share(modulus, hertz.area(contact), contact.load)
+            asperity_load_share_at_contact: case.asperities.map(|asperities| {
+                asperities.share_at_contact(modulus, hertz.area(contact), contact.load)
             }),
         }),
         warnings: case.warnings.clone(),
@@ -295,9 +295,6 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
     warnings.extend((case.roughness).and_then(|sigma| roughness_warning(name, thickness, sigma)));
     if let Some(lambda) = &estimate.lambda {
         warnings.extend(lambda.asperity_load_share.and_then(share_warning));
-        let ratio = lambda.of_minimum.unwrap_or(lambda.of_central);
-        let limit = lambda.asperity_load_share_limit;
-        warnings.extend(limit.and_then(|limit| limit_warning(ratio, limit)));
     }
     warnings
 }

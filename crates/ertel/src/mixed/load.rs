@@ -11,9 +11,9 @@ use crate::solution::ElementFields;
 /// Degree of the rule on each piece of an element.
 const DEGREE: usize = 7;
 
-/// An element is cut until its load changes by no more than this share of the whole load,
-const TOLERANCE: f64 = 1e-8;
-/// and at the most so many times.
+/// Share of the whole load by which an element's may change when it is cut: the integral is right to about 1e-6.
+pub const TOLERANCE: f64 = 1e-8;
+/// An element is cut so many times at the most.
 const MOST_CUTS: usize = 8;
 
 /// Normal and tangential forces of asperities: N, in line contacts N/m.
@@ -52,7 +52,8 @@ impl AsperityForces {
     }
 }
 
-/// Integrates an asperity pressure p_a(h/σ), Pa, over the film of a solution, to a relative error of about 1e-6.
+/// Integrates an asperity pressure p_a(h/σ), Pa, over the film of a solution; each element is cut until its load changes by no more than
+/// `tolerance` of the whole load.
 ///
 /// `rms_height` is σ in m, `sliding` the velocity of the ball less that of the plane at places in m, `symmetry` tells whether the map is half of the
 /// contact. The film is multiplied by `film_factor` first, which shows what its error does.
@@ -63,6 +64,7 @@ pub fn asperity_forces(
     rms_height: f64,
     film_factor: f64,
     pressure: impl Fn(f64) -> f64 + Sync,
+    tolerance: f64,
 ) -> AsperityForces {
     let film = &elements.film_thickness;
     let lagrange = Lagrange::new(elements.dim, film.order);
@@ -88,7 +90,7 @@ pub fn asperity_forces(
         .collect();
     let total: f64 = coarse.iter().map(|forces| forces.load).sum();
     let fine: Vec<AsperityForces> = (near.par_iter().zip(&coarse))
-        .map(|(cell, coarse)| map.refined(*cell, &whole, *coarse, TOLERANCE * total, MOST_CUTS))
+        .map(|(cell, coarse)| map.refined(*cell, &whole, *coarse, tolerance * total, MOST_CUTS))
         .collect();
     let sum = (fine.into_iter()).fold(AsperityForces::default(), AsperityForces::sum);
     let mut forces = sum.times(symmetry.multiplicity());
@@ -248,7 +250,7 @@ mod tests {
 
     fn forces(map: &ElementFields, symmetry: Symmetry, sliding: &Planar) -> AsperityForces {
         let pressure = |u| ASPERITIES.pressure(u, MODULUS);
-        asperity_forces(map, symmetry, sliding, SIGMA, 1.0, pressure)
+        asperity_forces(map, symmetry, sliding, SIGMA, 1.0, pressure, TOLERANCE)
     }
 
     /// A constant film: pressure times area, whichever part is solved, along the sliding.

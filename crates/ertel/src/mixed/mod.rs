@@ -14,7 +14,7 @@
 //! Film and traction are those of smooth surfaces under the whole load. What the asperities carry would lower the pressure of the
 //! film and thicken it; the model leaves that out, and holds while the share is small ([`SMALL_SHARE`]). A film has no negative
 //! thickness, so that p_a is at most p_a(0), tens to some hundred MPa with usual asperities: under higher Hertz pressures the share
-//! stays below one however thin the film ([`Asperities::largest_share`]).
+//! stays below one however thin the film.
 
 mod load;
 mod separation;
@@ -24,7 +24,7 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-pub use load::{AsperityForces, asperity_forces};
+pub use load::{AsperityForces, TOLERANCE, asperity_forces};
 pub use separation::{BOUNDARY_BELOW, FULL_FROM, Separation, roughness_warning};
 pub use statistics::{NOTHING_FROM, five_halves_integral};
 
@@ -59,9 +59,9 @@ impl Asperities {
         factor * five_halves_integral(film_to_height)
     }
 
-    /// Share of a load (N, or N/m of lines) that they carry if the mean planes of both surfaces met all over the dry contact (m², or m): more they
-    /// cannot carry over a film, which has no negative thickness.
-    pub fn largest_share(&self, reduced_modulus: f64, area: f64, load: f64) -> f64 {
+    /// Share of a load (N, or N/m of lines) that they carry where the mean planes of both surfaces meet all over the dry contact
+    /// (m², or m), the gap around it left out.
+    pub fn share_at_contact(&self, reduced_modulus: f64, area: f64, load: f64) -> f64 {
         self.pressure(0.0, reduced_modulus) * area / load
     }
 }

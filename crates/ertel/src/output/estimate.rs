@@ -136,9 +136,12 @@ fn write_film(out: &mut Lines, estimate: &CaseEstimate) {
             );
             out.row("asperities carry", text);
         }
-        if let Some(limit) = lambda.asperity_load_share_limit {
-            let text = format!("{} where the mean planes meet", percent_or_power(limit));
-            out.row("  at most", text);
+        if let Some(limit) = lambda.asperity_load_share_at_contact {
+            let text = format!(
+                "{} of the load, the mean planes in contact there",
+                percent_or_power(limit)
+            );
+            out.row("  without a film", text);
         }
     }
     if let Some(force) = estimate.rolling_resistance {

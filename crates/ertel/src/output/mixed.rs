@@ -58,7 +58,7 @@ pub(super) fn write_asperities(out: &mut Lines, solution: &Solution) {
         ),
     );
     let limit = percent_or_power(asperities.asperity_load_share_limit);
-    out.row("  at most", format!("{limit} where the mean planes meet"));
+    out.row("  at most, without a film", limit);
     let largest = pressure(asperities.asperity_pressure_maximum);
     out.row("  largest asperity pressure", largest);
     let Some(friction) = &asperities.friction else {

@@ -2,13 +2,17 @@
 
 use crate::contact::{Motion, Symmetry};
 use crate::mixed::{
-    Asperities, AsperityForces, SMALL_SHARE, Separation, asperity_forces, roughness_warning,
+    Asperities, AsperityForces, SMALL_SHARE, Separation, TOLERANCE, asperity_forces,
+    roughness_warning,
 };
 use crate::output::digits;
 use crate::solution::{
     AsperityFigures, ElementFields, Estimate, MixedFriction, MixedLubrication, Summary, Traction,
 };
 use crate::warning::{Warning, WarningKind};
+
+/// As [`TOLERANCE`], of the largest load share, whose integrand has kinks; three digits are enough.
+const LIMIT_TOLERANCE: f64 = 1e-5;
 
 /// Two rough surfaces.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,8 +25,6 @@ pub struct RoughSurfaces {
     pub reduced_modulus: f64,
     /// Load, N, or N/m of line contacts.
     pub load: f64,
-    /// Area of the dry contact, m², or m of line contacts.
-    pub dry_area: f64,
 }
 
 /// Lambda ratio, load and friction of a solution.
@@ -43,8 +45,15 @@ pub fn mixed_lubrication(
     let asperities = surfaces.asperities.map(|asperities| {
         let pressure = |u: f64| asperities.pressure(u, surfaces.reduced_modulus);
         let sliding = motion.sliding(1.0);
-        let forces =
-            |factor| asperity_forces(elements, symmetry, &sliding, sigma, factor, pressure);
+        let map = |factor, tolerance, pressure: &(dyn Fn(f64) -> f64 + Sync)| {
+            asperity_forces(
+                elements, symmetry, &sliding, sigma, factor, pressure, tolerance,
+            )
+        };
+        let forces = |factor| map(factor, TOLERANCE, &pressure);
+        let central = summary.film_central.value / sigma;
+        let gap = |u: f64| pressure((u - central).max(0.0));
+        let limit = map(1.0, LIMIT_TOLERANCE, &gap).load;
         let found = forces(1.0);
         let load = Estimate {
             value: found.load,
@@ -62,11 +71,7 @@ pub fn mixed_lubrication(
         AsperityFigures {
             asperity_load: load,
             asperity_load_share: share,
-            asperity_load_share_limit: asperities.largest_share(
-                surfaces.reduced_modulus,
-                surfaces.dry_area,
-                surfaces.load,
-            ),
+            asperity_load_share_limit: limit / surfaces.load,
             asperity_pressure_maximum: pressure(lambda_minimum.value),
             friction: coefficient.map(|boundary| friction(boundary, share, &found, traction)),
         }
@@ -148,7 +153,7 @@ const TOUCHING: f64 = 1.0;
 /// Says so if asperities touch but could not carry the load however thin the film; `limit` is their largest share.
 pub fn limit_warning(lambda: f64, limit: f64) -> Option<Warning> {
     let text = format!(
-        "these asperities carry at most {} % of this load, even where the mean planes of the surfaces meet: friction of thin films \
+        "these asperities carry at most {} % of this load, even without any film: friction of thin films \
          comes out below that of boundary lubrication, and the load of the asperities too small",
         digits(100.0 * limit, 2)
     );

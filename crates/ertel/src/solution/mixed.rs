@@ -26,7 +26,8 @@ pub struct AsperityFigures {
     pub asperity_load: Estimate,
     /// L = W_a/W, likewise.
     pub asperity_load_share: Estimate,
-    /// L if the mean planes of both surfaces met all over the dry contact. Where it is below one, the model knows no boundary lubrication.
+    /// L if the film were thinner by its central thickness everywhere, but not below nothing: about the gap of the dry contact, and more than L
+    /// can become. Where it is below one, the model knows no boundary lubrication.
     pub asperity_load_share_limit: f64,
     /// Asperity pressure where the film is thinnest, Pa.
     pub asperity_pressure_maximum: f64,
