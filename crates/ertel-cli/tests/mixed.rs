@@ -230,3 +230,38 @@ fn study_of_roughness() {
         number(&rows[0], column);
     }
 }
+
+/// Gears, bearings and cams whose film is 0.7 of their roughness run in mixed lubrication, not boundary (Zhu and Wang 2012).
+#[test]
+fn machines_at_lambda_0_7_are_mixed() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut n_machines = 0;
+    for entry in std::fs::read_dir(root().join("cases/machine")).unwrap() {
+        let path = entry.unwrap().path();
+        let given = std::fs::read_to_string(&path).unwrap();
+        let estimate = |file: &Path| -> Value {
+            let output = ertel(
+                folder.path(),
+                &["estimate", "--json", file.to_str().unwrap()],
+            );
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            serde_json::from_str(text(&output.stdout)).unwrap()
+        };
+        let film = &estimate(&path)["film"];
+        let film = film["minimum"].as_f64().or(film["central"].as_f64());
+        let each = film.unwrap() / 0.7 / 2f64.sqrt() * 1e6;
+        let rough = folder.path().join(path.file_name().unwrap());
+        let section = format!(
+            "\n[surface_roughness]\nbody_1_rms_height = \"{each} um\"\nbody_2_rms_height = \"{each} um\"\n"
+        );
+        std::fs::write(&rough, given + &section).unwrap();
+        let lambda = &estimate(&rough)["lambda"];
+        let ratio = lambda["of_minimum"]
+            .as_f64()
+            .or(lambda["of_central"].as_f64());
+        close(ratio.unwrap(), 0.7, 1e-9);
+        assert_eq!(lambda["separation"], "mixed", "{}", path.display());
+        n_machines += 1;
+    }
+    assert!(n_machines >= 6);
+}
