@@ -89,7 +89,7 @@ fn warnings_and_errors() {
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     for words in [
         "composite roughness σ (rms)",
-        "boundary lubrication",
+        "mixed lubrication",
         "thins by shear",
         "Wilson-Sheu",
     ] {
@@ -133,7 +133,7 @@ fn solve_tells_the_lambda_ratio() {
     let json: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(result).unwrap()).unwrap();
     let film = json["summary"]["film_minimum"]["value"].as_f64().unwrap();
-    let lambda = format!("{:.2} times the roughness: boundary", film / 1e-6);
+    let lambda = format!("{:.2} times the roughness: mixed", film / 1e-6);
     for words in [lambda.as_str(), "lambda ratio h_min/σ"] {
         assert!(
             stdout(&output).contains(words),

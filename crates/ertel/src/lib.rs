@@ -9,6 +9,7 @@ pub mod estimate;
 pub mod film;
 pub mod fit;
 pub mod forms;
+pub mod mixed;
 pub mod output;
 pub mod params;
 pub mod plausible;

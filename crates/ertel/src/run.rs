@@ -450,10 +450,22 @@ fn describe(
             extents,
         ));
     }
-    warnings.extend(case.roughness.and_then(|sigma| {
-        let minimum = summary.film_minimum.value;
-        post::limits::roughness_warning("the minimum film thickness", minimum, sigma)
-    }));
+    let elements = post::elements::elements(finest, &scales);
+    let mixed = case.roughness.map(|rms_height| {
+        let surfaces = post::mixed::RoughSurfaces {
+            rms_height,
+            asperities: case.asperities,
+            reduced_modulus: case.reduced_modulus(),
+            load: case.contact.load,
+        };
+        let symmetry = problem.shape.symmetry;
+        let (motion, summary) = (&case.motion, &summary);
+        let mixed = post::mixed::mixed_lubrication(
+            &surfaces, motion, symmetry, &elements, summary, &traction,
+        );
+        warnings.extend(post::mixed::warnings(&mixed, summary, rms_height));
+        mixed
+    });
     let mut solution = Solution {
         shape: problem.shape.clone(),
         hertz,
@@ -469,7 +481,7 @@ fn describe(
         ],
         centreline: post::fields::centreline(finest, &problem.fluid, &scales),
         surface: post::fields::surface(finest, &problem.fluid, &scales),
-        elements: post::elements::elements(finest, &scales),
+        elements,
         body: (case.output.body_field)
             .then(|| post::fields::body(finest, &scales))
             .transpose()?
@@ -478,6 +490,7 @@ fn describe(
         summary,
         starvation: Starvation::of(&measured, &case.supply),
         roller: RollerFigures::of(&measured),
+        mixed,
         traction,
         film_reduction,
         uncertainty: (sensitivities.as_ref())

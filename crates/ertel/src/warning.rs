@@ -34,6 +34,12 @@ pub enum WarningKind {
     ThickFilm,
     /// A film that roughness pierces.
     Roughness,
+    /// Asperities that carry so much that the film of smooth surfaces is not theirs.
+    AsperityLoad,
+    /// Asperities that cannot carry the load however thin the film.
+    AsperityLimit,
+    /// Numbers of asperities unlike those of measured surfaces.
+    AsperityData,
     /// Friction that no lubricant transmits.
     Friction,
     /// An error bar of the central film beyond the target.

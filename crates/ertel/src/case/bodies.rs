@@ -41,7 +41,7 @@ impl Body {
 }
 
 /// Roughnesses from atoms to castings, m: beyond these a unit was mistaken.
-const ROUGHNESS: Bounds = Bounds::closed(1e-11, 1e-3);
+pub(super) const ROUGHNESS: Bounds = Bounds::closed(1e-11, 1e-3);
 
 /// What `[bodies]` says.
 pub(super) struct Bodies {

@@ -25,6 +25,7 @@ impl Case {
             plane: body(&self.plane),
             ball: body(&self.ball),
             roughness: self.roughness,
+            asperities: self.asperities,
             fluid: FluidEcho {
                 name: lubricant.name.clone().unwrap_or_else(|| {
                     let by = if lubricant.estimates.is_empty() {

@@ -22,7 +22,7 @@
 //! viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }
 //! ```
 //!
-//! `kind = "roller"` asks for `length` and `profile`, too.
+//! `[surface_roughness]` describes rough surfaces and their asperities. `kind = "roller"` asks for `length` and `profile`, too.
 //!
 //! `[machine]` describes a bearing, a gear or a cam in place of `[contact]` and `[motion]`.
 //!
@@ -44,6 +44,7 @@ mod machine;
 mod motion;
 mod params;
 mod roller;
+mod roughness;
 pub mod study;
 mod thermal;
 
@@ -56,6 +57,7 @@ use ertel_rheology::database::DatabaseError;
 use ertel_rheology::input::{Document, InputError, Inputs, Table};
 
 use crate::contact::{Contact, Hertz, Motion, Supply, reduced_modulus};
+use crate::mixed::Asperities;
 use crate::output::MachineEcho;
 use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
@@ -88,6 +90,8 @@ pub struct Case {
     pub ball: Body,
     /// Composite rms roughness of both surfaces σ = √(σ_plane² + σ_ball²), m, if given.
     pub roughness: Option<f64>,
+    /// Asperities of the surfaces, if described; then there is a roughness, too.
+    pub asperities: Option<Asperities>,
     /// Speeds.
     pub motion: Motion,
     /// The machine that contact and motion were computed from, if the file gives one.
@@ -155,6 +159,11 @@ impl Case {
             roughness,
             shapes,
         } = bodies::read(root.required_table("bodies")?, folder)?;
+        let surface_table = root.optional_table("surface_roughness")?;
+        let (roughness, asperities) = match &surface_table {
+            Some(table) => roughness::read(table.clone(), roughness)?,
+            None => (roughness, None),
+        };
         let modulus = reduced_modulus(plane.elasticity, ball.elasticity);
         let Geometry {
             contact,
@@ -200,6 +209,7 @@ impl Case {
             plane,
             ball,
             roughness,
+            asperities,
             motion,
             machine,
             supply,
@@ -217,6 +227,8 @@ impl Case {
         check::body_of_wide_contact(&case, tables.main())?;
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);
+        case.warnings
+            .extend(case.asperities.iter().flat_map(roughness::warnings));
         if let Some(table) = &mesh_table {
             case.warnings.extend(check_mesh_of_bodies(&case, table)?);
         }

@@ -57,6 +57,18 @@ impl Hertz {
         }
     }
 
+    /// Area of the dry contact: m², of line contacts per length, m.
+    pub fn area(&self, contact: &Contact) -> f64 {
+        let a = self.half_width;
+        match contact.kind {
+            ContactKind::Circular | ContactKind::Elliptical => {
+                PI * a * self.half_width_y.unwrap_or(a)
+            }
+            ContactKind::Line => 2.0 * a,
+            ContactKind::Roller => 2.0 * a * contact.roller.as_ref().map_or(1.0, |r| r.length),
+        }
+    }
+
     /// Load under which a contact has the given Hertz pressure (Pa), of rollers that of the line contact: N, or N/m for a line. The load of `contact` is not read.
     pub fn load_for_pressure(contact: &Contact, reduced_modulus: f64, pressure: f64) -> f64 {
         let radius = contact.radius;

@@ -11,8 +11,10 @@ pub use regime::{Regime, RegimeEstimate, regime};
 
 use crate::case::Case;
 use crate::contact::{ContactKind, Groups, Hertz};
+use crate::mixed::{Separation, roughness_warning};
 use crate::plausible::thick_film;
-use crate::post::limits::{Separation, roughness_warning, thin_film_warning};
+use crate::post::limits::thin_film_warning;
+use crate::post::mixed::share_warning;
 use crate::reference::biboulet_houpert::rolling_resistance;
 use crate::reference::thermal::{ThermalReduction, thermal_loading};
 use crate::reference::{FilmFormula, film_formulas};
@@ -112,6 +114,13 @@ pub struct LambdaRatio {
     pub of_minimum: Option<f64>,
     /// By the minimum film, or the central one where there is no other.
     pub separation: Separation,
+    /// Share of the load on asperities (Greenwood and Tripp 1970) if the film had its central thickness all over the dry contact;
+    /// `None` where the case does not describe them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub asperity_load_share: Option<f64>,
+    /// The same if the mean planes of both surfaces met there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub asperity_load_share_at_contact: Option<f64>,
 }
 
 /// Estimates from formulas; calls no solver.
@@ -153,6 +162,13 @@ pub fn estimate(case: &Case) -> CaseEstimate {
             of_central: film.central / sigma,
             of_minimum: film.minimum.map(|h| h / sigma),
             separation: Separation::of(film.minimum.unwrap_or(film.central) / sigma),
+            asperity_load_share: case.asperities.map(|asperities| {
+                let pressure = asperities.pressure(film.central / sigma, modulus);
+                pressure * hertz.area(contact) / contact.load
+            }),
+            asperity_load_share_at_contact: case.asperities.map(|asperities| {
+                asperities.share_at_contact(modulus, hertz.area(contact), contact.load)
+            }),
         }),
         warnings: case.warnings.clone(),
     };
@@ -277,6 +293,9 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
     warnings.extend(thin_film_warning(name, thickness));
     warnings.extend(thick_film(name, thickness, case.contact.radius));
     warnings.extend((case.roughness).and_then(|sigma| roughness_warning(name, thickness, sigma)));
+    if let Some(lambda) = &estimate.lambda {
+        warnings.extend(lambda.asperity_load_share.and_then(share_warning));
+    }
     warnings
 }
 

@@ -283,10 +283,37 @@ fn lambda_ratio() {
     assert_relative_eq!(lambda.of_central, 2.98135, max_relative = TABLE);
     assert_eq!(lambda.separation, Separation::Mixed);
     assert!(warns(&e, "1.49 times the roughness: mixed lubrication"));
-    assert!(warns(&rough("0.2 um"), "boundary lubrication"));
+    // 0.74, as gears have it: mixed lubrication (Zhu and Wang 2012).
+    assert!(warns(
+        &rough("0.2 um"),
+        "0.74 times the roughness: mixed lubrication"
+    ));
+    assert!(warns(&rough("4 um"), "boundary lubrication"));
+    assert_eq!(lambda.asperity_load_share, None);
     let smooth = rough("10 nm");
     assert_eq!(smooth.lambda.unwrap().separation, Separation::Full);
     assert!(smooth.warnings.is_empty());
+}
+
+/// Asperities under the central film all over the Hertz circle: W_a/W by mpmath with h_c, a and F from the case,
+/// 16√2π/15 · 0.05² · √0.001 · E'/2 · F_{5/2}(1.987563) · πa²/F.
+#[test]
+fn asperities_over_the_dry_contact() {
+    let section = "[surface_roughness]\nasperity_group = 0.05\nrms_height_to_asperity_radius = 1e-3\n[motion]";
+    let text = STEEL.replace("plane =", "roughness = \"150 nm\"\nplane =");
+    let e = of(&text.replace("[motion]", section));
+    let lambda = e.lambda.unwrap();
+    assert_relative_eq!(lambda.of_central, 2.98135 / 1.5, max_relative = TABLE);
+    // p_a = 0.24356 MPa.
+    assert_relative_eq!(
+        lambda.asperity_load_share.unwrap(),
+        0.000364562,
+        max_relative = 2e-3
+    );
+    assert!(!warns(&e, "the asperities carry"));
+    // 26.66 MPa (mixed/mod.rs) over the Hertz circle of 1 GPa.
+    let limit = lambda.asperity_load_share_at_contact.unwrap();
+    assert_relative_eq!(limit, 0.0399, max_relative = 2e-3);
 }
 
 /// Glycerol at 313 K: β = 7468.75 K/T² of Cheng's law, k = 0.29 W/(m·K), μ = 0.2803 Pa·s, so

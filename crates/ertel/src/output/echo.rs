@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::contact::{Contact, Elasticity, Motion, Supply};
+use crate::mixed::Asperities;
 use crate::params::{MeshParams, SolverParams, ThermalParams};
 
 /// One of the bodies.
@@ -123,6 +124,9 @@ pub struct CaseEcho {
     /// Composite rms roughness, m, if given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<f64>,
+    /// Asperities, if described.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub asperities: Option<Asperities>,
     /// Lubricant.
     pub fluid: FluidEcho,
     /// Temperature, K.

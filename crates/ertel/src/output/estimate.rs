@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use super::report::{Lines, digits, length, power, write_case, write_contact};
+use super::mixed::ASPERITY_SOURCE;
+use super::report::{Lines, digits, length, percent_or_power, power, write_case, write_contact};
 use super::result_json::units;
 use super::{CaseEcho, FORMAT_VERSION};
 use crate::estimate::{CaseEstimate, NEGLIGIBLE_INERTIA};
@@ -128,6 +129,20 @@ fn write_film(out: &mut Lines, estimate: &CaseEstimate) {
                 lambda.separation.name()
             ),
         );
+        if let Some(share) = lambda.asperity_load_share {
+            let text = format!(
+                "{} of the load, the central film all over the dry contact ({ASPERITY_SOURCE})",
+                percent_or_power(share)
+            );
+            out.row("asperities carry", text);
+        }
+        if let Some(limit) = lambda.asperity_load_share_at_contact {
+            let text = format!(
+                "{} of the load, the mean planes in contact there",
+                percent_or_power(limit)
+            );
+            out.row("  without a film", text);
+        }
     }
     if let Some(force) = estimate.rolling_resistance {
         let unit = if estimate.kind.is_point() { "N" } else { "N/m" };

@@ -133,6 +133,20 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
         ];
         estimates.extend(found.into_iter().flatten().map(|e| ("starvation", e)));
     }
+    if let Some(mixed) = &solution.mixed {
+        estimates.extend([mixed.lambda_minimum, mixed.lambda_central].map(|e| (ROUGHNESS, e)));
+        if let Some(asperities) = &mixed.asperities {
+            list.push((ROUGHNESS, asperities.asperity_pressure_maximum));
+            list.push((ROUGHNESS, asperities.asperity_load_share_limit));
+            let loads = [asperities.asperity_load, asperities.asperity_load_share];
+            estimates.extend(loads.map(|e| (ROUGHNESS, e)));
+        }
+        if let Some(f) = mixed.friction() {
+            let along = [f.friction_fluid, f.friction_asperities, f.friction_total];
+            let all = along.into_iter().chain(f.across.into_iter().flatten());
+            estimates.extend(all.map(|e| (ROUGHNESS, e)));
+        }
+    }
     if let Some(roller) = &solution.roller {
         located.push(("edge pressure", &roller.edge_pressure_left));
         located.push(("edge pressure", &roller.edge_pressure_right));
@@ -187,6 +201,7 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
     list.into_iter().map(|(n, v)| (n.to_owned(), v))
 }
 
+const ROUGHNESS: &str = "roughness";
 const HEAT: &str = "temperatures and heat";
 
 /// Figures of temperatures and heat, without places and with.

@@ -45,6 +45,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
         plane: steel("plane"),
         ball: steel("ball"),
         roughness: None,
+        asperities: None,
         fluid: FluidEcho {
             name: "thesis oil".into(),
             viscosity_law: "Roelands".into(),
@@ -211,6 +212,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         },
         starvation: None,
         roller: None,
+        mixed: None,
         traction: Traction {
             coefficient: bar(0.035),
             coefficient_body_1: bar(0.034),

@@ -13,6 +13,7 @@ mod finite;
 mod folder;
 mod heat;
 mod inputs;
+mod mixed;
 mod monte_carlo;
 pub mod plot;
 mod report;

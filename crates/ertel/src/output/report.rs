@@ -8,7 +8,7 @@ use super::figure::{
     estimate, in_unit, length_unit, number, percent, place, position, pressure_estimate,
     pressure_unit,
 };
-use super::{CaseEcho, heat, inputs};
+use super::{CaseEcho, heat, inputs, mixed};
 use crate::contact::{ContactKind, Groups, Hertz, Supply, Symmetry};
 use crate::solution::{Estimate, Located, Solution, Timings};
 use crate::warning::Warning;
@@ -31,7 +31,7 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
         &solution.groups,
         solution.groups_asymptotic.as_ref(),
     );
-    write_results(&mut out, case, solution);
+    write_results(&mut out, solution);
     if let Some(thermal) = &solution.thermal {
         heat::write_results(&mut out, solution, thermal);
     }
@@ -140,6 +140,9 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     }
     if let Some(sigma) = case.roughness {
         out.row("composite roughness σ (rms)", length(sigma));
+    }
+    if let Some(asperities) = &case.asperities {
+        out.row("asperities", mixed::describe(asperities));
     }
     let motion = &case.motion;
     out.row(
@@ -264,7 +267,7 @@ fn moes(groups: &Groups) -> String {
     )
 }
 
-fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
+fn write_results(out: &mut Lines, solution: &Solution) {
     let s = &solution.summary;
     let at = |text: String, at: &Located| beside(&text, &place(solution, at));
     out.heading("Results");
@@ -277,13 +280,7 @@ fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
         let line = &s.film_centreline_minimum;
         out.row("  on the centreline", at(estimate(&line.estimate()), line));
     }
-    if let Some(sigma) = case.roughness {
-        let lambda = match s.film_minimum.error {
-            Some(_) => in_unit(s.film_minimum, 1.0 / sigma, ""),
-            None => digits(s.film_minimum.value / sigma, 3),
-        };
-        out.row("lambda ratio h_min/σ", lambda);
-    }
+    mixed::write_lambda(out, solution);
     let p = &s.pressure_maximum;
     out.row("largest pressure", at(pressure_estimate(p.estimate()), p));
     match &s.spike {
@@ -300,6 +297,7 @@ fn write_results(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
     write_starvation(out, solution);
     write_roller(out, solution);
     write_traction(out, solution);
+    mixed::write_asperities(out, solution);
     out.row("mass balance error", percent_or_power(s.film_balance_error));
     out.row("load balance error", percent_or_power(s.load_balance_error));
 }

@@ -78,6 +78,9 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     if let Some(uncertainty) = &solution.uncertainty {
         document["uncertainty"] = serde_json::to_value(uncertainty)?;
     }
+    if let Some(mixed) = &solution.mixed {
+        document["mixed"] = serde_json::to_value(mixed)?;
+    }
     if let Some(thermal) = &solution.thermal {
         document["thermal"] = serde_json::to_value(thermal)?;
     }
@@ -109,6 +112,7 @@ pub(super) fn units() -> Value {
             &[
                 "pressure",
                 "pressure_minimum",
+                "asperity_pressure_maximum",
                 "reduced_modulus",
                 "youngs_modulus",
             ],

@@ -10,7 +10,7 @@ use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 36] = [
+pub(super) const OWN_FILES: [&str; 38] = [
     "result.json",
     "curve.json",
     "curve.csv",
@@ -18,6 +18,8 @@ pub(super) const OWN_FILES: [&str; 36] = [
     "film-curve.png",
     "traction-curve.svg",
     "traction-curve.png",
+    "stribeck.svg",
+    "stribeck.png",
     "report.txt",
     "case.toml",
     "centreline.csv",

@@ -1,6 +1,4 @@
-//! Films too thin for what is computed: roughness and molecules.
-
-use serde::Serialize;
+//! Films too thin for a continuum.
 
 use crate::warning::{Warning, WarningKind};
 
@@ -35,53 +33,6 @@ pub fn thin_film_warning(film: &str, thickness: f64) -> Option<Warning> {
     Some(Warning::beyond(WarningKind::ThinFilm, -nm, text))
 }
 
-/// How much the asperities carry, by the usual bounds of the lambda ratio.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Separation {
-    /// λ < 1: the asperities carry most of the load.
-    Boundary,
-    /// 1 ≤ λ < 3: film and asperities share the load.
-    Mixed,
-    /// λ ≥ 3: the film carries the load.
-    Full,
-}
-
-impl Separation {
-    /// Of a lambda ratio.
-    pub fn of(lambda: f64) -> Separation {
-        match lambda {
-            l if l < 1.0 => Separation::Boundary,
-            l if l < 3.0 => Separation::Mixed,
-            _ => Separation::Full,
-        }
-    }
-
-    /// For reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Separation::Boundary => "boundary lubrication",
-            Separation::Mixed => "mixed lubrication",
-            Separation::Full => "full film",
-        }
-    }
-}
-
-/// Says so if the film does not separate the surfaces; film thickness and composite rms roughness in m.
-pub fn roughness_warning(film: &str, thickness: f64, roughness: f64) -> Option<Warning> {
-    let lambda = thickness / roughness;
-    match Separation::of(lambda) {
-        Separation::Full => None,
-        separation => {
-            let text = format!(
-                "{film} is {lambda:.2} times the roughness: {}; the surfaces are computed as smooth",
-                separation.name()
-            );
-            Some(Warning::beyond(WarningKind::Roughness, -lambda, text))
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -101,26 +52,6 @@ mod tests {
             (0.99, Some("0.99 nm, is below a nanometre")),
         ] {
             let warning = thin_film_warning("the film", nm * 1e-9);
-            match (&warning, words) {
-                (Some(warning), Some(words)) => assert!(warning.contains(words), "{warning}"),
-                _ => assert_eq!(warning.as_deref(), words, "{nm} nm"),
-            }
-        }
-    }
-
-    /// The usual bounds 1 and 3.
-    #[test]
-    fn surfaces_part_at_three_roughnesses() {
-        for (nm, words) in [
-            (31.0, None),
-            (
-                29.0,
-                Some("the film is 2.90 times the roughness: mixed lubrication"),
-            ),
-            (11.0, Some("mixed")),
-            (9.0, Some("0.90 times the roughness: boundary")),
-        ] {
-            let warning = roughness_warning("the film", nm * 1e-9, 10e-9);
             match (&warning, words) {
                 (Some(warning), Some(words)) => assert!(warning.contains(words), "{warning}"),
                 _ => assert_eq!(warning.as_deref(), words, "{nm} nm"),

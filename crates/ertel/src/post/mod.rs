@@ -4,6 +4,7 @@ pub mod balance;
 pub mod elements;
 pub mod fields;
 pub mod limits;
+pub mod mixed;
 pub mod shear;
 pub mod summary;
 pub mod thermal;

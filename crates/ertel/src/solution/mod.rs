@@ -2,6 +2,7 @@
 
 mod elements;
 mod figures;
+mod mixed;
 mod roller;
 mod sensitivities;
 mod starvation;
@@ -17,6 +18,7 @@ use crate::warning::Warning;
 
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, Reading};
+pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
 pub use roller::RollerFigures;
 pub use sensitivities::{FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
 pub use starvation::Starvation;
@@ -516,6 +518,8 @@ pub struct Solution {
     pub starvation: Option<Starvation>,
     /// Ends and load of a roller; `None` of other contacts.
     pub roller: Option<RollerFigures>,
+    /// What roughness makes of the film; `None` where the case gives none.
+    pub mixed: Option<MixedLubrication>,
     /// Traction and friction.
     pub traction: Traction,
     /// Effect of shear thinning on the film; `None` for Newtonian fluids, or where the film of the

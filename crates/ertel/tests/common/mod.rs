@@ -50,6 +50,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         plane: steel.clone(),
         ball: steel,
         roughness: None,
+        asperities: None,
         motion: Motion::straight(0.8, 0.0),
         lubricant: Lubricant {
             name: None,

@@ -34,6 +34,9 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
                     json["groups"] = serde_json::to_value(s.groups)?;
                     json["traction"] = serde_json::to_value(&s.traction)?;
                     json["film_reduction"] = serde_json::to_value(point.film_reduction())?;
+                    if let Some(mixed) = &s.mixed {
+                        json["mixed"] = serde_json::to_value(mixed)?;
+                    }
                     if let Some(thermal) = &s.thermal {
                         json["thermal"] = serde_json::to_value(thermal)?;
                         json["thermal"]["reduction"] =

@@ -4,11 +4,13 @@ mod frame;
 mod json;
 mod picture;
 mod report;
+mod stribeck;
 mod table;
 
 pub use json::{CURVE_FORMAT, curve_json};
 pub use picture::{film_chart, film_shape_chart, films_chart, traction_chart, tractions_chart};
 pub use report::curve_report;
+pub use stribeck::stribeck_chart;
 pub use table::{COLUMNS, Cell, Column, curve_table};
 
 use std::path::Path;
@@ -84,5 +86,12 @@ fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
         name: "traction-curve",
         svg: chart.svg(),
     });
-    [Some(film), traction].into_iter().flatten().collect()
+    let stribeck = stribeck_chart(title, curve).map(|chart| Picture {
+        name: "stribeck",
+        svg: chart.svg(),
+    });
+    [Some(film), traction, stribeck]
+        .into_iter()
+        .flatten()
+        .collect()
 }

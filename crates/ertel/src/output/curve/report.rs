@@ -4,9 +4,11 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::CaseEcho;
-use super::super::figure::{estimate, pressure_estimate};
+use super::super::figure::{estimate, number, pressure_estimate};
+use super::super::mixed::share;
 use super::super::report::digits;
-use crate::study::{CurveSolution, Outcome};
+use crate::solution::MixedLubrication;
+use crate::study::{CurveSolution, Outcome, PointSolution};
 use crate::warning::by_kind;
 
 /// The points as a table, failures with their reasons, warnings.
@@ -18,46 +20,13 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
     let rule = "─".repeat(title.chars().count().max(4));
     let mut text = format!("{title}\n{rule}\n\nCurve over {}\n", curve.quantity.path);
     let unit = curve.quantity.unit();
-    let mut rows = vec![
-        [
-            curve.quantity.name,
-            "central film thickness",
-            "minimum film thickness",
-            "largest pressure",
-            "Newton",
-            "time",
-        ]
-        .map(str::to_owned),
-    ];
-    for point in &curve.points {
-        let value = format!("{} {unit}", digits(point.value, 6))
-            .trim_end()
-            .to_owned();
-        let time = format!("{} s", digits(point.seconds, 2));
-        rows.push(match &point.outcome {
-            Outcome::Solved(s) => {
-                let iterations: usize = s.stats.levels.iter().map(|l| l.newton_iterations).sum();
-                [
-                    value,
-                    estimate(&s.summary.film_central),
-                    estimate(&s.summary.film_minimum),
-                    pressure_estimate(s.summary.pressure_maximum.estimate()),
-                    iterations.to_string(),
-                    time,
-                ]
-            }
-            Outcome::Failed(_) => {
-                let none = || "-".to_owned();
-                [value, "failed".to_owned(), none(), none(), none(), time]
-            }
-        });
-    }
+    let rows = rows(curve, &unit);
     let width = |j: usize| rows.iter().map(|r| r[j].chars().count()).max().unwrap_or(0);
-    let widths = [0, 1, 2, 3, 4, 5].map(width);
+    let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
     for row in &rows {
         let cells = row
             .iter()
-            .zip(widths)
+            .zip(&widths)
             .map(|(cell, w)| format!("{cell:<w$}"));
         let _ = writeln!(
             text,
@@ -77,6 +46,70 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
         let _ = writeln!(text, "Results in {}", folder.display());
     }
     text
+}
+
+/// The table with its header; of rough surfaces with the lambda ratio, with boundary friction with the friction of film and asperities.
+fn rows(curve: &CurveSolution, unit: &str) -> Vec<Vec<String>> {
+    let mixed = |p: &PointSolution| p.outcome.solution()?.mixed.clone();
+    let found: Vec<MixedLubrication> = curve.points.iter().filter_map(mixed).collect();
+    let is_rough = !found.is_empty();
+    let has_asperities = found.iter().any(|m| m.asperities.is_some());
+    let has_friction = found.iter().any(|m| m.friction().is_some());
+    let columns = [
+        (true, curve.quantity.name),
+        (true, "central film thickness"),
+        (true, "minimum film thickness"),
+        (is_rough, "lambda ratio"),
+        (has_asperities, "load on asperities"),
+        (has_friction, "friction coefficient of both"),
+        (true, "largest pressure"),
+        (true, "Newton"),
+        (true, "time"),
+    ];
+    let shown = |cells: [String; 9]| {
+        let cells = cells.into_iter().zip(&columns);
+        let cells = cells.filter_map(|(cell, (is_shown, _))| is_shown.then_some(cell));
+        cells.collect::<Vec<String>>()
+    };
+    let mut rows = vec![shown(columns.map(|(_, title)| title.to_owned()))];
+    let none = || "-".to_owned();
+    for point in &curve.points {
+        let value = format!("{} {unit}", digits(point.value, 6));
+        let value = value.trim_end().to_owned();
+        let time = format!("{} s", digits(point.seconds, 2));
+        let failed = || "failed".to_owned();
+        rows.push(shown(match &point.outcome {
+            Outcome::Solved(s) => {
+                let iterations: usize = s.stats.levels.iter().map(|l| l.newton_iterations).sum();
+                let mixed = s.mixed.as_ref();
+                let asperities = mixed.and_then(|m| m.asperities.as_ref());
+                let friction = mixed.and_then(MixedLubrication::friction);
+                [
+                    value,
+                    estimate(&s.summary.film_central),
+                    estimate(&s.summary.film_minimum),
+                    mixed.map_or_else(none, |m| number(m.lambda_minimum)),
+                    asperities.map_or_else(none, |a| share(a.asperity_load_share)),
+                    friction.map_or_else(none, |f| number(f.friction_total)),
+                    pressure_estimate(s.summary.pressure_maximum.estimate()),
+                    iterations.to_string(),
+                    time,
+                ]
+            }
+            Outcome::Failed(_) => [
+                value,
+                failed(),
+                none(),
+                none(),
+                none(),
+                none(),
+                none(),
+                none(),
+                time,
+            ],
+        }));
+    }
+    rows
 }
 
 /// Failures, and warnings with the points that they are about.

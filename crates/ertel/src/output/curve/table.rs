@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::contact::ContactKind;
 use crate::output::text_field;
-use crate::solution::{Estimate, Thermal};
+use crate::solution::{Estimate, MixedLubrication, Thermal};
 use crate::study::{CurveSolution, Outcome, PointSolution};
 
 /// A column of the table, and beside it that of its error bar if it has one.
@@ -126,6 +126,11 @@ fn thermal(point: &PointSolution) -> Option<&Thermal> {
     point.outcome.solution()?.thermal.as_ref()
 }
 
+/// Roughness of a point.
+fn mixed(point: &PointSolution) -> Option<&MixedLubrication> {
+    point.outcome.solution()?.mixed.as_ref()
+}
+
 /// The columns, after the point's number and the quantity.
 pub const COLUMNS: &[Column] = &[
     Column::new("converged", "", |point| {
@@ -170,6 +175,13 @@ pub const COLUMNS: &[Column] = &[
     estimate!("starved_ratio_central", "", p => p.outcome.solution().and_then(|s| s.starvation.as_ref()?.ratio_central)),
     estimate!("starved_ratio_minimum", "", p => p.outcome.solution().and_then(|s| s.starvation.as_ref()?.ratio_minimum)),
     estimate!("meniscus_position", "m", p => p.outcome.solution().and_then(|s| s.starvation.as_ref()?.meniscus_position)),
+    estimate!("lambda_minimum", "", p => mixed(p).map(|m| m.lambda_minimum)),
+    estimate!("lambda_central", "", p => mixed(p).map(|m| m.lambda_central)),
+    estimate!("asperity_load", "N", p => mixed(p).and_then(|m| m.asperities.as_ref()).map(|a| a.asperity_load)).per_length(),
+    estimate!("asperity_load_share", "", p => mixed(p).and_then(|m| m.asperities.as_ref()).map(|a| a.asperity_load_share)),
+    estimate!("friction_fluid", "", p => mixed(p).and_then(MixedLubrication::friction).map(|f| f.friction_fluid)),
+    estimate!("friction_asperities", "", p => mixed(p).and_then(MixedLubrication::friction).map(|f| f.friction_asperities)),
+    estimate!("friction_total", "", p => mixed(p).and_then(MixedLubrication::friction).map(|f| f.friction_total)),
     figure!("speed_group", "", s => s.groups.speed),
     figure!("moes_load", "", s => s.groups.moes_load),
     figure!("moes_material", "", s => s.groups.moes_material),

@@ -1,0 +1,267 @@
+//! Mixed lubrication end to end: the shipped Stribeck case, a point contact with its tables, a study, and the commands of the guide.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+const ASPERITIES: &str = "[surface_roughness]
+body_1_rms_height = \"120 nm\"
+body_2_rms_height = \"160 nm\"
+asperity_group = 0.06
+rms_height_to_asperity_radius = 1e-2
+boundary_friction_coefficient = 0.12
+";
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn ertel(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
+    command.args(arguments).current_dir(folder);
+    command.env("ERTEL_CACHE", "").output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+fn table(path: &Path) -> Vec<HashMap<String, String>> {
+    let csv = std::fs::read_to_string(path).unwrap();
+    let mut lines = csv.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let line = |line: &str| {
+        let fields = line.splitn(names.len(), ',');
+        let pairs = names.iter().zip(fields);
+        pairs
+            .map(|(n, f)| ((*n).to_owned(), f.to_owned()))
+            .collect()
+    };
+    lines.map(line).collect()
+}
+
+fn number(row: &HashMap<String, String>, column: &str) -> f64 {
+    let field = row
+        .get(column)
+        .unwrap_or_else(|| panic!("no column {column}"));
+    field
+        .parse()
+        .unwrap_or_else(|_| panic!("{column}: {field:?}"))
+}
+
+fn close(a: f64, b: f64, relative: f64) {
+    assert!((a - b).abs() <= relative * b.abs(), "{a} is not {b}");
+}
+
+/// The shipped ball on a disc, sliding, with asperities, on a coarser mesh.
+fn rough_ball() -> (TempDir, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let text = std::fs::read_to_string(root().join("cases/ball-on-disc.toml")).unwrap();
+    let sliding = text.replace("slide_to_roll_ratio = 0.0", "slide_to_roll_ratio = -0.2");
+    assert_ne!(sliding, text);
+    let text = sliding
+        + "shear_thinning = { law = \"ree-eyring\", tau_0 = \"5 MPa\" }\n"
+        + "\n[mesh]\ntarget_error = \"1 %\"\n"
+        + ASPERITIES;
+    std::fs::write(folder.path().join("ball.toml"), &text).unwrap();
+    (folder, text)
+}
+
+/// The commands of the guide as they stand there, by the built program; the picture, the table and its sums.
+#[test]
+fn commands_of_the_guide_give_a_stribeck_curve() {
+    let page = std::fs::read_to_string(root().join("docs/guide/mixed-lubrication.md")).unwrap();
+    let commands = page
+        .lines()
+        .filter_map(|l| l.strip_prefix("    cargo run --release -- "));
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("cases")).unwrap();
+    let case = "cases/stribeck.toml";
+    std::fs::copy(root().join(case), folder.path().join(case)).unwrap();
+    let mut outputs = Vec::new();
+    for command in commands {
+        let arguments: Vec<&str> = command.split_whitespace().collect();
+        let output = ertel(folder.path(), &arguments);
+        assert_eq!(
+            output.status.code(),
+            Some(0),
+            "{command}: {}",
+            text(&output.stderr)
+        );
+        outputs.push(text(&output.stdout).to_owned());
+    }
+    let [estimate, solved] = &outputs[..] else {
+        panic!("{} commands", outputs.len());
+    };
+    for words in [
+        "σβη 0.06, σ/β 0.01, boundary friction 0.12",
+        "lambda ratio",
+        "asperities carry",
+        "Greenwood and Tripp",
+    ] {
+        assert!(estimate.contains(words), "{words} in {estimate}");
+    }
+    for words in [
+        "lambda ratio",
+        "load on asperities",
+        "friction coefficient of both",
+        "at the film of smooth surfaces the asperities would carry",
+    ] {
+        assert!(solved.contains(words), "{words} in {solved}");
+    }
+    let rows = table(&folder.path().join("results/stribeck/curve.csv"));
+    assert_eq!(rows.len(), 15);
+    let sigma = 0.25e-6;
+    for row in &rows {
+        close(
+            number(row, "lambda_minimum"),
+            number(row, "film_minimum_m") / sigma,
+            1e-12,
+        );
+        let share = number(row, "asperity_load_share");
+        close(share, number(row, "asperity_load_N_per_m") / 20e3, 1e-12);
+        let (fluid, asperities) = (
+            number(row, "friction_fluid"),
+            number(row, "friction_asperities"),
+        );
+        close(
+            fluid,
+            (1.0 - share.min(1.0)) * number(row, "traction_coefficient"),
+            1e-12,
+        );
+        close(asperities, 0.12 * share.min(1.0), 1e-9);
+        close(number(row, "friction_total"), fluid + asperities, 1e-12);
+    }
+    // From the film to the asperities as the speed falls: share and friction of asperities rise, the total has its minimum in between.
+    let total: Vec<f64> = rows.iter().map(|r| number(r, "friction_total")).collect();
+    let share: Vec<f64> = rows
+        .iter()
+        .map(|r| number(r, "asperity_load_share"))
+        .collect();
+    assert!(share.windows(2).all(|w| w[1] > w[0]), "{share:?}");
+    assert!(share[0] < 1e-3 && share[14] > 0.2, "{share:?}");
+    let least = (0..15)
+        .min_by(|a, b| total[*a].total_cmp(&total[*b]))
+        .unwrap();
+    assert!((1..14).contains(&least), "{total:?}");
+    assert!(total[14] > 1.3 * total[least], "{total:?}");
+    let picture = folder.path().join("results/stribeck/stribeck.svg");
+    let picture = std::fs::read_to_string(picture).unwrap();
+    for words in [
+        "film and asperities",
+        "asperities over the film of smooth surfaces",
+        "Friction coefficient",
+    ] {
+        assert!(picture.contains(words), "{words}");
+    }
+    // The folder is known as a result, with the picture, and may be written again.
+    let again = ertel(folder.path(), &["solve", case]);
+    assert_eq!(again.status.code(), Some(0), "{}", text(&again.stderr));
+}
+
+/// A point contact: `mixed` of result.json and the report; against the closed form of its own film where that is all but flat.
+#[test]
+fn result_of_a_rough_ball() {
+    let (folder, given) = rough_ball();
+    let output = ertel(folder.path(), &["solve", "ball.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let report = text(&output.stdout);
+    let json = |name: &str| -> Value {
+        let path = folder.path().join("results").join(name).join("result.json");
+        serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+    };
+    let result = json("ball");
+    let mixed = &result["mixed"];
+    let value = |v: &Value| v["value"].as_f64().unwrap();
+    let minimum = value(&result["summary"]["film_minimum"]);
+    close(value(&mixed["lambda_minimum"]), minimum / 0.2e-6, 1e-12);
+    assert_eq!(mixed["separation"], "mixed");
+    let asperities = &mixed["asperities"];
+    let share = value(&asperities["asperity_load_share"]);
+    let limit = asperities["asperity_load_share_limit"].as_f64().unwrap();
+    assert!(
+        0.0 < share && share < limit && limit < 1.0,
+        "{share} {limit}"
+    );
+    assert!(asperities["asperity_load_share"]["error"].as_f64().unwrap() > 0.0);
+    // The plane is the faster surface: friction has the sign of the traction.
+    let friction = &asperities["friction"];
+    close(value(&friction["friction_asperities"]), -0.12 * share, 1e-6);
+    assert!(value(&friction["friction_fluid"]) < 0.0);
+    assert_eq!(result["units"]["asperity_pressure_maximum"], "Pa");
+    for words in [
+        "asperities carry",
+        "friction coefficient of both",
+        "mixed lubrication",
+        "these asperities carry at most",
+    ] {
+        assert!(report.contains(words), "{words}: {report}");
+    }
+    // The same film under a smoother surface carries nothing, and the film is the same to the bit.
+    let smooth = given.replace("120 nm", "2 nm").replace("160 nm", "1 nm");
+    std::fs::write(folder.path().join("smooth.toml"), smooth).unwrap();
+    let output = ertel(folder.path(), &["solve", "smooth.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let smooth = json("smooth");
+    assert_eq!(smooth["summary"], result["summary"]);
+    let share = value(&smooth["mixed"]["asperities"]["asperity_load_share"]);
+    assert!(share < 1e-12, "{share}");
+    let total = value(&smooth["mixed"]["asperities"]["friction"]["friction_total"]);
+    close(total, value(&smooth["traction"]["coefficient"]), 1e-9);
+    assert_eq!(smooth["mixed"]["separation"], "full");
+}
+
+/// A study has the columns, too, and any key of the section may vary.
+#[test]
+fn study_of_roughness() {
+    let (folder, _) = rough_ball();
+    let study = "title = \"Roughness\"\ncase = \"ball.toml\"\n[[axis]]\nkey = \"surface_roughness.asperity_group\"\nvalues = [0.03, 0.06]\n";
+    std::fs::write(folder.path().join("study.toml"), study).unwrap();
+    let output = ertel(folder.path(), &["sweep", "study.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let rows = table(&folder.path().join("results/study/results.csv"));
+    let share = |i: usize| number(&rows[i], "asperity_load_share");
+    // p_a is as the square of σβη over one and the same film; the second point starts from the first.
+    close(share(1), 4.0 * share(0), 1e-2);
+    for column in ["lambda_minimum", "lambda_central", "friction_total"] {
+        number(&rows[0], column);
+    }
+}
+
+/// Gears, bearings and cams whose film is 0.7 of their roughness run in mixed lubrication, not boundary (Zhu and Wang 2012).
+#[test]
+fn machines_at_lambda_0_7_are_mixed() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut n_machines = 0;
+    for entry in std::fs::read_dir(root().join("cases/machine")).unwrap() {
+        let path = entry.unwrap().path();
+        let given = std::fs::read_to_string(&path).unwrap();
+        let estimate = |file: &Path| -> Value {
+            let output = ertel(
+                folder.path(),
+                &["estimate", "--json", file.to_str().unwrap()],
+            );
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            serde_json::from_str(text(&output.stdout)).unwrap()
+        };
+        let film = &estimate(&path)["film"];
+        let film = film["minimum"].as_f64().or(film["central"].as_f64());
+        let each = film.unwrap() / 0.7 / 2f64.sqrt() * 1e6;
+        let rough = folder.path().join(path.file_name().unwrap());
+        let section = format!(
+            "\n[surface_roughness]\nbody_1_rms_height = \"{each} um\"\nbody_2_rms_height = \"{each} um\"\n"
+        );
+        std::fs::write(&rough, given + &section).unwrap();
+        let lambda = &estimate(&rough)["lambda"];
+        let ratio = lambda["of_minimum"]
+            .as_f64()
+            .or(lambda["of_central"].as_f64());
+        close(ratio.unwrap(), 0.7, 1e-9);
+        assert_eq!(lambda["separation"], "mixed", "{}", path.display());
+        n_machines += 1;
+    }
+    assert!(n_machines >= 6);
+}

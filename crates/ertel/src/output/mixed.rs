@@ -1,0 +1,91 @@
+//! What the report says of rough surfaces.
+
+use std::fmt::Write;
+
+use super::figure::{in_unit, number, percent};
+use super::report::{Lines, digits, percent_or_power, pressure};
+use crate::mixed::Asperities;
+use crate::solution::{Estimate, Solution};
+
+/// Where the load and the friction of asperities come from.
+pub(super) const ASPERITY_SOURCE: &str = "Greenwood and Tripp 1970";
+
+/// The numbers that describe asperities.
+pub(super) fn describe(asperities: &Asperities) -> String {
+    let mut text = format!(
+        "σβη {}, σ/β {}",
+        digits(asperities.asperity_group, 6),
+        digits(asperities.rms_height_to_asperity_radius, 6)
+    );
+    if let Some(friction) = asperities.boundary_friction_coefficient {
+        let _ = write!(text, ", boundary friction {}", digits(friction, 6));
+    }
+    text
+}
+
+/// Film over roughness, and what that is called.
+pub(super) fn write_lambda(out: &mut Lines, solution: &Solution) {
+    let Some(mixed) = &solution.mixed else { return };
+    let ratio = |lambda: Estimate| match lambda.error {
+        Some(_) => number(lambda),
+        None => digits(lambda.value, 3),
+    };
+    let minimum = ratio(mixed.lambda_minimum);
+    out.row(
+        "lambda ratio h_min/σ",
+        format!("{minimum}: {}", mixed.separation.name()),
+    );
+    out.row("  h_c/σ", ratio(mixed.lambda_central));
+}
+
+/// Load and friction of the asperities.
+pub(super) fn write_asperities(out: &mut Lines, solution: &Solution) {
+    let Some(mixed) = &solution.mixed else { return };
+    let Some(asperities) = &mixed.asperities else {
+        return;
+    };
+    let unit = if solution.shape.kind.is_point() {
+        "N"
+    } else {
+        "N/m"
+    };
+    let load = in_unit(asperities.asperity_load, 1.0, unit);
+    out.row(
+        "asperities carry",
+        format!(
+            "{load}, {} of the load ({ASPERITY_SOURCE}, at the film of smooth surfaces)",
+            share(asperities.asperity_load_share)
+        ),
+    );
+    let limit = percent_or_power(asperities.asperity_load_share_limit);
+    out.row("  at most, without a film", limit);
+    let largest = pressure(asperities.asperity_pressure_maximum);
+    out.row("  largest asperity pressure", largest);
+    let Some(friction) = &asperities.friction else {
+        return;
+    };
+    let of_parts = |[fluid, asperities, total]: [Estimate; 3]| {
+        format!(
+            "{}: film {}, asperities {}",
+            number(total),
+            number(fluid),
+            number(asperities)
+        )
+    };
+    let f = friction;
+    out.row(
+        "friction coefficient of both",
+        of_parts([f.friction_fluid, f.friction_asperities, f.friction_total]),
+    );
+    if let Some(across) = f.across {
+        out.row("  across the motion", of_parts(across));
+    }
+}
+
+/// A share in per cent; a tiny one as a power of ten.
+pub(super) fn share(share: Estimate) -> String {
+    match share.value < 1e-4 {
+        true => number(share),
+        false => percent(share),
+    }
+}
