@@ -147,7 +147,7 @@ fn fits_hand_their_uncertainty_on() {
     }
     let case = r#"
 lubricant = "oil.toml"
-temperature = "60 degC"
+temperature = "75 degC"
 [contact]
 kind = "line"
 radius = "10 mm"
