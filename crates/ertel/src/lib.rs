@@ -3,6 +3,7 @@
 //! contact, film → forms → solve → post → output; forms never see files, solve never formats text.
 
 pub mod case;
+pub mod compare;
 pub mod contact;
 pub mod elastic;
 pub mod estimate;

@@ -3,6 +3,7 @@
 //! [`write()`] puts everything into one folder that appears as a whole or not at all.
 
 pub mod centreline;
+pub mod compare;
 mod csv;
 pub mod curve;
 mod echo;
@@ -28,6 +29,7 @@ mod tests;
 #[cfg(test)]
 mod workplace_tests;
 
+pub use compare::{comparison_report, write_comparison};
 pub(crate) use csv::{quoted, text_field};
 pub use curve::{curve_report, write_curve};
 pub use echo::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho};

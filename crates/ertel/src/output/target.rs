@@ -157,7 +157,7 @@ fn point_without_result(folder: &Path) -> io::Result<Option<PathBuf>> {
     Ok(None)
 }
 
-fn has_format(path: &Path, format: &str) -> bool {
+pub(super) fn has_format(path: &Path, format: &str) -> bool {
     fs::read(path)
         .ok()
         .and_then(|bytes| serde_json::from_slice::<serde_json::Value>(&bytes).ok())

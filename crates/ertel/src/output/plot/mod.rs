@@ -16,7 +16,7 @@ mod simplify;
 mod svg;
 
 pub use axis::{Axis, AxisScale};
-pub use chart::{Chart, Look, Marker, PALETTE, Series, Side, side_by_side};
+pub use chart::{Chart, ErrorBars, Look, Marker, PALETTE, Series, Side, side_by_side};
 pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use heat::{cross_film_chart, temperature_chart};
