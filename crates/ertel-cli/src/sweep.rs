@@ -209,7 +209,7 @@ fn merged(summary: &SweepSummary, target: &Path, arguments: &SweepArgs) -> Resul
 }
 
 /// Failures and warnings, each with its points.
-fn remarks(summary: &SweepSummary) -> String {
+pub fn remarks(summary: &SweepSummary) -> String {
     let mut text = String::new();
     for (index, label, reason) in summary.failures.iter().take(MOST_SHOWN) {
         text += &format!("  ! point {} ({label}) failed: {reason}\n", index + 1);
@@ -229,14 +229,14 @@ fn remarks(summary: &SweepSummary) -> String {
 }
 
 /// Points on stderr as they are finished: a bar in a terminal, a line per point elsewhere.
-struct Progress<'a> {
+pub struct Progress<'a> {
     quiet: bool,
     bar: Mutex<Option<ProgressBar>>,
     cancelled: &'a AtomicBool,
 }
 
 impl<'a> Progress<'a> {
-    fn new(quiet: bool, cancelled: &'a AtomicBool) -> Self {
+    pub fn new(quiet: bool, cancelled: &'a AtomicBool) -> Self {
         Self {
             quiet,
             bar: Mutex::new(None),

@@ -99,6 +99,8 @@ pub struct Measured {
     pub study: Study,
     /// What was left out or assumed.
     pub notes: Vec<String>,
+    /// Text of the case file.
+    pub case_text: String,
 }
 
 /// What of a file is read, and how.
@@ -175,6 +177,7 @@ impl Measured {
             rows: rows.into_iter().zip(point_of_row).map(row).collect(),
             study,
             notes,
+            case_text: case.text().to_owned(),
         })
     }
 

@@ -15,13 +15,15 @@ use crate::study::{POINTS, STUDY_FORMAT};
 /// Folder within, with the study of the points.
 pub const COMPARISON_STUDY: &str = "study";
 
+/// Every file that a comparison writes into its folder.
+pub const COMPARISON_FILES: [&str; 6] = [TABLE, JSON, PICTURE, PICTURE_PNG, REPORT, CASE];
+
 const TABLE: &str = "comparison.csv";
 const JSON: &str = "comparison.json";
 const PICTURE: &str = "comparison.svg";
 const PICTURE_PNG: &str = "comparison.png";
 const REPORT: &str = "report.txt";
 const CASE: &str = "case.toml";
-const FILES: [&str; 6] = [TABLE, JSON, PICTURE, PICTURE_PNG, REPORT, CASE];
 
 /// Whether a comparison may be written here: nothing yet, an empty folder, or a former comparison, finished or not.
 ///
@@ -53,7 +55,7 @@ pub fn check_comparison_folder(target: &Path) -> Result<(), OutputError> {
         let name = name.to_string_lossy().into_owned();
         if name == COMPARISON_STUDY && kind.is_dir() {
             has_study = true;
-        } else if kind.is_file() && FILES.contains(&name.as_str()) {
+        } else if kind.is_file() && COMPARISON_FILES.contains(&name.as_str()) {
             has_files = true;
         } else if !(kind.is_file() && name.starts_with(TEMPORARY)) {
             return Err(foreign(format!(

@@ -6,7 +6,7 @@ mod picture;
 mod report;
 mod table;
 
-pub use folder::{COMPARISON_STUDY, check_comparison_folder, write_comparison};
+pub use folder::{COMPARISON_FILES, COMPARISON_STUDY, check_comparison_folder, write_comparison};
 pub use json::{COMPARISON_FORMAT, comparison_json};
 pub use picture::comparison_picture;
 pub use report::comparison_report;
