@@ -27,8 +27,9 @@ impl PointColumn {
         self.values.push((span, value_of(cell, unit)));
     }
 
-    /// Adds a pure number.
+    /// Adds a pure number, without the noise of the last digits: 0.152 % is 0.00152.
     pub fn push_number(&mut self, span: Range<usize>, value: f64) {
+        let value = format!("{value:.14e}").parse().unwrap_or(value);
         self.values.push((span, Value::Float(value)));
     }
 }

@@ -163,7 +163,7 @@ fn build(
         .try_fold(1usize, |n, group| n.checked_mul(group.len()));
     let n_points = n_points
         .filter(|n| *n <= MOST_POINTS)
-        .ok_or_else(|| (source.error)(format!("the axes make more than {MOST_POINTS} points")))?;
+        .ok_or_else(|| (source.error)(format!("these are more than {MOST_POINTS} points")))?;
     let folder = base.parent().unwrap_or(Path::new(""));
     let points: Vec<StudyPoint> = (0..n_points)
         .map(|index| {

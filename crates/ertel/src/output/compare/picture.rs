@@ -2,11 +2,10 @@
 
 use std::collections::HashSet;
 
-use super::super::plot::{
-    Axis, AxisScale, Chart, ErrorBars, Look, PALETTE, Series, film_unit, side_by_side,
-};
+use super::super::plot::{Axis, AxisScale, Chart, ErrorBars, Look, PALETTE, Series, side_by_side};
 use super::super::report::digits;
 use super::super::study::words;
+use super::report::unit_of;
 use crate::case::study::AxisValue;
 use crate::compare::{ComparedRow, Comparison, Figure};
 
@@ -17,6 +16,8 @@ const SCATTER: f64 = 0.03;
 const SCATTER_KELVIN: f64 = 2.0;
 /// Slide-to-roll ratios of one setting scatter by so much.
 const SCATTER_RATIO: f64 = 0.005;
+/// Room of a logarithmic axis around the points.
+const ROOM: f64 = 1.1;
 /// Room of a linear axis for the legend.
 const LEGEND_ROOM: f64 = 1.25;
 /// Colour of rows where the other quantities have more settings than there are colours.
@@ -78,12 +79,9 @@ impl Layout {
 
     fn chart(&self, comparison: &Comparison, figures: &[Figure]) -> Chart {
         let rows = || comparison.rows.iter().zip(&self.group);
-        let largest =
-            rows().flat_map(|(row, _)| figures.iter().filter_map(|f| row.figures[*f as usize]));
-        let largest = largest.fold(0.0, |l: f64, c| l.max(c.measured.value));
         let (factor, y_label) = match figures[0].is_film() {
             true => {
-                let (factor, unit) = film_unit(largest);
+                let (factor, unit) = unit_of(comparison, figures[0]);
                 (factor, format!("Film thickness *h* ({unit})"))
             }
             false => (1.0, "Traction coefficient".to_owned()),
@@ -92,7 +90,7 @@ impl Layout {
         let x_of = |row: &ComparedRow| row.values[self.x].number().map_or(f64::NAN, shown);
         let xs = || comparison.rows.iter().map(x_of);
         let x_axis = match is_wide(xs()) {
-            true => Axis::log_close_around(&x_label, xs()),
+            true => Axis::log_close_around(&x_label, xs().flat_map(|x| [x / ROOM, x * ROOM])),
             false => Axis::linear_around(&x_label, xs()),
         };
         let mut chart = Chart::new(&comparison.title, x_axis, Axis::linear(&y_label, 0.0, 1.0));
@@ -107,7 +105,10 @@ impl Layout {
                     false => PALETTE[group * figures.len() + i],
                 };
                 let label = match (is_crowded, self.labels[group].as_str()) {
-                    (false, label) if !label.is_empty() => format!("{}, {label}", figure.words()),
+                    (false, label) if !label.is_empty() && figures.len() > 1 => {
+                        format!("{}, {label}", figure.words())
+                    }
+                    (false, label) if !label.is_empty() => label.to_owned(),
                     _ => figure.words().to_owned(),
                 };
                 self.draw(
