@@ -10,6 +10,7 @@ pub mod estimate;
 pub mod film;
 pub mod fit;
 pub mod forms;
+pub mod interference;
 pub mod output;
 pub mod params;
 pub mod plausible;

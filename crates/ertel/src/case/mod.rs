@@ -38,6 +38,7 @@ mod echo;
 mod files;
 mod geometry;
 mod inlet;
+mod interferogram;
 mod lubricant;
 mod machine;
 mod motion;
@@ -175,7 +176,7 @@ impl Case {
             None => Supply::Flooded,
         };
         let output = match root.optional_table("output")? {
-            Some(table) => params::read_output(table, &solver)?,
+            Some(table) => params::read_output(table, &solver, contact.kind)?,
             None => OutputParams::default(),
         };
         root.contains("curve");

@@ -67,7 +67,7 @@ fn columns_set_the_case_and_say_what_was_measured() {
     close(case.motion.slide_to_roll_ratio, -0.5);
     close(case.contact.load, 21.0);
     close(case.contact.radius, 0.01);
-    close(case.temperature, 314.15);
+    close(case.lubricant.temperature, 314.15);
     let headers: Vec<&str> = measured
         .study
         .columns
@@ -241,7 +241,7 @@ fn films_of_an_ehd2_export_are_read() {
     // The ball is faster by 0.10 mm/s: body 2 is.
     close(case.motion.slide_to_roll_ratio, 0.00012);
     close(case.contact.load, 20.127);
-    close(case.temperature, 40.5 + 273.15);
+    close(case.lubricant.temperature, 40.5 + 273.15);
     let notes = measured.notes.join("\n");
     for words in [
         "step 2",
@@ -257,6 +257,7 @@ fn films_of_an_ehd2_export_are_read() {
     close(
         read_with(EHD, &pot).unwrap().study.points[1]
             .case
+            .lubricant
             .temperature,
         41.2 + 273.15,
     );

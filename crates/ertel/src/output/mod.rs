@@ -92,6 +92,9 @@ pub enum OutputError {
     /// PNG pictures were asked for but cannot be made.
     #[error(transparent)]
     Png(#[from] PngError),
+    /// The image of an interferogram cannot be made.
+    #[error("cannot make the interferogram: {0}")]
+    Image(#[from] plot::ImageError),
 }
 
 impl OutputError {
@@ -176,6 +179,14 @@ fn write_files(
     }
     for picture in plot::pictures(&case.title, solution, Some(case.solver.tolerance)) {
         write_picture(folder, &picture, params.png)?;
+    }
+    if let Some(light) = &params.interferogram {
+        let image = plot::Image::new(solution, light, case.fluid.density);
+        let png = image.png()?;
+        folder.file("interferogram.svg", |out| {
+            out.write_all(image.svg(&case.title, &png).as_bytes())
+        })?;
+        folder.file("interferogram.png", |out| out.write_all(&png))?;
     }
     Ok(())
 }

@@ -10,7 +10,7 @@ use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 36] = [
+pub(super) const OWN_FILES: [&str; 38] = [
     "result.json",
     "curve.json",
     "curve.csv",
@@ -46,6 +46,8 @@ pub(super) const OWN_FILES: [&str; 36] = [
     "temperature-plane.png",
     "temperature-ball.svg",
     "temperature-ball.png",
+    "interferogram.svg",
+    "interferogram.png",
     "cross-film.svg",
     "cross-film.png",
 ];

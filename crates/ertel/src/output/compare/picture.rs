@@ -15,7 +15,7 @@ const LOG_FROM: f64 = 5.0;
 const SCATTER: f64 = 0.03;
 const SCATTER_KELVIN: f64 = 2.0;
 /// Slide-to-roll ratios of one setting scatter by so much.
-const SCATTER_RATIO: f64 = 0.005;
+const SCATTER_RATIO: f64 = 0.01;
 /// Room of a logarithmic axis around the points.
 const ROOM: f64 = 1.1;
 /// Room of a linear axis for the legend.
@@ -53,9 +53,10 @@ impl Layout {
             .map(|c| settings(comparison, c))
             .collect();
         let count = |c: usize| settings[c].iter().collect::<HashSet<_>>().len();
+        let n_apart = |c: usize| n_apart(comparison, c);
         let numbers = (0..settings.len()).filter(|c| comparison.dimensions[*c].is_some());
         // The first of equals.
-        let x = numbers.rev().max_by_key(|c| count(*c))?;
+        let x = numbers.rev().max_by_key(|c| n_apart(*c))?;
         let others: Vec<usize> = (0..settings.len())
             .filter(|c| *c != x && count(*c) > 1)
             .collect();
@@ -229,42 +230,60 @@ fn is_wide(values: impl Iterator<Item = f64>) -> bool {
     low > 0.0 && high >= LOG_FROM * low
 }
 
-/// Number of the setting of each row in a column: values that scatter around one another are one.
+/// Number of the setting of each row in a column: values no farther from the next one than a rig scatters are one.
 fn settings(comparison: &Comparison, column: usize) -> Vec<usize> {
-    let values: Vec<&AxisValue> = comparison
-        .rows
-        .iter()
-        .map(|row| &row.values[column])
-        .collect();
-    let mut order: Vec<usize> = (0..values.len()).collect();
-    let number = |i: usize| values[i].number();
-    order.sort_by(|a, b| match (number(*a), number(*b)) {
-        (Some(a), Some(b)) => a.total_cmp(&b),
-        _ => values[*a].to_string().cmp(&values[*b].to_string()),
-    });
-    let is_same = |a: usize, b: usize| match (values[a], values[b]) {
-        (AxisValue::Number(a, dimension), AxisValue::Number(b, _)) => {
-            let off = (a - b).abs();
-            match dimension.si_unit().as_str() {
-                "K" => off <= SCATTER_KELVIN,
-                "" => off <= SCATTER_RATIO,
-                _ => off <= SCATTER * a.abs().max(b.abs()),
-            }
-        }
-        (a, b) => a == b,
-    };
-    let mut numbers = vec![0; values.len()];
+    let mut numbers = vec![0; comparison.rows.len()];
     let mut setting = 0;
-    // The first value of a setting, from which the others are counted: chains do not grow.
-    let mut first = order.first().copied();
-    for i in order {
-        if first.is_some_and(|first| !is_same(first, i)) {
+    let mut former: Option<&AxisValue> = None;
+    for (i, value) in sorted(comparison, column) {
+        if former.is_some_and(|former| !is_same(former, value)) {
             setting += 1;
-            first = Some(i);
         }
+        former = Some(value);
         numbers[i] = setting;
     }
     numbers
+}
+
+/// How many values of a column lie farther apart than a rig scatters: of a fine ramp many.
+fn n_apart(comparison: &Comparison, column: usize) -> usize {
+    let mut n = 0;
+    let mut first: Option<&AxisValue> = None;
+    for (_, value) in sorted(comparison, column) {
+        if first.is_none_or(|first| !is_same(first, value)) {
+            n += 1;
+            first = Some(value);
+        }
+    }
+    n
+}
+
+/// The values of a column, rising, each with its row.
+fn sorted(comparison: &Comparison, column: usize) -> Vec<(usize, &AxisValue)> {
+    let mut values: Vec<_> = comparison
+        .rows
+        .iter()
+        .map(|row| &row.values[column])
+        .enumerate()
+        .collect();
+    values.sort_by(|(_, a), (_, b)| match (a.number(), b.number()) {
+        (Some(a), Some(b)) => a.total_cmp(&b),
+        _ => a.to_string().cmp(&b.to_string()),
+    });
+    values
+}
+
+/// Whether two values may be one setting of a rig.
+fn is_same(a: &AxisValue, b: &AxisValue) -> bool {
+    let (AxisValue::Number(a, dimension), AxisValue::Number(b, _)) = (a, b) else {
+        return a == b;
+    };
+    let off = (a - b).abs();
+    match dimension.si_unit().as_str() {
+        "K" => off <= SCATTER_KELVIN,
+        "" => off <= SCATTER_RATIO,
+        _ => off <= SCATTER * a.abs().max(b.abs()),
+    }
 }
 
 /// `load 20 N, temperature 40 °C`.
@@ -279,4 +298,73 @@ fn label(comparison: &Comparison, row: &ComparedRow, columns: &[usize]) -> Strin
         }
     });
     words.collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use ertel_rheology::quantity::Dimension;
+
+    use super::*;
+    use crate::compare::Outcome;
+
+    fn comparison(columns: &[(&str, Dimension)], rows: &[&[f64]]) -> Comparison {
+        let row = |values: &&[f64]| ComparedRow {
+            line: 1,
+            point: 0,
+            values: (values.iter().zip(columns))
+                .map(|(value, (_, dimension))| AxisValue::Number(*value, *dimension))
+                .collect(),
+            outcome: Outcome::Open,
+            figures: [None; 3],
+        };
+        Comparison {
+            title: String::new(),
+            columns: columns
+                .iter()
+                .map(|(title, _)| (*title).to_owned())
+                .collect(),
+            dimensions: columns
+                .iter()
+                .map(|(_, dimension)| Some(*dimension))
+                .collect(),
+            rows: rows.iter().map(row).collect(),
+            n_points: 1,
+            notes: Vec::new(),
+        }
+    }
+
+    const COLUMNS: [(&str, Dimension); 4] = [
+        ("motion.entrainment_speed_m_per_s", Dimension::SPEED),
+        ("motion.slide_to_roll_ratio", Dimension::DIMENSIONLESS),
+        ("contact.load_N", Dimension::FORCE),
+        ("temperature_K", Dimension::TEMPERATURE),
+    ];
+
+    /// A speed ramp at two loads, with the scatter of a rig.
+    #[test]
+    fn the_scatter_of_a_rig_makes_no_curves() {
+        let rows: [&[f64]; 6] = [
+            &[0.1, -0.004, 19.9, 313.1],
+            &[0.2, 0.001, 20.1, 314.0],
+            &[0.4, 0.0, 20.0, 312.9],
+            &[0.1, 0.0, 50.1, 313.0],
+            &[0.2, 0.003, 49.9, 313.4],
+            &[0.4, 0.0, 50.0, 313.2],
+        ];
+        let layout = Layout::new(&comparison(&COLUMNS, &rows)).unwrap();
+        assert_eq!(layout.x, 0);
+        assert_eq!(layout.group, [0, 0, 0, 1, 1, 1]);
+        assert_eq!(layout.labels, ["19.9 N", "50.1 N"]);
+    }
+
+    #[test]
+    fn a_fine_ramp_is_the_lower_axis() {
+        let ramp: Vec<[f64; 4]> = (0..20)
+            .map(|i| [1.0, 0.005 * f64::from(i), 20.0, 313.0])
+            .collect();
+        let rows: Vec<&[f64]> = ramp.iter().map(|row| &row[..]).collect();
+        let layout = Layout::new(&comparison(&COLUMNS, &rows)).unwrap();
+        assert_eq!(layout.x, 1);
+        assert_eq!(layout.labels, [""]);
+    }
 }

@@ -54,11 +54,12 @@ pub(super) fn unit_of(comparison: &Comparison, figure: Figure) -> (f64, &'static
     if !figure.is_film() {
         return (1.0, "");
     }
-    let compared = comparison
+    let measured = comparison
         .rows
         .iter()
         .filter_map(|r| r.figures[figure as usize]);
-    film_unit(compared.fold(0.0, |largest: f64, c| largest.max(c.measured.value)))
+    // Films of a speed ramp go through both units: the thinnest decides.
+    film_unit(measured.fold(f64::MAX, |smallest, c| smallest.min(c.measured.value)))
 }
 
 fn write_rows(text: &mut String, comparison: &Comparison, figure: Figure) {
