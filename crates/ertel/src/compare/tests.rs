@@ -321,7 +321,7 @@ fn a_bad_export_is_refused_with_its_place() {
     );
     refused(
         &replaced("\t857.67\t", "\t-857.67e9\t"),
-        &[":14:11", "entrainment_speed"],
+        &[":14:48", "entrainment_speed"],
     );
     refused("EHD261 Test Data File\n", &["no measurement was found"]);
 }
