@@ -11,6 +11,9 @@ use clap::{Args, Parser, Subcommand};
 #[command(after_help = "\
 Exit codes: 0 solved, 1 results could not be written or a validation does not hold, 2 bad input or usage, 3 not converged (a point of a curve or study, too), 130 interrupted.")]
 pub struct Cli {
+    /// Folder of own lubricants and materials, `fluids/NAME.toml` and `solids/NAME.toml` [env: ERTEL_DATA]
+    #[arg(long = "data", global = true, value_name = "DIR")]
+    pub own_data: Option<PathBuf>,
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
@@ -234,7 +237,7 @@ pub struct FitArgs {
 /// The subcommands of `ertel fit`.
 #[derive(Debug, Subcommand)]
 pub enum FitCommand {
-    /// A viscosity law: cheng, roelands, wlf, doolittle, barus
+    /// A viscosity law: cheng, roelands, wlf, yasutomi, doolittle, barus, mcewen, paluch, mcewen-paluch
     Viscosity(FitLawArgs),
     /// A density law: tait, dowson-higginson
     Density(FitLawArgs),
@@ -296,9 +299,13 @@ pub struct FitLawArgs {
     /// Table with columns such as pressure_MPa, temperature_degC, viscosity_mPa_s (or density_kg_per_m3)
     #[arg(value_name = "DATA.csv")]
     pub data: PathBuf,
-    /// The law
+    /// The law; `all` ranks the laws by how well they predict isotherms left out, and takes the best
     #[arg(long, value_name = "LAW")]
     pub law: String,
+    /// Exit code 3 where the fitted law makes no sense, such as a viscosity that falls with pressure or an rms above 10 %;
+    /// the entry is written all the same
+    #[arg(long)]
+    pub strict: bool,
     /// Where the data come from, for the entry (default: the name of the file)
     #[arg(long, value_name = "TEXT")]
     pub source: Option<String>,

@@ -12,6 +12,7 @@ mod failure;
 mod fit;
 mod fluids;
 mod inputs;
+mod own_data;
 mod print;
 mod progress;
 mod provenance;
@@ -29,7 +30,7 @@ use args::{Cli, Command};
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    let result = match cli.command {
+    let result = own_data::set(cli.own_data.as_deref()).and_then(|()| match cli.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
@@ -39,7 +40,7 @@ fn main() -> ExitCode {
         Command::Cache(arguments) => cache::run(&arguments),
         Command::Fluids(arguments) => fluids::run(&arguments),
         Command::Solids(arguments) => solids::run(&arguments),
-    };
+    });
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {

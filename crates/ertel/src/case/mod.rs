@@ -245,7 +245,9 @@ fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> 
     move |error| match error {
         DatabaseError::Unknown { choices, .. } => table.unknown_name(key, choices),
         DatabaseError::Data(error) => error,
-        DatabaseError::File { .. } => table.error(key, error.to_string()),
+        DatabaseError::File { .. } | DatabaseError::Folder { .. } => {
+            table.error(key, error.to_string())
+        }
     }
 }
 

@@ -7,6 +7,7 @@
 //! table ─► Measured { rows, study } ─► sweep ─► records ─► Comparison { rows, statistics }
 //! ```
 
+mod columns;
 mod comparison;
 mod rig;
 mod statistics;

@@ -4,6 +4,7 @@ mod folder;
 mod json;
 mod picture;
 mod report;
+mod settings;
 mod table;
 
 pub use folder::{COMPARISON_FILES, COMPARISON_STUDY, check_comparison_folder, write_comparison};
