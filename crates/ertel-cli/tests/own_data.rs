@@ -208,7 +208,8 @@ fn errors_name_the_file() {
 /// counts, and a note says so.
 #[test]
 fn names_of_a_folder_of_own_data_stand_beside_those_of_the_database() {
-    let tait = "[density]\nlaw = \"tait\"\nrho_0 = \"870 kg/m^3\"\nreference_temperature = \"20 degC\"\nk_0r = \"9 GPa\"\nk_0r_prime = 10.5\nbeta_k = \"6.5e-3 1/K\"\na_v = \"7.7e-4 1/K\"\n";
+    let tait = "viscosity = { law = \"constant\", mu_0 = \"10 mPa.s\" }\n[density]\nlaw = \"tait\"\nrho_0 = \"870 kg/m^3\"\n\
+        reference_temperature = \"20 degC\"\nk_0r = \"9 GPa\"\nk_0r_prime = 10.5\nbeta_k = \"6.5e-3 1/K\"\nbeta_k_prime = \"0 1/K\"\na_v = \"7.7e-4 1/K\"\n";
     let w = Workspace::new(&[
         ("data/fluids/works-oil.toml", OIL),
         (
@@ -287,6 +288,23 @@ fn names_of_a_folder_of_own_data_stand_beside_those_of_the_database() {
     assert!(
         w.done(&["solids", "show", "works-metal", "--data", "data"])
             .contains("200 GPa")
+    );
+    // The volume of Doolittle's law.
+    let measured =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/appendix-c/fluid-a.csv");
+    let fit = [
+        "fit",
+        "viscosity",
+        measured.to_str().unwrap(),
+        "--law",
+        "doolittle",
+        "--density",
+        "volume",
+    ];
+    assert!(w.refused(&fit).contains("volume"));
+    assert!(
+        w.done(&[&fit[..], &["--data", "data"]].concat())
+            .contains("equation_of_state")
     );
     // A result never takes the place of what was read.
     let over = w.refused(&["solve", "named.toml", "--data", "data", "-o", "data"]);

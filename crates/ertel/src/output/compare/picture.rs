@@ -118,13 +118,19 @@ impl Layout {
                 );
             }
         }
-        chart.series.push(legend_entry(Look::Circles, "measured"));
-        let computed = if is_crowded {
-            Look::Crosses
-        } else {
-            Look::LineAndDots
+        let computed = match is_crowded {
+            true => Look::Crosses,
+            false => Look::LineAndDots,
         };
-        chart.series.push(legend_entry(computed, "computed"));
+        if let [of_points, of_rows] = &mut chart.series[..] {
+            // One curve needs no colour of its own in the legend.
+            for (series, what) in [(of_rows, "measured"), (of_points, "computed")] {
+                series.label = format!("{}, {what}", figures[0].words());
+            }
+        } else {
+            chart.series.push(legend_entry(Look::Circles, "measured"));
+            chart.series.push(legend_entry(computed, "computed"));
+        }
         chart.y = y_axis(&chart, &y_label);
         chart
     }
