@@ -162,11 +162,18 @@ mod tests {
         for pair in ranking.ranked.windows(2) {
             assert!(pair[0].rms_left_out <= pair[1].rms_left_out);
         }
+        // A law that does not hold predicts what it has not seen worse than what it was fitted to.
+        let roelands = ranking
+            .ranked
+            .iter()
+            .find(|r| r.fit.name == LawName::Roelands)
+            .unwrap();
+        assert!(roelands.rms_left_out > 1e-3);
         assert!(
-            ranking
-                .ranked
-                .iter()
-                .any(|r| r.fit.name == LawName::Roelands && r.rms_left_out > 1e-3)
+            roelands.rms_left_out > 1.05 * roelands.fit.rms(),
+            "{} {}",
+            roelands.rms_left_out,
+            roelands.fit.rms()
         );
         let why = |law| {
             &ranking
