@@ -11,6 +11,9 @@ use clap::{Args, Parser, Subcommand};
 #[command(after_help = "\
 Exit codes: 0 solved, 1 results could not be written or a validation does not hold, 2 bad input or usage, 3 not converged (a point of a curve or study, too), 130 interrupted.")]
 pub struct Cli {
+    /// Folder of own lubricants and materials, `fluids/NAME.toml` and `solids/NAME.toml` [env: ERTEL_DATA]
+    #[arg(long = "data", global = true, value_name = "DIR")]
+    pub own_data: Option<PathBuf>,
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
@@ -23,6 +26,8 @@ pub enum Command {
     Solve(SolveArgs),
     /// Solve every point of a study: a base case and axes over any of its inputs
     Sweep(SweepArgs),
+    /// Solve a case at the points of a table of measurements, and compare films and tractions
+    Compare(CompareArgs),
     /// Estimate a case file by formulas, without solving it
     Estimate(EstimateArgs),
     /// Compute published cases and compare
@@ -116,6 +121,56 @@ pub struct SweepArgs {
     pub quiet: bool,
 }
 
+/// `ertel compare`.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+A run that was stopped or killed goes on where it was when it is started again. How tables and exports of rigs are read: \
+docs/guide/compare.md.")]
+pub struct CompareArgs {
+    /// The case file (TOML); the measurements say what varies
+    #[arg(value_name = "CASE.toml")]
+    pub case: PathBuf,
+    /// Measured films or tractions: a table with units in its titles, or an export of a PCS rig (EHD2, MTM, ETM)
+    #[arg(value_name = "MEASURED.csv")]
+    pub measured: PathBuf,
+    /// Folder for the results [default: `results/<name of the case file>-<name of the table>`]
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Read and check case and measurements, then stop
+    #[arg(long)]
+    pub check: bool,
+    /// Leave out a column of the table, by its whole title (may be repeated)
+    #[arg(long, value_name = "TITLE")]
+    pub ignore: Vec<String>,
+    /// Take this step of a rig's export alone, by its number (may be repeated)
+    #[arg(long, value_name = "N")]
+    pub step: Vec<usize>,
+    /// Thermometer of a rig that tells the temperature of the lubricant
+    #[arg(long, value_name = "WHERE", default_value = "lubricant", value_parser = PossibleValuesParser::new(["lubricant", "pot"]))]
+    pub thermometer: String,
+    /// Write a PNG picture beside the SVG one
+    #[arg(long)]
+    pub png: bool,
+    /// Solve once more what failed
+    #[arg(long)]
+    pub retry: bool,
+    /// Points solved at the same time [default: as many as cores]
+    #[arg(short, long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub jobs: Option<u16>,
+    /// Threads of each point
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: u16,
+    /// Neither use nor keep elastic operators of other solves
+    #[arg(long)]
+    pub no_cache: bool,
+    /// Exit code 0 also where an error bar is wider than half of a figure
+    #[arg(long)]
+    pub accept_unresolved: bool,
+    /// No progress on stderr and no report on stdout
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
 /// `3/8`.
 fn shard(text: &str) -> Result<ertel::study::Shard, String> {
     let parts = text.split_once('/');
@@ -188,7 +243,7 @@ pub struct FitArgs {
 /// The subcommands of `ertel fit`.
 #[derive(Debug, Subcommand)]
 pub enum FitCommand {
-    /// A viscosity law: cheng, roelands, wlf, doolittle, barus
+    /// A viscosity law: cheng, roelands, wlf, yasutomi, doolittle, barus, mcewen, paluch, mcewen-paluch
     Viscosity(FitLawArgs),
     /// A density law: tait, dowson-higginson
     Density(FitLawArgs),
@@ -250,9 +305,13 @@ pub struct FitLawArgs {
     /// Table with columns such as pressure_MPa, temperature_degC, viscosity_mPa_s (or density_kg_per_m3)
     #[arg(value_name = "DATA.csv")]
     pub data: PathBuf,
-    /// The law
+    /// The law; `all` ranks the laws by how well they predict isotherms left out, and takes the best
     #[arg(long, value_name = "LAW")]
     pub law: String,
+    /// Exit code 3 where the fitted law makes no sense, such as a viscosity that falls with pressure or an rms above 10 %;
+    /// the entry is written all the same
+    #[arg(long)]
+    pub strict: bool,
     /// Where the data come from, for the entry (default: the name of the file)
     #[arg(long, value_name = "TEXT")]
     pub source: Option<String>,

@@ -1,11 +1,13 @@
 //! `ertel fit`.
 
+mod all;
 mod film;
 
 use std::path::{Path, PathBuf};
 
 use ertel::fit::{self, Data, Fit, FittedLaw, Heading, LawName, Params, Property, Residual};
 use ertel::output::{digits, pressure, write_whole};
+use ertel_rheology::database::Kind;
 use ertel_rheology::density::TaitVolume;
 use ertel_rheology::input::Document;
 use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
@@ -32,12 +34,15 @@ pub fn run(arguments: &FitArgs) -> Result<(), Failure> {
 }
 
 fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
+    if arguments.law == all::NAME {
+        return all::run(property, arguments);
+    }
     let law = LawName::ALL
         .into_iter()
         .find(|law| law.name() == arguments.law && law.property() == property)
         .ok_or_else(|| {
             Failure::Argument(format!(
-                "--law {}: the laws for the {} are {}",
+                "--law {}: the laws for the {} are {}; `all` ranks them",
                 arguments.law,
                 property.name(),
                 LawName::choices(property)
@@ -57,7 +62,19 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
         };
         Failure::Argument(format!("{}: {error}{help}", data.file))
     })?;
-    for warning in &fit.warnings {
+    finish(&fit, &data, arguments, plot.as_deref(), String::new())
+}
+
+/// Warns, writes the entry and the picture, and shows the fit behind `text`.
+fn finish(
+    fit: &Fit,
+    data: &Data,
+    arguments: &FitLawArgs,
+    plot: Option<&Path>,
+    mut text: String,
+) -> Result<(), Failure> {
+    let nonsense = fit::nonsense(fit, data);
+    for warning in fit.warnings.iter().chain(&nonsense) {
         print::stderr(&format!("warning: {warning}"));
     }
     let stem = arguments
@@ -71,15 +88,15 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
             .clone()
             .unwrap_or_else(|| data.file.clone()),
     };
-    let entry = fit::entry(&fit, &data, &heading);
+    let entry = fit::entry(fit, data, &heading);
     let cannot_write = |path: &Path, error: std::io::Error| {
         Failure::Other(format!("cannot write {}: {error}", path.display()))
     };
-    if let Some(path) = &plot {
-        let svg = fit::picture(&fit, &data, &heading.title).svg();
+    if let Some(path) = plot {
+        let svg = fit::picture(fit, data, &heading.title).svg();
         write_whole(path, svg.as_bytes()).map_err(|error| cannot_write(path, error))?;
     }
-    let mut text = report(&fit, &data, arguments.verbose);
+    text += &report(fit, data, arguments.verbose);
     match &arguments.output {
         Some(path) => {
             write_whole(path, entry.as_bytes()).map_err(|error| cannot_write(path, error))?;
@@ -87,7 +104,14 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
         }
         None => text += &format!("\nEntry\n\n{entry}"),
     }
-    print::stdout(&text)
+    let shown = print::stdout(&text);
+    if arguments.strict && !nonsense.is_empty() {
+        return Err(Failure::NotConverged(format!(
+            "the fit makes no sense: {}",
+            nonsense.join("; ")
+        )));
+    }
+    shown
 }
 
 /// Where the picture goes: as asked, or beside the entry.
@@ -106,7 +130,7 @@ fn plot_path(arguments: &FitLawArgs) -> Result<Option<PathBuf>, Failure> {
 fn keep_inputs(arguments: &FitLawArgs, plot: Option<&Path>) -> Result<(), Failure> {
     let mut read = vec![arguments.data.clone()];
     let density = arguments.density.as_ref();
-    read.extend(density.filter(|d| is_entry(d)).map(PathBuf::from));
+    read.extend(density.and_then(|name| entry_path(name)));
     let entry = arguments.output.as_deref();
     inputs::keep(
         &read,
@@ -178,16 +202,15 @@ fn params(arguments: &FitLawArgs, law: LawName) -> Result<Params, Failure> {
     })
 }
 
-/// Whether `--density` names a file, not a fluid of the database.
-fn is_entry(name: &str) -> bool {
-    name.ends_with(".toml")
+/// The file that `--density` names, by its path or in the own data; `None` of a fluid of the database.
+fn entry_path(name: &str) -> Option<PathBuf> {
+    database::own_path(Kind::Fluid, name, Path::new(""))
 }
 
 /// The Tait equation of a fluid of the database, or of an entry in a file.
 fn volume(name: &str) -> Result<TaitVolume, Failure> {
-    let density = if is_entry(name) {
-        let path = Path::new(name);
-        let document = Document::read(path)?;
+    let density = if let Some(path) = entry_path(name) {
+        let document = Document::read(&path)?;
         let folder = path.parent().unwrap_or(Path::new("."));
         let table = document.root().required_table("density")?;
         Some(DensityLaw::from_table(table, Files::Folder(folder))?)

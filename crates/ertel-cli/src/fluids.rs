@@ -4,6 +4,7 @@ use std::path::Path;
 
 use ertel::output::plot::{ViscosityCurve, viscosity_chart};
 use ertel::output::{digits, pressure, write_whole};
+use ertel_rheology::database::Kind;
 use ertel_rheology::quantity::{self, Dimension};
 use ertel_rheology::shear::ShearLaw;
 use ertel_rheology::{DensityLaw, Fluid, ShearThinning, database};
@@ -50,8 +51,8 @@ pub fn run(arguments: &FluidsArgs) -> Result<(), Failure> {
 
 fn list() -> Result<String, Failure> {
     let mut rows = Vec::new();
-    for name in database::fluid_names() {
-        let fluid = database::fluid(name)?;
+    for name in names(Kind::Fluid) {
+        let fluid = database::fluid_or_file(&name, Path::new(""), None)?;
         let density = fluid
             .density
             .as_ref()
@@ -61,7 +62,7 @@ fn list() -> Result<String, Failure> {
             .as_ref()
             .map_or_else(|| "no thinning law".to_owned(), ShearThinning::describe);
         rows.push(vec![
-            name.to_owned(),
+            name,
             fluid.viscosity.name().to_owned(),
             density.to_owned(),
             thinning,
@@ -72,6 +73,19 @@ fn list() -> Result<String, Failure> {
         "Fluids (`ertel fluids show NAME` for the data and their sources):\n\n{}",
         columns(&rows)
     ))
+}
+
+/// Names of the own data, then those of the database.
+pub fn names(kind: Kind) -> Vec<String> {
+    let own = database::own_data();
+    let (own, shipped) = match kind {
+        Kind::Fluid => (own.map(|own| &own.fluids), database::fluid_names()),
+        Kind::Solid => (own.map(|own| &own.solids), database::solid_names()),
+    };
+    let own = own.cloned().unwrap_or_default();
+    let shipped = shipped.into_iter().map(str::to_owned);
+    let others: Vec<String> = shipped.filter(|name| !own.contains(name)).collect();
+    own.into_iter().chain(others).collect()
 }
 
 /// The temperature asked for, or the fluid's own, K.

@@ -6,12 +6,14 @@
 
 mod args;
 mod cache;
+mod compare;
 mod estimate;
 mod failure;
 mod fit;
 mod fluids;
 mod inputs;
 mod monte_carlo;
+mod own_data;
 mod print;
 mod progress;
 mod provenance;
@@ -29,16 +31,17 @@ use args::{Cli, Command};
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
-    let result = match cli.command {
+    let result = own_data::set(cli.own_data.as_deref()).and_then(|()| match cli.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Estimate(arguments) => estimate::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Cache(arguments) => cache::run(&arguments),
         Command::Fluids(arguments) => fluids::run(&arguments),
         Command::Solids(arguments) => solids::run(&arguments),
-    };
+    });
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {

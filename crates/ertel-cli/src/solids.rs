@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use ertel::output::pressure;
-use ertel_rheology::database;
+use ertel_rheology::database::{self, Kind};
 
 use crate::args::{SolidsArgs, SolidsCommand};
 use crate::failure::Failure;
+use crate::fluids::names;
 use crate::print;
 use crate::provenance::{data, notes};
 use crate::table::columns;
@@ -26,10 +27,10 @@ pub fn run(arguments: &SolidsArgs) -> Result<(), Failure> {
 
 fn list() -> Result<String, Failure> {
     let mut rows = Vec::new();
-    for name in database::solid_names() {
-        let solid = database::solid(name)?;
+    for name in names(Kind::Solid) {
+        let solid = database::solid_or_file(&name, Path::new(""), None)?;
         rows.push(vec![
-            name.to_owned(),
+            name,
             format!("E {}", pressure(solid.youngs_modulus)),
             format!("ν {}", solid.poissons_ratio),
             solid.title,

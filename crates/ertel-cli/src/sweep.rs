@@ -209,7 +209,7 @@ fn merged(summary: &SweepSummary, target: &Path, arguments: &SweepArgs) -> Resul
 }
 
 /// Failures and warnings, each with its points.
-fn remarks(summary: &SweepSummary) -> String {
+pub fn remarks(summary: &SweepSummary) -> String {
     let mut text = String::new();
     for (index, label, reason) in summary.failures.iter().take(MOST_SHOWN) {
         text += &format!("  ! point {} ({label}) failed: {reason}\n", index + 1);

@@ -83,7 +83,7 @@ fn bad_data_and_usage_exit_with_2() {
         (&["none.csv", "--law", "cheng"], "cannot be read"),
         (
             &[good, "--law", "tait"],
-            "cheng, roelands, wlf, doolittle, barus",
+            "cheng, roelands, wlf, yasutomi, doolittle, barus, mcewen, paluch, mcewen-paluch",
         ),
         (&[good, "--law", "doolittle"], "--density"),
         (
@@ -103,6 +103,10 @@ fn bad_data_and_usage_exit_with_2() {
             "confidence",
         ),
         (&[good, "--law", "cheng", "--plot", "x.png"], ".svg"),
+        (
+            &[good, "--law", "all", "--hold", "mu_0=1 Pa.s"],
+            "--law all",
+        ),
     ] {
         let output = ertel(&[&["fit", "viscosity"], arguments].concat());
         let error = text(&output.stderr);
@@ -258,4 +262,99 @@ fn warnings_show_control_characters_of_titles() {
     let output = ertel(&["fit", "film", path.to_str().unwrap(), "--form", "speed"]);
     let warning = text(&output.stderr);
     assert!(warning.contains("(temperature\\u000b[degC])"), "{warning}");
+}
+
+/// The laws are ranked by the isotherms that they were not fitted to, and the best one is written.
+#[test]
+fn all_laws_are_ranked() {
+    let folder = tempfile::tempdir().unwrap();
+    let entry = folder.path().join("oil.toml");
+    let good = published("fluid-a.csv");
+    let arguments = [
+        "fit",
+        "viscosity",
+        good.to_str().unwrap(),
+        "--law",
+        "all",
+        "-o",
+        entry.to_str().unwrap(),
+    ];
+    let output = ertel(&arguments);
+    let report = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    for words in [
+        "isotherm left out",
+        "Not ranked",
+        "it knows no temperature",
+        "equation of state",
+        "cheng",
+        "wlf",
+    ] {
+        assert!(report.contains(words), "`{words}` is missing in\n{report}");
+    }
+    let best = report
+        .lines()
+        .skip_while(|l| !l.contains("isotherm left out"))
+        .nth(1)
+        .unwrap();
+    let best = best.split_whitespace().next().unwrap();
+    assert!(
+        std::fs::read_to_string(&entry)
+            .unwrap()
+            .contains(&format!("law = \"{best}\"")),
+        "{best}"
+    );
+    // One isotherm says nothing about others.
+    let isotherm = folder.path().join("isotherm.csv");
+    std::fs::write(
+        &isotherm,
+        "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,10\n50,300,20\n100,300,40\n150,300,90\n",
+    )
+    .unwrap();
+    let output = ertel(&[
+        "fit",
+        "viscosity",
+        isotherm.to_str().unwrap(),
+        "--law",
+        "all",
+    ]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        text(&output.stderr).contains("at least 3 isotherms"),
+        "{}",
+        text(&output.stderr)
+    );
+}
+
+/// A viscosity that falls with pressure is told, and refused by `--strict`, with the entry written.
+#[test]
+fn constants_that_make_no_sense_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (data, entry) = (path("odd.csv"), path("odd.toml"));
+    let odd = "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,100\n100,300,400\n200,300,150\n300,300,3000\n400,300,900\n";
+    std::fs::write(&data, odd).unwrap();
+    let arguments = ["fit", "viscosity", &data, "--law", "barus", "-o", &entry];
+    let output = ertel(&arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(
+        text(&output.stderr).contains("warning: the law `barus` does not describe the data"),
+        "{}",
+        text(&output.stderr)
+    );
+    std::fs::remove_file(&entry).unwrap();
+    let output = ertel(&[&arguments[..], &["--strict"]].concat());
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("makes no sense"));
+    assert!(std::path::Path::new(&entry).is_file());
+    // Measurements that rise with temperature.
+    let hot = "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,10\n100,300,40\n200,300,160\n0,320,20\n100,320,80\n200,320,320\n0,340,38\n100,340,150\n200,340,600\n";
+    std::fs::write(&data, hot).unwrap();
+    let output = ertel(&["fit", "viscosity", &data, "--law", "cheng", "--strict"]);
+    assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
+    assert!(
+        text(&output.stderr).contains("rises with temperature"),
+        "{}",
+        text(&output.stderr)
+    );
 }

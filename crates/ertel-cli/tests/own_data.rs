@@ -203,3 +203,136 @@ fn errors_name_the_file() {
         "{body}"
     );
 }
+
+/// A name stands for a file of the folder of own data in cases, studies, lists and fits; where the database has it, too, the file
+/// counts, and a note says so.
+#[test]
+fn names_of_a_folder_of_own_data_stand_beside_those_of_the_database() {
+    let tait = "viscosity = { law = \"constant\", mu_0 = \"10 mPa.s\" }\n[density]\nlaw = \"tait\"\nrho_0 = \"870 kg/m^3\"\n\
+        reference_temperature = \"20 degC\"\nk_0r = \"9 GPa\"\nk_0r_prime = 10.5\nbeta_k = \"6.5e-3 1/K\"\nbeta_k_prime = \"0 1/K\"\na_v = \"7.7e-4 1/K\"\n";
+    let w = Workspace::new(&[
+        ("data/fluids/works-oil.toml", OIL),
+        (
+            "data/fluids/glycerol.toml",
+            &OIL.replace("40 mPa.s", "80 mPa.s"),
+        ),
+        ("data/fluids/volume.toml", tait),
+        ("data/solids/works-metal.toml", METAL),
+        (
+            "named.toml",
+            &case("lubricant = \"works-oil\"", "\"works-metal\""),
+        ),
+        (
+            "path.toml",
+            &case(
+                "lubricant = \"data/fluids/works-oil.toml\"",
+                "\"data/solids/works-metal.toml\"",
+            ),
+        ),
+        (
+            "shadow.toml",
+            &case("lubricant = \"glycerol\"", "\"steel\""),
+        ),
+        (
+            "shipped.toml",
+            &case("lubricant = \"squalane-pip\"", "\"steel\""),
+        ),
+        (
+            "study.toml",
+            "case = \"named.toml\"\n[[axis]]\nkey = \"lubricant\"\nvalues = [\"works-oil\", \"thesis-roelands-oil\"]\n",
+        ),
+    ]);
+    // Without the folder the names are unknown; with it, films are those of the files, to the bit.
+    let unknown = w.refused(&["solve", "named.toml"]);
+    assert!(unknown.contains("works-"), "{unknown}");
+    let by_path = w.central_film("path.toml");
+    w.done(&[
+        "solve",
+        "named.toml",
+        "-q",
+        "-o",
+        "result",
+        "--data",
+        "data",
+    ]);
+    let film = |w: &Workspace| {
+        let read = std::fs::read_to_string(w.path("result/result.json")).unwrap();
+        let result: Value = serde_json::from_str(&read).unwrap();
+        result["summary"]["film_central"]["value"].as_f64().unwrap()
+    };
+    assert_eq!(film(&w), by_path);
+    // The variable does what the option does.
+    let with_variable = |arguments: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_ertel"))
+            .current_dir(w.0.path())
+            .args(arguments)
+            .env("ERTEL_DATA", "data")
+            .output()
+            .unwrap()
+    };
+    for arguments in [
+        &["sweep", "study.toml", "--dry-run"][..],
+        &["solve", "--check", "shipped.toml"],
+    ] {
+        let output = with_variable(arguments);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert!(text(&output.stderr).contains("note: the fluid `glycerol` is that of data"));
+    }
+    let list = with_variable(&["fluids"]);
+    assert!(
+        text(&list.stdout).contains("works-oil") && text(&list.stdout).contains("squalane-pip")
+    );
+    assert_eq!(text(&list.stdout).matches("\n  glycerol ").count(), 1);
+    assert!(text(&with_variable(&["solids"]).stdout).contains("works-metal"));
+    assert!(text(&with_variable(&["fluids", "show", "glycerol"]).stdout).contains("80 mPa.s"));
+    assert!(
+        w.done(&["solids", "show", "works-metal", "--data", "data"])
+            .contains("200 GPa")
+    );
+    // The volume of Doolittle's law.
+    let measured =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/appendix-c/fluid-a.csv");
+    let fit = [
+        "fit",
+        "viscosity",
+        measured.to_str().unwrap(),
+        "--law",
+        "doolittle",
+        "--density",
+        "volume",
+    ];
+    assert!(w.refused(&fit).contains("volume"));
+    assert!(
+        w.done(&[&fit[..], &["--data", "data"]].concat())
+            .contains("equation_of_state")
+    );
+    // A result never takes the place of what was read.
+    let over = w.refused(&["solve", "named.toml", "--data", "data", "-o", "data"]);
+    assert!(over.contains("will not replace the folder data"), "{over}");
+}
+
+#[test]
+fn a_folder_that_is_none_is_refused() {
+    let w = Workspace::new(&[
+        ("file", ""),
+        ("empty/x.toml", OIL),
+        ("data/fluids/bad.toml", "viscosity = 3\n"),
+    ]);
+    for (folder, words) in [
+        ("nothing", "no folder"),
+        ("file", "no folder"),
+        ("empty", "neither a folder `fluids` nor `solids`"),
+    ] {
+        let message = w.refused(&["fluids", "--data", folder]);
+        assert!(
+            message.contains(words) && message.contains(folder),
+            "{message}"
+        );
+    }
+    assert!(
+        w.refused(&["fluids", "--data", "data"])
+            .contains("bad.toml:1:")
+    );
+    let near = w.refused(&["fluids", "show", "badd", "--data", "data"]);
+    assert!(near.contains("did you mean `bad`"), "{near}");
+}

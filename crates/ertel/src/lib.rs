@@ -3,12 +3,14 @@
 //! contact, film → forms → solve → post → output; forms never see files, solve never formats text.
 
 pub mod case;
+pub mod compare;
 pub mod contact;
 pub mod elastic;
 pub mod estimate;
 pub mod film;
 pub mod fit;
 pub mod forms;
+pub mod interference;
 pub mod mixed;
 pub mod output;
 pub mod params;

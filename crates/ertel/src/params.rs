@@ -2,6 +2,7 @@
 
 mod thermal;
 
+use crate::interference::Interferometer;
 use std::path::PathBuf;
 
 use serde::Serialize;
@@ -274,6 +275,8 @@ pub struct OutputParams {
     pub png: bool,
     /// Write the displacement of the whole body (`body.vtu`).
     pub body_field: bool,
+    /// Picture of a point contact by the interference of light.
+    pub interferogram: Option<Interferometer>,
     /// Which derivatives of the figures by inputs are computed.
     pub sensitivities: SensitivityDemand,
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use ertel_rheology::database;
+use ertel_rheology::database::{Kind, own_path};
 
 use super::Case;
 
@@ -17,10 +17,18 @@ impl Case {
     }
 }
 
-/// Whether a value names a lubricant or a material in a file.
-fn is_own(key: &str, name: &str) -> bool {
+/// The files of the user that a value may stand for, as a lubricant or a material.
+fn own(key: &str, name: &str, folder: &Path) -> Vec<PathBuf> {
     const KEYS: [&str; 6] = ["lubricant", "name", "plane", "ball", "body_1", "body_2"];
-    KEYS.contains(&key) && database::is_file(name)
+    if !KEYS.contains(&key) {
+        return Vec::new();
+    }
+    let kinds = [Kind::Fluid, Kind::Solid].into_iter();
+    let mut paths: Vec<PathBuf> = kinds
+        .filter_map(|kind| own_path(kind, name, folder))
+        .collect();
+    paths.dedup();
+    paths
 }
 
 fn collect(value: &Value, folder: &Path, files: &mut Vec<PathBuf>) {
@@ -28,9 +36,8 @@ fn collect(value: &Value, folder: &Path, files: &mut Vec<PathBuf>) {
         Value::Object(entries) => {
             for (key, value) in entries {
                 match value {
-                    Value::String(name) if key == "file" || is_own(key, name) => {
-                        files.push(folder.join(name));
-                    }
+                    Value::String(name) if key == "file" => files.push(folder.join(name)),
+                    Value::String(name) => files.extend(own(key, name, folder)),
                     value => collect(value, folder, files),
                 }
             }

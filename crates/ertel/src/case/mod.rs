@@ -39,6 +39,7 @@ mod files;
 mod geometry;
 mod inlet;
 mod inputs;
+mod interferogram;
 mod lubricant;
 mod machine;
 mod motion;
@@ -196,7 +197,7 @@ impl Case {
             None => Supply::Flooded,
         };
         let output = match root.optional_table("output")? {
-            Some(table) => params::read_output(table, &solver)?,
+            Some(table) => params::read_output(table, &solver, contact.kind)?,
             None => OutputParams::default(),
         };
         root.contains("curve");
@@ -271,7 +272,9 @@ fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> 
     move |error| match error {
         DatabaseError::Unknown { choices, .. } => table.unknown_name(key, choices),
         DatabaseError::Data(error) => error,
-        DatabaseError::File { .. } => table.error(key, error.to_string()),
+        DatabaseError::File { .. } | DatabaseError::Folder { .. } => {
+            table.error(key, error.to_string())
+        }
     }
 }
 

@@ -303,6 +303,7 @@ pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
 pub(super) fn read_output(
     mut table: Table<'_>,
     solver: &SolverParams,
+    kind: ContactKind,
 ) -> Result<OutputParams, InputError> {
     let mut output = OutputParams::default();
     if let Some(folder) = table.optional_str("folder")? {
@@ -321,6 +322,9 @@ pub(super) fn read_output(
     }
     if output.body_field {
         needs_body(&table, solver, "body_field", "`body_field = true`")?;
+    }
+    if let Some(light) = table.optional_table("interferogram")? {
+        output.interferogram = Some(super::interferogram::read(light, kind)?);
     }
     table.finish()?;
     Ok(output)

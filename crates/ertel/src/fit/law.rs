@@ -5,7 +5,8 @@ use ertel_rheology::density::{
 };
 use ertel_rheology::quantity::{self, Dimension, Unit};
 use ertel_rheology::viscosity::{
-    Barus, Cheng, Doolittle, ModifiedWlf, OccupiedVolume, Roelands, TemperatureSlope,
+    Barus, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
+    Roelands, TemperatureSlope,
 };
 use ertel_rheology::{DensityLaw, LawError, ViscosityLaw};
 
@@ -13,6 +14,9 @@ use super::{Data, FitError, Params, Property};
 
 /// Spread of temperatures (K) below which the data count as one isotherm: thermostats hold less.
 pub(super) const ISOTHERM: f64 = 0.5;
+
+/// Start of the pressure at which a law diverges, Pa: beyond all measurements.
+const FAR: f64 = 5e9;
 
 /// A law that can be fitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +31,14 @@ pub enum LawName {
     Wlf,
     /// Viscosity, with a Tait equation of state.
     Doolittle,
+    /// Viscosity, improved Yasutomi.
+    Yasutomi,
+    /// Viscosity, one isotherm.
+    McEwen,
+    /// Viscosity, one isotherm.
+    Paluch,
+    /// Viscosity, one isotherm: the product of both.
+    Hybrid,
     /// Density.
     Tait,
     /// Density.
@@ -35,12 +47,16 @@ pub enum LawName {
 
 impl LawName {
     /// All laws.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 11] = [
         Self::Cheng,
         Self::Roelands,
         Self::Wlf,
+        Self::Yasutomi,
         Self::Doolittle,
         Self::Barus,
+        Self::McEwen,
+        Self::Paluch,
+        Self::Hybrid,
         Self::Tait,
         Self::DowsonHigginson,
     ];
@@ -52,7 +68,11 @@ impl LawName {
             Self::Cheng => "cheng",
             Self::Roelands => "roelands",
             Self::Wlf => "wlf",
+            Self::Yasutomi => "yasutomi",
             Self::Doolittle => "doolittle",
+            Self::McEwen => "mcewen",
+            Self::Paluch => "paluch",
+            Self::Hybrid => "mcewen-paluch",
             Self::Tait => "tait",
             Self::DowsonHigginson => "dowson-higginson",
         }
@@ -64,6 +84,14 @@ impl LawName {
             Self::Tait | Self::DowsonHigginson => Property::Density,
             _ => Property::Viscosity,
         }
+    }
+
+    /// Whether it knows temperature; constants of the others are those of one isotherm.
+    pub fn is_thermal(self) -> bool {
+        !matches!(
+            self,
+            Self::Barus | Self::McEwen | Self::Paluch | Self::Hybrid
+        )
     }
 
     /// The laws for a property, as a list.
@@ -265,6 +293,44 @@ fn constants(law: LawName, start: &Start) -> Vec<Constant> {
                 positive("c_2", "K", kelvin, c_2),
             ]
         }
+        LawName::Yasutomi => {
+            // As of the modified law, with usual constants of F (Bair and others 2013).
+            let (mu_g, c_1, c_2) = (1e12, 16.0, 20.0);
+            let decades = (mu_g / start.value).log10().clamp(1.0, c_1 - 0.8);
+            let x = c_2 * decades / (c_1 - decades);
+            vec![
+                positive("mu_g", "Pa.s", Dimension::VISCOSITY, mu_g).hold(),
+                positive(
+                    "t_g0",
+                    "K",
+                    Dimension::TEMPERATURE,
+                    (start.t_r - x).max(50.0),
+                ),
+                positive("a_1", "K", kelvin, 20.0),
+                positive("a_2", "1/GPa", per_pressure, 4e-9),
+                positive("b_1", "1/GPa", per_pressure, 8e-9),
+                any("b_2", "", Dimension::DIMENSIONLESS, -0.4, 0.1),
+                number("c_1", c_1),
+                positive("c_2", "K", kelvin, c_2),
+            ]
+        }
+        LawName::McEwen => vec![
+            mu_0(),
+            positive("alpha", "1/GPa", per_pressure, 1.2 * start.slope),
+            number("q", 10.0),
+        ],
+        LawName::Paluch => vec![
+            mu_0(),
+            number("c_f", start.slope * FAR),
+            positive("p_inf", "GPa", Dimension::PRESSURE, FAR),
+        ],
+        LawName::Hybrid => vec![
+            mu_0(),
+            positive("a_0", "1/GPa", per_pressure, start.slope),
+            number("q", 4.0),
+            number("c_f", 0.2 * start.slope * FAR),
+            positive("p_inf", "GPa", Dimension::PRESSURE, FAR),
+        ],
         LawName::Doolittle => vec![mu_0(), number("b", 4.0), number("r_0", 0.65)],
         LawName::Tait => {
             // The secant modulus over the data is about twice that at ambient pressure; exp(-β_K T_R) belongs to it.
@@ -296,7 +362,13 @@ fn constants(law: LawName, start: &Start) -> Vec<Constant> {
                 positive("a_v", "1/K", per_kelvin, 7e-4),
             ]),
             LawName::DowsonHigginson => list.push(positive("beta", "1/K", per_kelvin, 7e-4)),
-            LawName::Barus | LawName::Cheng | LawName::Wlf => {}
+            LawName::Barus
+            | LawName::Cheng
+            | LawName::Wlf
+            | LawName::Yasutomi
+            | LawName::McEwen
+            | LawName::Paluch
+            | LawName::Hybrid => {}
         }
     }
     list
@@ -393,7 +465,12 @@ impl Model {
     pub(super) fn reference_temperature(&self) -> Option<f64> {
         match self.law {
             LawName::Cheng => Some(self.t_r),
-            LawName::Barus | LawName::Wlf => None,
+            LawName::Barus
+            | LawName::Wlf
+            | LawName::Yasutomi
+            | LawName::McEwen
+            | LawName::Paluch
+            | LawName::Hybrid => None,
             _ => self.thermal.then_some(self.t_r),
         }
     }
@@ -440,6 +517,30 @@ impl Model {
                 b_2: v[5],
                 c_1: v[6],
                 c_2: v[7],
+            })?)),
+            LawName::Yasutomi => {
+                let constants = ImprovedYasutomi {
+                    glass_viscosity: v[0],
+                    glass_temperature: v[1],
+                    a_1: v[2],
+                    a_2: v[3],
+                    b_1: v[4],
+                    b_2: v[5],
+                    c_1: v[6],
+                    c_2: v[7],
+                };
+                viscosity(ViscosityLaw::ImprovedYasutomi(ImprovedYasutomi::new(
+                    constants,
+                )?))
+            }
+            LawName::McEwen => viscosity(ViscosityLaw::McEwen(McEwen::new(v[0], v[1], v[2])?)),
+            LawName::Paluch => viscosity(ViscosityLaw::Paluch(Paluch::new(v[0], v[1], v[2])?)),
+            LawName::Hybrid => viscosity(ViscosityLaw::Hybrid(Hybrid::new(Hybrid {
+                mu_0: v[0],
+                a_0: v[1],
+                q: v[2],
+                fragility: v[3],
+                divergence_pressure: v[4],
             })?)),
             LawName::Doolittle => {
                 let occupied = thermal.then(|| OccupiedVolume {

@@ -17,6 +17,8 @@ mod film;
 mod law;
 mod least_squares;
 mod picture;
+mod ranking;
+mod sense;
 
 pub use data::{Data, DataError, Property, State};
 pub use entry::{Heading, entry};
@@ -27,6 +29,8 @@ pub use film::{
 pub use law::{FittedLaw, LawName};
 pub use least_squares::{Minimum, MinimumError, minimise};
 pub use picture::picture;
+pub use ranking::{Ranked, Ranking, Unranked, rank};
+pub use sense::{LARGEST_RMS, nonsense};
 
 use ertel_rheology::LawError;
 use ertel_rheology::density::TaitVolume;
@@ -337,9 +341,10 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
     }
     let mut warnings = warnings(&minimum, &free, &model.constants, &constants);
     let [low, high] = data.temperature_range();
-    if law == LawName::Barus && high - low > law::ISOTHERM {
+    if !law.is_thermal() && high - low > law::ISOTHERM {
         warnings.push(format!(
-            "the law `barus` knows no temperature, but the data go from {low:.1} K to {high:.1} K: fit one isotherm, or `cheng`"
+            "the law `{}` knows no temperature, but the data go from {low:.1} K to {high:.1} K: fit one isotherm, or `cheng`",
+            law.name()
         ));
     }
     Ok(Fit {

@@ -3,6 +3,7 @@
 //! [`write()`] puts everything into one folder that appears as a whole or not at all.
 
 pub mod centreline;
+pub mod compare;
 mod csv;
 pub mod curve;
 mod echo;
@@ -31,6 +32,7 @@ mod tests;
 #[cfg(test)]
 mod workplace_tests;
 
+pub use compare::{comparison_report, write_comparison};
 pub(crate) use csv::{quoted, text_field};
 pub use curve::{curve_report, write_curve};
 pub use echo::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho};
@@ -94,6 +96,9 @@ pub enum OutputError {
     /// PNG pictures were asked for but cannot be made.
     #[error(transparent)]
     Png(#[from] PngError),
+    /// The image of an interferogram cannot be made.
+    #[error("cannot make the interferogram: {0}")]
+    Image(#[from] plot::ImageError),
 }
 
 impl OutputError {
@@ -178,6 +183,14 @@ fn write_files(
     }
     for picture in plot::pictures(&case.title, solution, Some(case.solver.tolerance)) {
         write_picture(folder, &picture, params.png)?;
+    }
+    if let Some(light) = &params.interferogram {
+        let image = plot::Image::new(solution, light, case.fluid.density);
+        let png = image.png()?;
+        folder.file("interferogram.svg", |out| {
+            out.write_all(image.svg(&case.title, &png).as_bytes())
+        })?;
+        folder.file("interferogram.png", |out| out.write_all(&png))?;
     }
     Ok(())
 }

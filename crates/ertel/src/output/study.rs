@@ -231,7 +231,7 @@ impl Layout {
 }
 
 /// Words and unit of a column: entrainment speed and m/s of `motion.entrainment_speed_m_per_s`.
-fn words(title: &str) -> (String, String) {
+pub(super) fn words(title: &str) -> (String, String) {
     let name = title.rsplit('.').next().unwrap_or(title);
     // The longest unit: `_m_per_s` before `_s`.
     for (i, _) in name.match_indices('_') {

@@ -10,7 +10,7 @@ use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 38] = [
+pub(super) const OWN_FILES: [&str; 40] = [
     "result.json",
     "curve.json",
     "curve.csv",
@@ -48,6 +48,8 @@ pub(super) const OWN_FILES: [&str; 38] = [
     "temperature-plane.png",
     "temperature-ball.svg",
     "temperature-ball.png",
+    "interferogram.svg",
+    "interferogram.png",
     "cross-film.svg",
     "cross-film.png",
 ];
@@ -159,7 +161,7 @@ fn point_without_result(folder: &Path) -> io::Result<Option<PathBuf>> {
     Ok(None)
 }
 
-fn has_format(path: &Path, format: &str) -> bool {
+pub(super) fn has_format(path: &Path, format: &str) -> bool {
     fs::read(path)
         .ok()
         .and_then(|bytes| serde_json::from_slice::<serde_json::Value>(&bytes).ok())

@@ -21,6 +21,7 @@
 //! base case read once more with its values put in, so that every check of a case applies; errors point to the study.
 
 mod axis;
+mod beside;
 mod points;
 mod text;
 
@@ -36,6 +37,8 @@ use super::Case;
 use crate::contact::ContactKind;
 pub use axis::AxisValue;
 use axis::Group;
+pub use beside::PointColumn;
+pub(crate) use points::split_title;
 
 /// Points of one study, at most: the tree of starts takes their square in time.
 pub const MOST_POINTS: usize = 20_000;
@@ -100,7 +103,7 @@ struct Setting {
 
 impl Study {
     /// A study made in code of points of one case.
-    pub(crate) fn of_points(
+    pub(crate) fn of_samples(
         base: &Case,
         columns: Vec<StudyColumn>,
         points: Vec<StudyPoint>,
@@ -149,57 +152,87 @@ impl Study {
         };
         groups.extend(axis::read(&mut root, &study, offset)?);
         root.finish()?;
-        check_keys(&case, &groups)?;
-        let n_points = groups
-            .iter()
-            .try_fold(1usize, |n, group| n.checked_mul(group.len()));
-        let n_points = n_points.filter(|n| *n <= MOST_POINTS).ok_or_else(|| {
-            study
-                .root()
-                .error_here(format!("the axes make more than {MOST_POINTS} points"))
-        })?;
         if groups.is_empty() {
             return Err(study.root().missing("axis").with_help(
                 "what varies: [[axis]] with `key` and `values`, or a table `points = \"points.csv\"`",
             ));
         }
-        let base_folder = base.parent().unwrap_or(Path::new(""));
-        let points: Vec<StudyPoint> = (0..n_points)
-            .map(|index| {
-                let settings = settings_of(&groups, index);
-                point(&case, base_folder, &study, index, &settings)
-            })
-            .collect::<Result<_, _>>()?;
-        let tables: BTreeSet<PathBuf> = (points.iter())
-            .flat_map(|point| point.case.files(base_folder))
-            .collect();
-        files.extend(tables);
-        let kind = points[0].case.contact.kind;
-        if let Some(i) = points.iter().position(|p| p.case.contact.kind != kind) {
-            return Err(study.root().error_here(format!(
-                "point 1 is a {kind:?} contact and point {} is not: their tables have different units; make two studies \
-                 of them",
-                i + 1
-            )));
-        }
-        let columns = groups
-            .iter()
-            .flat_map(|group| &group.axes)
-            .map(|axis| StudyColumn {
-                key: axis.key.clone(),
-                header: axis.header(),
-            })
-            .collect();
-        Ok(Self {
-            title,
-            base,
-            columns,
-            points,
-            files,
-            source: study.text().to_owned(),
-            kind,
-        })
+        let source = Source {
+            name: study.file(),
+            text: study.text(),
+            error: &|message| study.root().error_here(message),
+        };
+        build(title, base, &case, &groups, &source, files)
     }
+}
+
+/// The file that says which points a study has.
+struct Source<'a> {
+    /// As errors name it.
+    name: &'a str,
+    /// Its text.
+    text: &'a str,
+    /// An error about all of it.
+    error: &'a dyn Fn(String) -> InputError,
+}
+
+/// Reads every point of a study whose base case and axes are known.
+fn build(
+    title: String,
+    base: PathBuf,
+    case: &Document,
+    groups: &[Group],
+    source: &Source<'_>,
+    mut files: Vec<PathBuf>,
+) -> Result<Study, InputError> {
+    check_keys(case, groups)?;
+    let n_points = groups
+        .iter()
+        .try_fold(1usize, |n, group| n.checked_mul(group.len()));
+    let n_points = n_points
+        .filter(|n| *n <= MOST_POINTS)
+        .ok_or_else(|| (source.error)(format!("these are more than {MOST_POINTS} points")))?;
+    let folder = base.parent().unwrap_or(Path::new(""));
+    let points: Vec<StudyPoint> = (0..n_points)
+        .map(|index| {
+            point(
+                case,
+                folder,
+                source.name,
+                index,
+                &settings_of(groups, index),
+            )
+        })
+        .collect::<Result<_, _>>()?;
+    let tables: BTreeSet<PathBuf> = (points.iter())
+        .flat_map(|point| point.case.files(folder))
+        .collect();
+    files.extend(tables);
+    let kind = points[0].case.contact.kind;
+    if let Some(i) = points.iter().position(|p| p.case.contact.kind != kind) {
+        return Err((source.error)(format!(
+            "point 1 is a {kind:?} contact and point {} is not: their tables have different units; make two studies \
+             of them",
+            i + 1
+        )));
+    }
+    let columns = groups
+        .iter()
+        .flat_map(|group| &group.axes)
+        .map(|axis| StudyColumn {
+            key: axis.key.clone(),
+            header: axis.header(),
+        })
+        .collect();
+    Ok(Study {
+        title,
+        base,
+        columns,
+        points,
+        files,
+        source: source.text.to_owned(),
+        kind,
+    })
 }
 
 /// Reads a file that the key `key` of a table names: where it cannot be read, the error points at that key.
@@ -284,7 +317,7 @@ fn settings_of(groups: &[Group], index: usize) -> Vec<Setting> {
 fn point(
     case: &Document,
     folder: &Path,
-    study: &Document,
+    source: &str,
     index: usize,
     settings: &[Setting],
 ) -> Result<StudyPoint, InputError> {
@@ -303,13 +336,11 @@ fn point(
         }
         Case::from_document(&document, folder)
     };
-    let mut case = read().map_err(|error| {
-        error.with_help(format!("point {} of {}: {label}", index + 1, study.file()))
-    })?;
+    let mut case = read()
+        .map_err(|error| error.with_help(format!("point {} of {source}: {label}", index + 1)))?;
     case.source = format!(
-        "# Point {} of {}: {label}\n{}",
+        "# Point {} of {source}: {label}\n{}",
         index + 1,
-        study.file(),
         text::to_toml(document.tree())
     );
     Ok(StudyPoint {

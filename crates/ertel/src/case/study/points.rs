@@ -85,7 +85,7 @@ fn line_span(text: &str, line: usize) -> Range<usize> {
 }
 
 /// The value that a cell puts into the case.
-fn value_of(cell: &str, unit: &str) -> Value {
+pub(super) fn value_of(cell: &str, unit: &str) -> Value {
     if !unit.is_empty() {
         return Value::Str(format!("{cell} {unit}"));
     }
@@ -103,7 +103,7 @@ fn value_of(cell: &str, unit: &str) -> Value {
 }
 
 /// Key and unit of `contact.load_N`, `contact.load [N]`, `lubricant.name`.
-fn split_title(case: &Document, title: &str) -> Option<(String, String)> {
+pub(crate) fn split_title(case: &Document, title: &str) -> Option<(String, String)> {
     let is_key = |key: &str| {
         let part = |p: &str| {
             !p.is_empty()

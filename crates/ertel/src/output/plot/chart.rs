@@ -60,6 +60,15 @@ pub struct Series {
     pub side: Side,
 }
 
+/// Vertical bars through points, for what is not certain.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ErrorBars {
+    /// x, and the ends of each bar; one whose lower end is below a logarithmic axis goes to its foot.
+    pub bars: Vec<[f64; 3]>,
+    /// Colour, `#rrggbb`.
+    pub colour: String,
+}
+
 /// Vertical line with a label over the frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker {
@@ -86,6 +95,8 @@ pub struct Chart {
     pub y_right: Option<Axis>,
     /// Curves, drawn in this order.
     pub series: Vec<Series>,
+    /// Error bars on the left axis, below the curves.
+    pub error_bars: Vec<ErrorBars>,
     /// Vertical lines.
     pub markers: Vec<Marker>,
     /// Shaded ranges of x.
@@ -96,6 +107,8 @@ pub struct Chart {
 const LEFT: f64 = 68.0;
 const WIDTH: f64 = 420.0;
 const HEIGHT: f64 = 290.0;
+/// Half the width of the ends of error bars, px.
+const BAR_CAP: f64 = 3.0;
 
 /// Diagrams in rows of `columns`, as one SVG file.
 pub fn side_by_side(title: &str, charts: &[Chart], columns: usize) -> String {
@@ -130,6 +143,7 @@ impl Chart {
             y,
             y_right: None,
             series: Vec::new(),
+            error_bars: Vec::new(),
             markers: Vec::new(),
             shaded: Vec::new(),
         }
@@ -171,6 +185,9 @@ impl Chart {
         }
         self.draw_shades(svg, frame);
         svg.begin_clip(frame.left, frame.top, frame.width, frame.height);
+        for bars in &self.error_bars {
+            self.draw_error_bars(svg, frame, bars);
+        }
         for series in &self.series {
             self.draw_series(svg, frame, series);
         }
@@ -232,6 +249,29 @@ impl Chart {
             .filter(|p| p[0].is_finite() && p[1].is_finite());
         for point in finite {
             draw_point(svg, *point, series);
+        }
+    }
+
+    fn draw_error_bars(&self, svg: &mut Svg, frame: Frame, bars: &ErrorBars) {
+        let foot = frame.top + frame.height + BAR_CAP;
+        let mut d = String::new();
+        for [x, low, high] in &bars.bars {
+            let (x, top) = (frame.x(&self.x, *x), frame.y(&self.y, *high));
+            // The logarithm of what is not above zero is no place.
+            let bottom = Some(frame.y(&self.y, *low))
+                .filter(|y| y.is_finite())
+                .unwrap_or(foot);
+            let bottom = bottom.clamp(-1e4, 1e4);
+            if !x.is_finite() || !top.is_finite() {
+                continue;
+            }
+            let top = top.clamp(-1e4, 1e4);
+            let (left, cap) = (number(x - BAR_CAP), number(2.0 * BAR_CAP));
+            let (x, top, bottom) = (number(x), number(top), number(bottom));
+            d += &format!("M{x} {top}V{bottom}M{left} {top}h{cap}M{left} {bottom}h{cap}");
+        }
+        if !d.is_empty() {
+            svg.stroke(&d, Stroke::solid(&bars.colour, 1.0));
         }
     }
 

@@ -202,7 +202,7 @@ impl FieldMap<'_> {
 }
 
 /// Ticks that point outwards, for they would be lost on the colours.
-fn draw_ticks(svg: &mut Svg, frame: Frame, x: &Axis, y: &Axis) {
+pub(super) fn draw_ticks(svg: &mut Svg, frame: Frame, x: &Axis, y: &Axis) {
     let mut d = String::new();
     let (bottom, left) = (frame.top + frame.height, frame.left);
     for (value, _) in x.ticks() {

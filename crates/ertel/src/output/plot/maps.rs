@@ -18,7 +18,7 @@ const FINE_UP_TO: f64 = 1.15;
 const FILM_UP_TO: f64 = 2.5;
 
 /// Window of the maps, in half-widths.
-fn window_map(solution: &Solution) -> [[f64; 2]; 2] {
+pub(super) fn window_map(solution: &Solution) -> [[f64; 2]; 2] {
     let [low, high] = window_x(solution);
     let [_, half] = solution.shape.zone.half_extents();
     let around = 1.5_f64.max(-0.75 * low) - 1.0;

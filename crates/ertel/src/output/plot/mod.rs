@@ -8,6 +8,7 @@ mod field;
 mod fluid;
 mod frame;
 mod heat;
+mod interferogram;
 mod maps;
 pub mod png;
 mod profile;
@@ -16,10 +17,11 @@ mod simplify;
 mod svg;
 
 pub use axis::{Axis, AxisScale};
-pub use chart::{Chart, Look, Marker, PALETTE, Series, Side, side_by_side};
+pub use chart::{Chart, ErrorBars, Look, Marker, PALETTE, Series, Side, side_by_side};
 pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use heat::{cross_film_chart, temperature_chart};
+pub use interferogram::{Image, ImageError};
 pub use maps::{film_map, pressure_map};
 pub(crate) use profile::{profile, profile_across};
 

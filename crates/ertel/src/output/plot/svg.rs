@@ -97,6 +97,17 @@ impl Svg {
         ));
     }
 
+    /// An image: left, top, width and height, and its PNG file in base 64.
+    pub fn image(&mut self, [x, y, width, height]: [f64; 4], png: &str) {
+        self.push(format_args!(
+            "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\" href=\"data:image/png;base64,{png}\"/>",
+            number(x),
+            number(y),
+            number(width),
+            number(height)
+        ));
+    }
+
     /// Circle, filled or outlined.
     pub fn circle(&mut self, x: f64, y: f64, radius: f64, fill: &str, stroke: Stroke) {
         self.push(format_args!(

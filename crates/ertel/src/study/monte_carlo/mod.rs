@@ -55,7 +55,7 @@ pub fn study_of(case: &Case, params: &MonteCarloParams) -> Result<Study, SampleE
         .enumerate()
         .map(|(i, sample)| point(case, &inputs, i, &sample))
         .collect::<Result<Vec<_>, _>>()?;
-    Ok(Study::of_points(case, columns, points))
+    Ok(Study::of_samples(case, columns, points))
 }
 
 fn point(

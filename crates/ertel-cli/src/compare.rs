@@ -1,0 +1,152 @@
+//! `ertel compare`.
+
+use std::path::{Path, PathBuf};
+
+use ertel::compare::{Comparison, Measured, MeasuredError, Probe, ReadParams};
+use ertel::output::check_png;
+use ertel::output::compare::{
+    COMPARISON_FILES, COMPARISON_STUDY, check_comparison_folder, comparison_report,
+    write_comparison,
+};
+use ertel::run::Session;
+use ertel::study::{SweepParams, SweepSummary, finished_points, sweep};
+
+use crate::args::CompareArgs;
+use crate::cache::user_cache;
+use crate::failure::Failure;
+use crate::inputs;
+use crate::print;
+use crate::solve::{CANCELLED, listen_for_interrupts, points_not_resolved};
+use crate::sweep::{Progress, remarks};
+
+/// Runs the command.
+///
+/// # Errors
+///
+/// A bad case or table, a folder that cannot be written, points that failed, an interruption.
+pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
+    let params = ReadParams {
+        steps: arguments.step.clone(),
+        probe: match arguments.thermometer.as_str() {
+            "pot" => Probe::Pot,
+            _ => Probe::Lubricant,
+        },
+        ignored: arguments.ignore.clone(),
+    };
+    let measured = Measured::read(&arguments.case, &arguments.measured, &params)?;
+    let folder = folder(arguments);
+    keep_inputs(&measured, &folder)?;
+    check_comparison_folder(&folder)?;
+    if arguments.png {
+        check_png().map_err(|error| Failure::Argument(error.to_string()))?;
+    }
+    if arguments.check {
+        return check(&measured);
+    }
+    let session = Session {
+        cache: match arguments.no_cache {
+            true => None,
+            false => user_cache()?,
+        },
+    };
+    let params = SweepParams {
+        jobs: arguments.jobs.map(usize::from),
+        threads: Some(usize::from(arguments.threads)),
+        retry: arguments.retry,
+        ..SweepParams::default()
+    };
+    listen_for_interrupts();
+    let progress = Progress::new(arguments.quiet, &CANCELLED);
+    let points = folder.join(COMPARISON_STUDY);
+    let summary = sweep(&session, &measured.study, &points, &params, &progress);
+    drop(progress);
+    let summary = summary?;
+    if summary.interrupted {
+        return Err(Failure::InterruptedCurve(format!(
+            "interrupted after {} of {} points; the same command goes on with the others",
+            summary.n_kept + summary.n_new,
+            summary.n_points
+        )));
+    }
+    let records = finished_points(&measured.study, &points)?;
+    let comparison = Comparison::new(&measured, &records);
+    write_comparison(&comparison, &measured.case_text, &folder, arguments.png)?;
+    let shown = match arguments.quiet {
+        true => Ok(()),
+        false => {
+            print::stdout(&(remarks(&summary) + &comparison_report(&comparison, Some(&folder))))
+        }
+    };
+    // How the points ended matters more than a report that could not be shown.
+    ended(&summary, &folder, arguments.accept_unresolved).and(shown)
+}
+
+/// Where the comparison goes: the command line, or `results/<case>-<table>`.
+fn folder(arguments: &CompareArgs) -> PathBuf {
+    if let Some(folder) = &arguments.output {
+        return folder.clone();
+    }
+    let stem = |path: &Path| path.file_stem().unwrap_or_default().to_owned();
+    let mut name = stem(&arguments.case);
+    name.push("-");
+    name.push(stem(&arguments.measured));
+    Path::new("results").join(name)
+}
+
+/// Nothing that is read is overwritten.
+fn keep_inputs(measured: &Measured, folder: &Path) -> Result<(), Failure> {
+    let written = COMPARISON_FILES.map(|name| folder.join(name));
+    let outputs = written.each_ref().map(|path| ("the file", path.as_path()));
+    inputs::keep(&measured.study.files, &outputs)?;
+    inputs::keep_within(&measured.study.files, &folder.join(COMPARISON_STUDY))
+}
+
+/// Says what would be solved.
+fn check(measured: &Measured) -> Result<(), Failure> {
+    for point in &measured.study.points {
+        ertel::run::check(&point.case).map_err(|error| {
+            let error = Failure::from(error);
+            Failure::Argument(format!(
+                "{}: {}: {error}",
+                measured.file.display(),
+                point.label
+            ))
+        })?;
+    }
+    let notes: String = measured
+        .notes
+        .iter()
+        .map(|note| format!("{note}\n"))
+        .collect();
+    print::stdout(&format!(
+        "{notes}{} rows, {} points\n",
+        measured.rows.len(),
+        measured.study.points.len()
+    ))
+}
+
+/// Exit code 3 where a point is left out or not resolved.
+fn ended(summary: &SweepSummary, folder: &Path, accept_unresolved: bool) -> Result<(), Failure> {
+    let table = folder.join("comparison.csv");
+    if !summary.failures.is_empty() {
+        return Err(Failure::NotConverged(format!(
+            "{} of {} points failed and are left out; the reasons are in {}",
+            summary.failures.len(),
+            summary.n_points,
+            table.display()
+        )));
+    }
+    match summary.n_unresolved {
+        n if n > 0 && !accept_unresolved => Err(points_not_resolved(n, summary.n_points, &table)),
+        _ => Ok(()),
+    }
+}
+
+impl From<MeasuredError> for Failure {
+    fn from(error: MeasuredError) -> Self {
+        match error {
+            MeasuredError::Case(error) => Self::Input(error),
+            error => Self::Argument(error.to_string()),
+        }
+    }
+}

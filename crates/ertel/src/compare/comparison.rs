@@ -1,0 +1,159 @@
+//! Measured figures beside those of the study's points.
+
+use ertel_rheology::quantity::Dimension;
+
+use super::{Figure, Measured, Measurement, Statistics};
+use crate::case::study::AxisValue;
+use crate::solution::Estimate;
+use crate::study::journal::Record;
+
+/// Measurements beside the results at their points.
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    /// Title of the case.
+    pub title: String,
+    /// Titles of the columns that vary: the key, and the SI unit, `contact.load_N`.
+    pub columns: Vec<String>,
+    /// What these columns measure; `None` of names.
+    pub dimensions: Vec<Option<Dimension>>,
+    /// The rows, in the order of the table.
+    pub rows: Vec<ComparedRow>,
+    /// Points that were to be solved.
+    pub n_points: usize,
+    /// What was left out of the table or assumed about it.
+    pub notes: Vec<String>,
+}
+
+/// A row of the table beside its point.
+#[derive(Clone, Debug)]
+pub struct ComparedRow {
+    /// Line of the table, from 1.
+    pub line: usize,
+    /// Number of the point, from 0.
+    pub point: usize,
+    /// Values of the columns, SI.
+    pub values: Vec<AxisValue>,
+    /// What became of the point.
+    pub outcome: Outcome,
+    /// The figures, in the order of [`Figure::ALL`]; `None` where nothing was measured.
+    pub figures: [Option<Compared>; 3],
+}
+
+/// What became of a point.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Outcome {
+    /// Solved; the figures that the mesh does not resolve, as the table of the study names them.
+    Solved {
+        /// Names of these figures; empty where all are resolved.
+        unresolved: String,
+    },
+    /// Not solved; why.
+    Failed(String),
+    /// Not begun: the run was stopped.
+    Open,
+}
+
+/// A figure measured and computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compared {
+    /// As measured.
+    pub measured: Measurement,
+    /// As computed; `None` where the point has no solution.
+    pub computed: Option<Estimate>,
+}
+
+impl Compared {
+    /// computed/measured - 1; `None` without a solution, and of a measured value of zero. Tractions are compared by their size,
+    /// since rigs tell no sign.
+    pub fn difference(&self) -> Option<f64> {
+        let (computed, measured) = (self.computed?.value.abs(), self.measured.value.abs());
+        (measured > 0.0).then(|| computed / measured - 1.0)
+    }
+
+    /// Uncertainty of the difference of both, √(u² + e²) of the measurement's u and the error bar e of the calculation (ASME V&V
+    /// 20-2009, section 1-5, without a share of the inputs, which a table does not tell); what is not known counts as zero.
+    /// `None` where neither is known.
+    pub fn uncertainty(&self) -> Option<f64> {
+        let error = self.computed.and_then(|computed| computed.error);
+        match (self.measured.uncertainty, error) {
+            (None, None) => None,
+            (u, e) => Some(u.unwrap_or(0.0).hypot(e.unwrap_or(0.0))),
+        }
+    }
+
+    /// Whether both agree within their uncertainty; `None` without a solution, or without any uncertainty.
+    pub fn is_within(&self) -> Option<bool> {
+        let off = (self.computed?.value.abs() - self.measured.value.abs()).abs();
+        Some(off <= self.uncertainty()?)
+    }
+}
+
+impl Comparison {
+    /// The rows of a table beside the records of its points, as `study::finished_points` has them.
+    pub fn new(measured: &Measured, records: &[Option<Record>]) -> Self {
+        let study = &measured.study;
+        let rows = measured.rows.iter().map(|row| {
+            let record = records.get(row.point).and_then(Option::as_ref);
+            ComparedRow {
+                line: row.line,
+                point: row.point,
+                values: study.points[row.point].values.clone(),
+                outcome: match record {
+                    None => Outcome::Open,
+                    Some(record) if !record.converged => Outcome::Failed(record.reason.clone()),
+                    Some(record) => Outcome::Solved {
+                        unresolved: record.field("unresolved").unwrap_or_default().to_owned(),
+                    },
+                },
+                figures: Figure::ALL.map(|figure| {
+                    let measured = row.figures[figure as usize]?;
+                    let computed = record.and_then(|record| estimate(record, figure));
+                    Some(Compared { measured, computed })
+                }),
+            }
+        });
+        let first = study.points.first();
+        Self {
+            title: study.title.clone(),
+            columns: study.columns.iter().map(|c| c.header.clone()).collect(),
+            dimensions: first.map_or(Vec::new(), |point| {
+                let dimension = |value: &AxisValue| match value {
+                    AxisValue::Number(_, dimension) => Some(*dimension),
+                    AxisValue::Text(_) => None,
+                };
+                point.values.iter().map(dimension).collect()
+            }),
+            rows: rows.collect(),
+            n_points: study.points.len(),
+            notes: measured.notes.clone(),
+        }
+    }
+
+    /// Figures that the table has.
+    pub fn figures(&self) -> impl Iterator<Item = Figure> + '_ {
+        (Figure::ALL.into_iter())
+            .filter(|f| self.rows.iter().any(|r| r.figures[*f as usize].is_some()))
+    }
+
+    /// How well a figure is met over all rows.
+    pub fn statistics(&self, figure: Figure) -> Statistics {
+        let figures = self.rows.iter().map(|row| row.figures[figure as usize]);
+        Statistics::of(&figures.collect::<Vec<_>>())
+    }
+
+    /// Rows without a solution.
+    pub fn n_unsolved(&self) -> usize {
+        let is_solved = |row: &&ComparedRow| !matches!(row.outcome, Outcome::Solved { .. });
+        self.rows.iter().filter(is_solved).count()
+    }
+}
+
+/// A figure of a solved point.
+fn estimate(record: &Record, figure: Figure) -> Option<Estimate> {
+    let unit = if figure.is_film() { "_m" } else { "" };
+    let number = |name: String| record.field(&name)?.parse::<f64>().ok();
+    Some(Estimate {
+        value: number(format!("{}{unit}", figure.name()))?,
+        error: number(format!("{}_error{unit}", figure.name())),
+    })
+}

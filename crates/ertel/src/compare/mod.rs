@@ -1,0 +1,231 @@
+//! Measured films and tractions beside computed ones.
+//!
+//! A table of measurements ([`Measured`]) says at which speeds, loads, slide-to-roll ratios and temperatures a contact was
+//! measured, and what was found. These rows make a [`Study`] of a case; its results make a [`Comparison`].
+//!
+//! ```text
+//! table ─► Measured { rows, study } ─► sweep ─► records ─► Comparison { rows, statistics }
+//! ```
+
+mod columns;
+mod comparison;
+mod rig;
+mod statistics;
+mod table;
+
+use std::collections::HashMap;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use ertel_rheology::input::csv::CsvError;
+use ertel_rheology::input::file::{FileError, LARGEST_TABLE, read_text};
+use ertel_rheology::input::tree::Value;
+use ertel_rheology::input::{Document, InputError};
+
+use crate::case::Study;
+use crate::case::study::PointColumn;
+use crate::study::journal::PointKey;
+
+pub use comparison::{Compared, ComparedRow, Comparison, Outcome};
+pub use rig::Probe;
+pub use statistics::Statistics;
+
+/// A figure that is measured and computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Figure {
+    /// Film thickness in the centre of the contact, m.
+    FilmCentral,
+    /// Smallest film thickness, m.
+    FilmMinimum,
+    /// Traction coefficient.
+    Traction,
+}
+
+impl Figure {
+    /// All, in the order of tables.
+    pub const ALL: [Figure; 3] = [Figure::FilmCentral, Figure::FilmMinimum, Figure::Traction];
+
+    /// Name of its columns, without the unit.
+    pub fn name(self) -> &'static str {
+        match self {
+            Figure::FilmCentral => "film_central",
+            Figure::FilmMinimum => "film_minimum",
+            Figure::Traction => "traction_coefficient",
+        }
+    }
+
+    /// Its name in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Figure::FilmCentral => "central film",
+            Figure::FilmMinimum => "minimum film",
+            Figure::Traction => "traction coefficient",
+        }
+    }
+
+    /// Whether it is a film thickness.
+    pub fn is_film(self) -> bool {
+        self != Figure::Traction
+    }
+}
+
+/// A measured value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measurement {
+    /// The value, SI.
+    pub value: f64,
+    /// Half-width of its uncertainty, same unit; `None` where the table says nothing.
+    pub uncertainty: Option<f64>,
+}
+
+/// A row of a table of measurements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasuredRow {
+    /// Line of the file, from 1.
+    pub line: usize,
+    /// Number of the point in the study, from 0.
+    pub point: usize,
+    /// What was measured, in the order of [`Figure::ALL`].
+    pub figures: [Option<Measurement>; 3],
+}
+
+/// Measurements, and the study of a case at their operating points.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// The file.
+    pub file: PathBuf,
+    /// The rows that were read, in the order of the file.
+    pub rows: Vec<MeasuredRow>,
+    /// The operating points, each once.
+    pub study: Study,
+    /// What was left out or assumed.
+    pub notes: Vec<String>,
+    /// Text of the case file.
+    pub case_text: String,
+}
+
+/// What of a file is read, and how.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ReadParams {
+    /// Steps of a rig's file, by number; empty: all that vary speed, load or sliding.
+    pub steps: Vec<usize>,
+    /// Thermometer of a rig.
+    pub probe: Probe,
+    /// Columns of a table that are not looked at.
+    pub ignored: Vec<String>,
+}
+
+/// Why measurements were not read.
+#[derive(Debug, thiserror::Error)]
+pub enum MeasuredError {
+    /// The file cannot be read.
+    #[error("{} {source}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: FileError,
+    },
+    /// The table is wrong.
+    #[error(transparent)]
+    Table(#[from] CsvError),
+    /// A point is no case that can be solved, or the base case is wrong.
+    #[error(transparent)]
+    Case(#[from] InputError),
+}
+
+/// What a file holds, before it meets the case.
+struct Content {
+    /// What varies; as many values as there are rows.
+    columns: Vec<PointColumn>,
+    /// Line and figures of each row.
+    rows: Vec<(usize, [Option<Measurement>; 3])>,
+    notes: Vec<String>,
+}
+
+impl Measured {
+    /// Reads the measurements in the file `path`, a table or an export of a rig, and the case `base` at each of their points.
+    ///
+    /// # Errors
+    ///
+    /// [`MeasuredError`] with file, line and column: of the file itself, and of every point that the case refuses.
+    pub fn read(base: &Path, path: &Path, params: &ReadParams) -> Result<Self, MeasuredError> {
+        let text = read_text(path, LARGEST_TABLE).map_err(|source| MeasuredError::File {
+            path: path.to_owned(),
+            source,
+        })?;
+        // Where the temperature stands in a case depends on how the case names its lubricant.
+        let case = Document::read(base)?;
+        let file = path.display().to_string();
+        let content = match rig::is_export(&text) {
+            true => rig::read(&case, &file, &text, params)?,
+            false => table::read(&case, &file, &text, params)?,
+        };
+        let Content {
+            columns,
+            rows,
+            notes,
+        } = content;
+        let mut study = Study::of_points(base, path, &text, columns)?;
+        let point_of_row = distinct(&mut study);
+        let row = |((line, figures), point): ((usize, _), usize)| MeasuredRow {
+            line,
+            point,
+            figures,
+        };
+        Ok(Self {
+            file: path.to_owned(),
+            rows: rows.into_iter().zip(point_of_row).map(row).collect(),
+            study,
+            notes,
+            case_text: case.text().to_owned(),
+        })
+    }
+
+    /// Whether any row has a figure.
+    pub fn has(&self, figure: Figure) -> bool {
+        let index = figure as usize;
+        self.rows.iter().any(|row| row.figures[index].is_some())
+    }
+}
+
+/// Keeps each point of a study once, the first of those that are the same case; says which one each was.
+fn distinct(study: &mut Study) -> Vec<usize> {
+    let mut seen: HashMap<PointKey, usize> = HashMap::new();
+    let mut kept = Vec::new();
+    let mut index = Vec::new();
+    for point in std::mem::take(&mut study.points) {
+        let next = kept.len();
+        let place = *seen.entry(PointKey::new(&point.case)).or_insert(next);
+        if place == next {
+            kept.push(point);
+        }
+        index.push(place);
+    }
+    study.points = kept;
+    index
+}
+
+/// Key path of the lubricant's temperature in a case: at the top where the lubricant is given by its name.
+fn temperature_key(case: &Document) -> &'static str {
+    match case
+        .tree()
+        .entry("lubricant")
+        .map(|entry| &entry.node.value)
+    {
+        Some(Value::Table(_)) => "lubricant.temperature",
+        _ => "temperature",
+    }
+}
+
+/// A column without values.
+fn column(key: &str, span: Range<usize>) -> PointColumn {
+    PointColumn {
+        key: key.to_owned(),
+        span,
+        values: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,126 @@
+//! The folder of a comparison: whether it may be used, and what is written there.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use super::{
+    COMPARISON_FORMAT, comparison_json, comparison_picture, comparison_report, comparison_table,
+};
+use crate::compare::Comparison;
+use crate::output::target::has_format;
+use crate::output::{OutputError, PNG_SCALE, TEMPORARY, plot::png, write_whole};
+use crate::study::{POINTS, STUDY_FORMAT};
+
+/// Folder within, with the study of the points.
+pub const COMPARISON_STUDY: &str = "study";
+
+/// Every file that a comparison writes into its folder.
+pub const COMPARISON_FILES: [&str; 6] = [TABLE, JSON, PICTURE, PICTURE_PNG, REPORT, CASE];
+
+const TABLE: &str = "comparison.csv";
+const JSON: &str = "comparison.json";
+const PICTURE: &str = "comparison.svg";
+const PICTURE_PNG: &str = "comparison.png";
+const REPORT: &str = "report.txt";
+const CASE: &str = "case.toml";
+
+/// Whether a comparison may be written here: nothing yet, an empty folder, or a former comparison, finished or not.
+///
+/// # Errors
+/// [`OutputError::NotAFolder`] and [`OutputError::ForeignFolder`] for what is somebody else's; [`OutputError::Io`].
+pub fn check_comparison_folder(target: &Path) -> Result<(), OutputError> {
+    let failed = |e| OutputError::io(target, e);
+    let foreign = |reason: String| OutputError::ForeignFolder {
+        path: target.to_owned(),
+        reason,
+    };
+    match fs::symlink_metadata(target) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound && !target.as_os_str().is_empty() => {
+            return Ok(());
+        }
+        Err(e) => return Err(failed(e)),
+        Ok(_) if !target.is_dir() => {
+            return Err(OutputError::NotAFolder {
+                path: target.to_owned(),
+            });
+        }
+        Ok(_) => {}
+    }
+    let mut has_files = false;
+    let mut has_study = false;
+    for entry in fs::read_dir(target).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        let (name, kind) = (entry.file_name(), entry.file_type().map_err(failed)?);
+        let name = name.to_string_lossy().into_owned();
+        if name == COMPARISON_STUDY && kind.is_dir() {
+            has_study = true;
+        } else if kind.is_file() && COMPARISON_FILES.contains(&name.as_str()) {
+            has_files = true;
+        } else if !(kind.is_file() && name.starts_with(TEMPORARY)) {
+            return Err(foreign(format!(
+                "it holds {name}, which is no file of a comparison"
+            )));
+        }
+    }
+    // The study comes first, the JSON file before all others: an unfinished comparison has a study alone.
+    if has_files && !has_format(&target.join(JSON), COMPARISON_FORMAT) {
+        return Err(foreign(
+            "it holds files, but no comparison of ertel".to_owned(),
+        ));
+    }
+    let study = target.join(COMPARISON_STUDY);
+    let is_study = || has_format(&study.join(POINTS), STUDY_FORMAT);
+    let is_empty = || fs::read_dir(&study).is_ok_and(|mut entries| entries.next().is_none());
+    if has_study && !has_files && !is_study() && !is_empty() {
+        return Err(foreign(format!(
+            "its folder {COMPARISON_STUDY} is no study of ertel"
+        )));
+    }
+    Ok(())
+}
+
+/// Writes the files of a comparison into its folder, each whole or as before; `case` is the text of the base case.
+///
+/// # Errors
+/// [`OutputError`].
+pub fn write_comparison(
+    comparison: &Comparison,
+    case: &str,
+    target: &Path,
+    with_png: bool,
+) -> Result<(), OutputError> {
+    check_comparison_folder(target)?;
+    fs::create_dir_all(target).map_err(|e| OutputError::io(target, e))?;
+    let write = |name: &str, content: &[u8]| {
+        let path = target.join(name);
+        write_whole(&path, content).map_err(|e| OutputError::io(&path, e))
+    };
+    let json = serde_json::to_string_pretty(&comparison_json(comparison))
+        .map_err(|e| OutputError::io(&target.join(JSON), e.into()))?;
+    let picture = comparison_picture(comparison);
+    let png = match (&picture, with_png) {
+        (Some(svg), true) => Some(png::from_svg(svg, PNG_SCALE)?),
+        _ => None,
+    };
+    write(JSON, format!("{json}\n").as_bytes())?;
+    write(TABLE, comparison_table(comparison).as_bytes())?;
+    write(REPORT, comparison_report(comparison, None).as_bytes())?;
+    write(CASE, case.as_bytes())?;
+    for (name, content) in [
+        (PICTURE, picture.map(String::into_bytes)),
+        (PICTURE_PNG, png),
+    ] {
+        match content {
+            Some(content) => write(name, &content)?,
+            // A picture of a former comparison would show another one.
+            None => match fs::remove_file(target.join(name)) {
+                Err(e) if e.kind() != io::ErrorKind::NotFound => {
+                    return Err(OutputError::io(&target.join(name), e));
+                }
+                _ => {}
+            },
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,215 @@
+//! What a user reads of a comparison.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use super::super::figure::in_unit;
+use super::super::plot::film_unit;
+use super::super::report::digits;
+use super::super::study::words;
+use crate::case::study::AxisValue;
+use crate::compare::{Compared, Comparison, Figure, Outcome, Statistics};
+use crate::solution::Estimate;
+
+/// The rows as a table, then bias, scatter and the worst row of each figure.
+pub fn comparison_report(comparison: &Comparison, folder: Option<&Path>) -> String {
+    let mut title: String = comparison
+        .title
+        .chars()
+        .filter(|c| !c.is_control())
+        .collect();
+    if title.trim().is_empty() {
+        title = "Elastohydrodynamic contact".to_owned();
+    }
+    let rule = "─".repeat(title.chars().count().max(4));
+    let mut text = format!("{title}\n{rule}\n\nMeasured and computed\n");
+    for note in &comparison.notes {
+        let _ = writeln!(text, "  {note}");
+    }
+    let figures: Vec<Figure> = comparison.figures().collect();
+    for figure in &figures {
+        text.push('\n');
+        write_rows(&mut text, comparison, *figure);
+    }
+    write_failures(&mut text, comparison);
+    for figure in &figures {
+        text.push('\n');
+        write_statistics(&mut text, comparison, *figure);
+    }
+    let n_solved = comparison.rows.len() - comparison.n_unsolved();
+    let _ = writeln!(
+        text,
+        "\n{n_solved} of {} rows compared, {} points",
+        comparison.rows.len(),
+        comparison.n_points
+    );
+    if let Some(folder) = folder {
+        let _ = writeln!(text, "Results in {}", folder.display());
+    }
+    text
+}
+
+/// Factor and unit in which a figure is shown.
+pub(super) fn unit_of(comparison: &Comparison, figure: Figure) -> (f64, &'static str) {
+    if !figure.is_film() {
+        return (1.0, "");
+    }
+    let measured = comparison
+        .rows
+        .iter()
+        .filter_map(|r| r.figures[figure as usize]);
+    // Films of a speed ramp go through both units: the thinnest decides.
+    film_unit(measured.fold(f64::MAX, |smallest, c| smallest.min(c.measured.value)))
+}
+
+fn write_rows(text: &mut String, comparison: &Comparison, figure: Figure) {
+    let (factor, unit) = unit_of(comparison, figure);
+    let in_brackets = |unit: &str| match unit {
+        "" => String::new(),
+        unit => format!(" ({unit})"),
+    };
+    let mut header = vec!["line".to_owned()];
+    header.extend(comparison.columns.iter().map(|title| {
+        let (name, unit) = words(title);
+        match unit.as_str() {
+            "K" => format!("{name} (°C)"),
+            unit => format!("{name}{}", in_brackets(unit)),
+        }
+    }));
+    header.push(format!("{} measured{}", figure.words(), in_brackets(unit)));
+    header.extend(["computed", "difference", "agree"].map(str::to_owned));
+    let mut rows = vec![header];
+    for row in &comparison.rows {
+        let Some(compared) = row.figures[figure as usize] else {
+            continue;
+        };
+        let mut cells = vec![row.line.to_string()];
+        cells.extend(row.values.iter().map(shown));
+        let measured = Estimate {
+            value: compared.measured.value,
+            error: compared.measured.uncertainty,
+        };
+        cells.push(in_unit(measured, factor, ""));
+        match compared.computed {
+            Some(computed) => cells.extend([
+                in_unit(computed, factor, ""),
+                difference(&compared),
+                agree(&compared),
+            ]),
+            None => cells.extend(["failed", "-", "-"].map(str::to_owned)),
+        }
+        rows.push(cells);
+    }
+    let n = rows[0].len();
+    let width = |j: usize| rows.iter().map(|r| r[j].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..n).map(width).collect();
+    for row in &rows {
+        let cells = row
+            .iter()
+            .zip(&widths)
+            .map(|(cell, w)| format!("{cell:<w$}"));
+        let _ = writeln!(
+            text,
+            "  {}",
+            cells.collect::<Vec<_>>().join("  ").trim_end()
+        );
+    }
+}
+
+/// A value of a column; temperatures in °C.
+fn shown(value: &AxisValue) -> String {
+    match value {
+        AxisValue::Number(value, dimension) if dimension.si_unit() == "K" => {
+            digits(value - 273.15, 4)
+        }
+        AxisValue::Number(value, _) => digits(*value, 4),
+        AxisValue::Text(text) => text.chars().filter(|c| !c.is_control()).collect(),
+    }
+}
+
+fn difference(compared: &Compared) -> String {
+    let share = compared.difference();
+    share.map_or("-".to_owned(), percent)
+}
+
+fn percent(share: f64) -> String {
+    format!("{:+.1} %", 100.0 * share)
+}
+
+fn agree(compared: &Compared) -> String {
+    match compared.is_within() {
+        Some(true) => "yes",
+        Some(false) => "no",
+        None => "-",
+    }
+    .to_owned()
+}
+
+fn write_failures(text: &mut String, comparison: &Comparison) {
+    for row in &comparison.rows {
+        let said = match &row.outcome {
+            Outcome::Solved { unresolved } if unresolved.is_empty() => continue,
+            Outcome::Solved { unresolved } => format!("is not resolved by the mesh: {unresolved}"),
+            Outcome::Failed(reason) => format!("is left out, its point failed: {reason}"),
+            Outcome::Open => "is left out, its point was not begun".to_owned(),
+        };
+        let _ = writeln!(text, "\n  ! line {} {said}", row.line);
+    }
+}
+
+fn write_statistics(text: &mut String, comparison: &Comparison, figure: Figure) {
+    let statistics = comparison.statistics(figure);
+    let Statistics {
+        bias: Some(bias),
+        rms: Some(rms),
+        worst: Some(worst),
+        worst_row: Some(row),
+        ..
+    } = statistics
+    else {
+        let _ = writeln!(text, "{}: no row could be compared", figure.words());
+        return;
+    };
+    let _ = writeln!(text, "{}, computed against measured", figure.words());
+    let line = |text: &mut String, name: &str, value: String| {
+        let _ = writeln!(text, "  {name:<22}{value}");
+    };
+    line(text, "bias (mean)", percent(bias));
+    line(text, "rms", format!("{:.1} %", 100.0 * rms));
+    let at = comparison.rows[row].line;
+    line(text, "worst", format!("{} (line {at})", percent(worst)));
+    let agreed = format!("{} of {}", statistics.n_within, statistics.n_judged);
+    line(text, "agree", agreed + &basis(&statistics));
+    let zeros = statistics.n_measured - statistics.n_compared - unsolved(comparison, figure);
+    if zeros > 0 {
+        line(
+            text,
+            "measured as zero",
+            format!("{zeros}; without a share in bias, rms and worst"),
+        );
+    }
+}
+
+/// Rows of a figure without a solution.
+fn unsolved(comparison: &Comparison, figure: Figure) -> usize {
+    let rows = comparison
+        .rows
+        .iter()
+        .filter_map(|r| r.figures[figure as usize]);
+    rows.filter(|compared| compared.computed.is_none()).count()
+}
+
+/// By which uncertainty rows agree.
+fn basis(statistics: &Statistics) -> String {
+    match statistics.n_with_uncertainty {
+        0 => ", within the error bar of the calculation alone: the table gives no measurement uncertainty".to_owned(),
+        n if n == statistics.n_measured => {
+            ", within the combined uncertainty of measurement and calculation".to_owned()
+        }
+        n => format!(
+            ", within the combined uncertainty; {} rows have no measurement uncertainty and are judged by the error bar of \
+             the calculation alone",
+            statistics.n_measured - n
+        ),
+    }
+}
