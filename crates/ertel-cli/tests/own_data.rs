@@ -284,7 +284,10 @@ fn names_of_a_folder_of_own_data_stand_beside_those_of_the_database() {
     );
     assert_eq!(text(&list.stdout).matches("\n  glycerol ").count(), 1);
     assert!(text(&with_variable(&["solids"]).stdout).contains("works-metal"));
-    assert!(text(&with_variable(&["fluids", "show", "glycerol"]).stdout).contains("80 mPa.s"));
+    assert!(
+        text(&with_variable(&["fluids", "show", "glycerol", "-t", "40 degC"]).stdout)
+            .contains("80 mPa.s")
+    );
     assert!(
         w.done(&["solids", "show", "works-metal", "--data", "data"])
             .contains("200 GPa")

@@ -26,6 +26,8 @@ pub enum Target {
     FitDensity,
     /// Films, fitted by every form.
     FitFilm,
+    /// Measured films, a table or an export of a rig, with the case that they are compared with.
+    Measured,
     /// A file of the cache of elastic operators.
     Operator,
     /// Journal and list of points of a sweep.
@@ -34,7 +36,7 @@ pub enum Target {
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 10] = [
+    pub const ALL: [Target; 11] = [
         Target::Case,
         Target::Solve,
         Target::Study,
@@ -43,6 +45,7 @@ impl Target {
         Target::FitViscosity,
         Target::FitDensity,
         Target::FitFilm,
+        Target::Measured,
         Target::Operator,
         Target::Journal,
     ];
@@ -58,6 +61,7 @@ impl Target {
             Target::FitViscosity => "fit-viscosity",
             Target::FitDensity => "fit-density",
             Target::FitFilm => "fit-film",
+            Target::Measured => "measured",
             Target::Operator => "operator",
             Target::Journal => "journal",
         }
@@ -74,6 +78,7 @@ impl Target {
             Target::FitViscosity => 30,
             Target::FitDensity => 40,
             Target::FitFilm => 15,
+            Target::Measured => 60,
             Target::Operator => 60,
             Target::Journal => 40,
         }
@@ -87,6 +92,7 @@ impl Target {
             Target::Points => "points.csv",
             Target::Table => "table.csv",
             Target::FitViscosity | Target::FitDensity | Target::FitFilm => "data.csv",
+            Target::Measured => "measured.csv",
             Target::Operator => "operator.bin",
             Target::Journal => "journal.jsonl",
         }

@@ -27,6 +27,7 @@ const CASES: [&str; 5] = [
 const TABLE_CASE: &str = include_str!("../corpus/table-case.toml");
 /// A study whose points stand in a table, and its base case.
 const POINTS_STUDY: &str = include_str!("../corpus/points-study.toml");
+const BALL: &str = include_str!("../../../cases/measured-films.toml");
 const ROLLER: &str = include_str!("../../../cases/roller.toml");
 
 /// What inputs are made from.
@@ -76,6 +77,8 @@ impl Seeds {
                 inputs.push(of_main(target, lines.join("\n").into_bytes()));
             }
         }
+        let films = fs::read_to_string(root.join("cases/measured-films.csv"))?;
+        inputs.push(of_main(Target::Measured, films.into_bytes()));
         inputs.push(operator::seed()?);
         inputs.push(journal::seed()?);
         inputs.extend(corpus(root)?);
@@ -135,6 +138,7 @@ fn of_main(target: Target, content: Vec<u8>) -> Input {
     };
     let beside: &[(&str, &str)] = match target {
         Target::Table => &[("case.toml", TABLE_CASE)],
+        Target::Measured => &[("case.toml", BALL)],
         Target::Points => &[("study.toml", POINTS_STUDY), ("roller.toml", ROLLER)],
         _ => &[],
     };

@@ -3,6 +3,7 @@
 mod case;
 mod fit;
 pub mod journal;
+mod measured;
 pub mod operator;
 mod study;
 
@@ -35,6 +36,7 @@ pub fn run(input: &Input, folder: &Path) -> Result<Verdict, Defect> {
         Target::Solve => case::solve(folder),
         Target::Study | Target::Points => study::run(folder),
         Target::FitViscosity | Target::FitDensity | Target::FitFilm => fit::run(input),
+        Target::Measured => measured::run(folder),
         Target::Operator => operator::run(input, folder),
         Target::Journal => journal::run(folder),
     }

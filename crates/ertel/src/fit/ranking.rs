@@ -199,10 +199,13 @@ mod tests {
         );
     }
 
+    /// A law, ln(μ/μ₀) by its formula, and its constants.
+    type Case<'a> = (LawName, &'a dyn Fn(f64) -> f64, &'a [(&'a str, f64)]);
+
     /// One isotherm made by each law, by its formula; the fit finds its constants again.
     #[test]
     fn laws_of_one_isotherm_are_fitted() {
-        let cases: [(LawName, &dyn Fn(f64) -> f64, &[(&str, f64)]); 3] = [
+        let cases: [Case<'_>; 3] = [
             (
                 LawName::McEwen,
                 &|p| 8.0 * (18e-9 * p / 8.0).ln_1p(),
