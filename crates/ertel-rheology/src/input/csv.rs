@@ -179,8 +179,7 @@ impl CsvTable {
             let Some(title) = Title::of(title, name) else {
                 continue;
             };
-            let fits = |unit: &Unit| unit.dimension().same_exponents(dimension);
-            let Some(unit) = Unit::parse(&title.unit).ok().filter(fits) else {
+            let Some(unit) = title.unit_of(dimension) else {
                 // Another column whose name begins alike, or one that cannot be told from it.
                 if let Some(first) = &found
                     && title.is_exact

@@ -122,3 +122,15 @@ fn errors_are_cut_to_what_can_be_read() {
     let error = table.error(table.header(), 0, text);
     assert!(error.to_string().chars().count() < 2100);
 }
+
+/// `speed_mm_s` is a speed; where a product is asked for it is one.
+#[test]
+fn two_units_in_a_title_are_a_quotient_or_a_product() {
+    let table = CsvTable::parse("t.csv", "speed_mm_s,work_N_m\n100,2\n").unwrap();
+    let speed = table.find("speed", Dimension::SPEED).unwrap().unwrap();
+    let row = &table.rows()[0];
+    assert_eq!(table.required_number(row, &speed).unwrap(), 0.1);
+    let work = table.find("work", Dimension::ENERGY).unwrap().unwrap();
+    assert_eq!(table.required_number(row, &work).unwrap(), 2.0);
+    assert!(table.find("speed", Dimension::FORCE).unwrap().is_none());
+}

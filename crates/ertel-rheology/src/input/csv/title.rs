@@ -1,5 +1,7 @@
 //! Titles of columns: a name and a unit.
 
+use crate::quantity::{Dimension, Unit};
+
 /// What follows the name in the title of a column.
 pub(super) struct Title {
     /// The text after the name, as a unit.
@@ -9,6 +11,16 @@ pub(super) struct Title {
 }
 
 impl Title {
+    /// The unit, if it measures that. `mm_s` is read as a product, or else as the quotient that it mostly means.
+    pub(super) fn unit_of(&self, dimension: Dimension) -> Option<Unit> {
+        let fits = |unit: &Unit| unit.dimension().same_exponents(dimension);
+        let as_written = Unit::parse(&self.unit).ok().filter(fits);
+        as_written.or_else(|| {
+            let (above, below) = self.unit.split_once(' ').filter(|_| !self.is_exact)?;
+            Unit::parse(&format!("{above}/{below}")).ok().filter(fits)
+        })
+    }
+
     /// `MPa` of `Pressure_MPa`, `pressure [MPa]`, `pressure (MPa)`; `None` of another column.
     pub(super) fn of(title: &str, name: &str) -> Option<Self> {
         let head = title.get(..name.len())?;
