@@ -127,7 +127,8 @@ pub(super) fn read(
         if !params.steps.is_empty() && !is_asked {
             continue;
         }
-        let table = CsvTable::parse(file, &blank_but(text, &step.span))?;
+        let (own, offset) = alone(text, step);
+        let table = CsvTable::parse(file, &own)?;
         if !is_asked && table.header().cell(0) == TIME {
             let note = format!(
                 "step {} ({}) is left out: nothing but time varies in it; --step {} takes it",
@@ -137,7 +138,7 @@ pub(super) fn read(
             continue;
         }
         match columns_of(&table, params.probe) {
-            Ok(columns) => read_step(case, &table, text, &columns, step, &mut content)?,
+            Ok(columns) => read_step(case, &table, (&own, offset), &columns, step, &mut content)?,
             Err(problem) if is_asked => return Err(whole(step.line, problem)),
             Err(problem) => {
                 let note = format!(
@@ -219,18 +220,12 @@ fn step_number(line: &str) -> Option<usize> {
         .flatten()
 }
 
-/// The text with blanks for everything outside of `span`, so that lines and bytes stay where they are.
-fn blank_but(text: &str, span: &Range<usize>) -> String {
-    let blank = |text: &str| -> String {
-        let keep = |b: u8| if b == b'\n' { '\n' } else { ' ' };
-        text.bytes().map(keep).collect()
-    };
-    format!(
-        "{}{}{}",
-        blank(&text[..span.start]),
-        &text[span.clone()],
-        blank(&text[span.end..])
-    )
+/// The table of a step behind as many empty lines as come before it, so that errors name the lines of the file; a byte of it
+/// stands in the file further on by the number returned.
+fn alone(text: &str, step: &Step) -> (String, usize) {
+    let before = step.line - 1;
+    let table = format!("{}{}", "\n".repeat(before), &text[step.span.clone()]);
+    (table, step.span.start - before)
 }
 
 /// The columns of a table; or why it has none.
@@ -268,13 +263,17 @@ fn columns_of(table: &CsvTable, probe: Probe) -> Result<Columns, String> {
 fn read_step(
     case: &Document,
     table: &CsvTable,
-    text: &str,
+    (text, offset): (&str, usize),
     columns: &Columns,
     step: &Step,
     content: &mut Content,
 ) -> Result<(), CsvError> {
+    let span_of = |row: &Row, index: usize| {
+        let span = table.cell_span(text, row, index);
+        span.start + offset..span.end + offset
+    };
     if content.columns.is_empty() {
-        let of = |key, own: &Column| column(key, table.cell_span(text, table.header(), own.index));
+        let of = |key, own: &Column| column(key, span_of(table.header(), own.index));
         content.columns = vec![
             of("motion.entrainment_speed", &columns.speed),
             of("motion.slide_to_roll_ratio", &columns.sliding),
@@ -300,10 +299,10 @@ fn read_step(
         }
         let push = |point: &mut PointColumn, (own, unit): (&Column, &str)| {
             let cell = table.with_point(row.cell(own.index));
-            point.push(table.cell_span(text, row, own.index), &cell, unit);
+            point.push(span_of(row, own.index), &cell, unit);
         };
         push(&mut content.columns[0], units[0]);
-        let span = table.cell_span(text, row, columns.sliding.index);
+        let span = span_of(row, columns.sliding.index);
         // The rig's ratio is that of the disc's speed above the ball's; no minus zero.
         content.columns[1].push_number(span, 0.0 - sliding);
         push(&mut content.columns[2], units[1]);
