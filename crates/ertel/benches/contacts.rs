@@ -14,7 +14,7 @@ use clap::Parser;
 use common::{Clock, Seconds, Stopwatch};
 use ertel::case::Case;
 use ertel::elastic::cache::OperatorCache;
-use ertel::params::LinearSolver;
+use ertel::params::{LinearSolver, SensitivityDemand};
 use ertel::run::{Session, solve};
 use ertel::solution::{Estimate, Solution, Timings};
 use ertel::solve::Silent;
@@ -39,6 +39,9 @@ struct Args {
     /// Only the curves
     #[arg(long)]
     curves: bool,
+    /// Only what sensitivities cost beside a warm solve
+    #[arg(long)]
+    sensitivities: bool,
     /// Given by cargo
     #[arg(long, hide = true)]
     bench: bool,
@@ -54,6 +57,10 @@ fn main() {
     }
     if args.curves {
         curves();
+        return;
+    }
+    if args.sensitivities {
+        sensitivities(if args.once { 1 } else { 7 });
         return;
     }
     println!("{HEAD}");
@@ -299,4 +306,42 @@ fn monolithic_iteration(name: &str) {
         monolithic.wall / condensed.wall,
         monolithic.cpu / condensed.cpu
     );
+}
+
+/// A contact that starts from the solution under 1 % less load, with and without sensitivities, in turn: what they add.
+fn sensitivities(runs: usize) {
+    let session = Session::default();
+    for name in ["ball-on-disc", "roller", "squalane-on-glass"] {
+        let case = read(name, "");
+        let (_, start) = session
+            .solve_from(&case, None, &[], &mut Silent)
+            .expect("a shipped case");
+        let load = case.inputs().iter().find(|i| i.key == "contact.load");
+        let load = 1.01 * load.expect("a load").value;
+        let next = case
+            .with_values([("contact.load".to_owned(), load)].into())
+            .expect("1 % more load");
+        let mut seconds = [Vec::new(), Vec::new()];
+        for _ in 0..runs {
+            let demands = [SensitivityDemand::Off, SensitivityDemand::WhereCheap];
+            for (demand, seconds) in demands.into_iter().zip(&mut seconds) {
+                let mut next = next.clone();
+                next.output.sensitivities = demand;
+                let clock = std::time::Instant::now();
+                let (solution, _) = session
+                    .solve_from(&next, Some(&start), &[], &mut Silent)
+                    .expect("a warm solve");
+                seconds.push(clock.elapsed().as_secs_f64());
+                assert!(solution.stats.warm);
+            }
+        }
+        let [without, with] = seconds.map(|mut s| {
+            s.sort_by(f64::total_cmp);
+            s[s.len() / 2]
+        });
+        println!(
+            "{name}: warm {without:.3} s, with sensitivities {with:.3} s: {:.0} % more; at most 30 %",
+            100.0 * (with / without - 1.0)
+        );
+    }
 }

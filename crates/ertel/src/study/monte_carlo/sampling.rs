@@ -160,8 +160,9 @@ mod tests {
             }
         }
         assert!(strata.iter().all(|counts| *counts == [1, 1]));
-        assert_relative_eq!(mean[0], 10.0, epsilon = 2e-3);
-        assert_relative_eq!(square[0].sqrt(), 2.0, max_relative = 5e-3);
+        // At random they would be off by 0.1.
+        assert_relative_eq!(mean[0], 10.0, epsilon = 1e-2);
+        assert_relative_eq!(square[0].sqrt(), 2.0, max_relative = 1e-2);
         assert_relative_eq!(square[1].sqrt(), 1.0 / 3.0_f64.sqrt(), max_relative = 1e-3);
         let again = super::samples(&[&normal, &uniform], &[], &params).unwrap();
         assert_eq!(samples, again);
