@@ -16,6 +16,7 @@ pub mod output;
 pub mod params;
 pub mod plausible;
 pub mod post;
+pub mod problem;
 pub mod reference;
 pub mod run;
 pub mod sensitivity;

@@ -11,7 +11,7 @@ use ertel_rheology::input::Input;
 use crate::case::Case;
 use crate::contact::ContactKind;
 use crate::params::{ElasticModel, SensitivityDemand};
-use crate::run::problem;
+use crate::problem::problem;
 use crate::solution::{Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
 use crate::solve::figures::{Extent, figures};
 use crate::solve::sensitivity::{Sensitivity, Sides};

@@ -126,7 +126,7 @@ pub enum FitError {
         n_constants: usize,
     },
     /// A constant has no influence on any state.
-    #[error("the data do not depend on `{key}` of the law `{}`: they do not vary in what it describes; hold it", law.name())]
+    #[error("the data do not depend on `{key}` of the law `{}`, or would have it below zero where it must be above: they do not vary in what it describes, or vary the other way; hold it", law.name())]
     Undetermined {
         /// The law.
         law: LawName,

@@ -1,0 +1,446 @@
+//! From a case to its dimensionless problem: scales, equations, meshes, stages.
+
+use crate::case::{Case, SolidHeat};
+use crate::contact::starvation::starved_film;
+use crate::contact::{
+    ContactKind, EquivalentBody, Groups, Hertz, Inlet, OilLayer, Planar, Scales, Shape, Supply,
+    hertz,
+};
+use crate::elastic::Elasticity;
+use crate::film::FilmFluid;
+use crate::forms::energy::{BodyHeat, Heat};
+use crate::params::{
+    DEFAULT_MAX_UNKNOWNS, DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE, DEFAULT_MAX_UNKNOWNS_OF_BODIES,
+    ElasticModel, Formulation, MeshParams,
+};
+use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
+use crate::solve::adapt::AdaptParams;
+use crate::solve::discretisation::{Extents, LevelSizes};
+use crate::solve::heat::column::Column;
+use crate::solve::heat::coupling::CouplingParams;
+use crate::solve::newton::NewtonParams;
+use crate::solve::sequence::{HeatProblem, Problem, Role, Stage};
+use crate::solve::system::FilmConstants;
+
+/// Dimensionless problem of a case.
+pub fn problem(case: &Case) -> Problem {
+    let contact = case.contact.along_motion();
+    let hertz = Hertz::new(&contact, case.reduced_modulus());
+    let lubricant = &case.lubricant;
+    let viscosity = lubricant.ambient_viscosity();
+    let scales = Scales::new(
+        &contact,
+        &hertz,
+        &case.motion,
+        viscosity,
+        lubricant.ambient_density(),
+    );
+    let shape = Shape::new(&contact, &hertz, &case.motion).with_inlet(match case.supply {
+        Supply::Flooded => Inlet::Flooded,
+        Supply::Meniscus { .. } => Inlet::Meniscus,
+        Supply::OilLayer { thickness } => Inlet::Layer(OilLayer {
+            thickness: thickness / scales.film,
+            lambda: scales.lambda,
+        }),
+    });
+    let flooded_film = predicted_film(case) / scales.film;
+    let start_film = starved_film(
+        contact.kind,
+        flooded_film,
+        &case.supply,
+        scales.length,
+        scales.film,
+    );
+    let constants = FilmConstants {
+        lambda: scales.lambda,
+        entrainment: case.motion.entrainment(scales.length),
+        formulation: case.solver.formulation,
+        isotropic_diffusion: case.solver.isotropic_diffusion,
+        elastic_stabilisation: case.solver.elastic_stabilisation,
+        penalty: case.solver.penalty,
+        penalty_scaling: case.solver.penalty_scaling,
+        film_scale: start_film,
+    };
+    let dimensionless = |modulus: f64, ratio: f64| (modulus / scales.elastic_stress, ratio);
+    let bodies = match case.elastic_model() {
+        ElasticModel::Equivalent => {
+            let body = EquivalentBody::new(case.plane.elasticity, case.ball.elasticity);
+            vec![dimensionless(body.youngs_modulus, body.poissons_ratio)]
+        }
+        ElasticModel::TwoBodies | ElasticModel::HalfSpace => [&case.plane, &case.ball]
+            .map(|b| dimensionless(b.elasticity.youngs_modulus, b.elasticity.poissons_ratio))
+            .to_vec(),
+    };
+    let heat = heat_problem(case, &scales);
+    let mut fluid = FilmFluid::new(
+        &lubricant.density,
+        &lubricant.viscosity,
+        lubricant.temperature,
+        &scales,
+    )
+    .with_shear(
+        case.shear_thinning(),
+        &case.motion.sliding(scales.length),
+        &scales,
+    );
+    if let Some(heat) = &heat {
+        fluid = fluid.with_nodes(heat.column.film.clone());
+    }
+    let reach = reach(
+        contact.kind,
+        case.elastic_model(),
+        heat.is_some(),
+        flooded_film,
+    );
+    let mut extents = extents(reach, &case.mesh, flooded_film, &shape);
+    if let Supply::Meniscus { distance } = case.supply {
+        extents.inlet = -distance / scales.length;
+    }
+    Problem {
+        extents,
+        reach: [reach.inlet, reach.side],
+        stages: stages(
+            &case.mesh,
+            start_film,
+            constants,
+            case.solver.error_estimate,
+            case.shear_thinning().is_some(),
+            heat.is_some(),
+            // Continuations in sliding or in the shear law are known, and that of rollers in diffusion, away from the pressures at their
+            // ends that a diffusive start has drawn out.
+            fluid.has_limit()
+                || (heat.is_some() && fluid.slides())
+                || contact.kind == ContactKind::Roller,
+        ),
+        elasticity: match case.elastic_model() {
+            ElasticModel::HalfSpace => {
+                let order = case.mesh.elastic_order.unwrap_or(1);
+                Elasticity::half_space(order.max(case.mesh.pressure_order), &bodies)
+            }
+            _ => Elasticity::finite_elements(case.mesh.elastic_order.unwrap_or(2).min(2), &bodies),
+        },
+        fluid,
+        load: scales.load,
+        // A film that starts too thick closes in from the safe side.
+        start_film: 1.5 * start_film,
+        scales,
+        newton: NewtonParams {
+            update_tolerance: case.solver.tolerance,
+            residual_tolerance: case.solver.tolerance,
+            max_iterations: case.solver.max_iterations,
+            ..NewtonParams::default()
+        },
+        linear: case.solver.linear,
+        cache: None,
+        error_estimate: case.solver.error_estimate,
+        adapt: (case.mesh.target_error).map(|target| {
+            let most = match case.elastic_model() {
+                ElasticModel::HalfSpace => DEFAULT_MAX_UNKNOWNS,
+                _ => DEFAULT_MAX_UNKNOWNS_OF_BODIES,
+            };
+            // Where both halves are solved, each counts.
+            let parts = (2.0 / shape.symmetry.multiplicity()) as usize;
+            let parts = if shape.kind.is_point() { parts } else { 1 };
+            let most = case.mesh.max_unknowns.unwrap_or(parts * most);
+            let adapt = AdaptParams::new(target, case.mesh.pressure_error, most);
+            match case.mesh.max_unknowns {
+                Some(_) => adapt,
+                None => AdaptParams {
+                    max_unknowns_for_pressure: most.min(parts * DEFAULT_MAX_UNKNOWNS_FOR_PRESSURE),
+                    ..adapt
+                },
+            }
+        }),
+        heat,
+        shape,
+    }
+}
+
+/// Heat of a case, if it counts and its data are complete.
+fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
+    let data = case.heat().ok().flatten()?;
+    let params = data.params;
+    let u_m = case.motion.entrainment_speed;
+    let [plane, ball] = case.motion.surfaces(scales.length);
+    let body = |solid: &SolidHeat, velocity: Planar| BodyHeat {
+        density: solid.density,
+        conductivity: solid.conductivity.clone(),
+        heat_capacity: solid.heat_capacity.clone(),
+        velocity,
+        bulk_temperature: solid.temperature,
+    };
+    let heat = Heat {
+        conductivity: data.conductivity.clone(),
+        heat_capacity: data.heat_capacity.clone(),
+        bodies: [body(&data.plane, plane), body(&data.ball, ball)],
+        inlet_temperature: case.lubricant.temperature,
+        length: scales.length,
+        film: scales.film,
+        pressure: scales.pressure,
+        density: scales.density,
+        viscosity: scales.viscosity,
+        lambda: scales.lambda,
+        entrainment_speed: u_m,
+    };
+    let skins = heat.bodies.each_ref().map(|b| skin(b, scales.length));
+    let column = Column::new(
+        params.film_order,
+        params.solid_elements,
+        params.depth,
+        skins,
+    );
+    Some(HeatProblem {
+        heat,
+        surface_order: params.surface_order,
+        column,
+        coupling: CouplingParams {
+            tolerance: params.tolerance,
+            max_rounds: params.max_iterations,
+            ..CouplingParams::default()
+        },
+    })
+}
+
+/// Depth, in half-widths, to which heat gets into a body while it passes through the contact.
+fn skin(body: &BodyHeat, length: f64) -> f64 {
+    let t = body.bulk_temperature;
+    let capacity = body.density * body.heat_capacity.heat_capacity(0.0, t);
+    let diffusivity = body.conductivity.conductivity(0.0, t) / capacity;
+    let [u, v] = body.velocity.centre;
+    (diffusivity / (u.hypot(v) * length)).sqrt().min(1.0)
+}
+
+/// Groups of a case for a pressure-viscosity coefficient in 1/Pa.
+pub fn groups(case: &Case, pressure_viscosity_coefficient: f64) -> Groups {
+    Groups::new(
+        &case.contact,
+        case.reduced_modulus(),
+        case.lubricant.ambient_viscosity(),
+        case.motion.entrainment_speed,
+        pressure_viscosity_coefficient,
+    )
+}
+
+/// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular, elliptical) predict.
+pub fn predicted_film(case: &Case) -> f64 {
+    let slope = case
+        .lubricant
+        .viscosity
+        .pressure_viscosity_slope(case.lubricant.temperature);
+    let g = groups(case, slope.max(0.0));
+    let [along, across] = case.contact.radii_along_and_across();
+    let h = match case.contact.kind {
+        ContactKind::Line | ContactKind::Roller => moes_line_film(g.moes_load, g.moes_material),
+        ContactKind::Circular | ContactKind::Elliptical => {
+            nijenbanning_venner_moes_film(g.moes_load, g.moes_material, along / across)
+        }
+    };
+    h * along * (2.0 * g.speed).sqrt()
+}
+
+/// Ratio of the gap at the inlet edge to the central film from which the inlet counts as flooded.
+///
+/// 80 gives the thesis's contact area for thin films. The thicker the film, the more of the load is
+/// carried outside the Hertz zone (a rigid ball's falls off only as 1/r), and the farther the edge
+/// must be: measured at M = 5, L = 0, the central film still grows by 3 % from 20 to 40
+/// half-widths.
+fn flooded(film: f64) -> f64 {
+    (80.0 * (film / 0.1).powf(1.5)).clamp(80.0, 1e4)
+}
+
+/// How much wider the area is above half-spaces, where no body grows with it and far cells are few.
+///
+/// Measured, by what the adjoint says of the edges: in circular contacts their effect on the films falls with the reach itself where
+/// the film is thick (M = 1 to 5: 0.3 % at 2.5, 0.09 % at 10), with its square or so where it is thin (M = 200: 1e-4 at 2.5, 3e-5 at 5); in
+/// line contacts it is 4e-6 at 2.5.
+fn widening(kind: ContactKind, film: f64) -> f64 {
+    match kind {
+        ContactKind::Line | ContactKind::Roller => 2.5,
+        ContactKind::Circular | ContactKind::Elliptical => 5.0 + 15.0 * film.min(1.0),
+    }
+}
+
+/// How far the contact area of a case goes where the user does not set its edges.
+#[derive(Clone, Copy)]
+struct Reach {
+    inlet: f64,
+    side: f64,
+}
+
+/// The thesis's contact area where the film is thin; longer where a thick film builds up further out.
+fn reach(kind: ContactKind, model: ElasticModel, heats: bool, film: f64) -> Reach {
+    let mut inlet: f64 = 4.5;
+    let target = flooded(film) * film;
+    while hertz::dry_gap(kind, inlet) < target {
+        inlet = (1.05 * inlet).ceil_half();
+    }
+    // A finite-element body grows with the contact area; half-spaces afford a wider one.
+    if model == ElasticModel::HalfSpace && !heats {
+        inlet *= widening(kind, film);
+        return Reach { inlet, side: inlet };
+    }
+    Reach {
+        inlet,
+        side: inlet * 2.0 / 3.0,
+    }
+}
+
+/// Contact area, and the body that grows with it.
+fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents {
+    let inlet = mesh.inlet.unwrap_or(-reach.inlet);
+    let outlet = mesh.outlet.unwrap_or_else(|| {
+        // Where thick films break off at an angle to the motion, an edge near by cuts into them (M = 0.5, R_y/R_x = 12: 12 % of the film).
+        let askew = match shape.zone.turn.is_none() {
+            true => 0.0,
+            false => 4.0 * film,
+        };
+        1.5_f64.max((1.0 + 1.5 * film.sqrt() + askew).ceil_half())
+    });
+    let side = mesh.side.unwrap_or_else(|| {
+        // The film ends with the roller.
+        if let Some(roller) = &shape.zone.roller {
+            return roller.side();
+        }
+        3.0_f64.max(reach.side.ceil_half())
+    });
+    let widest = inlet.abs().max(outlet).max(side);
+    Extents {
+        inlet,
+        outlet,
+        side,
+        body_width: mesh
+            .body_width
+            .unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
+        body_depth: mesh
+            .body_depth
+            .unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
+    }
+}
+
+/// Rounding up to halves: contact areas that bisection meshes well.
+trait CeilHalf {
+    fn ceil_half(self) -> f64;
+}
+
+impl CeilHalf for f64 {
+    fn ceil_half(self) -> f64 {
+        (2.0 * self).ceil() / 2.0
+    }
+}
+
+/// A diffusive quadratic start on the coarse mesh, then the case's own discretisation on the
+/// coarse mesh (for the error estimate) and on the fine one. A fluid that stress thins starts as if it did
+/// not, and its Newtonian film on the coarse mesh is kept for comparison.
+fn stages(
+    mesh: &MeshParams,
+    film: f64,
+    constants: FilmConstants,
+    error_estimate: bool,
+    thins: bool,
+    heats: bool,
+    continuation_is_known: bool,
+) -> Vec<Stage> {
+    // A film thicker than the dry contact is flat sets the length √H over which pressure varies.
+    let stretch = film.sqrt().max(1.0);
+    // Outside its Hertz zone a dry contact gapes as the power 3/2 of the distance: within this
+    // distance the gap is that of the film, and pressure builds up.
+    let inlet_length = film.powf(2.0 / 3.0);
+    let fine = LevelSizes {
+        hertz: stretch * mesh.hertz_size,
+        constriction: stretch * mesh.constriction_size,
+        rim: mesh
+            .rim_size
+            .unwrap_or(mesh.preset.rim_share() * inlet_length),
+        rim_width: inlet_length,
+        edge: stretch * mesh.edge_size,
+        growth: mesh.growth,
+        depth_growth: mesh.depth_growth,
+    };
+    // The growth of the cells away from the contact makes errors, too: it is coarsened alike, or
+    // the error estimate would not see them.
+    // Where the mesh is refined locally, its growth stays.
+    let doubled = |growth: f64| match mesh.target_error {
+        Some(_) => growth,
+        None => (2.0 * growth).min(LARGEST_GROWTH).max(growth),
+    };
+    let coarse = LevelSizes {
+        hertz: 2.0 * fine.hertz,
+        constriction: 2.0 * fine.constriction,
+        rim: 2.0 * fine.rim,
+        rim_width: fine.rim_width,
+        edge: 2.0 * fine.edge,
+        growth: doubled(fine.growth),
+        depth_growth: doubled(fine.depth_growth),
+    };
+    let start = FilmConstants {
+        formulation: Formulation::Gls,
+        isotropic_diffusion: constants.isotropic_diffusion.max(START_DIFFUSION),
+        ..constants
+    };
+    let order = mesh.pressure_order;
+    let solution = Stage {
+        sizes: fine,
+        refinements: 0,
+        pressure_order: order,
+        constants,
+        viscosity_exponent: 1.0,
+        softness: 1.0,
+        sliding: 1.0,
+        newtonian: false,
+        heated: heats,
+        cold: false,
+        undamped: false,
+        given_up_early: continuation_is_known,
+        role: Role::Final,
+    };
+    let start = Stage {
+        sizes: coarse,
+        pressure_order: order.min(2),
+        constants: start,
+        newtonian: thins,
+        heated: false,
+        cold: true,
+        given_up_early: false,
+        role: Role::Start,
+        ..solution
+    };
+    let mut stages = vec![start];
+    stages.extend(thins.then_some(Stage {
+        sizes: coarse,
+        newtonian: true,
+        heated: false,
+        given_up_early: false,
+        role: Role::Comparison,
+        ..solution
+    }));
+    stages.extend(heats.then_some(Stage {
+        sizes: coarse,
+        heated: false,
+        role: Role::Isothermal,
+        ..solution
+    }));
+    if mesh.target_error.is_some() {
+        // Refinement starts from the coarse mesh.
+        let first = Stage {
+            sizes: coarse,
+            ..solution
+        };
+        stages.push(first);
+        return stages;
+    }
+    let estimate = Stage {
+        sizes: coarse,
+        role: Role::Estimate,
+        ..solution
+    };
+    stages.extend(error_estimate.then_some(estimate));
+    stages.push(solution);
+    stages
+}
+
+/// Growth of cells that coarse stages do not exceed: cells that grow by more than their distance can
+/// step over a fine zone.
+const LARGEST_GROWTH: f64 = 0.9;
+
+/// Isotropic diffusion of the first stage: it only has to start the next one.
+const START_DIFFUSION: f64 = 2.0;
