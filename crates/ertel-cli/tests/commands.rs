@@ -242,7 +242,14 @@ fn every_shipped_case_passes_the_check() {
         if text.contains("[contact]") || text.contains("[machine]") {
             let output = ertel(&["solve", "--check", path.to_str().unwrap()]);
             assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-            assert!(!stderr(&output).contains("warning"), "{}", stderr(&output));
+            // The oil of a rig is known by its data sheet alone, which says nothing of the pressures there.
+            let is_beyond = |line: &&str| {
+                path.ends_with("measured-films.toml")
+                    && line.contains("its data hold up to 0.304 GPa")
+            };
+            let warns = |line: &&str| line.starts_with("warning") && !is_beyond(line);
+            let error = stderr(&output);
+            assert_eq!(error.lines().find(warns), None);
             n_cases += 1;
         }
     }

@@ -202,7 +202,7 @@ slide_to_roll_ratio = 0
             .parse::<f64>()
             .ok()
     };
-    let keys = ["mu_0", "alpha", "z", "beta"];
+    let keys = ["mu_0", "alpha", "beta"];
     let by = &result["sensitivities"]["film_central"];
     let effect = |key: &str| number(&by[format!("lubricant.viscosity.{key}")]) * relative(key);
     let (mut square, mut alone) = (0.0, 0.0);
