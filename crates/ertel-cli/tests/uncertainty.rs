@@ -331,3 +331,31 @@ fn heat_takes_differences_of_solves() {
         "{found} {slope}"
     );
 }
+
+/// What no derivative reaches is told, and warned of where it is uncertain: a meniscus ends the mesh.
+#[test]
+fn what_the_uncertainty_leaves_out_is_told() {
+    let inlet = "[inlet]\nmeniscus_distance = \"0.6 mm ± 5 %\"\n[bodies]";
+    let workspace = Workspace::new(&[("line.toml", &CASE.replacen("[bodies]", inlet, 1))]);
+    workspace.succeed(&["solve", "line.toml", "--output", "out"]);
+    let result = workspace.json("out/result.json");
+    let left_out = &result["sensitivities_left_out"];
+    for key in [
+        "inlet.meniscus_distance",
+        "bodies.body_1.youngs_modulus",
+        "bodies.body_2.youngs_modulus",
+    ] {
+        assert!(
+            left_out[key]
+                .as_str()
+                .is_some_and(|reason| reason.contains("edge")),
+            "{key}"
+        );
+    }
+    let warnings = result["warnings"].as_array().unwrap();
+    let tells = |w: &&Value| {
+        w.as_str()
+            .is_some_and(|w| w.contains("leaves out that of inlet.meniscus_distance"))
+    };
+    assert_eq!(warnings.iter().filter(tells).count(), 1, "{warnings:?}");
+}

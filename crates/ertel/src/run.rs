@@ -147,12 +147,7 @@ impl Session {
             Some(start) => start.followed_by(&problem, finest, levels),
             None => Start::new(&problem, finest, levels),
         };
-        if problem.heat.is_some() && case.wants_sensitivities() {
-            let only_uncertain = case.output.sensitivities != SensitivityDemand::All;
-            let found = by_differences(case, &problem, &start, only_uncertain, recorder.observer)?;
-            solution.uncertainty = Uncertainties::first_order(&found, case.correlations());
-            solution.sensitivities = Some(found);
-        }
+        note_sensitivities(&mut solution, case, &problem, &start, recorder.observer)?;
         solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
         solution.stats.peak_memory = peak_memory();
         Ok((solution, start))
@@ -165,6 +160,55 @@ impl Session {
 /// As [`Session::solve`].
 pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     Session::default().solve(case, observer)
+}
+
+/// Adds how much each input counts, where that is asked for, and what the uncertainty of the inputs comes to. A solution without is still one.
+///
+/// # Errors
+/// Only when the user wants to stop.
+fn note_sensitivities(
+    solution: &mut Solution,
+    case: &Case,
+    problem: &Problem,
+    start: &Start,
+    observer: &mut dyn Observer,
+) -> Result<(), SolveError> {
+    if !case.wants_sensitivities() {
+        return Ok(());
+    }
+    let found = match &problem.heat {
+        Some(_) => {
+            let only_uncertain = case.output.sensitivities != SensitivityDemand::All;
+            by_differences(case, problem, start, only_uncertain, observer)
+        }
+        None => by_adjoint(case, problem, start.solution()),
+    };
+    let found = match found {
+        Ok(found) => found,
+        Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+        Err(error) => {
+            let text = format!(
+                "how much each input counts, and their uncertainty, could not be computed: {error}"
+            );
+            solution.warnings.push(Warning::from(text));
+            return Ok(());
+        }
+    };
+    let is_uncertain =
+        |key: &str| (case.inputs().iter()).any(|i| i.key == key && i.uncertainty.is_some());
+    for input in found
+        .left_out
+        .iter()
+        .filter(|input| is_uncertain(&input.key))
+    {
+        solution.warnings.push(Warning::from(format!(
+            "the uncertainty of the figures leaves out that of {}: {}",
+            input.key, input.reason
+        )));
+    }
+    solution.uncertainty = Uncertainties::first_order(&found, case.correlations());
+    solution.sensitivities = Some(found);
+    Ok(())
 }
 
 /// The figures and fields of a solved problem.
@@ -207,10 +251,6 @@ fn describe(
     let summary = post::summary::summarise(finest, &measured, &model, &scales);
     let thermal = (case.thermal())
         .and_then(|params| post::thermal::thermal(finest, problem, levels, &measured, params));
-    let sensitivities = match case.wants_sensitivities() {
-        true => by_adjoint(case, problem, finest)?,
-        false => None,
-    };
     let mut warnings = case.warnings.clone();
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {
@@ -288,9 +328,8 @@ fn describe(
         mixed,
         traction,
         film_reduction,
-        uncertainty: (sensitivities.as_ref())
-            .and_then(|s| Uncertainties::first_order(s, case.correlations())),
-        sensitivities,
+        sensitivities: None,
+        uncertainty: None,
         thermal,
         history,
         stats,

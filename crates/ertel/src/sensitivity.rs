@@ -38,7 +38,7 @@ const FIGURES_WITH_HEAT: [Figure; 5] = [
     Figure::FilmTemperatureMaximum,
 ];
 
-/// The same where heat counts: for each input two solves on the mesh of `start`, for `only_uncertain` inputs or all of them.
+/// Derivatives where heat counts: for each input two solves on the mesh of `start`, for `only_uncertain` inputs or all of them.
 ///
 /// # Errors
 /// Only when the user wants to stop.
@@ -112,18 +112,18 @@ pub fn by_differences(
     Ok(sensitivities)
 }
 
-/// Derivatives of films, largest pressure and traction by every input; `None` where heat counts, which the adjoint does not reach.
+/// Derivatives of films, largest pressure and traction by every input of an isothermal contact.
 ///
 /// # Errors
 /// When the adjoints cannot be solved for.
+///
+/// # Panics
+/// For contacts with heat, which the adjoint does not reach.
 pub fn by_adjoint(
     case: &Case,
     problem: &Problem,
     solution: &StageSolution,
-) -> Result<Option<Sensitivities>, SolveError> {
-    if problem.heat.is_some() || case.inputs().is_empty() {
-        return Ok(None);
-    }
+) -> Result<Sensitivities, SolveError> {
     let adjoint = Sensitivity::new(problem, solution)?;
     let modulus = ByModulus::of(case);
     let mut left_out = Vec::new();
@@ -192,18 +192,23 @@ pub fn by_adjoint(
                     }
                 }
             }
-            Err(reason) => left_out.push(LeftOut {
-                key: input.key.clone(),
-                reason: reason.to_string(),
-            }),
+            Err(reason) => {
+                let others = modulus.iter().flat_map(|modulus| modulus.others(input));
+                for input in [input].into_iter().chain(others.map(|(other, _)| other)) {
+                    left_out.push(LeftOut {
+                        key: input.key.clone(),
+                        reason: reason.to_string(),
+                    });
+                }
+            }
         }
     }
-    Ok(Some(Sensitivities {
+    Ok(Sensitivities {
         by_adjoint: true,
         inputs: known,
         figures,
         left_out,
-    }))
+    })
 }
 
 /// Whether another mesh for an input costs more than was asked for.

@@ -108,8 +108,10 @@ impl Case {
         match self.output.sensitivities {
             SensitivityDemand::Off => false,
             SensitivityDemand::WhereUncertain => uncertain(),
-            SensitivityDemand::WhereCheap => self.thermal().is_none() || uncertain(),
-            SensitivityDemand::All => true,
+            SensitivityDemand::WhereCheap => {
+                (self.thermal().is_none() && !self.inputs().is_empty()) || uncertain()
+            }
+            SensitivityDemand::All => !self.inputs().is_empty(),
         }
     }
 

@@ -6,8 +6,8 @@
 //! The figures are those of the discrete solution on its mesh, which keeps its place in half-widths of the contact: what differs by the
 //! error of the mesh is left alone. Partial derivatives by θ are central differences of residuals and figures at the fields of the solution;
 //! no equation is solved for them. Where an input changes the shape of the contact in half-widths (axis ratio of an ellipse, length of a
-//! roller), mesh and elastic response are made anew on either side, and
-//! derivatives are good to about 1e-4 of the largest. Isothermal films only: the adjoint of the heat is not at hand.
+//! roller), mesh and elastic response are made anew on either side, and derivatives are good to about 1e-4 of the largest (ellipses) or
+//! 1e-3 (rollers; their largest pressure to 1 %). Isothermal films only: the adjoint of the heat is not at hand.
 
 use std::sync::Arc;
 
@@ -24,7 +24,7 @@ use super::sequence::{Problem, StageSolution};
 use super::shear::friction;
 use super::system::{FilmConstants, State, System};
 use super::weighted::{Equations, weighted_residuals};
-use crate::contact::Scales;
+use crate::contact::{Inlet, Scales};
 use crate::elastic::{Accuracy, BodyModel};
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
@@ -182,8 +182,7 @@ impl<'a> Sensitivity<'a> {
             {
                 return Some(NoDerivative::FiniteElements);
             }
-            let inlet = self.problem.shape.inlet;
-            if inlet == crate::contact::Inlet::Meniscus
+            if self.problem.shape.inlet == Inlet::Meniscus
                 && !close(self.problem.extents.inlet, problem.extents.inlet)
             {
                 return Some(NoDerivative::Edge);
