@@ -736,3 +736,35 @@ proptest! {
         }
     }
 }
+
+/// Constants of each law in the order of its constructor, and back.
+#[test]
+fn constants_make_the_same_law() {
+    let limit = StressLimit::new(3e6, 0.05).unwrap();
+    let laws = [
+        (
+            ShearLaw::Carreau(Carreau::new(1e4, 0.8, 2.2, 0.22).unwrap()),
+            vec![1e4, 0.8, 2.2, 0.22],
+        ),
+        (
+            ShearLaw::CarreauYasuda(CarreauYasuda::new(1e5, 0.5, 2.0, 0.1).unwrap()),
+            vec![1e5, 0.5, 2.0, 0.1],
+        ),
+        (ShearLaw::ReeEyring(ReeEyring::new(5e6).unwrap()), vec![5e6]),
+        (
+            ShearLaw::Rabinowitsch(Rabinowitsch::new(1e6, 0.4).unwrap()),
+            vec![1e6, 0.4],
+        ),
+    ];
+    for (law, constants) in laws {
+        let law = ShearThinning {
+            law: Some(law),
+            limit: Some(limit.clone()),
+        };
+        assert_eq!(law.constants(), [&constants[..], &[3e6, 0.05]].concat());
+        assert_eq!(law.with_constants(&law.constants()).unwrap(), law);
+        let mut impossible = law.constants();
+        impossible[0] = -1.0;
+        assert!(law.with_constants(&impossible).is_err());
+    }
+}

@@ -24,6 +24,15 @@ use crate::solve::system::FilmConstants;
 
 /// Dimensionless problem of a case.
 pub fn problem(case: &Case) -> Problem {
+    make(case, None)
+}
+
+/// The same for a case that differs little from that of a fluid, with which it shares what it can: for residuals, and not for solves.
+pub fn problem_beside(case: &Case, own: &FilmFluid) -> Problem {
+    make(case, Some(own))
+}
+
+fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
     let lubricant = &case.lubricant;
@@ -72,17 +81,14 @@ pub fn problem(case: &Case) -> Problem {
             .to_vec(),
     };
     let heat = heat_problem(case, &scales);
-    let mut fluid = FilmFluid::new(
-        &lubricant.density,
-        &lubricant.viscosity,
-        lubricant.temperature,
-        &scales,
-    )
-    .with_shear(
-        case.shear_thinning(),
-        &case.motion.sliding(scales.length),
-        &scales,
-    );
+    let sliding = case.motion.sliding(scales.length);
+    let (density, viscosity) = (&lubricant.density, &lubricant.viscosity);
+    let (temperature, thinning) = (lubricant.temperature, case.shear_thinning());
+    let mut fluid = match own {
+        Some(own) => own.beside(density, viscosity, temperature, thinning, &sliding, &scales),
+        None => FilmFluid::new(density, viscosity, temperature, &scales)
+            .with_shear(thinning, &sliding, &scales),
+    };
     if let Some(heat) = &heat {
         fluid = fluid.with_nodes(heat.column.film.clone());
     }

@@ -13,6 +13,7 @@ use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
     IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties, Unresolved,
 };
+use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::figures::measure;
 use crate::solve::newton::FilmModel;
 pub use crate::solve::sequence::Start;
@@ -126,7 +127,7 @@ impl Session {
             None => None,
         };
         let warm_start = start.filter(|_| warm.is_some());
-        let (finest, levels) = match warm {
+        let (mut finest, levels) = match warm {
             Some(end) => end,
             None => {
                 recorder.history.clear();
@@ -143,11 +144,18 @@ impl Session {
         };
         let mut solution = describe(case, &problem, &finest, stats, recorder.history)?;
         let levels = &solution.stats.levels;
+        let rough = finest.adjoints.take().map(|rough| *rough);
         let start = match warm_start {
             Some(start) => start.followed_by(&problem, finest, levels),
             None => Start::new(&problem, finest, levels),
         };
-        note_sensitivities(&mut solution, case, &problem, &start, recorder.observer)?;
+        note_sensitivities(
+            &mut solution,
+            case,
+            &problem,
+            (&start, rough),
+            recorder.observer,
+        )?;
         solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
         solution.stats.peak_memory = peak_memory();
         Ok((solution, start))
@@ -170,7 +178,7 @@ fn note_sensitivities(
     solution: &mut Solution,
     case: &Case,
     problem: &Problem,
-    start: &Start,
+    (start, rough): (&Start, Option<RoughAdjoints>),
     observer: &mut dyn Observer,
 ) -> Result<(), SolveError> {
     if !case.wants_sensitivities() {
@@ -181,7 +189,7 @@ fn note_sensitivities(
             let only_uncertain = case.output.sensitivities != SensitivityDemand::All;
             by_differences(case, problem, start, only_uncertain, observer)
         }
-        None => by_adjoint(case, problem, start.solution()),
+        None => by_adjoint(case, problem, start.solution(), rough),
     };
     let found = match found {
         Ok(found) => found,

@@ -7,12 +7,14 @@
 use std::collections::BTreeMap;
 
 use ertel_rheology::input::Input;
+use rayon::prelude::*;
 
 use crate::case::Case;
 use crate::contact::ContactKind;
 use crate::params::{ElasticModel, SensitivityDemand};
-use crate::problem::problem;
+use crate::problem::{problem, problem_beside};
 use crate::solution::{Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
+use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::figures::{Extent, figures};
 use crate::solve::sensitivity::{Sensitivity, Sides};
 use crate::solve::sequence::{Problem, StageSolution, Start, solve_on_mesh};
@@ -123,19 +125,19 @@ pub fn by_adjoint(
     case: &Case,
     problem: &Problem,
     solution: &StageSolution,
+    rough: Option<RoughAdjoints>,
 ) -> Result<Sensitivities, SolveError> {
-    let adjoint = Sensitivity::new(problem, solution)?;
+    let adjoint = Sensitivity::new(problem, solution, rough)?;
     let modulus = ByModulus::of(case);
     let mut left_out = Vec::new();
     let mut asked: Vec<(&Input, Sides)> = Vec::new();
-    for input in case.inputs() {
-        if modulus
-            .as_ref()
-            .is_some_and(|modulus| modulus.follows(input))
-        {
-            continue;
-        }
-        match sides(case, problem, input) {
+    let follows = |input: &Input| modulus.as_ref().is_some_and(|m| m.follows(input));
+    let inputs: Vec<&Input> = case.inputs().iter().filter(|i| !follows(i)).collect();
+    let both_sides: Vec<_> = (inputs.par_iter())
+        .map(|input| sides(case, problem, input))
+        .collect();
+    for (input, sides) in inputs.into_iter().zip(both_sides) {
+        match sides {
             Some(Ok(sides))
                 if is_costly(case, input)
                     && sides
@@ -223,8 +225,10 @@ fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Sides, Stri
     let at = |step: f64| -> Result<Sides, String> {
         let side = |value: f64| {
             let values = BTreeMap::from([(input.key.clone(), value)]);
-            (case.with_values(values).map(|case| problem(&case)))
-                .map_err(|_| "it lies at the end of what a case may have".to_owned())
+            (case
+                .with_values(values)
+                .map(|case| problem_beside(&case, &own.fluid)))
+            .map_err(|_| "it lies at the end of what a case may have".to_owned())
         };
         Ok(Sides {
             problems: [side(input.value - step)?, side(input.value + step)?],

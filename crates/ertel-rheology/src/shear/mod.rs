@@ -24,6 +24,7 @@ pub use rabinowitsch::Rabinowitsch;
 pub use ree_eyring::ReeEyring;
 
 use crate::Scalar;
+use crate::error::LawError;
 
 /// Generalized Newtonian behaviour: how stress thins the lubricant. With neither law nor limit it does not.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,6 +125,65 @@ impl ShearThinning {
             .as_ref()
             .map(|limit| limit.limiting_stress(pressure));
         scales
+    }
+
+    /// The constants of law and limit, in the order of their fields, in SI.
+    pub fn constants(&self) -> Vec<f64> {
+        let mut constants = match &self.law {
+            Some(ShearLaw::Carreau(law)) => vec![
+                law.critical_stress,
+                law.exponent,
+                law.transition,
+                law.plateau_ratio,
+            ],
+            Some(ShearLaw::CarreauYasuda(law)) => vec![
+                law.shear_modulus,
+                law.exponent,
+                law.transition,
+                law.plateau_ratio,
+            ],
+            Some(ShearLaw::ReeEyring(law)) => vec![law.eyring_stress],
+            Some(ShearLaw::Rabinowitsch(law)) => vec![law.critical_stress, law.exponent],
+            None => Vec::new(),
+        };
+        if let Some(limit) = &self.limit {
+            constants.extend([limit.ambient_limit, limit.pressure_coefficient]);
+        }
+        constants
+    }
+
+    /// The same law with other constants, as many and in the same order as [`ShearThinning::constants`].
+    ///
+    /// # Errors
+    /// When a law cannot have them.
+    ///
+    /// # Panics
+    /// When there are fewer.
+    pub fn with_constants(&self, constants: &[f64]) -> Result<Self, LawError> {
+        let mut next = constants.iter().copied();
+        let mut take = || next.next().expect("a constant for each of the law's");
+        let law =
+            match &self.law {
+                Some(ShearLaw::Carreau(_)) => Some(ShearLaw::Carreau(Carreau::new(
+                    take(),
+                    take(),
+                    take(),
+                    take(),
+                )?)),
+                Some(ShearLaw::CarreauYasuda(_)) => Some(ShearLaw::CarreauYasuda(
+                    CarreauYasuda::new(take(), take(), take(), take())?,
+                )),
+                Some(ShearLaw::ReeEyring(_)) => Some(ShearLaw::ReeEyring(ReeEyring::new(take())?)),
+                Some(ShearLaw::Rabinowitsch(_)) => {
+                    Some(ShearLaw::Rabinowitsch(Rabinowitsch::new(take(), take())?))
+                }
+                None => None,
+            };
+        let limit = match &self.limit {
+            Some(limit) => Some(StressLimit::new(take(), take())?.softened(limit.joint)),
+            None => None,
+        };
+        Ok(Self { law, limit })
     }
 
     /// Name of the law as written in data files; `limiting-stress` for a limit without law.

@@ -322,8 +322,14 @@ struct Moments {
 }
 
 impl Moments {
+    /// At the points of `rule`; second derivatives only if `SECOND`.
     #[inline(always)]
-    fn new(law: &impl UniformFluidity, rule: &CrossFilm, tau: [f64; 2], g: [f64; 2]) -> Moments {
+    fn new<const SECOND: bool>(
+        law: &impl UniformFluidity,
+        rule: &CrossFilm,
+        tau: [f64; 2],
+        g: [f64; 2],
+    ) -> Moments {
         let mut m = Moments::default();
         let with_pressure = law.depends_on_pressure();
         for &[s, w] in rule.points() {
@@ -332,21 +338,26 @@ impl Moments {
             let powers = [w, w * s, w * s * s, w * s * s * s];
             let (d, dd) = (2.0 * f.x, 4.0 * f.xx);
             let first = [f.f + d * x * x, d * x * y, f.f + d * y * y];
+            add(&mut m.first, &powers, &first);
+            m.flow[0] += powers[1] * f.f * x;
+            m.flow[1] += powers[1] * f.f * y;
+            if with_pressure {
+                add(&mut m.by_p, &powers, &[f.p * x, f.p * y]);
+            }
+            if !SECOND {
+                continue;
+            }
             let second = [
                 x * (3.0 * d + dd * x * x),
                 y * (d + dd * x * x),
                 x * (d + dd * y * y),
                 y * (3.0 * d + dd * y * y),
             ];
-            add(&mut m.first, &powers, &first);
             add(&mut m.second, &powers, &second);
-            m.flow[0] += powers[1] * f.f * x;
-            m.flow[1] += powers[1] * f.f * y;
             if with_pressure {
                 let d = 2.0 * f.xp;
                 let mixed = [f.p + d * x * x, d * x * y, f.p + d * y * y];
                 add(&mut m.mixed, &powers, &mixed);
-                add(&mut m.by_p, &powers, &[f.p * x, f.p * y]);
                 add(&mut m.second_by_p, &powers, &[f.pp * x, f.pp * y]);
             }
         }
@@ -412,40 +423,11 @@ pub fn close<const ACROSS: bool>(
     rule: &mut CrossFilm,
 ) -> Closure {
     let tau = mid_stress(law, pressure_stress, sliding_stress, rule);
-    let m = Moments::new(law, rule, tau, pressure_stress);
-    let [k0, k1, k2] = m.first;
+    let m = Moments::new::<true>(law, rule, tau, pressure_stress);
+    let mut closure = first_order::<ACROSS>(tau, &m);
+    let mid_by = closure.stress_slopes;
+    let [k0, k1, _] = m.first;
     let inverse = |b: [f64; 2]| solve(k0, b);
-    // Columns ∂τ/∂y: K⁰ τ_y = (−K¹, e_x, e_y, −a_P).
-    let mid_by = [
-        inverse([-k1[0], -k1[1]]),
-        inverse([-k1[1], -k1[2]]),
-        inverse([1.0, 0.0]),
-        inverse([0.0, 1.0]),
-        inverse(m.by_p[0].map(|v| -v)),
-    ];
-    let mut closure = Closure {
-        mid_stress: tau,
-        flow: m.flow,
-        stress_slopes: mid_by,
-        ..Closure::default()
-    };
-    // q_y = K¹ τ_y + (K², 0, 0, q_P).
-    let direct = [
-        [k2[0], k2[1]],
-        [k2[1], k2[2]],
-        [0.0; 2],
-        [0.0; 2],
-        m.by_p[1],
-    ];
-    for (y, (mid, direct)) in mid_by.iter().zip(&direct).enumerate() {
-        if !ACROSS && y == ACROSS_MOTION {
-            continue;
-        }
-        let through = multiply(k1, *mid);
-        for i in 0..2 {
-            closure.slopes[i][y] = through[i] + direct[i];
-        }
-    }
     // q_yz = ∫(s − K¹(K⁰)⁻¹) d²(tf)[y, z] ds, t moving by t_y = τ_y + s e_y.
     let moment_weight = [inverse([k1[0], k1[1]]), inverse([k1[1], k1[2]])];
     let moves = [[1.0, 0.0], [0.0, 1.0], [0.0; 2], [0.0; 2], [0.0; 2]];
@@ -485,6 +467,63 @@ pub fn close<const ACROSS: bool>(
         }
     }
     closure
+}
+
+/// The solution's flow, stress and first derivatives, by Ω_y only if `ACROSS`.
+#[inline(always)]
+fn first_order<const ACROSS: bool>(tau: [f64; 2], m: &Moments) -> Closure {
+    let [k0, k1, k2] = m.first;
+    let inverse = |b: [f64; 2]| solve(k0, b);
+    // Columns ∂τ/∂y: K⁰ τ_y = (−K¹, e_x, e_y, −a_P).
+    let mid_by = [
+        inverse([-k1[0], -k1[1]]),
+        inverse([-k1[1], -k1[2]]),
+        inverse([1.0, 0.0]),
+        inverse([0.0, 1.0]),
+        inverse(m.by_p[0].map(|v| -v)),
+    ];
+    let mut closure = Closure {
+        mid_stress: tau,
+        flow: m.flow,
+        stress_slopes: mid_by,
+        ..Closure::default()
+    };
+    // q_y = K¹ τ_y + (K², 0, 0, q_P).
+    let direct = [
+        [k2[0], k2[1]],
+        [k2[1], k2[2]],
+        [0.0; 2],
+        [0.0; 2],
+        m.by_p[1],
+    ];
+    for (y, (mid, direct)) in mid_by.iter().zip(&direct).enumerate() {
+        if !ACROSS && y == ACROSS_MOTION {
+            continue;
+        }
+        let through = multiply(k1, *mid);
+        for i in 0..2 {
+            closure.slopes[i][y] = through[i] + direct[i];
+        }
+    }
+    closure
+}
+
+/// What a law makes of the same demands as one close to it, whose mid-plane stress is τ and whose points are in `rule`: one Newton step
+/// from there, and first derivatives only.
+#[inline(always)]
+pub fn close_beside<const ACROSS: bool>(
+    law: &impl UniformFluidity,
+    tau: [f64; 2],
+    pressure_stress: [f64; 2],
+    sliding_stress: [f64; 2],
+    rule: &CrossFilm,
+) -> Closure {
+    let now = rate(law, rule, tau, pressure_stress, 0.0);
+    let excess = [0, 1].map(|i| now.excess[i] - sliding_stress[i]);
+    let step = solve(now.slopes, excess);
+    let tau = [tau[0] - step[0], tau[1] - step[1]];
+    let m = Moments::new::<false>(law, rule, tau, pressure_stress);
+    first_order::<ACROSS>(tau, &m)
 }
 
 /// A number, or several side by side.

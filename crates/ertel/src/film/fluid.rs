@@ -11,7 +11,7 @@ use ertel_rheology::viscosity::ViscosityLaw;
 use num_dual::{Dual2_64, DualNum};
 
 use super::closure::{self, Closure, FilmFlow};
-use super::cross_film::CrossFilm;
+use super::cross_film::{CrossFilm, StressScales};
 use super::fluidity::{Fluidity, PointThinning, Thinning};
 use super::polynomial::{FilmNodes, Nodal};
 use super::properties::Properties;
@@ -57,19 +57,50 @@ impl FilmFluid {
         temperature: f64,
         scales: &Scales,
     ) -> FilmFluid {
+        let units = [scales.pressure, scales.density, scales.viscosity];
+        let properties = Properties::new(density, viscosity, temperature, units);
+        FilmFluid::with_properties(properties, scales)
+    }
+
+    fn with_properties(properties: Properties, scales: &Scales) -> FilmFluid {
         FilmFluid {
-            properties: Arc::new(Properties::new(
-                density,
-                viscosity,
-                temperature,
-                [scales.pressure, scales.density, scales.viscosity],
-            )),
+            properties: Arc::new(properties),
             viscosity_exponent: 1.0,
             stress_scale: scales.pressure * scales.film / scales.length,
             shear_thinning: None,
             slide: Planar::default(),
             nodes: None,
         }
+    }
+
+    /// A fluid with laws that may be this one's, in scales near by: what was tabulated of equal laws is shared, and its thinning law is not tabulated.
+    pub fn beside(
+        &self,
+        density: &DensityLaw,
+        viscosity: &ViscosityLaw,
+        temperature: f64,
+        shear_thinning: Option<&ShearThinning>,
+        sliding: &Planar,
+        scales: &Scales,
+    ) -> FilmFluid {
+        let units = [scales.pressure, scales.density, scales.viscosity];
+        let shared = (self.properties).rescaled(density, viscosity, temperature, units);
+        let fluid = match shared {
+            Some(properties) => FilmFluid::with_properties(properties, scales),
+            None => FilmFluid::new(density, viscosity, temperature, scales),
+        };
+        FilmFluid {
+            shear_thinning: shear_thinning.map(|law| match &self.shear_thinning {
+                Some(own) if own.law == *law => own.clone(),
+                _ => Arc::new(Thinning::untabled(law)),
+            }),
+            ..fluid.with_shear(None, sliding, scales)
+        }
+    }
+
+    /// Whether density and viscosity are those of another fluid in other scales.
+    pub fn shares_laws(&self, other: &FilmFluid) -> bool {
+        self.properties.shares_laws(&other.properties)
     }
 
     /// The same fluid thinned by stress, between surfaces that slide by a velocity over the entrainment speed. `None` leaves it
@@ -233,6 +264,16 @@ impl FilmFluid {
     fn thinning_at(&self, pressure: f64) -> Option<PointThinning<'_>> {
         let thinning = self.shear_thinning.as_ref()?;
         Some(thinning.at(pressure, self.stress_scale, self.properties.pressure_scale))
+    }
+
+    /// How stress thins the fluid.
+    pub(super) fn thinning(&self) -> Option<&Arc<Thinning>> {
+        self.shear_thinning.as_ref()
+    }
+
+    /// What a quadrature across the film must resolve at P; `None` where the fluid is Newtonian.
+    pub(super) fn stress_scales(&self, pressure: f64) -> Option<StressScales> {
+        Some(self.thinning_at(pressure)?.scales())
     }
 
     /// σ, by which Ω = σμ̄/H.

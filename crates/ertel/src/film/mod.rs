@@ -5,6 +5,7 @@ pub mod cross_film;
 pub mod fluid;
 pub mod fluidity;
 pub mod lanes;
+pub mod nearby;
 mod patches;
 pub mod polynomial;
 mod properties;

@@ -1,5 +1,7 @@
 //! Density and low-shear viscosity over pressure, prepared for many evaluations.
 
+use std::sync::Arc;
+
 use ertel_rheology::Scalar;
 use ertel_rheology::density::DensityLaw;
 use ertel_rheology::viscosity::ViscosityLaw;
@@ -22,10 +24,17 @@ pub(super) struct Properties {
     pub density_scale: f64,
     /// ln(μ_R / Pa·s).
     pub ln_viscosity_scale: f64,
-    table: Vec<Option<[Quintic; 2]>>,
+    table: Arc<Table>,
+    /// Cells of the table to each p_h.
+    per_unit: f64,
+    /// Density of the table's unit, and viscosity of it as a logarithm, in units of the scales.
+    table_units: [f64; 2],
     /// The same over temperature, too.
     patches: Patches,
 }
+
+/// Cells over pressure; `None` where the law itself is asked.
+type Table = Vec<Option<[Quintic; 2]>>;
 
 /// Cells to each p_h, and how far the table reaches, in p_h.
 const PER_UNIT: f64 = 512.0;
@@ -50,16 +59,52 @@ impl Properties {
             pressure_scale,
             density_scale,
             ln_viscosity_scale: viscosity_scale.ln(),
-            table: Vec::new(),
+            table: Arc::default(),
+            per_unit: PER_UNIT,
+            table_units: [1.0, 0.0],
             patches: Patches::new(temperature, smooth),
         };
         if smooth {
-            properties.table = properties.tabulate();
+            properties.table = Arc::new(properties.tabulate());
         }
         properties
     }
 
-    fn tabulate(&self) -> Vec<Option<[Quintic; 2]>> {
+    /// Those of the same laws at the same temperature in other scales, with the same table; `None` for other laws.
+    pub fn rescaled(
+        &self,
+        density: &DensityLaw,
+        viscosity: &ViscosityLaw,
+        temperature: f64,
+        [pressure_scale, density_scale, viscosity_scale]: [f64; 3],
+    ) -> Option<Properties> {
+        let same = self.density == *density
+            && self.viscosity == *viscosity
+            && self.temperature == temperature;
+        same.then(|| {
+            let ln_viscosity_scale = viscosity_scale.ln();
+            Properties {
+                pressure_scale,
+                density_scale,
+                ln_viscosity_scale,
+                per_unit: self.per_unit * (pressure_scale / self.pressure_scale),
+                table_units: [
+                    self.table_units[0] * (self.density_scale / density_scale),
+                    self.table_units[1] + (self.ln_viscosity_scale - ln_viscosity_scale),
+                ],
+                ..self.clone()
+            }
+        })
+    }
+
+    /// Whether these are the same laws at the same temperature, in any scales.
+    pub fn shares_laws(&self, other: &Properties) -> bool {
+        self.density == other.density
+            && self.viscosity == other.viscosity
+            && self.temperature == other.temperature
+    }
+
+    fn tabulate(&self) -> Table {
         let width = 1.0 / PER_UNIT;
         let node = |i: usize| {
             let jets = self.exact(i as f64 * width);
@@ -82,13 +127,19 @@ impl Properties {
     /// ρ̄ and ln μ̄ at P ≥ 0.
     #[inline]
     pub fn at(&self, pressure: f64) -> [[f64; 3]; 2] {
-        let x = pressure * PER_UNIT;
+        let x = pressure * self.per_unit;
         if let Some(Some(cells)) = self.table.get(x as usize) {
             let t = x - x.floor();
-            return cells.each_ref().map(|cell| {
+            let jet = |cell: &Quintic, factor: f64, shift: f64| {
                 let [v, v1, v2] = cell.at(t);
-                [v, v1 * PER_UNIT, v2 * PER_UNIT * PER_UNIT]
-            });
+                let slope = factor * self.per_unit;
+                [factor * v + shift, slope * v1, slope * self.per_unit * v2]
+            };
+            let [density, ln_viscosity] = self.table_units;
+            return [
+                jet(&cells[0], density, 0.0),
+                jet(&cells[1], 1.0, ln_viscosity),
+            ];
         }
         self.exact(pressure)
     }
@@ -129,6 +180,25 @@ impl Laws for Properties {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
+
+    /// A table in other scales against the laws in them.
+    #[test]
+    fn rescaled_table_matches_the_laws() {
+        let density = DensityLaw::dowson_higginson(870.0).unwrap();
+        let viscosity = ViscosityLaw::roelands(0.04, 2.2e-8).unwrap();
+        let own = Properties::new(&density, &viscosity, 313.0, [1e9, 870.0, 0.04]);
+        let scales = [1.3e9, 900.0, 0.05];
+        let other = own.rescaled(&density, &viscosity, 313.0, scales).unwrap();
+        for i in 0..997 {
+            let p = i as f64 * 0.0013;
+            for (ours, exact) in other.at(p).into_iter().zip(other.exact(p)) {
+                assert_relative_eq!(ours[0], exact[0], max_relative = 1e-13, epsilon = 1e-13);
+                assert_relative_eq!(ours[1], exact[1], max_relative = 1e-10);
+                assert_relative_eq!(ours[2], exact[2], max_relative = 1e-6, epsilon = 1e-7);
+            }
+        }
+        assert!(own.rescaled(&density, &viscosity, 314.0, scales).is_none());
+    }
 
     /// Table and laws between the nodes, and beyond the table's end.
     #[test]

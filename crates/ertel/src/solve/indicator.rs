@@ -21,7 +21,7 @@ use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::Space;
 
 use super::SolveError;
-use super::adjoint::{Functional, TO_WEIGH_ERRORS, adjoints};
+use super::adjoint::{Adjoint, Functional, TO_WEIGH_ERRORS, adjoints};
 use super::discretisation::Discretisation;
 use super::element::{Assembler, Element, N_SUMS};
 use super::evaluate::{central_film, fields_in, minimum_film};
@@ -47,6 +47,8 @@ pub struct Indicator {
     pub shear_stress: f64,
     /// Root mean square error of the pressure in each element, in p_h.
     pub(super) local: Vec<f64>,
+    /// Adjoints of the two films.
+    pub(super) adjoints: Vec<Adjoint>,
 }
 
 impl Indicator {
@@ -134,7 +136,7 @@ pub fn indicator(
     let (h_m, at) = minimum_film(d, state);
     let films = [central_film(d, state), h_m];
     let thicknesses = [[0.0; 2], at].map(|point| Functional::film_at(d, point));
-    let solve = |by| adjoints(d, &system, by, &thicknesses, TO_WEIGH_ERRORS);
+    let solve = |by| adjoints(d, &system, by, &thicknesses, &[], TO_WEIGH_ERRORS);
     let adjoint = match kept.map(solve) {
         Some(Ok(adjoint)) => adjoint,
         // None, or of no use any more.
@@ -228,6 +230,7 @@ pub fn indicator(
         edges: [0, 1]
             .map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / films[j]),
         pressure: squares.iter().map(|s| s / zone).collect(),
+        adjoints: adjoint,
     })
 }
 

@@ -11,10 +11,8 @@
 
 use std::sync::Arc;
 
-use rayon::prelude::*;
-
 use super::SolveError;
-use super::adjoint::{Adjoint, Functional, adjoints};
+use super::adjoint::{Adjoint, Functional, RoughAdjoints, adjoints};
 use super::discretisation::{ContactSurface, Discretisation, Means};
 use super::element::Metric;
 use super::evaluate::{fields_in, largest_pressure, minimum_film};
@@ -23,16 +21,15 @@ use super::preconditioner::{NearStiffness, Preconditioner};
 use super::sequence::{Problem, StageSolution};
 use super::shear::friction;
 use super::system::{FilmConstants, State, System};
-use super::weighted::{Equations, weighted_residuals};
+use super::weighted::{Equations, PointFlow, point_flows, weighted_sums};
 use crate::contact::{Inlet, Scales};
 use crate::elastic::{Accuracy, BodyModel};
 use crate::film::FilmFluid;
-use crate::film::cross_film::CrossFilm;
 use crate::forms::oil_layer::{filling_length, missing};
 use crate::solution::Figure;
 
 /// Relative residual of the adjoints.
-const TOLERANCE: f64 = 1e-7;
+const TOLERANCE: f64 = 1e-6;
 
 /// Figures that have sensitivities.
 pub const FIGURES: [Figure; 4] = [
@@ -67,6 +64,7 @@ pub struct Sensitivity<'a> {
     solution: &'a StageSolution,
     problem: &'a Problem,
     goals: Vec<Goal>,
+    flows: Vec<PointFlow>,
     /// Elements and reference coordinates of the figures that are read at a place.
     places: [Option<(usize, [f64; 3])>; 3],
 }
@@ -80,7 +78,7 @@ pub struct Sides {
 }
 
 impl<'a> Sensitivity<'a> {
-    /// Solves for the adjoints of an isothermal solution; traction has one only where surfaces slide.
+    /// Solves for the adjoints of an isothermal solution, from rough ones if there are any; traction has one only where surfaces slide.
     ///
     /// # Errors
     /// When the Krylov iterations run out.
@@ -90,6 +88,7 @@ impl<'a> Sensitivity<'a> {
     pub fn new(
         problem: &'a Problem,
         solution: &'a StageSolution,
+        rough: Option<RoughAdjoints>,
     ) -> Result<Sensitivity<'a>, SolveError> {
         assert!(problem.heat.is_none(), "isothermal films only");
         let (d, state) = (&solution.discretisation, &solution.state);
@@ -98,20 +97,26 @@ impl<'a> Sensitivity<'a> {
             constants: solution.stage.constants,
         };
         let system = System::assemble(d, &model.fluid, &model.constants, state, None);
-        let preconditioner = Preconditioner::new(d, &NearStiffness::new(d), &system)?;
+        let (kept, films) = rough.map_or((None, Vec::new()), |r| (r.preconditioner, r.films));
         let (_, thinnest) = minimum_film(d, state);
         let (_, largest) = largest_pressure(d, state);
         let mut figures = FIGURES.to_vec();
         figures.retain(|f| *f != Figure::TractionCoefficient || problem.fluid.slides());
+        let flows = flows(d, state, &model.fluid);
         let functionals: Vec<Functional> = (figures.iter())
             .map(|figure| match figure {
                 Figure::FilmCentral => Functional::film_at(d, [0.0; 2]),
                 Figure::FilmMinimum => Functional::film_at(d, thinnest),
                 Figure::PressureMaximum => Functional::pressure_at(d, largest),
-                _ => traction(d, state, &model.fluid, &problem.scales),
+                _ => traction(d, &flows, &model.fluid, &problem.scales),
             })
             .collect();
-        let adjoints = adjoints(d, &system, preconditioner, &functionals, TOLERANCE)?;
+        let solve = |by| adjoints(d, &system, by, &functionals, &films, TOLERANCE);
+        let adjoints = match kept.map(solve) {
+            Some(Ok(adjoints)) => adjoints,
+            // None, or of no use any more.
+            _ => solve(Preconditioner::new(d, &NearStiffness::new(d), &system)?)?,
+        };
         let goals = (figures.into_iter().zip(adjoints))
             .map(|(figure, adjoint)| Goal { figure, adjoint })
             .collect();
@@ -120,6 +125,7 @@ impl<'a> Sensitivity<'a> {
             solution,
             problem,
             goals,
+            flows,
             places: [[0.0; 2], thinnest, largest].map(find),
         })
     }
@@ -132,7 +138,13 @@ impl<'a> Sensitivity<'a> {
     /// Value of a figure at the solution, SI.
     pub fn value(&self, figure: Figure) -> f64 {
         let (d, state) = (&self.solution.discretisation, &self.solution.state);
-        self.figure(figure, d, state, self.problem)
+        let scales = &self.problem.scales;
+        match figure {
+            Figure::TractionCoefficient => {
+                friction(d, state, &self.problem.fluid, scales).coefficients[0][0]
+            }
+            figure => self.figure(figure, d, state, scales),
+        }
     }
 
     /// Derivatives of the figures, SI, for each input.
@@ -148,7 +160,9 @@ impl<'a> Sensitivity<'a> {
             .filter(|(_, here)| **here)
             .flat_map(|(sides, _)| &sides.problems)
             .collect();
-        let mut lagrangians = self.lagrangians(d, state, &on_mesh).into_iter();
+        let mut lagrangians = self
+            .lagrangians(d, state, &self.flows, &on_mesh)
+            .into_iter();
         let mut derivatives = Vec::new();
         for (sides, here) in inputs.iter().zip(here) {
             let values = if here {
@@ -196,22 +210,31 @@ impl<'a> Sensitivity<'a> {
         &self,
         d: &Discretisation,
         state: &State,
+        flows: &[PointFlow],
         problems: &[&Problem],
     ) -> Vec<Vec<f64>> {
         let equations: Vec<Equations> = problems.iter().map(|p| self.equations(p)).collect();
         let weights: Vec<&[f64]> = (self.goals.iter())
             .map(|goal| goal.adjoint.film.as_slice())
             .collect();
-        let residuals = weighted_residuals(d, state, &weights, &equations);
+        let own = self.equations(self.problem);
+        let sums = weighted_sums(d, state, &weights, (&own, flows), &equations);
         let carried = d.integral(&state.pressure);
-        (problems.par_iter().zip(residuals))
-            .map(|(problem, residuals)| {
-                let goals = self.goals.iter().zip(residuals);
+        (problems.iter().zip(sums))
+            .map(|(problem, sums)| {
+                let goals = self.goals.iter().zip(sums.residuals);
                 goals
                     .map(|(goal, residual)| {
-                        let unit = self.unit(goal.figure);
+                        let scales = &problem.scales;
+                        let figure = match goal.figure {
+                            Figure::TractionCoefficient => {
+                                let force = problem.fluid.stress_scale() * sums.traction;
+                                force / (scales.load * scales.pressure)
+                            }
+                            figure => self.figure(figure, d, state, scales),
+                        };
                         let excess = goal.adjoint.load * (carried - problem.load);
-                        self.figure(goal.figure, d, state, problem) - unit * (residual + excess)
+                        figure - self.unit(goal.figure) * (residual + excess)
                     })
                     .collect()
             })
@@ -231,7 +254,8 @@ impl<'a> Sensitivity<'a> {
             deflection: d.deflect(&self.solution.state.pressure, Accuracy::Full),
             ..self.solution.state.clone()
         };
-        let mut values = self.lagrangians(&d, &state, &[problem]);
+        let flows = flows(&d, &state, &self.problem.fluid);
+        let mut values = self.lagrangians(&d, &state, &flows, &[problem]);
         values.pop().ok_or(NoDerivative::Mesh)
     }
 
@@ -261,21 +285,26 @@ impl<'a> Sensitivity<'a> {
         }
     }
 
-    /// A figure at the fields of the solution in the scales of a problem, SI.
-    fn figure(&self, figure: Figure, d: &Discretisation, state: &State, problem: &Problem) -> f64 {
-        let scales = &problem.scales;
+    /// A figure that is read at a place, from the fields of the solution in other scales, SI.
+    fn figure(&self, figure: Figure, d: &Discretisation, state: &State, scales: &Scales) -> f64 {
         let at = |place: Option<(usize, [f64; 3])>| {
             place.map(|(cell, xi)| fields_in(d, state, cell, xi))
         };
         let [centre, thinnest, largest] = self.places;
+        let film = |place| scales.film * at(place).map_or(f64::NAN, |f| f.film);
         match figure {
-            Figure::FilmCentral => scales.film * at(centre).map_or(f64::NAN, |f| f.film),
-            Figure::FilmMinimum => scales.film * at(thinnest).map_or(f64::NAN, |f| f.film),
-            Figure::PressureMaximum => {
-                scales.pressure * at(largest).map_or(f64::NAN, |f| f.pressure)
-            }
-            _ => friction(d, state, &problem.fluid, scales).coefficients[0][0],
+            Figure::FilmCentral => film(centre),
+            Figure::FilmMinimum => film(thinnest),
+            _ => scales.pressure * at(largest).map_or(f64::NAN, |f| f.pressure),
         }
+    }
+}
+
+/// Flow across the film of a solution, if it thins or slides.
+fn flows(d: &Discretisation, state: &State, fluid: &FilmFluid) -> Vec<PointFlow> {
+    match !fluid.is_newtonian() || fluid.slides() {
+        true => point_flows(d, state, fluid),
+        false => Vec::new(),
     }
 }
 
@@ -284,24 +313,26 @@ impl<'a> Sensitivity<'a> {
 /// ```text
 ///   f = S/load ∫θ τ_x dA,   τ = τ(G, Ω, P),  G = H∇P,  Ω = σμ̄/H,  θ = 1 − F(P, H)/H
 /// ```
-fn traction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &Scales) -> Functional {
+fn traction(
+    d: &Discretisation,
+    flows: &[PointFlow],
+    fluid: &FilmFluid,
+    scales: &Scales,
+) -> Functional {
     let unit = fluid.stress_scale() / (scales.load * scales.pressure);
     let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
-    let mut rule = CrossFilm::default();
     let mut functional = Functional::zero(d);
     let layer = d.contact.shape.inlet.layer();
-    for (c, map) in d.contact.maps.iter().enumerate() {
+    for (c, flows) in flows.chunks_exact(d.rule.len()).enumerate() {
+        let map = &d.contact.maps[c];
         let metric = Metric::new(map);
         let length = filling_length(d.contact.sizes[c], d.pressure.element.order());
-        for (q, weight) in d.rule.weights.iter().enumerate() {
-            let (_, f) = super::evaluate::fields_at_quadrature(d, state, c, q);
-            let local = fluid.local(f.pressure, None);
-            let (g, omega) = local.demands(f.place, f.pressure_gradient, f.film);
-            let closure = local.close(g, omega, &mut rule);
+        for (q, (weight, flow)) in d.rule.weights.iter().zip(flows).enumerate() {
+            let (f, omega, closure) = (&flow.state, flow.sliding_stress, &flow.closure);
             let tau = closure.mid_stress[0];
             let [by_gx, by_gy, by_ox, by_oy, by_p] = closure.stress_slopes.map(|slopes| slopes[0]);
             let through_slide = by_ox * omega[0] + by_oy * omega[1];
-            let [mu, mu_p, _] = local.point().viscosity;
+            let [mu, mu_p, _] = flow.fluid.viscosity;
             let [px, py] = f.pressure_gradient;
             let mut by_pressure = by_p + through_slide * mu_p / mu;
             let mut by_film = by_gx * px + by_gy * py - through_slide / f.film;

@@ -248,7 +248,9 @@ impl StageSolver for MeshSolver<'_> {
                 (Err(e), (reached, None))
             }
         };
+        let adjoints = (last && outcome.is_ok()).then(|| Box::new(run.rough_adjoints(indicator)));
         let solution = StageSolution {
+            adjoints,
             discretisation: d,
             state,
             stage: *stage,
@@ -281,6 +283,7 @@ impl StageSolver for MeshSolver<'_> {
         match run.solve(Finish::Exact, &mut state, &mut effort, observer) {
             Ok((reached, coupling)) => {
                 solution.state = state;
+                solution.adjoints = None;
                 solution.reached = reached;
                 solution.coupling = coupling.map(|c| c.after(rough));
             }

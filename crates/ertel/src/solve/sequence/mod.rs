@@ -19,6 +19,7 @@ mod warm;
 
 use super::SolveError;
 use super::adapt::AdaptParams;
+use super::adjoint::RoughAdjoints;
 use super::discretisation::{Discretisation, Extents};
 use super::heat::column::Column;
 use super::heat::coupling::{CouplingParams, CouplingStats};
@@ -100,6 +101,8 @@ pub struct StageSolution {
     pub rough: bool,
     /// How its coupling with the heat went, if there is one.
     pub coupling: Option<CouplingStats>,
+    /// What adjoints can start from, until it is taken: it is large.
+    pub adjoints: Option<Box<RoughAdjoints>>,
 }
 
 /// A refined mesh has this many times the unknowns of the first at least, where films are thin.

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use super::{Problem, Role, Stage};
 use crate::solution::{Figure, LevelStats};
+use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::figures::{Extent, figures};
 use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled};
@@ -236,6 +237,14 @@ impl<'a> StageRun<'a> {
         let indicator = indicator(self.discretisation, &model, state, near, kept).ok();
         effort.seconds.estimate += clock.elapsed().as_secs_f64();
         indicator
+    }
+
+    /// What the last solve and the estimate of its errors leave for adjoints.
+    pub fn rough_adjoints(&self, indicator: Option<Indicator>) -> RoughAdjoints {
+        RoughAdjoints {
+            preconditioner: self.newton.take_preconditioner(),
+            films: indicator.map_or_else(Vec::new, |indicator| indicator.adjoints),
+        }
     }
 
     /// What goes into the report.
