@@ -8,6 +8,7 @@ use crate::elastic::cache::OperatorCache;
 use crate::params::SensitivityDemand;
 use crate::plausible;
 use crate::post;
+use crate::problem::problem_beside;
 pub use crate::problem::{groups, predicted_film, problem};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
@@ -131,8 +132,9 @@ impl Session {
             Some(end) => end,
             None => {
                 recorder.history.clear();
-                let others: Vec<Problem> = ahead.iter().map(|c| self::problem(c)).collect();
-                problem.make_room_for(&others);
+                // One after the other: there may be thousands.
+                let own = problem.fluid.clone();
+                problem.make_room_for(ahead.iter().map(|case| problem_beside(case, &own)));
                 solve_stages(&problem, &mut recorder)?
             }
         };

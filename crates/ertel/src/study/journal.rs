@@ -3,10 +3,12 @@
 //! A run that is killed loses what it had not appended; a line that the kill tore is dropped by the next run. Points are
 //! known by the hash of their case, so that a study whose axes or base case have changed keeps what is unchanged.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, BufRead, BufReader, Write};
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh3::xxh3_128;
@@ -62,6 +64,38 @@ impl TryFrom<String> for PointKey {
     }
 }
 
+/// Title of a column; equal ones share their text, however many points there are.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(from = "String", into = "String")]
+pub struct Title(Arc<str>);
+
+impl From<String> for Title {
+    fn from(text: String) -> Title {
+        static TITLES: Mutex<BTreeSet<Arc<str>>> = Mutex::new(BTreeSet::new());
+        let mut titles = TITLES.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = titles.get(text.as_str()) {
+            return Title(known.clone());
+        }
+        let title: Arc<str> = text.into();
+        titles.insert(title.clone());
+        Title(title)
+    }
+}
+
+impl From<Title> for String {
+    fn from(title: Title) -> String {
+        title.0.to_string()
+    }
+}
+
+impl Deref for Title {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.0
+    }
+}
+
 /// A finished point.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Record {
@@ -73,7 +107,7 @@ pub struct Record {
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub reason: String,
     /// Fields of its line in the table, by the title of their column.
-    pub fields: Vec<(String, String)>,
+    pub fields: Vec<(Title, Box<str>)>,
     /// What the user should know.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<Warning>,
@@ -89,7 +123,7 @@ impl Record {
 
     /// The field of a column.
     pub fn field(&self, name: &str) -> Option<&str> {
-        let (_, value) = self.fields.iter().find(|(own, _)| own == name)?;
+        let (_, value) = self.fields.iter().find(|(own, _)| **own == *name)?;
         Some(value)
     }
 }
@@ -125,8 +159,8 @@ impl Entries {
     /// [`SweepError::Io`].
     pub fn read(folder: &Path) -> Result<Entries, SweepError> {
         let path = folder.join(JOURNAL);
-        let bytes = match fs::read(&path) {
-            Ok(bytes) => bytes,
+        let mut lines = match File::open(&path) {
+            Ok(file) => BufReader::new(file),
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Entries::default()),
             Err(e) => return Err(SweepError::io(&path, e)),
         };
@@ -134,13 +168,19 @@ impl Entries {
             exists: true,
             ..Entries::default()
         };
-        for line in bytes.split_inclusive(|b| *b == b'\n') {
-            let Some(line) = line.strip_suffix(b"\n") else {
-                entries.foreign_end = !is_torn_record(line);
+        let mut line = Vec::new();
+        loop {
+            line.clear();
+            let n = (lines.read_until(b'\n', &mut line)).map_err(|e| SweepError::io(&path, e))?;
+            if n == 0 {
+                break;
+            }
+            let Some(record) = line.strip_suffix(b"\n") else {
+                entries.foreign_end = !is_torn_record(&line);
                 break;
             };
-            entries.length += line.len() as u64 + 1;
-            match serde_json::from_slice::<Record>(line) {
+            entries.length += n as u64;
+            match serde_json::from_slice::<Record>(record) {
                 Ok(record) => {
                     entries.records.insert(record.key, record);
                 }

@@ -6,11 +6,16 @@
 //! starts from the nearest of these. So the tree is about as deep as the logarithm of the number of points, and most
 //! points still start from a near neighbour.
 
+use rayon::prelude::*;
+
 use crate::case::Study;
 use crate::run::problem;
 
 /// Ratio of the largest to the smallest relative film thickness in a group: one mesh has room for so many.
 const FILM_RATIO: f64 = 2.8;
+
+/// Points of one group, at most: its tree takes their square in time.
+const MOST_IN_GROUP: usize = 4_000;
 
 /// The tree of starts.
 #[derive(Clone, Debug, PartialEq)]
@@ -180,14 +185,39 @@ fn groups(features: &[Features]) -> Vec<Vec<usize>> {
             };
             parts[part.min(n_parts - 1)].push(m);
         }
-        result.extend(parts.into_iter().filter(|part| !part.is_empty()));
+        for part in parts.into_iter().filter(|part| !part.is_empty()) {
+            split(features, part, &mut result);
+        }
     }
     result
 }
 
+/// Halves members, along what they differ in most, until they are few enough for a group.
+fn split(features: &[Features], mut members: Vec<usize>, groups: &mut Vec<Vec<usize>>) {
+    if members.len() <= MOST_IN_GROUP {
+        members.sort_unstable();
+        groups.push(members);
+        return;
+    }
+    let extent = |axis: usize| {
+        let values = members.iter().map(|m| features[*m].place[axis]);
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+            (l.min(v), h.max(v))
+        });
+        high - low
+    };
+    let axes = 0..features[members[0]].place.len();
+    let widest = axes.max_by(|a, b| extent(*a).total_cmp(&extent(*b)));
+    let place = |m: &usize| widest.map_or(0.0, |axis| features[*m].place[axis]);
+    members.sort_by(|a, b| place(a).total_cmp(&place(b)).then(a.cmp(b)));
+    let upper = members.split_off(members.len() / 2);
+    split(features, members, groups);
+    split(features, upper, groups);
+}
+
 fn features(study: &Study) -> Vec<Features> {
     // Numbers of one sign are told apart by their ratios, others by their share of the axis.
-    let scale = |column: usize| -> Box<dyn Fn(f64) -> f64> {
+    let scale = |column: usize| -> Box<dyn Fn(f64) -> f64 + Sync> {
         let numbers = study.points.iter().map(|p| p.values[column].number());
         let (low, high) = numbers
             .flatten()
@@ -221,7 +251,7 @@ fn features(study: &Study) -> Vec<Features> {
             names: names.map(|v| v.to_string()).collect(),
         }
     };
-    study.points.iter().map(features).collect()
+    study.points.par_iter().map(features).collect()
 }
 
 #[cfg(test)]
@@ -294,6 +324,24 @@ mod tests {
         // Of halves of halves, half of the steps reach the neighbour and a quarter the next one.
         let short = steps.iter().filter(|s| **s <= 2.0).count();
         assert!(short >= 60, "{short} of 99 steps");
+    }
+
+    /// No group is too large for its tree, each point stands in one, and groups are neighbours.
+    #[test]
+    fn large_groups_are_split() {
+        let n = 3 * MOST_IN_GROUP;
+        let features = line(n);
+        let groups = groups(&features);
+        assert_eq!(groups.len(), 4);
+        let mut all: Vec<usize> = groups.concat();
+        all.sort_unstable();
+        assert_eq!(all, (0..n).collect::<Vec<_>>());
+        for group in groups {
+            let places = group.iter().map(|m| features[*m].place[0]);
+            let (low, high) =
+                places.fold((f64::INFINITY, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
+            assert_eq!(high - low, (n / 4 - 1) as f64);
+        }
     }
 
     #[test]

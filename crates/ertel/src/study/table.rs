@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::journal::{PointKey, Record};
+use super::journal::{PointKey, Record, Title};
 use super::{Outcome, PointSolution, SweepError};
 use crate::case::study::{AxisValue, Study};
 use crate::contact::ContactKind;
@@ -137,11 +137,8 @@ impl StudyEcho {
         let names = finished
             .first()
             .map_or(&[][..], |(_, _, record)| &record.fields);
-        for title in self
-            .columns
-            .iter()
-            .chain(names.iter().map(|(name, _)| name))
-        {
+        let titles = self.columns.iter().map(String::as_str);
+        for title in titles.chain(names.iter().map(|(name, _)| &**name)) {
             text.push(',');
             text.push_str(&text_field(title));
         }
@@ -225,7 +222,7 @@ fn belongs(name: &str) -> bool {
 }
 
 /// The fields of a point, by the titles of their columns: its operating point, then its figures.
-pub(super) fn fields(point: &PointSolution) -> Vec<(String, String)> {
+pub(super) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
     let case = &point.case;
     let is_line = case.contact.kind == ContactKind::Line;
     let number = |value: f64| format!("{value:e}");
@@ -261,7 +258,9 @@ pub(super) fn fields(point: &PointSolution) -> Vec<(String, String)> {
         };
         fields.push((title, value));
     }
-    fields
+    (fields.into_iter())
+        .map(|(title, value)| (title.into(), value.into()))
+        .collect()
 }
 
 /// The record of a point.

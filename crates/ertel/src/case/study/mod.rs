@@ -28,10 +28,12 @@ mod text;
 use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use ertel_rheology::input::tree::{Node, Value};
 use ertel_rheology::input::{Document, InputError, Table};
 use ertel_rheology::quantity::Dimension;
+use rayon::prelude::*;
 
 use super::Case;
 use crate::contact::ContactKind;
@@ -40,8 +42,8 @@ use axis::Group;
 pub use beside::PointColumn;
 pub(crate) use points::split_title;
 
-/// Points of one study, at most: the tree of starts takes their square in time.
-pub const MOST_POINTS: usize = 20_000;
+/// Points of one study, at most: each takes about 10 kB of memory while it runs.
+pub const MOST_POINTS: usize = 1_000_000;
 
 /// A base case and the points that axes make of it.
 #[derive(Clone, Debug)]
@@ -60,6 +62,25 @@ pub struct Study {
     pub source: String,
     /// Line or circular, the same in all points.
     pub kind: ContactKind,
+    /// What the points are read from; `None` for those made in code.
+    reader: Option<Arc<Reader>>,
+}
+
+/// What the points of a study are read from.
+#[derive(Debug)]
+struct Reader {
+    case: Document,
+    folder: PathBuf,
+    groups: Vec<Group>,
+    /// The file that says which points there are, as errors name it.
+    name: String,
+}
+
+impl Reader {
+    fn read(&self, index: usize) -> Result<StudyPoint, InputError> {
+        let settings = settings_of(&self.groups, index);
+        point(&self.case, &self.folder, &self.name, index, &settings)
+    }
 }
 
 /// A key that varies.
@@ -88,7 +109,7 @@ pub struct StudyPoint {
     pub values: Vec<AxisValue>,
     /// The values as they are shown: `contact.load = 10 N, motion.entrainment_speed = 0.1 m/s`.
     pub label: String,
-    /// The case.
+    /// The case; in a study that was read without its text and where its quantities come from ([`Study::whole_case`] has them).
     pub case: Case,
 }
 
@@ -116,7 +137,14 @@ impl Study {
             files: Vec::new(),
             source: base.source.clone(),
             kind: base.contact.kind,
+            reader: None,
         }
+    }
+
+    /// The case of a point with its text and where its quantities come from, read once more; `None` where that fails now, or the points
+    /// were made in code and have all of it.
+    pub fn whole_case(&self, index: usize) -> Option<Case> {
+        Some(self.reader.as_ref()?.read(index).ok()?.case)
     }
 
     /// Reads a study, its base case and every point of it.
@@ -192,21 +220,31 @@ fn build(
     let n_points = n_points
         .filter(|n| *n <= MOST_POINTS)
         .ok_or_else(|| (source.error)(format!("these are more than {MOST_POINTS} points")))?;
-    let folder = base.parent().unwrap_or(Path::new(""));
-    let points: Vec<StudyPoint> = (0..n_points)
+    let reader = Reader {
+        case: case.clone(),
+        folder: base.parent().unwrap_or(Path::new("")).to_owned(),
+        groups: groups.to_vec(),
+        name: source.name.to_owned(),
+    };
+    let read: Vec<Result<(StudyPoint, Vec<PathBuf>), InputError>> = (0..n_points)
+        .into_par_iter()
         .map(|index| {
-            point(
-                case,
-                folder,
-                source.name,
-                index,
-                &settings_of(groups, index),
-            )
+            let mut point = reader.read(index)?;
+            let files = point.case.files(&reader.folder);
+            // There may be a million of them.
+            let case = &mut point.case;
+            (case.origin, case.given) = (None, serde_json::Value::Null);
+            case.source = String::new();
+            Ok((point, files))
         })
-        .collect::<Result<_, _>>()?;
-    let tables: BTreeSet<PathBuf> = (points.iter())
-        .flat_map(|point| point.case.files(folder))
         .collect();
+    let mut tables = BTreeSet::new();
+    let mut points = Vec::with_capacity(n_points);
+    for point in read {
+        let (point, files) = point?;
+        points.push(point);
+        tables.extend(files);
+    }
     files.extend(tables);
     let kind = points[0].case.contact.kind;
     if let Some(i) = points.iter().position(|p| p.case.contact.kind != kind) {
@@ -225,6 +263,7 @@ fn build(
         })
         .collect();
     Ok(Study {
+        reader: Some(Arc::new(reader)),
         title,
         base,
         columns,

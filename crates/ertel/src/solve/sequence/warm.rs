@@ -35,7 +35,7 @@ const MOST_REACH: f64 = 5.0;
 impl Problem {
     /// Makes the contact area large enough for other problems, too, and the cells fine enough where nothing is
     /// refined by estimates; but not for those that ask for too much.
-    pub fn make_room_for(&mut self, others: &[Problem]) {
+    pub fn make_room_for(&mut self, others: impl Iterator<Item = Problem>) {
         let modest = |own: f64, wanted: f64| wanted <= MOST_ROOM * own;
         let near = |own: f64, wanted: f64| wanted <= MOST_REACH * own;
         let (extents, stages) = (self.extents, self.stages.clone());

@@ -6,7 +6,7 @@ mod merge;
 mod queue;
 mod work;
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Instant;
@@ -153,7 +153,6 @@ pub fn sweep(
         n_damaged: entries.n_damaged,
         ..SweepSummary::default()
     };
-    let mut records = entries.records.clone();
     let wanted: Vec<bool> = {
         let mut wanted = vec![false; study.points.len()];
         for i in &mine {
@@ -161,6 +160,7 @@ pub fn sweep(
         }
         wanted
     };
+    let mut records = entries.records;
     observer.begin(mine.len(), n_kept);
     let queue = Queue::new(&plan, &wanted);
     let state = Mutex::new(queue);
@@ -227,13 +227,10 @@ pub fn sweep(
     summary.n_again = queue.n_again;
     summary.interrupted = n_kept + summary.n_new < mine.len();
     if !summary.interrupted {
-        let own: HashMap<PointKey, Record> = (mine.iter())
-            .filter_map(|i| {
-                let key = echo.points[*i].0;
-                Some((key, records.get(&key)?.clone()))
-            })
-            .collect();
-        write_results(folder, &echo, &own)?;
+        // The journal may have points of another part, or of what the study was before.
+        let own: HashSet<PointKey> = mine.iter().map(|i| echo.points[*i].0).collect();
+        records.retain(|key, _| own.contains(key));
+        write_results(folder, &echo, &records)?;
     }
     let mut warnings = Vec::new();
     let mut sorted = mine;

@@ -14,7 +14,7 @@ use crate::output;
 use crate::reference::film_formulas;
 use crate::run::{Session, Start, groups};
 use crate::solve::{Observer, SolveError};
-use crate::study::journal::Record;
+use crate::study::journal::{PointKey, Record};
 use crate::study::plan::Plan;
 use crate::study::table::{StudyEcho, record};
 use crate::study::{Outcome, PointSolution};
@@ -96,7 +96,11 @@ impl Shared<'_> {
     ) -> Result<(Option<Arc<Start>>, Record), Option<SweepError>> {
         let clock = Instant::now();
         let points = &self.study.points;
-        let case = &points[index].case;
+        let lean = &points[index].case;
+        let key = self.echo.points[index].0;
+        // What was read first counts, should its files have changed since.
+        let whole = (self.study.whole_case(index)).filter(|whole| PointKey::new(whole) == key);
+        let case = whole.as_ref().unwrap_or(lean);
         let companions = self.plan.companions(index);
         let ahead: Vec<&Case> = companions.map(|i| &points[i].case).collect();
         let mut observer = Stop(self);
@@ -134,7 +138,7 @@ impl Shared<'_> {
             isothermal: None,
             seconds: clock.elapsed().as_secs_f64(),
         };
-        Ok((end, record(self.echo.points[index].0, &point)))
+        Ok((end, record(key, &point)))
     }
 }
 
