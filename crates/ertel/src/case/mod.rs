@@ -31,6 +31,7 @@
 //! physical is required. `[curve]` asks for a list or range of one quantity ([`curve`]). Numbers carry units. Unknown keys are errors.
 
 mod bodies;
+mod builder;
 mod check;
 mod contact;
 pub mod curve;
@@ -67,6 +68,7 @@ use crate::params::{
 use crate::warning::Warning;
 use bodies::Bodies;
 pub use bodies::Body;
+pub use builder::{CaseBuilder, Setting};
 pub(crate) use check::mesh_of_bodies as check_mesh_of_bodies;
 pub use curve::Curve;
 use geometry::Geometry;
@@ -131,6 +133,20 @@ impl Case {
     pub fn read(path: &Path) -> Result<Self, InputError> {
         let folder = path.parent().unwrap_or(Path::new(""));
         Self::from_document(&Document::read(path)?, folder)
+    }
+
+    /// A case to be made in code, key by key.
+    pub fn builder() -> CaseBuilder {
+        CaseBuilder::default()
+    }
+
+    /// Reads the text of a case file; tables of data it names are found in `folder`. Errors call it `name`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Case::read`].
+    pub fn from_text(name: &str, text: &str, folder: &Path) -> Result<Self, InputError> {
+        Self::from_document(&Document::parse(name, text)?, folder)
     }
 
     /// Reads a case from a parsed document; tables of data it names are found in `folder`.

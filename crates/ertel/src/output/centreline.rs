@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::solution::{Centreline, FilmTemperatures};
+use crate::solution::{Centreline, Field, FilmTemperatures};
 
 /// The columns: names with units, values point by point.
 pub fn columns(
@@ -13,22 +13,19 @@ pub fn columns(
     let mut columns = vec![
         ("x_m", line.x.clone()),
         ("x_over_a", line.x.iter().map(|x| x / half_width).collect()),
-        ("pressure_Pa", line.pressure.clone()),
-        ("hertz_pressure_Pa", line.hertz_pressure.clone()),
-        ("film_thickness_m", line.film_thickness.clone()),
-        ("deflection_m", line.deflection.clone()),
-        ("viscosity_Pa_s", line.viscosity.clone()),
-        ("density_kg_per_m3", line.density.clone()),
     ];
-    let shear = line.shear.columns();
-    columns.extend(
-        shear
-            .into_iter()
-            .map(|(name, values)| (name, values.to_vec())),
-    );
-    let temperatures = temperatures.map(FilmTemperatures::columns);
-    for (name, values) in temperatures.into_iter().flatten() {
-        columns.push((name, values.to_vec()));
+    let fields: [(Field, &[f64]); 6] = [
+        (Field::Pressure, &line.pressure),
+        (Field::HertzPressure, &line.hertz_pressure),
+        (Field::FilmThickness, &line.film_thickness),
+        (Field::Deflection, &line.deflection),
+        (Field::Viscosity, &line.viscosity),
+        (Field::Density, &line.density),
+    ];
+    let temperatures = temperatures.into_iter().flat_map(FilmTemperatures::columns);
+    let fields = fields.into_iter().chain(line.shear.columns());
+    for (field, values) in fields.chain(temperatures) {
+        columns.push((field.column(), values.to_vec()));
     }
     columns
 }

@@ -311,7 +311,7 @@ fn fields(solution: &Solution) -> Option<String> {
     let shear = [&line.shear, &surface.shear].map(ShearFields::columns);
     let scalar = arrays
         .into_iter()
-        .chain(shear.into_iter().flatten())
+        .chain((shear.into_iter().flatten()).map(|(field, values)| (field.column(), values)))
         .find(|(_, values)| values.iter().any(|v| !v.is_finite()))
         .map(|(name, _)| name.to_owned());
     let elements = &solution.elements;

@@ -20,7 +20,6 @@ pub mod plot;
 mod report;
 mod result_json;
 mod study;
-mod surface;
 mod target;
 pub mod vtu;
 mod workplace;

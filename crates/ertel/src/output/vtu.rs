@@ -8,9 +8,8 @@ use std::io::{self, Write};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::surface::{full_surface, sources};
 use crate::contact::{ContactKind, Shape};
-use crate::solution::{BodyField, FilmTemperatures, SurfaceField, TemperatureField};
+use crate::solution::{BodyField, ContactFields, FilmTemperatures, SurfaceField, TemperatureField};
 
 /// VTK cell types by number of nodes: triangles and segments, or tetrahedra, too.
 const LINE: u8 = 3;
@@ -63,37 +62,17 @@ pub fn write_surface(
     half: &SurfaceField,
     temperatures: Option<&FilmTemperatures>,
 ) -> io::Result<()> {
-    let field = full_surface(shape.symmetry, half);
-    let points: Vec<[f64; 3]> = field.points.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
-    let n_nodes = match shape.kind {
-        ContactKind::Line => 2,
-        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => 3,
-    };
-    let cells: Vec<&[u32]> = field.cells.iter().map(|c| &c[..n_nodes]).collect();
-    let scalar = |name, values| Array {
-        name,
-        n_components: 1,
-        data: Data::Float64(values),
-    };
-    let shear = field.shear.columns();
-    let mut fields = vec![
-        scalar("pressure_Pa", field.pressure),
-        scalar("film_thickness_m", field.film_thickness),
-        scalar("deflection_m", field.deflection),
-        scalar("viscosity_Pa_s", field.viscosity),
-        scalar("density_kg_per_m3", field.density),
-    ];
-    fields.extend(
-        shear
-            .into_iter()
-            .map(|(name, values)| scalar(name, values.to_vec())),
-    );
-    let sources = sources(shape.symmetry, half);
-    let temperatures = temperatures.map(FilmTemperatures::columns);
-    for (name, values) in temperatures.into_iter().flatten() {
-        let whole = sources.iter().map(|i| values[*i]).collect();
-        fields.push(scalar(name, whole));
-    }
+    let whole = ContactFields::new(shape, half, temperatures);
+    let points: Vec<[f64; 3]> = whole.points.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
+    let n_nodes = if whole.is_line { 2 } else { 3 };
+    let cells: Vec<&[u32]> = whole.cells.iter().map(|c| &c[..n_nodes]).collect();
+    let fields: Vec<Array> = (whole.fields.into_iter())
+        .map(|(field, values)| Array {
+            name: field.column(),
+            n_components: 1,
+            data: Data::Float64(values),
+        })
+        .collect();
     let grid = Grid {
         points: &points,
         cells: &cells,

@@ -1,6 +1,8 @@
 //! What a solve returns: plain data in SI, ready for output.
 
+mod contact_fields;
 mod elements;
+mod field;
 mod figures;
 mod mixed;
 mod roller;
@@ -16,7 +18,10 @@ use crate::contact::{Groups, Hertz, Scales, Shape};
 use crate::solve::sequence::Role;
 use crate::warning::Warning;
 
+pub use contact_fields::{ContactFields, GridField};
+pub(crate) use contact_fields::{mirror, near_zero};
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
+pub use field::Field;
 pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, Reading};
 pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
 pub use roller::RollerFigures;
@@ -401,43 +406,23 @@ pub struct ShearFields {
 }
 
 impl ShearFields {
-    /// Name with unit, and values, of each field.
-    pub fn columns(&self) -> Vec<(&'static str, &[f64])> {
-        let mut columns: Vec<(&'static str, &[f64])> = vec![
-            ("shear_stress_mid_Pa", &self.stress_mid),
-            ("shear_stress_body_1_Pa", &self.stress_body_1),
-            ("shear_stress_body_2_Pa", &self.stress_body_2),
-            ("shear_rate_mid_per_s", &self.rate_mid),
-            (
-                "generalized_viscosity_mid_Pa_s",
-                &self.generalized_viscosity,
-            ),
+    /// The fields that there are, with their values.
+    pub fn columns(&self) -> Vec<(Field, &[f64])> {
+        let [across_mid, across_1, across_2] = &self.stress_across;
+        let all: [(Field, &[f64]); 8] = [
+            (Field::ShearStressMid, &self.stress_mid),
+            (Field::ShearStressBody1, &self.stress_body_1),
+            (Field::ShearStressBody2, &self.stress_body_2),
+            (Field::ShearRateMid, &self.rate_mid),
+            (Field::GeneralizedViscosityMid, &self.generalized_viscosity),
+            (Field::ShearStressAcrossMid, across_mid),
+            (Field::ShearStressAcrossBody1, across_1),
+            (Field::ShearStressAcrossBody2, across_2),
         ];
-        let names = [
-            "shear_stress_across_mid_Pa",
-            "shear_stress_across_body_1_Pa",
-            "shear_stress_across_body_2_Pa",
-        ];
-        let across = names.into_iter().zip(&self.stress_across);
-        columns.extend(
-            across
-                .filter(|(_, v)| !v.is_empty())
-                .map(|(n, v)| (n, v.as_slice())),
-        );
-        columns
-    }
-
-    /// Adds a copy of the values of point `i` at the end.
-    pub fn repeat(&mut self, i: usize) {
-        for field in [
-            &mut self.stress_mid,
-            &mut self.stress_body_1,
-            &mut self.stress_body_2,
-            &mut self.rate_mid,
-            &mut self.generalized_viscosity,
-        ] {
-            field.push(field[i]);
-        }
+        (all.into_iter().enumerate())
+            .filter(|(i, (_, values))| *i < 5 || !values.is_empty())
+            .map(|(_, column)| column)
+            .collect()
     }
 }
 

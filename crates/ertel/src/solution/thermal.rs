@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Estimate, Located};
+use super::{Estimate, Field, Located};
 
 /// Temperatures and heat.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -106,13 +106,13 @@ pub struct FilmTemperatures {
 }
 
 impl FilmTemperatures {
-    /// Name with unit, and values, of each field.
-    pub fn columns(&self) -> [(&'static str, &[f64]); 4] {
+    /// Each field with its values.
+    pub fn columns(&self) -> [(Field, &[f64]); 4] {
         [
-            ("temperature_mid_K", &self.mid),
-            ("temperature_mean_K", &self.mean),
-            ("temperature_body_1_K", &self.plane),
-            ("temperature_body_2_K", &self.ball),
+            (Field::TemperatureMid, &self.mid),
+            (Field::TemperatureMean, &self.mean),
+            (Field::TemperatureBody1, &self.plane),
+            (Field::TemperatureBody2, &self.ball),
         ]
     }
 }

@@ -41,6 +41,7 @@ pub use axis::AxisValue;
 use axis::Group;
 pub use beside::PointColumn;
 pub(crate) use points::split_title;
+pub(super) use text::quoted;
 
 /// Points of one study, at most: each takes about 10 kB of memory while it runs.
 pub const MOST_POINTS: usize = 1_000_000;

@@ -40,7 +40,7 @@ fn key(key: &str) -> String {
     }
 }
 
-fn quoted(text: &str) -> String {
+pub(in crate::case) fn quoted(text: &str) -> String {
     let mut result = String::from("\"");
     for c in text.chars() {
         match c {

@@ -2,8 +2,8 @@
 
 use ertel_fem::element::Lagrange;
 
-use super::super::surface::near_zero;
 use super::sampling::{CORNERS, value};
+use crate::solution::near_zero;
 use crate::solution::{ElementFields, Polynomials, Solution};
 
 /// A field along y = 0, times a factor, over x/a.

@@ -8,7 +8,7 @@ use ertel_fem::element::Lagrange;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
-use super::super::surface::mirror;
+use crate::solution::mirror;
 use crate::solution::{ElementFields, Polynomials};
 
 /// Edges within the picture are no longer than this, px,
