@@ -33,7 +33,7 @@ mod workplace_tests;
 
 pub use compare::{comparison_report, write_comparison};
 pub(crate) use csv::{quoted, text_field};
-pub use curve::{curve_report, write_curve};
+pub use curve::{curve_json, curve_report, curve_table, write_curve};
 pub use echo::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use figure::unresolved;

@@ -276,10 +276,21 @@ impl Journal {
     /// # Errors
     /// [`SweepError::Io`].
     pub fn append(&mut self, record: &Record) -> Result<(), SweepError> {
+        self.append_all(std::slice::from_ref(record))
+    }
+
+    /// Appends several at once.
+    ///
+    /// # Errors
+    /// [`SweepError::Io`].
+    pub fn append_all(&mut self, records: &[Record]) -> Result<(), SweepError> {
         let mut write = || -> io::Result<()> {
-            let mut line = serde_json::to_vec(record)?;
-            line.push(b'\n');
-            self.file.write_all(&line)?;
+            let mut lines = Vec::new();
+            for record in records {
+                serde_json::to_writer(&mut lines, record)?;
+                lines.push(b'\n');
+            }
+            self.file.write_all(&lines)?;
             self.file.sync_data()
         };
         write().map_err(|e| SweepError::io(&self.path, e))

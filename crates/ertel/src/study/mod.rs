@@ -9,8 +9,8 @@ mod table;
 
 pub use curve::{CurveObserver, CurveSolution, Outcome, PointSolution, solve_curve};
 pub use sweep::{
-    FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
-    finished_points, merge, sweep,
+    Collector, FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress,
+    SweepSummary, finished_points, merge, sweep, sweep_part,
 };
 pub(crate) use table::ISOTHERMAL;
 pub use table::{POINTS, STUDY_FORMAT, StudyEcho, TABLE};

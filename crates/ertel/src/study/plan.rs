@@ -6,6 +6,8 @@
 //! starts from the nearest of these. So the tree is about as deep as the logarithm of the number of points, and most
 //! points still start from a near neighbour.
 
+use std::collections::HashMap;
+
 use rayon::prelude::*;
 
 use crate::case::Study;
@@ -78,6 +80,22 @@ impl Plan {
     pub fn companions(&self, index: usize) -> impl Iterator<Item = usize> + '_ {
         let group = &self.groups[self.group_of[index]];
         group.iter().copied().filter(move |i| *i != index)
+    }
+
+    /// The tree of one group, its points by their places among the members, and these members.
+    pub fn of_group(&self, group: usize) -> (Plan, &[usize]) {
+        let members = &self.groups[group];
+        let local: HashMap<usize, usize> =
+            members.iter().enumerate().map(|(i, m)| (*m, i)).collect();
+        let parent = |m: &usize| self.parents[*m].map(|parent| local[&parent]);
+        let order = self.order.iter().filter_map(|i| local.get(i).copied());
+        let plan = Plan {
+            parents: members.iter().map(parent).collect(),
+            order: order.collect(),
+            groups: vec![(0..members.len()).collect()],
+            group_of: vec![0; members.len()],
+        };
+        (plan, members)
     }
 
     /// How many starts lead to a point at most, the cold one included.

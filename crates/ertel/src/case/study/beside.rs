@@ -91,6 +91,13 @@ impl Study {
             error: &error,
         };
         let files: Vec<PathBuf> = vec![path.to_owned(), base.to_owned()];
-        build(title, base.to_owned(), &case, &groups, &source, files)
+        build(
+            title,
+            base.to_owned(),
+            &case,
+            &groups,
+            &source,
+            (files, None),
+        )
     }
 }

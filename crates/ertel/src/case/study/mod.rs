@@ -65,6 +65,8 @@ pub struct Study {
     pub kind: ContactKind,
     /// What the points are read from; `None` for those made in code.
     reader: Option<Arc<Reader>>,
+    /// Place of each point among all that the file has.
+    places: Vec<usize>,
 }
 
 /// What the points of a study are read from.
@@ -139,13 +141,14 @@ impl Study {
             source: base.source.clone(),
             kind: base.contact.kind,
             reader: None,
+            places: Vec::new(),
         }
     }
 
     /// The case of a point with its text and where its quantities come from, read once more; `None` where that fails now, or the points
     /// were made in code and have all of it.
     pub fn whole_case(&self, index: usize) -> Option<Case> {
-        Some(self.reader.as_ref()?.read(index).ok()?.case)
+        Some(self.reader.as_ref()?.read(self.places[index]).ok()?.case)
     }
 
     /// Reads a study, its base case and every point of it.
@@ -155,6 +158,15 @@ impl Study {
     /// [`InputError`] with file, line and key: of the study itself, of the table of points, and of any case that
     /// comes of them.
     pub fn read(path: &Path) -> Result<Self, InputError> {
+        Self::read_some(path, None)
+    }
+
+    /// Reads a study with some of its points alone, given by their places, in this order; `None` for all of them.
+    ///
+    /// # Errors
+    ///
+    /// As [`Study::read`], of these points; places that the study does not have.
+    pub fn read_some(path: &Path, places: Option<&[usize]>) -> Result<Self, InputError> {
         let folder = path.parent().unwrap_or(Path::new(""));
         let study = Document::read(path)?;
         let mut root = study.root();
@@ -191,7 +203,7 @@ impl Study {
             text: study.text(),
             error: &|message| study.root().error_here(message),
         };
-        build(title, base, &case, &groups, &source, files)
+        build(title, base, &case, &groups, &source, (files, places))
     }
 }
 
@@ -212,7 +224,7 @@ fn build(
     case: &Document,
     groups: &[Group],
     source: &Source<'_>,
-    mut files: Vec<PathBuf>,
+    (mut files, places): (Vec<PathBuf>, Option<&[usize]>),
 ) -> Result<Study, InputError> {
     check_keys(case, groups)?;
     let n_points = groups
@@ -227,10 +239,15 @@ fn build(
         groups: groups.to_vec(),
         name: source.name.to_owned(),
     };
-    let read: Vec<Result<(StudyPoint, Vec<PathBuf>), InputError>> = (0..n_points)
-        .into_par_iter()
+    let places: Vec<usize> = places.map_or_else(|| (0..n_points).collect(), <[usize]>::to_vec);
+    if places.is_empty() || places.iter().any(|place| *place >= n_points) {
+        return Err((source.error)(format!(
+            "there are {n_points} points, and not all of those asked for"
+        )));
+    }
+    let read: Vec<Result<(StudyPoint, Vec<PathBuf>), InputError>> = (places.par_iter())
         .map(|index| {
-            let mut point = reader.read(index)?;
+            let mut point = reader.read(*index)?;
             let files = point.case.files(&reader.folder);
             // There may be a million of them.
             let case = &mut point.case;
@@ -240,7 +257,7 @@ fn build(
         })
         .collect();
     let mut tables = BTreeSet::new();
-    let mut points = Vec::with_capacity(n_points);
+    let mut points = Vec::with_capacity(places.len());
     for point in read {
         let (point, files) = point?;
         points.push(point);
@@ -265,6 +282,7 @@ fn build(
         .collect();
     Ok(Study {
         reader: Some(Arc::new(reader)),
+        places,
         title,
         base,
         columns,

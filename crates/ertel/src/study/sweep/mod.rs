@@ -1,5 +1,6 @@
 //! A study: its points side by side on all cores, each from the one that the plan says.
 
+mod collect;
 mod error;
 mod folder;
 mod merge;
@@ -7,6 +8,7 @@ mod queue;
 mod work;
 
 use std::collections::{HashMap, HashSet};
+use std::ops::Range;
 use std::path::Path;
 use std::sync::{Condvar, Mutex, PoisonError};
 use std::time::Instant;
@@ -21,6 +23,7 @@ use folder::{has_folder, look, open, write_results};
 use queue::Queue;
 use work::{Shared, lock};
 
+pub use collect::Collector;
 pub use error::SweepError;
 pub use folder::{FILES, FOLDERS};
 pub use merge::merge;
@@ -131,15 +134,30 @@ pub fn sweep(
     params: &SweepParams,
     observer: &dyn SweepObserver,
 ) -> Result<SweepSummary, SweepError> {
-    let clock = Instant::now();
-    let echo = StudyEcho::new(study);
-    check_distinct(study, &echo)?;
-    let (mut journal, entries) = open(folder, &echo)?;
     let plan = Plan::new(study);
     let part = match params.shard {
         Some(shard) => shard.range(plan.order.len()),
         None => 0..plan.order.len(),
     };
+    sweep_part(session, study, (&plan, part), folder, params, observer)
+}
+
+/// Runs a part of the order of a plan, which is that of the study; `params.shard` is not looked at.
+///
+/// # Errors
+/// As [`sweep`].
+pub fn sweep_part(
+    session: &Session,
+    study: &Study,
+    (plan, part): (&Plan, Range<usize>),
+    folder: &Path,
+    params: &SweepParams,
+    observer: &dyn SweepObserver,
+) -> Result<SweepSummary, SweepError> {
+    let clock = Instant::now();
+    let echo = StudyEcho::new(study);
+    check_distinct(study, &echo)?;
+    let (mut journal, entries) = open(folder, &echo)?;
     let mine: Vec<usize> = plan.order[part].to_vec();
     let is_kept = |i: usize| {
         let record = entries.records.get(&echo.points[i].0);
@@ -162,14 +180,14 @@ pub fn sweep(
     };
     let mut records = entries.records;
     observer.begin(mine.len(), n_kept);
-    let queue = Queue::new(&plan, &wanted);
+    let queue = Queue::new(plan, &wanted);
     let state = Mutex::new(queue);
     let bell = Condvar::new();
     let shared = Shared {
         session,
         study,
         echo: &echo,
-        plan: &plan,
+        plan,
         wanted: &wanted,
         folder,
         params,

@@ -1,0 +1,41 @@
+"""Film thickness, pressure, traction and temperature of elastohydrodynamic contacts.
+
+A contact is a :class:`Case`; solving it gives a :class:`Result` (or a :class:`Curve`, where the case varies a quantity):
+
+>>> import ertel
+>>> case = ertel.Case.from_file("ball-on-disc.toml")   # doctest: +SKIP
+>>> result = case.solve()                              # doctest: +SKIP
+>>> result.film_central                                # doctest: +SKIP
+249.38 ± 0.24 nm
+
+Numbers are in SI. Bad input raises :class:`CaseError` with the words of the program, a solve that does not converge
+:class:`ConvergenceError`, files that cannot be written :class:`OutputError`.
+"""
+
+from ._case import Case, estimate
+from ._data import Fit, fit_density, fit_viscosity, fluids, own_data, solids, viscosity
+from ._ertel import CaseError, ConvergenceError, OutputError, __version__
+from ._result import Curve, Quantity, Result
+from ._study import StudySummary, merge, sweep
+
+__all__ = [
+    "Case",
+    "CaseError",
+    "ConvergenceError",
+    "Curve",
+    "Fit",
+    "OutputError",
+    "Quantity",
+    "Result",
+    "StudySummary",
+    "__version__",
+    "estimate",
+    "fit_density",
+    "fit_viscosity",
+    "fluids",
+    "merge",
+    "own_data",
+    "solids",
+    "sweep",
+    "viscosity",
+]

@@ -1,0 +1,205 @@
+"""Cases: what is to be solved."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from . import _ertel, _toml
+from ._ertel import CaseError
+from ._result import Curve, Result
+
+Progress = bool | Callable[[dict[str, Any]], object] | None
+
+
+class Case:
+    """A contact, its bodies, motion and lubricant, read and checked as a case file is.
+
+    Parameters
+    ----------
+    folder : path, optional
+        Folder of the files that the case names (tables, own lubricants); the current one by default.
+    **sections
+        The keys of a case file (docs/reference/case-file.md). Quantities are strings with a unit, ``"16 mm"`` or
+        ``"40 mPa.s ± 5 %"``, or pint quantities; sections are mappings.
+
+    Raises
+    ------
+    CaseError
+        For an unknown or missing key, a wrong unit, an impossible value; the text is that of the program.
+
+    Examples
+    --------
+    >>> case = Case(
+    ...     contact={"kind": "line", "radius": "10 mm", "load": "100 kN/m"},
+    ...     bodies={"plane": "steel", "ball": "steel"},
+    ...     motion={"entrainment_speed": "2 m/s", "slide_to_roll_ratio": 0.0},
+    ...     lubricant="squalane-pip",
+    ...     temperature="40 degC",
+    ... )
+    >>> round(case.estimate()["hertz"]["pressure"] / 1e6)
+    606
+    """
+
+    _native: _ertel.NativeCase
+
+    def __init__(self, *, folder: str | os.PathLike[str] = "", **sections: Any) -> None:
+        if not sections:
+            raise CaseError("an empty case: give its sections, as contact={...}, or use Case.from_file")
+        text = _toml.text(sections)
+        self._native = _ertel.NativeCase("case made in Python", text, Path(folder))
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str]) -> Case:
+        """Read a case file.
+
+        Parameters
+        ----------
+        path : path
+            The file, TOML.
+        """
+        return cls._of(_ertel.NativeCase.read(Path(path)))
+
+    @classmethod
+    def from_text(cls, text: str, *, name: str = "case.toml", folder: str | os.PathLike[str] = "") -> Case:
+        """Read the text of a case file; errors call it `name`."""
+        return cls._of(_ertel.NativeCase(name, text, Path(folder)))
+
+    @classmethod
+    def _of(cls, native: _ertel.NativeCase) -> Case:
+        case = cls.__new__(cls)
+        case._native = native
+        return case
+
+    @property
+    def text(self) -> str:
+        """The case file."""
+        return self._native.text
+
+    @property
+    def title(self) -> str:
+        """Title, empty if there is none."""
+        return self._native.title
+
+    @property
+    def warnings(self) -> list[str]:
+        """What to know about the input, one sentence each."""
+        return self._native.warnings
+
+    @property
+    def is_curve(self) -> bool:
+        """Whether it varies a quantity: then :meth:`solve` gives a :class:`Curve`."""
+        return self._native.is_curve
+
+    @property
+    def given(self) -> dict[str, Any]:
+        """Keys and values as they were given."""
+        return json.loads(self._native.given())
+
+    @property
+    def si(self) -> dict[str, Any]:
+        """What was understood, in SI."""
+        return json.loads(self._native.si())
+
+    @property
+    def inputs(self) -> dict[str, float]:
+        """Every quantity that was read, by its key path, in SI."""
+        return {key: value for key, value, _ in self._native.inputs()}
+
+    def estimate(self) -> dict[str, Any]:
+        """What formulas say, in milliseconds: dry contact, groups, regime, films (SI)."""
+        return json.loads(self._native.estimate())
+
+    def estimate_report(self) -> str:
+        """The same in words, as ``ertel estimate`` shows it."""
+        return self._native.estimate_report()
+
+    def solve(self, progress: Progress = None, start: Result | None = None) -> Result | Curve:
+        """Solve the contact.
+
+        Ctrl-C stops after the iteration; other Python threads run on meanwhile.
+
+        Parameters
+        ----------
+        progress : bool or callable, optional
+            True prints a line for each Newton iteration; a callable is called with a dict for each event.
+        start : Result, optional
+            Result of a similar case, from which this one starts; where that does not lead to its own mesh and accuracy, it starts from
+            the dry contact.
+
+        Returns
+        -------
+        Result or Curve
+            A curve where the case has a ``[curve]``.
+
+        Raises
+        ------
+        ConvergenceError
+            With how far it came, why, and what to try.
+        KeyboardInterrupt
+            On Ctrl-C.
+        """
+        listener = _listener(progress)
+        if self.is_curve:
+            if start is not None:
+                raise CaseError("a curve starts from the dry contact: leave out `start`")
+            return Curve(self, _ertel.solve_curve(self._native, listener))
+        native = None if start is None else start._started()
+        return Result(self, _ertel.solve(self._native, listener, native))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        native = self._native
+        return (_restored, (native.name, native.text, str(native.folder)))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Case):
+            return NotImplemented
+        return self.text == other.text and self._native.folder == other._native.folder
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def __repr__(self) -> str:
+        kind = self.si["contact"]["kind"]
+        title = f" {self.title!r}" if self.title else ""
+        return f"<ertel.Case{title}: {kind} contact>"
+
+
+def _restored(name: str, text: str, folder: str) -> Case:
+    return Case.from_text(text, name=name, folder=folder)
+
+
+def _listener(progress: Progress) -> Callable[[str], None] | None:
+    if progress is None or progress is False:
+        return None
+    if progress is True:
+        return lambda message: _show(json.loads(message))
+    return lambda message: _ignore(progress(json.loads(message)))
+
+
+def _ignore(_: object) -> None:
+    pass
+
+
+def _show(event: Mapping[str, Any]) -> None:
+    match event["event"]:
+        case "stage":
+            print(f"stage {event['stage']} of {event['n_stages']}: {event['pressure_unknowns']} pressure unknowns", flush=True)
+        case "iteration":
+            film = event["film_central"] * 1e9
+            print(
+                f"  {event['iteration']:3d}  residual {event['residual']:.1e}  update {event['update']:.1e}  h_c {film:.2f} nm",
+                flush=True,
+            )
+        case "heat":
+            print(f"  heat, round {event['round']}: change {event['change']:.1e}", flush=True)
+        case "point":
+            print(f"point {event['point']} of {event['n_points']}: {event['label']}", flush=True)
+
+
+def estimate(case: Case) -> dict[str, Any]:
+    """What formulas say about a case; see :meth:`Case.estimate`."""
+    return case.estimate()

@@ -1,0 +1,414 @@
+"""Results: figures with their error bars, fields over the contact, pictures."""
+
+from __future__ import annotations
+
+import html
+import io
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _ertel
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import pyvista as pv
+    import xarray as xr
+    from matplotlib.figure import Figure
+
+    from ._case import Case
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A figure with its bars, in SI; ``float(quantity)`` is its value.
+
+    Attributes
+    ----------
+    value : float
+        On the finest mesh.
+    error : float or None
+        Half-width of the discretisation error bar.
+    uncertainty : float or None
+        Half-width that the uncertainty of the inputs makes, two standard deviations; None where they have none.
+    unit : str
+        SI unit, empty for a pure number.
+    """
+
+    value: float
+    error: float | None = None
+    uncertainty: float | None = None
+    unit: str = ""
+
+    def __float__(self) -> float:
+        return self.value
+
+    def __str__(self) -> str:
+        factor, unit = 1.0, self.unit
+        size = abs(self.value)
+        if unit in ("m", "Pa", "N", "W") and size > 0.0:
+            for scale, prefix in _PREFIXES:
+                if size >= scale * 0.9995:
+                    factor, unit = 1.0 / scale, prefix + unit
+                    break
+        text = f"{self.value * factor:.5g}"
+        if self.error is not None:
+            text += f" ± {self.error * factor:.2g}"
+        text += f" {unit}".rstrip()
+        if self.uncertainty is not None:
+            text += f" (inputs ± {self.uncertainty * factor:.2g})"
+        return text
+
+    __repr__ = __str__
+
+
+_PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
+
+_FIELD_NAMES: dict[str, tuple[str, str]] = {name: (unit, words) for name, unit, words in _ertel.field_names()}
+
+
+class Result:
+    """The solution of a case. Numbers in SI, x along the motion, z normal to the contact, body 1 the plane.
+
+    Every field of the contact is an attribute with its values at :attr:`points`: ``pressure`` (Pa), ``film_thickness`` (m),
+    ``viscosity`` (Pa.s), ``temperature_mid`` (K, with heat) and what else :attr:`field_names` lists.
+    """
+
+    def __init__(self, case: Case, native: _ertel.NativeSolution) -> None:
+        self.case = case
+        self._native: _ertel.NativeSolution | None = native
+        self._document: dict[str, Any] = json.loads(native.document())
+        self._report = native.report()
+        self._contact: tuple[Floats, NDArray[np.uint32], dict[str, Floats]] | None = None
+        self._centreline: dict[str, Floats] | None = None
+
+    # Figures
+
+    def to_dict(self) -> dict[str, Any]:
+        """All figures, inputs and statistics, as ``result.json`` has them."""
+        return self._document
+
+    @property
+    def report(self) -> str:
+        """What ``ertel solve`` shows."""
+        return self._report
+
+    @property
+    def warnings(self) -> list[str]:
+        """What to know about the result, one sentence each."""
+        return self._document["warnings"]
+
+    @property
+    def film_central(self) -> Quantity:
+        """Film thickness in the centre of the contact, m."""
+        return self._figure("film_central", self._document["summary"]["film_central"], "m")
+
+    @property
+    def film_minimum(self) -> Quantity:
+        """Smallest film thickness, m."""
+        return self._figure("film_minimum", self._document["summary"]["film_minimum"], "m")
+
+    @property
+    def pressure_maximum(self) -> Quantity:
+        """Largest pressure, Pa."""
+        return self._figure("pressure_maximum", self._document["summary"]["pressure_maximum"], "Pa")
+
+    @property
+    def hertz_pressure(self) -> float:
+        """Largest pressure of the dry contact, Pa."""
+        return self._document["hertz"]["pressure"]
+
+    @property
+    def traction_coefficient(self) -> Quantity:
+        """Traction force over load; positive where body 2 is the faster one."""
+        return self._figure("traction_coefficient", self._document["traction"]["coefficient"], "")
+
+    @property
+    def friction_power(self) -> Quantity:
+        """Heat of friction, W (W/m of line contacts)."""
+        unit = "W/m" if self.is_line else "W"
+        return self._figure("friction_power", self._document["traction"]["friction_power"], unit)
+
+    @property
+    def film_temperature_maximum(self) -> Quantity | None:
+        """Largest temperature of the film, K; None without heat."""
+        thermal = self._document.get("thermal")
+        if thermal is None:
+            return None
+        return self._figure("film_temperature_maximum", thermal["film_maximum"], "K")
+
+    @property
+    def sensitivities(self) -> dict[str, dict[str, float]]:
+        """For each figure d ln(figure)/d ln(input), by the input's key path; empty where they were not computed."""
+        return self._document.get("sensitivities") or {}
+
+    @property
+    def is_line(self) -> bool:
+        """Whether it is a line contact."""
+        return self._document["kind"] == "line"
+
+    def _figure(self, name: str, entry: dict[str, Any], unit: str) -> Quantity:
+        bars = (self._document.get("uncertainty") or {}).get(name)
+        bar = bars.get("half_width") if isinstance(bars, dict) else None
+        return Quantity(entry["value"], entry["error"], bar, unit)
+
+    def _figures(self) -> dict[str, Quantity]:
+        figures = {
+            "film_central": self.film_central,
+            "film_minimum": self.film_minimum,
+            "pressure_maximum": self.pressure_maximum,
+            "traction_coefficient": self.traction_coefficient,
+            "friction_power": self.friction_power,
+        }
+        temperature = self.film_temperature_maximum
+        if temperature is not None:
+            figures["film_temperature_maximum"] = temperature
+        return figures
+
+    # Fields
+
+    def _fields(self) -> tuple[Floats, NDArray[np.uint32], dict[str, Floats]]:
+        if self._contact is None:
+            points, cells, fields = self._alive("fields").contact()
+            self._contact = (points, cells, dict(fields))
+        return self._contact
+
+    @property
+    def points(self) -> Floats:
+        """Points of the whole contact area, m, shape (n, 2); y = 0 in line contacts."""
+        return self._fields()[0]
+
+    @property
+    def triangles(self) -> NDArray[np.uint32]:
+        """Triangles by their corners, shape (m, 3); segments, shape (m, 2), in line contacts."""
+        return self._fields()[1]
+
+    @property
+    def field_names(self) -> list[str]:
+        """Names of the fields that this contact has."""
+        return list(self._fields()[2])
+
+    def field(self, name: str) -> Floats:
+        """Values of a field at :attr:`points`, SI.
+
+        Raises
+        ------
+        KeyError
+            With the names that there are.
+        """
+        fields = self._fields()[2]
+        if name not in fields:
+            raise KeyError(f"no field `{name}`: this contact has {', '.join(fields)}")
+        return fields[name]
+
+    def __getattr__(self, name: str) -> Floats:
+        if name.startswith("_") or name not in _FIELD_NAMES:
+            raise AttributeError(f"a result has no attribute `{name}`")
+        try:
+            return self.field(name)
+        except KeyError as error:
+            raise AttributeError(error.args[0]) from None
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.field_names})
+
+    @property
+    def centreline(self) -> dict[str, Floats]:
+        """Profiles along y = 0, by the names of the columns of ``centreline.csv``."""
+        if self._centreline is None:
+            self._centreline = dict(self._alive("profiles").centreline())
+        return self._centreline
+
+    def to_xarray(self, n_points: int = 201, extent: tuple[float, float, float, float] | None = None) -> xr.Dataset:
+        """Fields on a regular grid, `n_points` along x; not a number outside the contact area.
+
+        Parameters
+        ----------
+        n_points : int
+            Points along x; across, the grid has the same distance.
+        extent : tuple of float, optional
+            Limits (x_low, x_high, y_low, y_high), m; by default the contact and a margin, of ellipses and rollers all of it along y.
+
+        Returns
+        -------
+        xarray.Dataset
+            Dimensions (y, x) in m, or x alone of a line contact; each variable with its unit.
+        """
+        import xarray as xr
+
+        if n_points < 2:
+            raise ValueError("n_points: two at least")
+        x_low, x_high, y_low, y_high = extent or self._frame()
+        x = np.linspace(x_low, x_high, n_points)
+        n_rows = 1 if self.is_line else max(2, round(n_points * (y_high - y_low) / (x_high - x_low)))
+        y = np.linspace(y_low, y_high, min(n_rows, 10 * n_points))
+        grids = self._alive("fields on a grid").on_grid(x.tolist(), y.tolist())
+        data = {}
+        for name, values in grids:
+            unit, words = _FIELD_NAMES[name]
+            attributes = {"units": unit, "long_name": words}
+            data[name] = ("x", values[0], attributes) if self.is_line else (("y", "x"), values, attributes)
+        position = {"units": "m", "long_name": "position along the motion"}
+        coordinates: dict[str, Any] = {"x": ("x", x, position)}
+        if not self.is_line:
+            coordinates["y"] = ("y", y, {"units": "m", "long_name": "position across the motion"})
+        return xr.Dataset(data, coordinates, {"title": self.case.title})
+
+    def _frame(self) -> tuple[float, float, float, float]:
+        """The contact and a margin: what pictures show."""
+        points = self.points
+        half_width = self._document["hertz"]["half_width"]
+        # Where pressures are, across.
+        pressed = np.abs(points[self.field("pressure") > 0.01 * self.hertz_pressure, 1])
+        across = 1.2 * float(pressed.max()) if pressed.size else half_width
+        low, high = points.min(axis=0), points.max(axis=0)
+        return (
+            max(float(low[0]), -2.0 * half_width),
+            min(float(high[0]), 1.6 * half_width),
+            max(float(low[1]), -across),
+            min(float(high[1]), across),
+        )
+
+    def to_pandas(self) -> pd.DataFrame:
+        """Fields at the points: columns x, y (m) and one for each field, SI."""
+        import pandas as pd
+
+        points, _, fields = self._fields()
+        return pd.DataFrame({"x": points[:, 0], "y": points[:, 1], **fields})
+
+    def figures(self) -> pd.DataFrame:
+        """The main figures: a row for each with value, error, uncertainty and unit."""
+        import pandas as pd
+
+        rows = {n: [q.value, q.error, q.uncertainty, q.unit] for n, q in self._figures().items()}
+        columns = ["value", "error", "uncertainty", "unit"]
+        return pd.DataFrame.from_dict(rows, orient="index", columns=columns)
+
+    def to_pyvista(self) -> pv.UnstructuredGrid:
+        """The contact area with its fields as point data, names with units as in ``surface.vtu``."""
+        import pyvista as pv
+
+        points, cells, fields = self._fields()
+        n_corners = cells.shape[1]
+        heads = np.full((len(cells), 1), n_corners, dtype=np.int64)
+        kind = pv.CellType.LINE if n_corners == 2 else pv.CellType.TRIANGLE
+        spatial = np.column_stack([points, np.zeros(len(points))])
+        flat = np.hstack([heads, cells.astype(np.int64)]).ravel()
+        grid = pv.UnstructuredGrid(flat, np.full(len(cells), kind), spatial)
+        for name, values in fields.items():
+            grid.point_data[name] = values
+        return grid
+
+    def plot(self, field: str | None = None) -> Figure:
+        """Draw pressure and film along the centreline, or a map of a field.
+
+        Parameters
+        ----------
+        field : str, optional
+            Name of a field; in line contacts it is drawn along x.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+        """
+        from ._plot import centreline, field_map
+
+        if field is None:
+            return centreline(self)
+        unit, words = _FIELD_NAMES.get(field, ("", ""))
+        return field_map(self, self.field(field), unit, words)
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Write what ``ertel solve`` writes; a former result in the folder is replaced, anything else is not.
+
+        Raises
+        ------
+        OutputError
+            When the folder holds something else, or cannot be written.
+        """
+        self._alive("the files of a result").save(Path(folder))
+        return Path(folder)
+
+    def _alive(self, what: str) -> _ertel.NativeSolution:
+        if self._native is None:
+            raise RuntimeError(f"{what}: only in the process that solved the case; this result was pickled")
+        return self._native
+
+    def _started(self) -> _ertel.NativeSolution | None:
+        # A result that was pickled has no start; without one a solve begins at the dry contact.
+        return self._native
+
+    def __getstate__(self) -> dict[str, Any]:
+        self._fields()
+        _ = self.centreline
+        return {**self.__dict__, "_native": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    def __repr__(self) -> str:
+        return f"<ertel.Result: h_c {self.film_central}, h_min {self.film_minimum}, p_max {self.pressure_maximum}>"
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for name, quantity in self._figures().items():
+            words = html.escape(name.replace("_", " "))
+            rows.append(f"<tr><td>{words}</td><td>{html.escape(str(quantity))}</td></tr>")
+        title = html.escape(self.case.title or "ertel result")
+        warnings = "".join(f"<li>{html.escape(w)}</li>" for w in self.warnings)
+        notes = f"<ul>{warnings}</ul>" if warnings else ""
+        return f"<table><caption>{title}</caption><tbody>{''.join(rows)}</tbody></table>{notes}"
+
+
+class Curve:
+    """The points of a case with a ``[curve]``."""
+
+    def __init__(self, case: Case, native: _ertel.NativeCurve) -> None:
+        self.case = case
+        self._native: _ertel.NativeCurve | None = native
+        self._document: dict[str, Any] = json.loads(native.document())
+        self._table = native.table()
+        self._report = native.report()
+        self.failures: list[tuple[int, str]] = native.failures()
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``curve.json`` has."""
+        return self._document
+
+    @property
+    def report(self) -> str:
+        """What ``ertel solve`` shows."""
+        return self._report
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The table of the points, units in the titles of the columns."""
+        import pandas as pd
+
+        return pd.read_csv(io.StringIO(self._table))
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Write what ``ertel solve`` writes."""
+        if self._native is None:
+            raise RuntimeError("files of a curve: only in the process that solved it; this one was pickled")
+        self._native.save(Path(folder))
+        return Path(folder)
+
+    def __len__(self) -> int:
+        return len(self._document["points"])
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_native": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    def __repr__(self) -> str:
+        failed = f", {len(self.failures)} failed" if self.failures else ""
+        return f"<ertel.Curve: {len(self)} points{failed}>"

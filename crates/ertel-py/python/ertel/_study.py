@@ -1,0 +1,94 @@
+"""Studies: a case at every point of axes over its inputs."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _ertel
+from ._case import Progress, _listener
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+
+@dataclass(frozen=True)
+class StudySummary:
+    """What became of a study."""
+
+    n_points: int
+    n_kept: int
+    n_new: int
+    n_again: int
+    n_damaged: int
+    n_unresolved: int
+    interrupted: bool
+    wall_seconds: float
+    point_seconds: float
+    failures: list[dict[str, Any]] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+
+    @classmethod
+    def _read(cls, text: str) -> StudySummary:
+        return cls(**json.loads(text))
+
+
+def sweep(
+    study: str | os.PathLike[str],
+    folder: str | os.PathLike[str] | None = None,
+    *,
+    jobs: int | None = None,
+    threads: int | None = None,
+    folders: bool = False,
+    retry: bool = False,
+    progress: Progress = None,
+) -> pd.DataFrame:
+    """Solve every point of a study file, as ``ertel sweep`` does, and return its table.
+
+    Finished points are kept in `folder`: the same call goes on where a former one was stopped. The summary stands in
+    ``table.attrs["summary"]``.
+
+    Parameters
+    ----------
+    study : path
+        The study file (docs/guide/studies.md).
+    folder : path, optional
+        Where journal and table go; ``results/<name of the study>`` by default.
+    jobs, threads : int, optional
+        Points solved at the same time (as many as cores), and threads of each (one).
+    folders : bool
+        Whether each point's results are written into a folder of its own.
+    retry : bool
+        Whether points that failed before are solved again.
+    progress : bool or callable, optional
+        As in :meth:`Case.solve`.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row for each point, SI, units in the titles of the columns; points that failed have their reason.
+    """
+    path = Path(study)
+    target = Path("results") / path.stem if folder is None else Path(folder)
+    text = _ertel.sweep(
+        path, target, jobs=jobs, threads=threads, folders=folders, retry=retry, progress=_listener(progress)
+    )
+    return table(target, StudySummary._read(text))
+
+
+def table(folder: Path, summary: StudySummary) -> pd.DataFrame:
+    """The table of a study that was run."""
+    import pandas as pd
+
+    rows = pd.read_csv(folder / "results.csv")
+    rows.attrs["summary"] = summary
+    return rows
+
+
+def merge(target: str | os.PathLike[str], parts: Sequence[str | os.PathLike[str]]) -> StudySummary:
+    """Join the parts of a study, as ``ertel sweep --merge`` does, into the folder `target`."""
+    return StudySummary._read(_ertel.merge(Path(target), [Path(part) for part in parts]))

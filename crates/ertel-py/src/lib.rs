@@ -1,0 +1,38 @@
+//! The module `ertel._ertel`: what the Python package `ertel` asks of the solver. Its users see `ertel` alone.
+
+mod case;
+mod data;
+mod errors;
+mod solution;
+mod solve;
+mod study;
+
+use pyo3::prelude::*;
+
+/// The functions and classes behind the package `ertel`.
+#[pymodule]
+fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    let py = module.py();
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("CaseError", py.get_type::<errors::CaseError>())?;
+    module.add(
+        "ConvergenceError",
+        py.get_type::<errors::ConvergenceError>(),
+    )?;
+    module.add("OutputError", py.get_type::<errors::OutputError>())?;
+    module.add_class::<case::NativeCase>()?;
+    module.add_class::<solution::NativeSolution>()?;
+    module.add_class::<solution::NativeCurve>()?;
+    module.add_class::<study::NativeStudy>()?;
+    module.add_function(wrap_pyfunction!(solve::solve, module)?)?;
+    module.add_function(wrap_pyfunction!(solve::solve_curve, module)?)?;
+    module.add_function(wrap_pyfunction!(study::solve_part, module)?)?;
+    module.add_function(wrap_pyfunction!(study::sweep, module)?)?;
+    module.add_function(wrap_pyfunction!(study::merge, module)?)?;
+    module.add_function(wrap_pyfunction!(data::names, module)?)?;
+    module.add_function(wrap_pyfunction!(data::viscosity, module)?)?;
+    module.add_function(wrap_pyfunction!(data::use_own_data, module)?)?;
+    module.add_function(wrap_pyfunction!(data::fit_law, module)?)?;
+    module.add_function(wrap_pyfunction!(data::field_names, module)?)?;
+    Ok(())
+}

@@ -1,0 +1,181 @@
+//! Results.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use ertel::case::{Case, Curve};
+use ertel::output::{self, CaseEcho};
+use ertel::params::OutputParams;
+use ertel::run::Start;
+use ertel::solution::{ContactFields, Solution};
+use ertel::study::CurveSolution;
+use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+
+use crate::errors;
+
+/// Fields by name, each a one-dimensional array.
+type Fields<'py> = Vec<(&'static str, Bound<'py, PyArray1<f64>>)>;
+
+/// The solution of a case.
+#[pyclass(frozen, module = "ertel._ertel")]
+pub struct NativeSolution {
+    solution: Solution,
+    echo: CaseEcho,
+    output: OutputParams,
+    start: Option<Arc<Start>>,
+}
+
+impl NativeSolution {
+    pub fn new(case: &Case, solution: Solution, start: Option<Start>) -> Self {
+        Self {
+            solution,
+            echo: case.echo(),
+            output: case.output.clone(),
+            start: start.map(Arc::new),
+        }
+    }
+
+    /// What another solve can start from.
+    pub fn start(&self) -> Option<Arc<Start>> {
+        self.start.clone()
+    }
+
+    fn fields(&self) -> ContactFields {
+        self.solution.fields()
+    }
+}
+
+#[pymethods]
+impl NativeSolution {
+    /// `result.json`.
+    fn document(&self) -> PyResult<String> {
+        let document = output::result_json(&self.echo, &self.solution);
+        Ok(document.map_err(crate::case::unwritable)?.to_string())
+    }
+
+    /// `report.txt`.
+    fn report(&self) -> String {
+        output::report(&self.echo, &self.solution, None)
+    }
+
+    /// Points (m, n x 2), cells (corners, m x 3, or m x 2 of a line contact) and the values of each field over the whole contact.
+    #[allow(clippy::type_complexity)]
+    fn contact<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(
+        Bound<'py, PyArray2<f64>>,
+        Bound<'py, PyArray2<u32>>,
+        Fields<'py>,
+    )> {
+        let whole = py.detach(|| self.fields());
+        let n_corners = if whole.is_line { 2 } else { 3 };
+        let (n_points, n_cells) = (whole.points.len(), whole.cells.len());
+        let points = whole.points.into_flattened().into_pyarray(py);
+        let cells: Vec<u32> = (whole.cells.iter())
+            .flat_map(|cell| cell[..n_corners].iter().copied())
+            .collect();
+        let cells = cells.into_pyarray(py).reshape([n_cells, n_corners])?;
+        let fields = (whole.fields.into_iter())
+            .map(|(field, values)| (field.name(), values.into_pyarray(py)))
+            .collect();
+        Ok((points.reshape([n_points, 2])?, cells, fields))
+    }
+
+    /// Values of each field at the crossings of `x` and `y` (m), rows along y; not a number outside the contact area.
+    fn on_grid<'py>(
+        &self,
+        py: Python<'py>,
+        x: Vec<f64>,
+        y: Vec<f64>,
+    ) -> PyResult<Vec<(&'static str, Bound<'py, PyArray2<f64>>)>> {
+        let grids = py.detach(|| self.fields().on_grid(&x, &y));
+        let rows = grids
+            .first()
+            .map_or(0, |grid| grid.values.len() / x.len().max(1));
+        (grids.into_iter())
+            .map(|grid| {
+                let values = grid.values.into_pyarray(py).reshape([rows, x.len()])?;
+                Ok((grid.field.name(), values))
+            })
+            .collect()
+    }
+
+    /// Profiles along y = 0 by the names of `centreline.csv`.
+    fn centreline<'py>(&self, py: Python<'py>) -> Fields<'py> {
+        let temperatures = self.solution.thermal.as_ref().map(|t| &t.centreline);
+        let half_width = self.solution.hertz.half_width;
+        let columns =
+            output::centreline::columns(&self.solution.centreline, temperatures, half_width);
+        (columns.into_iter())
+            .map(|(name, values)| (name, values.into_pyarray(py)))
+            .collect()
+    }
+
+    /// Writes the files that `ertel solve` writes.
+    fn save(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        py.detach(|| {
+            output::check_target(&folder)?;
+            output::write(&self.echo, &self.solution, &folder, &self.output)
+        })
+        .map_err(errors::output)
+    }
+}
+
+/// The points of a curve.
+#[pyclass(frozen, module = "ertel._ertel")]
+pub struct NativeCurve {
+    curve: CurveSolution,
+    echo: CaseEcho,
+    output: OutputParams,
+    folders: bool,
+    document: String,
+}
+
+impl NativeCurve {
+    pub fn new(case: &Case, curve: &Curve, solution: CurveSolution, document: String) -> Self {
+        Self {
+            curve: solution,
+            echo: case.echo(),
+            output: case.output.clone(),
+            folders: curve.folders,
+            document,
+        }
+    }
+}
+
+#[pymethods]
+impl NativeCurve {
+    /// `curve.json`.
+    fn document(&self) -> &str {
+        &self.document
+    }
+
+    /// `report.txt`.
+    fn report(&self) -> String {
+        output::curve_report(&self.echo, &self.curve, None)
+    }
+
+    /// `curve.csv`.
+    fn table(&self) -> String {
+        output::curve_table(&self.curve)
+    }
+
+    /// Index and reason of the points without solution.
+    fn failures(&self) -> Vec<(usize, String)> {
+        let points = self.curve.points.iter().enumerate();
+        points
+            .filter_map(|(i, p)| Some((i, p.outcome.reason()?.to_owned())))
+            .collect()
+    }
+
+    /// Writes the files that `ertel solve` writes.
+    fn save(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
+        py.detach(|| {
+            output::check_target(&folder)?;
+            output::write_curve(&self.echo, &self.curve, &folder, &self.output, self.folders)
+        })
+        .map_err(errors::output)
+    }
+}

@@ -1,0 +1,178 @@
+//! Solves, on a thread of their own, while the thread that asked looks after Python: progress and Ctrl-C.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use ertel::run::Session;
+use ertel::solution::IterationRecord;
+use ertel::solve::Observer;
+use ertel::study::{CurveObserver, solve_curve as run_curve};
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+
+use crate::case::{NativeCase, json};
+use crate::errors;
+use crate::solution::{NativeCurve, NativeSolution};
+
+/// Time between two looks at Ctrl-C.
+const GLANCE: Duration = Duration::from_millis(50);
+
+/// Says that the user wants to stop, to threads that cannot ask Python.
+#[derive(Clone, Default)]
+pub struct Cancel(Arc<AtomicBool>);
+
+impl Cancel {
+    /// Whether to stop.
+    pub fn is_set(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// Runs `work` on a thread of its own, without the interpreter's lock, and hands the messages that it sends to `progress`. Ctrl-C, and an
+/// exception in `progress`, set the flag that `work` has and are raised once it is back.
+///
+/// # Errors
+/// Those of `progress` and of signal handlers.
+pub fn beside_python<T: Send>(
+    py: Python<'_>,
+    progress: Option<&Py<PyAny>>,
+    work: impl FnOnce(Sender<String>, Cancel) -> T + Send,
+) -> PyResult<T> {
+    let cancel = Cancel::default();
+    let (sender, receiver) = channel::<String>();
+    // Shared with the moments without the interpreter's lock.
+    let receiver = Mutex::new(receiver);
+    let mut raised = None;
+    let result = std::thread::scope(|scope| {
+        let own = cancel.clone();
+        let handle = scope.spawn(move || work(sender, own));
+        loop {
+            let next = py.detach(|| {
+                let receiver = receiver.lock().unwrap_or_else(PoisonError::into_inner);
+                receiver.recv_timeout(GLANCE)
+            });
+            let message = match next {
+                Ok(message) => Some(message),
+                Err(RecvTimeoutError::Timeout) => None,
+                Err(RecvTimeoutError::Disconnected) => break,
+            };
+            let look = || -> PyResult<()> {
+                py.check_signals()?;
+                if let (Some(message), Some(progress), false) = (message, progress, cancel.is_set())
+                {
+                    progress.call1(py, (message,))?;
+                }
+                Ok(())
+            };
+            if let Err(error) = look() {
+                cancel.0.store(true, Ordering::Relaxed);
+                raised.get_or_insert(error);
+            }
+        }
+        py.detach(|| handle.join())
+    });
+    if let Some(error) = raised {
+        return Err(error);
+    }
+    result.map_err(|_| PyRuntimeError::new_err("internal error of ertel; the message stands above"))
+}
+
+/// Sends each iteration as JSON.
+struct Messages {
+    sender: Sender<String>,
+    wanted: bool,
+    cancel: Cancel,
+}
+
+impl Messages {
+    fn send(&self, message: serde_json::Value) {
+        if self.wanted {
+            // Nobody listens any more: the flag says so, too.
+            let _ = self.sender.send(message.to_string());
+        }
+    }
+}
+
+impl Observer for Messages {
+    fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, _n_displacement: usize) {
+        self.send(serde_json::json!({
+            "event": "stage", "stage": level + 1, "n_stages": n_levels, "pressure_unknowns": n_pressure,
+        }));
+    }
+
+    fn iteration(&mut self, record: &IterationRecord) {
+        if let (true, Ok(mut message)) = (self.wanted, serde_json::to_value(record)) {
+            message["event"] = "iteration".into();
+            self.send(message);
+        }
+    }
+
+    fn round(&mut self, round: usize, change: f64, rise: f64) {
+        self.send(serde_json::json!({
+            "event": "heat", "round": round, "change": change, "temperature_rise": rise,
+        }));
+    }
+
+    fn cancelled(&self) -> bool {
+        self.cancel.is_set()
+    }
+}
+
+impl CurveObserver for Messages {
+    fn point(&mut self, index: usize, n_points: usize, label: &str) {
+        self.send(serde_json::json!({
+            "event": "point", "point": index + 1, "n_points": n_points, "label": label,
+        }));
+    }
+}
+
+/// Solves a case; `start` is the solution of a similar one.
+#[pyfunction]
+#[pyo3(signature = (case, progress=None, start=None))]
+pub fn solve(
+    py: Python<'_>,
+    case: &NativeCase,
+    progress: Option<Py<PyAny>>,
+    start: Option<&NativeSolution>,
+) -> PyResult<NativeSolution> {
+    let single = case.single();
+    let start = start.and_then(NativeSolution::start);
+    let wanted = progress.is_some();
+    let solved = beside_python(py, progress.as_ref(), |sender, cancel| {
+        let mut messages = Messages {
+            sender,
+            wanted,
+            cancel,
+        };
+        Session::default().solve_from(&single, start.as_deref(), &[], &mut messages)
+    })?;
+    let (solution, start) = solved.map_err(errors::solve)?;
+    Ok(NativeSolution::new(&single, solution, Some(start)))
+}
+
+/// Solves the points of a curve.
+#[pyfunction]
+#[pyo3(signature = (case, progress=None))]
+pub fn solve_curve(
+    py: Python<'_>,
+    case: &NativeCase,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<NativeCurve> {
+    let Some(curve) = &case.case.curve else {
+        return Err(errors::CaseError::new_err("the case has no [curve]"));
+    };
+    let wanted = progress.is_some();
+    let solution = beside_python(py, progress.as_ref(), |sender, cancel| {
+        let mut messages = Messages {
+            sender,
+            wanted,
+            cancel,
+        };
+        run_curve(&Session::default(), curve, &mut messages)
+    })?;
+    let document = ertel::output::curve_json(&case.case.echo(), &solution);
+    let document = json(&document.map_err(crate::case::unwritable)?)?;
+    Ok(NativeCurve::new(&case.case, curve, solution, document))
+}

@@ -1,0 +1,48 @@
+"""Where the shipped cases and the program are."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+@pytest.fixture(scope="session")
+def root() -> Path:
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def cases() -> Path:
+    return ROOT / "cases"
+
+
+@pytest.fixture(scope="session")
+def program() -> str:
+    """The program `ertel`, by the environment variable ERTEL."""
+    path = os.environ.get("ERTEL")
+    if path is None:
+        pytest.skip("ERTEL does not name the program")
+    return path
+
+
+LINE = {
+    "contact": {"kind": "line", "radius": "10 mm", "load": "100 kN/m"},
+    "bodies": {"plane": "steel", "ball": "steel"},
+    "motion": {"entrainment_speed": "2 m/s", "slide_to_roll_ratio": 0.0},
+    "lubricant": {
+        "temperature": "40 degC",
+        "density": {"law": "dowson-higginson", "rho_0": "870 kg/m^3"},
+        "viscosity": {"law": "roelands", "mu_0": "40 mPa.s", "alpha": "20 1/GPa"},
+    },
+    "mesh": {"target_error": "1 %"},
+}
+
+
+@pytest.fixture
+def line() -> dict[str, object]:
+    """Keywords of a line contact that is solved in hundredths of a second."""
+    return {key: dict(value) for key, value in LINE.items()}

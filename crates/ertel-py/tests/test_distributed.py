@@ -1,0 +1,67 @@
+"""Studies on a Dask cluster: the table of `ertel.sweep`, digit for digit, whatever happens to the workers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import ertel
+
+distributed = pytest.importorskip("distributed")
+ertel_distributed = pytest.importorskip("ertel.distributed")
+
+
+@pytest.fixture
+def study(tmp_path: Path, cases: Path) -> Path:
+    (tmp_path / "roller.toml").write_text((cases / "roller.toml").read_text())
+    path = tmp_path / "films.toml"
+    path.write_text(
+        'case = "roller.toml"\n'
+        '[[axis]]\nkey = "motion.entrainment_speed"\nfrom = "0.3 m/s"\nto = "4 m/s"\npoints = 20\nspacing = "log"\n'
+        '[[axis]]\nkey = "contact.load"\nvalues = ["50 kN/m", "90 kN/m", "160 kN/m"]\n'
+        '[[axis]]\nkey = "mesh.target_error"\nvalues = ["1 %"]\n'
+    )
+    return path
+
+
+def test_killed_workers_lose_nothing(study: Path, tmp_path: Path) -> None:
+    """Two of four workers are killed in mid-study; then the client stops, and another run goes on."""
+    alone = tmp_path / "alone"
+    ertel.sweep(study, alone, jobs=2)
+    spread = tmp_path / "spread"
+    events = []
+
+    class Stop(Exception):
+        pass
+
+    with (
+        distributed.LocalCluster(n_workers=4, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+
+        def watch(event: dict[str, int]) -> None:
+            events.append(event["n_finished"])
+            if len(events) == 3:
+                for worker in list(cluster.workers.values())[:2]:
+                    worker.process.process.kill()
+            if len(events) == 8:
+                raise Stop
+
+        with pytest.raises(Stop):
+            ertel_distributed.sweep(study, client, spread, points_per_task=4, progress=watch)
+        kept = len((spread / "journal.jsonl").read_text().splitlines())
+        assert 20 <= kept < 60
+        rows = ertel_distributed.sweep(study, client, spread, points_per_task=7)
+    assert len(rows) == 60 and rows["converged"].all()
+    assert (spread / "results.csv").read_bytes() == (alone / "results.csv").read_bytes()
+    journal = (spread / "journal.jsonl").read_text().splitlines()
+    assert len(journal) == 60, "a point was solved and kept twice"
+    assert rows.attrs["summary"].n_new == 0, "the client solved what the workers should"
+
+
+def test_bad_studies_are_refused_before_anything_is_sent(tmp_path: Path) -> None:
+    path = tmp_path / "bad.toml"
+    path.write_text('case = "nowhere.toml"\n[[axis]]\nkey = "contact.load"\nvalues = ["1 N"]\n')
+    with pytest.raises(ertel.CaseError, match="nowhere.toml"):
+        ertel_distributed.sweep(path, client=None, folder=tmp_path / "out")

@@ -1,0 +1,70 @@
+//! Records that other processes have made, put into the journal of their study.
+
+use std::collections::{HashMap, HashSet};
+use std::path::Path;
+
+use super::folder::open;
+use super::{SweepError, check_distinct};
+use crate::case::Study;
+use crate::study::journal::{Journal, PointKey, Record};
+use crate::study::table::StudyEcho;
+
+/// The journal of a study whose points are solved elsewhere; its folder is locked as long as it lives.
+#[derive(Debug)]
+pub struct Collector {
+    journal: Journal,
+    /// Place of each point of the study.
+    places: HashMap<PointKey, usize>,
+    finished: HashSet<usize>,
+}
+
+impl Collector {
+    /// Opens the folder of a study, or makes it; `retry` takes points that failed for unfinished.
+    ///
+    /// # Errors
+    /// As [`super::sweep`] before it begins.
+    pub fn open(study: &Study, folder: &Path, retry: bool) -> Result<Collector, SweepError> {
+        let echo = StudyEcho::new(study);
+        check_distinct(study, &echo)?;
+        let (journal, entries) = open(folder, &echo)?;
+        let places: HashMap<PointKey, usize> = (echo.points.iter().enumerate())
+            .map(|(i, (key, _))| (*key, i))
+            .collect();
+        let finished = (entries.records.values())
+            .filter(|record| record.converged || !retry)
+            .filter_map(|record| places.get(&record.key).copied());
+        Ok(Collector {
+            journal,
+            finished: finished.collect(),
+            places,
+        })
+    }
+
+    /// Whether a point of the study, by its place, is finished.
+    pub fn is_finished(&self, place: usize) -> bool {
+        self.finished.contains(&place)
+    }
+
+    /// Number of points that are finished.
+    pub fn n_finished(&self) -> usize {
+        self.finished.len()
+    }
+
+    /// Appends the lines of another journal that are points of the study and were not finished; returns how many.
+    ///
+    /// # Errors
+    /// [`SweepError::Io`], also for a line that is no record; nothing is appended then.
+    pub fn append(&mut self, lines: &str) -> Result<usize, SweepError> {
+        let mut records = Vec::new();
+        for line in lines.lines() {
+            let record: Record = serde_json::from_str(line)
+                .map_err(|e| SweepError::io(Path::new("the journal of a part"), e.into()))?;
+            let place = self.places.get(&record.key);
+            if place.is_some_and(|place| self.finished.insert(*place)) {
+                records.push(record);
+            }
+        }
+        self.journal.append_all(&records)?;
+        Ok(records.len())
+    }
+}
