@@ -1,0 +1,351 @@
+"""The package against the program, and as its users use it."""
+
+from __future__ import annotations
+
+import gc
+import json
+import math
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from importlib.metadata import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ertel
+
+
+def without_times(document: dict[str, Any]) -> dict[str, Any]:
+    """What does not depend on the clock or on memory."""
+    document = json.loads(json.dumps(document))
+    stats = document["stats"]
+    stats.pop("wall_seconds"), stats.pop("peak_memory", None)
+    for level in stats["levels"]:
+        level.pop("seconds"), level.pop("operator_cached", None)
+    return document
+
+
+@pytest.mark.parametrize("name", ["roller", "ball-on-disc", "cylindrical-roller"])
+def test_same_bits_as_the_program(name: str, cases: Path, program: str, tmp_path: Path) -> None:
+    subprocess.run(
+        [program, "solve", cases / f"{name}.toml", "--output", tmp_path / "own", "--quiet", "--no-cache", "--accept-unresolved"],
+        check=True,
+    )
+    result = ertel.Case.from_file(cases / f"{name}.toml").solve()
+    assert isinstance(result, ertel.Result)
+    result.save(tmp_path / "python")
+    own = json.loads((tmp_path / "own" / "result.json").read_text())
+    assert without_times(result.to_dict()) == without_times(own)
+    for file in ["centreline.csv", "surface.vtu", "film.svg", "case.toml"]:
+        path = tmp_path / "own" / file
+        if path.exists():
+            assert (tmp_path / "python" / file).read_bytes() == path.read_bytes(), file
+
+
+def test_keywords_say_what_a_file_says(line: dict[str, Any]) -> None:
+    case = ertel.Case(**line)
+    text = """
+        [contact]
+        kind = "line"
+        radius = "10 mm"
+        load = "100 kN/m"
+        [bodies]
+        plane = "steel"
+        ball = "steel"
+        [motion]
+        entrainment_speed = "2 m/s"
+        slide_to_roll_ratio = 0.0
+        [lubricant]
+        temperature = "40 degC"
+        density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+        viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
+        [mesh]
+        target_error = "1 %"
+    """
+    assert case.si == ertel.Case.from_text(text).si
+    # E' of steel on steel, p_h by hand
+    modulus = 210e9 / (1 - 0.3**2)
+    assert case.estimate()["hertz"]["pressure"] == pytest.approx(math.sqrt(1e5 * modulus / (2 * math.pi * 0.01)), rel=1e-3)
+
+
+def test_pint_quantities(line: dict[str, Any]) -> None:
+    pint = pytest.importorskip("pint")
+    unit = pint.UnitRegistry()
+    plain = ertel.Case(**line)
+    line["contact"]["radius"] = 1.0 * unit.cm
+    line["contact"]["load"] = 100.0 * unit.newton / unit.millimeter
+    line["motion"]["entrainment_speed"] = 120.0 * unit.meter / unit.minute
+    line["lubricant"]["viscosity"]["mu_0"] = 40.0 * unit.millipascal * unit.second
+    for key, value in ertel.Case(**line).inputs.items():
+        assert value == pytest.approx(plain.inputs[key], rel=1e-14), key
+    line["contact"]["radius"] = 1.0 * unit.second
+    with pytest.raises(ertel.CaseError, match="radius"):
+        ertel.Case(**line)
+    line["contact"]["radius"] = 1.0 * unit.ampere
+    with pytest.raises(ertel.CaseError, match="not known"):
+        ertel.Case(**line)
+
+
+@pytest.mark.parametrize(
+    ("section", "key", "value", "words"),
+    [
+        ("contact", "radius", "-1 mm", "radius"),
+        ("contact", "radius", "16 s", "radius"),
+        ("contact", "radius", 0.016, "radius"),
+        ("contact", "radios", "16 mm", "unknown key"),
+        ("contact", "kind", "cube", "kind"),
+        ("motion", "slide_to_roll_ratio", math.nan, "slide_to_roll_ratio"),
+        ("bodies", "plane", "wood", "wood"),
+        ("bodies", "plane", object(), "bodies.plane"),
+        ("mesh", "target_error", "1 mm", "target_error"),
+    ],
+)
+def test_bad_input(line: dict[str, Any], section: str, key: str, value: object, words: str) -> None:
+    line[section][key] = value
+    with pytest.raises(ertel.CaseError, match=words):
+        ertel.Case(**line)
+
+
+def test_messages_are_those_of_the_program(program: str, tmp_path: Path) -> None:
+    path = tmp_path / "bad.toml"
+    path.write_text('[contact]\nkind = "line"\nradius = "-1 mm"\n')
+    told = subprocess.run([program, "solve", path], capture_output=True, text=True, check=False)
+    assert told.returncode == 2
+    with pytest.raises(ertel.CaseError) as error:
+        ertel.Case.from_file(path)
+    assert told.stderr.strip() == f"error: {error.value}"
+
+
+def test_no_convergence(line: dict[str, Any]) -> None:
+    line["solver"] = {"max_iterations": 1}
+    with pytest.raises((ertel.ConvergenceError, ertel.CaseError), match="no convergence|max_iterations"):
+        ertel.Case(**line).solve()
+
+
+def test_fields(line: dict[str, Any]) -> None:
+    result = ertel.Case(**line).solve()
+    assert isinstance(result, ertel.Result)
+    assert result.points.shape == (len(result.pressure), 2) and result.triangles.shape[1] == 2
+    assert result.pressure is result.pressure, "a copy"
+    # The load, N/m, by the trapezoidal rule
+    order = np.argsort(result.points[:, 0])
+    load = np.trapezoid(result.pressure[order], result.points[order, 0])
+    assert load == pytest.approx(1e5, rel=1e-3)
+    assert float(result.film_central) == result.to_dict()["summary"]["film_central"]["value"]
+    with pytest.raises(AttributeError, match="temperature_mid"):
+        _ = result.temperature_mid
+    with pytest.raises(AttributeError, match="no attribute"):
+        _ = result.presure
+    with pytest.raises(KeyError, match="film_thickness"):
+        result.field("film")
+    assert result.sensitivities["film_central"]["contact.load"] < 0.0
+    assert "h_c" in repr(result) and "<table>" in result._repr_html_()
+
+
+def test_ball_fields_are_whole(cases: Path) -> None:
+    pytest.importorskip("xarray")
+    text = (cases / "ball-on-disc.toml").read_text() + '\n[mesh]\ntarget_error = "2 %"\n'
+    result = ertel.Case.from_text(text).solve()
+    assert isinstance(result, ertel.Result)
+    x, y = result.points.T
+    assert y.min() == -y.max() < 0.0
+    corners = result.points[result.triangles]
+    sides = corners[:, 1:] - corners[:, :1]
+    areas = 0.5 * (sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
+    assert areas.min() > 0.0
+    load = (areas * result.pressure[result.triangles].mean(axis=1)).sum()
+    assert load == pytest.approx(100.0, rel=2e-3)
+    grid = result.to_xarray(101)
+    assert grid.pressure.dims == ("y", "x") and grid.pressure.attrs["units"] == "Pa"
+    centre = grid.film_thickness.sel(x=0.0, y=0.0, method="nearest")
+    assert float(centre) == pytest.approx(float(result.film_central), rel=0.02)
+    np.testing.assert_allclose(grid.pressure.values, grid.pressure.values[::-1], rtol=1e-6, atol=1e3)
+    whole = result.to_xarray(21, extent=(x.min() * 1.1, x.max(), y.min(), y.max()))
+    assert np.isnan(whole.pressure.values[:, 0]).all()
+
+
+def test_exports(line: dict[str, Any], tmp_path: Path) -> None:
+    result = ertel.Case(**line).solve()
+    assert isinstance(result, ertel.Result)
+    pytest.importorskip("pandas")
+    table = result.to_pandas()
+    assert list(table.columns[:3]) == ["x", "y", "pressure"] and len(table) == len(result.points)
+    assert result.figures().loc["film_central", "unit"] == "m"
+    pyvista = pytest.importorskip("pyvista")
+    grid = result.to_pyvista()
+    assert isinstance(grid, pyvista.UnstructuredGrid) and grid.n_cells == len(result.triangles)
+    pytest.importorskip("matplotlib")
+    for picture in [result.plot(), result.plot("film_thickness")]:
+        picture.savefig(tmp_path / "picture.png")
+        assert (tmp_path / "picture.png").stat().st_size > 5000
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "thesis.txt").write_text("precious")
+    with pytest.raises(ertel.OutputError):
+        result.save(tmp_path / "mine")
+    assert (tmp_path / "mine" / "thesis.txt").read_text() == "precious"
+
+
+def test_uncertain_inputs_bring_a_second_bar(line: dict[str, Any]) -> None:
+    line["lubricant"]["viscosity"]["mu_0"] = "40 mPa.s ± 10 %"
+    result = ertel.Case(**line).solve()
+    assert isinstance(result, ertel.Result)
+    film = result.film_central
+    exponent = result.sensitivities["film_central"]["lubricant.viscosity.mu_0"]
+    assert film.uncertainty == pytest.approx(0.1 * exponent * film.value, rel=1e-6)
+    assert "inputs ±" in str(film)
+
+
+def test_curves(line: dict[str, Any]) -> None:
+    pytest.importorskip("pandas")
+    line["curve"] = {"quantity": "motion.entrainment_speed", "values": ["1 m/s", "2 m/s", "4 m/s"]}
+    events: list[dict[str, Any]] = []
+    curve = ertel.Case(**line).solve(progress=events.append)
+    assert isinstance(curve, ertel.Curve) and len(curve) == 3 and not curve.failures
+    films = curve.to_pandas()["film_central_m"].to_numpy()
+    # Hardly more or less than speed to the power 0.7
+    assert np.allclose(np.diff(np.log(films)) / np.log(2.0), 0.68, atol=0.04)
+    assert [e["point"] for e in events if e["event"] == "point"] == [1, 2, 3]
+    assert len(pickle.loads(pickle.dumps(curve)).to_pandas()) == 3
+
+
+def test_warm_start(line: dict[str, Any]) -> None:
+    first = ertel.Case(**line).solve()
+    assert isinstance(first, ertel.Result)
+    line["contact"]["load"] = "101 kN/m"
+    warm, cold = ertel.Case(**line).solve(start=first), ertel.Case(**line).solve()
+    assert isinstance(warm, ertel.Result) and isinstance(cold, ertel.Result)
+    assert warm.to_dict()["stats"]["warm"] and not cold.to_dict()["stats"]["warm"]
+    assert float(warm.film_central) == pytest.approx(float(cold.film_central), rel=0.01)
+
+
+def solve(case: ertel.Case) -> ertel.Result:
+    result = case.solve()
+    assert isinstance(result, ertel.Result)
+    return result
+
+
+def test_ten_solves_at_a_time_in_threads_and_processes(line: dict[str, Any]) -> None:
+    cases = []
+    for speed in range(1, 11):
+        line["motion"]["entrainment_speed"] = f"{speed} m/s"
+        cases.append(ertel.Case(**line))
+    alone = [float(solve(case).film_central) for case in cases]
+    with ThreadPoolExecutor(10) as threads:
+        assert [float(r.film_central) for r in threads.map(solve, cases)] == alone
+    with ProcessPoolExecutor(2) as processes:
+        results = list(processes.map(solve, cases))
+    assert [float(r.film_central) for r in results] == alone
+    assert results[0].pressure.max() > 1e8 and results[0].case == cases[0]
+    with pytest.raises(RuntimeError, match="pickled"):
+        results[0].save("nowhere")
+
+
+def test_other_threads_run_on(cases: Path) -> None:
+    case = ertel.Case.from_file(cases / "ball-on-disc.toml")
+    ticks = []
+
+    with ThreadPoolExecutor(1) as threads:
+        solved = threads.submit(solve, case)
+        while not solved.done():
+            ticks.append(time.monotonic())
+            time.sleep(0.01)
+    assert len(ticks) > 20 and max(np.diff(ticks)) < 0.5
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals")
+def test_interrupt(cases: Path) -> None:
+    code = (
+        "import sys, ertel\n"
+        f"case = ertel.Case.from_file({str(cases / 'squalane-thermal.toml')!r})\n"
+        "print('ready', flush=True)\n"
+        "try:\n    case.solve()\n"
+        "except KeyboardInterrupt:\n    print('interrupted'); sys.exit(7)\n"
+    )
+    process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None and process.stdout.readline() == "ready\n"
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    begun = time.monotonic()
+    assert process.communicate(timeout=30)[0] == "interrupted\n"
+    assert process.returncode == 7 and time.monotonic() - begun < 5.0
+
+
+def test_exceptions_of_progress_stop_the_solve(line: dict[str, Any]) -> None:
+    def fail(event: dict[str, Any]) -> None:
+        raise LookupError(event["event"])
+
+    with pytest.raises(LookupError, match="stage"):
+        ertel.Case(**line).solve(progress=fail)
+
+
+def test_studies(line: dict[str, Any], tmp_path: Path) -> None:
+    pytest.importorskip("pandas")
+    (tmp_path / "line.toml").write_text(ertel.Case(**line).text)
+    study = tmp_path / "speeds.toml"
+    study.write_text(
+        'case = "line.toml"\n[[axis]]\nkey = "motion.entrainment_speed"\nvalues = ["1 m/s", "2 m/s", "3 m/s"]\n'
+    )
+    table = ertel.sweep(study, tmp_path / "out")
+    assert len(table) == 3 and table.attrs["summary"].n_new == 3
+    again = ertel.sweep(study, tmp_path / "out")
+    assert again.attrs["summary"].n_kept == 3 and again.equals(table)
+    study.write_text('case = "line.toml"\n[[axis]]\nkey = "motion.speed"\nvalues = ["1 m/s"]\n')
+    with pytest.raises(ertel.CaseError, match="speed"):
+        ertel.sweep(study, tmp_path / "out")
+
+
+def test_data_and_fits(root: Path, tmp_path: Path, line: dict[str, Any]) -> None:
+    assert len(ertel.fluids()) >= 30 and "squalane-pip" in ertel.fluids() and "steel" in ertel.solids()
+    rising = ertel.viscosity("squalane-pip", [[0.0, 1e8], [2e8, 5e8]], 313.15)
+    assert rising.shape == (2, 2) and (np.diff(rising.ravel()) > 0.0).all()
+    with pytest.raises(ertel.CaseError, match="squalane"):
+        ertel.viscosity("squalene-pip", 0.0, 313.15)
+    table = root / "validation" / "appendix-c" / "fluid-a.csv"
+    fit = ertel.fit_viscosity(table, "roelands")
+    assert fit.rms < 0.1 and "mu_0" in fit.constants
+    fit.save(tmp_path / "mine.toml")
+    with pytest.raises(FileExistsError):
+        fit.save(tmp_path / "mine.toml")
+    line["lubricant"] = {"name": "mine.toml", "temperature": "40 degC", "density": line["lubricant"]["density"]}
+    assert float(solve(ertel.Case(folder=tmp_path, **line)).film_central) > 1e-8
+    with pytest.raises(ertel.CaseError, match="roelands"):
+        ertel.fit_viscosity(table, "reynolds")
+
+
+def test_import_is_quick() -> None:
+    code = "import time, numpy; t = time.perf_counter(); import ertel; print(time.perf_counter() - t)"
+    seconds = [float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout) for _ in range(3)]
+    assert min(seconds) < 0.3
+    code = "import ertel, sys; print([m for m in ('pandas', 'xarray', 'matplotlib', 'pyvista', 'distributed') if m in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "[]\n"
+
+
+def test_the_package_is_small() -> None:
+    size = sum(Path(str(file.locate())).stat().st_size for file in files("ertel") or [] if not str(file).endswith(".pyc"))
+    assert size < 30e6
+
+
+def resident() -> int:
+    text = Path("/proc/self/status").read_text()
+    return int(next(line.split()[1] for line in text.splitlines() if line.startswith("VmRSS")))
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="memory is read from /proc")
+def test_no_leak(line: dict[str, Any]) -> None:
+    """A thousand solves: what the last eight hundred leave would not hold one result each."""
+    case = ertel.Case(**line)
+    for i in range(1000):
+        result = solve(case)
+        _ = result.pressure
+        if i == 200:
+            gc.collect()
+            before = resident()
+    gc.collect()
+    assert resident() - before < 30_000, "kB"
