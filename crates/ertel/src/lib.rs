@@ -1,6 +1,43 @@
-//! Elastohydrodynamic contacts by the full-system finite element approach: contact and film, weak
-//! forms, solve, post-processing, case files and output. The arrows point one way:
-//! contact, film → forms → solve → post → output; forms never see files, solve never formats text.
+//! Elastohydrodynamic contacts by the full-system finite element approach: film thickness, pressure, traction and temperature of the
+//! micrometre of oil between a ball and its raceway, two gear teeth, a cam and its tappet.
+//!
+//! A case is read from a file ([`case::Case::read`]) or made in code, with the same checks; a solve gives figures with error bars and fields
+//! over the whole contact:
+//!
+//! ```
+//! use ertel::{case::Case, run, solution::Field, solve::Silent};
+//!
+//! let case = Case::builder()
+//!     .set("contact.kind", "line")                       // or "circular", "elliptical", "roller"
+//!     .set("contact.radius", "10 mm")
+//!     .set("contact.load", "100 kN/m")
+//!     .set("bodies.plane", "steel")
+//!     .set("bodies.ball", "steel")
+//!     .set("motion.entrainment_speed", "2 m/s")
+//!     .set("motion.slide_to_roll_ratio", 0.0)
+//!     .set("lubricant", "squalane-pip")
+//!     .set("temperature", "40 degC")
+//!     .build()?;
+//! let solution = run::solve(&case, &mut Silent)?;
+//! println!("{:.0} nm", 1e9 * solution.summary.film_central.value);
+//! let fields = solution.fields();
+//! assert!(fields.values(Field::Pressure).is_some());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | to | see |
+//! |---|---|
+//! | make or read a case | [`case`] |
+//! | solve it, one after another | [`run::Session`] |
+//! | read figures and fields | [`solution::Solution`], [`solution::ContactFields`] |
+//! | vary inputs over lists and ranges | [`case::Study`], [`study::sweep`] |
+//! | ask formulas | [`estimate`], [`mod@reference`] |
+//! | fit laws to measurements | [`fit`] |
+//! | compare with measurements | [`compare`] |
+//! | write the files of the program | [`output`] |
+//!
+//! The folder `examples` has a small program for each. Modules use only those below them, `warning, contact, film → forms → solve → case → post
+//! → run → study → output`; forms never see files, solve never formats text; what still runs up stands in `tests/arrows.rs`.
 
 pub mod case;
 pub mod compare;

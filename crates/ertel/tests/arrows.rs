@@ -1,0 +1,137 @@
+//! Modules use only those below them, but for a list of arrows that still run up.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// The modules, each above those that it may use.
+const ORDER: [&str; 23] = [
+    "warning",
+    "contact",
+    "interference",
+    "params",
+    "film",
+    "forms",
+    "elastic",
+    "mixed",
+    "solution",
+    "solve",
+    "case",
+    "reference",
+    "problem",
+    "sensitivity",
+    "post",
+    "plausible",
+    "run",
+    "estimate",
+    "study",
+    "fit",
+    "compare",
+    "output",
+    "validate",
+];
+
+/// Arrows that run up, and what for. A new one fails the test, and so does one that is gone and still stands here.
+const UP: [(&str, &str, &str); 8] = [
+    (
+        "mixed",
+        "solution",
+        "figures of mixed lubrication have the type of all figures",
+    ),
+    ("solution", "solve", "the role of a stage in the statistics"),
+    ("solve", "case", "the error that names missing data of heat"),
+    ("case", "output", "a case describes itself in SI"),
+    ("post", "output", "numbers in warnings"),
+    ("plausible", "output", "numbers in warnings"),
+    ("study", "output", "the table of a study is that of a curve"),
+    ("fit", "output", "numbers in the text of an entry"),
+];
+
+fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if name.contains("tests") {
+            continue;
+        }
+        if path.is_dir() {
+            sources(&path, found);
+        } else if name.ends_with(".rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// Names of modules behind `crate::` in the code of a file, without comments and tests.
+fn used(text: &str) -> BTreeSet<String> {
+    let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+    let code: Vec<&str> = (code.lines())
+        .map(|line| line.split("//").next().unwrap_or_default())
+        .collect();
+    let mut names = BTreeSet::new();
+    for rest in code.join("\n").split("crate::").skip(1) {
+        let word = |text: &str| -> String {
+            let is_word = |c: &char| c.is_ascii_alphanumeric() || *c == '_';
+            text.trim_start().chars().take_while(is_word).collect()
+        };
+        match rest.strip_prefix('{') {
+            Some(list) => names.extend(
+                list.split('}')
+                    .next()
+                    .unwrap_or_default()
+                    .split(',')
+                    .map(word),
+            ),
+            None => {
+                names.insert(word(rest));
+            }
+        }
+    }
+    names
+}
+
+#[test]
+fn arrows_run_down() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = Vec::new();
+    sources(&root, &mut files);
+    let place = |name: &str| ORDER.iter().position(|own| *own == name);
+    let mut up = BTreeSet::new();
+    let mut seen = BTreeSet::new();
+    for file in files {
+        let inside = file.strip_prefix(&root).unwrap();
+        let module = inside
+            .iter()
+            .next()
+            .unwrap()
+            .to_string_lossy()
+            .replace(".rs", "");
+        if module == "lib" {
+            continue;
+        }
+        let own =
+            place(&module).unwrap_or_else(|| panic!("`{module}` stands nowhere in the order"));
+        seen.insert(own);
+        for other in used(&std::fs::read_to_string(&file).unwrap()) {
+            let is_up = place(&other).is_some_and(|other| other > own);
+            let known = UP
+                .iter()
+                .any(|(from, to, _)| *from == module && *to == other);
+            assert!(
+                !is_up || known,
+                "{} uses `{other}`, which stands above",
+                inside.display()
+            );
+            if is_up {
+                up.insert((module.clone(), other));
+            }
+        }
+    }
+    assert_eq!(seen.len(), ORDER.len(), "a module of the order is gone");
+    for (from, to, _) in UP {
+        let arrow = (from.to_owned(), to.to_owned());
+        assert!(
+            up.contains(&arrow),
+            "{from} no longer uses {to}: take it off the list"
+        );
+    }
+}
