@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds the wheel, installs it into a fresh virtual environment, checks its types and runs its tests.
-# PYTHON names the interpreter, ERTEL_PY_TESTS holds further arguments for pytest.
+# PYTHON names the interpreter; arguments go to pytest.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
@@ -17,4 +17,4 @@ cargo build --release --manifest-path "$root/Cargo.toml" --package ertel-cli
 cd "$place"
 "$place/venv/bin/stubtest" ertel --ignore-missing-stub --concise
 # A hanging test is stopped: a solve that waits for ever is an error that has been made before.
-ERTEL=$CARGO_TARGET_DIR/release/ertel timeout 1200 "$python" -m pytest -q -p no:cacheprovider "$here/tests" ${ERTEL_PY_TESTS:-}
+ERTEL=$CARGO_TARGET_DIR/release/ertel timeout 1200 "$python" -m pytest -q -p no:cacheprovider "$here/tests" "$@"
