@@ -47,6 +47,9 @@ pub fn solve(error: SolveError) -> PyErr {
         SolveError::MissingHeatData(error) => {
             CaseError::new_err(format!("{error}; {}", error.advice()))
         }
+        SolveError::TooThin { help, .. } => {
+            CaseError::new_err(format!("{error}\n  = help: {help}"))
+        }
         error => ConvergenceError::new_err(error.to_string()),
     }
 }
@@ -59,7 +62,9 @@ pub fn output(error: WriteError) -> PyErr {
 /// A study that did not run.
 pub fn sweep(error: SweepError) -> PyErr {
     match error {
-        SweepError::Twice { .. } => CaseError::new_err(error.to_string()),
+        SweepError::Twice { .. } | SweepError::Mixed { .. } | SweepError::NoStudy { .. } => {
+            CaseError::new_err(error.to_string())
+        }
         error => OutputError::new_err(error.to_string()),
     }
 }

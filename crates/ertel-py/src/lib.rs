@@ -3,6 +3,7 @@
 mod case;
 mod data;
 mod errors;
+mod pool;
 mod solution;
 mod solve;
 mod study;

@@ -69,7 +69,7 @@ impl NativeSolution {
         Bound<'py, PyArray2<u32>>,
         Fields<'py>,
     )> {
-        let whole = py.detach(|| self.fields());
+        let whole = crate::pool::detached(py, || self.fields())?;
         let n_corners = if whole.is_line { 2 } else { 3 };
         let (n_points, n_cells) = (whole.points.len(), whole.cells.len());
         let points = whole.points.into_flattened().into_pyarray(py);
@@ -90,7 +90,7 @@ impl NativeSolution {
         x: Vec<f64>,
         y: Vec<f64>,
     ) -> PyResult<Vec<(&'static str, Bound<'py, PyArray2<f64>>)>> {
-        let grids = py.detach(|| self.fields().on_grid(&x, &y));
+        let grids = crate::pool::detached(py, || self.fields().on_grid(&x, &y))?;
         let rows = grids
             .first()
             .map_or(0, |grid| grid.values.len() / x.len().max(1));
@@ -115,10 +115,10 @@ impl NativeSolution {
 
     /// Writes the files that `ertel solve` writes.
     fn save(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        py.detach(|| {
+        crate::pool::detached(py, || {
             output::check_target(&folder)?;
             output::write(&self.echo, &self.solution, &folder, &self.output)
-        })
+        })?
         .map_err(errors::output)
     }
 }
@@ -172,10 +172,10 @@ impl NativeCurve {
 
     /// Writes the files that `ertel solve` writes.
     fn save(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        py.detach(|| {
+        crate::pool::detached(py, || {
             output::check_target(&folder)?;
             output::write_curve(&self.echo, &self.curve, &folder, &self.output, self.folders)
-        })
+        })?
         .map_err(errors::output)
     }
 }

@@ -14,6 +14,7 @@ use pyo3::prelude::*;
 
 use crate::case::{NativeCase, json};
 use crate::errors;
+use crate::pool::Threads;
 use crate::solution::{NativeCurve, NativeSolution};
 
 /// Time between two looks at Ctrl-C.
@@ -40,6 +41,7 @@ pub fn beside_python<T: Send>(
     progress: Option<&Py<PyAny>>,
     work: impl FnOnce(Sender<String>, Cancel) -> T + Send,
 ) -> PyResult<T> {
+    let threads = Threads::of_this_process(py)?;
     let cancel = Cancel::default();
     let (sender, receiver) = channel::<String>();
     // Shared with the moments without the interpreter's lock.
@@ -47,7 +49,7 @@ pub fn beside_python<T: Send>(
     let mut raised = None;
     let result = std::thread::scope(|scope| {
         let own = cancel.clone();
-        let handle = scope.spawn(move || work(sender, own));
+        let handle = scope.spawn(move || threads.run(|| work(sender, own)));
         loop {
             let next = py.detach(|| {
                 let receiver = receiver.lock().unwrap_or_else(PoisonError::into_inner);

@@ -16,6 +16,7 @@ use pyo3::prelude::*;
 
 use crate::case::json;
 use crate::errors;
+use crate::pool::detached;
 use crate::solve::{Cancel, beside_python};
 
 /// A study whose points are solved by other processes, part by part.
@@ -32,7 +33,7 @@ impl NativeStudy {
     /// Reads a study.
     #[new]
     fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        py.detach(|| {
+        detached(py, || {
             let study = Study::read(&path)?;
             let plan = Plan::new(&study);
             Ok(Self {
@@ -40,7 +41,7 @@ impl NativeStudy {
                 plan,
                 collector: Mutex::default(),
             })
-        })
+        })?
         .map_err(errors::input)
     }
 
@@ -58,7 +59,7 @@ impl NativeStudy {
 
     /// Opens the journal in a folder and locks it; returns the number of finished points.
     fn open(&self, py: Python<'_>, folder: PathBuf, retry: bool) -> PyResult<usize> {
-        let collector = py.detach(|| Collector::open(&self.study, &folder, retry));
+        let collector = detached(py, || Collector::open(&self.study, &folder, retry))?;
         let collector = collector.map_err(errors::sweep)?;
         let n = collector.n_finished();
         *self.lock() = Some(collector);
@@ -137,7 +138,7 @@ pub fn solve_part(
             "a part of a study that does not fit its group",
         ));
     }
-    let study = py.detach(|| Study::read_some(&path, Some(&members)));
+    let study = detached(py, || Study::read_some(&path, Some(&members)))?;
     let study = study.map_err(errors::input)?;
     let plan = Plan {
         parents,
@@ -225,7 +226,16 @@ pub fn sweep(
         Some((index, n)) => Some(Shard { index, n }),
         None => None,
     };
-    let study = py.detach(|| Study::read(&path)).map_err(errors::input)?;
+    if let Some(name) = [("jobs", jobs), ("threads", threads)]
+        .iter()
+        .find(|(_, n)| *n == Some(0))
+    {
+        return Err(errors::CaseError::new_err(format!(
+            "{} = 0: one at least",
+            name.0
+        )));
+    }
+    let study = detached(py, || Study::read(&path))?.map_err(errors::input)?;
     let params = SweepParams {
         jobs,
         threads,
@@ -248,7 +258,7 @@ pub fn sweep(
 /// Joins the parts of a study into `target`; returns a summary as JSON.
 #[pyfunction]
 pub fn merge(py: Python<'_>, target: PathBuf, parts: Vec<PathBuf>) -> PyResult<String> {
-    let summary = py.detach(|| merge_parts(&target, &parts));
+    let summary = detached(py, || merge_parts(&target, &parts))?;
     described(&summary.map_err(errors::sweep)?)
 }
 

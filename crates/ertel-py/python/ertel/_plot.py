@@ -43,6 +43,7 @@ def centreline(result: Result) -> Figure:
 def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str) -> Figure:
     """A field over the contact, or along a line contact."""
     from matplotlib.figure import Figure
+    from matplotlib.tri import Triangulation
 
     half_width = result.to_dict()["hertz"]["half_width"]
     factor, unit = _SHOWN.get(unit, (1.0, unit))
@@ -59,7 +60,7 @@ def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str
     # Colours for what lies around the contact, not for the wide gap at the edges.
     near = np.hypot(x, y) < 1.3
     low, high = values[near].min() * factor, values[near].max() * factor
-    drawn = axes.tripcolor(x, y, result.triangles, values * factor, shading="gouraud", vmin=low, vmax=high)
+    drawn = axes.tripcolor(Triangulation(x, y, result.triangles), values * factor, shading="gouraud", vmin=low, vmax=high)
     axes.set(xlabel="x/a (-)", ylabel="y/a (-)", aspect="equal", xlim=(-2.0, 1.6), ylim=(-1.6, 1.6))
     figure.colorbar(drawn, label=label)
     return figure
