@@ -9,7 +9,7 @@ place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 "${PYTHON:-python3}" -m venv "$place/venv"
 python=$place/venv/bin/python
-"$python" -m pip install --quiet "maturin>=1.9,<2" pytest mypy pandas pandas-stubs xarray pyvista matplotlib pint pyarrow distributed
+"$python" -m pip install --quiet "maturin>=1.9,<2" pytest nbclient ipykernel mypy pandas pandas-stubs xarray pyvista matplotlib pint pyarrow distributed
 "$place/venv/bin/maturin" build --release --locked --manifest-path "$here/Cargo.toml" --out "$place/wheels" --interpreter "$python"
 test "$(stat -c %s "$place"/wheels/*.whl)" -lt 15000000
 "$python" -m pip install --quiet --no-deps "$place"/wheels/*.whl

@@ -17,6 +17,9 @@ use crate::errors;
 /// Fields by name, each a one-dimensional array.
 type Fields<'py> = Vec<(&'static str, Bound<'py, PyArray1<f64>>)>;
 
+/// The same, each a two-dimensional one.
+type Grids<'py> = Vec<(&'static str, Bound<'py, PyArray2<f64>>)>;
+
 /// The solution of a case.
 #[pyclass(frozen, module = "ertel._ertel")]
 pub struct NativeSolution {
@@ -84,12 +87,7 @@ impl NativeSolution {
     }
 
     /// Values of each field at the crossings of `x` and `y` (m), rows along y; not a number outside the contact area.
-    fn on_grid<'py>(
-        &self,
-        py: Python<'py>,
-        x: Vec<f64>,
-        y: Vec<f64>,
-    ) -> PyResult<Vec<(&'static str, Bound<'py, PyArray2<f64>>)>> {
+    fn on_grid<'py>(&self, py: Python<'py>, x: Vec<f64>, y: Vec<f64>) -> PyResult<Grids<'py>> {
         let grids = crate::pool::detached(py, || self.fields().on_grid(&x, &y))?;
         let rows = grids
             .first()

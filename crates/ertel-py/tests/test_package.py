@@ -293,9 +293,9 @@ def test_studies(line: dict[str, Any], tmp_path: Path) -> None:
         'case = "line.toml"\n[[axis]]\nkey = "motion.entrainment_speed"\nvalues = ["1 m/s", "2 m/s", "3 m/s"]\n'
     )
     table = ertel.sweep(study, tmp_path / "out")
-    assert len(table) == 3 and table.attrs["summary"].n_new == 3
+    assert len(table) == 3 and table.attrs["summary"]["n_new"] == 3
     again = ertel.sweep(study, tmp_path / "out")
-    assert again.attrs["summary"].n_kept == 3 and again.equals(table)
+    assert again.attrs["summary"]["n_kept"] == 3 and again.equals(table)
     study.write_text('case = "line.toml"\n[[axis]]\nkey = "motion.speed"\nvalues = ["1 m/s"]\n')
     with pytest.raises(ertel.CaseError, match="speed"):
         ertel.sweep(study, tmp_path / "out")

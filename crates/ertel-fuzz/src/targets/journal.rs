@@ -56,7 +56,7 @@ pub fn seed() -> io::Result<Input> {
             },
             fields: names
                 .iter()
-                .map(|name| ((*name).to_owned(), film.clone()))
+                .map(|name| ((*name).to_owned().into(), film.clone().into()))
                 .collect(),
             warnings: Vec::new(),
             seconds: 0.5,

@@ -35,7 +35,8 @@ def centreline(result: Result) -> Figure:
     film_axes.plot(x[shown], line["film_thickness_m"][shown] * 1e9, color="tab:blue", label="film thickness")
     film_axes.set(ylabel="film thickness (nm)", ylim=(0.0, 4e9 * central))
     handles = [*pressure_axes.get_lines(), *film_axes.get_lines()]
-    pressure_axes.legend(handles=handles, loc="upper left", frameon=False)
+    # Beside the curves, none of which it may cover.
+    figure.legend(handles=handles, loc="outside lower center", ncols=3, frameon=False)
     pressure_axes.set_title(result.case.title)
     return figure
 
@@ -57,10 +58,11 @@ def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str
         axes.plot(x[order], values[order] * factor)
         axes.set(xlabel="x/a (-)", ylabel=label, xlim=(-2.0, 1.6))
         return figure
+    x_low, x_high, y_low, y_high = (limit / half_width for limit in result._frame())
     # Colours for what lies around the contact, not for the wide gap at the edges.
-    near = np.hypot(x, y) < 1.3
+    near = np.hypot(x / 1.3, y / (1.1 * max(-y_low, y_high))) < 1.0
     low, high = values[near].min() * factor, values[near].max() * factor
-    drawn = axes.tripcolor(Triangulation(x, y, result.triangles), values * factor, shading="gouraud", vmin=low, vmax=high)
-    axes.set(xlabel="x/a (-)", ylabel="y/a (-)", aspect="equal", xlim=(-2.0, 1.6), ylim=(-1.6, 1.6))
+    drawn = axes.tripcolor(x, y, result.triangles, values * factor, shading="gouraud", vmin=low, vmax=high)
+    axes.set(xlabel="x/a (-)", ylabel="y/a (-)", aspect="equal", xlim=(x_low, x_high), ylim=(y_low, y_high))
     figure.colorbar(drawn, label=label)
     return figure

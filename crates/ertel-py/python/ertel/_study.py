@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -49,8 +49,8 @@ def sweep(
 ) -> pd.DataFrame:
     """Solve every point of a study file, as ``ertel sweep`` does, and return its table.
 
-    Finished points are kept in `folder`: the same call goes on where a former one was stopped. The summary stands in
-    ``table.attrs["summary"]``.
+    Finished points are kept in `folder`: the same call goes on where a former one was stopped. What became of
+    the run stands in ``table.attrs["summary"]``, a dict with the names of :class:`StudySummary`.
 
     Parameters
     ----------
@@ -85,7 +85,8 @@ def table(folder: Path, summary: StudySummary) -> pd.DataFrame:
     import pandas as pd
 
     rows = pd.read_csv(folder / "results.csv")
-    rows.attrs["summary"] = summary
+    # As plain data: tables with others cannot be written as Parquet.
+    rows.attrs["summary"] = asdict(summary)
     return rows
 
 
