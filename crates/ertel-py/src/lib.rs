@@ -1,6 +1,7 @@
 //! The module `ertel._ertel`: what the Python package `ertel` asks of the solver. Its users see `ertel` alone.
 
 mod case;
+mod compare;
 mod data;
 mod errors;
 mod pool;
@@ -30,6 +31,7 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(study::solve_part, module)?)?;
     module.add_function(wrap_pyfunction!(study::sweep, module)?)?;
     module.add_function(wrap_pyfunction!(study::merge, module)?)?;
+    module.add_function(wrap_pyfunction!(compare::compare, module)?)?;
     module.add_function(wrap_pyfunction!(data::names, module)?)?;
     module.add_function(wrap_pyfunction!(data::viscosity, module)?)?;
     module.add_function(wrap_pyfunction!(data::use_own_data, module)?)?;

@@ -152,11 +152,7 @@ pub fn solve_part(
         ..SweepParams::default()
     };
     let summary = beside_python(py, None, |sender, cancel| {
-        let messages = Messages {
-            sender: Mutex::new(sender),
-            wanted: false,
-            cancel,
-        };
+        let messages = Messages::new(sender, false, cancel);
         let part = (&plan, range.0..range.1);
         sweep_part(
             &Session::default(),
@@ -173,10 +169,20 @@ pub fn solve_part(
 }
 
 /// Sends each finished point as JSON.
-struct Messages {
+pub struct Messages {
     sender: Mutex<Sender<String>>,
     wanted: bool,
     cancel: Cancel,
+}
+
+impl Messages {
+    pub fn new(sender: Sender<String>, wanted: bool, cancel: Cancel) -> Self {
+        Self {
+            sender: Mutex::new(sender),
+            wanted,
+            cancel,
+        }
+    }
 }
 
 impl SweepObserver for Messages {
@@ -245,11 +251,7 @@ pub fn sweep(
     };
     let wanted = progress.is_some();
     let summary = beside_python(py, progress.as_ref(), |sender, cancel| {
-        let messages = Messages {
-            sender: Mutex::new(sender),
-            wanted,
-            cancel,
-        };
+        let messages = Messages::new(sender, wanted, cancel);
         run_sweep(&Session::default(), &study, &folder, &params, &messages)
     })?;
     described(&summary.map_err(errors::sweep)?)
@@ -262,7 +264,8 @@ pub fn merge(py: Python<'_>, target: PathBuf, parts: Vec<PathBuf>) -> PyResult<S
     described(&summary.map_err(errors::sweep)?)
 }
 
-fn described(summary: &SweepSummary) -> PyResult<String> {
+/// A summary as JSON.
+pub fn described(summary: &SweepSummary) -> PyResult<String> {
     json(&serde_json::json!({
         "n_points": summary.n_points,
         "n_kept": summary.n_kept,

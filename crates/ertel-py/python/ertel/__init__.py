@@ -16,7 +16,7 @@ from ._case import Case, estimate
 from ._data import Fit, fit_density, fit_viscosity, fluids, own_data, solids, viscosity
 from ._ertel import CaseError, ConvergenceError, OutputError, __version__
 from ._result import Curve, Quantity, Result
-from ._study import StudySummary, merge, sweep
+from ._study import StudySummary, compare, merge, sweep
 
 __all__ = [
     "Case",
@@ -29,6 +29,7 @@ __all__ = [
     "Result",
     "StudySummary",
     "__version__",
+    "compare",
     "estimate",
     "fit_density",
     "fit_viscosity",

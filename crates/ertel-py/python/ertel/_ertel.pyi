@@ -93,6 +93,15 @@ def sweep(
     progress: Callable[[str], None] | None = None,
 ) -> str: ...
 def merge(target: PathLike[str], parts: list[PathLike[str]]) -> str: ...
+def compare(
+    case: PathLike[str],
+    measured: PathLike[str],
+    folder: PathLike[str],
+    *,
+    ignored: list[str],
+    jobs: int | None = None,
+    progress: Callable[[str], None] | None = None,
+) -> tuple[str, str]: ...
 def names(kind: str) -> list[str]: ...
 def viscosity(
     name: str, pressures: list[float], temperature: float

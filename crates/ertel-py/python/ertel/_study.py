@@ -90,6 +90,46 @@ def table(folder: Path, summary: StudySummary) -> pd.DataFrame:
     return rows
 
 
+def compare(
+    case: str | os.PathLike[str],
+    measured: str | os.PathLike[str],
+    folder: str | os.PathLike[str] | None = None,
+    *,
+    ignore: Sequence[str] = (),
+    jobs: int | None = None,
+    progress: Progress = None,
+) -> pd.DataFrame:
+    """Solve a case at the points of a table of measured films or tractions, as ``ertel compare`` does.
+
+    Parameters
+    ----------
+    case, measured : path
+        The case file, and the table or the export of a rig (docs/guide/compare.md).
+    folder : path, optional
+        Where table, picture and report go; ``results/<case>-<table>`` by default. The same call goes on where a former one was stopped.
+    ignore : sequence of str
+        Columns of the table that are not looked at.
+    jobs, progress : optional
+        As in :func:`sweep`.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A row for each measurement: measured and computed figures, error bars, relative differences (SI). ``attrs["report"]`` has bias, rms,
+        the worst row and how many agree within the uncertainty, in words.
+    """
+    import pandas as pd
+
+    case, measured = Path(case), Path(measured)
+    target = Path("results") / f"{case.stem}-{measured.stem}" if folder is None else Path(folder)
+    report, text = _ertel.compare(
+        case, measured, target, ignored=list(ignore), jobs=jobs, progress=_listener(progress)
+    )
+    rows = pd.read_csv(target / "comparison.csv")
+    rows.attrs.update(report=report, summary=asdict(StudySummary._read(text)))
+    return rows
+
+
 def merge(target: str | os.PathLike[str], parts: Sequence[str | os.PathLike[str]]) -> StudySummary:
     """Join the parts of a study, as ``ertel sweep --merge`` does, into the folder `target`."""
     return StudySummary._read(_ertel.merge(Path(target), [Path(part) for part in parts]))

@@ -1,0 +1,57 @@
+//! Measured films and tractions beside computed ones.
+
+use std::path::PathBuf;
+
+use ertel::compare::{Comparison, Measured, ReadParams};
+use ertel::output::compare::{COMPARISON_STUDY, check_comparison_folder};
+use ertel::output::{comparison_report, write_comparison};
+use ertel::run::Session;
+use ertel::study::{SweepParams, finished_points, sweep as run_sweep};
+use pyo3::prelude::*;
+
+use crate::errors;
+use crate::pool::detached;
+use crate::solve::beside_python;
+use crate::study::{Messages, described};
+
+/// Solves a case at the points of a table of measurements in `folder`; returns the report and a summary of the study as JSON. The table is
+/// `comparison.csv` there.
+#[pyfunction]
+#[pyo3(signature = (case, measured, folder, *, ignored, jobs=None, progress=None))]
+pub fn compare(
+    py: Python<'_>,
+    case: PathBuf,
+    measured: PathBuf,
+    folder: PathBuf,
+    ignored: Vec<String>,
+    jobs: Option<usize>,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<(String, String)> {
+    if jobs == Some(0) {
+        return Err(errors::CaseError::new_err("jobs = 0: one at least"));
+    }
+    let params = ReadParams {
+        ignored,
+        ..ReadParams::default()
+    };
+    let measured = detached(py, || Measured::read(&case, &measured, &params))?;
+    let measured = measured.map_err(|error| errors::CaseError::new_err(error.to_string()))?;
+    check_comparison_folder(&folder).map_err(errors::output)?;
+    let points = folder.join(COMPARISON_STUDY);
+    let params = SweepParams {
+        jobs,
+        threads: Some(1),
+        ..SweepParams::default()
+    };
+    let wanted = progress.is_some();
+    let study = &measured.study;
+    let summary = beside_python(py, progress.as_ref(), |sender, cancel| {
+        let messages = Messages::new(sender, wanted, cancel);
+        run_sweep(&Session::default(), study, &points, &params, &messages)
+    })?;
+    let summary = summary.map_err(errors::sweep)?;
+    let records = finished_points(study, &points).map_err(errors::sweep)?;
+    let comparison = Comparison::new(&measured, &records);
+    write_comparison(&comparison, &measured.case_text, &folder, false).map_err(errors::output)?;
+    Ok((comparison_report(&comparison, None), described(&summary)?))
+}
