@@ -50,9 +50,13 @@ pub fn solve(error: SolveError) -> PyErr {
         SolveError::TooThin { help, .. } => {
             CaseError::new_err(format!("{error}\n  = help: {help}"))
         }
-        error => ConvergenceError::new_err(error.to_string()),
+        error => ConvergenceError::new_err(format!("{error}\n  = help: {HELP}")),
     }
 }
+
+/// What to try when a solve comes to no end.
+const HELP: &str = "a finer mesh ([mesh] preset = \"fine\"), another formulation ([solver] formulation = \"supg\"), or the result of \
+                    a smaller load as `start` often help";
 
 /// Files that were not written.
 pub fn output(error: WriteError) -> PyErr {

@@ -18,6 +18,9 @@ from ._ertel import CaseError, ConvergenceError, OutputError, __version__
 from ._result import Curve, Quantity, Result
 from ._study import StudySummary, compare, merge, sweep
 
+# The text of the error says how far the solve came, why it stopped, and what to try.
+ConvergenceError.report = property(str)  # type: ignore[method-assign,assignment,misc]
+
 __all__ = [
     "Case",
     "CaseError",

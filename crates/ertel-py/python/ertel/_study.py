@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
+import tempfile
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _ertel
+from . import _ertel, _toml
 from ._case import Progress, _listener
+from ._ertel import CaseError
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -38,7 +40,7 @@ class StudySummary:
 
 
 def sweep(
-    study: str | os.PathLike[str],
+    study: str | os.PathLike[str] | Mapping[str, Any],
     folder: str | os.PathLike[str] | None = None,
     *,
     jobs: int | None = None,
@@ -54,8 +56,9 @@ def sweep(
 
     Parameters
     ----------
-    study : path
-        The study file (docs/guide/studies.md).
+    study : path or mapping
+        The study file (docs/guide/studies.md), or its keys, as ``{"case": "base.toml", "axis": [{"key": ..., "values": [...]}]}``, with a
+        `folder`.
     folder : path, optional
         Where journal and table go; ``results/<name of the study>`` by default.
     jobs, threads : int, optional
@@ -72,6 +75,17 @@ def sweep(
     pandas.DataFrame
         A row for each point, SI, units in the titles of the columns; points that failed have their reason.
     """
+    if isinstance(study, Mapping):
+        if folder is None:
+            raise CaseError("a study of keys has no name: give the folder of its results")
+        with tempfile.TemporaryDirectory(prefix="ertel-") as place:
+            path = Path(place) / "study made in Python.toml"
+            # Files beside which it stands in no folder are found from the current one.
+            named = {key: os.path.abspath(study[key]) for key in ("case", "points") if key in study}
+            path.write_text(_toml.text({**study, **named}), encoding="utf-8")
+            return sweep(
+                path, folder, jobs=jobs, threads=threads, folders=folders, retry=retry, progress=progress
+            )
     path = Path(study)
     target = Path("results") / path.stem if folder is None else Path(folder)
     text = _ertel.sweep(
