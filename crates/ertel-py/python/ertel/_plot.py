@@ -62,7 +62,8 @@ def field_map(result: Result, values: NDArray[np.float64], unit: str, words: str
     # Colours for what lies around the contact, not for the wide gap at the edges.
     near = np.hypot(x / 1.3, y / (1.1 * max(-y_low, y_high))) < 1.0
     low, high = values[near].min() * factor, values[near].max() * factor
-    drawn = axes.tripcolor(x, y, result.triangles, values * factor, shading="gouraud", vmin=low, vmax=high)
+    triangulation = Triangulation(x, y, result.triangles)
+    drawn = axes.tripcolor(triangulation, values * factor, shading="gouraud", vmin=low, vmax=high)
     axes.set(xlabel="x/a (-)", ylabel="y/a (-)", aspect="equal", xlim=(x_low, x_high), ylim=(y_low, y_high))
     figure.colorbar(drawn, label=label)
     return figure
