@@ -30,6 +30,8 @@ pub enum Command {
     Compare(CompareArgs),
     /// Estimate a case file by formulas, without solving it
     Estimate(EstimateArgs),
+    /// Show results in the browser, several of them side by side with their differences
+    View(ViewArgs),
     /// Compute published cases and compare
     Validate(ValidateArgs),
     /// Fit the constants of a law to measured states
@@ -190,6 +192,20 @@ pub struct EstimateArgs {
     /// Print JSON in place of text
     #[arg(long)]
     pub json: bool,
+}
+
+/// `ertel view`.
+#[derive(Debug, Args)]
+pub struct ViewArgs {
+    /// Folders of results, or their pages `report.html`
+    #[arg(value_name = "RESULT", required = true)]
+    pub results: Vec<PathBuf>,
+    /// Write the page into this file, to keep it or to send it
+    #[arg(short, long, value_name = "FILE.html")]
+    pub output: Option<PathBuf>,
+    /// Start no browser; print where the page is
+    #[arg(long)]
+    pub no_browser: bool,
 }
 
 /// `ertel cache`.

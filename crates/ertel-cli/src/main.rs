@@ -22,6 +22,7 @@ mod solve;
 mod sweep;
 mod table;
 mod validate;
+mod view;
 
 use std::process::ExitCode;
 
@@ -36,6 +37,7 @@ fn main() -> ExitCode {
         Command::Sweep(arguments) => sweep::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Estimate(arguments) => estimate::run(&arguments),
+        Command::View(arguments) => view::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Cache(arguments) => cache::run(&arguments),

@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use super::lines::Lines;
 use super::mixed::ASPERITY_SOURCE;
-use super::report::{Lines, digits, length, percent_or_power, power, write_case, write_contact};
+use super::report::{digits, length, percent_or_power, power, write_case, write_contact};
 use super::result_json::units;
 use super::{CaseEcho, FORMAT_VERSION};
 use crate::estimate::{CaseEstimate, NEGLIGIBLE_INERTIA};
@@ -41,7 +42,7 @@ pub fn estimate_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {
     write_film(&mut out, estimate);
     write_thermal(&mut out, estimate);
     out.warnings(&estimate.warnings);
-    out.text
+    out.text()
 }
 
 fn write_regime(out: &mut Lines, estimate: &CaseEstimate) {
@@ -97,7 +98,7 @@ fn write_formulas(out: &mut Lines, estimate: &CaseEstimate) {
         row(out, f, star);
     }
     for f in &estimate.formulas {
-        let _ = writeln!(out.text, "  · {}", f.source);
+        out.note(&f.source);
     }
 }
 
@@ -191,7 +192,7 @@ fn write_thermal(out: &mut Lines, estimate: &CaseEstimate) {
         out.row(&name, digits(f.factor, 4));
     }
     for f in &thermal.factors {
-        let _ = writeln!(out.text, "  · {}", f.source);
+        out.note(&f.source);
     }
 }
 

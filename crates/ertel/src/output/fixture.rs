@@ -236,6 +236,8 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         centreline,
         surface: SurfaceField {
             points: nodes.iter().map(|p| p.map(|x| a * x)).collect(),
+            order: 1,
+            elements: (cells.iter().flat_map(|c| &c[..=dim])).copied().collect(),
             cells,
             pressure: pressures,
             film_thickness: films,

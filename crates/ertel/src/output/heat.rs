@@ -3,7 +3,8 @@
 use std::io::{self, Write};
 
 use super::figure::{in_unit, number, percent, place, temperature};
-use super::report::{Lines, beside, percent_or_power, power};
+use super::lines::Lines;
+use super::report::{beside, percent_or_power, power};
 use super::{HeatEcho, ThermalEcho, digits};
 use crate::output::BODIES;
 use crate::solution::{CrossProfile, Estimate, Located, Solution, Thermal};

@@ -1,6 +1,7 @@
 //! What the inputs of a case do to its figures, in the report.
 
-use super::report::{Lines, digits};
+use super::lines::{Lines, Table};
+use super::report::digits;
 use crate::solution::{Figure, FigureSensitivity, FigureUncertainty, Sensitivities, Solution};
 
 /// Widths of the columns of keys and numbers.
@@ -46,19 +47,20 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
         .iter()
         .filter(|f| f.value != 0.0)
         .collect();
-    let mut head = format!("{:<KEY_WIDTH$}", "");
-    for figure in &figures {
-        head += &format!("{:<NUMBER_WIDTH$}", symbol(figure.figure));
-    }
-    out.line(&head);
+    let mut head = vec![String::new()];
+    head.extend(figures.iter().map(|f| symbol(f.figure).to_owned()));
+    let mut widths = vec![(NUMBER_WIDTH, 0); head.len()];
+    widths[0] = (KEY_WIDTH, 0);
     let (rows, negligible) = rows(sensitivities, &figures);
-    for (key, by) in rows {
-        let mut line = format!("{key:<KEY_WIDTH$}");
-        for by in by {
-            line += &format!("{:<NUMBER_WIDTH$}", signed(by));
-        }
-        out.line(&line);
-    }
+    let cells = |(key, by): (&str, Vec<f64>)| {
+        let by = by.into_iter().map(signed);
+        std::iter::once(key.to_owned()).chain(by).collect()
+    };
+    out.table(Table {
+        head,
+        rows: rows.into_iter().map(cells).collect(),
+        widths,
+    });
     if !negligible.is_empty() {
         out.line(&format!("below {NEGLIGIBLE}: {}", negligible.join(", ")));
     }

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::figure::{in_unit, number, percent};
-use super::report::{Lines, digits, percent_or_power, pressure};
+use super::lines::Lines;
+use super::report::{digits, percent_or_power, pressure};
 use crate::mixed::Asperities;
 use crate::solution::{Estimate, Solution};
 

@@ -13,7 +13,9 @@ mod file;
 mod finite;
 mod folder;
 mod heat;
+pub mod html;
 mod inputs;
+mod lines;
 mod mixed;
 mod monte_carlo;
 pub mod plot;
@@ -112,7 +114,7 @@ impl OutputError {
 /// What outputs call the bodies.
 pub(crate) const BODIES: [&str; 2] = ["body 1", "body 2"];
 
-/// Writes a result folder: `result.json`, `report.txt`, `case.toml`, `centreline.csv`,
+/// Writes a result folder: `result.json`, `report.txt`, `report.html`, `case.toml`, `centreline.csv`,
 /// `surface.vtu`, `body.vtu` and the pictures, as `params` asks (its `folder` is not looked at); of a thermal contact
 /// `cross-film.csv` and `temperature.vtu`, too.
 ///
@@ -180,6 +182,9 @@ fn write_files(
             vtu::write_body(out, solution.shape.kind, body)
         })?;
     }
+    folder.file(html::REPORT_PAGE, |out| {
+        out.write_all(html::report_page(case, solution, case.solver.tolerance).as_bytes())
+    })?;
     for picture in plot::pictures(&case.title, solution, Some(case.solver.tolerance)) {
         write_picture(folder, &picture, params.png)?;
     }

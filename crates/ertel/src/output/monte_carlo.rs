@@ -6,8 +6,9 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::figure::{length_unit, pressure_unit};
+use super::lines::Lines;
 use super::plot::{Axis, Chart, Look, PALETTE, Series, Side, side_by_side};
-use super::report::{Lines, digits};
+use super::report::digits;
 use super::{OutputError, write_whole};
 use crate::solution::{Figure, Solution, Uncertainties};
 use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES};
@@ -114,7 +115,7 @@ pub fn monte_carlo_report(found: &MonteCarlo, solution: &Solution) -> String {
             .collect();
         out.row("  correlated with", shown.join(", "));
     }
-    out.text
+    out.text()
 }
 
 /// Factor and unit in which a figure is shown.

@@ -1,6 +1,5 @@
 //! The summary that a user reads.
 
-use std::fmt::Write;
 use std::path::Path;
 
 use super::BODIES;
@@ -8,13 +7,11 @@ use super::figure::{
     estimate, in_unit, length_unit, number, percent, place, position, pressure_estimate,
     pressure_unit,
 };
+use super::lines::{Lines, NAME_WIDTH, Table};
 use super::{CaseEcho, heat, inputs, mixed};
 use crate::contact::{ContactKind, Groups, Hertz, Supply, Symmetry};
-use crate::solution::{Estimate, Located, Solution, Timings};
-use crate::warning::Warning;
+use crate::solution::{Estimate, FormulaFilm, Located, Solution, Timings};
 
-/// Width of the column of names.
-const NAME_WIDTH: usize = 34;
 /// Width of the column of values that have something beside them.
 const VALUE_WIDTH: usize = 26;
 
@@ -37,49 +34,13 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
     }
     inputs::write(&mut out, solution);
     write_formulas(&mut out, solution);
-    write_effort(&mut out, solution, folder);
-    out.text
-}
-
-#[derive(Default)]
-pub(super) struct Lines {
-    pub text: String,
-}
-
-impl Lines {
-    pub fn title(&mut self, title: &str) {
-        // Control characters of a title stay out of the terminal
-        let mut clean: String = title.chars().filter(|c| !c.is_control()).collect();
-        if clean.trim().is_empty() {
-            clean = "Elastohydrodynamic contact".to_owned();
-        }
-        let rule = "─".repeat(clean.chars().count().max(4));
-        let _ = writeln!(self.text, "{clean}\n{rule}");
+    write_effort(&mut out, solution);
+    out.warnings(&solution.warnings);
+    if let Some(folder) = folder {
+        out.heading("Files");
+        out.line(&folder.display().to_string());
     }
-
-    pub fn heading(&mut self, heading: &str) {
-        let _ = writeln!(self.text, "\n{heading}");
-    }
-
-    pub fn line(&mut self, text: &str) {
-        let _ = writeln!(self.text, "  {}", text.trim_end());
-    }
-
-    pub fn row(&mut self, name: &str, value: impl AsRef<str>) {
-        let value = value.as_ref();
-        let _ = writeln!(self.text, "  {name:<NAME_WIDTH$}{value}");
-    }
-
-    /// Under a heading of their own, if there are any.
-    pub fn warnings(&mut self, warnings: &[Warning]) {
-        if warnings.is_empty() {
-            return;
-        }
-        self.heading("Warnings");
-        for warning in warnings {
-            let _ = writeln!(self.text, "  ! {warning}");
-        }
-    }
+    out.text()
 }
 
 pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
@@ -267,7 +228,7 @@ fn moes(groups: &Groups) -> String {
     )
 }
 
-fn write_results(out: &mut Lines, solution: &Solution) {
+pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
     let s = &solution.summary;
     let at = |text: String, at: &Located| beside(&text, &place(solution, at));
     out.heading("Results");
@@ -419,7 +380,7 @@ fn write_traction(out: &mut Lines, solution: &Solution) {
     }
 }
 
-fn write_formulas(out: &mut Lines, solution: &Solution) {
+pub(super) fn write_formulas(out: &mut Lines, solution: &Solution) {
     if solution.formulas.is_empty() {
         return;
     }
@@ -432,19 +393,24 @@ fn write_formulas(out: &mut Lines, solution: &Solution) {
         None => "Published formulas (difference from the computed film)",
         Some(_) => "Published formulas of flooded contacts (difference from the computed film)",
     });
-    let header = beside("central", "minimum");
-    out.row("", header);
+    let row = |f: &FormulaFilm| {
+        vec![
+            f.name.to_owned(),
+            cell(f.central, s.film_central.value),
+            cell(f.minimum, s.film_minimum.value),
+        ]
+    };
+    out.table(Table {
+        head: ["", "central", "minimum"].map(str::to_owned).to_vec(),
+        rows: solution.formulas.iter().map(row).collect(),
+        widths: vec![(NAME_WIDTH, 0), (VALUE_WIDTH, 2), (0, 0)],
+    });
     for f in &solution.formulas {
-        let central = cell(f.central, s.film_central.value);
-        let minimum = cell(f.minimum, s.film_minimum.value);
-        out.row(f.name, beside(&central, &minimum));
-    }
-    for f in &solution.formulas {
-        let _ = writeln!(out.text, "  · {}", f.source);
+        out.note(&f.source);
     }
 }
 
-fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
+pub(super) fn write_effort(out: &mut Lines, solution: &Solution) {
     out.heading("Effort");
     for (i, level) in solution.stats.levels.iter().enumerate() {
         out.row(
@@ -489,11 +455,6 @@ fn write_effort(out: &mut Lines, solution: &Solution, folder: Option<&Path>) {
             "peak memory",
             format!("{} MB", digits(bytes as f64 / 1e6, 3)),
         );
-    }
-    out.warnings(&solution.warnings);
-    if let Some(folder) = folder {
-        out.heading("Files");
-        let _ = writeln!(out.text, "  {}", folder.display());
     }
 }
 

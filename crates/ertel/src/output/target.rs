@@ -10,8 +10,9 @@ use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 40] = [
+pub(super) const OWN_FILES: [&str; 41] = [
     "result.json",
+    super::html::REPORT_PAGE,
     "curve.json",
     "curve.csv",
     "film-curve.svg",

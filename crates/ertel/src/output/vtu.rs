@@ -281,6 +281,8 @@ mod tests {
         let field = SurfaceField {
             points: vec![[0.0, 0.0], [1.0, 0.0], [3.0, 0.0]],
             cells: vec![[0, 1, 0], [1, 2, 0]],
+            order: 1,
+            elements: vec![0, 1, 1, 2],
             pressure: vec![0.0, 1.0, 0.5],
             film_thickness: vec![1.0; 3],
             deflection: vec![1.0; 3],

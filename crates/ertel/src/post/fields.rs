@@ -49,6 +49,8 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
             .map(|p| [p[0] * scales.length, p[1] * scales.length])
             .collect(),
         cells: sub_cells(&d.pressure),
+        order: d.pressure.element.order(),
+        elements: d.pressure.element_nodes.clone(),
         film_thickness: vec![0.0; n],
         deflection: vec![0.0; n],
         ..SurfaceField::default()

@@ -60,16 +60,7 @@ impl ContactFields {
             None => own.to_vec(),
             Some(whole) => whole.sources.iter().map(|i| own[*i]).collect(),
         };
-        let mut columns: Vec<(Field, &[f64])> = vec![
-            (Field::Pressure, &part.pressure),
-            (Field::FilmThickness, &part.film_thickness),
-            (Field::Deflection, &part.deflection),
-            (Field::Viscosity, &part.viscosity),
-            (Field::Density, &part.density),
-        ];
-        columns.extend(part.shear.columns());
-        columns.extend(temperatures.into_iter().flat_map(FilmTemperatures::columns));
-        let fields = (columns.into_iter())
+        let fields = (Self::columns(part, temperatures).into_iter())
             .map(|(field, own)| (field, values(own)))
             .collect();
         let (points, cells) = match whole {
@@ -82,6 +73,23 @@ impl ContactFields {
             fields,
             is_line: shape.kind == ContactKind::Line,
         }
+    }
+
+    /// The fields of the part that is solved, each with its values at its points.
+    pub(crate) fn columns<'a>(
+        part: &'a SurfaceField,
+        temperatures: Option<&'a FilmTemperatures>,
+    ) -> Vec<(Field, &'a [f64])> {
+        let mut columns: Vec<(Field, &[f64])> = vec![
+            (Field::Pressure, &part.pressure),
+            (Field::FilmThickness, &part.film_thickness),
+            (Field::Deflection, &part.deflection),
+            (Field::Viscosity, &part.viscosity),
+            (Field::Density, &part.density),
+        ];
+        columns.extend(part.shear.columns());
+        columns.extend(temperatures.into_iter().flat_map(FilmTemperatures::columns));
+        columns
     }
 
     /// Values of a field at the points; `None` where the contact has none.
@@ -208,6 +216,8 @@ mod tests {
         SurfaceField {
             points,
             cells: vec![[0, 1, 2], [1, 3, 2]],
+            order: 1,
+            elements: vec![0, 1, 2, 1, 3, 2],
             pressure: values.clone(),
             film_thickness: values.clone(),
             deflection: values.clone(),

@@ -454,6 +454,10 @@ pub struct SurfaceField {
     pub points: Vec<[f64; 2]>,
     /// Linear sub-cells: triangles (circular), or segments in the first two entries (line).
     pub cells: Vec<[u32; 3]>,
+    /// Order of the elements: on each, a field is the polynomial of this order through its values at the nodes.
+    pub order: usize,
+    /// Points of each element, in the order of [`ertel_fem::element::Lagrange`].
+    pub elements: Vec<u32>,
     /// Pressure, Pa.
     pub pressure: Vec<f64>,
     /// Film thickness, m.

@@ -16,6 +16,7 @@ pub use table::{COLUMNS, Cell, Column, curve_table};
 use std::path::Path;
 
 use super::folder::NewFolder;
+use super::html::{REPORT_PAGE, curve_page};
 use super::plot::Picture;
 use super::{CaseEcho, OutputError, check_png, finite, write_files, write_picture};
 use crate::params::OutputParams;
@@ -57,6 +58,9 @@ pub fn write_curve(
     })?;
     root.file("report.txt", |out| {
         out.write_all(curve_report(case, curve, None).as_bytes())
+    })?;
+    root.file(REPORT_PAGE, |out| {
+        out.write_all(curve_page(case, curve).as_bytes())
     })?;
     if let Some(text) = &case.case_file {
         root.file("case.toml", |out| out.write_all(text.as_bytes()))?;

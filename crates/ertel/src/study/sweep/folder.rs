@@ -8,11 +8,12 @@ use std::path::{Path, PathBuf};
 use super::SweepError;
 use crate::case::Study;
 use crate::output;
+use crate::output::html::{REPORT_PAGE, study_page};
 use crate::study::journal::{Entries, JOURNAL, Journal, LOCK, Lock, PointKey, Record};
 use crate::study::table::{POINTS, StudyEcho, TABLE};
 
 /// Every file that a study writes into its folder.
-pub const FILES: [&str; 6] = [LOCK, JOURNAL, POINTS, TABLE, FILMS, TRACTIONS];
+pub const FILES: [&str; 7] = [LOCK, JOURNAL, POINTS, TABLE, FILMS, TRACTIONS, REPORT_PAGE];
 /// Folder within that of a study, with the results of its points where these are asked for.
 pub const FOLDERS: &str = "points";
 /// Name of the picture of its films, and of that of its tractions.
@@ -104,7 +105,10 @@ pub(super) fn write_results(
         let path = folder.join(name);
         output::write_whole(&path, text.as_bytes()).map_err(|e| SweepError::io(&path, e))
     };
-    write(TABLE, echo.table(records))?;
+    let table = echo.table(records);
+    let page = study_page(&echo.title, &table, echo.columns.len(), Vec::new());
+    write(TABLE, table)?;
+    write(REPORT_PAGE, page)?;
     for (name, chart) in [
         (FILMS, output::study_films(echo, records)),
         (TRACTIONS, output::study_tractions(echo, records)),

@@ -1,0 +1,129 @@
+//! `ertel view`: the pages of results in the browser, several of them on one page.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use ertel::output::html::{self, PageError};
+use ertel::output::write_whole;
+
+use crate::args::ViewArgs;
+use crate::failure::Failure;
+use crate::print;
+
+/// Shows results: the page of one, or a page of all of them side by side.
+pub fn run(arguments: &ViewArgs) -> Result<(), Failure> {
+    let pages: Vec<PathBuf> = arguments.results.iter().map(|path| page_of(path)).collect();
+    let mut texts = Vec::new();
+    for page in &pages {
+        texts.push(read(page)?);
+    }
+    let single = pages.len() == 1;
+    let text = match single {
+        true => {
+            html::page_data(&texts[0]).map_err(|error| refused(&pages[0], &error))?;
+            texts.remove(0)
+        }
+        false => join(&arguments.results, &pages, &texts)?,
+    };
+    let shown = match &arguments.output {
+        Some(path) => {
+            check_output(path, &pages)?;
+            write_whole(path, text.as_bytes())
+                .map_err(|e| Failure::Other(format!("cannot write {}: {e}", path.display())))?;
+            path.clone()
+        }
+        None if single => pages[0].clone(),
+        None => temporary(&text)?,
+    };
+    print::stdout(&format!("{}\n", shown.display()))?;
+    if arguments.no_browser {
+        return Ok(());
+    }
+    let absolute = std::path::absolute(&shown).unwrap_or(shown);
+    opener::open_browser(&absolute).map_err(|error| {
+        Failure::Other(format!(
+            "no browser could be started ({error}); open the file above, or use --no-browser"
+        ))
+    })
+}
+
+/// The page in a folder of results; a file is taken for a page.
+fn page_of(path: &Path) -> PathBuf {
+    match path.is_dir() {
+        true => path.join(html::REPORT_PAGE),
+        false => path.to_owned(),
+    }
+}
+
+fn read(page: &Path) -> Result<String, Failure> {
+    fs::read_to_string(page).map_err(|error| {
+        let folder = page.parent().unwrap_or(page).display();
+        Failure::Argument(match error.kind() {
+            std::io::ErrorKind::NotFound => format!(
+                "there is no {}\n  = help: a result folder holds it since ertel writes pages; solve the case of {folder} once more",
+                page.display()
+            ),
+            std::io::ErrorKind::InvalidData => refused_text(page, "it is not text"),
+            _ => format!("cannot read {}: {error}", page.display()),
+        })
+    })
+}
+
+fn refused_text(page: &Path, reason: &str) -> String {
+    format!("cannot show {}: {reason}", page.display())
+}
+
+fn refused(page: &Path, error: &PageError) -> Failure {
+    Failure::Argument(refused_text(page, &error.to_string()))
+}
+
+/// One page of several results.
+fn join(results: &[PathBuf], pages: &[PathBuf], texts: &[String]) -> Result<String, Failure> {
+    let mut parts = Vec::new();
+    for ((result, page), text) in results.iter().zip(pages).zip(texts) {
+        let data = html::page_data(text).map_err(|error| refused(page, &error))?;
+        let name = result.file_name().map_or_else(
+            || result.display().to_string(),
+            |n| n.to_string_lossy().into_owned(),
+        );
+        parts.push((name, data));
+    }
+    html::joint_page(parts).map_err(|error| Failure::Argument(error.to_string()))
+}
+
+/// A file of the user is not overwritten, a page of ertel that is not among those shown is.
+fn check_output(path: &Path, pages: &[PathBuf]) -> Result<(), Failure> {
+    let refuse = |reason: &str| {
+        Err(Failure::Argument(format!(
+            "will not write {}: {reason}",
+            path.display()
+        )))
+    };
+    if pages
+        .iter()
+        .any(|page| same_file::is_same_file(page, path).unwrap_or(false))
+    {
+        return refuse("it is one of the pages to be shown");
+    }
+    if path.is_dir() {
+        return refuse("it is a folder; name a file");
+    }
+    match fs::read_to_string(path) {
+        Ok(text) if html::page_data(&text).is_ok() => Ok(()),
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(()),
+        _ => refuse("it exists, and is no page of ertel"),
+    }
+}
+
+/// A page in the folder for temporary files; the browser reads it after this program has ended.
+fn temporary(text: &str) -> Result<PathBuf, Failure> {
+    let failed = |e: std::io::Error| Failure::Other(format!("cannot write a temporary page: {e}"));
+    let mut file = tempfile::Builder::new()
+        .prefix("ertel-view-")
+        .suffix(".html")
+        .tempfile()
+        .map_err(failed)?;
+    std::io::Write::write_all(&mut file, text.as_bytes()).map_err(failed)?;
+    let (_, path) = file.keep().map_err(|e| failed(e.error))?;
+    Ok(path)
+}

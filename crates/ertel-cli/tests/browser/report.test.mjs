@@ -1,0 +1,169 @@
+// The pages of results in a real browser: they load nothing, say nothing on the console, are accessible, and read what result.json holds.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, statSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import puppeteer from "puppeteer-core";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const { ERTEL, CASES, CHROMIUM, SCREENSHOTS } = process.env;
+const folder = mkdtempSync(join(tmpdir(), "ertel-pages-"));
+const MOST_BYTES = 2e6;
+
+let browser;
+before(async () => { browser = await puppeteer.launch({ executablePath: CHROMIUM, args: ["--no-sandbox"] }); });
+after(() => browser?.close());
+
+function run(...args) { return execFileSync(ERTEL, args, { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }); }
+
+function solve(name, command = "solve") {
+  const output = join(folder, name);
+  run(command, join(CASES, `${name}.toml`), "--output", output, "--quiet");
+  return output;
+}
+
+// Opens a page; whatever it reports or asks for is kept.
+async function open(file, { width = 1280, dark = false } = {}) {
+  const page = await browser.newPage();
+  page.troubles = [];
+  page.on("console", (m) => { if (["error", "warn"].includes(m.type())) page.troubles.push(`console: ${m.text()}`); });
+  page.on("pageerror", (e) => page.troubles.push(`error: ${e.message}`));
+  page.on("request", (r) => { if (!/^(file|data|blob):/.test(r.url())) page.troubles.push(`request: ${r.url()}`); });
+  await page.setViewport({ width, height: 900 });
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]);
+  await page.goto(`file://${file}`);
+  await page.waitForFunction(() => document.querySelector("#contents a"));
+  // Profiles are drawn with the next frame.
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return page;
+}
+
+async function violations(page) {
+  await page.evaluate(axe);
+  const found = await page.evaluate(() => axe.run(document, { resultTypes: ["violations"] }));
+  return found.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target.join(" ")).join("; ")}`);
+}
+
+// A page at both widths, light and dark.
+async function lookAt(name, file) {
+  assert.ok(statSync(file).size < MOST_BYTES, `${name}: ${statSync(file).size} bytes`);
+  for (const width of [1280, 390]) {
+    for (const dark of [false, true]) {
+      const page = await open(file, { width, dark });
+      assert.deepEqual(page.troubles, [], name);
+      const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      assert.ok(overflow <= 0, `${name} at ${width}: ${overflow} px too wide`);
+      assert.deepEqual(await violations(page), [], `${name} at ${width}, ${dark ? "dark" : "light"}`);
+      await page.screenshot({ path: join(SCREENSHOTS, `${name}-${width}${dark ? "-dark" : ""}.png`), fullPage: true });
+      await page.close();
+    }
+  }
+}
+
+function close(actual, expected, tolerance, what) {
+  assert.ok(Math.abs(actual / expected - 1) < tolerance, `${what}: ${actual} is not ${expected}`);
+}
+
+// What the cursor reads where a figure is, and the card of the figure.
+async function reads(page, figure, field, value, tolerance) {
+  await page.click(`button[data-figure="${figure}"]`);
+  const read = await page.$eval("#reading", (e) => JSON.parse(e.dataset.values)[0]);
+  close(read[field], value, tolerance, `${figure} under the cursor`);
+}
+
+for (const [name, kind] of [["ball-on-disc", "circular"], ["ball-in-groove", "elliptical"], ["squalane-thermal", "thermal"]]) {
+  describe(kind, () => {
+    let output;
+    let result;
+    before(() => {
+      output = solve(name);
+      result = JSON.parse(readFileSync(join(output, "result.json"), "utf8"));
+    });
+    test("looks right and is accessible", () => lookAt(kind, join(output, "report.html")));
+    test("the cursor reads the figures of result.json", async () => {
+      const page = await open(join(output, "report.html"));
+      const { summary } = result;
+      await reads(page, "film_central", "film_thickness", summary.film_central.value, 1e-6);
+      await reads(page, "film_minimum", "film_thickness", summary.film_minimum.value, 1e-6);
+      await reads(page, "pressure_maximum", "pressure", summary.pressure_maximum.value, 1e-6);
+      assert.deepEqual(page.troubles, []);
+      await page.close();
+    });
+    test("arrow keys move the cursor, and profiles can be copied", async () => {
+      const page = await open(join(output, "report.html"));
+      await page.click('button[data-figure="film_central"]');
+      await page.focus(".map canvas");
+      await page.keyboard.press("ArrowRight");
+      assert.equal(await page.$eval("#cursor-x", (e) => e.value), "0.01");
+      const csv = await page.evaluate(() => {
+        let text = "";
+        Object.defineProperty(navigator, "clipboard", { value: { writeText: (t) => { text = t; return Promise.resolve(); } } });
+        document.querySelector('[data-copy="along"]').click();
+        return text;
+      });
+      const [head, ...rows] = csv.trim().split("\n");
+      assert.match(head, /^"x\/a"/);
+      assert.equal(rows.length, 801);
+      await page.close();
+    });
+  });
+}
+
+describe("line", () => {
+  let output;
+  before(() => { output = solve("roller"); });
+  test("looks right and is accessible", () => lookAt("line", join(output, "report.html")));
+  test("has profiles and no map", async () => {
+    const page = await open(join(output, "report.html"));
+    assert.equal(await page.$eval("#contact", (e) => e.hidden), true);
+    assert.equal(await page.$eval("#profile canvas", (e) => e.width > 300), true);
+    await page.close();
+  });
+});
+
+for (const [name, command] of [["ball-on-disc-speeds", "solve"], ["speeds-and-loads", "sweep"]]) {
+  describe(command === "solve" ? "curve" : "study", () => {
+    let output;
+    before(() => { output = solve(name, command); });
+    test("looks right and is accessible", () => lookAt(command === "solve" ? "curve" : "study", join(output, "report.html")));
+    test("the table sorts, and holds every point", async () => {
+      const page = await open(join(output, "report.html"));
+      const table = readFileSync(join(output, command === "solve" ? "curve.csv" : "results.csv"), "utf8").trim().split("\n");
+      const film = table[0].split(",").indexOf("film_central_m");
+      const films = table.slice(1).map((row) => Number(row.split(",")[film])).sort((p, q) => q - p);
+      const shown = () => page.$$eval("#table tbody tr", (rows) => rows.map((r) => Number(r.dataset.row)));
+      assert.equal((await shown()).length, films.length);
+      const button = await page.evaluateHandle(() => [...document.querySelectorAll("#table thead button")].find((b) => b.textContent.startsWith("Film central")));
+      await button.click();
+      const again = await page.evaluateHandle(() => [...document.querySelectorAll("#table thead button")].find((b) => b.textContent.startsWith("Film central")));
+      await again.click();
+      const order = await shown();
+      assert.deepEqual(order.map((i) => Number(table[i + 1].split(",")[film])), films);
+      await page.close();
+    });
+  });
+}
+
+describe("several results", () => {
+  test("are shown side by side with their differences", async () => {
+    const results = ["ball-on-disc", "ball-in-groove"].map((name) => join(folder, name));
+    const file = join(folder, "view.html");
+    run("view", ...results, "--output", file, "--no-browser");
+    await lookAt("view", file);
+    const page = await open(file);
+    assert.equal((await page.$$(".map")).length, 3);
+    await page.close();
+  });
+  test("are equal to themselves", async () => {
+    const file = join(folder, "same.html");
+    const one = join(folder, "ball-on-disc");
+    run("view", one, one, "--output", file, "--no-browser");
+    const page = await open(file);
+    const [a, b] = await page.$eval("#reading", (e) => JSON.parse(e.dataset.values));
+    assert.deepEqual(a, b);
+    await page.close();
+  });
+});

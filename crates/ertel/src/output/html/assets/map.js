@@ -1,0 +1,289 @@
+// A map of a field: colours, contours, the edge of the dry contact, and a cursor.
+
+// Stops of the colour scale viridis (Smith and van der Walt 2015, CC0), and of one that diverges from white.
+const VIRIDIS = ["440154", "481a6c", "472f7d", "414487", "39568c", "31688e", "2a788e", "23888e", "1f988b", "22a884", "35b779", "54c568", "7ad151", "a5db36", "d2e21b", "fde725"];
+const DIVERGING = ["053061", "2166ac", "4393c3", "92c5de", "d1e5f0", "f7f7f7", "fddbc7", "f4a582", "d6604d", "b2182b", "67001f"];
+
+function ramp(stops) {
+  const parse = (hex) => [0, 2, 4].map((i) => parseInt(hex.slice(i, i + 2), 16));
+  const all = stops.map(parse);
+  const table = new Uint8ClampedArray(256 * 3);
+  for (let i = 0; i < 256; i++) {
+    const at = i / 255 * (all.length - 1);
+    const low = Math.min(all.length - 2, Math.floor(at));
+    for (let c = 0; c < 3; c++) table[3 * i + c] = all[low][c] + (at - low) * (all[low + 1][c] - all[low][c]);
+  }
+  return table;
+}
+
+const RAMPS = { viridis: ramp(VIRIDIS), diverging: ramp(DIVERGING) };
+
+// Round numbers between two others, about n of them.
+function roundTicks(low, high, n) {
+  const raw = (high - low) / n;
+  if (!(raw > 0)) return [low];
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw * 0.999);
+  const ticks = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) ticks.push(i * step === 0 ? 0 : i * step);
+  return ticks;
+}
+
+function tickText(ticks) {
+  const step = ticks.length > 1 ? Math.abs(ticks[1] - ticks[0]) : Math.abs(ticks[0]) || 1;
+  const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  return (v) => (Math.abs(v) >= 1e5 ? v.toExponential(1) : v.toFixed(Math.min(places, 6)).replace("-", "−"));
+}
+
+// Segments of the contour at a level through the pixels of a raster (marching squares).
+function contour(raster, width, height, level, segment) {
+  for (let j = 0; j + 1 < height; j++) {
+    for (let i = 0; i + 1 < width; i++) {
+      const at = j * width + i;
+      const v = [raster[at], raster[at + 1], raster[at + width + 1], raster[at + width]];
+      const low = Math.min(...v);
+      if (!(low < level && Math.max(...v) >= level)) continue;
+      const cut = [];
+      for (let e = 0; e < 4; e++) {
+        const [p, q] = [v[e], v[(e + 1) % 4]];
+        if ((p < level) === (q < level)) continue;
+        const t = (level - p) / (q - p);
+        cut.push([[i + t, j], [i + 1, j + t], [i + 1 - t, j + 1], [i, j + 1 - t]][e]);
+      }
+      for (let c = 0; c + 1 < cut.length; c += 2) segment(cut[c], cut[c + 1]);
+    }
+  }
+}
+
+class FieldMap {
+  // `sample(window, width, height)` gives values in the shown unit; `window` in half-widths.
+  constructor(host, { caption, window, zone, onCursor, describe }) {
+    this.window = window;
+    this.zone = zone;
+    this.figure = document.createElement("figure");
+    this.figure.className = "map";
+    const title = document.createElement("figcaption");
+    title.textContent = caption;
+    this.canvas = document.createElement("canvas");
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "application");
+    this.canvas.setAttribute("aria-label", describe);
+    this.canvas.setAttribute("aria-describedby", "map-help");
+    this.figure.append(title, this.canvas);
+    host.append(this.figure);
+    this.canvas.addEventListener("pointerdown", (e) => { const p = this.place(e); if (p) onCursor(p); });
+    this.canvas.addEventListener("pointermove", (e) => { if (e.buttons & 1) { const p = this.place(e); if (p) onCursor(p); } });
+    this.canvas.addEventListener("keydown", (e) => {
+      const step = e.shiftKey ? 0.1 : 0.01;
+      const move = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[e.key];
+      if (!move) return;
+      e.preventDefault();
+      onCursor([this.cursor[0] + move[0], this.cursor[1] + move[1]]);
+    });
+    this.cursor = [0, 0];
+  }
+
+  layout() {
+    const ratio = Math.min(2, devicePixelRatio || 1);
+    const width = Math.max(260, this.canvas.clientWidth || this.figure.clientWidth);
+    const [left, right, top, bottom] = [50, 92, 8, 44];
+    const inner = width - left - right;
+    const [[x0, x1], [y0, y1]] = this.window;
+    let height = inner * (y1 - y0) / (x1 - x0);
+    let used = inner;
+    const tallest = 560;
+    if (height > tallest) { used = inner * tallest / height; height = tallest; }
+    this.frame = { left, top, width: Math.round(used), height: Math.round(height) };
+    const full = top + this.frame.height + bottom;
+    this.canvas.style.height = `${full}px`;
+    this.canvas.width = width * ratio;
+    this.canvas.height = full * ratio;
+    this.ratio = ratio;
+  }
+
+  // Draws a raster of the frame's size; `values` as `{sample, range, log, ramp, unit, contours}`.
+  draw(values) {
+    if (!this.figure.clientWidth) return;
+    this.layout();
+    this.values = values;
+    const { width, height } = this.frame;
+    const cells = [Math.round(width * this.ratio), Math.round(height * this.ratio)];
+    this.raster = values.sample(this.window, ...cells);
+    this.cells = cells;
+    const [low, high] = values.range(this.raster);
+    this.range = [low, high];
+    const place = values.log ? (v) => Math.log(v / low) / Math.log(high / low) : (v) => (v - low) / (high - low || 1);
+    const table = RAMPS[values.ramp ?? "viridis"];
+    const image = new ImageData(...cells);
+    for (let i = 0; i < this.raster.length; i++) {
+      const v = this.raster[i];
+      if (!Number.isFinite(v)) continue;
+      const at = 3 * Math.max(0, Math.min(255, Math.round(255 * place(v))));
+      image.data[4 * i] = table[at]; image.data[4 * i + 1] = table[at + 1]; image.data[4 * i + 2] = table[at + 2]; image.data[4 * i + 3] = 255;
+    }
+    this.image = document.createElement("canvas");
+    [this.image.width, this.image.height] = cells;
+    this.image.getContext("2d").putImageData(image, 0, 0);
+    this.place01 = place;
+    this.paint();
+  }
+
+  levels() {
+    const [low, high] = this.range;
+    if (this.values.log) return [];
+    return roundTicks(low, high, 9).filter((v) => v > low && v < high);
+  }
+
+  paint() {
+    if (!this.image) return;
+    const ctx = this.canvas.getContext("2d");
+    const { left, top, width, height } = this.frame;
+    ctx.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    ctx.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    ctx.imageSmoothingEnabled = false;
+    ctx.drawImage(this.image, left, top, width, height);
+    const ink = colour("--ink");
+    ctx.font = "12px system-ui, sans-serif";
+    if (this.values.contours) this.paintContours(ctx);
+    this.paintZone(ctx);
+    this.paintAxes(ctx, ink);
+    this.paintBar(ctx, ink);
+    this.paintCursor(ctx);
+  }
+
+  paintContours(ctx) {
+    const { left, top } = this.frame;
+    ctx.strokeStyle = "rgba(0,0,0,0.55)";
+    ctx.lineWidth = 0.8;
+    ctx.beginPath();
+    for (const level of this.levels()) {
+      contour(this.raster, ...this.cells, level, (p, q) => {
+        ctx.moveTo(left + (p[0] + 0.5) / this.ratio, top + (p[1] + 0.5) / this.ratio);
+        ctx.lineTo(left + (q[0] + 0.5) / this.ratio, top + (q[1] + 0.5) / this.ratio);
+      });
+    }
+    ctx.stroke();
+  }
+
+  toPixel(x, y) {
+    const [[x0, x1], [y0, y1]] = this.window;
+    const { left, top, width, height } = this.frame;
+    return [left + (x - x0) / (x1 - x0) * width, top + (y1 - y) / (y1 - y0) * height];
+  }
+
+  place(event) {
+    const box = this.canvas.getBoundingClientRect();
+    const { left, top, width, height } = this.frame;
+    const [u, v] = [(event.clientX - box.left - left) / width, (event.clientY - box.top - top) / height];
+    if (u < 0 || u > 1 || v < 0 || v > 1) return null;
+    const [[x0, x1], [y0, y1]] = this.window;
+    return [x0 + u * (x1 - x0), y1 - v * (y1 - y0)];
+  }
+
+  paintZone(ctx) {
+    const { left, top, width, height } = this.frame;
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(left, top, width, height);
+    ctx.clip();
+    for (const [style, dash] of [["rgba(0,0,0,0.8)", []], ["#ffffff", [5, 5]]]) {
+      ctx.strokeStyle = style;
+      ctx.setLineDash(dash);
+      ctx.lineWidth = 1.3;
+      ctx.beginPath();
+      this.zone.forEach(([x, y], i) => ctx[i ? "lineTo" : "moveTo"](...this.toPixel(x, y)));
+      ctx.closePath();
+      ctx.stroke();
+    }
+    ctx.restore();
+  }
+
+  paintAxes(ctx, ink) {
+    const { left, top, width, height } = this.frame;
+    const [[x0, x1], [y0, y1]] = this.window;
+    ctx.strokeStyle = ink;
+    ctx.fillStyle = ink;
+    ctx.lineWidth = 1;
+    ctx.strokeRect(left, top, width, height);
+    const xs = roundTicks(x0, x1, 6);
+    const ys = roundTicks(y0, y1, 6);
+    ctx.beginPath();
+    ctx.textAlign = "center";
+    ctx.textBaseline = "top";
+    const xText = tickText(xs);
+    for (const v of xs) {
+      const [x] = this.toPixel(v, 0);
+      ctx.moveTo(x, top + height); ctx.lineTo(x, top + height + 4);
+      ctx.fillText(xText(v), x, top + height + 6);
+    }
+    ctx.textAlign = "right";
+    ctx.textBaseline = "middle";
+    const yText = tickText(ys);
+    for (const v of ys) {
+      const [, y] = this.toPixel(0, v);
+      ctx.moveTo(left, y); ctx.lineTo(left - 4, y);
+      ctx.fillText(yText(v), left - 7, y);
+    }
+    ctx.stroke();
+    ctx.textAlign = "center";
+    ctx.textBaseline = "bottom";
+    ctx.fillText("x/a", left + width / 2, top + height + 40);
+    ctx.save();
+    ctx.translate(14, top + height / 2);
+    ctx.rotate(-Math.PI / 2);
+    ctx.fillText("y/a", 0, 0);
+    ctx.restore();
+  }
+
+  paintBar(ctx, ink) {
+    const { left, top, width, height } = this.frame;
+    const [x, w] = [left + width + 14, 14];
+    const table = RAMPS[this.values.ramp ?? "viridis"];
+    for (let i = 0; i < height; i++) {
+      const at = 3 * Math.round(255 * (1 - i / Math.max(1, height - 1)));
+      ctx.fillStyle = `rgb(${table[at]},${table[at + 1]},${table[at + 2]})`;
+      ctx.fillRect(x, top + i, w, 1.5);
+    }
+    ctx.strokeStyle = ink;
+    ctx.strokeRect(x, top, w, height);
+    const [low, high] = this.range;
+    const decades = () => {
+      const ticks = [];
+      for (let p = Math.ceil(Math.log10(low)); p <= Math.log10(high); p++) ticks.push(10 ** p);
+      return ticks.length ? ticks : [low, high];
+    };
+    const ticks = this.values.log ? decades() : roundTicks(low, high, Math.max(3, Math.min(9, height / 40)));
+    const text = this.values.log ? (v) => digits(v, 1) : tickText(ticks);
+    ctx.fillStyle = ink;
+    ctx.textAlign = "left";
+    ctx.textBaseline = "middle";
+    ctx.beginPath();
+    for (const v of ticks) {
+      const y = top + (1 - this.place01(v)) * height;
+      ctx.moveTo(x + w, y); ctx.lineTo(x + w + 4, y);
+      ctx.fillText(text(v), x + w + 7, y);
+    }
+    ctx.stroke();
+    ctx.textBaseline = "bottom";
+    ctx.fillText(this.values.unit, x, top + height + 26);
+  }
+
+  paintCursor(ctx) {
+    const [x, y] = this.toPixel(...this.cursor);
+    const { left, top, width, height } = this.frame;
+    if (x < left || x > left + width || y < top || y > top + height) return;
+    for (const [style, w] of [["rgba(0,0,0,0.75)", 3], ["#ffffff", 1.2]]) {
+      ctx.strokeStyle = style;
+      ctx.lineWidth = w;
+      ctx.beginPath();
+      ctx.moveTo(left, y); ctx.lineTo(x - 7, y); ctx.moveTo(x + 7, y); ctx.lineTo(left + width, y);
+      ctx.moveTo(x, top); ctx.lineTo(x, y - 7); ctx.moveTo(x, y + 7); ctx.lineTo(x, top + height);
+      ctx.stroke();
+      ctx.beginPath();
+      ctx.arc(x, y, 6, 0, 2 * Math.PI);
+      ctx.stroke();
+    }
+  }
+
+  moveTo(x, y) { this.cursor = [x, y]; this.paint(); }
+}

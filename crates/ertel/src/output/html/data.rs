@@ -1,0 +1,252 @@
+//! What a page knows of a result: figures, fields on the mesh, profiles, iterations.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use serde_json::{Value, json};
+
+use crate::contact::Symmetry;
+use crate::output::CaseEcho;
+use crate::solution::{ContactFields, Estimate, Field, FilmTemperatures, Located, Solution};
+
+/// Value of the key `format` of the data.
+pub const DATA_FORMAT: &str = "ertel-report";
+/// Version of the layout of the data.
+pub const DATA_VERSION: u64 = 1;
+
+/// Bytes of fields that a page holds at the most, before they are written as text; so it stays below 2 MB.
+const MOST_BYTES: usize = 1_150_000;
+
+/// Half-widths of the dry contact that maps reach beyond it.
+const MARGIN: f64 = 1.5;
+
+/// Fields on the contact area in the order in which they are kept where there is no room for all.
+const BY_IMPORTANCE: [Field; 14] = [
+    Field::Pressure,
+    Field::FilmThickness,
+    Field::TemperatureMid,
+    Field::ShearStressMid,
+    Field::TemperatureBody1,
+    Field::TemperatureBody2,
+    Field::TemperatureMean,
+    Field::Viscosity,
+    Field::GeneralizedViscosityMid,
+    Field::ShearRateMid,
+    Field::Deflection,
+    Field::Density,
+    Field::ShearStressBody1,
+    Field::ShearStressBody2,
+];
+
+/// The data of one solution.
+pub fn data(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Value {
+    let [zone_x, zone_y] = solution.shape.zone.half_extents();
+    let a = solution.hertz.half_width;
+    let history: Vec<Value> = (solution.history.iter())
+        .map(|r| {
+            json!({
+                "stage": r.level + 1,
+                "residual": r.residual,
+                "update": r.update,
+                "film_central": r.film_central,
+            })
+        })
+        .collect();
+    json!({
+        "format": DATA_FORMAT,
+        "version": DATA_VERSION,
+        "title": case.title,
+        "kind": solution.shape.kind,
+        "half_width": a,
+        "zone": [a * zone_x, a * zone_y],
+        "reference_temperature": case.temperature,
+        "figures": figures(solution),
+        "mesh": mesh(solution),
+        "centreline": centreline(solution),
+        "history": history,
+        "tolerance": tolerance,
+    })
+}
+
+/// The figures that a page shows large, with the places of those that have one.
+fn figures(solution: &Solution) -> Vec<Value> {
+    let s = &solution.summary;
+    let plain = |name: &str, words: &str, symbol: &str, unit: &str, e: Estimate| {
+        let uncertainty = solution.uncertainty.as_ref().and_then(|u| {
+            let found = u.0.iter().find(|u| u.figure.name() == name)?;
+            Some(found.half_width)
+        });
+        json!({
+            "name": name, "words": words, "symbol": symbol, "unit": unit,
+            "value": e.value, "error": e.error, "uncertainty": uncertainty,
+        })
+    };
+    let located = |name: &str, words: &str, symbol: &str, unit: &str, at: &Located| {
+        let mut figure = plain(name, words, symbol, unit, at.estimate());
+        figure["x"] = at.x.into();
+        figure["y"] = at.y.into();
+        figure["place_error"] = at.place_error.into();
+        figure
+    };
+    let mut figures = vec![
+        plain(
+            "film_central",
+            "central film thickness",
+            "h_c",
+            "m",
+            s.film_central,
+        ),
+        located(
+            "film_minimum",
+            "minimum film thickness",
+            "h_min",
+            "m",
+            &s.film_minimum_at,
+        ),
+        located(
+            "pressure_maximum",
+            "largest pressure",
+            "p_max",
+            "Pa",
+            &s.pressure_maximum,
+        ),
+        plain(
+            "traction_coefficient",
+            "traction coefficient",
+            "µ",
+            "",
+            solution.traction.coefficient,
+        ),
+    ];
+    figures[0]["x"] = 0.0.into();
+    figures[0]["y"] = 0.0.into();
+    if let Some(thermal) = &solution.thermal {
+        figures.push(located(
+            "film_temperature_maximum",
+            "largest film temperature",
+            "T_max",
+            "K",
+            &thermal.film_maximum,
+        ));
+    }
+    if let Some(mixed) = &solution.mixed {
+        figures.push(plain(
+            "lambda_minimum",
+            "lambda ratio",
+            "λ",
+            "",
+            mixed.lambda_minimum,
+        ));
+    }
+    figures
+}
+
+/// A field as text: its name, unit and values in single precision.
+fn field(field: Field, values: impl Iterator<Item = f64>) -> Value {
+    let bytes: Vec<u8> = values.flat_map(|v| (v as f32).to_le_bytes()).collect();
+    json!({
+        "name": field.name(),
+        "words": field.words(),
+        "unit": field.unit(),
+        "values": STANDARD.encode(bytes),
+    })
+}
+
+/// The elements of the contact and its margin with the fields on them; nothing of line contacts, whose profiles say all.
+fn mesh(solution: &Solution) -> Value {
+    let surface = &solution.surface;
+    if !solution.shape.kind.is_point() || surface.elements.is_empty() {
+        return Value::Null;
+    }
+    let temperatures = solution.thermal.as_ref().map(|t| &t.surface);
+    let fields = ContactFields::columns(surface, temperatures);
+    let a = solution.hertz.half_width;
+    let zone = solution.shape.zone.half_extents();
+    let reach = zone.map(|half| a * (half + MARGIN * zone[0].min(zone[1])));
+    let per_element = (surface.order + 1) * (surface.order + 2) / 2;
+    let is_near = |element: &&[u32]| {
+        (element.iter().take(3)).any(|n| {
+            let p = surface.points[*n as usize];
+            p[0].abs() <= reach[0] && p[1].abs() <= reach[1]
+        })
+    };
+    let near = surface.elements.chunks_exact(per_element).filter(is_near);
+    let mut number = vec![u32::MAX; surface.points.len()];
+    let (mut kept, mut nodes) = (Vec::new(), Vec::new());
+    for node in near.flatten() {
+        let own = &mut number[*node as usize];
+        if *own == u32::MAX {
+            *own = kept.len() as u32;
+            kept.push(*node as usize);
+        }
+        nodes.push(*own);
+    }
+    let node_bytes = if kept.len() <= usize::from(u16::MAX) {
+        2
+    } else {
+        4
+    };
+    let text = match node_bytes {
+        2 => STANDARD.encode(bytes(&nodes, |n| (n as u16).to_le_bytes())),
+        _ => STANDARD.encode(bytes(&nodes, u32::to_le_bytes)),
+    };
+    let room = MOST_BYTES.saturating_sub(node_bytes * nodes.len());
+    let n_fields = (room / (4 * kept.len().max(1))).saturating_sub(2).max(2);
+    let found = BY_IMPORTANCE.iter().filter_map(|wanted| {
+        let (_, values) = fields.iter().find(|(own, _)| own == wanted)?;
+        Some((*wanted, *values))
+    });
+    let (mut shown, mut left_out) = (Vec::new(), Vec::new());
+    for (own, values) in found {
+        match shown.len() < n_fields {
+            true => shown.push(field(own, kept.iter().map(|i| values[*i]))),
+            false => left_out.push(own.words()),
+        }
+    }
+    let axis = |i: usize| {
+        let values: Vec<f32> = kept.iter().map(|n| surface.points[*n][i] as f32).collect();
+        STANDARD.encode(bytes(&values, f32::to_le_bytes))
+    };
+    json!({
+        "order": surface.order,
+        "mirrored": solution.shape.symmetry == Symmetry::Half,
+        "reach": reach,
+        "x": axis(0),
+        "y": axis(1),
+        "nodes": text,
+        "node_bytes": node_bytes,
+        "fields": shown,
+        "left_out": left_out,
+    })
+}
+
+fn bytes<T: Copy, const N: usize>(values: &[T], of: impl Fn(T) -> [u8; N]) -> Vec<u8> {
+    values.iter().flat_map(|v| of(*v)).collect()
+}
+
+/// The profiles along the centreline where there is a contact to see.
+fn centreline(solution: &Solution) -> Value {
+    let line = &solution.centreline;
+    let a = solution.hertz.half_width;
+    let [half, _] = solution.shape.zone.half_extents();
+    let reach = a * (half + 2.0 * MARGIN);
+    let near: Vec<usize> = (0..line.x.len())
+        .filter(|i| line.x[*i].abs() <= reach)
+        .collect();
+    let temperatures = solution.thermal.as_ref().map(|t| &t.centreline);
+    let all: [(Field, &[f64]); 6] = [
+        (Field::Pressure, &line.pressure),
+        (Field::HertzPressure, &line.hertz_pressure),
+        (Field::FilmThickness, &line.film_thickness),
+        (Field::Deflection, &line.deflection),
+        (Field::Viscosity, &line.viscosity),
+        (Field::Density, &line.density),
+    ];
+    let temperatures = temperatures.into_iter().flat_map(FilmTemperatures::columns);
+    let all = all.into_iter().chain(line.shear.columns());
+    let fields: Vec<Value> = (all.chain(temperatures))
+        .filter(|(_, values)| !values.is_empty())
+        .map(|(own, values)| field(own, near.iter().map(|i| values[*i])))
+        .collect();
+    let x: Vec<f32> = near.iter().map(|i| line.x[*i] as f32).collect();
+    json!({ "x": STANDARD.encode(bytes(&x, f32::to_le_bytes)), "fields": fields })
+}

@@ -1,0 +1,365 @@
+//! `report.html`: a result as one page that needs nothing but a browser.
+//!
+//! The template and its scripts are in `assets`; uPlot (MIT) draws the lines. Text of cases is escaped by the template engine, data
+//! by [`script_data`]; a content security policy in the page forbids it to load anything.
+
+mod data;
+
+use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
+use serde::Serialize;
+use serde_json::{Value, json};
+
+pub use data::{DATA_FORMAT, DATA_VERSION};
+
+use super::lines::{Block, Lines};
+use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
+use super::{CaseEcho, curve_report, curve_table, heat, inputs};
+use crate::contact::ContactKind;
+use crate::solution::Solution;
+use crate::study::CurveSolution;
+
+/// Name of the page in a folder of results.
+pub const REPORT_PAGE: &str = "report.html";
+
+/// Opens the element of a page that holds its data.
+const DATA_OPEN: &str = r#"<script type="application/json" id="ertel-data">"#;
+
+/// Bytes of a table that a page holds at the most.
+const MOST_TABLE_BYTES: usize = 1_500_000;
+
+const TEMPLATE: &str = include_str!("assets/page.html");
+const STYLE: &str = concat!(
+    include_str!("assets/uplot/uPlot.min.css"),
+    include_str!("assets/page.css")
+);
+const SCRIPT: &str = concat!(
+    include_str!("assets/uplot/uPlot.iife.min.js"),
+    "\n(() => {\n\"use strict\";\n",
+    include_str!("assets/field.js"),
+    include_str!("assets/units.js"),
+    include_str!("assets/chart.js"),
+    include_str!("assets/map.js"),
+    include_str!("assets/contact.js"),
+    include_str!("assets/table.js"),
+    include_str!("assets/page.js"),
+    "})();\n"
+);
+
+/// A part of the page: a heading and what stands under it.
+#[derive(Debug, Default, Serialize)]
+struct Section {
+    heading: String,
+    blocks: Vec<Shown>,
+}
+
+/// A piece of a report as the template takes it.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "kebab-case", tag = "kind")]
+enum Shown {
+    Rows {
+        rows: Vec<[String; 2]>,
+    },
+    Line {
+        text: String,
+    },
+    Note {
+        text: String,
+    },
+    Table {
+        head: Vec<String>,
+        rows: Vec<Vec<String>>,
+    },
+}
+
+/// The sections of a report; what comes before the first heading goes under `first`.
+fn sections(lines: Lines, first: &str) -> Vec<Section> {
+    let mut sections = vec![Section {
+        heading: first.to_owned(),
+        ..Section::default()
+    }];
+    for block in lines.blocks {
+        if let Block::Heading(heading) = block {
+            sections.push(Section {
+                heading,
+                ..Section::default()
+            });
+            continue;
+        }
+        let blocks = &mut sections.last_mut().expect("has one").blocks;
+        match block {
+            Block::Row(name, value) => match blocks.last_mut() {
+                Some(Shown::Rows { rows }) => rows.push([name, value]),
+                _ => blocks.push(Shown::Rows {
+                    rows: vec![[name, value]],
+                }),
+            },
+            Block::Line(text) => blocks.push(Shown::Line { text }),
+            Block::Note(text) => blocks.push(Shown::Note { text }),
+            Block::Table(table) => blocks.push(Shown::Table {
+                head: table.head,
+                rows: table.rows,
+            }),
+            Block::Title(_) | Block::Heading(_) | Block::Warnings(_) => {}
+        }
+    }
+    sections.retain(|s| !s.blocks.is_empty());
+    sections
+}
+
+fn part(write: impl FnOnce(&mut Lines), first: &str) -> Vec<Section> {
+    let mut lines = Lines::default();
+    write(&mut lines);
+    sections(lines, first)
+}
+
+/// The page of a solution; `tolerance` of Newton's method is drawn with its iterations.
+pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> String {
+    let mut results = part(
+        |out| {
+            write_results(out, solution);
+            if let Some(thermal) = &solution.thermal {
+                heat::write_results(out, solution, thermal);
+            }
+        },
+        "",
+    );
+    // The heading above them says so.
+    for section in &mut results {
+        if section.heading == "Results" {
+            section.heading.clear();
+        }
+    }
+    let inputs = part(
+        |out| {
+            write_case(out, case);
+            write_contact(
+                out,
+                &solution.hertz,
+                solution.reduced_modulus,
+                &solution.groups,
+                solution.groups_asymptotic.as_ref(),
+            );
+        },
+        "Case",
+    );
+    let warnings: Vec<String> = solution.warnings.iter().map(|w| w.to_string()).collect();
+    let data = json!({
+        "version": DATA_VERSION,
+        "results": [data::data(case, solution, tolerance)],
+    });
+    page(Page {
+        title: &case.title,
+        subtitle: subtitle(solution),
+        warnings,
+        results,
+        inputs,
+        formulas: part(|out| write_formulas(out, solution), ""),
+        sensitivities: part(|out| inputs::write(out, solution), ""),
+        effort: part(|out| write_effort(out, solution), ""),
+        case_file: case.case_file.as_deref(),
+        has_uncertainty: solution.uncertainty.is_some(),
+        data,
+        ..Page::default()
+    })
+}
+
+/// The page of a curve.
+pub fn curve_page(case: &CaseEcho, curve: &CurveSolution) -> String {
+    let unit = curve.quantity.unit();
+    let data = json!({
+        "version": DATA_VERSION,
+        "table": table(&curve_table(curve), 1),
+    });
+    let failed = curve.n_failed();
+    let subtitle = format!(
+        "{} points over {}{}{}",
+        curve.points.len(),
+        curve.quantity.name,
+        if unit.is_empty() { "" } else { " in " },
+        unit,
+    );
+    page(Page {
+        title: &case.title,
+        subtitle,
+        warnings: remarks(&curve_report(case, curve, None)),
+        inputs: part(
+            |out| write_case(out, case),
+            "Case (of the file, before the curve's values)",
+        ),
+        case_file: case.case_file.as_deref(),
+        n_failed: failed,
+        data,
+        ..Page::default()
+    })
+}
+
+/// The page of a study from its table (CSV), whose first columns after the number of the point are the axes.
+pub fn study_page(title: &str, csv: &str, n_axes: usize, warnings: Vec<String>) -> String {
+    let data = json!({ "version": DATA_VERSION, "table": table(csv, n_axes) });
+    let n = csv.lines().count().saturating_sub(1);
+    page(Page {
+        title,
+        subtitle: format!("Study of {n} finished points"),
+        warnings,
+        data,
+        ..Page::default()
+    })
+}
+
+/// Why a text is not shown as a page of results.
+#[derive(Debug, thiserror::Error)]
+pub enum PageError {
+    /// It is something else, or damaged.
+    #[error("it is no page of results of ertel")]
+    NotAPage,
+    /// It was written by another version.
+    #[error(
+        "it was written by a version of ertel with another layout ({found}, not {DATA_VERSION}); solve the case once more"
+    )]
+    Version {
+        /// Version of its layout.
+        found: String,
+    },
+    /// Contacts and tables of points do not go on one page.
+    #[error("results of single contacts and tables of curves or studies cannot be shown together")]
+    Mixed,
+}
+
+/// The page that shows several results together, each by its name and the data of its own page: contacts with the differences
+/// of their fields, or curves and studies with their points in one table.
+///
+/// # Errors
+/// [`PageError::Mixed`].
+pub fn joint_page(parts: Vec<(String, Value)>) -> Result<String, PageError> {
+    let n = parts.len();
+    let (mut results, mut tables) = (Vec::new(), Vec::new());
+    for (name, data) in parts {
+        if let Some(found) = data["results"].as_array() {
+            for mut result in found.iter().cloned() {
+                result["name"] = name.clone().into();
+                results.push(result);
+            }
+        }
+        if data["table"].is_object() {
+            let mut table = data["table"].clone();
+            table["name"] = name.into();
+            tables.push(table);
+        }
+    }
+    let (data, what) = match (results.is_empty(), tables.is_empty()) {
+        (false, true) => (
+            json!({ "version": DATA_VERSION, "results": results }),
+            "contacts",
+        ),
+        (true, false) => (
+            json!({ "version": DATA_VERSION, "tables": tables }),
+            "tables",
+        ),
+        _ => return Err(PageError::Mixed),
+    };
+    Ok(page(Page {
+        title: "Comparison of results",
+        subtitle: format!("{n} {what}"),
+        data,
+        ..Page::default()
+    }))
+}
+
+/// The data that a page holds.
+///
+/// # Errors
+/// [`PageError`] of a text that is no page of this version.
+pub fn page_data(page: &str) -> Result<Value, PageError> {
+    let (_, rest) = page.split_once(DATA_OPEN).ok_or(PageError::NotAPage)?;
+    let (text, _) = rest.split_once("</script>").ok_or(PageError::NotAPage)?;
+    let data: Value = serde_json::from_str(text).map_err(|_| PageError::NotAPage)?;
+    match data["version"] == DATA_VERSION {
+        true => Ok(data),
+        false => Err(PageError::Version {
+            found: data["version"].to_string(),
+        }),
+    }
+}
+
+/// A table with the number of columns, after that of the points, which say what was varied.
+fn table(csv: &str, n_axes: usize) -> Value {
+    let end = match csv.get(..MOST_TABLE_BYTES.min(csv.len())) {
+        Some(text) if text.len() == csv.len() => csv.len(),
+        _ => csv
+            .char_indices()
+            .take_while(|(i, _)| *i < MOST_TABLE_BYTES)
+            .filter(|(_, c)| *c == '\n')
+            .last()
+            .map_or(0, |(i, _)| i + 1),
+    };
+    let left_out = csv[end..].lines().count();
+    json!({ "csv": &csv[..end], "n_axes": n_axes, "left_out": left_out })
+}
+
+/// The lines of a curve's report that begin with an exclamation mark.
+fn remarks(report: &str) -> Vec<String> {
+    let marked = report
+        .lines()
+        .filter_map(|line| line.trim().strip_prefix("! "));
+    marked.map(str::to_owned).collect()
+}
+
+fn subtitle(solution: &Solution) -> String {
+    let g = &solution.groups;
+    let kind = match solution.shape.kind {
+        ContactKind::Line => "Line",
+        ContactKind::Circular => "Circular",
+        ContactKind::Elliptical => "Elliptical",
+        ContactKind::Roller => "Roller",
+    };
+    format!(
+        "{} contact, p_h {}, M {}, L {}",
+        kind,
+        super::pressure(solution.hertz.pressure),
+        super::digits(g.moes_load, 4),
+        super::digits(g.moes_material, 4),
+    )
+}
+
+/// What the template takes.
+#[derive(Debug, Default, Serialize)]
+struct Page<'a> {
+    title: &'a str,
+    subtitle: String,
+    warnings: Vec<String>,
+    results: Vec<Section>,
+    inputs: Vec<Section>,
+    formulas: Vec<Section>,
+    sensitivities: Vec<Section>,
+    effort: Vec<Section>,
+    case_file: Option<&'a str>,
+    has_uncertainty: bool,
+    n_failed: usize,
+    #[serde(skip)]
+    data: Value,
+}
+
+fn page(page: Page<'_>) -> String {
+    let mut environment = Environment::new();
+    environment.set_auto_escape_callback(|_| AutoEscape::Html);
+    environment.set_undefined_behavior(UndefinedBehavior::Strict);
+    environment
+        .add_template("page", TEMPLATE)
+        .expect("the template is ours");
+    let template = environment.get_template("page").expect("just added");
+    let data = script_data(&page.data);
+    template
+        .render(context! {
+            page => minijinja::value::Serde(&page),
+            style => minijinja::Value::from_safe_string(STYLE.to_owned()),
+            script => minijinja::Value::from_safe_string(SCRIPT.to_owned()),
+            data => minijinja::Value::from_safe_string(format!("{DATA_OPEN}{data}</script>")),
+            version => env!("CARGO_PKG_VERSION"),
+        })
+        .expect("the template is ours")
+}
+
+/// JSON that ends no script and opens none.
+fn script_data(data: &Value) -> String {
+    data.to_string().replace('<', "\\u003c")
+}

@@ -1,0 +1,152 @@
+//! A report as headings, rows and tables: written as text here, as a page by [`super::html`].
+
+use std::fmt::Write;
+
+use crate::warning::Warning;
+
+/// Width of the column of names.
+pub(super) const NAME_WIDTH: usize = 34;
+
+/// A piece of a report.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Block {
+    /// Title of the whole.
+    Title(String),
+    /// Heading of what follows.
+    Heading(String),
+    /// A quantity and its value.
+    Row(String, String),
+    /// A sentence.
+    Line(String),
+    /// A note to the table above, such as a source.
+    Note(String),
+    /// A table.
+    Table(Table),
+    /// What the user should know.
+    Warnings(Vec<String>),
+}
+
+/// A table with a head.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Table {
+    /// Titles of the columns.
+    pub head: Vec<String>,
+    /// Cells.
+    pub rows: Vec<Vec<String>>,
+    /// Width of each column as text, and the blanks that follow it in any case.
+    pub widths: Vec<(usize, usize)>,
+}
+
+/// A report in the making.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Lines {
+    /// Its pieces in their order.
+    pub blocks: Vec<Block>,
+}
+
+impl Lines {
+    pub fn title(&mut self, title: &str) {
+        // Control characters of a title stay out of the terminal
+        let mut clean: String = title.chars().filter(|c| !c.is_control()).collect();
+        if clean.trim().is_empty() {
+            clean = "Elastohydrodynamic contact".to_owned();
+        }
+        self.blocks.push(Block::Title(clean));
+    }
+
+    pub fn heading(&mut self, heading: &str) {
+        self.blocks.push(Block::Heading(heading.to_owned()));
+    }
+
+    pub fn line(&mut self, text: &str) {
+        self.blocks.push(Block::Line(text.to_owned()));
+    }
+
+    pub fn note(&mut self, text: &str) {
+        self.blocks.push(Block::Note(text.to_owned()));
+    }
+
+    pub fn row(&mut self, name: &str, value: impl AsRef<str>) {
+        let value = value.as_ref().to_owned();
+        self.blocks.push(Block::Row(name.to_owned(), value));
+    }
+
+    pub fn table(&mut self, table: Table) {
+        self.blocks.push(Block::Table(table));
+    }
+
+    /// Under a heading of their own, if there are any.
+    pub fn warnings(&mut self, warnings: &[Warning]) {
+        if warnings.is_empty() {
+            return;
+        }
+        self.heading("Warnings");
+        let texts = warnings.iter().map(Warning::to_string).collect();
+        self.blocks.push(Block::Warnings(texts));
+    }
+
+    /// The report as text for a terminal.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        for block in &self.blocks {
+            // Writing to a string does not fail.
+            let _ = block.write(&mut text);
+        }
+        text
+    }
+}
+
+impl Block {
+    fn write(&self, out: &mut String) -> std::fmt::Result {
+        match self {
+            Block::Title(title) => {
+                let rule = "─".repeat(title.chars().count().max(4));
+                writeln!(out, "{title}\n{rule}")
+            }
+            Block::Heading(heading) => writeln!(out, "\n{heading}"),
+            Block::Row(name, value) => writeln!(out, "  {name:<NAME_WIDTH$}{value}"),
+            Block::Line(text) => writeln!(out, "  {}", text.trim_end()),
+            Block::Note(text) => writeln!(out, "  · {text}"),
+            Block::Table(table) => (std::iter::once(&table.head).chain(&table.rows))
+                .try_for_each(|row| writeln!(out, "{}", table.line(row))),
+            Block::Warnings(warnings) => warnings
+                .iter()
+                .try_for_each(|warning| writeln!(out, "  ! {warning}")),
+        }
+    }
+}
+
+impl Table {
+    fn line(&self, row: &[String]) -> String {
+        let mut line = "  ".to_owned();
+        for (cell, (width, gap)) in row.iter().zip(&self.widths) {
+            let _ = write!(line, "{cell:<width$}{:gap$}", "");
+        }
+        line.trim_end().to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_as_text() {
+        let mut out = Lines::default();
+        out.title("A \u{1b}ball");
+        out.heading("Results");
+        out.row("film", "1 nm");
+        out.table(Table {
+            head: ["", "a", "b"].map(str::to_owned).to_vec(),
+            rows: vec![["x", "too wide", "2"].map(str::to_owned).to_vec()],
+            widths: vec![(3, 0), (4, 1), (4, 0)],
+        });
+        out.note("source");
+        out.warnings(&[Warning::from("look".to_owned())]);
+        let row = format!("  film{}1 nm\n", " ".repeat(NAME_WIDTH - 4));
+        let expected = format!(
+            "A ball\n──────\n\nResults\n{row}     a    b\n  x  too wide 2\n  · source\n\nWarnings\n  ! look\n"
+        );
+        assert_eq!(out.text(), expected);
+    }
+}
