@@ -98,7 +98,7 @@ fn write_formulas(out: &mut Lines, estimate: &CaseEstimate) {
         row(out, f, star);
     }
     for f in &estimate.formulas {
-        out.note(&f.source);
+        out.note(f.source);
     }
 }
 
@@ -192,7 +192,7 @@ fn write_thermal(out: &mut Lines, estimate: &CaseEstimate) {
         out.row(&name, digits(f.factor, 4));
     }
     for f in &thermal.factors {
-        out.note(&f.source);
+        out.note(f.source);
     }
 }
 

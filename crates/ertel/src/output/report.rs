@@ -406,7 +406,7 @@ pub(super) fn write_formulas(out: &mut Lines, solution: &Solution) {
         widths: vec![(NAME_WIDTH, 0), (VALUE_WIDTH, 2), (0, 0)],
     });
     for f in &solution.formulas {
-        out.note(&f.source);
+        out.note(f.source);
     }
 }
 

@@ -363,3 +363,82 @@ fn page(page: Page<'_>) -> String {
 fn script_data(data: &Value) -> String {
     data.to_string().replace('<', "\\u003c")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture;
+    use super::*;
+
+    fn sample(kind: ContactKind) -> (CaseEcho, Solution) {
+        (fixture::case_echo(kind), fixture::solution(kind))
+    }
+
+    /// Titles and case files are text, whatever they hold, and the data end no script.
+    #[test]
+    fn text_of_users_stays_text() {
+        let (mut case, solution) = sample(ContactKind::Circular);
+        case.title = "</script><script>alert(1)</script> & \"ball\"".to_owned();
+        case.case_file = Some("<!-- <b>title</b> -->".to_owned());
+        let page = report_page(&case, &solution, 1e-6);
+        assert_eq!(page.matches("<script").count(), 2);
+        assert_eq!(page.matches("</script>").count(), 2);
+        assert!(page.contains("&lt;!-- &lt;b&gt;title"));
+        let data = page_data(&page).unwrap();
+        assert_eq!(data["results"][0]["title"], case.title);
+    }
+
+    /// The page loads nothing: its policy says so, and there is no address but that in the licence of uPlot.
+    #[test]
+    fn pages_need_no_network() {
+        let (case, solution) = sample(ContactKind::Line);
+        let page = report_page(&case, &solution, 1e-6);
+        assert!(page.contains("default-src 'none'"));
+        for loading in ["src=\"", "@import", "url(", "<link rel=\"style"] {
+            assert!(!page.contains(loading), "{loading}");
+        }
+        for (kind, has_map) in [(ContactKind::Line, false), (ContactKind::Circular, true)] {
+            let (case, solution) = sample(kind);
+            let data = page_data(&report_page(&case, &solution, 1e-6)).unwrap();
+            assert_eq!(data["results"][0]["mesh"].is_object(), has_map);
+        }
+    }
+
+    /// Figures, warnings and formulas stand in the page for those without scripts.
+    #[test]
+    fn pages_say_what_the_report_says() {
+        let (case, solution) = sample(ContactKind::Circular);
+        let page = report_page(&case, &solution, 1e-6);
+        for expected in ["245.0 ± 0.8 nm", "264.1 nm (+7.8 %)", "the pressure leaves"] {
+            assert!(page.contains(expected), "{expected}");
+        }
+    }
+
+    #[test]
+    fn pages_are_joined_by_kind() {
+        let (case, solution) = sample(ContactKind::Circular);
+        let contact = page_data(&report_page(&case, &solution, 1e-6)).unwrap();
+        let study = page_data(&study_page("a study", "point,a\n1,2\n", 1, Vec::new())).unwrap();
+        let named = |data: &Value| ("one".to_owned(), data.clone());
+        let both = page_data(&joint_page(vec![named(&contact), named(&contact)]).unwrap());
+        assert_eq!(both.unwrap()["results"].as_array().unwrap().len(), 2);
+        let both = page_data(&joint_page(vec![named(&study), named(&study)]).unwrap());
+        assert_eq!(both.unwrap()["tables"][1]["name"], "one");
+        let mixed = joint_page(vec![named(&contact), named(&study)]);
+        assert!(matches!(mixed, Err(PageError::Mixed)));
+        assert!(matches!(page_data("<html>"), Err(PageError::NotAPage)));
+        let old = format!("{DATA_OPEN}{{\"version\":0}}</script>");
+        assert!(matches!(page_data(&old), Err(PageError::Version { .. })));
+    }
+
+    /// A table that is too long ends after a whole line, and the page knows how many are left out.
+    #[test]
+    fn long_tables_are_cut() {
+        let csv = "point,a\n".to_owned() + &"1,22222222\n".repeat(200_000);
+        let cut = table(&csv, 1);
+        let kept = cut["csv"].as_str().unwrap();
+        assert!(kept.len() <= MOST_TABLE_BYTES && kept.ends_with('\n'));
+        let n = kept.lines().count() + cut["left_out"].as_u64().unwrap() as usize;
+        assert_eq!(n, 200_001);
+        assert_eq!(table("point,a\n1,2\n", 1)["left_out"], 0);
+    }
+}

@@ -11,6 +11,7 @@ use crate::output;
 use crate::output::html::{REPORT_PAGE, study_page};
 use crate::study::journal::{Entries, JOURNAL, Journal, LOCK, Lock, PointKey, Record};
 use crate::study::table::{POINTS, StudyEcho, TABLE};
+use crate::warning::by_kind;
 
 /// Every file that a study writes into its folder.
 pub const FILES: [&str; 7] = [LOCK, JOURNAL, POINTS, TABLE, FILMS, TRACTIONS, REPORT_PAGE];
@@ -106,7 +107,11 @@ pub(super) fn write_results(
         output::write_whole(&path, text.as_bytes()).map_err(|e| SweepError::io(&path, e))
     };
     let table = echo.table(records);
-    let page = study_page(&echo.title, &table, echo.columns.len(), Vec::new());
+    let finished =
+        (echo.points.iter().enumerate()).filter_map(|(i, (key, _))| Some((i, records.get(key)?)));
+    let warnings = by_kind(finished.flat_map(|(i, r)| r.warnings.iter().map(move |w| (i, w))));
+    let warnings = (warnings.iter().map(|merged| merged.line(echo.points.len()))).collect();
+    let page = study_page(&echo.title, &table, echo.columns.len(), warnings);
     write(TABLE, table)?;
     write(REPORT_PAGE, page)?;
     for (name, chart) in [

@@ -21,7 +21,15 @@ function logTicks(u, splits) {
   });
 }
 
-function logLabels(u, splits) { return splits.map((v) => (v == null ? "" : v >= 1e4 || v < 1e-3 ? v.toExponential(0) : digits(v, 1))); }
+function logLabels(u, splits) { return splits.map((v) => (v == null ? "" : v >= 1e4 || v < 1e-3 ? v.toExponential(0).replace("e+", "e") : digits(v, 1))); }
+
+function plainLabels(u, splits) {
+  const text = tickText(splits.filter((v) => v != null));
+  return splits.map((v) => (v == null ? "" : text(v)));
+}
+
+// Room for the longest label of a vertical axis.
+function roomFor(u, labels) { return 16 + 7.2 * Math.max(3, ...(labels ?? []).map((t) => t.length)); }
 
 function errorBars(spec) {
   return (u) => {
@@ -52,6 +60,24 @@ function errorBars(spec) {
   };
 }
 
+// Ends of an axis that hold all values with their error bars; of a logarithmic one with a little room, not whole decades.
+function endsOf(spec, scale, log) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const s of spec.series) {
+    if ((s.scale ?? "y") !== scale) continue;
+    s.data.forEach((v, i) => {
+      if (!Number.isFinite(v) || (log && v <= 0)) return;
+      const e = s.errors?.[i] > 0 ? s.errors[i] : 0;
+      low = Math.min(low, log ? Math.max(v - e, v / 3) : v - e);
+      high = Math.max(high, log ? Math.min(v + e, 3 * v) : v + e);
+    });
+  }
+  if (!(low <= high)) return null;
+  if (log) { const room = Math.max(1.1, (high / low) ** 0.04); return [low / room, high * room]; }
+  const room = 0.05 * (high - low || Math.abs(high) || 1);
+  return [low - room, high + room];
+}
+
 function cursorLine(spec) {
   return (u) => {
     if (spec.mark == null || !Number.isFinite(spec.mark)) return;
@@ -78,17 +104,21 @@ function lineChart(id, spec) {
   const ink = colour("--ink");
   const axis = (label, extra) => ({
     stroke: ink, label, labelSize: 24, labelFont: "13px system-ui, sans-serif", font: "12px system-ui, sans-serif",
-    grid: { stroke: colour("--grid"), width: 1 }, ticks: { stroke: colour("--rule"), width: 1 }, size: 52, ...extra,
+    grid: { stroke: colour("--grid"), width: 1 }, ticks: { stroke: colour("--rule"), width: 1 }, size: roomFor, values: plainLabels, ...extra,
   });
   const logAxis = (log, grid = {}) => (log ? { values: logLabels, filter: logTicks, grid: { stroke: colour("--grid"), width: 1, filter: logTicks, ...grid }, ticks: { stroke: colour("--rule"), width: 1, filter: logTicks } } : {});
   const axes = [axis(spec.x.label, { size: 36, ...logAxis(spec.x.log) }), axis(spec.y.label, { scale: "y", ...logAxis(spec.y.log) })];
   if (spec.right) axes.push(axis(spec.right.label, { scale: "right", side: 1, grid: { show: false }, ...logAxis(spec.right.log, { show: false }) }));
   const distr = (log) => (log ? { distr: 3, log: 10 } : {});
+  const fit = (scale, about) => {
+    const ends = about?.log || spec.series.some((s) => s.errors) ? endsOf(spec, scale, about?.log) : null;
+    return { ...distr(about?.log), ...(ends ? { range: () => ends } : {}), ...about?.range };
+  };
   const options = {
     width: Math.max(240, host.clientWidth), height: spec.height ?? 300,
     padding: [12, spec.right ? 4 : 16, 0, 0],
     cursor: { drag: { x: true, y: false } },
-    scales: { x: { time: false, ...distr(spec.x.log) }, y: { ...distr(spec.y.log), ...spec.y.range }, right: { ...distr(spec.right?.log), ...spec.right?.range } },
+    scales: { x: { time: false, ...(spec.x.log ? { ...distr(true), range: (u, low, high) => [low / 1.05, high * 1.05] } : {}) }, y: fit("y", spec.y), right: fit("right", spec.right) },
     axes,
     series: [
       { label: spec.x.label, value: (u, v) => (v == null ? "–" : digits(v, 5)) },

@@ -85,10 +85,10 @@ class ContactView {
       const f = fields[k];
       for (let i = 0; i < f.values.length; i++) {
         const inside = (r.mesh.x[i] / r.data.zone[0]) ** 2 + (r.mesh.y[i] / r.data.zone[1]) ** 2 < 0.8;
-        if (inside) size = Math.max(size, Math.abs(f.values[i]));
+        if (inside) size = Math.max(size, Math.abs(f.read(f.values[i])));
       }
     });
-    return { name, words: fields[0].words, unit: unitOf(fields[0].unit, size), size };
+    return { name, words: fields[0].words, unit: unitOf(fields[0].unit, size), isWide: fields.every((f) => f.isWide) };
   }
 
   show() {
@@ -97,7 +97,7 @@ class ContactView {
     const contours = document.getElementById("contours").checked;
     const sample = (r) => (w, width, height) => {
       const [xs, ys] = w.map((ends) => ends.map((v) => v * r.a));
-      return r.mesh.raster(r.field(look.name).values, xs, ys, width, height).map(look.unit.show);
+      return r.raster(look.name, xs, ys, width, height).map(look.unit.show);
     };
     const isFilm = look.name === "film_thickness" || look.name === "deflection";
     // Far from the contact the gap is wide: its colours belong to the film.
@@ -113,7 +113,7 @@ class ContactView {
       const [low, high] = ends(sample(of.result)(this.window(), 120, 100));
       common = [Math.min(common[0], low), Math.max(common[1], high)];
     }
-    const log = common[0] > 0 && common[1] > 300 * common[0];
+    const log = look.isWide && common[1] > 100 * common[0];
     for (const { map, of } of this.maps) {
       if (of.minus) {
         const difference = (w, width, height) => {
@@ -176,7 +176,7 @@ class ContactView {
   }
 
   profiles() {
-    const { name, unit, words } = this.shown;
+    const { name, unit, words, isWide } = this.shown;
     const window = this.window();
     const label = `${capital(words)} (${unit.name})`;
     for (const [id, axis] of [["along", 0], ["across", 1]]) {
@@ -196,7 +196,7 @@ class ContactView {
       const most = isFilm ? 3 * Math.max(...this.results.map((r) => unit.show(r.figures[0].value))) : null;
       const range = isFilm ? { range: (u, min, max) => [0, Math.min(most, 1.08 * max)] } : null;
       lineChart(id, {
-        x: { label: axis === 0 ? "x/a" : "y/a", data: at }, y: { label, range }, series, mark: this.cursor[axis], height: 260,
+        x: { label: axis === 0 ? "x/a" : "y/a", data: at }, y: { label, range, log: isWide }, series, mark: this.cursor[axis], height: 260,
         describe: `${capital(words)} ${axis === 0 ? "along" : "across"} the motion through the cursor`,
       });
     }

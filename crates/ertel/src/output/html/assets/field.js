@@ -136,6 +136,14 @@ class Mesh {
   }
 }
 
+// A field over many decades, such as the viscosity, is a polynomial in its logarithm: in itself it would swing below zero.
+function spread(field) {
+  let [low, high] = [Infinity, 0];
+  for (const v of field.values) { low = Math.min(low, v); high = Math.max(high, v); }
+  const isWide = low > 0 && high > 100 * low && field.unit !== "m";
+  return isWide ? { ...field, values: field.values.map(Math.log), read: Math.exp, isWide } : { ...field, read: (v) => v, isWide };
+}
+
 class Result {
   constructor(data, name) {
     this.data = data;
@@ -143,7 +151,7 @@ class Result {
     this.a = data.half_width;
     this.figures = data.figures;
     this.mesh = data.mesh ? new Mesh(data.mesh) : null;
-    this.fields = (data.mesh?.fields ?? []).map((f) => ({ ...f, values: decode(f.values, Float32Array) }));
+    this.fields = (data.mesh?.fields ?? []).map((f) => spread({ ...f, values: decode(f.values, Float32Array) }));
     this.line = {
       x: decode(data.centreline.x, Float32Array),
       fields: data.centreline.fields.map((f) => ({ ...f, values: decode(f.values, Float32Array) })),
@@ -152,5 +160,6 @@ class Result {
 
   field(name) { return this.fields.find((f) => f.name === name); }
   profile(name) { return this.line.fields.find((f) => f.name === name); }
-  value(name, x, y) { const f = this.field(name); return f ? this.mesh.value(f.values, x, y) : NaN; }
+  value(name, x, y) { const f = this.field(name); return f ? f.read(this.mesh.value(f.values, x, y)) : NaN; }
+  raster(name, ...window) { const f = this.field(name); return this.mesh.raster(f.values, ...window).map(f.read); }
 }

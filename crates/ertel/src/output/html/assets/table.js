@@ -17,11 +17,17 @@ function parseCsv(text) {
 const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_Pa_s", "Pa.s"], ["_per_s", "1/s"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"]];
 const PLAIN = ["film_central_m", "film_minimum_m", "pressure_maximum_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "converged"];
 
+const WORDS = {
+  film_central: "central film", film_minimum: "minimum film", pressure_maximum: "largest pressure", hertz_pressure: "Hertz pressure",
+  friction_total: "friction coefficient", lambda_minimum: "lambda ratio", film_temperature_maximum: "largest film temperature",
+  shear_stress_maximum: "largest shear stress",
+};
+
 function describeColumn(title) {
   const last = title.split(".").pop();
   const found = SUFFIXES.find(([suffix]) => last.endsWith(suffix));
   const name = found ? last.slice(0, -found[0].length) : last;
-  return { title, unit: found ? found[1] : "", words: name.replaceAll("_", " "), isError: name.endsWith("_error") };
+  return { title, unit: found ? found[1] : "", words: WORDS[name] ?? name.replaceAll("_", " "), isError: name.endsWith("_error") };
 }
 
 // Several tables as one, whose first column after the number of the point says which result a point is of. Columns are joined by
@@ -165,7 +171,7 @@ class TableView {
         const of = (list, show) => order.map((r) => (g === null || r.cells[by] === g ? show(list[r.i]) : undefined));
         const errors = c.errors >= 0 ? of(this.columns[c.errors].numbers, (e) => e * unit.factor) : null;
         const group = g === null ? "" : this.groupText(by, g);
-        const name = names.length > 1 ? c.words.replace("film ", "") : c.words;
+        const name = c.words;
         series.push({
           label: [names.length > 1 || g === null ? name : "", group].filter(Boolean).join(", "),
           unit: unit.name, data: of(c.numbers, unit.show), errors, points: true, ink: groups.length > 1 ? k : n, dash: n ? [6, 4] : undefined,

@@ -1,0 +1,81 @@
+//! `ertel view`: which files it shows, and which it refuses to write.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn ertel(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap()
+}
+
+fn error(output: &Output) -> (i32, String) {
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    (output.status.code().unwrap(), text)
+}
+
+#[test]
+fn results_are_shown_and_files_of_users_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let case = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/roller.toml");
+    for name in ["one", "two"] {
+        let output = ertel(folder, &["solve", case, "-o", name, "--quiet"]);
+        assert!(output.status.success(), "{output:?}");
+    }
+    let page = fs::read_to_string(folder.join("one/report.html")).unwrap();
+    assert!(page.len() < 2_000_000);
+
+    let single = ertel(folder, &["view", "one", "--no-browser"]);
+    assert_eq!(
+        String::from_utf8_lossy(&single.stdout).trim(),
+        "one/report.html"
+    );
+    let both = [
+        "view",
+        "one",
+        "two/report.html",
+        "--no-browser",
+        "-o",
+        "both.html",
+    ];
+    assert!(ertel(folder, &both).status.success());
+    let joint = fs::read_to_string(folder.join("both.html")).unwrap();
+    assert!(joint.contains("Comparison of results"));
+    // A page of ertel is replaced.
+    assert!(ertel(folder, &both).status.success());
+
+    fs::write(folder.join("mine.html"), "<p>mine</p>").unwrap();
+    fs::create_dir(folder.join("empty")).unwrap();
+    for (arguments, expected) in [
+        (
+            vec!["view", "one", "-o", "mine.html"],
+            "is no page of ertel",
+        ),
+        (
+            vec!["view", "one", "-o", "one/report.html"],
+            "one of the pages to be shown",
+        ),
+        (vec!["view", "one", "-o", "empty"], "it is a folder"),
+        (vec!["view", "empty"], "there is no empty/report.html"),
+        (vec!["view", "nowhere"], "nowhere"),
+        (vec!["view", "mine.html"], "no page of results"),
+        (vec!["view"], "RESULT"),
+    ] {
+        let arguments: Vec<&str> = arguments.into_iter().chain(["--no-browser"]).collect();
+        let (code, text) = error(&ertel(folder, &arguments));
+        assert_eq!(code, 2, "{arguments:?}: {text}");
+        assert!(text.contains(expected), "{arguments:?}: {text}");
+    }
+    assert_eq!(
+        fs::read_to_string(folder.join("mine.html")).unwrap(),
+        "<p>mine</p>"
+    );
+    assert_eq!(
+        fs::read_to_string(folder.join("one/report.html")).unwrap(),
+        page
+    );
+}
