@@ -1,0 +1,177 @@
+//! The documentation: every page is in the table of contents, every link leads somewhere, every command of the guides that start
+//! from shipped files runs.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Pages whose commands are run, each in one folder from the first to the last.
+const RUN: [&str; 9] = [
+    "guide/tutorial.md",
+    "guide/bearing.md",
+    "guide/gear.md",
+    "guide/cam.md",
+    "guide/rig.md",
+    "guide/own-oil.md",
+    "guide/refrigerant.md",
+    "guide/pages.md",
+    "gallery.md",
+];
+
+/// Results of a command that are no failure: a figure that the mesh does not resolve is written all the same, and told.
+const DONE: [i32; 2] = [0, 3];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .canonicalize()
+        .unwrap()
+}
+
+fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            pages(&path, found);
+        } else if path.extension().is_some_and(|e| e == "md") {
+            found.push(path);
+        }
+    }
+}
+
+/// Targets of the links and pictures of a page, outside its code.
+fn links(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut in_code = false;
+    for line in text.lines() {
+        if line.trim_start().starts_with("```") {
+            in_code = !in_code;
+        }
+        if in_code || line.starts_with("    ") {
+            continue;
+        }
+        let line: String = line.split('`').step_by(2).collect();
+        for rest in line.split("](").skip(1) {
+            if let Some((target, _)) = rest.split_once(')') {
+                found.push(target.to_owned());
+            }
+        }
+    }
+    found
+}
+
+/// The name by which a heading is linked.
+fn anchor(heading: &str) -> String {
+    let kept = |c: &char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_');
+    let words: String = heading.to_lowercase().chars().filter(kept).collect();
+    words.trim().replace(' ', "-")
+}
+
+#[test]
+fn every_page_is_in_the_table_of_contents() {
+    let docs = root().join("docs");
+    let mut all = Vec::new();
+    pages(&docs, &mut all);
+    let summary = fs::read_to_string(docs.join("SUMMARY.md")).unwrap();
+    let listed: BTreeSet<PathBuf> = links(&summary).iter().map(|l| docs.join(l)).collect();
+    for page in all {
+        let is_listed = listed.contains(&page) || page.ends_with("SUMMARY.md");
+        assert!(
+            is_listed,
+            "docs/SUMMARY.md does not name {}",
+            page.display()
+        );
+    }
+}
+
+#[test]
+fn every_link_leads_somewhere() {
+    let root = root();
+    let mut all = vec![
+        root.join("README.md"),
+        root.join("CONTRIBUTING.md"),
+        root.join("CHANGELOG.md"),
+    ];
+    pages(&root.join("docs"), &mut all);
+    let mut broken = Vec::new();
+    for page in all {
+        let text = fs::read_to_string(&page).unwrap();
+        for link in links(&text) {
+            if link.starts_with("http") || link.starts_with("mailto:") {
+                continue;
+            }
+            let (path, place) = link.split_once('#').unwrap_or((&link, ""));
+            let target = match path {
+                "" => page.clone(),
+                path => page.parent().unwrap().join(path),
+            };
+            if !target.exists() {
+                broken.push(format!("{}: {link}", page.display()));
+            } else if !place.is_empty() && target.extension().is_some_and(|e| e == "md") {
+                let text = fs::read_to_string(&target).unwrap();
+                let headings = text.lines().filter(|l| l.starts_with('#'));
+                let has_place = headings
+                    .map(|l| anchor(l.trim_start_matches('#')))
+                    .any(|name| name == place);
+                if !has_place && !text.contains(&format!("id=\"{place}\"")) {
+                    broken.push(format!("{}: {link}", page.display()));
+                }
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{}", broken.join("\n"));
+}
+
+/// Copies a folder of shipped files.
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for entry in fs::read_dir(from).unwrap() {
+        let path = entry.unwrap().path();
+        let target = to.join(path.file_name().unwrap());
+        match path.is_dir() {
+            true => copy(&path, &target),
+            false => {
+                fs::copy(&path, target).unwrap();
+            }
+        }
+    }
+}
+
+#[test]
+fn every_command_of_the_guides_runs() {
+    let root = root();
+    let folder = tempfile::tempdir().unwrap();
+    copy(&root.join("cases"), &folder.path().join("cases"));
+    copy(
+        &root.join("validation/appendix-c"),
+        &folder.path().join("validation/appendix-c"),
+    );
+    let mut done = BTreeSet::new();
+    for page in RUN {
+        let text = fs::read_to_string(root.join("docs").join(page)).unwrap();
+        let commands: Vec<&str> = text
+            .lines()
+            .filter_map(|l| l.strip_prefix("    ertel "))
+            .collect();
+        assert!(!commands.is_empty(), "{page} has no command");
+        for command in commands {
+            // The gallery solves what the guides have solved.
+            let same = command.split(" --output").next().unwrap().to_owned();
+            if !done.insert(same) && page == "gallery.md" {
+                continue;
+            }
+            let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
+                .args(command.split_whitespace())
+                .current_dir(folder.path())
+                .output()
+                .unwrap();
+            let code = output.status.code().unwrap();
+            let errors = String::from_utf8_lossy(&output.stderr);
+            assert!(
+                DONE.contains(&code),
+                "{page}: ertel {command}: {code}\n{errors}"
+            );
+        }
+    }
+}
