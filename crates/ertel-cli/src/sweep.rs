@@ -149,7 +149,7 @@ fn report(summary: &SweepSummary, folder: &Path, arguments: &SweepArgs) -> Resul
         );
         if summary.n_again > 0 {
             text += &format!(
-                "{} finished points were solved again, because new ones start from them\n",
+                "{} finished points were recomputed as the starting solutions of new points\n",
                 summary.n_again
             );
         }

@@ -100,7 +100,7 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
     let text = report(&echo, &solution, None);
     for name in [
         "largest pressure",
-        "film ends",
+        "outlet boundary",
         "traction coefficient",
         "friction power",
         "largest shear stress",
@@ -133,7 +133,7 @@ fn without_an_estimate_there_are_no_bars() {
     assert_eq!(solution.summary.pressure_maximum.error, None);
     assert_eq!(solution.traction.friction_power.error, None);
     let text = report(&case.echo(), &solution, None);
-    for name in ["largest pressure", "film ends", "friction power"] {
+    for name in ["largest pressure", "outlet boundary", "friction power"] {
         let line = result(&text, name);
         assert!(
             line.is_some_and(|line| !line.contains('±')),

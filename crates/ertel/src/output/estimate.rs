@@ -107,11 +107,11 @@ fn write_film(out: &mut Lines, estimate: &CaseEstimate) {
     out.heading("The film");
     let by = |name: &str, h: f64| format!("{} ({name})", length(h));
     out.row(
-        "central film reckoned with",
+        "central film used below",
         by(film.central_formula, film.central),
     );
     if let (Some(h), Some(name)) = (film.minimum, film.minimum_formula) {
-        out.row("minimum film reckoned with", by(name, h));
+        out.row("minimum film used below", by(name, h));
     } else {
         out.row(
             "minimum film",

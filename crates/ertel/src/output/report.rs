@@ -252,7 +252,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
         None => out.row("pressure spike", "none on the centreline"),
     }
     out.row(
-        "film ends (centreline)",
+        "outlet boundary (centreline)",
         position(s.outlet_position, solution.hertz.half_width),
     );
     write_starvation(out, solution);

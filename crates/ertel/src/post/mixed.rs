@@ -166,7 +166,7 @@ pub fn share_warning(share: f64) -> Option<Warning> {
     let text = if share > 1.0 {
         format!(
             "at the film of smooth surfaces the asperities would carry {share:.2} times the load: real surfaces stay further apart. \
-             Friction is reckoned with asperities that carry all of the load; the load of the asperities and the film are not those of \
+             Friction is computed with asperities that carry all of the load; the load of the asperities and the film are not those of \
              rough surfaces"
         )
     } else if share > SMALL_SHARE {

@@ -200,8 +200,8 @@ pub fn warnings(
     let centre = central_film(d, &solution.state);
     if d.contact.shape.inlet == Inlet::Flooded && inlet_film < 20.0 * centre {
         let text = format!(
-            "the film at the inlet edge X = {} is only {:.0} times the central film: the contact is \
-             starved by its own contact area; move the edge outward ([mesh] inlet{})",
+            "the film at the inlet edge X = {} is only {:.0} times the central film: the \
+             computational inlet is too short (numerical starvation); move the edge outward ([mesh] inlet{})",
             e.inlet,
             inlet_film / centre,
             if kind.is_point() { ", side" } else { "" }
