@@ -10,6 +10,12 @@ trap 'rm -rf "$place"' EXIT
 "${PYTHON:-python3}" -m venv "$place/venv"
 python=$place/venv/bin/python
 "$python" -m pip install --quiet "maturin>=1.9,<2" pytest nbclient ipykernel mypy pandas pandas-stubs xarray pyvista matplotlib pint pyarrow distributed
+# The README's command to the letter, in an environment that has nothing; then the wheel itself for its size.
+"${PYTHON:-python3}" -m venv "$place/fresh"
+(cd "$root" && "$place/fresh/bin/python" -m pip install --quiet ./crates/ertel-py)
+(cd "$root" && "$place/fresh/bin/python" -c 'import ertel
+result = ertel.Case.from_file("cases/ball-on-disc.toml").solve()
+print(result.film_central, result.pressure.max())')
 "$place/venv/bin/maturin" build --release --locked --manifest-path "$here/Cargo.toml" --out "$place/wheels" --interpreter "$python"
 test "$(stat -c %s "$place"/wheels/*.whl)" -lt 15000000
 "$python" -m pip install --quiet --no-deps "$place"/wheels/*.whl

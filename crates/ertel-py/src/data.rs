@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ertel::fit::{self, Data, Heading, LawName, Params, Property};
+use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property};
 use ertel::solution::Field;
 use ertel_rheology::database;
 use pyo3::prelude::*;
@@ -115,6 +115,89 @@ pub fn fit_law(
         found.rms(),
         warnings,
         fit::entry(&found, &data, &heading),
+    ))
+}
+
+/// Fits a film-thickness formula to the text of a table of films; returns for each film its name, the constants (name, value, interval; nothing for the
+/// exponent of what does not vary), the rms of formula/film - 1, and warnings.
+#[pyfunction]
+#[pyo3(signature = (file, text, form, radius, confidence))]
+#[allow(clippy::type_complexity)]
+pub fn fit_film(
+    file: &str,
+    text: &str,
+    form: &str,
+    radius: Option<f64>,
+    confidence: f64,
+) -> PyResult<
+    Vec<(
+        &'static str,
+        Vec<(&'static str, Option<(f64, [f64; 2])>)>,
+        f64,
+        Vec<String>,
+    )>,
+> {
+    let bad = |text: String| CaseError::new_err(text);
+    if radius.is_some_and(|r| !(r.is_finite() && r > 0.0)) {
+        return Err(bad(
+            "the radius (m) is a finite number above zero".to_owned()
+        ));
+    }
+    let form = FilmForm::named(form, fit::contact_of_films(text))
+        .map_err(|e| bad(format!("{file}: {e}")))?;
+    let mut fits = Vec::new();
+    for kind in [FilmKind::Central, FilmKind::Minimum] {
+        // The asymptotes are those of the central film.
+        if kind == FilmKind::Minimum && matches!(form, FilmForm::Blend(_)) {
+            continue;
+        }
+        let films =
+            fit::read_films(file, text, form, kind, radius).map_err(|e| bad(e.to_string()))?;
+        let Some(films) = films else { continue };
+        let fit = fit::fit_film(&films, confidence).map_err(|e| bad(format!("{file}: {e}")))?;
+        let constants = (form.constants().iter().zip(&fit.constants))
+            .map(|(name, found)| (*name, found.as_ref().map(|c| (c.value, c.interval))))
+            .collect();
+        fits.push((kind.name(), constants, fit.rms(), fit.warnings.clone()));
+    }
+    if fits.is_empty() {
+        return Err(bad(format!(
+            "{file}: there is neither a column film_central_m nor film_minimum_m"
+        )));
+    }
+    Ok(fits)
+}
+
+/// Title, names of the laws (viscosity, shear thinning, density), reference temperature (K), notes and sources of a lubricant.
+#[pyfunction]
+#[allow(clippy::type_complexity)]
+pub fn fluid(
+    name: &str,
+) -> PyResult<(
+    String,
+    [Option<String>; 3],
+    Option<f64>,
+    Vec<String>,
+    Vec<(String, String, String)>,
+)> {
+    let fluid = database::fluid_or_file(name, Path::new(""), None).map_err(errors::database)?;
+    let laws = [
+        Some(fluid.viscosity.name().to_owned()),
+        fluid
+            .shear_thinning
+            .as_ref()
+            .map(|law| law.name().to_owned()),
+        fluid.density.as_ref().map(|law| law.name().to_owned()),
+    ];
+    let sources = (fluid.provenance.iter())
+        .map(|d| (d.key.clone(), d.value.clone(), d.source.clone()))
+        .collect();
+    Ok((
+        fluid.title,
+        laws,
+        fluid.reference_temperature,
+        fluid.notes,
+        sources,
     ))
 }
 

@@ -36,6 +36,8 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(data::viscosity, module)?)?;
     module.add_function(wrap_pyfunction!(data::use_own_data, module)?)?;
     module.add_function(wrap_pyfunction!(data::fit_law, module)?)?;
+    module.add_function(wrap_pyfunction!(data::fit_film, module)?)?;
+    module.add_function(wrap_pyfunction!(data::fluid, module)?)?;
     module.add_function(wrap_pyfunction!(data::field_names, module)?)?;
     Ok(())
 }

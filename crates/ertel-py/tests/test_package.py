@@ -332,6 +332,32 @@ def test_data_and_fits(root: Path, tmp_path: Path, line: dict[str, Any]) -> None
         ertel.fit_viscosity(table, "reynolds")
 
 
+def test_fluids_by_name(tmp_path: Path) -> None:
+    squalane = ertel.fluid("squalane-pip")
+    assert "squalane" in squalane.title.lower() and squalane.viscosity_law and squalane.density_law
+    assert squalane.viscosity(0.0, 313.15) == ertel.viscosity("squalane-pip", 0.0, 313.15)
+    density = squalane.density([0.0, 1e9], 313.15)
+    assert 700.0 < density[0] < density[1] < 1200.0
+    assert any(source for _, source in squalane.sources.values())
+    with pytest.raises(ertel.CaseError, match="squalane"):
+        ertel.fluid("squalene-pip")
+
+
+def test_fits_of_films(tmp_path: Path) -> None:
+    # h = 2e-7 u^0.67 to the digit: the fit gives its constants back.
+    rows = [f"{u},{2e-7 * u**0.67!r}" for u in (0.1, 0.2, 0.5, 1.0, 2.0)]
+    table = tmp_path / "films.csv"
+    table.write_text("entrainment_speed_m_per_s,film_central_m\n" + "\n".join(rows) + "\n")
+    fits = ertel.fit_film(table, "speed")
+    central = fits["central"]
+    assert list(fits) == ["central"] and central.rms < 1e-9
+    c, a = central.constants.values()
+    assert c == pytest.approx(2e-7, rel=1e-6) and a == pytest.approx(0.67, rel=1e-6)
+    for wrong, message in ({"form": "moss"}, "moes"), ({"form": "speed", "radius": -1.0}, "above zero"):
+        with pytest.raises(ertel.CaseError, match=message):
+            ertel.fit_film(table, **wrong)
+
+
 def test_comparisons(cases: Path, tmp_path: Path) -> None:
     pytest.importorskip("pandas")
     measured = tmp_path / "measured.csv"

@@ -13,7 +13,19 @@ Numbers are in SI. Bad input raises :class:`CaseError` with the words of the pro
 """
 
 from ._case import Case, estimate
-from ._data import Fit, fit_density, fit_viscosity, fluids, own_data, solids, viscosity
+from ._data import (
+    FilmFit,
+    Fit,
+    Fluid,
+    fit_density,
+    fit_film,
+    fit_viscosity,
+    fluid,
+    fluids,
+    own_data,
+    solids,
+    viscosity,
+)
 from ._ertel import CaseError, ConvergenceError, OutputError, __version__
 from ._result import Curve, Quantity, Result
 from ._study import StudySummary, compare, merge, sweep
@@ -26,7 +38,9 @@ __all__ = [
     "CaseError",
     "ConvergenceError",
     "Curve",
+    "FilmFit",
     "Fit",
+    "Fluid",
     "OutputError",
     "Quantity",
     "Result",
@@ -35,7 +49,9 @@ __all__ = [
     "compare",
     "estimate",
     "fit_density",
+    "fit_film",
     "fit_viscosity",
+    "fluid",
     "fluids",
     "merge",
     "own_data",

@@ -46,6 +46,120 @@ def viscosity(fluid: str, pressure: ArrayLike, temperature: float) -> NDArray[np
 
 
 @dataclass(frozen=True)
+class Fluid:
+    """A lubricant of the database, of the own data, or of a file.
+
+    Attributes
+    ----------
+    name : str
+        Name or file.
+    title : str
+        What it is, in a few words.
+    viscosity_law, shear_thinning_law, density_law : str or None
+        Names of its laws.
+    reference_temperature : float or None
+        Temperature at which reference viscosity and density hold, K.
+    notes : list of str
+        What to know before using it.
+    sources : dict
+        Value as written and source of each datum, by its key.
+    """
+
+    name: str
+    title: str
+    viscosity_law: str | None
+    shear_thinning_law: str | None
+    density_law: str | None
+    reference_temperature: float | None
+    notes: list[str]
+    sources: dict[str, tuple[str, str]]
+
+    def viscosity(self, pressure: ArrayLike, temperature: float) -> NDArray[np.float64]:
+        """Low-shear viscosity, Pa.s, at pressures above ambient (Pa) and a temperature (K)."""
+        return viscosity(self.name, pressure, temperature)
+
+    def density(self, pressure: ArrayLike, temperature: float) -> NDArray[np.float64]:
+        """Density, kg/m^3, at pressures above ambient (Pa) and a temperature (K); not a number without a law."""
+        pressures = np.asarray(pressure, dtype=float)
+        _, values = _ertel.viscosity(self.name, pressures.ravel().tolist(), float(temperature))
+        return np.array(values).reshape(pressures.shape)
+
+
+def fluid(name: str) -> Fluid:
+    """Look up a lubricant by its name in the database or by its file.
+
+    Raises
+    ------
+    CaseError
+        An unknown name, with the names that are near, or a file with an error.
+    """
+    title, laws, temperature, notes, sources = _ertel.fluid(name)
+    by_key = {key: (value, source) for key, value, source in sources}
+    return Fluid(name, title, laws[0], laws[1], laws[2], temperature, notes, by_key)
+
+
+@dataclass(frozen=True)
+class FilmFit:
+    """A film-thickness formula fitted to computed films.
+
+    Attributes
+    ----------
+    constants : dict
+        Constants of the form by their names; None for the exponent of a variable that does not vary.
+    intervals : dict
+        Their confidence intervals, which reflect scatter only, not model error.
+    rms : float
+        Root mean square of formula/film - 1.
+    warnings : list of str
+        What the films leave open.
+    """
+
+    constants: dict[str, float | None]
+    intervals: dict[str, tuple[float, float] | None]
+    rms: float
+    warnings: list[str]
+
+
+def fit_film(
+    table: str | os.PathLike[str], form: str = "moes", *, radius: float | None = None, confidence: float = 0.95
+) -> dict[str, FilmFit]:
+    """Fit a film-thickness formula to a table of films, as ``ertel fit film`` does.
+
+    Parameters
+    ----------
+    table : path
+        The table of a study, or a CSV file with ``film_central_m`` or ``film_minimum_m`` and what the form needs.
+    form : str
+        ``moes``, ``hamrock-dowson``, ``elliptical``, ``blend``, ``speed`` or ``speed-load``.
+    radius : float, optional
+        Reduced radius of all films, m; the column ``radius_m`` by default.
+    confidence : float
+        Confidence of the intervals.
+
+    Returns
+    -------
+    dict
+        The fits of the ``central`` and the ``minimum`` film, as far as the table has them.
+
+    Raises
+    ------
+    CaseError
+        A table that cannot be read, with line and column; an unknown form; too few films.
+    """
+    path = Path(table)
+    found = _ertel.fit_film(str(path), path.read_text(encoding="utf-8-sig"), form, radius, confidence)
+    return {
+        kind: FilmFit(
+            constants={name: None if c is None else c[0] for name, c in constants},
+            intervals={name: None if c is None else (c[1][0], c[1][1]) for name, c in constants},
+            rms=rms,
+            warnings=warnings,
+        )
+        for kind, constants, rms, warnings in found
+    }
+
+
+@dataclass(frozen=True)
 class Fit:
     """A fitted law.
 
