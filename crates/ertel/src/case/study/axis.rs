@@ -105,6 +105,10 @@ pub(super) fn read(
 
 fn read_values(table: &mut Table<'_>, node: &Node) -> Result<Values, InputError> {
     let keys = ["from", "to", "points", "spacing"];
+    // Errors list the keys in the order in which they are asked for.
+    for key in keys {
+        table.contains(key);
+    }
     if values::is_range(table, "an axis", &keys, "[\"10 N\", \"20 N\"]")? {
         return read_range(table, node);
     }
