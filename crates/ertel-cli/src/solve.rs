@@ -9,7 +9,7 @@ use ertel::params::SensitivityDemand;
 use ertel::run::{self, Session};
 use ertel::solution::Unresolved;
 use ertel::solve::{DiscretisationError, SolveError};
-use ertel::study::{CurveSolution, solve_curve};
+use ertel::study::{CurveSolution, solve_curve, value_text};
 use ertel::warning::{Warning, by_kind};
 
 use crate::args::SolveArgs;
@@ -108,12 +108,10 @@ fn check(case: &Case, path: &Path) -> Result<(), Failure> {
     };
     for (i, point) in curve.points.iter().enumerate() {
         run::check(&point.case).map_err(|error| {
-            let value = output::digits(point.value, 6);
-            let value = format!("{value} {}", curve.quantity.unit());
             Failure::Argument(format!(
                 "{file}: point {} of the curve ({}): {}",
                 i + 1,
-                value.trim_end(),
+                value_text(&curve.quantity, point.value()),
                 Failure::from(error)
             ))
         })?;

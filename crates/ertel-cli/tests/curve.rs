@@ -39,7 +39,11 @@ fn text(bytes: &[u8]) -> &str {
 
 /// The table, a map from column to field for each line. No field here has quotes with a comma.
 fn table(folder: &TempDir) -> Vec<HashMap<String, String>> {
-    let csv = std::fs::read_to_string(folder.path().join("results/case/curve.csv")).unwrap();
+    rows_of(&folder.path().join("results/case/curve.csv"))
+}
+
+fn rows_of(path: &Path) -> Vec<HashMap<String, String>> {
+    let csv = std::fs::read_to_string(path).unwrap();
     let mut lines = csv.lines();
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
     lines
@@ -224,4 +228,53 @@ fn a_thermal_curve_shows_the_isothermal_one() {
     assert!(mean.as_f64().unwrap() > 313.15);
     let picture = std::fs::read_to_string(folder.path().join("results/case/traction-curve.svg"));
     assert!(picture.unwrap().contains("isothermal"));
+}
+
+/// The guide's curve and the study that it corresponds to, as they stand there, of a light contact: the same values, the same
+/// columns, and films within the error bars of both.
+#[test]
+fn the_guide_makes_a_study_of_a_curve() {
+    let guide = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guide/studies.md");
+    let guide = std::fs::read_to_string(guide).unwrap();
+    let (_, section) = guide.split_once("## A curve as a study").unwrap();
+    let blocks: Vec<&str> = (section.split("```toml\n").skip(1))
+        .map(|rest| rest.split("```").next().unwrap())
+        .collect();
+    let folder = workspace(str::to_owned, blocks[0]);
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write("ball-on-disc.toml", include_str!("good/quick.toml"));
+    write("film-over-speed.toml", blocks[1]);
+    let output = solve(&folder, &["case.toml", "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let curve = table(&folder);
+
+    assert!(section.contains("    ertel sweep film-over-speed.toml\n"));
+    let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
+        .args(["sweep", "film-over-speed.toml", "-q"])
+        .current_dir(&folder)
+        .env("ERTEL_CACHE", "")
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let study = rows_of(&folder.path().join("results/film-over-speed/results.csv"));
+    assert_eq!((curve.len(), study.len()), (5, 5));
+    for (point, row) in curve.iter().zip(&study) {
+        let number =
+            |row: &HashMap<String, String>, name: &str| -> f64 { row[name].parse().unwrap() };
+        assert_eq!(
+            point["entrainment_speed_m_per_s"],
+            row["motion.entrainment_speed_m_per_s"]
+        );
+        let own = |name: &&String| {
+            *name != "seconds"
+                && !name.starts_with("newtonian_")
+                && !name.starts_with("isothermal_")
+        };
+        for name in point.keys().filter(own) {
+            assert!(row.contains_key(name), "{name}");
+        }
+        let off = number(point, "film_central_m") - number(row, "film_central_m");
+        let bars = number(point, "film_central_error_m") + number(row, "film_central_error_m");
+        assert!(off.abs() <= bars, "{off:e} m off, bars {bars:e} m");
+    }
 }

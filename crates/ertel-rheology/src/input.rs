@@ -129,18 +129,6 @@ impl Document {
         &self.root
     }
 
-    /// The document with another value at the key path `path`, such as `contact.load`; `None` if there is no such key.
-    /// Errors about the value point to the place of `node`.
-    #[must_use]
-    pub fn with_value(&self, path: &str, node: Node) -> Option<Self> {
-        let mut root = self.root.clone();
-        root.entry_mut(path)?.node = node;
-        Some(Self {
-            source: self.source.clone(),
-            root,
-        })
-    }
-
     /// The document with another file beside it, from which values can be put into it; returns what to add to the spans
     /// of that file's nodes ([`Node::shifted`]), so that errors point there.
     #[must_use]

@@ -2,11 +2,14 @@
 
 use std::path::Path;
 
-use ertel::case::Case;
+use ertel::case::{Case, Study};
+use ertel::output::curve_table;
 use ertel::run::Session;
 use ertel::solution::{Estimate, Solution};
 use ertel::solve::Silent;
-use ertel::study::solve_curve;
+use ertel::study::journal::Record;
+use ertel::study::plan::Plan;
+use ertel::study::{SweepParams, finished_points, solve_curve, sweep_part};
 use ertel_rheology::input::Document;
 
 const ROLLER: &str = r#"
@@ -105,4 +108,59 @@ fn temperatures_with_heat() {
          [curve]\nquantity = \"lubricant.temperature\"\nvalues = [\"40 degC\", \"50 degC\"]\n";
     let document = Document::parse("roller.toml", format!("{roller}{lines}")).unwrap();
     agrees_in(&Case::from_document(&document, Path::new("")).unwrap());
+}
+
+/// A curve and the study of one axis with the same values: with the same chain of starts equal to the last digit, iterations
+/// included; with the tree of a study within the error bars of both.
+#[test]
+fn a_curve_is_the_study_of_one_axis() {
+    let range = "from = \"0.5 m/s\"\nto = \"1.5 m/s\"\npoints = 4\nspacing = \"log\"\n";
+    let key = "\"motion.entrainment_speed\"";
+    let case = case(&format!("[curve]\nquantity = {key}\n{range}"));
+    let curve = case.curve.as_ref().unwrap();
+    let solved = solve_curve(&Session::default(), curve, &mut Silent);
+    let table = curve_table(&solved);
+    let rows: Vec<Vec<&str>> = table.lines().map(|l| l.split(',').collect()).collect();
+    let n_points = curve.points.len();
+    assert_eq!(rows.len(), 1 + n_points);
+
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("study.toml");
+    let study = format!("case = \"base.toml\"\n[[axis]]\nkey = {key}\n{range}");
+    std::fs::write(folder.path().join("base.toml"), ROLLER).unwrap();
+    std::fs::write(&file, study).unwrap();
+    let study = Study::read(&file).unwrap();
+    let run = |plan: &Plan, name: &str| -> Vec<Record> {
+        let target = folder.path().join(name);
+        let params = SweepParams {
+            jobs: Some(1),
+            ..SweepParams::default()
+        };
+        let part = (plan, 0..n_points);
+        sweep_part(&Session::default(), &study, part, &target, &params, &Silent).unwrap();
+        let finished = finished_points(&study, &target).unwrap();
+        finished.into_iter().map(Option::unwrap).collect()
+    };
+
+    for (row, record) in rows[1..].iter().zip(run(&Plan::chain(n_points), "chain")) {
+        let mut n_equal = 0;
+        for (title, value) in rows[0].iter().zip(row) {
+            if let Some(field) = record.field(title) {
+                assert_eq!(field, *value, "{title}");
+                n_equal += 1;
+            }
+        }
+        assert!(n_equal > 50, "{n_equal} columns");
+        assert_eq!(record.field("entrainment_speed_m_per_s").unwrap(), row[1]);
+    }
+    let tree = Plan::new(&study);
+    assert_ne!(tree.order, Plan::chain(n_points).order);
+    for (point, record) in solved.points.iter().zip(run(&tree, "tree")) {
+        let number = |name: &str| -> f64 { record.field(name).unwrap().parse().unwrap() };
+        let [film, _] = films(point.outcome.solution().unwrap());
+        let bars = film.error.unwrap() + number("film_central_error_m");
+        let off = (film.value - number("film_central_m")).abs();
+        assert!(off <= bars, "{off:e} m off, bars {bars:e} m");
+        assert!(bars < 0.01 * film.value);
+    }
 }

@@ -84,20 +84,6 @@ impl Node {
         }
     }
 
-    /// The same, to be changed.
-    pub(super) fn entry_mut(&mut self, path: &str) -> Option<&mut Entry> {
-        let Value::Table(entries) = &mut self.value else {
-            return None;
-        };
-        let (key, rest) = path.split_once('.').unwrap_or((path, ""));
-        let entry = entries.iter_mut().find(|entry| entry.key == key)?;
-        if rest.is_empty() {
-            Some(entry)
-        } else {
-            entry.node.entry_mut(rest)
-        }
-    }
-
     /// The kind of value with its article, for messages.
     #[must_use]
     pub fn kind(&self) -> &'static str {

@@ -10,7 +10,6 @@
 //! Each point is the case read once more with this value in place of the file's, so that every check
 //! applies; errors point to the line of the curve.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use ertel_rheology::input::tree::{Node, Value};
@@ -18,10 +17,12 @@ use ertel_rheology::input::{Bounds, Document, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
 use super::Case;
+use super::study::values::{self, AxisValue, Values};
+use super::study::{Setting, StudyPoint};
 use crate::contact::ContactKind;
 
 /// Points of one curve, at most: beyond, a number was mistaken.
-const MOST_POINTS: i64 = 1000;
+const MOST_POINTS: usize = 1000;
 
 /// A curve: one quantity varies, everything else is the same.
 #[derive(Clone, Debug)]
@@ -29,22 +30,13 @@ pub struct Curve {
     /// What varies.
     pub quantity: Quantity,
     /// The points in the order in which they are solved, at least two.
-    pub points: Vec<Point>,
+    pub points: Vec<StudyPoint>,
     /// Whether each point's results are written into a folder of its own, too.
     pub folders: bool,
     /// Whether each point is solved without shear thinning, too.
     pub newtonian: bool,
     /// Whether each point is solved without heat, too.
     pub isothermal: bool,
-}
-
-/// One point of a curve.
-#[derive(Clone, Debug)]
-pub struct Point {
-    /// The quantity's value, SI.
-    pub value: f64,
-    /// The case with this value.
-    pub case: Case,
 }
 
 /// A quantity that may vary.
@@ -158,22 +150,13 @@ pub(super) fn read(
         return Ok(None);
     };
     let quantity = read_quantity(document, &mut table, base.contact.kind)?;
-    let values = if table.contains("values") {
-        for key in ["from", "to", "points", "spacing"] {
-            if table.contains(key) {
-                return Err(table.error(
-                    key,
-                    format!("`values` and `{key}` are both given: a curve is a list or a range"),
-                ));
-            }
-        }
-        read_list(document, &mut table, &quantity)?
-    } else if table.contains("from") || table.contains("to") || table.contains("points") {
-        read_range(document, &mut table, &quantity)?
-    } else {
-        return Err(table.missing("values").with_help(
-            "a list, values = [\"0.1 m/s\", \"0.2 m/s\"], or a range: `from`, `to`, `points` and `spacing`",
-        ));
+    const RANGE: [&str; 3] = ["from", "to", "points"];
+    const EXAMPLE: &str = "[\"0.1 m/s\", \"0.2 m/s\"]";
+    let curve = document.tree().entry("curve");
+    let node = &curve.expect("it was read").node;
+    let values = match values::is_range(&mut table, "a curve", &RANGE, EXAMPLE)? {
+        true => read_range(&mut table, node, quantity.dimension)?,
+        false => read_list(&mut table, node, quantity.dimension)?,
     };
     let folders = table.optional_bool("folders")?.unwrap_or(false);
     let newtonian = table.optional_bool("newtonian")?.unwrap_or(false);
@@ -197,7 +180,7 @@ pub(super) fn read(
     table.finish()?;
     let points = values
         .into_iter()
-        .map(|(value, node)| point(document, folder, &quantity, value, node))
+        .map(|(node, value)| point(document, folder, &quantity, node, value))
         .collect::<Result<_, _>>()?;
     Ok(Some(Curve {
         quantity,
@@ -235,98 +218,42 @@ fn read_quantity(
     Ok(quantity)
 }
 
-/// Values in SI, each with the value as the point's case file has it.
-type Values = Vec<(f64, Node)>;
-
 fn read_list(
-    document: &Document,
     table: &mut Table<'_>,
-    quantity: &Quantity,
+    node: &Node,
+    dimension: Dimension,
 ) -> Result<Values, InputError> {
-    let values = table.required_quantities("values", quantity.dimension, Bounds::ANY)?;
-    if values.len() < 2 || values.len() as i64 > MOST_POINTS {
-        let n = values.len();
+    let numbers = table.required_quantities("values", dimension, Bounds::ANY)?;
+    let n = numbers.len();
+    if !(2..=MOST_POINTS).contains(&n) {
         return Err(table.error(
             "values",
             format!("a curve has 2 to {MOST_POINTS} points, not {n}"),
         ));
     }
-    if let Some(twice) = (1..values.len()).find(|i| values[..*i].contains(&values[*i])) {
-        return Err(table.error(
-            "values",
-            format!("value {} of the curve repeats an earlier one", twice + 1),
-        ));
-    }
-    let entry = document.tree().entry("curve.values");
-    let Some(Value::Array(nodes)) = entry.map(|entry| &entry.node.value) else {
+    let Some(Value::Array(nodes)) = node.entry("values").map(|entry| &entry.node.value) else {
         unreachable!("read as an array");
     };
-    Ok(values.into_iter().zip(nodes.iter().cloned()).collect())
-}
-
-/// Reads `spacing` of a range: whether its steps are equal ratios.
-pub(super) fn read_spacing(table: &mut Table<'_>, from: f64, to: f64) -> Result<bool, InputError> {
-    let log = table
-        .optional_choice("spacing", &[("linear", false), ("log", true)])?
-        .unwrap_or(false);
-    if from == to {
-        return Err(table.error("to", "`to` equals `from`: the range has no length"));
-    }
-    if log && from * to <= 0.0 {
-        let key = if from == 0.0 { "from" } else { "to" };
-        return Err(table
-            .error(
-                key,
-                "equal ratios lead neither from zero, nor to zero, nor across it",
-            )
-            .with_help("spacing = \"linear\" does"));
-    }
-    Ok(log)
+    let number = |value| AxisValue::Number(value, dimension);
+    let values = nodes.iter().cloned().zip(numbers.into_iter().map(number));
+    let values = values.collect();
+    values::check_distinct(table, "curve", &values)?;
+    Ok(values)
 }
 
 fn read_range(
-    document: &Document,
     table: &mut Table<'_>,
-    quantity: &Quantity,
+    node: &Node,
+    dimension: Dimension,
 ) -> Result<Values, InputError> {
-    let from = table.required_quantity("from", quantity.dimension, Bounds::ANY)?;
-    let to = table.required_quantity("to", quantity.dimension, Bounds::ANY)?;
-    let points = table.required_integer("points", 2..=MOST_POINTS)?;
-    let log = read_spacing(table, from, to)?;
-    let last = (points - 1) as f64;
-    let unit = quantity.unit();
-    let values = (0..points).map(|i| {
-        let t = i as f64 / last;
-        let (value, key) = match i {
-            0 => (from, "from"),
-            _ if i + 1 == points => (to, "to"),
-            _ if log => (from * (to / from).powf(t), "points"),
-            _ => (from + t * (to - from), "points"),
-        };
-        // What the user wrote, or as many digits as anyone wants to read.
-        let value = if key == "points" {
-            rounded(value)
-        } else {
-            value
-        };
-        let path = format!("curve.{key}");
-        let given = &document.tree().entry(&path).expect("just read").node;
-        let node = if key == "points" {
-            Node {
-                span: given.span.clone(),
-                value: Value::Str(format!("{value} {unit}").trim_end().to_owned()),
-            }
-        } else {
-            given.clone()
-        };
-        (value, node)
-    });
-    Ok(values.collect())
-}
-
-/// To six significant digits.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.5e}").parse().unwrap_or(value)
+    let mut end = |key| -> Result<(f64, Node), InputError> {
+        let value = table.required_quantity(key, dimension, Bounds::ANY)?;
+        let entry = node.entry(key).expect("just read");
+        Ok((value, entry.node.clone()))
+    };
+    let ends = [end("from")?, end("to")?];
+    let text = |value: f64| Value::Str(value.to_string());
+    values::range(table, node, ends, dimension, MOST_POINTS, text)
 }
 
 /// The case with another value.
@@ -334,23 +261,20 @@ fn point(
     document: &Document,
     folder: &Path,
     quantity: &Quantity,
-    value: f64,
     node: Node,
-) -> Result<Point, InputError> {
+    value: AxisValue,
+) -> Result<StudyPoint, InputError> {
     let source = text_of_point(document, quantity, &node);
-    let varied = document
-        .with_value(quantity.path, node)
-        .expect("its presence was checked");
-    let mut case = Case::without_curve(&varied, folder, BTreeMap::new()).map_err(|error| {
-        let unit = quantity.unit();
-        error.with_help(format!(
-            "[curve] puts {} in place of `{}`",
-            format!("{value} {unit}").trim_end(),
-            quantity.path
-        ))
-    })?;
-    case.source = source;
-    Ok(Point { value, case })
+    let told = |_: &str| format!("[curve] puts {value} in place of `{}`", quantity.path);
+    let setting = Setting {
+        key: quantity.path.to_owned(),
+        key_span: node.span.clone(),
+        node,
+        value: value.clone(),
+    };
+    let (mut point, _) = StudyPoint::read(document, folder, &[setting], told)?;
+    point.case.source = source;
+    Ok(point)
 }
 
 /// The case file of one point: its value in place, the lines of the curve commented out.

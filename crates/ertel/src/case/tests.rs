@@ -284,10 +284,10 @@ fn a_curve_is_one_case_for_each_value() {
     assert_eq!(curve.quantity.key(), "entrainment_speed");
     assert_eq!(curve.quantity.unit(), "m/s");
     assert!(!curve.folders);
-    let values: Vec<f64> = curve.points.iter().map(|p| p.value).collect();
+    let values: Vec<f64> = curve.points.iter().map(|p| p.value()).collect();
     assert_eq!(values, [0.1, 2.0, 0.3]);
     for point in &curve.points {
-        assert_eq!(point.case.motion.entrainment_speed, point.value);
+        assert_eq!(point.case.motion.entrainment_speed, point.value());
         assert_eq!(point.case.contact, case.contact);
         // The kept text is a case file of this point alone.
         let again = read(&point.case.source).unwrap();
@@ -301,7 +301,7 @@ fn a_curve_is_one_case_for_each_value() {
 fn ranges_are_spaced_evenly_in_differences_or_ratios() {
     let values = |lines: &str| -> Vec<f64> {
         let points = curve(lines).unwrap().curve.unwrap().points;
-        points.iter().map(|p| p.value).collect()
+        points.iter().map(|p| p.value()).collect()
     };
     let range = "from = \"10 mm/s\"\nto = \"1 m/s\"\npoints = 3\n";
     assert_eq!(values(range), [0.01, 0.505, 1.0]);

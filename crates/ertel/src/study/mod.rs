@@ -1,13 +1,17 @@
-//! Studies of more than one contact.
+//! Studies of more than one contact. Points are solved in the order of a plan: those of a curve one after the other, those of
+//! a study as a tree.
 
 pub mod curve;
 pub mod journal;
 pub mod monte_carlo;
 pub mod plan;
+mod point;
 mod sweep;
 mod table;
+mod walk;
 
-pub use curve::{CurveObserver, CurveSolution, Outcome, PointSolution, solve_curve};
+pub use curve::{CurveObserver, CurveSolution, solve_curve, value_text};
+pub use point::{Outcome, PointSolution};
 pub use sweep::{
     Collector, FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress,
     SweepSummary, finished_points, merge, sweep, sweep_part,

@@ -19,7 +19,7 @@ const FILM_RATIO: f64 = 2.8;
 /// Points of one group, at most: its tree takes their square in time.
 const MOST_IN_GROUP: usize = 4_000;
 
-/// The tree of starts.
+/// Which point starts from which: a tree, or a chain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// Point that each point starts from; `None` from the dry contact.
@@ -31,6 +31,8 @@ pub struct Plan {
     pub groups: Vec<Vec<usize>>,
     /// The group of each point.
     pub group_of: Vec<usize>,
+    /// Whether a new mesh suits the later points of its group alone, and not all of them.
+    pub for_later: bool,
 }
 
 /// What tells points apart.
@@ -57,6 +59,17 @@ impl Features {
 }
 
 impl Plan {
+    /// Each point from the one before it.
+    pub fn chain(n_points: usize) -> Plan {
+        Plan {
+            parents: (0..n_points).map(|i| i.checked_sub(1)).collect(),
+            order: (0..n_points).collect(),
+            groups: vec![(0..n_points).collect()],
+            group_of: vec![0; n_points],
+            for_later: true,
+        }
+    }
+
     /// The tree of a study.
     pub fn new(study: &Study) -> Plan {
         let features = features(study);
@@ -66,6 +79,7 @@ impl Plan {
             order: Vec::with_capacity(n),
             groups: groups(&features),
             group_of: vec![0; n],
+            for_later: false,
         };
         for (i, members) in plan.groups.iter().enumerate() {
             for m in members {
@@ -76,10 +90,12 @@ impl Plan {
         plan
     }
 
-    /// The points that share a point's mesh, without itself.
-    pub fn companions(&self, index: usize) -> impl Iterator<Item = usize> + '_ {
+    /// The points that a new mesh for a point should suit, too.
+    pub fn ahead(&self, index: usize) -> impl Iterator<Item = usize> + '_ {
         let group = &self.groups[self.group_of[index]];
-        group.iter().copied().filter(move |i| *i != index)
+        let for_later = self.for_later;
+        let is_ahead = move |i: &usize| *i > index || (!for_later && *i < index);
+        group.iter().copied().filter(is_ahead)
     }
 
     /// The tree of one group, its points by their places among the members, and these members.
@@ -94,6 +110,7 @@ impl Plan {
             order: order.collect(),
             groups: vec![(0..members.len()).collect()],
             group_of: vec![0; members.len()],
+            for_later: self.for_later,
         };
         (plan, members)
     }
@@ -332,6 +349,7 @@ mod tests {
             order,
             groups: Vec::new(),
             group_of: Vec::new(),
+            for_later: false,
         };
         // The middle, an end, and then halves of halves: log2(100) = 6.6.
         assert!(plan.depth() <= 9, "{}", plan.depth());
@@ -342,6 +360,21 @@ mod tests {
         // Of halves of halves, half of the steps reach the neighbour and a quarter the next one.
         let short = steps.iter().filter(|s| **s <= 2.0).count();
         assert!(short >= 60, "{short} of 99 steps");
+    }
+
+    /// Each point of a chain starts from the one before, and a new mesh suits those that follow.
+    #[test]
+    fn a_chain_goes_from_point_to_point() {
+        let plan = Plan::chain(4);
+        assert_eq!(plan.parents, [None, Some(0), Some(1), Some(2)]);
+        assert_eq!(plan.order, [0, 1, 2, 3]);
+        assert_eq!(plan.depth(), 4);
+        assert_eq!(plan.ahead(1).collect::<Vec<_>>(), [2, 3]);
+        let tree = Plan {
+            for_later: false,
+            ..plan
+        };
+        assert_eq!(tree.ahead(1).collect::<Vec<_>>(), [0, 2, 3]);
     }
 
     /// No group is too large for its tree, each point stands in one, and groups are neighbours.

@@ -10,7 +10,7 @@ use super::journal::{PointKey, Record, Title};
 use super::{Outcome, PointSolution, SweepError};
 use crate::case::study::{AxisValue, Study};
 use crate::contact::ContactKind;
-use crate::output::curve::{COLUMNS, Cell};
+use crate::output::curve::COLUMNS;
 use crate::output::{text_field, write_whole};
 use crate::solution::Estimate;
 
@@ -250,12 +250,7 @@ pub(super) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
     }
     let columns = COLUMNS.iter().filter(|column| belongs(column.name));
     for (title, value) in columns.flat_map(|column| column.fields(is_line)) {
-        let value = match value(point) {
-            Cell::Empty => String::new(),
-            Cell::Number(value) => number(value),
-            Cell::Count(value) => value.to_string(),
-            Cell::Text(text) => text.replace(['\n', '\r'], " "),
-        };
+        let value = value(point).to_string().replace(['\n', '\r'], " ");
         fields.push((title, value));
     }
     (fields.into_iter())

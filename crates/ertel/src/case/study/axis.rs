@@ -1,85 +1,12 @@
 //! `[[axis]]`: lists and ranges.
 
-use std::collections::HashSet;
-use std::fmt;
 use std::ops::Range;
 
 use ertel_rheology::input::tree::{Entry, Node, Value};
 use ertel_rheology::input::{Document, InputError, Table};
-use ertel_rheology::quantity::{Dimension, parse_any};
 
 use super::MOST_POINTS;
-use super::text::inline;
-use crate::case::curve::read_spacing;
-
-/// A value of an axis.
-#[derive(Clone, Debug, PartialEq)]
-pub enum AxisValue {
-    /// A quantity or a pure number, in SI.
-    Number(f64, Dimension),
-    /// A name, a switch, or a table in short.
-    Text(String),
-}
-
-impl AxisValue {
-    /// What a value in a file stands for.
-    pub(super) fn of(node: &Node) -> Self {
-        match &node.value {
-            Value::Integer(Some(number)) => Self::Number(*number as f64, Dimension::DIMENSIONLESS),
-            Value::Float(number) => Self::Number(*number, Dimension::DIMENSIONLESS),
-            Value::Str(text) => match parse_any(text) {
-                Some((value, dimension)) => Self::Number(value, dimension),
-                None => Self::Text(text.clone()),
-            },
-            _ => Self::Text(inline(node)),
-        }
-    }
-
-    /// The number, if it is one.
-    pub fn number(&self) -> Option<f64> {
-        match self {
-            Self::Number(value, _) => Some(*value),
-            Self::Text(_) => None,
-        }
-    }
-
-    /// Equal for equal values of one axis.
-    fn identity(&self) -> (Option<u64>, &str) {
-        match self {
-            // Both zeros are one.
-            Self::Number(value, _) => (Some((value + 0.0).to_bits()), ""),
-            Self::Text(text) => (None, text),
-        }
-    }
-
-    /// Whether both can stand in one column.
-    fn is_like(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Number(_, a), Self::Number(_, b)) => a.same_exponents(*b),
-            (Self::Text(_), Self::Text(_)) => true,
-            _ => false,
-        }
-    }
-
-    fn kind(&self) -> String {
-        match self {
-            Self::Number(_, dimension) => dimension.name().into_owned(),
-            Self::Text(_) => "a text".to_owned(),
-        }
-    }
-}
-
-impl fmt::Display for AxisValue {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Number(value, dimension) => {
-                let text = format!("{value} {}", dimension.si_unit());
-                f.write_str(text.trim_end())
-            }
-            Self::Text(text) => f.write_str(text),
-        }
-    }
-}
+use super::values::{self, AxisValue, Values, header};
 
 /// A key with the values it takes.
 #[derive(Clone, Debug)]
@@ -99,14 +26,6 @@ impl Axis {
             Some((_, AxisValue::Number(_, dimension))) => header(&self.key, *dimension),
             _ => self.key.clone(),
         }
-    }
-}
-
-/// Title of the column of a quantity: its key, and its SI unit.
-pub(super) fn header(key: &str, dimension: Dimension) -> String {
-    match dimension.si_unit().as_str() {
-        "" => key.to_owned(),
-        unit => format!("{key}_{}", unit.replace('/', "_per_").replace('.', "_")),
     }
 }
 
@@ -149,13 +68,7 @@ pub(super) fn read(
             return Err(table.error("key", format!("`{key}` is no key of a case file")));
         }
         let values = read_values(&mut table, node)?;
-        let mut seen = HashSet::new();
-        if let Some(i) = (values.iter()).position(|(_, value)| !seen.insert(value.identity())) {
-            return Err(table.error(
-                "values",
-                format!("value {} of the axis repeats an earlier one", i + 1),
-            ));
-        }
+        values::check_distinct(&table, "axis", &values)?;
         let zip = table.optional_str("zip")?.map(str::to_owned);
         let at_key = node.entry("key").map_or(0..0, |e| e.node.span.clone());
         let axis = Axis {
@@ -190,24 +103,14 @@ pub(super) fn read(
     Ok(groups)
 }
 
-type Values = Vec<(Node, AxisValue)>;
-
 fn read_values(table: &mut Table<'_>, node: &Node) -> Result<Values, InputError> {
-    let is_range = ["from", "to", "points", "spacing"].map(|key| table.contains(key));
-    if !table.contains("values") {
-        if is_range.contains(&true) {
-            return read_range(table, node);
-        }
-        return Err(table.missing("values").with_help(
-            "a list, values = [\"10 N\", \"20 N\"], or a range: `from`, `to`, `points` and `spacing`",
-        ));
+    let keys = ["from", "to", "points", "spacing"];
+    // Errors list the keys in the order in which they are asked for.
+    for key in keys {
+        table.contains(key);
     }
-    if let Some(i) = is_range.iter().position(|given| *given) {
-        let key = ["from", "to", "points", "spacing"][i];
-        return Err(table.error(
-            key,
-            format!("`values` and `{key}` are both given: an axis is a list or a range"),
-        ));
+    if values::is_range(table, "an axis", &keys, "[\"10 N\", \"20 N\"]")? {
+        return read_range(table, node);
     }
     let Some(Entry {
         node: Node {
@@ -275,32 +178,6 @@ fn read_range(table: &mut Table<'_>, node: &Node) -> Result<Values, InputError> 
             ),
         ));
     }
-    let points = table.required_integer("points", 2..=MOST_POINTS as i64)?;
-    let log = read_spacing(table, from, to)?;
-    let last = (points - 1) as f64;
-    let unit = dimension.si_unit();
-    let at_points = node.entry("points").map_or(0..0, |e| e.node.span.clone());
-    let between = |i: i64| {
-        let t = i as f64 / last;
-        let value = match log {
-            true => from * (to / from).powf(t),
-            false => from + t * (to - from),
-        };
-        // As many digits as anyone wants to read; the case has the same ones.
-        let value: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-        let node = Node {
-            span: at_points.clone(),
-            value: match unit.as_str() {
-                "" => Value::Float(value),
-                unit => Value::Str(format!("{value} {unit}")),
-            },
-        };
-        (node, AxisValue::Number(value, dimension))
-    };
-    let values = (0..points).map(|i| match i {
-        0 => (from_node.clone(), AxisValue::Number(from, dimension)),
-        _ if i + 1 == points => (to_node.clone(), AxisValue::Number(to, dimension)),
-        _ => between(i),
-    });
-    Ok(values.collect())
+    let ends = [(from, from_node), (to, to_node)];
+    values::range(table, node, ends, dimension, MOST_POINTS, Value::Float)
 }

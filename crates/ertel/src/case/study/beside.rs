@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use ertel_rheology::input::tree::{Node, Value};
 use ertel_rheology::input::{Document, InputError};
 
-use super::axis::{Axis, AxisValue, Group};
+use super::axis::{Axis, Group};
 use super::points::value_of;
+use super::values::AxisValue;
 use super::{Source, Study, build};
 
 /// A key of the case, and its value at each point.

@@ -24,8 +24,9 @@ mod axis;
 mod beside;
 mod points;
 mod text;
+pub(super) mod values;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -37,11 +38,12 @@ use rayon::prelude::*;
 
 use super::Case;
 use crate::contact::ContactKind;
-pub use axis::AxisValue;
 use axis::Group;
 pub use beside::PointColumn;
 pub(crate) use points::split_title;
 pub(super) use text::quoted;
+pub use values::AxisValue;
+pub(crate) use values::header;
 
 /// Points of one study, at most: each takes about 10 kB of memory while it runs.
 pub const MOST_POINTS: usize = 1_000_000;
@@ -82,7 +84,16 @@ struct Reader {
 impl Reader {
     fn read(&self, index: usize) -> Result<StudyPoint, InputError> {
         let settings = settings_of(&self.groups, index);
-        point(&self.case, &self.folder, &self.name, index, &settings)
+        let told = |label: &str| format!("point {} of {}: {label}", index + 1, self.name);
+        let (mut point, varied) = StudyPoint::read(&self.case, &self.folder, &settings, told)?;
+        point.case.source = format!(
+            "# Point {} of {}: {}\n{}",
+            index + 1,
+            self.name,
+            point.label,
+            text::to_toml(varied.tree())
+        );
+        Ok(point)
     }
 }
 
@@ -100,7 +111,7 @@ impl StudyColumn {
     pub(crate) fn of(key: &str, dimension: Dimension) -> Self {
         Self {
             key: key.to_owned(),
-            header: axis::header(key, dimension),
+            header: header(key, dimension),
         }
     }
 }
@@ -112,17 +123,58 @@ pub struct StudyPoint {
     pub values: Vec<AxisValue>,
     /// The values as they are shown: `contact.load = 10 N, motion.entrainment_speed = 0.1 m/s`.
     pub label: String,
-    /// The case; in a study that was read without its text and where its quantities come from ([`Study::whole_case`] has them).
+    /// The case; in a study that was read without its text and where its quantities come from ([`Study::whole_point`] has them).
     pub case: Case,
+}
+
+impl StudyPoint {
+    /// Reads the case of a document with settings in place, and returns the document with them; `told` says in an error
+    /// which point it is, of its label.
+    pub(super) fn read(
+        document: &Document,
+        folder: &Path,
+        settings: &[Setting],
+        told: impl Fn(&str) -> String,
+    ) -> Result<(Self, Document), InputError> {
+        let label = settings
+            .iter()
+            .map(|s| match &s.node.value {
+                Value::Str(text) => format!("{} = {text}", s.key),
+                _ => format!("{} = {}", s.key, s.value),
+            })
+            .collect::<Vec<_>>()
+            .join(", ");
+        let mut varied = document.clone();
+        let mut read = || -> Result<Case, InputError> {
+            for setting in settings {
+                varied.put(&setting.key, &setting.key_span, setting.node.clone())?;
+            }
+            Case::without_curve(&varied, folder, BTreeMap::new())
+        };
+        let case = read().map_err(|error| error.with_help(told(&label)))?;
+        let values = settings.iter().map(|s| s.value.clone()).collect();
+        let point = StudyPoint {
+            values,
+            label,
+            case,
+        };
+        Ok((point, varied))
+    }
+
+    /// Value of the first column, SI; NaN where that is no number.
+    pub fn value(&self) -> f64 {
+        let first = self.values.first();
+        first.and_then(AxisValue::number).unwrap_or(f64::NAN)
+    }
 }
 
 /// A value on its way into the case.
 #[derive(Clone, Debug)]
-struct Setting {
-    key: String,
-    key_span: Range<usize>,
-    node: Node,
-    value: AxisValue,
+pub(super) struct Setting {
+    pub(super) key: String,
+    pub(super) key_span: Range<usize>,
+    pub(super) node: Node,
+    pub(super) value: AxisValue,
 }
 
 impl Study {
@@ -145,10 +197,10 @@ impl Study {
         }
     }
 
-    /// The case of a point with its text and where its quantities come from, read once more; `None` where that fails now, or the points
+    /// A point whose case has its text and where its quantities come from, read once more; `None` where that fails now, or the points
     /// were made in code and have all of it.
-    pub fn whole_case(&self, index: usize) -> Option<Case> {
-        Some(self.reader.as_ref()?.read(self.places[index]).ok()?.case)
+    pub fn whole_point(&self, index: usize) -> Option<StudyPoint> {
+        self.reader.as_ref()?.read(self.places[index]).ok()
     }
 
     /// Reads a study, its base case and every point of it.
@@ -370,42 +422,6 @@ fn settings_of(groups: &[Group], index: usize) -> Vec<Setting> {
         .collect();
     chosen.reverse();
     chosen.into_iter().flatten().collect()
-}
-
-fn point(
-    case: &Document,
-    folder: &Path,
-    source: &str,
-    index: usize,
-    settings: &[Setting],
-) -> Result<StudyPoint, InputError> {
-    let label = settings
-        .iter()
-        .map(|s| match &s.node.value {
-            Value::Str(text) => format!("{} = {text}", s.key),
-            _ => format!("{} = {}", s.key, s.value),
-        })
-        .collect::<Vec<_>>()
-        .join(", ");
-    let mut document = case.clone();
-    let mut read = || -> Result<Case, InputError> {
-        for setting in settings {
-            document.put(&setting.key, &setting.key_span, setting.node.clone())?;
-        }
-        Case::from_document(&document, folder)
-    };
-    let mut case = read()
-        .map_err(|error| error.with_help(format!("point {} of {source}: {label}", index + 1)))?;
-    case.source = format!(
-        "# Point {} of {source}: {label}\n{}",
-        index + 1,
-        text::to_toml(document.tree())
-    );
-    Ok(StudyPoint {
-        values: settings.iter().map(|s| s.value.clone()).collect(),
-        label,
-        case,
-    })
 }
 
 #[cfg(test)]

@@ -9,7 +9,8 @@ use ertel_rheology::input::tree::{Node, Value};
 use ertel_rheology::input::{Document, InputError};
 use ertel_rheology::quantity::Unit;
 
-use super::axis::{Axis, AxisValue, Group};
+use super::axis::{Axis, Group};
+use super::values::AxisValue;
 
 /// A column: its key, where it stands, and the unit of its cells.
 struct Header {

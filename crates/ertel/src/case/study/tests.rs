@@ -169,7 +169,7 @@ fn the_text_of_a_point_reads_as_its_case() {
         "",
     )
     .unwrap();
-    let case = study.whole_case(0).unwrap();
+    let case = study.whole_point(0).unwrap().case;
     let document = Document::parse("point.toml", case.source.clone()).unwrap();
     let again = Case::from_document(&document, Path::new("")).unwrap();
     assert_eq!(again.given, case.given);

@@ -8,7 +8,7 @@ use super::super::figure::{estimate, number, pressure_estimate};
 use super::super::mixed::share;
 use super::super::report::digits;
 use crate::solution::MixedLubrication;
-use crate::study::{CurveSolution, Outcome, PointSolution};
+use crate::study::{CurveSolution, Outcome, PointSolution, value_text};
 use crate::warning::by_kind;
 
 /// The points as a table, failures with their reasons, warnings.
@@ -19,8 +19,7 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
     }
     let rule = "─".repeat(title.chars().count().max(4));
     let mut text = format!("{title}\n{rule}\n\nCurve over {}\n", curve.quantity.path);
-    let unit = curve.quantity.unit();
-    let rows = rows(curve, &unit);
+    let rows = rows(curve);
     let width = |j: usize| rows.iter().map(|r| r[j].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
     for row in &rows {
@@ -49,7 +48,7 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
 }
 
 /// The table with its header; of rough surfaces with the lambda ratio, with boundary friction with the friction of film and asperities.
-fn rows(curve: &CurveSolution, unit: &str) -> Vec<Vec<String>> {
+fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
     let mixed = |p: &PointSolution| p.outcome.solution()?.mixed.clone();
     let found: Vec<MixedLubrication> = curve.points.iter().filter_map(mixed).collect();
     let is_rough = !found.is_empty();
@@ -74,8 +73,7 @@ fn rows(curve: &CurveSolution, unit: &str) -> Vec<Vec<String>> {
     let mut rows = vec![shown(columns.map(|(_, title)| title.to_owned()))];
     let none = || "-".to_owned();
     for point in &curve.points {
-        let value = format!("{} {unit}", digits(point.value, 6));
-        let value = value.trim_end().to_owned();
+        let value = value_text(&curve.quantity, point.value);
         let time = format!("{} s", digits(point.seconds, 2));
         let failed = || "failed".to_owned();
         rows.push(shown(match &point.outcome {

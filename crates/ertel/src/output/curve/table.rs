@@ -1,7 +1,8 @@
 //! `curve.csv`: one line for each point.
 
-use std::fmt::Write;
+use std::fmt::{self, Write};
 
+use crate::case::study::header;
 use crate::contact::ContactKind;
 use crate::output::text_field;
 use crate::solution::{Estimate, MixedLubrication, Thermal};
@@ -82,6 +83,17 @@ pub enum Cell {
     Count(usize),
     /// A text.
     Text(String),
+}
+
+impl fmt::Display for Cell {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Cell::Empty => Ok(()),
+            Cell::Number(value) => write!(f, "{value:e}"),
+            Cell::Count(value) => write!(f, "{value}"),
+            Cell::Text(text) => f.write_str(text),
+        }
+    }
 }
 
 impl From<Option<f64>> for Cell {
@@ -219,7 +231,9 @@ pub const COLUMNS: &[Column] = &[
 
 /// The table as text, SI.
 pub fn curve_table(curve: &CurveSolution) -> String {
-    let mut text = format!("point,{}", quantity_column(curve));
+    // `entrainment_speed_m_per_s`, `load_N`, `slide_to_roll_ratio`.
+    let quantity = &curve.quantity;
+    let mut text = format!("point,{}", header(quantity.key(), quantity.dimension));
     let is_line = (curve.points.first()).is_some_and(|p| p.case.contact.kind == ContactKind::Line);
     let fields: Vec<_> = COLUMNS.iter().flat_map(|c| c.fields(is_line)).collect();
     for (title, _) in &fields {
@@ -231,28 +245,9 @@ pub fn curve_table(curve: &CurveSolution) -> String {
         let _ = write!(text, "{},{:e}", i + 1, point.value);
         for (_, value) in &fields {
             text.push(',');
-            text.push_str(&field(value(point)));
+            text.push_str(&text_field(&value(point).to_string()));
         }
         text.push('\n');
     }
     text
-}
-
-/// `entrainment_speed_m_per_s`, `load_N`, `slide_to_roll_ratio`.
-fn quantity_column(curve: &CurveSolution) -> String {
-    let unit = curve.quantity.unit().replace('/', "_per_");
-    match unit.as_str() {
-        "" => curve.quantity.key().to_owned(),
-        unit => format!("{}_{unit}", curve.quantity.key()),
-    }
-}
-
-/// A value as text.
-fn field(cell: Cell) -> String {
-    match cell {
-        Cell::Empty => String::new(),
-        Cell::Number(value) => format!("{value:e}"),
-        Cell::Count(value) => value.to_string(),
-        Cell::Text(text) => text_field(&text),
-    }
 }

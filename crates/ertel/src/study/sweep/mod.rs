@@ -4,24 +4,23 @@ mod collect;
 mod error;
 mod folder;
 mod merge;
-mod queue;
 mod work;
 
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::path::Path;
-use std::sync::{Condvar, Mutex, PoisonError};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use super::journal::{PointKey, Record};
 use super::plan::Plan;
 use super::table::StudyEcho;
+use super::walk::Walk;
 use crate::case::Study;
 use crate::run::Session;
 use crate::warning::{Merged, by_kind};
 use folder::{has_folder, look, open, write_results};
-use queue::Queue;
-use work::{Shared, lock};
+use work::Shared;
 
 pub use collect::Collector;
 pub use error::SweepError;
@@ -180,9 +179,7 @@ pub fn sweep_part(
     };
     let mut records = entries.records;
     observer.begin(mine.len(), n_kept);
-    let queue = Queue::new(plan, &wanted);
-    let state = Mutex::new(queue);
-    let bell = Condvar::new();
+    let walk = Walk::new(plan, &wanted);
     let shared = Shared {
         session,
         study,
@@ -192,14 +189,13 @@ pub fn sweep_part(
         folder,
         params,
         observer,
-        state: &state,
-        bell: &bell,
+        walk: &walk,
+        n_again: AtomicUsize::new(0),
     };
     let threads = params.threads.unwrap_or(1).max(1);
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let n_wanted = lock(&state).n_needed;
     let jobs = params.jobs.unwrap_or(cores.div_ceil(threads));
-    let jobs = jobs.clamp(1, n_wanted.max(1));
+    let jobs = jobs.clamp(1, walk.n_needed.max(1));
     let (sender, receiver) = std::sync::mpsc::channel::<(usize, Record)>();
     let pools: Vec<rayon::ThreadPool> = (0..jobs)
         .map(|_| {
@@ -209,17 +205,19 @@ pub fn sweep_part(
                 .map_err(|e| SweepError::Threads(e.to_string()))
         })
         .collect::<Result<_, _>>()?;
-    std::thread::scope(|scope| {
-        for pool in &pools {
+    let failure = std::thread::scope(|scope| {
+        let work = |pool| {
             let (shared, sender) = (&shared, sender.clone());
-            scope.spawn(move || pool.install(|| shared.work(&sender)));
-        }
+            scope.spawn(move || rayon::ThreadPool::install(pool, || shared.work(&sender)))
+        };
+        let threads: Vec<_> = pools.iter().map(work).collect();
         drop(sender);
+        let mut failure = None;
         // Records are appended one after the other, here.
         for (index, record) in receiver {
             if let Err(error) = journal.append(&record) {
-                lock(&state).stop(Some(error));
-                bell.notify_all();
+                walk.stop();
+                failure = Some(error);
                 break;
             }
             summary.n_new += 1;
@@ -237,12 +235,18 @@ pub fn sweep_part(
             });
             records.insert(record.key, record);
         }
+        for thread in threads {
+            match thread.join() {
+                Ok(end) => failure = failure.or(end.err().flatten()),
+                Err(panic) => std::panic::resume_unwind(panic),
+            }
+        }
+        failure
     });
-    let queue = state.into_inner().unwrap_or_else(PoisonError::into_inner);
-    if let Some(error) = queue.error {
+    if let Some(error) = failure {
         return Err(error);
     }
-    summary.n_again = queue.n_again;
+    summary.n_again = shared.n_again.load(Ordering::Relaxed);
     summary.interrupted = n_kept + summary.n_new < mine.len();
     if !summary.interrupted {
         // The journal may have points of another part, or of what the study was before.

@@ -1,23 +1,21 @@
 //! What each thread does: it takes a point, solves it and hands on its record.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::Sender;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
 
 use super::folder::point_folder;
-use super::queue::Queue;
 use super::{SweepError, SweepObserver, SweepParams};
-use crate::case::{Case, Study};
+use crate::case::Study;
 use crate::output;
-use crate::reference::film_formulas;
-use crate::run::{Session, Start, groups};
-use crate::solve::{Observer, SolveError};
+use crate::run::Session;
+use crate::solve::Observer;
+use crate::study::CurveObserver;
 use crate::study::journal::{PointKey, Record};
 use crate::study::plan::Plan;
+use crate::study::point::{Ends, Interrupted, Task};
 use crate::study::table::{StudyEcho, record};
-use crate::study::{Outcome, PointSolution};
+use crate::study::walk::Walk;
 
 /// What the threads share.
 pub(super) struct Shared<'a> {
@@ -29,128 +27,55 @@ pub(super) struct Shared<'a> {
     pub(super) folder: &'a Path,
     pub(super) params: &'a SweepParams,
     pub(super) observer: &'a dyn SweepObserver,
-    pub(super) state: &'a Mutex<Queue>,
-    pub(super) bell: &'a Condvar,
+    pub(super) walk: &'a Walk<Ends>,
+    /// Points solved that are not wanted.
+    pub(super) n_again: AtomicUsize,
 }
 
-pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
-}
+/// Why a thread stops: an error, or the user.
+type Stopped = Option<SweepError>;
 
 impl Shared<'_> {
-    /// Solves points until there are none.
-    pub(super) fn work(&self, sender: &Sender<(usize, Record)>) {
-        let _alarm = Alarm(self);
-        while let Some((index, start)) = self.next() {
-            let (end, record) = match self.solve(index, start.as_ref()) {
-                Ok(result) => result,
-                Err(error) => {
-                    lock(self.state).stop(error);
-                    self.bell.notify_all();
-                    return;
-                }
-            };
-            {
-                let mut state = lock(self.state);
-                // What starts from a point that failed starts from where that one started.
-                state.done(index, end.or(start));
-                if !self.wanted[index] {
-                    state.n_again += 1;
-                }
+    /// Solves points until there are none, and sends the records of those that are wanted.
+    pub(super) fn work(&self, sender: &Sender<(usize, Record)>) -> Result<(), Stopped> {
+        self.walk.run(|index, from| {
+            let (record, ends) = self.solve(index, from)?;
+            match self.wanted[index] {
+                true => sender.send((index, record)).map_err(|_| None)?,
+                false => drop(self.n_again.fetch_add(1, Ordering::Relaxed)),
             }
-            self.bell.notify_all();
-            if self.wanted[index] && sender.send((index, record)).is_err() {
-                return;
-            }
-        }
-    }
-
-    /// The next point with what it starts from; waits while others may make one ready.
-    fn next(&self) -> Option<(usize, Option<Arc<Start>>)> {
-        let mut state = lock(self.state);
-        loop {
-            if state.stopped || self.observer.cancelled() {
-                state.stopped = true;
-                self.bell.notify_all();
-                return None;
-            }
-            if let Some(point) = state.take() {
-                return Some(point);
-            }
-            if state.is_over() {
-                self.bell.notify_all();
-                return None;
-            }
-            state = self
-                .bell
-                .wait(state)
-                .unwrap_or_else(PoisonError::into_inner);
-        }
+            Ok(ends)
+        })
     }
 
     /// Solves a point; fails where the user stops it or its folder cannot be written.
-    fn solve(
-        &self,
-        index: usize,
-        start: Option<&Arc<Start>>,
-    ) -> Result<(Option<Arc<Start>>, Record), Option<SweepError>> {
-        let clock = Instant::now();
+    fn solve(&self, index: usize, from: Ends) -> Result<(Record, Ends), Stopped> {
+        if self.observer.cancelled() {
+            return Err(None);
+        }
         let points = &self.study.points;
-        let lean = &points[index].case;
         let key = self.echo.points[index].0;
         // What was read first counts, should its files have changed since.
-        let whole = (self.study.whole_case(index)).filter(|whole| PointKey::new(whole) == key);
-        let case = whole.as_ref().unwrap_or(lean);
-        let companions = self.plan.companions(index);
-        let ahead: Vec<&Case> = companions.map(|i| &points[i].case).collect();
-        let mut observer = Stop(self);
-        let solved = catch_unwind(AssertUnwindSafe(|| {
-            self.session
-                .solve_from(case, start.map(AsRef::as_ref), &ahead, &mut observer)
-        }));
-        let mut end = None;
-        let outcome = match solved {
-            Ok(Ok((solution, reached))) => {
-                end = Some(Arc::new(reached));
-                Outcome::Solved(Box::new(solution))
-            }
-            Ok(Err(SolveError::Interrupted)) => return Err(None),
-            Ok(Err(error)) => Outcome::Failed(error.to_string()),
-            Err(_) => Outcome::Failed("internal error; the message stands above".to_owned()),
+        let whole = self.study.whole_point(index);
+        let whole = whole.filter(|whole| PointKey::new(&whole.case) == key);
+        let point = whole.as_ref().unwrap_or(&points[index]);
+        let folders = self.params.folders && self.wanted[index];
+        let task = Task {
+            point,
+            place: (index, points.len()),
+            label: point.label.clone(),
+            ahead: self.plan.ahead(index).map(|i| &points[i].case).collect(),
+            beside: [false; 2],
+            fields: folders,
         };
-        let echo = case.echo();
-        if let (true, true, Some(solution)) =
-            (self.params.folders, self.wanted[index], outcome.solution())
-        {
+        let solved = task.solve(self.session, from, &mut Stop(self));
+        let (solved, ends) = solved.map_err(|Interrupted| None)?;
+        if let (true, Some(solution)) = (folders, solved.outcome.solution()) {
             let target = point_folder(self.folder, index, points.len());
-            output::write(&echo, solution, &target, &case.output).map_err(|e| Some(e.into()))?;
+            output::write(&solved.case, solution, &target, &point.case.output)
+                .map_err(|e| Some(e.into()))?;
         }
-        let lubricant = &case.lubricant;
-        let slope = lubricant
-            .viscosity
-            .pressure_viscosity_slope(lubricant.temperature);
-        let point = PointSolution {
-            value: f64::NAN,
-            formulas: film_formulas(&case.contact, &groups(case, slope)),
-            case: echo,
-            outcome,
-            newtonian: None,
-            isothermal: None,
-            seconds: clock.elapsed().as_secs_f64(),
-        };
-        Ok((end, record(key, &point)))
-    }
-}
-
-/// Stops the other threads when one panics: they would wait for it.
-struct Alarm<'a, 'b>(&'a Shared<'b>);
-
-impl Drop for Alarm<'_, '_> {
-    fn drop(&mut self) {
-        if std::thread::panicking() {
-            lock(self.0.state).stop(None);
-            self.0.bell.notify_all();
-        }
+        Ok((record(key, &solved), ends))
     }
 }
 
@@ -159,6 +84,8 @@ struct Stop<'a, 'b>(&'a Shared<'b>);
 
 impl Observer for Stop<'_, '_> {
     fn cancelled(&self) -> bool {
-        self.0.observer.cancelled() || lock(self.0.state).stopped
+        self.0.observer.cancelled() || self.0.walk.is_stopped()
     }
 }
+
+impl CurveObserver for Stop<'_, '_> {}

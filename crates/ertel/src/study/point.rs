@@ -1,0 +1,229 @@
+//! One point of a curve or a study: from its case, and from what it starts, to what became of it.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::time::Instant;
+
+use super::CurveObserver;
+use crate::case::Case;
+use crate::case::study::StudyPoint;
+use crate::output::CaseEcho;
+use crate::reference::film_formulas;
+use crate::run::{Session, Start, groups};
+use crate::solution::{
+    Centreline, ElementFields, Estimate, FilmReduction, FilmTemperatures, FormulaFilm, Solution,
+    SurfaceField, ThermalReduction,
+};
+use crate::solve::SolveError;
+
+/// A point of a curve or a study, solved or not.
+#[derive(Clone, Debug)]
+pub struct PointSolution {
+    /// Value of what varies, SI; in a study of the first axis, NaN where that has no numbers.
+    pub value: f64,
+    /// The point's case.
+    pub case: CaseEcho,
+    /// Film-thickness formulas.
+    pub formulas: Vec<FormulaFilm>,
+    /// Its solution, or why there is none.
+    pub outcome: Outcome,
+    /// The same point without shear thinning, where that is asked for.
+    pub newtonian: Option<Outcome>,
+    /// The same point without heat, likewise.
+    pub isothermal: Option<Outcome>,
+    /// Wall time, s.
+    pub seconds: f64,
+}
+
+impl PointSolution {
+    /// The Newtonian solution, if there is one.
+    pub fn newtonian_solution(&self) -> Option<&Solution> {
+        self.newtonian.as_ref().and_then(Outcome::solution)
+    }
+
+    /// The isothermal solution, if there is one.
+    pub fn isothermal_solution(&self) -> Option<&Solution> {
+        self.isothermal.as_ref().and_then(Outcome::solution)
+    }
+
+    /// What heat does to film and traction: beside the point's isothermal solution, else as its own stages tell.
+    pub fn thermal_reduction(&self) -> Option<ThermalReduction> {
+        let thermal = self.outcome.solution()?;
+        let Some(isothermal) = self.isothermal_solution() else {
+            return thermal.thermal.as_ref()?.reduction;
+        };
+        let (with, without) = (&thermal.summary, &isothermal.summary);
+        let slides = self.case.motion.slides();
+        let isothermal_traction = isothermal.traction.coefficient;
+        Some(ThermalReduction {
+            film_central: Estimate::reduction(with.film_central, without.film_central),
+            film_minimum: Estimate::reduction(with.film_minimum, without.film_minimum),
+            traction: slides
+                .then(|| Estimate::reduction(thermal.traction.coefficient, isothermal_traction)),
+            isothermal_traction,
+        })
+    }
+
+    /// What shear thinning does to the film: beside the point's Newtonian solution, else as its own stages tell.
+    pub fn film_reduction(&self) -> Option<FilmReduction> {
+        let thinned = self.outcome.solution()?;
+        let Some(newtonian) = self.newtonian_solution() else {
+            return thinned.film_reduction;
+        };
+        let (with, without) = (&thinned.summary, &newtonian.summary);
+        Some(FilmReduction {
+            central: Estimate::reduction(with.film_central, without.film_central),
+            minimum: Estimate::reduction(with.film_minimum, without.film_minimum),
+        })
+    }
+}
+
+/// What became of a point.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// Solved.
+    Solved(Box<Solution>),
+    /// Not solved; the reason in one sentence.
+    Failed(String),
+}
+
+impl Outcome {
+    /// The solution, if there is one.
+    pub fn solution(&self) -> Option<&Solution> {
+        match self {
+            Outcome::Solved(solution) => Some(solution),
+            Outcome::Failed(_) => None,
+        }
+    }
+
+    /// The reason of a failure.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Outcome::Solved(_) => None,
+            Outcome::Failed(reason) => Some(reason),
+        }
+    }
+}
+
+/// A point to be solved.
+pub(super) struct Task<'a> {
+    pub(super) point: &'a StudyPoint,
+    /// Its place among the points, and their number.
+    pub(super) place: (usize, usize),
+    /// Its values, for the observer.
+    pub(super) label: String,
+    /// Cases that its mesh should suit, too, if it needs a new one.
+    pub(super) ahead: Vec<&'a Case>,
+    /// Which of the [`SIMPLER`] cases are solved, too.
+    pub(super) beside: [bool; 2],
+    /// Whether its fields and iterations are kept.
+    pub(super) fields: bool,
+}
+
+type Simplify = fn(&mut Case);
+
+/// Cases that may be solved beside a point: without shear thinning, and without heat.
+const SIMPLER: [(&str, Simplify); 2] = [
+    ("Newtonian", |case| case.solver.newtonian = true),
+    ("isothermal", |case| case.solver.isothermal = true),
+];
+
+/// What a point and the simpler cases beside it have reached, from which other points start.
+#[derive(Clone, Default)]
+pub(super) struct Ends {
+    own: Option<Arc<Start>>,
+    beside: [Option<Arc<Start>>; 2],
+}
+
+/// The user wants to stop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Interrupted;
+
+impl Task<'_> {
+    /// Solves the point from the ends of another one. A simpler case starts from that of the other point, the first one from
+    /// its own point. What fails is kept with its reason, and others start from where it started.
+    pub(super) fn solve(
+        &self,
+        session: &Session,
+        mut ends: Ends,
+        observer: &mut dyn CurveObserver,
+    ) -> Result<(PointSolution, Ends), Interrupted> {
+        let clock = Instant::now();
+        let case = &self.point.case;
+        let (index, n_points) = self.place;
+        observer.point(index, n_points, &self.label);
+        let from = ends.own.as_deref();
+        let (outcome, end) = attempt(session, case, from, &self.ahead, self.fields, observer)?;
+        ends.own = end.or(ends.own);
+        let mut beside = [None, None];
+        for (i, (name, simplify)) in SIMPLER.into_iter().enumerate() {
+            if !self.beside[i] {
+                continue;
+            }
+            observer.point(index, n_points, &format!("{}, {name}", self.label));
+            let simpler = |case: &Case| {
+                let mut case = case.clone();
+                simplify(&mut case);
+                case
+            };
+            let ahead: Vec<Case> = self.ahead.iter().map(|case| simpler(case)).collect();
+            let ahead: Vec<&Case> = ahead.iter().collect();
+            let from = ends.beside[i].as_deref().or(ends.own.as_deref());
+            let (outcome, end) = attempt(session, &simpler(case), from, &ahead, false, observer)?;
+            beside[i] = Some(outcome);
+            ends.beside[i] = end.or(ends.beside[i].take());
+        }
+        let [newtonian, isothermal] = beside;
+        let lubricant = &case.lubricant;
+        let slope = (lubricant.viscosity).pressure_viscosity_slope(lubricant.temperature);
+        let point = PointSolution {
+            value: self.point.value(),
+            case: case.echo(),
+            formulas: film_formulas(&case.contact, &groups(case, slope)),
+            outcome,
+            newtonian,
+            isothermal,
+            seconds: clock.elapsed().as_secs_f64(),
+        };
+        Ok((point, ends))
+    }
+}
+
+/// What becomes of a case, and what others can start from. One that fails, in whatever way, leaves the others alone.
+fn attempt(
+    session: &Session,
+    case: &Case,
+    from: Option<&Start>,
+    ahead: &[&Case],
+    fields: bool,
+    observer: &mut dyn CurveObserver,
+) -> Result<(Outcome, Option<Arc<Start>>), Interrupted> {
+    let solve = || session.solve_from(case, from, ahead, observer);
+    let failed = |reason| Ok((Outcome::Failed(reason), None));
+    match catch_unwind(AssertUnwindSafe(solve)) {
+        Ok(Ok((mut solution, end))) => {
+            if !fields {
+                drop_fields(&mut solution);
+            }
+            Ok((Outcome::Solved(Box::new(solution)), Some(Arc::new(end))))
+        }
+        Ok(Err(SolveError::Interrupted)) => Err(Interrupted),
+        Ok(Err(error)) => failed(error.to_string()),
+        Err(_) => failed("internal error; the message stands above".to_owned()),
+    }
+}
+
+/// A long study keeps figures only.
+fn drop_fields(solution: &mut Solution) {
+    solution.centreline = Centreline::default();
+    solution.surface = SurfaceField::default();
+    solution.elements = ElementFields::default();
+    solution.body = None;
+    if let Some(thermal) = &mut solution.thermal {
+        thermal.centreline = FilmTemperatures::default();
+        thermal.surface = FilmTemperatures::default();
+        thermal.profiles = Vec::new();
+        thermal.field = None;
+    }
+    solution.history = Vec::new();
+}
