@@ -1,6 +1,6 @@
 //! A curve: point by point, each from the solution of the last.
 
-use std::time::Instant;
+use ertel_fem::platform::Instant;
 
 use crate::case::curve::Quantity;
 use crate::case::{Case, Curve};
