@@ -34,11 +34,12 @@ fn send_answer(value: &Value) {
     send(page::ertel_answer, &value.to_string());
 }
 
-/// Sets the clock, and lets the page know what a panic says before the module stops.
+/// Sets the clock, lets dense products use the SIMD that the module is compiled for, and lets the page know what a panic says before the module stops.
 fn start() {
     static STARTED: Once = Once::new();
     STARTED.call_once(|| {
         ertel_fem::platform::set_clock(|| page::ertel_seconds());
+        gemm::set_wasm_simd128(cfg!(target_feature = "simd128"));
         panic::set_hook(Box::new(|info| send(page::ertel_panic, &info.to_string())));
     });
 }
