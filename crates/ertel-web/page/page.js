@@ -14,6 +14,8 @@ let ertel;
 let form;
 let worker = null;
 let timer = 0;
+/** The case file of the result that is shown. */
+let solvedText = null;
 
 /** Begins with the module: without it there is nothing to do. */
 async function begin() {
@@ -65,7 +67,7 @@ function refresh() {
   form.show(ertel.form(text), checked);
   showState(checked);
   find("solve").disabled = !checked.ok || worker !== null;
-  find("answer").classList.add("outdated");
+  find("outdated").hidden = text === solvedText;
 }
 
 function showState(checked) {
@@ -125,7 +127,8 @@ function solve() {
     end();
     status.textContent = data.answer.ok ? `Solved in ${seconds()}.` : "Not solved.";
     find("result").hidden = false;
-    find("answer").classList.remove("outdated");
+    solvedText = text;
+    find("outdated").hidden = text === caseText.value;
     showResult(find("answer"), data.answer);
     document.documentElement.dataset.solved = data.answer.ok ? "yes" : "no";
   });

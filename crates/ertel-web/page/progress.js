@@ -1,7 +1,6 @@
 // Newton's method as it goes: a line of words, a picture of the residuals, a table.
 
 const SVG = "http://www.w3.org/2000/svg";
-const WIDTH = 640;
 const HEIGHT = 200;
 const EDGE = { left: 46, right: 10, top: 18, bottom: 26 };
 
@@ -78,28 +77,29 @@ export class Progress {
     const shown = this.residuals.map((residual) => Math.log10(Math.max(residual, 1e-16)));
     const high = Math.ceil(Math.max(...shown, 0));
     const low = Math.floor(Math.min(...shown, -2));
+    // As wide as its place, so that letters keep their size.
+    const width = Math.max(280, this.element.querySelector("#plot").clientWidth);
     const n = Math.max(shown.length, 10);
-    const x = (i) => EDGE.left + ((i + 0.5) / n) * (WIDTH - EDGE.left - EDGE.right);
+    const x = (i) => EDGE.left + ((i + 0.5) / n) * (width - EDGE.left - EDGE.right);
     const y = (value) => EDGE.top + ((high - value) / (high - low)) * (HEIGHT - EDGE.top - EDGE.bottom);
     const svg = document.createElementNS(SVG, "svg");
-    svg.setAttribute("viewBox", `0 0 ${WIDTH} ${HEIGHT}`);
+    svg.setAttribute("viewBox", `0 0 ${width} ${HEIGHT}`);
     svg.setAttribute("role", "img");
     svg.setAttribute("aria-label", `Residual over ${shown.length} Newton iterations, last ${power(this.last.residual)}; central film ${this.last.film_central_text}`);
     const step = Math.max(1, Math.ceil((high - low) / 5));
     for (let value = high; value >= low; value -= step) {
-      draw("line", { class: "grid", x1: EDGE.left, x2: WIDTH - EDGE.right, y1: y(value), y2: y(value) }, svg);
+      draw("line", { class: "grid", x1: EDGE.left, x2: width - EDGE.right, y1: y(value), y2: y(value) }, svg);
       draw("text", { x: EDGE.left - 6, y: y(value) + 4, "text-anchor": "end" }, svg, `1e${value}`);
     }
     for (const { at, name } of this.stages) {
       const place = x(at) - 0.5 * (x(1) - x(0));
       draw("line", { class: "stage", x1: place, x2: place, y1: EDGE.top, y2: HEIGHT - EDGE.bottom }, svg);
-      draw("text", { x: place + 4, y: EDGE.top - 5 }, svg, `stage ${name}`);
+      draw("text", { x: place + 4, y: EDGE.top - 5 }, svg, at === 0 ? `stage ${name}` : name);
     }
     const path = shown.map((value, i) => `${this.stages.some(({ at }) => at === i) ? "M" : "L"}${x(i).toFixed(1)} ${y(value).toFixed(1)}`);
     draw("path", { class: "curve", d: path.join("").replace(/^L/, "M") }, svg);
     shown.forEach((value, i) => draw("circle", { cx: x(i).toFixed(1), cy: y(value).toFixed(1), r: 3 }, svg));
-    draw("text", { x: WIDTH - EDGE.right, y: HEIGHT - 8, "text-anchor": "end" }, svg, `residual ${power(this.last.residual)}, central film ${this.last.film_central_text}`);
-    draw("text", { x: EDGE.left, y: HEIGHT - 8 }, svg, "Newton iterations, relative residual");
+    draw("text", { x: EDGE.left, y: HEIGHT - 8 }, svg, `residual ${power(this.last.residual)}, central film ${this.last.film_central_text}`);
     this.element.querySelector("#plot").replaceChildren(svg);
   }
 }

@@ -92,9 +92,11 @@ async function show(width, { dark = false } = {}) {
   await tab("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }] });
 }
 
-async function picture(name) {
+/** A picture of the page from its top, or from an element on. */
+async function picture(name, from = "body") {
   const { cssContentSize } = await tab("Page.getLayoutMetrics");
-  const clip = { x: 0, y: 0, width: cssContentSize.width, height: Math.min(cssContentSize.height, 6000), scale: 1 };
+  const y = await run(`Math.max(0, document.querySelector(${JSON.stringify(from)}).getBoundingClientRect().top + scrollY - 10)`);
+  const clip = { x: 0, y, width: cssContentSize.width, height: Math.min(cssContentSize.height - y, 1800), scale: 1 };
   const { data } = await tab("Page.captureScreenshot", { format: "png", captureBeyondViewport: true, clip });
   writeFileSync(join(PICTURES, `${name}.png`), Buffer.from(data, "base64"));
 }
@@ -205,12 +207,13 @@ try {
   assert.equal(await run("document.getElementById('status').textContent"), "Stopped; nothing was kept.");
   assert.equal(await solve(), "yes");
   console.log(`ball on disc in the page: ${await run("document.getElementById('status').textContent")}`);
-  await picture("ball-1280");
+  await picture("ball-1280", ".actions");
   await show(390);
   assert((await run("document.documentElement.scrollWidth")) <= 390, "wider than 390 pixels");
-  await picture("ball-390");
+  await picture("form-390");
+  await picture("ball-390", ".actions");
   await show(390, { dark: true });
-  await picture("dark-390");
+  await picture("dark-390", ".actions");
   await show(1280, { dark: true });
   await picture("dark-1280");
 
