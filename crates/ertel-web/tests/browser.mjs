@@ -112,7 +112,7 @@ const text = () => run("document.getElementById('case').value");
 
 async function solve() {
   await run("delete document.documentElement.dataset.solved; document.getElementById('solve').click()");
-  return until("document.documentElement.dataset.solved", 120);
+  return until("document.documentElement.dataset.solved", 600);
 }
 
 /** A file of the last result, downloaded by its link as a user does. */
@@ -202,7 +202,7 @@ try {
   await type("document.getElementById('case')", disc);
   await until("!document.getElementById('solve').disabled");
   await run("document.getElementById('solve').click()");
-  await until("document.getElementById('iterations').rows.length > 0");
+  await until("document.getElementById('iterations').rows.length > 0", 600);
   await run("document.getElementById('stop').click()");
   assert.equal(await run("document.getElementById('status').textContent"), "Stopped; nothing was kept.");
   assert.equal(await solve(), "yes");
