@@ -5,6 +5,7 @@ pub mod element;
 pub mod linear;
 pub mod locate;
 pub mod mesh;
+pub mod platform;
 pub mod potential;
 pub mod quadrature;
 pub mod space;

@@ -1,6 +1,6 @@
 //! From a case to its solution.
 
-use std::time::Instant;
+use ertel_fem::platform::Instant;
 
 use crate::case::Case;
 use crate::contact::{Hertz, Scales, Supply};

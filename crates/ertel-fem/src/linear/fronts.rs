@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 
 use crate::assembly::NodeGraph;
-use crate::linear::ordering::{OrderingError, nested_dissection};
+use crate::linear::ordering::{OrderingError, fill_reducing};
 
 /// One front: unknowns by their position in the elimination order.
 #[derive(Clone, Debug)]
@@ -73,22 +73,22 @@ pub struct Blocks<'a> {
     pub n_inner: usize,
     /// Vertices, ascending in number, on whose common edge, face or cell each inner group lies, filled up
     /// with `u32::MAX`; every vertex has a group of its own. With them only the vertices are
-    /// ordered by METIS, in a small part of the time, and the other groups follow.
+    /// ordered by the graph, in a small part of the time, and the other groups follow.
     pub carriers: Option<Vec<[u32; 4]>>,
 }
 
 const NONE: usize = usize::MAX;
 
 impl Fronts {
-    /// Nested dissection of the inner groups, then the rest.
+    /// Fill-reducing order of the inner groups, then the rest.
     ///
     /// # Errors
-    /// When METIS fails.
+    /// When the ordering fails.
     pub fn new(blocks: &Blocks) -> Result<Fronts, OrderingError> {
         let n = blocks.n_inner;
         let order = match &blocks.carriers {
             Some(carriers) => order_by_vertices(blocks, carriers)?,
-            None => nested_dissection(&inner_graph(blocks))?,
+            None => fill_reducing(&inner_graph(blocks))?,
         };
         let mut rank = vec![0usize; blocks.graph.n_nodes()];
         for (k, b) in order.iter().enumerate() {
@@ -173,7 +173,7 @@ fn inner_graph(blocks: &Blocks) -> NodeGraph {
     graph
 }
 
-/// Vertices by nested dissection; any other group before the first of its vertices, so that a separator
+/// Vertices by a fill-reducing order; any other group before the first of its vertices, so that a separator
 /// of vertices, with what lies on it, separates all groups.
 fn order_by_vertices(blocks: &Blocks, carriers: &[[u32; 4]]) -> Result<Vec<usize>, OrderingError> {
     let n_carriers = |g: usize| carriers[g].iter().filter(|v| **v != u32::MAX).count();
@@ -194,7 +194,7 @@ fn order_by_vertices(blocks: &Blocks, carriers: &[[u32; 4]]) -> Result<Vec<usize
         graph.offsets.push(graph.neighbours.len());
     }
     let mut rank: FxHashMap<u32, usize> = FxHashMap::default();
-    for (r, k) in nested_dissection(&graph)?.into_iter().enumerate() {
+    for (r, k) in fill_reducing(&graph)?.into_iter().enumerate() {
         let vertex = carriers[vertices[k]].iter().min();
         rank.insert(*vertex.expect("four places"), r);
     }

@@ -1,67 +1,51 @@
-//! Fill-reducing order by nested dissection (METIS).
+//! Fill-reducing order of the nodes of a graph: nested dissection by METIS, or approximate minimum degree where METIS, which is
+//! written in C, cannot be built.
 
-use std::sync::{Mutex, PoisonError};
+#[cfg(any(test, target_arch = "wasm32"))]
+mod amd;
+#[cfg(not(target_arch = "wasm32"))]
+mod metis;
+#[cfg(test)]
+mod tests;
+
+#[cfg(any(test, target_arch = "wasm32"))]
+pub(crate) use amd::minimum_degree;
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) use metis::metis;
 
 use crate::assembly::NodeGraph;
 
-/// METIS draws from the C library's one random sequence, seeded at its start: two calls at a time
-/// would disturb each other's order, and with it the last digits of every result.
-static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
-
-/// METIS refused the graph.
+/// The graph was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("METIS could not order a graph of {n_nodes} nodes (code {code})")]
+#[error("could not order a graph of {n_nodes} nodes (code {code})")]
 pub struct OrderingError {
     /// Size of the graph.
     pub n_nodes: usize,
-    /// METIS's return code.
+    /// Return code of the library.
     pub code: i32,
 }
 
-/// Nested-dissection order of the nodes: the k-th node to eliminate is `order[k]`.
-///
-/// # Errors
-/// When METIS fails (out of memory).
-#[allow(unsafe_code)]
-pub fn nested_dissection(graph: &NodeGraph) -> Result<Vec<usize>, OrderingError> {
-    let n = graph.n_nodes();
-    let mut offsets: Vec<i32> = vec![0];
-    let mut neighbours: Vec<i32> = Vec::with_capacity(graph.neighbours.len());
-    for node in 0..n {
+/// Neighbours of each node without itself: where those of each begin, and all of them.
+fn others(graph: &NodeGraph) -> (Vec<u32>, Vec<u32>) {
+    let mut offsets: Vec<u32> = vec![0];
+    let mut neighbours: Vec<u32> = Vec::with_capacity(graph.neighbours.len());
+    for node in 0..graph.n_nodes() {
         neighbours.extend(
             graph
                 .of(node)
                 .iter()
-                .filter(|m| **m as usize != node)
-                .map(|m| *m as i32),
+                .copied()
+                .filter(|m| *m as usize != node),
         );
-        offsets.push(neighbours.len() as i32);
+        offsets.push(neighbours.len() as u32);
     }
-    if neighbours.is_empty() {
-        return Ok((0..n).collect());
-    }
-    let mut size = n as i32;
-    let mut options = [0i32; metis_sys::METIS_NOPTIONS as usize];
-    let mut order = vec![0i32; n];
-    let mut inverse = vec![0i32; n];
-    let _guard = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
-    // SAFETY: all arrays have the lengths METIS documents (n + 1, Σdegrees, n, n) and outlive the
-    // call; a null vertex weight means unit weights. METIS uses a fixed seed, so the order is
-    // reproducible while no other call runs.
-    let code = unsafe {
-        metis_sys::METIS_SetDefaultOptions(options.as_mut_ptr());
-        metis_sys::METIS_NodeND(
-            &mut size,
-            offsets.as_mut_ptr(),
-            neighbours.as_mut_ptr(),
-            std::ptr::null_mut(),
-            options.as_mut_ptr(),
-            order.as_mut_ptr(),
-            inverse.as_mut_ptr(),
-        )
-    };
-    if code != metis_sys::rstatus_et_METIS_OK {
-        return Err(OrderingError { n_nodes: n, code });
-    }
-    Ok(order.into_iter().map(|v| v as usize).collect())
+    (offsets, neighbours)
+}
+
+/// Fill-reducing order of the nodes: the k-th node to eliminate is `order[k]`.
+///
+/// # Errors
+/// When the library fails (out of memory).
+pub fn fill_reducing(graph: &NodeGraph) -> Result<Vec<usize>, OrderingError> {
+    crate::platform::order_graph(graph)
 }

@@ -1,5 +1,6 @@
 //! Result folders that appear as a whole or not at all.
 
+use std::cell::RefCell;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -13,15 +14,30 @@ pub(super) struct NewFolder {
     target: PathBuf,
     parent: PathBuf,
     workplace: Workplace,
+    path: PathBuf,
     root: Part,
 }
 
 /// The folder in the making or a folder within.
 pub(super) struct Part {
     /// Where it is while in the making.
-    path: PathBuf,
+    place: Place,
     /// Where it will be.
     target: PathBuf,
+}
+
+enum Place {
+    Disk(PathBuf),
+    Memory(RefCell<Vec<OutputFile>>),
+}
+
+/// A file of a result folder that is not on a disk.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutputFile {
+    /// Its name.
+    pub name: String,
+    /// Its bytes.
+    pub bytes: Vec<u8>,
 }
 
 impl NewFolder {
@@ -32,14 +48,16 @@ impl NewFolder {
         let (target, parent) = place(target);
         fs::create_dir_all(&parent).map_err(|e| OutputError::io(&parent, e))?;
         let workplace = Workplace::beside(&parent).map_err(|e| OutputError::io(&parent, e))?;
+        let path = workplace.new_folder();
         let root = Part {
-            path: workplace.new_folder(),
+            place: Place::Disk(path.clone()),
             target: target.clone(),
         };
         Ok(NewFolder {
             target,
             parent,
             workplace,
+            path,
             root,
         })
     }
@@ -51,12 +69,11 @@ impl NewFolder {
 
     /// Makes the folder of one point within.
     pub fn point(&self, name: &str) -> Result<Part, OutputError> {
-        let part = Part {
-            path: self.root.path.join(POINTS).join(name),
-            target: self.target.join(POINTS).join(name),
-        };
-        fs::create_dir_all(&part.path).map_err(|e| OutputError::io(&part.target, e))?;
-        Ok(part)
+        let path = self.path.join(POINTS).join(name);
+        let target = self.target.join(POINTS).join(name);
+        fs::create_dir_all(&path).map_err(|e| OutputError::io(&target, e))?;
+        let place = Place::Disk(path);
+        Ok(Part { place, target })
     }
 
     /// Puts the folder in its place, instead of a former result.
@@ -89,6 +106,22 @@ fn place(asked: &Path) -> (PathBuf, PathBuf) {
 }
 
 impl Part {
+    /// A folder in memory, for [`Part::into_files`].
+    pub fn in_memory() -> Part {
+        Part {
+            place: Place::Memory(RefCell::default()),
+            target: PathBuf::new(),
+        }
+    }
+
+    /// The files of a folder in memory, as they were written one after the other; none of one on a disk.
+    pub fn into_files(self) -> Vec<OutputFile> {
+        match self.place {
+            Place::Disk(_) => Vec::new(),
+            Place::Memory(files) => files.into_inner(),
+        }
+    }
+
     /// Where a file of this folder will be.
     pub fn shown(&self, name: &str) -> PathBuf {
         self.target.join(name)
@@ -102,9 +135,20 @@ impl Part {
     ) -> Result<(), OutputError> {
         debug_assert!(OWN_FILES.contains(&name), "{name} is not listed");
         let save = || -> io::Result<()> {
-            let mut out = io::BufWriter::new(File::create(self.path.join(name))?);
-            write(&mut out)?;
-            out.into_inner()?.sync_all()
+            match &self.place {
+                Place::Disk(path) => {
+                    let mut out = io::BufWriter::new(File::create(path.join(name))?);
+                    write(&mut out)?;
+                    out.into_inner()?.sync_all()
+                }
+                Place::Memory(files) => {
+                    let mut bytes = Vec::new();
+                    write(&mut bytes)?;
+                    let name = name.to_owned();
+                    files.borrow_mut().push(OutputFile { name, bytes });
+                    Ok(())
+                }
+            }
         };
         save().map_err(|e| OutputError::io(&self.shown(name), e))
     }

@@ -35,13 +35,13 @@ mod workplace_tests;
 
 pub use compare::{comparison_report, write_comparison};
 pub(crate) use csv::{quoted, text_field};
-pub use curve::{curve_json, curve_report, curve_table, write_curve};
+pub use curve::{curve_files, curve_json, curve_report, curve_table, write_curve};
 pub use echo::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use figure::unresolved;
 pub use file::write_whole;
 pub(crate) use file::{TEMPORARY, sync_folder};
-pub use folder::clear_leftovers;
+pub use folder::{OutputFile, clear_leftovers};
 pub use monte_carlo::{MONTE_CARLO, MONTE_CARLO_PICTURE, monte_carlo_report, write_monte_carlo};
 pub use plot::png::{PngError, check as check_png};
 pub use report::{digits, length, pressure, report};
@@ -129,15 +129,39 @@ pub fn write(
     target: &Path,
     params: &OutputParams,
 ) -> Result<(), OutputError> {
-    if params.png {
-        check_png()?;
-    }
-    if let Some(what) = finite::first_not_finite(case, solution) {
-        return Err(OutputError::NotFinite { what });
-    }
+    check_solution(case, solution, params)?;
     let folder = NewFolder::beside(target)?;
     write_files(folder.root(), case, solution, params)?;
     folder.finish()
+}
+
+/// The files that [`write()`] puts into a folder, in memory: for programs without a disk.
+///
+/// # Errors
+/// [`OutputError`]: pictures that cannot be made, and numbers that are not finite.
+pub fn files(
+    case: &CaseEcho,
+    solution: &Solution,
+    params: &OutputParams,
+) -> Result<Vec<OutputFile>, OutputError> {
+    check_solution(case, solution, params)?;
+    let folder = Part::in_memory();
+    write_files(&folder, case, solution, params)?;
+    Ok(folder.into_files())
+}
+
+fn check_solution(
+    case: &CaseEcho,
+    solution: &Solution,
+    params: &OutputParams,
+) -> Result<(), OutputError> {
+    if params.png {
+        check_png()?;
+    }
+    match finite::first_not_finite(case, solution) {
+        Some(what) => Err(OutputError::NotFinite { what }),
+        None => Ok(()),
+    }
 }
 
 /// The files of one solution.

@@ -48,6 +48,29 @@ fn circular_contact_writes_every_file() {
     assert_eq!(names(&place.path().join("new")), ["ball"]);
 }
 
+/// What goes into a folder and what stays in memory: the same names, the same bytes.
+#[test]
+fn files_in_memory_are_those_of_the_folder() {
+    let kind = ContactKind::Circular;
+    let place = tempfile::tempdir().unwrap();
+    let target = place.path().join("ball");
+    write_to(&target, kind).unwrap();
+    let params = OutputParams {
+        body_field: true,
+        ..OutputParams::default()
+    };
+    let mut case = fixture::case_echo(kind);
+    case.case_file = Some(fs::read_to_string(target.join("case.toml")).unwrap());
+    let mut files = super::files(&case, &fixture::solution(kind), &params).unwrap();
+    files.sort_by(|a, b| a.name.cmp(&b.name));
+    let found: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(names(&target), found);
+    for file in &files {
+        let written = fs::read(target.join(&file.name)).unwrap();
+        assert_eq!(file.bytes, written, "{}", file.name);
+    }
+}
+
 /// A line contact has no maps. No number of the document may have become `null`: those that are
 /// are listed.
 #[test]

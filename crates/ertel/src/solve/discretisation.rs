@@ -1,7 +1,7 @@
 //! One mesh level: meshes, spaces, elastic operator and everything that Newton's method reuses.
 
+use ertel_fem::platform::Instant;
 use std::sync::Arc;
-use std::time::Instant;
 
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::element::Tabulation;

@@ -1,7 +1,7 @@
 //! The linear systems of Newton's method: the bordered condensed one by preconditioned GMRES, or the
 //! monolithic one by sparse LU; factors are kept while they serve.
 
-use std::time::Instant;
+use ertel_fem::platform::Instant;
 
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::gmres::{GmresParams, gmres};

@@ -1,6 +1,6 @@
 //! A curve: point by point, each from the solution of the last.
 
-use std::time::Instant;
+use ertel_fem::platform::Instant;
 
 use super::plan::Plan;
 use super::point::{Ends, Interrupted, PointSolution, Task};

@@ -9,11 +9,12 @@ use faer::prelude::{Reborrow, ReborrowMut};
 use faer::{Accum, MatMut, Par};
 
 use super::CholeskyError;
+use crate::platform::all_cores;
 
 /// Lower factor of a dense matrix, in its place.
 pub(super) fn factor(mut entries: Vec<f64>, n: usize) -> Result<Vec<f64>, CholeskyError> {
     let matrix = MatMut::from_column_major_slice_mut(&mut entries, n, n);
-    cholesky(matrix, Par::rayon(0))
+    cholesky(matrix, all_cores())
         .map_err(|reason| CholeskyError::NotPositiveDefinite { n, reason })?;
     Ok(entries)
 }

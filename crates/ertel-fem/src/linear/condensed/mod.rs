@@ -28,6 +28,7 @@ use crate::linear::Stop;
 use crate::linear::compliance::Compliance;
 use crate::linear::fronts::{Front, Fronts};
 use crate::linear::ordering::OrderingError;
+use crate::platform::all_cores;
 use crate::space::Space;
 use cholesky::{eliminate, factor};
 use plan::{NOWHERE, elements_of_fronts, elimination, is_last, places};
@@ -146,7 +147,7 @@ impl CondensedStiffness {
             }
             let operations = n as f64 * (order as f64).powi(2);
             let par = if operations > LARGE {
-                Par::rayon(0)
+                all_cores()
             } else {
                 Par::Seq
             };
@@ -205,11 +206,11 @@ impl CondensedStiffness {
         }
         let entries = &mut room[..n * n];
         let mut inverse = MatMut::from_column_major_slice_mut(entries, n, n);
-        let mut memory = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(n, Par::rayon(0)));
+        let mut memory = MemBuffer::new(llt::inverse::inverse_scratch::<f64>(n, all_cores()));
         llt::inverse::inverse(
             inverse.rb_mut(),
             MatRef::from_column_major_slice(&factor, n, n),
-            Par::rayon(0),
+            all_cores(),
             MemStack::new(&mut memory),
         );
         drop(factor);

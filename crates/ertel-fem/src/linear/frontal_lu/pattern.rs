@@ -23,7 +23,7 @@ impl FrontalPattern {
     /// Orders the unknowns of `blocks` and finds the place of each entry (row, column).
     ///
     /// # Errors
-    /// When METIS fails.
+    /// When the ordering fails.
     ///
     /// # Panics
     /// When the groups of an entry are no neighbours in the graph of `blocks`.

@@ -15,7 +15,7 @@ pub use table::{COLUMNS, Cell, Column, curve_table};
 
 use std::path::Path;
 
-use super::folder::NewFolder;
+use super::folder::{NewFolder, OutputFile, Part};
 use super::html::{REPORT_PAGE, curve_page};
 use super::plot::Picture;
 use super::{CaseEcho, OutputError, check_png, finite, write_files, write_picture};
@@ -34,6 +34,37 @@ pub fn write_curve(
     params: &OutputParams,
     folders: bool,
 ) -> Result<(), OutputError> {
+    check_curve(curve, params)?;
+    let folder = NewFolder::beside(target)?;
+    write_files_of_curve(folder.root(), case, curve, params)?;
+    if folders {
+        let width = curve.n_points.to_string().len();
+        for (i, point) in curve.points.iter().enumerate() {
+            if let Outcome::Solved(solution) = &point.outcome {
+                let part = folder.point(&format!("{:0width$}", i + 1))?;
+                write_files(&part, &point.case, solution, params)?;
+            }
+        }
+    }
+    folder.finish()
+}
+
+/// The files of the curve itself that [`write_curve`] puts into a folder, in memory.
+///
+/// # Errors
+/// As [`super::files`].
+pub fn curve_files(
+    case: &CaseEcho,
+    curve: &CurveSolution,
+    params: &OutputParams,
+) -> Result<Vec<OutputFile>, OutputError> {
+    check_curve(curve, params)?;
+    let folder = Part::in_memory();
+    write_files_of_curve(&folder, case, curve, params)?;
+    Ok(folder.into_files())
+}
+
+fn check_curve(curve: &CurveSolution, params: &OutputParams) -> Result<(), OutputError> {
     if params.png {
         check_png()?;
     }
@@ -47,11 +78,18 @@ pub fn write_curve(
             }
         }
     }
-    let folder = NewFolder::beside(target)?;
-    let root = folder.root();
+    Ok(())
+}
+
+fn write_files_of_curve(
+    root: &Part,
+    case: &CaseEcho,
+    curve: &CurveSolution,
+    params: &OutputParams,
+) -> Result<(), OutputError> {
     let json = curve_json(case, curve)
         .and_then(|json| serde_json::to_string_pretty(&json))
-        .map_err(|e| OutputError::io(&target.join("curve.json"), e.into()))?;
+        .map_err(|e| OutputError::io(&root.shown("curve.json"), e.into()))?;
     root.file("curve.json", |out| writeln!(out, "{json}"))?;
     root.file("curve.csv", |out| {
         out.write_all(curve_table(curve).as_bytes())
@@ -68,16 +106,7 @@ pub fn write_curve(
     for picture in pictures(&case.title, curve) {
         write_picture(root, &picture, params.png)?;
     }
-    if folders {
-        let width = curve.n_points.to_string().len();
-        for (i, point) in curve.points.iter().enumerate() {
-            if let Outcome::Solved(solution) = &point.outcome {
-                let part = folder.point(&format!("{:0width$}", i + 1))?;
-                write_files(&part, &point.case, solution, params)?;
-            }
-        }
-    }
-    folder.finish()
+    Ok(())
 }
 
 /// Every picture of a curve.

@@ -139,7 +139,7 @@ pub fn solve_coupled(
             return Err(SolveError::Interrupted);
         }
         let before = state.clone();
-        let clock = std::time::Instant::now();
+        let clock = ertel_fem::platform::Instant::now();
         let rise = |state: &State| -> f64 {
             let rise = |t: &f64| (t - heat.inlet_temperature).abs();
             state

@@ -1,7 +1,7 @@
 //! Solves a stage on its mesh: makes the mesh, carries the state over, runs Newton's method, measures.
 
+use ertel_fem::platform::Instant;
 use std::sync::Arc;
-use std::time::Instant;
 
 use super::driver::{Attempt, Driver, StageEnd, StageSolver, Task};
 use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};

@@ -1,6 +1,6 @@
 //! Newton's method on one stage.
 
-use std::time::Instant;
+use ertel_fem::platform::Instant;
 
 use super::{Problem, Role, Stage};
 use crate::solution::{Figure, LevelStats};

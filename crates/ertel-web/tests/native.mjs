@@ -1,0 +1,94 @@
+// The native program, to compare with.
+
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+export const ROOT = fileURLToPath(new URL("../../../", import.meta.url));
+export const TARGET = process.env.CARGO_TARGET_DIR ?? join(ROOT, "target");
+const PROGRAM = process.env.ERTEL ?? join(TARGET, "release/ertel");
+
+function inFolder(text, action) {
+  const folder = mkdtempSync(join(tmpdir(), "ertel-web-"));
+  try {
+    writeFileSync(join(folder, "case.toml"), text);
+    return action(folder);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** result.json of the program. */
+export function nativeResult(text) {
+  return inFolder(text, (folder) => {
+    const output = join(folder, "result");
+    execFileSync(PROGRAM, ["solve", "case.toml", "--quiet", "--no-cache", "--output", output], { cwd: folder, stdio: ["ignore", "ignore", "ignore"] });
+    return JSON.parse(readFileSync(join(output, "result.json"), "utf8"));
+  });
+}
+
+/** What the program says of a case that it refuses; empty where it takes it. */
+export function nativeMessage(text) {
+  return inFolder(text, (folder) => {
+    const { status, stderr } = spawnSync(PROGRAM, ["solve", "--check", "case.toml"], { cwd: folder, encoding: "utf8" });
+    return status === 0 ? "" : stderr.slice(stderr.indexOf("error: ") + "error: ".length).trimEnd();
+  });
+}
+
+/** What of a result may differ, relative. All but these are figures, and agree to 1e-9. */
+const CLASSES = [
+  // Times and iterations.
+  { name: "effort", of: (path) => /^\.(stats|history)\b/.test(path), tolerance: Infinity },
+  // Adjoints that weigh errors are solved to 1e-3 with a preconditioner of 16-bit numbers: rounding moves them by as much.
+  { name: "error bars", of: (path) => /error$/.test(path) && !/balance_error$/.test(path), tolerance: 2e-2 },
+  // Small differences of large numbers: compared beside 1.
+  { name: "balances", of: (path) => /balance_error$/.test(path), scale: () => 1, tolerance: 1e-9 },
+  // Where a film or pressure is extreme it is flat: 1e-15 of the value is 3e-8 of the half-width.
+  { name: "places", of: (path) => /^\.summary\..*\.[xyz]$/.test(path), scale: (result) => result.hertz.half_width, tolerance: 1e-6 },
+  // By adjoints of their own tolerance; beside 1, a power law.
+  { name: "sensitivities", of: (path) => /^\.sensitivities\b/.test(path), scale: () => 1, tolerance: 1e-4 },
+  { name: "figures", of: () => true, tolerance: 1e-9 },
+];
+
+/** The largest difference between two results in each class: `{ name: { value, path, tolerance } }`. */
+export function differences(one, other) {
+  const worst = Object.fromEntries(CLASSES.map(({ name, tolerance }) => [name, { value: 0, path: "", tolerance }]));
+  const visit = (a, b, path) => {
+    const both = [a, b];
+    if (both.every((side) => side !== null && typeof side === "object")) {
+      for (const key of new Set(both.flatMap(Object.keys))) visit(a[key], b[key], `${path}.${key}`);
+      return;
+    }
+    const { name, scale } = CLASSES.find(({ of }) => of(path));
+    let value = Object.is(a, b) ? 0 : Infinity;
+    if (value > 0 && both.every((side) => typeof side === "number")) {
+      value = Math.abs(a - b) / Math.max(scale ? scale(other) : 0, Math.abs(a), Math.abs(b));
+    }
+    if (!(value <= worst[name].value)) Object.assign(worst[name], { value, path });
+  };
+  visit(one, other, "");
+  return worst;
+}
+
+/** Differences in words, and an error where one is too large. */
+export function agreed(one, other) {
+  const found = Object.entries(differences(one, other)).filter(([name]) => name !== "effort");
+  const words = found.map(([name, { value, path }]) => `${name} ${value.toExponential(1)}${value > 0 ? ` (${path.slice(1)})` : ""}`).join(", ");
+  for (const [name, { value, path, tolerance }] of found) {
+    if (!(value <= tolerance)) throw new Error(`${name}: ${path} differs by ${value}, and ${tolerance} is allowed\n${words}`);
+  }
+  return words;
+}
+
+/** Largest difference of the figures of a summary over the sum of both error bars. */
+export function withinBars(one, other) {
+  let worst = 0;
+  for (const [key, figure] of Object.entries(other.summary)) {
+    if (typeof figure?.value === "number" && figure.error > 0) {
+      worst = Math.max(worst, Math.abs(one.summary[key].value - figure.value) / (one.summary[key].error + figure.error));
+    }
+  }
+  return worst;
+}

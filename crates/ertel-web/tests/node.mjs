@@ -1,0 +1,76 @@
+// The module in node against the native program: figures to 1e-9 on equal meshes, messages to the letter, times, size.
+
+import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+import { start } from "../page/ertel.js";
+import { ROOT, TARGET, agreed, nativeMessage, nativeResult, withinBars } from "./native.mjs";
+
+const bytes = readFileSync(join(TARGET, "web/ertel.wasm"));
+console.log(`ertel.wasm: ${bytes.length} bytes, ${gzipSync(bytes, { level: 9 }).length} compressed`);
+const module = await WebAssembly.compile(bytes);
+
+/** Solves a case in the module and in the program. */
+async function both(name, text) {
+  const ertel = await start(module);
+  let iterations = 0;
+  const [began, before] = [performance.now(), process.cpuUsage()];
+  const answer = ertel.solve(text, ({ event }) => { iterations += event === "iteration"; });
+  const wall = (performance.now() - began) / 1000;
+  // On a busy machine time of the processor says more.
+  const seconds = Math.min(wall, process.cpuUsage(before).user / 1e6);
+  assert(answer.ok, JSON.stringify(answer.error));
+  const file = (wanted) => answer.files.find((one) => one.name === wanted).text;
+  assert(file("report.txt").includes("central film thickness"));
+  assert.equal(file("case.toml"), text);
+  assert(iterations > 3);
+  const [own, native] = [JSON.parse(file("result.json")), nativeResult(text)];
+  console.log(`${name}: ${wall.toFixed(2)} s in WebAssembly (${seconds.toFixed(2)} s of a processor), ${native.stats.wall_seconds.toFixed(2)} s in the program; ` +
+    `${iterations} Newton iterations; ${(ertel.memory() / 1e6).toFixed(0)} MB`);
+  return { own, native, seconds };
+}
+
+function inTime(name, seconds, allowed) {
+  if (!process.env.ERTEL_WEB_ANY_TIME) assert(seconds < allowed, `${name} took ${seconds} s, and ${allowed} are allowed`);
+}
+
+const read = (name) => readFileSync(join(ROOT, `cases/${name}.toml`), "utf8");
+{
+  const { own, native, seconds } = await both("roller", read("roller"));
+  console.log(`  ${agreed(own, native)}`);
+  inTime("roller", seconds, 1);
+}
+{
+  // On a mesh that is laid down: every figure.
+  const { own, native } = await both("ball-on-disc on the mesh of a preset", `${read("ball-on-disc")}\n[mesh]\npreset = "normal"\n[solver]\nerror_estimate = false\n`);
+  console.log(`  ${agreed(own, native)}`);
+}
+{
+  // Which elements are halved depends on estimates that rounding moves by 1e-3: another mesh, other discretisation errors.
+  const { own, native, seconds } = await both("ball-on-disc", read("ball-on-disc"));
+  const share = withinBars(own, native);
+  const difference = Math.abs(own.summary.film_central.value / native.summary.film_central.value - 1);
+  console.log(`  meshes of ${own.stats.levels.at(-1).n_pressure_dofs} and ${native.stats.levels.at(-1).n_pressure_dofs} unknowns; central film differs by ` +
+    `${difference.toExponential(1)}, all figures by ${share.toFixed(2)} of their error bars at most`);
+  assert(share <= 1);
+  inTime("ball-on-disc", seconds, 10);
+}
+
+// What the program refuses, the page refuses with the same words. Files beside the case are not there in a browser.
+const folder = join(ROOT, "crates/ertel-cli/tests/bad");
+const ertel = await start(module);
+let compared = 0;
+const others = [];
+for (const name of readdirSync(folder).filter((one) => one.endsWith(".toml"))) {
+  const text = readFileSync(join(folder, name), "utf8");
+  const native = nativeMessage(text);
+  const { ok, error } = ertel.check(text);
+  if (native === "" && ok) continue;
+  if (/\.(csv|toml)"/.test(text)) continue;
+  compared += 1;
+  if (ok || error.text !== native) others.push(`${name}\n  program: ${native}\n  module:  ${ok ? "takes it" : error.text}`);
+}
+console.log(`${compared} bad case files: ${compared - others.length} with the words of the program`);
+assert(compared > 100 && others.length === 0, others.join("\n"));
+

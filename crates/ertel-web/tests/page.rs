@@ -1,0 +1,111 @@
+//! What a page asks for, on the computer: fields of a case file, edits that keep it, and the words of the program.
+
+use std::path::Path;
+
+use ertel::case::Case;
+use ertel_web::{check, database, edit, form};
+use serde_json::{Value, json};
+
+const ROLLER: &str = include_str!("../../../cases/roller.toml");
+const BALL: &str = include_str!("../../../cases/ball-on-disc.toml");
+
+fn edited(text: &str, changes: &Value) -> String {
+    edit(text, &changes.to_string()).unwrap()
+}
+
+/// Values as they stand in the file, by their key paths.
+#[test]
+fn fields_are_the_values_of_the_file() {
+    let found = form(BALL);
+    assert_eq!(found["ok"], true);
+    let values = &found["values"];
+    assert_eq!(values["contact.radius"], "16 mm");
+    assert_eq!(values["motion.slide_to_roll_ratio"], 0.0);
+    assert_eq!(values["bodies.ball.poissons_ratio"], 0.3);
+    let tables = found["tables"].as_array().unwrap();
+    assert!(tables.contains(&json!("lubricant.viscosity")));
+    assert_eq!(form("radius = ")["error"]["line"], 1);
+}
+
+/// One value changes; comments, order and spaces stay.
+#[test]
+fn an_edit_changes_one_value() {
+    let changes = json!([
+        ["contact.radius", "20 mm"],
+        ["motion.slide_to_roll_ratio", 0.5]
+    ]);
+    let expected = BALL
+        .replace("\"16 mm\" ", "\"20 mm\" ")
+        .replace("ratio = 0.0 ", "ratio = 0.5 ");
+    assert_eq!(edited(BALL, &changes), expected);
+}
+
+/// Tables are made where they are needed, and values make way for them: the case that comes out is the one that was meant.
+#[test]
+fn edits_make_and_remove_tables() {
+    let changes = json!([
+        ["bodies.plane.youngs_modulus", "73 GPa"],
+        ["bodies.plane.poissons_ratio", 0.17],
+        ["lubricant", null],
+        ["lubricant.name", "squalane-pip"],
+        ["lubricant.temperature", "313 K"],
+        ["thermal", {}],
+    ]);
+    let text = edited(ROLLER, &changes);
+    let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
+    assert_eq!(case.plane.elasticity.youngs_modulus, 73e9);
+    assert_eq!(case.lubricant.temperature, 313.0);
+    assert!(case.thermal.is_some());
+    let text = edited(
+        &text,
+        &json!([["thermal", null], ["bodies.plane", "glass"]]),
+    );
+    let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
+    assert!(case.thermal.is_none());
+    assert_eq!(form(&text)["values"]["bodies.plane"], "glass");
+}
+
+#[test]
+fn edits_that_are_none_are_refused() {
+    for changes in ["{", "[[1, 2]]", r#"[["a", [1]]]"#, r#"[["a", {"b": 1}]]"#] {
+        assert!(edit(ROLLER, changes).is_err(), "{changes}");
+    }
+    assert!(edit("a = ", "[]").is_err());
+}
+
+/// The error of the library with its place and key; a case that cannot be solved is refused before a solve.
+#[test]
+fn errors_have_their_place() {
+    let text = ROLLER.replace("10 mm", "10 s");
+    let expected = Case::from_text("case.toml", &text, Path::new("")).unwrap_err();
+    let error = &check(&text)["error"];
+    assert_eq!(error["text"], expected.to_string());
+    assert_eq!(error["key"], "contact.radius");
+    assert_eq!((&error["line"], &error["column"]), (&json!(5), &json!(10)));
+    let thin = ROLLER.replace("2 m/s", "1e-9 m/s");
+    let error = &check(&thin)["error"]["text"];
+    assert!(error.as_str().unwrap().contains("too thin"), "{error}");
+    let long = format!("{ROLLER}\n#{}", "-".repeat(2_000_000));
+    let error = &check(&long)["error"]["text"];
+    assert!(error.as_str().unwrap().contains("is too large"), "{error}");
+    // There is no disk to look for it.
+    let own = ROLLER.replace("plane = \"steel\"", "plane = \"own-steel.toml\"");
+    assert_eq!(check(&own)["error"]["key"], "bodies.plane");
+    assert_eq!(check(ROLLER)["ok"], true);
+}
+
+/// Every example and every entry of the lists can be used.
+#[test]
+fn lists_can_be_chosen_from() {
+    let lists = database();
+    for example in lists["examples"].as_array().unwrap() {
+        let text = example["text"].as_str().unwrap();
+        assert_eq!(check(text)["ok"], true, "{}", example["name"]);
+    }
+    let names = |list: &str| lists[list].as_array().unwrap().len();
+    assert!(names("fluids") > 60 && names("solids") > 5);
+    for solid in lists["solids"].as_array().unwrap() {
+        let text = edited(ROLLER, &json!([["bodies.plane", solid["name"]]]));
+        assert_eq!(check(&text)["ok"], true, "{}", solid["name"]);
+    }
+}
