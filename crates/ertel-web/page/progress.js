@@ -15,6 +15,8 @@ function draw(name, attributes, parent, text) {
 const power = (value) => value.toExponential(1);
 
 export class Progress {
+  static resizes = null;
+
   /** `say(line)` shows a line of words. */
   constructor(element, say) {
     this.element = element;
@@ -29,6 +31,11 @@ export class Progress {
     element.querySelector("#plot").replaceChildren();
     element.hidden = false;
     this.planned = false;
+    Progress.resizes?.disconnect();
+    Progress.resizes = new ResizeObserver(([{ contentRect }]) => {
+      if (this.residuals.length > 0 && contentRect.width !== this.width) this.#plan();
+    });
+    Progress.resizes.observe(element.querySelector("#plot"));
   }
 
   add(event) {
@@ -78,7 +85,8 @@ export class Progress {
     const high = Math.ceil(Math.max(...shown, 0));
     const low = Math.floor(Math.min(...shown, -2));
     // As wide as its place, so that letters keep their size.
-    const width = Math.max(280, this.element.querySelector("#plot").clientWidth);
+    this.width = this.element.querySelector("#plot").clientWidth;
+    const width = Math.max(280, this.width);
     const n = Math.max(shown.length, 10);
     const x = (i) => EDGE.left + ((i + 0.5) / n) * (width - EDGE.left - EDGE.right);
     const y = (value) => EDGE.top + ((high - value) / (high - low)) * (HEIGHT - EDGE.top - EDGE.bottom);

@@ -209,6 +209,7 @@ try {
   console.log(`ball on disc in the page: ${await run("document.getElementById('status').textContent")}`);
   await picture("ball-1280", ".actions");
   await show(390);
+  await until("document.querySelector('#plot svg').viewBox.baseVal.width < 390");
   assert((await run("document.documentElement.scrollWidth")) <= 390, "wider than 390 pixels");
   await picture("form-390");
   await picture("ball-390", ".actions");
