@@ -180,7 +180,8 @@ fn write_files(
             vtu::write_body(out, solution.shape.kind, body)
         })?;
     }
-    for picture in plot::pictures(&case.title, solution, Some(case.solver.tolerance)) {
+    let (tolerance, scale) = (Some(case.solver.tolerance), case.temperature_scale());
+    for picture in plot::pictures_in(&case.title, solution, tolerance, scale) {
         write_picture(folder, &picture, params.png)?;
     }
     if let Some(light) = &params.interferogram {

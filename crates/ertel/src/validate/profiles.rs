@@ -1,7 +1,7 @@
 //! Pictures that set profiles of several runs beside each other.
 
 use crate::output::plot::{
-    self, Axis, Chart, Look, PALETTE, Series, Side, film_unit, side_by_side,
+    self, Axis, Chart, Look, PALETTE, Series, Side, TemperatureScale, film_unit, side_by_side,
 };
 use crate::solution::Solution;
 
@@ -151,13 +151,14 @@ pub(super) fn temperatures(
     runs: &[Named],
     columns: usize,
 ) -> Option<String> {
+    let scale = TemperatureScale::Kelvin;
     let mut charts: Vec<Chart> = runs
         .iter()
         .filter_map(|(name, s)| {
             let thermal = s.as_ref()?.thermal.as_ref()?;
             let chart = match across {
-                true => plot::cross_film_chart(title, (*s)?, thermal),
-                false => plot::temperature_chart(title, (*s)?),
+                true => plot::cross_film_chart(title, (*s)?, thermal, scale),
+                false => plot::temperature_chart(title, (*s)?, scale),
             };
             Some(Chart {
                 heading: name.clone(),
@@ -168,6 +169,10 @@ pub(super) fn temperatures(
     let ends: Vec<f64> = charts.iter().flat_map(|c| [c.y.low, c.y.high]).collect();
     let y = Axis::linear_around(&charts.first()?.y.label, ends);
     for chart in &mut charts {
+        chart.y_other = (chart.y_other.take()).map(|other| {
+            let shift = other.low - chart.y.low;
+            Axis::linear(&other.label, y.low + shift, y.high + shift)
+        });
         chart.y = y.clone();
     }
     Some(side_by_side(title, &charts, columns))

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use ertel_rheology::input::tree::{Entry, Node, Value};
 use ertel_rheology::input::{Document, InputError, Table};
-use ertel_rheology::quantity::{Dimension, parse_any};
+use ertel_rheology::quantity::{Dimension, Unit, parse_any};
 
 use super::MOST_POINTS;
 use super::text::inline;
@@ -98,6 +98,23 @@ impl Axis {
         match self.values.first() {
             Some((_, AxisValue::Number(_, dimension))) => header(&self.key, *dimension),
             _ => self.key.clone(),
+        }
+    }
+
+    /// The unit of its first value as the user wrote it; empty where there is none.
+    pub fn unit(&self) -> String {
+        let given = match self.values.first() {
+            Some((node, AxisValue::Number(..))) => match &node.value {
+                Value::Str(text) => text.as_str(),
+                _ => "",
+            },
+            _ => "",
+        };
+        let unit = given.split_once(' ').map_or("", |(_, unit)| unit.trim());
+        match Unit::parse(unit) {
+            Ok(_) => unit.to_owned(),
+            // A quantity with its uncertainty, or one without a blank before its unit.
+            Err(_) => String::new(),
         }
     }
 }

@@ -93,6 +93,8 @@ pub struct StudyColumn {
     pub key: String,
     /// Title of its column: the key, and the SI unit of a quantity, `contact.load_N`.
     pub header: String,
+    /// The unit in which the user gave its first value, `kN`; empty where it has none.
+    pub unit: String,
 }
 
 impl StudyColumn {
@@ -101,6 +103,7 @@ impl StudyColumn {
         Self {
             key: key.to_owned(),
             header: axis::header(key, dimension),
+            unit: String::new(),
         }
     }
 }
@@ -278,6 +281,7 @@ fn build(
         .map(|axis| StudyColumn {
             key: axis.key.clone(),
             header: axis.header(),
+            unit: axis.unit(),
         })
         .collect();
     Ok(Study {

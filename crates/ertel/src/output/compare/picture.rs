@@ -14,8 +14,6 @@ use crate::compare::{ComparedRow, Comparison, Figure};
 const LOG_FROM: f64 = 5.0;
 /// Room of a logarithmic axis around the points.
 const ROOM: f64 = 1.1;
-/// Room of a linear axis for the legend.
-const LEGEND_ROOM: f64 = 1.25;
 /// Colour of rows where the other quantities have more settings than there are colours.
 const MANY: &str = "#404040";
 
@@ -131,6 +129,7 @@ impl Layout {
             chart.series.push(legend_entry(Look::Circles, "measured"));
             chart.series.push(legend_entry(computed, "computed"));
         }
+        chart.error_label = "uncertainty of the measurement".to_owned();
         chart.y = y_axis(&chart, &y_label);
         chart
     }
@@ -222,7 +221,7 @@ fn y_axis(chart: &Chart, label: &str) -> Axis {
     }
     let all = heights.into_iter().chain(ends).chain([0.0]);
     let (low, high) = all.fold((0.0, 0.0), |(l, h): (f64, f64), v| (l.min(v), h.max(v)));
-    Axis::linear_around(label, [low, LEGEND_ROOM * high])
+    Axis::linear_around(label, [low, high])
 }
 
 fn is_wide(values: impl Iterator<Item = f64>) -> bool {

@@ -11,6 +11,7 @@ use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
 use super::sampling::Sampling;
 use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
 use crate::contact::HertzZone;
+use crate::output::length;
 
 /// Height of the frame of a map, px, and the bounds of its width.
 const MAP_HEIGHT: f64 = 330.0;
@@ -45,6 +46,18 @@ pub(super) struct FieldMap<'a> {
     /// The Hertz zone and the colour of its rim.
     pub zone: HertzZone,
     pub rim: &'a str,
+    /// The Hertz half-width a, m.
+    pub half_width: f64,
+    /// What stands on the left of the bar, if anything.
+    pub other: Option<OtherScale>,
+}
+
+/// A second scale of a continuous bar.
+pub(super) struct OtherScale {
+    /// Its values at the ends of the bar.
+    pub ends: [f64; 2],
+    /// Units over its left and its right side.
+    pub units: [&'static str; 2],
 }
 
 /// What the colour bar shows.
@@ -58,6 +71,12 @@ pub(super) enum Bar {
 /// Area, px², below which a closed level line is a dot: noise of a field that hardly differs from the level there.
 const DOT: f64 = 4.0;
 
+/// Size and height of the lines of the note below a map, px, and width of the frame from which it is one line.
+const NOTE_SIZE: f64 = 11.0;
+const NOTE_ROW: f64 = 15.0;
+const ONE_LINE: f64 = 240.0;
+/// Colour of notes.
+const GREY: &str = "#595959";
 const BAR_GAP: f64 = 22.0;
 const BAR_WIDTH: f64 = 16.0;
 
@@ -67,7 +86,7 @@ impl FieldMap<'_> {
         let [[x0, x1], [y0, y1]] = self.window;
         let frame = Frame {
             left: 62.0,
-            top: 16.0,
+            top: if self.other.is_some() { 26.0 } else { 16.0 },
             width: map_height(self.window) * (x1 - x0) / (y1 - y0),
             height: map_height(self.window),
         };
@@ -76,16 +95,40 @@ impl FieldMap<'_> {
             .iter()
             .map(|t| text_width(&t.1, TICK_SIZE))
             .fold(0.0, f64::max);
+        let others = self
+            .other
+            .as_ref()
+            .map_or(Vec::new(), |o| bar_ticks(o.ends));
+        let others_widest = others
+            .iter()
+            .map(|t| text_width(&t.1, TICK_SIZE) + 10.0)
+            .fold(0.0, f64::max);
         let bar = Frame {
-            left: frame.left + frame.width + BAR_GAP,
+            left: frame.left + frame.width + BAR_GAP + others_widest,
             width: BAR_WIDTH,
             ..frame
         };
+        let foot = frame.top + frame.height + 39.0;
+        let notes = [
+            format!("*a* = {}; line: rim of", length(self.half_width)),
+            "the Hertzian contact".to_owned(),
+        ];
+        let notes = match frame.width >= ONE_LINE {
+            true => vec![notes.join(" ")],
+            false => notes.to_vec(),
+        };
         let mut svg = Svg::new(
             bar.left + bar.width + widest + 40.0,
-            frame.top + frame.height + 52.0,
+            foot + NOTE_ROW * notes.len() as f64 + 13.0,
             self.title,
         );
+        for (i, note) in notes.iter().enumerate() {
+            let at = [
+                frame.left + 0.5 * frame.width,
+                foot + 3.0 + NOTE_ROW * (i + 1) as f64,
+            ];
+            svg.text(at, note, NOTE_SIZE, Anchor::Middle, GREY);
+        }
         let x = Axis::linear("*x*/*a*", x0, x1);
         let y = Axis::linear("*y*/*a*", y0, y1);
         self.draw_field(&mut svg, frame, &x, &y);
@@ -94,6 +137,9 @@ impl FieldMap<'_> {
         draw_ticks(&mut svg, frame, &x, &y);
         label_y_axis(&mut svg, frame, &y, Side::Left, INK);
         self.draw_bar(&mut svg, bar, &ticks);
+        if let Some(other) = &self.other {
+            draw_other(&mut svg, bar, other, &others);
+        }
         let at = [
             bar.left + bar.width + widest + 26.0,
             bar.top + 0.5 * bar.height,
@@ -180,11 +226,7 @@ impl FieldMap<'_> {
     /// Ticks of the bar: share of its height, and label.
     fn bar_ticks(&self) -> Vec<(f64, String)> {
         match self.bar {
-            Bar::Continuous([bottom, top]) => {
-                let axis = Axis::linear("", bottom, top);
-                let ticks = axis.ticks().into_iter();
-                ticks.map(|(v, label)| (axis.position(v), label)).collect()
-            }
+            Bar::Continuous(ends) => bar_ticks(ends),
             Bar::Steps => {
                 let step = match self.levels[..] {
                     [first, second, ..] => second - first,
@@ -199,6 +241,30 @@ impl FieldMap<'_> {
             }
         }
     }
+}
+
+/// Ticks of a bar with these values at its ends: share of its height, and label.
+fn bar_ticks([bottom, top]: [f64; 2]) -> Vec<(f64, String)> {
+    let axis = Axis::linear("", bottom, top);
+    let ticks = axis.ticks().into_iter();
+    ticks.map(|(v, label)| (axis.position(v), label)).collect()
+}
+
+/// The scale on the left of a bar, and the units of both over it.
+fn draw_other(svg: &mut Svg, bar: Frame, other: &OtherScale, ticks: &[(f64, String)]) {
+    let mut d = String::new();
+    for (share, label) in ticks {
+        let y = bar.top + (1.0 - share) * bar.height;
+        let _ = write!(d, "M{} {}h-4", number(bar.left), number(y));
+        let at = [bar.left - 7.0, y + 4.2];
+        svg.text(at, label, TICK_SIZE, Anchor::End, INK);
+    }
+    svg.stroke(&d, Stroke::solid(INK, 0.7));
+    let [left, right] = other.units;
+    let y = bar.top - 9.0;
+    svg.text([bar.left - 3.0, y], left, TICK_SIZE, Anchor::End, INK);
+    let edge = bar.left + bar.width + 3.0;
+    svg.text([edge, y], right, TICK_SIZE, Anchor::Start, INK);
 }
 
 /// Ticks that point outwards, for they would be lost on the colours.

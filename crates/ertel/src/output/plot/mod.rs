@@ -9,6 +9,7 @@ mod fluid;
 mod frame;
 mod heat;
 mod interferogram;
+mod legend;
 mod maps;
 pub mod png;
 mod profile;
@@ -20,7 +21,7 @@ pub use axis::{Axis, AxisScale};
 pub use chart::{Chart, ErrorBars, Look, Marker, PALETTE, Series, Side, side_by_side};
 pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
-pub use heat::{cross_film_chart, temperature_chart};
+pub use heat::{TemperatureScale, cross_film_chart, temperature_chart};
 pub use interferogram::{Image, ImageError};
 pub use maps::{film_map, pressure_map};
 pub(crate) use profile::{profile, profile_across};
@@ -32,6 +33,9 @@ use crate::solution::Solution;
 /// Film thicknesses are shown in nm below this value (m), else in µm.
 const NANOMETRES_BELOW: f64 = 1e-6;
 
+/// What error bars of computed figures are called in legends.
+pub(crate) const ERROR_BARS: &str = "numerical error";
+
 /// A picture: file name without suffix, and SVG text.
 pub struct Picture {
     /// File name without suffix.
@@ -40,19 +44,29 @@ pub struct Picture {
     pub svg: String,
 }
 
-/// Every picture of a solution; the convergence target is drawn where given.
+/// Every picture of a solution, temperatures in Kelvin first; the convergence target is drawn where given.
 pub fn pictures(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec<Picture> {
+    pictures_in(title, solution, tolerance, TemperatureScale::default())
+}
+
+/// The same with the scale in which temperatures are shown first.
+pub fn pictures_in(
+    title: &str,
+    solution: &Solution,
+    tolerance: Option<f64>,
+    scale: TemperatureScale,
+) -> Vec<Picture> {
     let mut tasks: Vec<Task> = vec![("centreline", Box::new(|| centreline(title, solution).svg()))];
     if solution.shape.kind.is_point() {
         tasks.push(("pressure", Box::new(|| pressure_map(title, solution))));
         tasks.push(("film", Box::new(|| film_map(title, solution))));
     }
     if let Some(thermal) = &solution.thermal {
-        tasks.extend(heat::heat_pictures(title, solution, thermal));
+        tasks.extend(heat::heat_pictures(title, solution, thermal, scale));
     }
     tasks.push((
         "convergence",
-        Box::new(move || convergence(title, solution, tolerance).svg()),
+        Box::new(move || side_by_side(title, &convergence(title, solution, tolerance), 2)),
     ));
     (tasks.into_par_iter())
         .map(|(name, draw)| Picture { name, svg: draw() })

@@ -229,6 +229,14 @@ fn spans(text: &str, size: f64) -> String {
         if plain.is_empty() {
             return;
         }
+        // Some renderers drop blanks at the ends of spans: these stay.
+        if plain.starts_with(' ') {
+            plain.replace_range(..1, "\u{a0}");
+        }
+        if plain.ends_with(' ') {
+            plain.truncate(plain.len() - 1);
+            plain.push('\u{a0}');
+        }
         let style = if italic { " font-style=\"italic\"" } else { "" };
         let dy = if *shift == 0.0 {
             String::new()
@@ -285,7 +293,7 @@ mod tests {
         assert_eq!(
             spans("*p*_{h} (GPa)", 10.0),
             "<tspan font-style=\"italic\">p</tspan><tspan font-size=\"7.5\" dy=\"2.5\">h</tspan>\
-             <tspan dy=\"-2.5\"> (GPa)</tspan>"
+             <tspan dy=\"-2.5\">\u{a0}(GPa)</tspan>"
         );
     }
 

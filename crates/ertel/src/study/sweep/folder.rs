@@ -105,12 +105,12 @@ pub(super) fn write_results(
         output::write_whole(&path, text.as_bytes()).map_err(|e| SweepError::io(&path, e))
     };
     write(TABLE, echo.table(records))?;
-    for (name, chart) in [
+    for (name, picture) in [
         (FILMS, output::study_films(echo, records)),
         (TRACTIONS, output::study_tractions(echo, records)),
     ] {
-        if let Some(chart) = chart {
-            write(name, chart.svg())?;
+        if let Some(svg) = picture {
+            write(name, svg)?;
         }
     }
     Ok(())
