@@ -219,7 +219,7 @@ impl Layout {
             4 => 2,
             n => n.min(PANELS_IN_A_ROW),
         };
-        Some(side_by_side(&study.title, &charts, columns))
+        Some(side_by_side(&study.title, &charts, columns).svg())
     }
 
     fn chart(

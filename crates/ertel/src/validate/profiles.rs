@@ -19,7 +19,7 @@ const FILM_SHOWN: f64 = 2.0;
 pub(super) fn panels(title: &str, runs: &[Named], columns: usize) -> Option<String> {
     runs.iter().find_map(|r| r.1)?;
     let charts: Vec<Chart> = runs.iter().map(|(name, s)| panel(name, *s)).collect();
-    Some(side_by_side(title, &charts, columns))
+    Some(side_by_side(title, &charts, columns).svg())
 }
 
 fn panel(name: &str, solution: Option<&Solution>) -> Chart {
@@ -140,7 +140,7 @@ pub(super) fn overlay(
             chart
         })
         .collect();
-    Some(side_by_side(title, &charts, 2))
+    Some(side_by_side(title, &charts, 2).svg())
 }
 
 /// Temperatures of each run in a panel of its own, axes alike: across the film at its chosen points, or along the
@@ -175,7 +175,7 @@ pub(super) fn temperatures(
         });
         chart.y = y.clone();
     }
-    Some(side_by_side(title, &charts, columns))
+    Some(side_by_side(title, &charts, columns).svg())
 }
 
 fn pressure(s: &Solution) -> Vec<[f64; 2]> {

@@ -2,7 +2,9 @@
 
 use std::collections::HashSet;
 
-use super::super::plot::{Axis, AxisScale, Chart, ErrorBars, Look, PALETTE, Series, side_by_side};
+use super::super::plot::{
+    Axis, AxisScale, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side,
+};
 use super::super::report::digits;
 use super::super::study::words;
 use super::report::unit_of;
@@ -19,7 +21,7 @@ const MANY: &str = "#404040";
 
 /// Films in one diagram and traction in another, over the column with the most settings; a colour for each setting of the other
 /// columns. `None` where no column is a number.
-pub fn comparison_picture(comparison: &Comparison) -> Option<String> {
+pub fn comparison_picture(comparison: &Comparison) -> Option<Drawing> {
     let layout = Layout::new(comparison)?;
     let (films, tractions): (Vec<Figure>, Vec<Figure>) =
         comparison.figures().partition(|f| f.is_film());

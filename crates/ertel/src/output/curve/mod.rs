@@ -16,8 +16,8 @@ pub use table::{COLUMNS, Cell, Column, curve_table};
 use std::path::Path;
 
 use super::folder::NewFolder;
-use super::plot::Picture;
-use super::{CaseEcho, OutputError, check_png, finite, write_files, write_picture};
+use super::plot::{Chart, Picture};
+use super::{CaseEcho, OutputError, finite, write_files, write_picture};
 use crate::params::OutputParams;
 use crate::study::{CurveSolution, Outcome};
 
@@ -33,9 +33,6 @@ pub fn write_curve(
     params: &OutputParams,
     folders: bool,
 ) -> Result<(), OutputError> {
-    if params.png {
-        check_png()?;
-    }
     for (i, point) in curve.points.iter().enumerate() {
         let besides = [&point.newtonian, &point.isothermal].map(Option::as_ref);
         for outcome in [[Some(&point.outcome); 1].as_slice(), &besides].concat() {
@@ -62,7 +59,7 @@ pub fn write_curve(
         root.file("case.toml", |out| out.write_all(text.as_bytes()))?;
     }
     for picture in pictures(&case.title, curve) {
-        write_picture(root, &picture, params.png)?;
+        write_picture(root, &picture, params.pictures)?;
     }
     if folders {
         let width = curve.n_points.to_string().len();
@@ -78,18 +75,10 @@ pub fn write_curve(
 
 /// Every picture of a curve.
 fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
-    let film = Picture {
-        name: "film-curve",
-        svg: film_chart(title, curve).svg(),
-    };
-    let traction = traction_chart(title, curve).map(|chart| Picture {
-        name: "traction-curve",
-        svg: chart.svg(),
-    });
-    let stribeck = stribeck_chart(title, curve).map(|chart| Picture {
-        name: "stribeck",
-        svg: chart.svg(),
-    });
+    let picture = |name, chart: Chart| Picture::new(name, chart.drawing());
+    let film = picture("film-curve", film_chart(title, curve));
+    let traction = traction_chart(title, curve).map(|chart| picture("traction-curve", chart));
+    let stribeck = stribeck_chart(title, curve).map(|chart| picture("stribeck", chart));
     [Some(film), traction, stribeck]
         .into_iter()
         .flatten()

@@ -1,11 +1,11 @@
 //! Curves and points over one or two y axes.
 
 use super::axis::Axis;
+use super::drawing::{Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number};
 use super::frame::{
     FRAME_WIDTH, Frame, draw_x_axis, draw_y_axis, label_x_axis, label_y_axis, polyline,
 };
 use super::legend::{Legend, Place};
-use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number};
 
 /// Colours told apart by colour-blind readers and in grey (Okabe and Ito 2008).
 pub const PALETTE: [&str; 6] = [
@@ -124,26 +124,31 @@ const SEEN_BAR: f64 = 6.0;
 /// Half the width of the ends of error bars, px.
 const BAR_CAP: f64 = 3.0;
 
-/// Diagrams in rows of `columns`, as one SVG file.
-pub fn side_by_side(title: &str, charts: &[Chart], columns: usize) -> String {
+/// Diagrams in rows of `columns`, as one picture.
+pub fn side_by_side(title: &str, charts: &[Chart], columns: usize) -> Drawing {
     let rows: Vec<&[Chart]> = charts.chunks(columns.max(1)).collect();
     let width = |row: &[Chart]| row.iter().map(|c| c.size()[0]).sum::<f64>();
-    let height = |row: &[Chart]| row.iter().map(|c| c.size()[1]).fold(0.0, f64::max);
-    let mut svg = Svg::new(
+    // Frames in a row stand at the same height.
+    let head = |row: &[Chart]| row.iter().map(Chart::head).fold(0.0, f64::max);
+    let below = |row: &[Chart]| {
+        let heights = row.iter().map(|c| c.size()[1] - c.head());
+        heights.fold(0.0, f64::max)
+    };
+    let mut drawing = Drawing::new(
         rows.iter().map(|r| width(r)).fold(0.0, f64::max),
-        rows.iter().map(|r| height(r)).sum(),
+        rows.iter().map(|r| head(r) + below(r)).sum(),
         title,
     );
     let mut top = 0.0;
     for row in rows {
         let mut left = 0.0;
         for chart in row {
-            chart.draw(&mut svg, [left, top]);
+            chart.draw(&mut drawing, [left, top + head(row) - chart.head()]);
             left += chart.size()[0];
         }
-        top += height(row);
+        top += head(row) + below(row);
     }
-    svg.finish()
+    drawing
 }
 
 impl Chart {
@@ -165,9 +170,14 @@ impl Chart {
         }
     }
 
+    /// The diagram as a picture.
+    pub fn drawing(&self) -> Drawing {
+        side_by_side(&self.title, std::slice::from_ref(self), 1)
+    }
+
     /// The diagram as an SVG file.
     pub fn svg(&self) -> String {
-        side_by_side(&self.title, std::slice::from_ref(self), 1)
+        self.drawing().svg()
     }
 
     /// Space over the frame for labels, px.
@@ -214,24 +224,24 @@ impl Chart {
     }
 
     /// Draws with the upper left corner at a point, px.
-    fn draw(&self, svg: &mut Svg, [left, top]: [f64; 2]) {
+    fn draw(&self, drawing: &mut Drawing, [left, top]: [f64; 2]) {
         let frame = self.frame([left, top]);
         if !self.heading.is_empty() {
             let at = [frame.left + 0.5 * frame.width, top + 22.0];
-            svg.text(at, &self.heading, LABEL_SIZE, Anchor::Middle, INK);
+            drawing.text(at, &self.heading, LABEL_SIZE, Anchor::Middle, INK);
         }
-        self.draw_shades(svg, frame);
-        svg.begin_clip(frame.left, frame.top, frame.width, frame.height);
+        self.draw_shades(drawing, frame);
+        drawing.begin_clip(frame.left, frame.top, frame.width, frame.height);
         for bars in &self.error_bars {
-            self.draw_error_bars(svg, frame, bars);
+            self.draw_error_bars(drawing, frame, bars);
         }
         for series in &self.series {
-            self.draw_series(svg, frame, series);
+            self.draw_series(drawing, frame, series);
         }
-        svg.end_clip();
-        self.draw_axes(svg, frame);
+        drawing.end_clip();
+        self.draw_axes(drawing, frame);
         if let Some((legend, place)) = self.legend(frame) {
-            legend.draw(svg, place, frame, frame.top + frame.height + FOOT - 8.0);
+            legend.draw(drawing, place, frame, frame.top + frame.height + FOOT - 8.0);
         }
     }
 
@@ -242,12 +252,12 @@ impl Chart {
         }
     }
 
-    fn draw_shades(&self, svg: &mut Svg, frame: Frame) {
+    fn draw_shades(&self, drawing: &mut Drawing, frame: Frame) {
         for [from, to] in &self.shaded {
             let from = frame.x(&self.x, *from).max(frame.left);
             let to = frame.x(&self.x, *to).min(frame.left + frame.width);
             if to > from {
-                svg.rectangle(from, frame.top, to - from, frame.height, "#efefef");
+                drawing.rectangle(from, frame.top, to - from, frame.height, "#efefef");
             }
         }
         for marker in &self.markers {
@@ -258,20 +268,20 @@ impl Chart {
                 number(frame.top),
                 number(frame.height)
             );
-            svg.stroke(
+            drawing.stroke(
                 &d,
                 Stroke {
                     colour: "#8c8c8c",
                     width: 0.8,
-                    dash: Some("2 3"),
+                    dash: Some([2.0, 3.0]),
                 },
             );
             let at = [x + 1.0, frame.top - 6.0];
-            svg.text(at, &marker.label, TICK_SIZE - 1.0, Anchor::Start, "#595959");
+            drawing.text(at, &marker.label, TICK_SIZE - 1.0, Anchor::Start, "#595959");
         }
     }
 
-    fn draw_series(&self, svg: &mut Svg, frame: Frame, series: &Series) {
+    fn draw_series(&self, drawing: &mut Drawing, frame: Frame, series: &Series) {
         let y = self.y_axis(series.side);
         // Far outside of the frame, renderers lose precision
         let limit = |v: f64| v.clamp(-1e4, 1e4);
@@ -281,17 +291,17 @@ impl Chart {
             .map(|[px, py]| [limit(frame.x(&self.x, *px)), limit(frame.y(y, *py))])
             .collect();
         if series.look.has_line() {
-            svg.stroke(&polyline(&points), line_stroke(series));
+            drawing.stroke(&polyline(&points), line_stroke(series));
         }
         let finite = points
             .iter()
             .filter(|p| p[0].is_finite() && p[1].is_finite());
         for point in finite {
-            draw_point(svg, *point, series);
+            draw_point(drawing, *point, series);
         }
     }
 
-    fn draw_error_bars(&self, svg: &mut Svg, frame: Frame, bars: &ErrorBars) {
+    fn draw_error_bars(&self, drawing: &mut Drawing, frame: Frame, bars: &ErrorBars) {
         let foot = frame.top + frame.height + BAR_CAP;
         let mut d = String::new();
         for [x, low, high] in &bars.bars {
@@ -310,21 +320,21 @@ impl Chart {
             d += &format!("M{x} {top}V{bottom}M{left} {top}h{cap}M{left} {bottom}h{cap}");
         }
         if !d.is_empty() {
-            svg.stroke(&d, Stroke::solid(&bars.colour, 1.0));
+            drawing.stroke(&d, Stroke::solid(&bars.colour, 1.0));
         }
     }
 
-    fn draw_axes(&self, svg: &mut Svg, frame: Frame) {
-        svg.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
-        draw_x_axis(svg, frame, &self.x, false);
-        draw_x_axis(svg, frame, self.x_top.as_ref().unwrap_or(&self.x), true);
+    fn draw_axes(&self, drawing: &mut Drawing, frame: Frame) {
+        drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
+        draw_x_axis(drawing, frame, &self.x, false);
+        draw_x_axis(drawing, frame, self.x_top.as_ref().unwrap_or(&self.x), true);
         if let Some(top) = &self.x_top {
-            label_x_axis(svg, frame, top, true);
+            label_x_axis(drawing, frame, top, true);
         }
-        label_x_axis(svg, frame, &self.x, false);
-        draw_y_axis(svg, frame, &self.y, Side::Left);
+        label_x_axis(drawing, frame, &self.x, false);
+        draw_y_axis(drawing, frame, &self.y, Side::Left);
         label_y_axis(
-            svg,
+            drawing,
             frame,
             &self.y,
             Side::Left,
@@ -332,14 +342,20 @@ impl Chart {
         );
         match (&self.y_right, &self.y_other) {
             (Some(axis), _) => {
-                draw_y_axis(svg, frame, axis, Side::Right);
-                label_y_axis(svg, frame, axis, Side::Right, self.axis_colour(Side::Right));
+                draw_y_axis(drawing, frame, axis, Side::Right);
+                label_y_axis(
+                    drawing,
+                    frame,
+                    axis,
+                    Side::Right,
+                    self.axis_colour(Side::Right),
+                );
             }
             (None, Some(axis)) => {
-                draw_y_axis(svg, frame, axis, Side::Right);
-                label_y_axis(svg, frame, axis, Side::Right, INK);
+                draw_y_axis(drawing, frame, axis, Side::Right);
+                label_y_axis(drawing, frame, axis, Side::Right, INK);
             }
-            (None, None) => draw_y_axis(svg, frame, &self.y, Side::Right),
+            (None, None) => draw_y_axis(drawing, frame, &self.y, Side::Right),
         }
     }
 
@@ -357,17 +373,17 @@ impl Chart {
 }
 
 /// The mark of a series at a point, if it has one.
-pub(super) fn draw_point(svg: &mut Svg, [x, y]: [f64; 2], series: &Series) {
+pub(super) fn draw_point(drawing: &mut Drawing, [x, y]: [f64; 2], series: &Series) {
     let colour = &series.colour;
     match series.look {
-        Look::Circles => svg.circle(x, y, 3.2, "white", Stroke::solid(colour, 1.3)),
-        Look::LineAndDots => svg.circle(x, y, 2.6, colour, Stroke::solid("white", 0.6)),
-        Look::LineAndRings => svg.circle(x, y, 2.2, "white", Stroke::solid(colour, 1.1)),
-        Look::Dots => svg.circle(x, y, 3.4, colour, Stroke::solid("white", 0.5)),
+        Look::Circles => drawing.circle(x, y, 3.2, "white", Stroke::solid(colour, 1.3)),
+        Look::LineAndDots => drawing.circle(x, y, 2.6, colour, Stroke::solid("white", 0.6)),
+        Look::LineAndRings => drawing.circle(x, y, 2.2, "white", Stroke::solid(colour, 1.1)),
+        Look::Dots => drawing.circle(x, y, 3.4, colour, Stroke::solid("white", 0.5)),
         Look::Crosses => {
             let (x, y) = (number(x - 3.0), number(y - 3.0));
             let d = format!("M{x} {y}l6 6m0 -6l-6 6");
-            svg.stroke(&d, Stroke::solid(colour, 1.6));
+            drawing.stroke(&d, Stroke::solid(colour, 1.6));
         }
         Look::Line | Look::Dashed => {}
     }
@@ -378,7 +394,7 @@ pub(super) fn line_stroke(series: &Series) -> Stroke<'_> {
         Look::Dashed => Stroke {
             colour: &series.colour,
             width: 1.3,
-            dash: Some("6 4"),
+            dash: Some([6.0, 4.0]),
         },
         _ => Stroke::solid(&series.colour, 1.7),
     }

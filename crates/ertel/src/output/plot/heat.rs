@@ -67,7 +67,7 @@ pub fn heat_pictures<'a>(
 ) -> Vec<Task<'a>> {
     let mut pictures: Vec<Task> = vec![(
         "temperature",
-        Box::new(move || temperature_chart(title, solution, scale).svg()),
+        Box::new(move || temperature_chart(title, solution, scale).drawing()),
     )];
     let fields =
         (solution.elements.temperatures.as_ref()).filter(|_| solution.shape.kind.is_point());
@@ -84,7 +84,7 @@ pub fn heat_pictures<'a>(
     if !thermal.profiles.is_empty() {
         pictures.push((
             "cross-film",
-            Box::new(move || cross_film_chart(title, solution, thermal, scale).svg()),
+            Box::new(move || cross_film_chart(title, solution, thermal, scale).drawing()),
         ));
     }
     pictures

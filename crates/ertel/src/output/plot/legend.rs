@@ -2,8 +2,8 @@
 
 use super::axis::Axis;
 use super::chart::{Chart, Look, Series, draw_point, line_stroke};
+use super::drawing::{Anchor, Drawing, INK, Stroke, TICK_SIZE, number, text_width};
 use super::frame::Frame;
-use super::svg::{Anchor, INK, Stroke, Svg, TICK_SIZE, number, text_width};
 
 /// Height of an entry, and length of its line, px.
 const ROW: f64 = 18.0;
@@ -118,7 +118,7 @@ impl<'a> Legend<'a> {
     }
 
     /// Draws the legend; `bottom` is the lower end of the labels of the lower axis.
-    pub fn draw(&self, svg: &mut Svg, place: Place, frame: Frame, bottom: f64) {
+    pub fn draw(&self, drawing: &mut Drawing, place: Place, frame: Frame, bottom: f64) {
         let (columns, [left, top]) = match place {
             Place::Inside(at) => (1, at),
             Place::Below(columns) => {
@@ -137,18 +137,18 @@ impl<'a> Legend<'a> {
                 Some(series) => {
                     if series.look.has_line() {
                         let d = format!("M{} {}h{}", number(x), number(y), number(LINE));
-                        svg.stroke(&d, line_stroke(series));
+                        drawing.stroke(&d, line_stroke(series));
                     }
-                    draw_point(svg, [middle, y], series);
+                    draw_point(drawing, [middle, y], series);
                 }
                 None => {
                     let (from, top) = (number(middle - 3.0), number(y - 6.0));
                     let d = format!("M{from} {top}h6m-3 0v12m-3 0h6");
-                    svg.stroke(&d, Stroke::solid("#404040", 1.0));
+                    drawing.stroke(&d, Stroke::solid("#404040", 1.0));
                 }
             }
             let at = [x + LINE + 6.0, y + 4.2];
-            svg.text(at, entry.label, TICK_SIZE, Anchor::Start, INK);
+            drawing.text(at, entry.label, TICK_SIZE, Anchor::Start, INK);
         }
     }
 }

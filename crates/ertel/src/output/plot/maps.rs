@@ -1,5 +1,6 @@
 //! Maps of pressure and film thickness over the whole contact.
 
+use super::drawing::Drawing;
 use super::field::{Bar, FieldMap, OtherScale, map_height};
 use super::sampling::{Sampling, View};
 use super::{TemperatureScale, axis, film_unit, pressure_unit};
@@ -94,7 +95,7 @@ fn shades([low, high]: [f64; 2], gradient: colorous::Gradient) -> (Vec<f64>, Vec
 }
 
 /// Pressure over the whole contact, continuous colours.
-pub fn pressure_map(title: &str, solution: &Solution) -> String {
+pub fn pressure_map(title: &str, solution: &Solution) -> Drawing {
     let (factor, unit) = pressure_unit(solution.hertz.pressure);
     let top = factor * solution.summary.pressure_maximum.value;
     let (levels, colours) = shades([0.0, top], colorous::VIRIDIS);
@@ -118,7 +119,7 @@ pub fn pressure_map(title: &str, solution: &Solution) -> String {
         half_width: solution.hertz.half_width,
         other: None,
     }
-    .svg()
+    .drawing()
 }
 
 /// Temperature over the whole contact, continuous colours over its own range; the other of Celsius and Kelvin on the left
@@ -129,7 +130,7 @@ pub fn temperature_map(
     temperature: &Polynomials,
     place: &str,
     scale: TemperatureScale,
-) -> String {
+) -> Drawing {
     let window = window_map(solution);
     let [low, high] = range_within(solution, temperature, 1.0, window);
     let bounds = [low, high.max(low + LEAST_RANGE)];
@@ -152,12 +153,12 @@ pub fn temperature_map(
             units: [other.unit(), scale.unit()],
         }),
     }
-    .svg()
+    .drawing()
 }
 
 /// Film thickness over the whole contact as contours, like an interferogram: close levels up to
 /// `FINE_UP_TO` times the central film, wide ones to `FILM_UP_TO`, white beyond.
-pub fn film_map(title: &str, solution: &Solution) -> String {
+pub fn film_map(title: &str, solution: &Solution) -> Drawing {
     let summary = &solution.summary;
     let (factor, unit) = film_unit(FILM_UP_TO * summary.film_central.value);
     let levels = film_levels(
@@ -182,7 +183,7 @@ pub fn film_map(title: &str, solution: &Solution) -> String {
         half_width: solution.hertz.half_width,
         other: None,
     }
-    .svg()
+    .drawing()
 }
 
 /// Rising levels of a film map for the minimum and central film.
