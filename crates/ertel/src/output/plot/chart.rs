@@ -114,7 +114,7 @@ pub struct Chart {
 }
 
 /// Frame inside the picture, px.
-const LEFT: f64 = 68.0;
+const LEFT: f64 = 72.0;
 const WIDTH: f64 = 420.0;
 const HEIGHT: f64 = 290.0;
 /// Space for the labels below the frame, px.
