@@ -338,7 +338,7 @@ mod tests {
         let mut other = case.clone();
         other.title = "a roller".to_owned();
         other.warnings.push(Warning::from("words".to_owned()));
-        other.output.png = true;
+        other.output.pictures.png = true;
         assert_eq!(PointKey::new(&other), key);
         for [from, to] in [
             ["100 kN", "101 kN"],

@@ -15,26 +15,27 @@ const DUST: f64 = 2e-3;
 /// Films are shown up to this multiple of the central one.
 const FILM_SHOWN: f64 = 2.0;
 
-/// Pressure and film of each run in a panel of its own, axes alike; `None` without any solution.
+/// Pressure and film of each run that converged in a panel of its own, axes alike; the heading of the last one names the others.
+/// `None` without any solution.
 pub(super) fn panels(title: &str, runs: &[Named], columns: usize) -> Option<String> {
-    runs.iter().find_map(|r| r.1)?;
-    let charts: Vec<Chart> = runs.iter().map(|(name, s)| panel(name, *s)).collect();
+    let solved = runs.iter().filter_map(|(name, s)| Some((name, (*s)?)));
+    let mut charts: Vec<Chart> = solved.map(|(name, s)| panel(name, s)).collect();
+    let failed = runs.iter().filter(|r| r.1.is_none());
+    let failed: Vec<&str> = failed.map(|r| r.0.as_str()).collect();
+    let last = charts.last_mut()?;
+    if !failed.is_empty() {
+        last.heading += &format!(" (not converged: {})", failed.join(", "));
+    }
     Some(side_by_side(title, &charts, columns).svg())
 }
 
-fn panel(name: &str, solution: Option<&Solution>) -> Chart {
+fn panel(name: &str, s: &Solution) -> Chart {
     let mut chart = Chart::new(
         name,
         Axis::linear("*X* = *x*/*a*", WINDOW[0], WINDOW[1]),
         Axis::linear("*P* = *p*/*p*_{h}", 0.0, 1.4),
     );
-    chart.heading = match solution {
-        Some(_) => name.to_owned(),
-        None => format!("{name}: not converged"),
-    };
-    let Some(s) = solution else {
-        return chart;
-    };
+    chart.heading = name.to_owned();
     let centre = s.summary.film_central.value / s.scales.film;
     chart.y_right = Some(Axis::linear_around(
         "*H* = *hR*/*a*^{2}",
