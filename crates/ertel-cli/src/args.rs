@@ -56,6 +56,9 @@ pub struct SolveArgs {
     /// Write PNG pictures beside the SVG ones
     #[arg(long)]
     pub png: bool,
+    /// Write PDF pictures beside the SVG ones
+    #[arg(long)]
+    pub pdf: bool,
     /// Read and check the case, then stop
     #[arg(long)]
     pub check: bool,
@@ -153,6 +156,9 @@ pub struct CompareArgs {
     /// Write a PNG picture beside the SVG one
     #[arg(long)]
     pub png: bool,
+    /// Write a PDF picture beside the SVG one
+    #[arg(long)]
+    pub pdf: bool,
     /// Solve once more what failed
     #[arg(long)]
     pub retry: bool,

@@ -3,11 +3,11 @@
 use std::path::{Path, PathBuf};
 
 use ertel::compare::{Comparison, Measured, MeasuredError, Probe, ReadParams};
-use ertel::output::check_png;
 use ertel::output::compare::{
     COMPARISON_FILES, COMPARISON_STUDY, check_comparison_folder, comparison_report,
     write_comparison,
 };
+use ertel::params::PictureFormats;
 use ertel::run::Session;
 use ertel::study::{SweepParams, SweepSummary, finished_points, sweep};
 
@@ -37,9 +37,6 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
     let folder = folder(arguments);
     keep_inputs(&measured, &folder)?;
     check_comparison_folder(&folder)?;
-    if arguments.png {
-        check_png().map_err(|error| Failure::Argument(error.to_string()))?;
-    }
     if arguments.check {
         return check(&measured);
     }
@@ -70,7 +67,12 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
     }
     let records = finished_points(&measured.study, &points)?;
     let comparison = Comparison::new(&measured, &records);
-    write_comparison(&comparison, &measured.case_text, &folder, arguments.png)?;
+    let formats = PictureFormats {
+        pdf: arguments.pdf,
+        png: arguments.png,
+        ..PictureFormats::default()
+    };
+    write_comparison(&comparison, &measured.case_text, &folder, formats)?;
     let shown = match arguments.quiet {
         true => Ok(()),
         false => {

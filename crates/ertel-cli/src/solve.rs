@@ -36,16 +36,14 @@ const HELP: &str = "  = help: nothing was written. A finer mesh ([mesh] preset =
 /// A bad case, results that cannot be written, no convergence, an interruption.
 pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
     let mut case = Case::read(&arguments.case)?;
-    case.output.png |= arguments.png;
+    case.output.pictures.png |= arguments.png;
+    case.output.pictures.pdf |= arguments.pdf;
     if case.curve.is_none() && case.output.sensitivities == SensitivityDemand::WhereUncertain {
         case.output.sensitivities = SensitivityDemand::WhereCheap;
     }
     let folder = folder(arguments, &case);
     if arguments.check || arguments.quiet {
         warn(&input_warnings(&case));
-    }
-    if case.output.png {
-        output::check_png().map_err(|error| Failure::Argument(error.to_string()))?;
     }
     if arguments.check {
         return check(&case, &arguments.case);

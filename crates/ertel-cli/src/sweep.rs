@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use ertel::case::Study;
-use ertel::output::{check_png, digits, length};
+use ertel::output::{digits, length};
 use ertel::run::Session;
 use ertel::study::plan::Plan;
 use ertel::study::{
@@ -45,9 +45,6 @@ pub fn run(arguments: &SweepArgs) -> Result<(), Failure> {
     keep_inputs(&study, &folder)?;
     if arguments.dry_run {
         return dry_run(&study, &folder);
-    }
-    if study.points.iter().any(|point| point.case.output.png) && arguments.folders {
-        check_png().map_err(|error| Failure::Argument(error.to_string()))?;
     }
     let session = Session {
         cache: match arguments.no_cache {

@@ -40,7 +40,7 @@ pub fn run(arguments: &ViewArgs) -> Result<(), Failure> {
         return Ok(());
     }
     let absolute = std::path::absolute(&shown).unwrap_or(shown);
-    opener::open_browser(&absolute).map_err(|error| {
+    open::that_detached(&absolute).map_err(|error| {
         Failure::Other(format!(
             "no browser could be started ({error}); open the file above, or use --no-browser"
         ))

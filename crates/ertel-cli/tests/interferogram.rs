@@ -52,7 +52,7 @@ fn number(text: &str, key: &str) -> f64 {
 fn tick(svg: &str, label: &str) -> f64 {
     let line = svg
         .lines()
-        .find(|l| l.starts_with("<text") && l.contains(&format!(">{label}</text>")));
+        .find(|l| l.starts_with("<text") && l.contains(&format!(">{label}.0</text>")));
     number(line.unwrap(), "<text x=\"")
 }
 

@@ -260,14 +260,29 @@ fn ctrl_c_exits_with_130_and_writes_nothing() {
     assert_eq!(names(folder.path()), ["slow.toml"]);
 }
 
-#[cfg(not(feature = "png"))]
+/// Every picture in every format, and replaced by a run that asks for others.
 #[test]
-fn png_without_its_feature_is_told_before_the_solve() {
+fn pictures_are_written_in_the_formats_that_are_asked_for() {
     let folder = workspace("quick.toml");
-    let output = solve(&folder, &["quick.toml", "--png"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("--features png"));
-    assert!(!text(&output.stderr).contains("Newton"));
+    let output = solve(&folder, &["quick.toml", "--png", "--pdf"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let results = folder.path().join("results/quick");
+    let found = names(&results);
+    let svg = found.iter().filter_map(|name| name.strip_suffix(".svg"));
+    for name in svg {
+        let read = |suffix: &str| std::fs::read(results.join(format!("{name}.{suffix}"))).unwrap();
+        assert!(read("pdf").starts_with(b"%PDF-"), "{name}");
+        let mut reader = png_image::Decoder::new(std::io::Cursor::new(read("png")))
+            .read_info()
+            .unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        assert!(pixels.iter().any(|v| *v < 80), "{name} is empty");
+    }
+    assert!(found.contains(&"centreline.pdf".to_owned()));
+    let output = solve(&folder, &["quick.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(!names(&results).contains(&"centreline.pdf".to_owned()));
 }
 
 /// Two processes at once fill one cache; a third finds it; `--no-cache` neither reads nor writes;

@@ -145,6 +145,7 @@ pub fn solve_part(
         order,
         groups: vec![(0..n).collect()],
         group_of: vec![0; n],
+        for_later: false,
     };
     let params = SweepParams {
         jobs: Some(1),

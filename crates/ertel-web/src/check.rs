@@ -31,7 +31,7 @@ pub(crate) fn checked(text: &str) -> Result<Case, Failure> {
     for (i, point) in curve.points.iter().enumerate() {
         run::check(&point.case).map_err(|error| match Failure::from(error) {
             Failure::Refused(reason) => {
-                let value = format!("{} {}", digits(point.value, 6), curve.quantity.unit());
+                let value = format!("{} {}", digits(point.value(), 6), curve.quantity.unit());
                 let value = value.trim_end();
                 Failure::Refused(format!("point {} of the curve ({value}): {reason}", i + 1))
             }

@@ -271,14 +271,58 @@ impl Default for SolverParams {
 pub struct OutputParams {
     /// Folder; `None`: `results/<case name>`.
     pub folder: Option<PathBuf>,
-    /// PNG pictures beside the SVG ones.
-    pub png: bool,
+    /// Formats in which pictures are written.
+    pub pictures: PictureFormats,
     /// Write the displacement of the whole body (`body.vtu`).
     pub body_field: bool,
     /// Picture of a point contact by the interference of light.
     pub interferogram: Option<Interferometer>,
     /// Which derivatives of the figures by inputs are computed.
     pub sensitivities: SensitivityDemand,
+}
+
+/// Formats in which pictures are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct PictureFormats {
+    /// SVG, for browsers and vector programs.
+    pub svg: bool,
+    /// PDF, for papers.
+    pub pdf: bool,
+    /// PNG with 300 dots per inch.
+    pub png: bool,
+}
+
+impl PictureFormats {
+    /// Their names in case files.
+    pub const NAMES: [&str; 3] = ["svg", "pdf", "png"];
+
+    /// Those with these names; `None` where one is none of [`PictureFormats::NAMES`].
+    pub fn named<'a>(names: impl IntoIterator<Item = &'a str>) -> Option<PictureFormats> {
+        let mut formats = PictureFormats {
+            svg: false,
+            ..PictureFormats::default()
+        };
+        for name in names {
+            match name {
+                "svg" => formats.svg = true,
+                "pdf" => formats.pdf = true,
+                "png" => formats.png = true,
+                _ => return None,
+            }
+        }
+        Some(formats)
+    }
+}
+
+impl Default for PictureFormats {
+    /// SVG alone.
+    fn default() -> Self {
+        PictureFormats {
+            svg: true,
+            pdf: false,
+            png: false,
+        }
+    }
 }
 
 /// Which derivatives of the figures by inputs are computed.

@@ -8,7 +8,7 @@ use crate::contact::ContactKind;
 use crate::params::SensitivityDemand;
 use crate::params::{
     DEFAULT_TARGET_ERROR, ElasticModel, Formulation, LinearSolver, MeshParams, MeshPreset,
-    OutputParams, PenaltyScaling, SolverParams,
+    OutputParams, PenaltyScaling, PictureFormats, SolverParams,
 };
 
 /// Replaces `field` if the file says so.
@@ -312,7 +312,20 @@ pub(super) fn read_output(
         }
         output.folder = Some(PathBuf::from(folder));
     }
-    set(&mut output.png, table.optional_bool("png")?);
+    if let Some(names) = table.optional_strs("pictures")? {
+        let known = PictureFormats::NAMES
+            .map(|name| format!("\"{name}\""))
+            .join(", ");
+        output.pictures = PictureFormats::named(names.iter().copied()).ok_or_else(|| {
+            let unknown = names.iter().find(|n| !PictureFormats::NAMES.contains(n));
+            let unknown = unknown.copied().unwrap_or_default();
+            table
+                .error("pictures", format!("`{unknown}` is no format of pictures"))
+                .with_help(format!("the formats are {known}"))
+        })?;
+    }
+    // The older key.
+    output.pictures.png |= table.optional_bool("png")?.unwrap_or(false);
     set(&mut output.body_field, table.optional_bool("body_field")?);
     if let Some(wanted) = table.optional_bool("sensitivities")? {
         output.sensitivities = match wanted {

@@ -186,6 +186,7 @@ max_iterations = 20
 error_estimate = false
 [output]
 folder = "here"
+pictures = ["pdf"]
 png = true
 body_field = true
 "#
@@ -218,7 +219,12 @@ body_field = true
     assert_eq!((solver.tolerance, solver.max_iterations), (1e-6, 20));
     assert!(!solver.error_estimate);
     assert_eq!(case.output.folder.as_deref(), Some("here".as_ref()));
-    assert!(case.output.png && case.output.body_field);
+    let pictures = case.output.pictures;
+    assert_eq!(
+        (pictures.svg, pictures.pdf, pictures.png),
+        (false, true, true)
+    );
+    assert!(case.output.body_field);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::plot::TemperatureScale;
 use crate::contact::{Contact, Elasticity, Motion, Supply};
 use crate::mixed::Asperities;
 use crate::params::{MeshParams, SolverParams, ThermalParams};
@@ -138,6 +139,18 @@ pub struct CaseEcho {
     /// Heat, in a thermal contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thermal: Option<ThermalEcho>,
+}
+
+impl CaseEcho {
+    /// The scale of the temperatures of the case as the user gave them.
+    pub(crate) fn temperature_scale(&self) -> TemperatureScale {
+        let at = |path: &[&str]| {
+            let found = path.iter().try_fold(&self.given, |node, key| node.get(key));
+            found.and_then(|value| value.as_str())
+        };
+        let given = at(&["temperature"]).or_else(|| at(&["lubricant", "temperature"]));
+        given.map_or_else(TemperatureScale::default, TemperatureScale::of)
+    }
 }
 
 fn is_flooded(supply: &Supply) -> bool {

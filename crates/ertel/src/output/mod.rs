@@ -43,7 +43,6 @@ pub use file::write_whole;
 pub(crate) use file::{TEMPORARY, sync_folder};
 pub use folder::{OutputFile, clear_leftovers};
 pub use monte_carlo::{MONTE_CARLO, MONTE_CARLO_PICTURE, monte_carlo_report, write_monte_carlo};
-pub use plot::png::{PngError, check as check_png};
 pub use report::{digits, length, pressure, report};
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
 pub use study::{study_films, study_tractions};
@@ -54,11 +53,8 @@ use std::path::{Path, PathBuf};
 
 use folder::{NewFolder, Part};
 
-use crate::params::OutputParams;
+use crate::params::{OutputParams, PictureFormats};
 use crate::solution::Solution;
-
-/// PNG pixels per unit of the SVG pictures: about 300 dots per inch on a 17 cm wide page.
-const PNG_SCALE: f32 = 3.0;
 
 /// Why results were not written. Nothing is left half-written.
 #[derive(Debug, thiserror::Error)]
@@ -94,12 +90,9 @@ pub enum OutputError {
         /// Which.
         what: String,
     },
-    /// PNG pictures were asked for but cannot be made.
+    /// A picture cannot be made in one of the formats.
     #[error(transparent)]
-    Png(#[from] PngError),
-    /// The image of an interferogram cannot be made.
-    #[error("cannot make the interferogram: {0}")]
-    Image(#[from] plot::ImageError),
+    Drawing(#[from] plot::DrawingError),
 }
 
 impl OutputError {
@@ -129,7 +122,7 @@ pub fn write(
     target: &Path,
     params: &OutputParams,
 ) -> Result<(), OutputError> {
-    check_solution(case, solution, params)?;
+    check_solution(case, solution)?;
     let folder = NewFolder::beside(target)?;
     write_files(folder.root(), case, solution, params)?;
     folder.finish()
@@ -144,20 +137,13 @@ pub fn files(
     solution: &Solution,
     params: &OutputParams,
 ) -> Result<Vec<OutputFile>, OutputError> {
-    check_solution(case, solution, params)?;
+    check_solution(case, solution)?;
     let folder = Part::in_memory();
     write_files(&folder, case, solution, params)?;
     Ok(folder.into_files())
 }
 
-fn check_solution(
-    case: &CaseEcho,
-    solution: &Solution,
-    params: &OutputParams,
-) -> Result<(), OutputError> {
-    if params.png {
-        check_png()?;
-    }
+fn check_solution(case: &CaseEcho, solution: &Solution) -> Result<(), OutputError> {
     match finite::first_not_finite(case, solution) {
         Some(what) => Err(OutputError::NotFinite { what }),
         None => Ok(()),
@@ -209,28 +195,43 @@ fn write_files(
     folder.file(html::REPORT_PAGE, |out| {
         out.write_all(html::report_page(case, solution, case.solver.tolerance).as_bytes())
     })?;
-    for picture in plot::pictures(&case.title, solution, Some(case.solver.tolerance)) {
-        write_picture(folder, &picture, params.png)?;
+    let (tolerance, scale) = (Some(case.solver.tolerance), case.temperature_scale());
+    for picture in plot::pictures_in(&case.title, solution, tolerance, scale) {
+        write_picture(folder, &picture, params.pictures)?;
     }
     if let Some(light) = &params.interferogram {
         let image = plot::Image::new(solution, light, case.fluid.density);
         let png = image.png()?;
-        folder.file("interferogram.svg", |out| {
-            out.write_all(image.svg(&case.title, &png).as_bytes())
-        })?;
         folder.file("interferogram.png", |out| out.write_all(&png))?;
+        // The image alone is the PNG file; with axes it is SVG or PDF.
+        let picture = plot::Picture::new("interferogram", image.drawing(&case.title, &png));
+        let formats = PictureFormats {
+            png: false,
+            ..params.pictures
+        };
+        write_picture(folder, &picture, formats)?;
     }
     Ok(())
 }
 
-/// A picture as SVG and, if asked for, as PNG.
-fn write_picture(folder: &Part, picture: &plot::Picture, png: bool) -> Result<(), OutputError> {
-    folder.file(&format!("{}.svg", picture.name), |out| {
-        out.write_all(picture.svg.as_bytes())
-    })?;
-    if png {
-        let png = plot::png::from_svg(&picture.svg, PNG_SCALE)?;
-        folder.file(&format!("{}.png", picture.name), |out| out.write_all(&png))?;
+/// A picture in the formats that are asked for.
+fn write_picture(
+    folder: &Part,
+    picture: &plot::Picture,
+    formats: PictureFormats,
+) -> Result<(), OutputError> {
+    let write = |suffix: &str, content: &[u8]| {
+        let name = format!("{}.{suffix}", picture.name);
+        folder.file(&name, |out| out.write_all(content))
+    };
+    if formats.svg {
+        write("svg", picture.svg.as_bytes())?;
+    }
+    if formats.pdf {
+        write("pdf", &picture.drawing.pdf()?)?;
+    }
+    if formats.png {
+        write("png", &picture.drawing.png()?)?;
     }
     Ok(())
 }

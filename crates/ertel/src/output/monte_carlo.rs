@@ -133,7 +133,7 @@ fn unit(figure: &Distribution) -> (f64, String) {
 /// Frequencies of the samples, and the normal distribution of the first order.
 fn picture(found: &MonteCarlo, solution: &Solution) -> String {
     let charts: Vec<Chart> = found.figures.iter().map(|f| chart(f, solution)).collect();
-    side_by_side("Uncertainty of the inputs", &charts, 2)
+    side_by_side("Uncertainty of the inputs", &charts, 2).svg()
 }
 
 fn chart(figure: &Distribution, solution: &Solution) -> Chart {

@@ -4,7 +4,9 @@ use std::collections::{HashMap, HashSet};
 
 use ertel_rheology::quantity::Unit;
 
-use super::plot::{Axis, AxisScale, Chart, Look, PALETTE, Series, film_unit};
+use super::plot::{
+    Axis, Chart, ERROR_BARS, ErrorBars, Look, PALETTE, Series, film_unit, side_by_side,
+};
 use super::report::digits;
 use crate::study::journal::{PointKey, Record};
 use crate::study::{ISOTHERMAL, StudyEcho};
@@ -16,43 +18,62 @@ const LOG_FROM: f64 = 5.0;
 
 /// Share of the largest value below which one is round-off.
 const ROUND_OFF: f64 = 1e-6;
-/// Lines from which a linear axis grows to make room for the legend, and by how much.
-const MOST_BESIDE_LEGEND: usize = 4;
-const LEGEND_ROOM: f64 = 1.5;
+/// Panels of a picture at the most, and in a row.
+const MOST_PANELS: usize = 12;
+const PANELS_IN_A_ROW: usize = 3;
 /// Colour of legend entries that hold for curves of all colours.
 const LEGEND_GREY: &str = "#404040";
 
-/// A figure of the points, by its column, with its label in a picture of one curve and its look.
-type Figure = (&'static str, &'static str, Look);
+/// A figure of the points: its column, that of its error bar, its label, and its look.
+struct Figure {
+    column: &'static str,
+    error: &'static str,
+    label: &'static str,
+    look: Look,
+}
 
-/// Central films with dots and minimum films without, over the axis with the most numbers, a colour for each combination
-/// of the others; dashed the points without heat, where an axis switches it. `None` where no axis has three numbers, or
-/// there are more combinations than colours.
-pub fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Chart> {
+const FILMS: [Figure; 2] = [
+    Figure {
+        column: "film_central_m",
+        error: "film_central_error_m",
+        label: "central film",
+        look: Look::LineAndDots,
+    },
+    Figure {
+        column: "film_minimum_m",
+        error: "film_minimum_error_m",
+        label: "minimum film",
+        look: Look::LineAndRings,
+    },
+];
+
+const TRACTION: [Figure; 1] = [Figure {
+    column: "traction_coefficient",
+    error: "traction_coefficient_error",
+    label: "traction coefficient",
+    look: Look::LineAndDots,
+}];
+
+/// Central films with dots and minimum films with rings, with their error bars, over the axis with the most numbers, a colour for
+/// each combination of the others, and a panel for each value of one of them where these are more than there are colours; dashed
+/// the points without heat, where an axis switches it. An SVG file; `None` where no axis has three numbers, or there are too many
+/// combinations.
+pub fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<String> {
     let layout = Layout::new(study)?;
-    let films = [
-        ("film_central_m", "central film", Look::LineAndDots),
-        ("film_minimum_m", "minimum film", Look::Line),
-    ];
-    let largest = layout.values(study, records, &films).fold(0.0, f64::max);
+    let largest = layout.values(study, records, &FILMS).fold(0.0, f64::max);
     let (factor, unit) = film_unit(largest);
     let label = format!("Film thickness *h* ({unit})");
-    Some(layout.chart(study, records, &films, factor, &label))
+    layout.picture(study, records, &FILMS, factor, &label)
 }
 
 /// Traction coefficients likewise; `None` also where nothing slides.
-pub fn study_tractions(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Chart> {
+pub fn study_tractions(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<String> {
     let layout = Layout::new(study)?;
     let slides = |i| field(study, records, i, "slide_to_roll_ratio").is_some_and(|s| s != 0.0);
     if !(0..study.points.len()).any(slides) {
         return None;
     }
-    let traction = [(
-        "traction_coefficient",
-        "traction coefficient",
-        Look::LineAndDots,
-    )];
-    Some(layout.chart(study, records, &traction, 1.0, "Traction coefficient"))
+    layout.picture(study, records, &TRACTION, 1.0, "Traction coefficient")
 }
 
 /// A figure of a point.
@@ -66,16 +87,26 @@ fn field(
     record.field(name)?.parse().ok()
 }
 
+/// Points of one colour, with heat or without.
+struct Curve {
+    /// Panel, by its number.
+    panel: usize,
+    label: String,
+    is_isothermal: bool,
+    points: Vec<usize>,
+}
+
 /// Which points make a curve.
 struct Layout {
-    /// Column of the lower axis.
-    x: usize,
-    /// Its values by point.
+    /// Values of the lower axis by point, in the unit that is shown.
     xs: Vec<f64>,
-    /// Label, whether heat is left out, and points of each curve; curves of one label have one colour.
-    curves: Vec<(String, bool, Vec<usize>)>,
+    x_label: String,
+    /// Curves of one label have one colour.
+    curves: Vec<Curve>,
     /// Labels in the order of their colours.
     labels: Vec<String>,
+    /// Headings of the panels; a single one has none.
+    panels: Vec<String>,
 }
 
 impl Layout {
@@ -105,36 +136,51 @@ impl Layout {
                 shown.push(c);
             }
         }
+        let label = |columns: &[usize], values: &[String]| {
+            let words = columns
+                .iter()
+                .map(|c| value_in_words(study, *c, &values[*c]));
+            words.collect::<Vec<_>>().join(", ")
+        };
+        let all = |columns: &[usize]| {
+            let mut labels: Vec<String> = Vec::new();
+            let mut seen = HashSet::new();
+            for (_, values) in &study.points {
+                let label = label(columns, values);
+                if seen.insert(label.clone()) {
+                    labels.push(label);
+                }
+            }
+            labels
+        };
+        let (by_panel, by_colour) = panels_and_colours(&shown, &|columns| all(columns).len())?;
+        let (x_label, unit) = axis_title(study, x);
         let mut layout = Layout {
-            x,
-            xs: number(x)?,
+            xs: number(x)?.into_iter().map(|v| in_unit(v, unit)).collect(),
+            x_label,
             curves: Vec::new(),
-            labels: Vec::new(),
+            labels: all(&by_colour),
+            panels: all(&by_panel),
         };
         for (i, (_, values)) in study.points.iter().enumerate() {
-            let words = shown.iter().map(|c| {
-                let (name, unit) = words(&study.columns[*c]);
-                match values[*c].parse::<f64>() {
-                    Ok(number) => format!("{name} {} {unit}", digits(number, 4))
-                        .trim_end()
-                        .to_owned(),
-                    Err(_) if name == "name" => values[*c].clone(),
-                    Err(_) => format!("{name} {}", values[*c].replace(['{', '}', '*'], "")),
-                }
-            });
-            let label = words.collect::<Vec<_>>().join(", ");
+            let (label, heading) = (label(&by_colour, values), label(&by_panel, values));
             let is_isothermal = switch.is_some_and(|c| values[c] == "true");
-            if !layout.labels.contains(&label) {
-                layout.labels.push(label.clone());
-            }
-            let same =
-                |(l, s, _): &&mut (String, bool, Vec<usize>)| (l, *s) == (&label, is_isothermal);
+            let panel = layout.panels.iter().position(|p| *p == heading);
+            let panel = panel.unwrap_or(0);
+            let same = |c: &&mut Curve| {
+                (c.panel, &c.label, c.is_isothermal) == (panel, &label, is_isothermal)
+            };
             match layout.curves.iter_mut().find(same) {
-                Some((_, _, points)) => points.push(i),
-                None => layout.curves.push((label, is_isothermal, vec![i])),
+                Some(curve) => curve.points.push(i),
+                None => layout.curves.push(Curve {
+                    panel,
+                    label,
+                    is_isothermal,
+                    points: vec![i],
+                }),
             }
         }
-        (layout.labels.len() <= PALETTE.len()).then_some(layout)
+        Some(layout)
     }
 
     /// Values of the figures at all points that have them.
@@ -147,9 +193,33 @@ impl Layout {
         let all = (0..self.xs.len()).flat_map(move |i| {
             figures
                 .iter()
-                .filter_map(move |(name, _, _)| field(study, records, i, name))
+                .filter_map(move |figure| field(study, records, i, figure.column))
         });
         all.collect::<Vec<f64>>().into_iter()
+    }
+
+    /// All panels that have a point, axes alike.
+    fn picture(
+        &self,
+        study: &StudyEcho,
+        records: &HashMap<PointKey, Record>,
+        figures: &[Figure],
+        factor: f64,
+        y_label: &str,
+    ) -> Option<String> {
+        let charts: Vec<Chart> = (0..self.panels.len())
+            .map(|panel| self.chart(study, records, figures, (factor, y_label), panel))
+            .filter(|chart| {
+                let mut points = chart.series.iter().flat_map(|s| &s.points);
+                points.any(|p| p[1].is_finite())
+            })
+            .collect();
+        let columns = match charts.len() {
+            0 => return None,
+            4 => 2,
+            n => n.min(PANELS_IN_A_ROW),
+        };
+        Some(side_by_side(&study.title, &charts, columns).svg())
     }
 
     fn chart(
@@ -157,21 +227,13 @@ impl Layout {
         study: &StudyEcho,
         records: &HashMap<PointKey, Record>,
         figures: &[Figure],
-        factor: f64,
-        y_label: &str,
+        (factor, y_label): (f64, &str),
+        panel: usize,
     ) -> Chart {
         let x_range = range(self.xs.iter().copied());
-        let (name, unit) = words(&study.columns[self.x]);
-        let mut x_title = name;
-        if let Some(first) = x_title.get_mut(..1) {
-            first.make_ascii_uppercase();
-        }
-        if !unit.is_empty() {
-            x_title += &format!(" ({unit})");
-        }
         let x_axis = match is_wide(x_range) {
-            true => Axis::log_close_around(&x_title, self.xs.iter().copied()),
-            false => Axis::linear_around(&x_title, self.xs.iter().copied()),
+            true => Axis::log_close_around(&self.x_label, self.xs.iter().copied()),
+            false => Axis::linear_around(&self.x_label, self.xs.iter().copied()),
         };
         let heights = || self.values(study, records, figures).map(|h| factor * h);
         let largest = heights().fold(0.0, |l: f64, h| l.max(h.abs()));
@@ -181,53 +243,138 @@ impl Layout {
             true => Axis::log_close_around(y_label, heights()),
             false => Axis::linear_around(y_label, heights().chain([0.0])),
         };
-        let is_crowded = self.labels.len() * figures.len() > MOST_BESIDE_LEGEND;
-        let y_axis = match y_axis.scale {
-            AxisScale::Linear if is_crowded => {
-                Axis::linear_around(y_label, [y_axis.low, LEGEND_ROOM * y_axis.high])
-            }
-            _ => y_axis,
-        };
         let mut chart = Chart::new(&study.title, x_axis, y_axis);
+        if self.panels.len() > 1 {
+            chart.heading = self.panels[panel].clone();
+        }
+        chart.error_label = ERROR_BARS.to_owned();
         let single = self.labels.len() == 1;
-        for (label, is_isothermal, points) in &self.curves {
-            let colour = self.labels.iter().zip(PALETTE).find(|(l, _)| *l == label);
-            for (i, (column, name, look)) in figures.iter().enumerate() {
-                let mut points: Vec<[f64; 2]> = (points.iter())
-                    .map(|i| {
-                        let value = field(study, records, *i, column);
-                        [self.xs[*i], value.map_or(f64::NAN, |h| factor * h)]
-                    })
+        for curve in self.curves.iter().filter(|c| c.panel == panel) {
+            let colour = (self.labels.iter().zip(PALETTE)).find(|(l, _)| **l == curve.label);
+            let colour = colour.map_or(PALETTE[0], |(_, colour)| colour);
+            for (i, figure) in figures.iter().enumerate() {
+                let colour = match single {
+                    true => PALETTE[i],
+                    false => colour,
+                };
+                let value = |point: usize, column| {
+                    field(study, records, point, column).map(|value| factor * value)
+                };
+                let mut points: Vec<[f64; 2]> = (curve.points.iter())
+                    .map(|i| [self.xs[*i], value(*i, figure.column).unwrap_or(f64::NAN)])
                     .collect();
                 points.sort_by(|a, b| a[0].total_cmp(&b[0]));
-                let label = match (is_isothermal, single, i) {
-                    (false, true, _) => (*name).to_owned(),
-                    (false, false, 0) => label.clone(),
+                let bars = curve.points.iter().filter_map(|i| {
+                    let (h, error) = (value(*i, figure.column)?, value(*i, figure.error)?);
+                    Some([self.xs[*i], h - error, h + error])
+                });
+                chart.error_bars.push(ErrorBars {
+                    bars: bars.collect(),
+                    colour: colour.to_owned(),
+                });
+                let label = match (curve.is_isothermal, single, i) {
+                    (false, true, _) => figure.label.to_owned(),
+                    (false, false, 0) => curve.label.clone(),
                     _ => String::new(),
                 };
                 chart.series.push(Series {
                     label,
                     points,
-                    look: if *is_isothermal { Look::Dashed } else { *look },
-                    colour: colour.map_or(PALETTE[0], |(_, colour)| colour).to_owned(),
+                    look: match curve.is_isothermal {
+                        true => Look::Dashed,
+                        false => figure.look,
+                    },
+                    colour: colour.to_owned(),
                     ..Series::default()
                 });
             }
         }
-        if self
-            .curves
-            .iter()
-            .any(|(_, is_isothermal, _)| *is_isothermal)
-        {
-            chart.series.push(Series {
-                label: "without heat".to_owned(),
-                look: Look::Dashed,
-                colour: LEGEND_GREY.to_owned(),
-                ..Series::default()
-            });
+        let entry = |label: &str, look| Series {
+            label: label.to_owned(),
+            look,
+            colour: LEGEND_GREY.to_owned(),
+            ..Series::default()
+        };
+        if !single && figures.len() > 1 {
+            let looks = figures.iter().map(|f| entry(f.label, f.look));
+            chart.series.extend(looks);
+        }
+        if self.curves.iter().any(|curve| curve.is_isothermal) {
+            chart.series.push(entry("without heat", Look::Dashed));
         }
         chart
     }
+}
+
+/// Which of the columns that vary make panels, and which make colours: no panels where the colours suffice, else as few as
+/// possible of one column, or of two. `count` is the number of combinations of columns.
+fn panels_and_colours(
+    shown: &[usize],
+    count: &dyn Fn(&[usize]) -> usize,
+) -> Option<(Vec<usize>, Vec<usize>)> {
+    let without = |panels: &[usize]| -> Vec<usize> {
+        let rest = shown.iter().filter(|c| !panels.contains(c));
+        rest.copied().collect()
+    };
+    let none = [Vec::new()];
+    let ones = shown.iter().map(|c| vec![*c]);
+    let pairs = shown
+        .iter()
+        .enumerate()
+        .flat_map(|(i, a)| shown[i + 1..].iter().map(move |b| vec![*a, *b]));
+    let all = none.into_iter().chain(ones).chain(pairs);
+    let fitting = all
+        .filter(|panels| count(panels) <= MOST_PANELS && count(&without(panels)) <= PALETTE.len());
+    let panels = fitting.min_by_key(|panels| (panels.len(), count(panels)))?;
+    let colours = without(&panels);
+    Some((panels, colours))
+}
+
+/// `load 30 kN/m`, `squalane-pip`, `isothermal true`: a value of a column, in the unit of the user.
+fn value_in_words(study: &StudyEcho, column: usize, value: &str) -> String {
+    let (name, si) = words(&study.columns[column]);
+    match value.parse::<f64>() {
+        Ok(number) => {
+            let unit = user_unit(study, column);
+            let shown = digits(in_unit(number, unit.as_ref().map(|u| u.0)), 4);
+            let unit = unit.map_or(si, |u| u.1);
+            format!("{name} {shown} {unit}").trim_end().to_owned()
+        }
+        Err(_) if name == "name" => value.to_owned(),
+        Err(_) => format!("{name} {}", value.replace(['{', '}', '*'], "")),
+    }
+}
+
+/// The unit of a column as its user gave it, and how it is written in pictures; a temperature of older studies is in °C.
+fn user_unit(study: &StudyEcho, column: usize) -> Option<(Unit, String)> {
+    let given = study.units.get(column).map_or("", String::as_str);
+    let given = match (given, words(&study.columns[column]).1.as_str()) {
+        ("", "K") => "degC",
+        (given, _) => given,
+    };
+    let unit = Unit::parse(given).ok().filter(|_| !given.is_empty())?;
+    Some((unit, given.replace("deg", "°").replace('.', "\u{b7}")))
+}
+
+/// A value, SI, in a unit.
+fn in_unit(value: f64, unit: Option<Unit>) -> f64 {
+    unit.map_or(value, |unit| unit.from_si(value))
+}
+
+/// Label of the lower axis, and the unit of its values.
+fn axis_title(study: &StudyEcho, column: usize) -> (String, Option<Unit>) {
+    let (mut name, si) = words(&study.columns[column]);
+    if let Some(first) = name.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    let name = name.replace("Slide to roll ratio", "Slide-to-roll ratio");
+    let unit = user_unit(study, column);
+    let shown = unit.as_ref().map_or(si, |u| u.1.clone());
+    let label = match shown.as_str() {
+        "" => name,
+        unit => format!("{name} ({unit})"),
+    };
+    (label, unit.map(|u| u.0))
 }
 
 /// Words and unit of a column: entrainment speed and m/s of `motion.entrainment_speed_m_per_s`.
@@ -255,7 +402,46 @@ fn is_wide([low, high]: [f64; 2]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::words;
+    use super::{panels_and_colours, value_in_words, words};
+    use crate::study::StudyEcho;
+
+    /// Combinations of columns 0, 1, 2 with 5, 3 and 2 values.
+    fn combinations(columns: &[usize]) -> usize {
+        columns.iter().map(|c| [5, 3, 2][*c]).product()
+    }
+
+    #[test]
+    fn panels_are_few_and_colours_suffice() {
+        let of = |shown: &[usize]| panels_and_colours(shown, &combinations);
+        assert_eq!(of(&[0]), Some((vec![], vec![0])));
+        assert_eq!(of(&[0, 1]), Some((vec![1], vec![0])));
+        assert_eq!(of(&[1, 2]), Some((vec![], vec![1, 2])));
+        assert_eq!(of(&[0, 1, 2]), Some((vec![0], vec![1, 2])));
+        // Twenty lubricants have neither colours nor panels.
+        assert_eq!(
+            panels_and_colours(&[0], &|c| 20usize.pow(c.len() as u32)),
+            None
+        );
+    }
+
+    #[test]
+    fn values_have_the_units_of_the_user() {
+        let study = StudyEcho {
+            format: String::new(),
+            ertel_version: String::new(),
+            title: String::new(),
+            columns: vec![
+                "contact.load_N_per_m".to_owned(),
+                "lubricant.temperature_K".to_owned(),
+                "motion.slide_to_roll_ratio".to_owned(),
+            ],
+            units: vec!["kN/m".to_owned(), "degC".to_owned(), String::new()],
+            points: Vec::new(),
+        };
+        assert_eq!(value_in_words(&study, 0, "3e4"), "load 30 kN/m");
+        assert_eq!(value_in_words(&study, 1, "3.1315e2"), "temperature 40 °C");
+        assert_eq!(value_in_words(&study, 2, "1e-1"), "slide to roll ratio 0.1");
+    }
 
     #[test]
     fn columns_in_words() {

@@ -10,7 +10,7 @@ use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 41] = [
+pub(super) const OWN_FILES: [&str; 54] = [
     "result.json",
     super::html::REPORT_PAGE,
     "curve.json",
@@ -44,6 +44,19 @@ pub(super) const OWN_FILES: [&str; 41] = [
     "temperature-body-1.png",
     "temperature-body-2.svg",
     "temperature-body-2.png",
+    "film-curve.pdf",
+    "traction-curve.pdf",
+    "stribeck.pdf",
+    "centreline.pdf",
+    "pressure.pdf",
+    "film.pdf",
+    "convergence.pdf",
+    "temperature.pdf",
+    "temperature-mid.pdf",
+    "temperature-body-1.pdf",
+    "temperature-body-2.pdf",
+    "interferogram.pdf",
+    "cross-film.pdf",
     // As they were called before.
     "temperature-plane.svg",
     "temperature-plane.png",

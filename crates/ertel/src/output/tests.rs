@@ -199,18 +199,30 @@ fn numbers_that_are_not_finite_are_not_written() {
     assert_eq!(names(place.path()), [] as [&str; 0]);
 }
 
-#[cfg(not(feature = "png"))]
+/// All three formats, or those that are asked for alone; each can be replaced by another run.
 #[test]
-fn png_without_the_feature_says_how_to_get_it() {
+fn pictures_have_the_formats_that_are_asked_for() {
     let place = tempfile::tempdir().unwrap();
-    let kind = ContactKind::Line;
-    let params = OutputParams {
-        png: true,
-        ..OutputParams::default()
-    };
+    let target = place.path().join("x");
+    let kind = ContactKind::Circular;
     let (case, solution) = (fixture::case_echo(kind), fixture::solution(kind));
-    let error = write(&case, &solution, &place.path().join("x"), &params).unwrap_err();
-    assert!(error.to_string().contains("--features png"), "{error}");
+    for (formats, suffixes) in [
+        (vec!["svg", "pdf", "png"], vec!["pdf", "png", "svg"]),
+        (vec!["pdf"], vec!["pdf"]),
+        (vec![], vec![]),
+    ] {
+        let params = OutputParams {
+            pictures: PictureFormats::named(formats).unwrap(),
+            ..OutputParams::default()
+        };
+        write(&case, &solution, &target, &params).unwrap();
+        let found = names(&target);
+        let found = found
+            .iter()
+            .filter_map(|name| name.strip_prefix("pressure."));
+        assert_eq!(found.collect::<Vec<_>>(), suffixes);
+    }
+    assert_eq!(PictureFormats::named(["jpg"]), None);
 }
 
 /// Pictures are well-formed at least in this: every group that opens closes, no number is NaN.

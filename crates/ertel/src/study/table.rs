@@ -32,6 +32,9 @@ pub struct StudyEcho {
     pub title: String,
     /// Titles of the columns of the axes.
     pub columns: Vec<String>,
+    /// Units in which the user gave them, for pictures; empty where there is none, and of former studies.
+    #[serde(default)]
+    pub units: Vec<String>,
     /// Key and values of each point.
     pub points: Vec<(PointKey, Vec<String>)>,
 }
@@ -48,6 +51,7 @@ impl StudyEcho {
             ertel_version: env!("CARGO_PKG_VERSION").to_owned(),
             title: study.title.clone(),
             columns: study.columns.iter().map(|c| c.header.clone()).collect(),
+            units: study.columns.iter().map(|c| c.unit.clone()).collect(),
             points: (study.points.iter())
                 .map(|p| {
                     let values = p.values.iter().map(value).collect();

@@ -247,6 +247,12 @@ impl Picture {
                 ..Series::default()
             });
         }
+        series.push(Series {
+            label: formula.name().to_owned(),
+            look: Look::Dashed,
+            colour: "#404040".to_owned(),
+            ..Series::default()
+        });
         let all = || series.iter().flat_map(|s| s.points.iter());
         all().next()?;
         let x = Axis::log_around("Load group *M*", all().map(|p| p[0]));

@@ -1,7 +1,7 @@
 //! Pictures that set profiles of several runs beside each other.
 
 use crate::output::plot::{
-    self, Axis, Chart, Look, PALETTE, Series, Side, film_unit, side_by_side,
+    self, Axis, Chart, Look, PALETTE, Series, Side, TemperatureScale, film_unit, side_by_side,
 };
 use crate::solution::Solution;
 
@@ -15,26 +15,27 @@ const DUST: f64 = 2e-3;
 /// Films are shown up to this multiple of the central one.
 const FILM_SHOWN: f64 = 2.0;
 
-/// Pressure and film of each run in a panel of its own, axes alike; `None` without any solution.
+/// Pressure and film of each run that converged in a panel of its own, axes alike; the heading of the last one names the others.
+/// `None` without any solution.
 pub(super) fn panels(title: &str, runs: &[Named], columns: usize) -> Option<String> {
-    runs.iter().find_map(|r| r.1)?;
-    let charts: Vec<Chart> = runs.iter().map(|(name, s)| panel(name, *s)).collect();
-    Some(side_by_side(title, &charts, columns))
+    let solved = runs.iter().filter_map(|(name, s)| Some((name, (*s)?)));
+    let mut charts: Vec<Chart> = solved.map(|(name, s)| panel(name, s)).collect();
+    let failed = runs.iter().filter(|r| r.1.is_none());
+    let failed: Vec<&str> = failed.map(|r| r.0.as_str()).collect();
+    let last = charts.last_mut()?;
+    if !failed.is_empty() {
+        last.heading += &format!(" (not converged: {})", failed.join(", "));
+    }
+    Some(side_by_side(title, &charts, columns).svg())
 }
 
-fn panel(name: &str, solution: Option<&Solution>) -> Chart {
+fn panel(name: &str, s: &Solution) -> Chart {
     let mut chart = Chart::new(
         name,
         Axis::linear("*X* = *x*/*a*", WINDOW[0], WINDOW[1]),
         Axis::linear("*P* = *p*/*p*_{h}", 0.0, 1.4),
     );
-    chart.heading = match solution {
-        Some(_) => name.to_owned(),
-        None => format!("{name}: not converged"),
-    };
-    let Some(s) = solution else {
-        return chart;
-    };
+    chart.heading = name.to_owned();
     let centre = s.summary.film_central.value / s.scales.film;
     chart.y_right = Some(Axis::linear_around(
         "*H* = *hR*/*a*^{2}",
@@ -140,7 +141,7 @@ pub(super) fn overlay(
             chart
         })
         .collect();
-    Some(side_by_side(title, &charts, 2))
+    Some(side_by_side(title, &charts, 2).svg())
 }
 
 /// Temperatures of each run in a panel of its own, axes alike: across the film at its chosen points, or along the
@@ -151,13 +152,14 @@ pub(super) fn temperatures(
     runs: &[Named],
     columns: usize,
 ) -> Option<String> {
+    let scale = TemperatureScale::Kelvin;
     let mut charts: Vec<Chart> = runs
         .iter()
         .filter_map(|(name, s)| {
             let thermal = s.as_ref()?.thermal.as_ref()?;
             let chart = match across {
-                true => plot::cross_film_chart(title, (*s)?, thermal),
-                false => plot::temperature_chart(title, (*s)?),
+                true => plot::cross_film_chart(title, (*s)?, thermal, scale),
+                false => plot::temperature_chart(title, (*s)?, scale),
             };
             Some(Chart {
                 heading: name.clone(),
@@ -168,9 +170,13 @@ pub(super) fn temperatures(
     let ends: Vec<f64> = charts.iter().flat_map(|c| [c.y.low, c.y.high]).collect();
     let y = Axis::linear_around(&charts.first()?.y.label, ends);
     for chart in &mut charts {
+        chart.y_other = (chart.y_other.take()).map(|other| {
+            let shift = other.low - chart.y.low;
+            Axis::linear(&other.label, y.low + shift, y.high + shift)
+        });
         chart.y = y.clone();
     }
-    Some(side_by_side(title, &charts, columns))
+    Some(side_by_side(title, &charts, columns).svg())
 }
 
 fn pressure(s: &Solution) -> Vec<[f64; 2]> {

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use ertel_rheology::input::tree::{Entry, Node, Value};
 use ertel_rheology::input::{Document, InputError, Table};
+use ertel_rheology::quantity::Unit;
 
 use super::MOST_POINTS;
 use super::values::{self, AxisValue, Values, header};
@@ -25,6 +26,23 @@ impl Axis {
         match self.values.first() {
             Some((_, AxisValue::Number(_, dimension))) => header(&self.key, *dimension),
             _ => self.key.clone(),
+        }
+    }
+
+    /// The unit of its first value as the user wrote it; empty where there is none.
+    pub fn unit(&self) -> String {
+        let given = match self.values.first() {
+            Some((node, AxisValue::Number(..))) => match &node.value {
+                Value::Str(text) => text.as_str(),
+                _ => "",
+            },
+            _ => "",
+        };
+        let unit = given.split_once(' ').map_or("", |(_, unit)| unit.trim());
+        match Unit::parse(unit) {
+            Ok(_) => unit.to_owned(),
+            // A quantity with its uncertainty, or one without a blank before its unit.
+            Err(_) => String::new(),
         }
     }
 }

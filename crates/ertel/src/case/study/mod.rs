@@ -104,6 +104,8 @@ pub struct StudyColumn {
     pub key: String,
     /// Title of its column: the key, and the SI unit of a quantity, `contact.load_N`.
     pub header: String,
+    /// The unit in which the user gave its first value, `kN`; empty where it has none.
+    pub unit: String,
 }
 
 impl StudyColumn {
@@ -112,6 +114,7 @@ impl StudyColumn {
         Self {
             key: key.to_owned(),
             header: header(key, dimension),
+            unit: String::new(),
         }
     }
 }
@@ -330,6 +333,7 @@ fn build(
         .map(|axis| StudyColumn {
             key: axis.key.clone(),
             header: axis.header(),
+            unit: axis.unit(),
         })
         .collect();
     Ok(Study {

@@ -9,18 +9,21 @@ use super::{
 };
 use crate::compare::Comparison;
 use crate::output::target::has_format;
-use crate::output::{OutputError, PNG_SCALE, TEMPORARY, plot::png, write_whole};
+use crate::output::{OutputError, TEMPORARY, write_whole};
+use crate::params::PictureFormats;
 use crate::study::{POINTS, STUDY_FORMAT};
 
 /// Folder within, with the study of the points.
 pub const COMPARISON_STUDY: &str = "study";
 
 /// Every file that a comparison writes into its folder.
-pub const COMPARISON_FILES: [&str; 6] = [TABLE, JSON, PICTURE, PICTURE_PNG, REPORT, CASE];
+pub const COMPARISON_FILES: [&str; 7] =
+    [TABLE, JSON, PICTURE, PICTURE_PDF, PICTURE_PNG, REPORT, CASE];
 
 const TABLE: &str = "comparison.csv";
 const JSON: &str = "comparison.json";
 const PICTURE: &str = "comparison.svg";
+const PICTURE_PDF: &str = "comparison.pdf";
 const PICTURE_PNG: &str = "comparison.png";
 const REPORT: &str = "report.txt";
 const CASE: &str = "case.toml";
@@ -88,7 +91,7 @@ pub fn write_comparison(
     comparison: &Comparison,
     case: &str,
     target: &Path,
-    with_png: bool,
+    formats: PictureFormats,
 ) -> Result<(), OutputError> {
     check_comparison_folder(target)?;
     fs::create_dir_all(target).map_err(|e| OutputError::io(target, e))?;
@@ -99,18 +102,15 @@ pub fn write_comparison(
     let json = serde_json::to_string_pretty(&comparison_json(comparison))
         .map_err(|e| OutputError::io(&target.join(JSON), e.into()))?;
     let picture = comparison_picture(comparison);
-    let png = match (&picture, with_png) {
-        (Some(svg), true) => Some(png::from_svg(svg, PNG_SCALE)?),
-        _ => None,
-    };
+    let drawn = picture.as_ref();
+    let svg = drawn.filter(|_| formats.svg).map(|p| p.svg().into_bytes());
+    let pdf = drawn.filter(|_| formats.pdf).map(|p| p.pdf()).transpose()?;
+    let png = drawn.filter(|_| formats.png).map(|p| p.png()).transpose()?;
     write(JSON, format!("{json}\n").as_bytes())?;
     write(TABLE, comparison_table(comparison).as_bytes())?;
     write(REPORT, comparison_report(comparison, None).as_bytes())?;
     write(CASE, case.as_bytes())?;
-    for (name, content) in [
-        (PICTURE, picture.map(String::into_bytes)),
-        (PICTURE_PNG, png),
-    ] {
+    for (name, content) in [(PICTURE, svg), (PICTURE_PDF, pdf), (PICTURE_PNG, png)] {
         match content {
             Some(content) => write(name, &content)?,
             // A picture of a former comparison would show another one.

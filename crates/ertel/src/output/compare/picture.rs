@@ -2,7 +2,9 @@
 
 use std::collections::HashSet;
 
-use super::super::plot::{Axis, AxisScale, Chart, ErrorBars, Look, PALETTE, Series, side_by_side};
+use super::super::plot::{
+    Axis, AxisScale, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side,
+};
 use super::super::report::digits;
 use super::super::study::words;
 use super::report::unit_of;
@@ -14,14 +16,12 @@ use crate::compare::{ComparedRow, Comparison, Figure};
 const LOG_FROM: f64 = 5.0;
 /// Room of a logarithmic axis around the points.
 const ROOM: f64 = 1.1;
-/// Room of a linear axis for the legend.
-const LEGEND_ROOM: f64 = 1.25;
 /// Colour of rows where the other quantities have more settings than there are colours.
 const MANY: &str = "#404040";
 
 /// Films in one diagram and traction in another, over the column with the most settings; a colour for each setting of the other
 /// columns. `None` where no column is a number.
-pub fn comparison_picture(comparison: &Comparison) -> Option<String> {
+pub fn comparison_picture(comparison: &Comparison) -> Option<Drawing> {
     let layout = Layout::new(comparison)?;
     let (films, tractions): (Vec<Figure>, Vec<Figure>) =
         comparison.figures().partition(|f| f.is_film());
@@ -131,6 +131,7 @@ impl Layout {
             chart.series.push(legend_entry(Look::Circles, "measured"));
             chart.series.push(legend_entry(computed, "computed"));
         }
+        chart.error_label = "uncertainty of the measurement".to_owned();
         chart.y = y_axis(&chart, &y_label);
         chart
     }
@@ -222,7 +223,7 @@ fn y_axis(chart: &Chart, label: &str) -> Axis {
     }
     let all = heights.into_iter().chain(ends).chain([0.0]);
     let (low, high) = all.fold((0.0, 0.0), |(l, h): (f64, f64), v| (l.min(v), h.max(v)));
-    Axis::linear_around(label, [low, LEGEND_ROOM * high])
+    Axis::linear_around(label, [low, high])
 }
 
 fn is_wide(values: impl Iterator<Item = f64>) -> bool {

@@ -17,8 +17,8 @@ use std::path::Path;
 
 use super::folder::{NewFolder, OutputFile, Part};
 use super::html::{REPORT_PAGE, curve_page};
-use super::plot::Picture;
-use super::{CaseEcho, OutputError, check_png, finite, write_files, write_picture};
+use super::plot::{Chart, Picture};
+use super::{CaseEcho, OutputError, finite, write_files, write_picture};
 use crate::params::OutputParams;
 use crate::study::{CurveSolution, Outcome};
 
@@ -34,7 +34,7 @@ pub fn write_curve(
     params: &OutputParams,
     folders: bool,
 ) -> Result<(), OutputError> {
-    check_curve(curve, params)?;
+    check_curve(curve)?;
     let folder = NewFolder::beside(target)?;
     write_files_of_curve(folder.root(), case, curve, params)?;
     if folders {
@@ -58,16 +58,13 @@ pub fn curve_files(
     curve: &CurveSolution,
     params: &OutputParams,
 ) -> Result<Vec<OutputFile>, OutputError> {
-    check_curve(curve, params)?;
+    check_curve(curve)?;
     let folder = Part::in_memory();
     write_files_of_curve(&folder, case, curve, params)?;
     Ok(folder.into_files())
 }
 
-fn check_curve(curve: &CurveSolution, params: &OutputParams) -> Result<(), OutputError> {
-    if params.png {
-        check_png()?;
-    }
+fn check_curve(curve: &CurveSolution) -> Result<(), OutputError> {
     for (i, point) in curve.points.iter().enumerate() {
         let besides = [&point.newtonian, &point.isothermal].map(Option::as_ref);
         for outcome in [[Some(&point.outcome); 1].as_slice(), &besides].concat() {
@@ -104,25 +101,17 @@ fn write_files_of_curve(
         root.file("case.toml", |out| out.write_all(text.as_bytes()))?;
     }
     for picture in pictures(&case.title, curve) {
-        write_picture(root, &picture, params.png)?;
+        write_picture(root, &picture, params.pictures)?;
     }
     Ok(())
 }
 
 /// Every picture of a curve.
 fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
-    let film = Picture {
-        name: "film-curve",
-        svg: film_chart(title, curve).svg(),
-    };
-    let traction = traction_chart(title, curve).map(|chart| Picture {
-        name: "traction-curve",
-        svg: chart.svg(),
-    });
-    let stribeck = stribeck_chart(title, curve).map(|chart| Picture {
-        name: "stribeck",
-        svg: chart.svg(),
-    });
+    let picture = |name, chart: Chart| Picture::new(name, chart.drawing());
+    let film = picture("film-curve", film_chart(title, curve));
+    let traction = traction_chart(title, curve).map(|chart| picture("traction-curve", chart));
+    let stribeck = stribeck_chart(title, curve).map(|chart| picture("stribeck", chart));
     [Some(film), traction, stribeck]
         .into_iter()
         .flatten()

@@ -1,15 +1,15 @@
 //! Film thickness and traction over the quantity of a curve.
 
-use super::super::plot::{Axis, AxisScale, Chart, Look, PALETTE, Series, Side, film_unit};
+use super::super::plot::{Chart, ERROR_BARS, ErrorBars, Look, PALETTE, Series, Side, film_unit};
 use super::frame::{curve_chart, fit_y, largest, points_over};
-use crate::solution::{FormulaFilm, Solution};
+use crate::solution::{Estimate, FormulaFilm, Solution};
 use crate::study::{CurveSolution, PointSolution};
 
 /// One of the films of a formula.
 type Film = fn(&FormulaFilm) -> Option<f64>;
 
 /// A figure of a solution.
-type Figure = fn(&Solution) -> f64;
+type Figure = fn(&Solution) -> Estimate;
 
 /// Central and minimum film over the quantity, beside those without shear thinning and without heat (the first of these
 /// dashed, a second one open circles) or, where the curve asks for neither, the formulas' (dashed). Failed points are marked.
@@ -22,10 +22,10 @@ pub fn film_shape_chart(title: &str, curve: &CurveSolution) -> Chart {
     films_over(title, curve, &[CENTRAL, CENTRELINE_MINIMUM, MINIMUM])
 }
 
-const CENTRAL: (&str, Figure) = ("central film", |s| s.summary.film_central.value);
-const MINIMUM: (&str, Figure) = ("minimum film", |s| s.summary.film_minimum.value);
+const CENTRAL: (&str, Figure) = ("central film", |s| s.summary.film_central);
+const MINIMUM: (&str, Figure) = ("minimum film", |s| s.summary.film_minimum);
 const CENTRELINE_MINIMUM: (&str, Figure) = ("minimum on the centreline", |s| {
-    s.summary.film_centreline_minimum.value
+    s.summary.film_centreline_minimum.estimate()
 });
 
 /// These films over the quantity, beside those of simpler contacts.
@@ -41,16 +41,20 @@ fn films_over(title: &str, curve: &CurveSolution, values: &[(&str, Figure)]) -> 
     for ((label, value), colour) in values.iter().zip(PALETTE) {
         chart.series.push(Series {
             label: (*label).into(),
-            points: points_over(curve, |p| Some(factor * value(p.outcome.solution()?))),
-            look: Look::LineAndDots,
+            points: points_over(curve, |p| Some(factor * value(p.outcome.solution()?).value)),
+            look: match *label == MINIMUM.0 {
+                true => Look::LineAndRings,
+                false => Look::LineAndDots,
+            },
             colour: colour.into(),
             side: Side::Left,
         });
+        add_bars(&mut chart, curve, factor, *value, colour);
     }
     let besides = besides_of(&[curve]);
     for beside in &besides {
         for ((_, value), colour) in values.iter().zip(PALETTE) {
-            let value = |s: &Solution| factor * value(s);
+            let value = |s: &Solution| factor * value(s).value;
             chart.series.push(beside.unlabelled(curve, colour, value));
         }
         let entry = legend_entry(beside.look, beside.name.to_owned());
@@ -73,6 +77,13 @@ pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
     }
     let mut chart = curve_chart(title, curve, "Traction coefficient");
     let value = |s: &Solution| s.traction.coefficient.value;
+    add_bars(
+        &mut chart,
+        curve,
+        1.0,
+        |s| s.traction.coefficient,
+        PALETTE[0],
+    );
     let label = "traction coefficient";
     chart.series = vec![Series {
         label: label.into(),
@@ -88,7 +99,7 @@ pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
     Some(chart)
 }
 
-/// Films of several curves over the same quantity: central with dots, minimum without, dashed the central ones of the
+/// Films of several curves over the same quantity: central with dots, minimum with rings, dashed the central ones of the
 /// simpler contact; of a single curve as [`film_chart`]. `None` without curves.
 pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Chart> {
     if let [(_, curve)] = curves {
@@ -102,10 +113,10 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
     let label = format!("Film thickness *h* ({unit})");
     let mut chart = curve_chart(title, curves.first()?.1, &label);
     let beside = simpler(curves);
-    // Colours tell the curves, looks what they show: both stand in the legend, which needs room above.
+    // Colours tell the curves, looks what they show: both stand in the legend.
     let mut looks = vec![
         (Look::LineAndDots, CENTRAL.0.to_owned()),
-        (Look::Line, MINIMUM.0.to_owned()),
+        (Look::LineAndRings, MINIMUM.0.to_owned()),
     ];
     looks.extend(
         beside
@@ -114,7 +125,7 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
     );
     for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
         let part = |look, film: Figure| Series {
-            points: points_over(curve, |p| Some(factor * film(p.outcome.solution()?))),
+            points: points_over(curve, |p| Some(factor * film(p.outcome.solution()?).value)),
             look,
             colour: (*colour).into(),
             ..Series::default()
@@ -123,9 +134,12 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
             label: (*name).to_owned(),
             ..part(Look::LineAndDots, CENTRAL.1)
         });
-        chart.series.push(part(Look::Line, MINIMUM.1));
+        chart.series.push(part(Look::LineAndRings, MINIMUM.1));
+        for film in [CENTRAL.1, MINIMUM.1] {
+            add_bars(&mut chart, curve, factor, film, colour);
+        }
         if let Some(beside) = &beside {
-            let central = |s: &Solution| factor * CENTRAL.1(s);
+            let central = |s: &Solution| factor * CENTRAL.1(s).value;
             chart.series.push(beside.unlabelled(curve, colour, central));
         }
     }
@@ -135,9 +149,6 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
             .into_iter()
             .map(|(look, label)| legend_entry(look, label)),
     );
-    if chart.y.scale == AxisScale::Linear {
-        chart.y = Axis::linear_around(&label, [chart.y.low, LEGEND_ROOM * chart.y.high]);
-    }
     Some(chart)
 }
 
@@ -159,9 +170,6 @@ fn legend_entry(look: Look, label: String) -> Series {
 
 /// Colour of legend entries that hold for curves of all colours.
 const LEGEND_GREY: &str = "#404040";
-
-/// By how much an axis grows to make room for a long legend.
-const LEGEND_ROOM: f64 = 1.5;
 
 /// Traction coefficients of several curves over the same quantity, dashed those of the simpler contact, which may
 /// leave the picture. `None` without curves.
@@ -275,6 +283,25 @@ impl Beside {
             ..self.series(curve, "", colour, value)
         }
     }
+}
+
+/// Error bars of a figure.
+fn add_bars(chart: &mut Chart, curve: &CurveSolution, factor: f64, of: Figure, colour: &str) {
+    let ends = |sign: f64| {
+        points_over(curve, |p| {
+            let figure = of(p.outcome.solution()?);
+            Some(factor * (figure.value + sign * figure.error?))
+        })
+    };
+    let bars = ends(-1.0).into_iter().zip(ends(1.0));
+    chart.error_bars.push(ErrorBars {
+        bars: bars
+            .map(|([x, low], [_, high])| [x, low, high])
+            .filter(|bar| bar.iter().all(|v| v.is_finite()))
+            .collect(),
+        colour: colour.to_owned(),
+    });
+    chart.error_label = ERROR_BARS.to_owned();
 }
 
 /// The films of the formulas, dashed.

@@ -7,9 +7,6 @@ use super::frame::largest;
 use crate::solution::MixedFriction;
 use crate::study::{CurveSolution, PointSolution};
 
-/// Room for the legend over the curves.
-const LEGEND_ROOM: f64 = 1.45;
-
 /// Friction coefficients over the entrainment speed, logarithmic: film, asperities and both, and on the right axis the lambda ratio.
 /// `None` where the curve is not over a speed, or no point has friction of asperities. Failed points are marked.
 pub fn stribeck_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
@@ -56,7 +53,7 @@ pub fn stribeck_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
         let heights = points.flat_map(|s| &s.points).map(|p| p[1]);
         heights.filter(|h| h.is_finite() && *h > 0.0)
     };
-    let most = LEGEND_ROOM * largest(heights(Side::Left));
+    let most = largest(heights(Side::Left));
     let y = Axis::linear_around("Friction coefficient", [0.0, most]);
     let mut chart = Chart::new(title, x, y);
     chart.heading = "Model: asperities over the film of smooth surfaces".to_owned();

@@ -121,11 +121,12 @@ impl Axis {
             }
             AxisScale::Log => {
                 let (low, high) = self.decades();
-                if self.high / self.low < LABELS_WITHIN {
-                    return self
-                        .within_decades(&[1.0, 2.0, 5.0])
-                        .map(|v| (v, plain_label(v)))
-                        .collect();
+                let between: Vec<(f64, String)> = self
+                    .within_decades(&[1.0, 2.0, 5.0])
+                    .map(|v| (v, plain_label(v)))
+                    .collect();
+                if self.high / self.low <= labels_within(&between) {
+                    return between;
                 }
                 // At most about eight labels
                 let every = ((high - low) as usize).div_ceil(8).max(1);
@@ -192,12 +193,19 @@ impl Axis {
     }
 }
 
-/// Ratio of the ends of a logarithmic axis up to which it has labels between its powers of ten.
-const LABELS_WITHIN: f64 = 50.0;
+/// Ratio of the ends of a logarithmic axis up to which there is room for its labels at 1, 2 and 5 times the powers of ten.
+fn labels_within(ticks: &[(f64, String)]) -> f64 {
+    let longest = ticks.iter().map(|t| t.1.chars().count()).max();
+    match longest.unwrap_or(0) {
+        ..=4 => 1.05e4,
+        5..=6 => 1.05e3,
+        _ => 50.0,
+    }
+}
 
 /// Label of a number that is 1, 2 or 5 times a power of ten.
 fn plain_label(value: f64) -> String {
-    if (1e-3..1e5).contains(&value) {
+    if (0.9e-4..1.1e5).contains(&value) {
         let decimals = (-(value.log10() + 1e-9).floor()).max(0.0) as usize;
         return format!("{value:.decimals$}");
     }
@@ -315,7 +323,16 @@ mod tests {
         );
         let axis = Axis::log_close_around("", [12.0, 1800.0]);
         assert_eq!((axis.low, axis.high), (10.0, 2000.0));
-        assert_eq!(labels(&axis), ["10", "10^{2}", "10^{3}"]);
+        assert_eq!(
+            labels(&axis),
+            ["10", "20", "50", "100", "200", "500", "1000", "2000"]
+        );
+        let axis = Axis::log_close_around("", [0.011, 90.0]);
+        let shown = labels(&axis);
+        assert_eq!((shown.len(), &*shown[1], &*shown[11]), (13, "0.02", "50"));
+        // Four decades of long numbers have no room between them.
+        let axis = Axis::log_close_around("", [1e-4, 1.0]);
+        assert_eq!(labels(&axis).len(), 5);
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! Curves and points over one or two y axes.
 
 use super::axis::Axis;
+use super::drawing::{Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number};
 use super::frame::{
     FRAME_WIDTH, Frame, draw_x_axis, draw_y_axis, label_x_axis, label_y_axis, polyline,
 };
-use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
+use super::legend::{Legend, Place};
 
 /// Colours told apart by colour-blind readers and in grey (Okabe and Ito 2008).
 pub const PALETTE: [&str; 6] = [
@@ -33,6 +34,8 @@ pub enum Look {
     Circles,
     /// Solid line through filled dots.
     LineAndDots,
+    /// Solid line through small open circles.
+    LineAndRings,
     /// Filled dots.
     Dots,
     /// Crosses.
@@ -40,8 +43,11 @@ pub enum Look {
 }
 
 impl Look {
-    fn has_line(self) -> bool {
-        matches!(self, Look::Line | Look::Dashed | Look::LineAndDots)
+    pub(super) fn has_line(self) -> bool {
+        matches!(
+            self,
+            Look::Line | Look::Dashed | Look::LineAndDots | Look::LineAndRings
+        )
     }
 }
 
@@ -93,10 +99,14 @@ pub struct Chart {
     pub y: Axis,
     /// Right axis, if any.
     pub y_right: Option<Axis>,
+    /// Right axis with other units of the range of the left one, if any; not beside `y_right`.
+    pub y_other: Option<Axis>,
     /// Curves, drawn in this order.
     pub series: Vec<Series>,
     /// Error bars on the left axis, below the curves.
     pub error_bars: Vec<ErrorBars>,
+    /// What the error bars are, for the legend; empty: no entry.
+    pub error_label: String,
     /// Vertical lines.
     pub markers: Vec<Marker>,
     /// Shaded ranges of x.
@@ -104,32 +114,41 @@ pub struct Chart {
 }
 
 /// Frame inside the picture, px.
-const LEFT: f64 = 68.0;
+const LEFT: f64 = 72.0;
 const WIDTH: f64 = 420.0;
 const HEIGHT: f64 = 290.0;
+/// Space for the labels below the frame, px.
+const FOOT: f64 = 52.0;
+/// Length from which an error bar is seen, px: shorter ones lie within the dots.
+const SEEN_BAR: f64 = 6.0;
 /// Half the width of the ends of error bars, px.
 const BAR_CAP: f64 = 3.0;
 
-/// Diagrams in rows of `columns`, as one SVG file.
-pub fn side_by_side(title: &str, charts: &[Chart], columns: usize) -> String {
+/// Diagrams in rows of `columns`, as one picture.
+pub fn side_by_side(title: &str, charts: &[Chart], columns: usize) -> Drawing {
     let rows: Vec<&[Chart]> = charts.chunks(columns.max(1)).collect();
     let width = |row: &[Chart]| row.iter().map(|c| c.size()[0]).sum::<f64>();
-    let height = |row: &[Chart]| row.iter().map(|c| c.size()[1]).fold(0.0, f64::max);
-    let mut svg = Svg::new(
+    // Frames in a row stand at the same height.
+    let head = |row: &[Chart]| row.iter().map(Chart::head).fold(0.0, f64::max);
+    let below = |row: &[Chart]| {
+        let heights = row.iter().map(|c| c.size()[1] - c.head());
+        heights.fold(0.0, f64::max)
+    };
+    let mut drawing = Drawing::new(
         rows.iter().map(|r| width(r)).fold(0.0, f64::max),
-        rows.iter().map(|r| height(r)).sum(),
+        rows.iter().map(|r| head(r) + below(r)).sum(),
         title,
     );
     let mut top = 0.0;
     for row in rows {
         let mut left = 0.0;
         for chart in row {
-            chart.draw(&mut svg, [left, top]);
+            chart.draw(&mut drawing, [left, top + head(row) - chart.head()]);
             left += chart.size()[0];
         }
-        top += height(row);
+        top += head(row) + below(row);
     }
-    svg.finish()
+    drawing
 }
 
 impl Chart {
@@ -142,16 +161,23 @@ impl Chart {
             x_top: None,
             y,
             y_right: None,
+            y_other: None,
             series: Vec::new(),
             error_bars: Vec::new(),
+            error_label: String::new(),
             markers: Vec::new(),
             shaded: Vec::new(),
         }
     }
 
+    /// The diagram as a picture.
+    pub fn drawing(&self) -> Drawing {
+        side_by_side(&self.title, std::slice::from_ref(self), 1)
+    }
+
     /// The diagram as an SVG file.
     pub fn svg(&self) -> String {
-        side_by_side(&self.title, std::slice::from_ref(self), 1)
+        self.drawing().svg()
     }
 
     /// Space over the frame for labels, px.
@@ -165,50 +191,73 @@ impl Chart {
         heading + labels
     }
 
-    /// Width and height of the picture, px.
-    fn size(&self) -> [f64; 2] {
-        let right = if self.y_right.is_some() { 68.0 } else { 22.0 };
-        [LEFT + WIDTH + right, self.head() + HEIGHT + 52.0]
-    }
-
-    /// Draws with the upper left corner at a point, px.
-    fn draw(&self, svg: &mut Svg, [left, top]: [f64; 2]) {
-        let frame = Frame {
+    /// The frame within the picture whose upper left corner is at a point, px.
+    fn frame(&self, [left, top]: [f64; 2]) -> Frame {
+        Frame {
             left: left + LEFT,
             top: top + self.head(),
             width: WIDTH,
             height: HEIGHT,
-        };
-        if !self.heading.is_empty() {
-            let at = [frame.left + 0.5 * frame.width, top + 22.0];
-            svg.text(at, &self.heading, LABEL_SIZE, Anchor::Middle, INK);
         }
-        self.draw_shades(svg, frame);
-        svg.begin_clip(frame.left, frame.top, frame.width, frame.height);
-        for bars in &self.error_bars {
-            self.draw_error_bars(svg, frame, bars);
-        }
-        for series in &self.series {
-            self.draw_series(svg, frame, series);
-        }
-        svg.end_clip();
-        self.draw_axes(svg, frame);
-        self.draw_legend(svg, frame);
     }
 
-    fn y_axis(&self, side: Side) -> &Axis {
+    /// The legend and its place.
+    fn legend(&self, frame: Frame) -> Option<(Legend<'_>, Place)> {
+        let is_seen = |[_, low, high]: &[f64; 3]| {
+            let length = (frame.y(&self.y, *low) - frame.y(&self.y, *high)).abs();
+            !length.is_finite() || length > SEEN_BAR
+        };
+        let mut bars = self.error_bars.iter().flat_map(|b| &b.bars);
+        let has_bars = !self.error_label.is_empty() && bars.any(is_seen);
+        let legend = Legend::of(self, has_bars.then_some(&*self.error_label))?;
+        let place = legend.place(self, frame);
+        Some((legend, place))
+    }
+
+    /// Width and height of the picture, px.
+    fn size(&self) -> [f64; 2] {
+        let has_right = self.y_right.is_some() || self.y_other.is_some();
+        let right = if has_right { 68.0 } else { 22.0 };
+        let legend = self.legend(self.frame([0.0; 2]));
+        let extra = legend.map_or(0.0, |(legend, place)| legend.extra(place));
+        [LEFT + WIDTH + right, self.head() + HEIGHT + FOOT + extra]
+    }
+
+    /// Draws with the upper left corner at a point, px.
+    fn draw(&self, drawing: &mut Drawing, [left, top]: [f64; 2]) {
+        let frame = self.frame([left, top]);
+        if !self.heading.is_empty() {
+            let at = [frame.left + 0.5 * frame.width, top + 22.0];
+            drawing.text(at, &self.heading, LABEL_SIZE, Anchor::Middle, INK);
+        }
+        self.draw_shades(drawing, frame);
+        drawing.begin_clip(frame.left, frame.top, frame.width, frame.height);
+        for bars in &self.error_bars {
+            self.draw_error_bars(drawing, frame, bars);
+        }
+        for series in &self.series {
+            self.draw_series(drawing, frame, series);
+        }
+        drawing.end_clip();
+        self.draw_axes(drawing, frame);
+        if let Some((legend, place)) = self.legend(frame) {
+            legend.draw(drawing, place, frame, frame.top + frame.height + FOOT - 8.0);
+        }
+    }
+
+    pub(super) fn y_axis(&self, side: Side) -> &Axis {
         match side {
             Side::Left => &self.y,
             Side::Right => self.y_right.as_ref().unwrap_or(&self.y),
         }
     }
 
-    fn draw_shades(&self, svg: &mut Svg, frame: Frame) {
+    fn draw_shades(&self, drawing: &mut Drawing, frame: Frame) {
         for [from, to] in &self.shaded {
             let from = frame.x(&self.x, *from).max(frame.left);
             let to = frame.x(&self.x, *to).min(frame.left + frame.width);
             if to > from {
-                svg.rectangle(from, frame.top, to - from, frame.height, "#efefef");
+                drawing.rectangle(from, frame.top, to - from, frame.height, "#efefef");
             }
         }
         for marker in &self.markers {
@@ -219,20 +268,20 @@ impl Chart {
                 number(frame.top),
                 number(frame.height)
             );
-            svg.stroke(
+            drawing.stroke(
                 &d,
                 Stroke {
                     colour: "#8c8c8c",
                     width: 0.8,
-                    dash: Some("2 3"),
+                    dash: Some([2.0, 3.0]),
                 },
             );
             let at = [x + 1.0, frame.top - 6.0];
-            svg.text(at, &marker.label, TICK_SIZE - 1.0, Anchor::Start, "#595959");
+            drawing.text(at, &marker.label, TICK_SIZE - 1.0, Anchor::Start, "#595959");
         }
     }
 
-    fn draw_series(&self, svg: &mut Svg, frame: Frame, series: &Series) {
+    fn draw_series(&self, drawing: &mut Drawing, frame: Frame, series: &Series) {
         let y = self.y_axis(series.side);
         // Far outside of the frame, renderers lose precision
         let limit = |v: f64| v.clamp(-1e4, 1e4);
@@ -242,17 +291,17 @@ impl Chart {
             .map(|[px, py]| [limit(frame.x(&self.x, *px)), limit(frame.y(y, *py))])
             .collect();
         if series.look.has_line() {
-            svg.stroke(&polyline(&points), line_stroke(series));
+            drawing.stroke(&polyline(&points), line_stroke(series));
         }
         let finite = points
             .iter()
             .filter(|p| p[0].is_finite() && p[1].is_finite());
         for point in finite {
-            draw_point(svg, *point, series);
+            draw_point(drawing, *point, series);
         }
     }
 
-    fn draw_error_bars(&self, svg: &mut Svg, frame: Frame, bars: &ErrorBars) {
+    fn draw_error_bars(&self, drawing: &mut Drawing, frame: Frame, bars: &ErrorBars) {
         let foot = frame.top + frame.height + BAR_CAP;
         let mut d = String::new();
         for [x, low, high] in &bars.bars {
@@ -262,7 +311,7 @@ impl Chart {
                 .filter(|y| y.is_finite())
                 .unwrap_or(foot);
             let bottom = bottom.clamp(-1e4, 1e4);
-            if !x.is_finite() || !top.is_finite() {
+            if !x.is_finite() || !top.is_finite() || (bottom - top).abs() < 0.5 * SEEN_BAR {
                 continue;
             }
             let top = top.clamp(-1e4, 1e4);
@@ -271,32 +320,42 @@ impl Chart {
             d += &format!("M{x} {top}V{bottom}M{left} {top}h{cap}M{left} {bottom}h{cap}");
         }
         if !d.is_empty() {
-            svg.stroke(&d, Stroke::solid(&bars.colour, 1.0));
+            drawing.stroke(&d, Stroke::solid(&bars.colour, 1.0));
         }
     }
 
-    fn draw_axes(&self, svg: &mut Svg, frame: Frame) {
-        svg.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
-        draw_x_axis(svg, frame, &self.x, false);
-        draw_x_axis(svg, frame, self.x_top.as_ref().unwrap_or(&self.x), true);
+    fn draw_axes(&self, drawing: &mut Drawing, frame: Frame) {
+        drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
+        draw_x_axis(drawing, frame, &self.x, false);
+        draw_x_axis(drawing, frame, self.x_top.as_ref().unwrap_or(&self.x), true);
         if let Some(top) = &self.x_top {
-            label_x_axis(svg, frame, top, true);
+            label_x_axis(drawing, frame, top, true);
         }
-        label_x_axis(svg, frame, &self.x, false);
-        draw_y_axis(svg, frame, &self.y, Side::Left);
+        label_x_axis(drawing, frame, &self.x, false);
+        draw_y_axis(drawing, frame, &self.y, Side::Left);
         label_y_axis(
-            svg,
+            drawing,
             frame,
             &self.y,
             Side::Left,
             self.axis_colour(Side::Left),
         );
-        match &self.y_right {
-            Some(axis) => {
-                draw_y_axis(svg, frame, axis, Side::Right);
-                label_y_axis(svg, frame, axis, Side::Right, self.axis_colour(Side::Right));
+        match (&self.y_right, &self.y_other) {
+            (Some(axis), _) => {
+                draw_y_axis(drawing, frame, axis, Side::Right);
+                label_y_axis(
+                    drawing,
+                    frame,
+                    axis,
+                    Side::Right,
+                    self.axis_colour(Side::Right),
+                );
             }
-            None => draw_y_axis(svg, frame, &self.y, Side::Right),
+            (None, Some(axis)) => {
+                draw_y_axis(drawing, frame, axis, Side::Right);
+                label_y_axis(drawing, frame, axis, Side::Right, INK);
+            }
+            (None, None) => draw_y_axis(drawing, frame, &self.y, Side::Right),
         }
     }
 
@@ -311,128 +370,32 @@ impl Chart {
             _ => INK,
         }
     }
-
-    fn draw_legend(&self, svg: &mut Svg, frame: Frame) {
-        let entries: Vec<&Series> = self.series.iter().filter(|s| !s.label.is_empty()).collect();
-        if entries.is_empty() {
-            return;
-        }
-        let row = 18.0;
-        let widest = entries
-            .iter()
-            .map(|s| text_width(&s.label, TICK_SIZE))
-            .fold(0.0, f64::max);
-        let (width, height) = (widest + 46.0, row * entries.len() as f64 + 6.0);
-        let [left, top] = self.emptiest_place(frame, width, height);
-        for (i, series) in entries.iter().enumerate() {
-            let y = top + 3.0 + row * (i as f64 + 0.5);
-            let (from, to) = (left + 6.0, left + 34.0);
-            if series.look.has_line() {
-                let d = format!("M{} {}H{}", number(from), number(y), number(to));
-                svg.stroke(&d, line_stroke(series));
-            }
-            draw_point(svg, [0.5 * (from + to), y], series);
-            svg.text(
-                [to + 6.0, y + 4.2],
-                &series.label,
-                TICK_SIZE,
-                Anchor::Start,
-                INK,
-            );
-        }
-    }
-
-    /// Place for a box of this size where the fewest curve points lie; corners before the rest.
-    fn emptiest_place(&self, frame: Frame, width: f64, height: f64) -> [f64; 2] {
-        let gap = 8.0;
-        let room = [
-            frame.width - width - 2.0 * gap,
-            frame.height - height - 2.0 * gap,
-        ];
-        let pixels: Vec<[f64; 2]> = self
-            .series
-            .iter()
-            .flat_map(|s| {
-                let y = self.y_axis(s.side);
-                let points: Vec<[f64; 2]> = s
-                    .points
-                    .iter()
-                    .map(|p| [frame.x(&self.x, p[0]), frame.y(y, p[1])])
-                    .collect();
-                if s.look.has_line() {
-                    densify(&points)
-                } else {
-                    points
-                }
-            })
-            .collect();
-        let crowd = |[x, y]: [f64; 2]| {
-            let near = |p: &&[f64; 2]| {
-                (x - gap..x + width + gap).contains(&p[0])
-                    && (y - gap..y + height + gap).contains(&p[1])
-            };
-            pixels.iter().filter(near).count()
-        };
-        let n = 8;
-        let mut places: Vec<[i32; 2]> =
-            (0..=n).flat_map(|j| (0..=n).map(move |i| [i, j])).collect();
-        // Distance from the nearest corner
-        places.sort_by_key(|p| p.iter().map(|i| i.min(&(n - i)).pow(2)).sum::<i32>());
-        places
-            .into_iter()
-            .map(|[i, j]| {
-                [
-                    frame.left + gap + room[0] * f64::from(i) / f64::from(n),
-                    frame.top + gap + room[1] * f64::from(j) / f64::from(n),
-                ]
-            })
-            .min_by_key(|place| crowd(*place))
-            .unwrap_or([frame.left + gap, frame.top + gap])
-    }
 }
 
 /// The mark of a series at a point, if it has one.
-fn draw_point(svg: &mut Svg, [x, y]: [f64; 2], series: &Series) {
+pub(super) fn draw_point(drawing: &mut Drawing, [x, y]: [f64; 2], series: &Series) {
     let colour = &series.colour;
     match series.look {
-        Look::Circles => svg.circle(x, y, 3.2, "white", Stroke::solid(colour, 1.3)),
-        Look::LineAndDots => svg.circle(x, y, 2.2, colour, Stroke::solid("white", 0.6)),
-        Look::Dots => svg.circle(x, y, 3.4, colour, Stroke::solid("white", 0.5)),
+        Look::Circles => drawing.circle(x, y, 3.2, "white", Stroke::solid(colour, 1.3)),
+        Look::LineAndDots => drawing.circle(x, y, 2.6, colour, Stroke::solid("white", 0.6)),
+        Look::LineAndRings => drawing.circle(x, y, 2.2, "white", Stroke::solid(colour, 1.1)),
+        Look::Dots => drawing.circle(x, y, 3.4, colour, Stroke::solid("white", 0.5)),
         Look::Crosses => {
             let (x, y) = (number(x - 3.0), number(y - 3.0));
             let d = format!("M{x} {y}l6 6m0 -6l-6 6");
-            svg.stroke(&d, Stroke::solid(colour, 1.6));
+            drawing.stroke(&d, Stroke::solid(colour, 1.6));
         }
         Look::Line | Look::Dashed => {}
     }
 }
 
-fn line_stroke(series: &Series) -> Stroke<'_> {
+pub(super) fn line_stroke(series: &Series) -> Stroke<'_> {
     match series.look {
         Look::Dashed => Stroke {
             colour: &series.colour,
             width: 1.3,
-            dash: Some("6 4"),
+            dash: Some([6.0, 4.0]),
         },
         _ => Stroke::solid(&series.colour, 1.7),
     }
-}
-
-/// Points every few pixels along the segments, for the search of an empty place.
-fn densify(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let mut dense = Vec::new();
-    for pair in points.windows(2) {
-        let (dx, dy) = (pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]);
-        let length = dx.hypot(dy);
-        if !length.is_finite() || length > 5e3 {
-            continue;
-        }
-        let n = (length / 4.0).ceil().max(1.0);
-        dense.extend((0..n as usize).map(|i| {
-            let t = i as f64 / n;
-            [pair[0][0] + t * dx, pair[0][1] + t * dy]
-        }));
-    }
-    dense.extend(points.last());
-    dense
 }

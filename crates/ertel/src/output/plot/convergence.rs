@@ -1,64 +1,223 @@
-//! Convergence of Newton's method.
+//! Convergence: of the film over the meshes, and of Newton's method on each of them.
 
 use super::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
-use crate::solution::{IterationRecord, Solution};
+use crate::solution::{IterationRecord, LevelStats, Solution};
+use crate::solve::sequence::Role;
 
-/// Residual and update of every Newton iteration, levels one after the other.
-pub fn convergence(title: &str, solution: &Solution, tolerance: Option<f64>) -> Chart {
+/// Colours of stages that stop before their equations are solved to the tolerance.
+const PALE: [&str; 2] = ["#A9CBE3", "#F0BF9C"];
+const GREY: &str = "#7f7f7f";
+/// Share of the tolerance below which nothing is shown: it is round-off.
+const FLOOR: f64 = 1e-3;
+/// Least distance of two labels of stages, as a share of the axis.
+const LABELS_APART: f64 = 0.055;
+
+/// How the films come to those of the last mesh, where there are three meshes at least, and how Newton's method comes to its
+/// tolerance there.
+pub fn convergence(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec<Chart> {
+    let newton = newton(title, solution, tolerance);
+    meshes(title, solution)
+        .into_iter()
+        .chain([newton])
+        .collect()
+}
+
+/// Position of the level of the solution.
+fn solved(levels: &[LevelStats]) -> Option<usize> {
+    levels
+        .iter()
+        .rposition(|l| l.role == Role::Final && l.converged)
+}
+
+/// Differences of both films from those of the last mesh over the number of unknowns.
+fn meshes(title: &str, solution: &Solution) -> Option<Chart> {
+    let levels = &solution.stats.levels;
+    let last = solved(levels)?;
+    let reached = levels[last].films();
+    let former: Vec<&LevelStats> = levels[..last]
+        .iter()
+        .filter(|l| l.converged && matches!(l.role, Role::Final | Role::Estimate))
+        .filter(|l| l.n_pressure_dofs < levels[last].n_pressure_dofs)
+        .collect();
+    let curve = |i: usize| -> Vec<[f64; 2]> {
+        let points = former.iter().map(|l| {
+            let difference = 100.0 * (l.films()[i] / reached[i] - 1.0).abs();
+            [l.n_pressure_dofs as f64, difference]
+        });
+        points.filter(|p| p[1].is_finite() && p[1] > 0.0).collect()
+    };
+    let films = [
+        ("central film", solution.summary.film_central),
+        ("minimum film", solution.summary.film_minimum),
+    ];
+    let mut series = Vec::new();
+    let unknowns = former.iter().map(|l| l.n_pressure_dofs as f64);
+    let unknowns: Vec<f64> = unknowns.collect();
+    let most = levels[last].n_pressure_dofs as f64;
+    for (i, (name, film)) in films.into_iter().enumerate() {
+        series.push(Series {
+            label: name.into(),
+            points: curve(i),
+            look: Look::LineAndDots,
+            colour: PALETTE[i].into(),
+            side: Side::Left,
+        });
+        let error = film.error.map(|error| 100.0 * error / film.value.abs());
+        if let (Some(error), Some(first)) = (error.filter(|e| *e > 0.0), unknowns.first()) {
+            series.push(Series {
+                label: format!("error bar of the {name}"),
+                points: vec![[0.5 * first, error], [2.0 * most, error]],
+                look: Look::Dashed,
+                colour: PALETTE[i].into(),
+                side: Side::Left,
+            });
+        }
+    }
+    if curve(0).len() < 2 {
+        return None;
+    }
+    let heights = series.iter().flat_map(|s| &s.points).map(|p| p[1]);
+    let mut chart = Chart::new(
+        title,
+        Axis::log_close_around("Pressure unknowns of the mesh", unknowns),
+        Axis::log_around("Difference from the last mesh (%)", heights),
+    );
+    chart.heading = format!("Films of the meshes before the last one, which has {most} unknowns");
+    chart.series = series;
+    Some(chart)
+}
+
+/// Residual and update of every Newton iteration, stages one after the other; those before the solution are pale.
+fn newton(title: &str, solution: &Solution, tolerance: Option<f64>) -> Chart {
     let history = &solution.history;
-    let curve = |value: fn(&IterationRecord) -> f64| -> Vec<[f64; 2]> {
+    let last = solved(&solution.stats.levels);
+    // Without levels all is the solution.
+    let is_last = |record: &IterationRecord| last.is_none_or(|last| record.level == last);
+    let floor = tolerance.map_or(0.0, |t| FLOOR * t);
+    let curve = |value: fn(&IterationRecord) -> f64, of_last: bool| -> Vec<[f64; 2]> {
         let mut points = Vec::new();
         for (i, record) in history.iter().enumerate() {
             if i > 0 && history[i - 1].level != record.level {
                 // A new mesh starts a new line
                 points.push([f64::NAN; 2]);
             }
-            points.push([(i + 1) as f64, value(record)]);
+            if is_last(record) == of_last {
+                points.push([(i + 1) as f64, value(record).max(floor)]);
+            }
         }
         points
     };
-    let residual = curve(|r| r.residual);
-    let update = curve(|r| r.update);
-    let heights = residual
-        .iter()
-        .chain(&update)
-        .map(|p| p[1])
-        .chain(tolerance);
-    let mut chart = Chart::new(
-        title,
-        Axis::count("Newton iteration", history.len()),
-        Axis::log_around("Relative residual and update", heights),
-    );
-    if let Some(tolerance) = tolerance {
-        chart.series.push(Series {
-            label: "tolerance".into(),
-            points: vec![[0.0, tolerance], [history.len() as f64 + 1.0, tolerance]],
-            look: Look::Dashed,
-            colour: "#7f7f7f".into(),
+    type Value = fn(&IterationRecord) -> f64;
+    let values: [(&str, Value); 2] = [
+        ("Reynolds residual", |r| r.residual),
+        ("pressure update / *p*_{h}", |r| r.update),
+    ];
+    let mut series = Vec::new();
+    let has_former = history.iter().any(|r| !is_last(r));
+    for ((_, value), colour) in values.iter().zip(PALE) {
+        let label = match (has_former, series.is_empty()) {
+            (true, true) => "starts and coarser meshes: stopped early",
+            _ => "",
+        };
+        series.push(Series {
+            label: label.into(),
+            points: curve(*value, false),
+            look: Look::Line,
+            colour: colour.into(),
             side: Side::Left,
         });
     }
-    for (label, points, colour) in [
-        ("Reynolds residual", residual, PALETTE[0]),
-        ("pressure update / *p*_{h}", update, PALETTE[1]),
-    ] {
-        chart.series.push(Series {
-            label: label.into(),
-            points,
+    for ((label, value), colour) in values.iter().zip(PALETTE) {
+        series.push(Series {
+            label: (*label).into(),
+            points: curve(*value, true),
             look: Look::LineAndDots,
             colour: colour.into(),
             side: Side::Left,
         });
     }
-    let mut level = None;
-    for (i, record) in history.iter().enumerate() {
-        if level != Some(record.level) {
-            level = Some(record.level);
-            chart.markers.push(Marker {
-                x: i as f64 + 0.5,
-                label: format!("stage {}", record.level + 1),
-            });
+    let heights = series.iter().flat_map(|s| &s.points).map(|p| p[1]);
+    let heights: Vec<f64> = heights.chain(tolerance).collect();
+    if let Some(tolerance) = tolerance {
+        let of_last = || (1..).zip(history).filter(|(_, r)| is_last(r));
+        let from = of_last().next().map_or(0.0, |(i, _)| i as f64 - 0.5);
+        let to = of_last().last().map_or(0.0, |(i, _)| i as f64 + 0.5);
+        series.push(Series {
+            label: "tolerance of the solution".into(),
+            points: vec![[from, tolerance], [to, tolerance]],
+            look: Look::Dashed,
+            colour: GREY.into(),
+            side: Side::Left,
+        });
+    }
+    let mut chart = Chart::new(
+        title,
+        Axis::count("Newton iteration", history.len()),
+        Axis::log_around("Relative residual and update", heights),
+    );
+    chart.series = series;
+    chart.markers = stages(history, last);
+    chart
+}
+
+/// A line where each stage begins; labels where there is room.
+fn stages(history: &[IterationRecord], last: Option<usize>) -> Vec<Marker> {
+    let apart = LABELS_APART * history.len() as f64;
+    let mut markers: Vec<Marker> = Vec::new();
+    let mut labelled = f64::NEG_INFINITY;
+    let starts = history.iter().enumerate();
+    for (i, record) in starts.filter(|(i, r)| *i == 0 || history[i - 1].level != r.level) {
+        let x = i as f64 + 0.5;
+        let is_solution = last == Some(record.level);
+        let label = match (is_solution, x - labelled >= apart) {
+            (true, _) => "solution".to_owned(),
+            (false, true) => format!("{}", record.level + 1),
+            (false, false) => String::new(),
+        };
+        if is_solution && x - labelled < apart {
+            // The label of the solution counts more than that of the stage before it.
+            if let Some(before) = markers.iter_mut().rev().find(|m| !m.label.is_empty()) {
+                before.label.clear();
+            }
+        }
+        if !label.is_empty() {
+            labelled = if is_solution { x + 2.0 * apart } else { x };
+        }
+        markers.push(Marker { x, label });
+    }
+    markers
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn record(level: usize) -> IterationRecord {
+        IterationRecord {
+            level,
+            pressure_order: 3,
+            penalty_share: 1.0,
+            iteration: 1,
+            residual: 1e-3,
+            update: 1e-2,
+            step: 1.0,
+            krylov_iterations: 5,
+            film_central: 2e-7,
         }
     }
-    chart
+
+    /// Thirty stages of one iteration each: labels keep apart, and the solution has its own.
+    #[test]
+    fn labels_of_stages_keep_apart() {
+        let history: Vec<IterationRecord> = (0..30).map(record).collect();
+        let markers = stages(&history, Some(29));
+        assert_eq!(markers.len(), 30);
+        assert_eq!(markers[29].label, "solution");
+        let shown: Vec<f64> = markers
+            .iter()
+            .filter(|m| !m.label.is_empty())
+            .map(|m| m.x)
+            .collect();
+        assert!(shown.windows(2).all(|w| w[1] - w[0] >= 0.055 * 30.0));
+    }
 }

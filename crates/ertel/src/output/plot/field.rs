@@ -7,10 +7,11 @@ use rayon::prelude::*;
 use super::axis::{Axis, tick_label};
 use super::chart::Side;
 use super::contour::Triangulation;
+use super::drawing::{Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number, text_width};
 use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
 use super::sampling::Sampling;
-use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
 use crate::contact::HertzZone;
+use crate::output::length;
 
 /// Height of the frame of a map, px, and the bounds of its width.
 const MAP_HEIGHT: f64 = 330.0;
@@ -45,6 +46,18 @@ pub(super) struct FieldMap<'a> {
     /// The Hertz zone and the colour of its rim.
     pub zone: HertzZone,
     pub rim: &'a str,
+    /// The Hertz half-width a, m.
+    pub half_width: f64,
+    /// What stands on the left of the bar, if anything.
+    pub other: Option<OtherScale>,
+}
+
+/// A second scale of a continuous bar.
+pub(super) struct OtherScale {
+    /// Its values at the ends of the bar.
+    pub ends: [f64; 2],
+    /// Units over its left and its right side.
+    pub units: [&'static str; 2],
 }
 
 /// What the colour bar shows.
@@ -58,16 +71,22 @@ pub(super) enum Bar {
 /// Area, px², below which a closed level line is a dot: noise of a field that hardly differs from the level there.
 const DOT: f64 = 4.0;
 
+/// Size and height of the lines of the note below a map, px, and width of the frame from which it is one line.
+const NOTE_SIZE: f64 = 11.0;
+const NOTE_ROW: f64 = 15.0;
+const ONE_LINE: f64 = 240.0;
+/// Colour of notes.
+const GREY: &str = "#595959";
 const BAR_GAP: f64 = 22.0;
 const BAR_WIDTH: f64 = 16.0;
 
 impl FieldMap<'_> {
-    /// The map as an SVG file.
-    pub fn svg(&self) -> String {
+    /// The map as a picture.
+    pub fn drawing(&self) -> Drawing {
         let [[x0, x1], [y0, y1]] = self.window;
         let frame = Frame {
             left: 62.0,
-            top: 16.0,
+            top: if self.other.is_some() { 26.0 } else { 16.0 },
             width: map_height(self.window) * (x1 - x0) / (y1 - y0),
             height: map_height(self.window),
         };
@@ -76,34 +95,61 @@ impl FieldMap<'_> {
             .iter()
             .map(|t| text_width(&t.1, TICK_SIZE))
             .fold(0.0, f64::max);
+        let others = self
+            .other
+            .as_ref()
+            .map_or(Vec::new(), |o| bar_ticks(o.ends));
+        let others_widest = others
+            .iter()
+            .map(|t| text_width(&t.1, TICK_SIZE) + 10.0)
+            .fold(0.0, f64::max);
         let bar = Frame {
-            left: frame.left + frame.width + BAR_GAP,
+            left: frame.left + frame.width + BAR_GAP + others_widest,
             width: BAR_WIDTH,
             ..frame
         };
-        let mut svg = Svg::new(
+        let foot = frame.top + frame.height + 39.0;
+        let notes = [
+            format!("*a* = {}; line: rim of", length(self.half_width)),
+            "the Hertzian contact".to_owned(),
+        ];
+        let notes = match frame.width >= ONE_LINE {
+            true => vec![notes.join(" ")],
+            false => notes.to_vec(),
+        };
+        let mut drawing = Drawing::new(
             bar.left + bar.width + widest + 40.0,
-            frame.top + frame.height + 52.0,
+            foot + NOTE_ROW * notes.len() as f64 + 13.0,
             self.title,
         );
+        for (i, note) in notes.iter().enumerate() {
+            let at = [
+                frame.left + 0.5 * frame.width,
+                foot + 3.0 + NOTE_ROW * (i + 1) as f64,
+            ];
+            drawing.text(at, note, NOTE_SIZE, Anchor::Middle, GREY);
+        }
         let x = Axis::linear("*x*/*a*", x0, x1);
         let y = Axis::linear("*y*/*a*", y0, y1);
-        self.draw_field(&mut svg, frame, &x, &y);
-        svg.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
-        label_x_axis(&mut svg, frame, &x, false);
-        draw_ticks(&mut svg, frame, &x, &y);
-        label_y_axis(&mut svg, frame, &y, Side::Left, INK);
-        self.draw_bar(&mut svg, bar, &ticks);
+        self.draw_field(&mut drawing, frame, &x, &y);
+        drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
+        label_x_axis(&mut drawing, frame, &x, false);
+        draw_ticks(&mut drawing, frame, &x, &y);
+        label_y_axis(&mut drawing, frame, &y, Side::Left, INK);
+        self.draw_bar(&mut drawing, bar, &ticks);
+        if let Some(other) = &self.other {
+            draw_other(&mut drawing, bar, other, &others);
+        }
         let at = [
             bar.left + bar.width + widest + 26.0,
             bar.top + 0.5 * bar.height,
         ];
-        svg.turned_text(at, self.bar_label, LABEL_SIZE, Anchor::Middle, INK, -90.0);
-        svg.finish()
+        drawing.turned_text(at, self.bar_label, LABEL_SIZE, Anchor::Middle, INK, -90.0);
+        drawing
     }
 
-    fn draw_field(&self, svg: &mut Svg, frame: Frame, x: &Axis, y: &Axis) {
-        svg.begin_clip(frame.left, frame.top, frame.width, frame.height);
+    fn draw_field(&self, drawing: &mut Drawing, frame: Frame, x: &Axis, y: &Axis) {
+        drawing.begin_clip(frame.left, frame.top, frame.width, frame.height);
         let Sampling {
             points,
             triangles,
@@ -114,7 +160,7 @@ impl FieldMap<'_> {
             .map(|p| [frame.x(x, p[0]), frame.y(y, p[1])])
             .collect();
         let mesh = Triangulation::new(&pixels, triangles);
-        svg.fill(&closed(&mesh.whole(values).loops), &self.colours[0]);
+        drawing.fill(&closed(&mesh.whole(values).loops), &self.colours[0]);
         let mut regions = mesh.regions(values, &self.levels);
         if matches!(self.bar, Bar::Steps) {
             for region in &mut regions {
@@ -124,18 +170,18 @@ impl FieldMap<'_> {
         }
         let drawn: Vec<String> = (regions.par_iter()).map(|r| closed(&r.loops)).collect();
         for (region, colour) in drawn.iter().zip(&self.colours[1..]) {
-            svg.fill(region, colour);
+            drawing.fill(region, colour);
         }
         if matches!(self.bar, Bar::Steps) {
             let lines = regions.iter().flat_map(|r| &r.level_lines);
             let lines: String = lines.map(|line| polyline(line)).collect();
-            svg.stroke(&lines, Stroke::solid("#262626", 0.45));
+            drawing.stroke(&lines, Stroke::solid("#262626", 0.45));
         }
         if let Some(roller) = &self.zone.roller {
             let rim = roller.rim().into_iter();
             let rim: Vec<[f64; 2]> = rim.map(|p| [frame.x(x, p[0]), frame.y(y, p[1])]).collect();
-            svg.stroke(&polyline(&rim), Stroke::solid(self.rim, 0.9));
-            svg.end_clip();
+            drawing.stroke(&polyline(&rim), Stroke::solid(self.rim, 0.9));
+            drawing.end_clip();
             return;
         }
         let radius = frame.x(x, 1.0) - frame.x(x, 0.0);
@@ -145,17 +191,17 @@ impl FieldMap<'_> {
         // Down is y < 0 in a picture.
         let [c, s] = self.zone.turn.to_motion([1.0, 0.0]);
         let turn = (-s).atan2(c).to_degrees();
-        svg.ellipse([cx, cy], radii, turn, stroke);
-        svg.end_clip();
+        drawing.ellipse([cx, cy], radii, turn, stroke);
+        drawing.end_clip();
     }
 
-    fn draw_bar(&self, svg: &mut Svg, bar: Frame, ticks: &[(f64, String)]) {
+    fn draw_bar(&self, drawing: &mut Drawing, bar: Frame, ticks: &[(f64, String)]) {
         let y = |share: f64| bar.top + (1.0 - share) * bar.height;
         let n = self.colours.len() as f64;
         for (i, colour) in self.colours.iter().enumerate() {
             // Up to the top of the bar: the next colour covers the rest without a seam
             let from = y(i as f64 / n);
-            svg.rectangle(bar.left, bar.top, bar.width, from - bar.top, colour);
+            drawing.rectangle(bar.left, bar.top, bar.width, from - bar.top, colour);
         }
         let edge = bar.left + bar.width;
         let mut d = String::new();
@@ -171,20 +217,16 @@ impl FieldMap<'_> {
                     number(bar.width + 4.0)
                 ),
             };
-            svg.text([edge + 7.0, y + 4.2], label, TICK_SIZE, Anchor::Start, INK);
+            drawing.text([edge + 7.0, y + 4.2], label, TICK_SIZE, Anchor::Start, INK);
         }
-        svg.stroke(&d, Stroke::solid(INK, 0.7));
-        svg.stroke(&bar.outline(), Stroke::solid(INK, 0.8));
+        drawing.stroke(&d, Stroke::solid(INK, 0.7));
+        drawing.stroke(&bar.outline(), Stroke::solid(INK, 0.8));
     }
 
     /// Ticks of the bar: share of its height, and label.
     fn bar_ticks(&self) -> Vec<(f64, String)> {
         match self.bar {
-            Bar::Continuous([bottom, top]) => {
-                let axis = Axis::linear("", bottom, top);
-                let ticks = axis.ticks().into_iter();
-                ticks.map(|(v, label)| (axis.position(v), label)).collect()
-            }
+            Bar::Continuous(ends) => bar_ticks(ends),
             Bar::Steps => {
                 let step = match self.levels[..] {
                     [first, second, ..] => second - first,
@@ -201,8 +243,32 @@ impl FieldMap<'_> {
     }
 }
 
+/// Ticks of a bar with these values at its ends: share of its height, and label.
+fn bar_ticks([bottom, top]: [f64; 2]) -> Vec<(f64, String)> {
+    let axis = Axis::linear("", bottom, top);
+    let ticks = axis.ticks().into_iter();
+    ticks.map(|(v, label)| (axis.position(v), label)).collect()
+}
+
+/// The scale on the left of a bar, and the units of both over it.
+fn draw_other(drawing: &mut Drawing, bar: Frame, other: &OtherScale, ticks: &[(f64, String)]) {
+    let mut d = String::new();
+    for (share, label) in ticks {
+        let y = bar.top + (1.0 - share) * bar.height;
+        let _ = write!(d, "M{} {}h-4", number(bar.left), number(y));
+        let at = [bar.left - 7.0, y + 4.2];
+        drawing.text(at, label, TICK_SIZE, Anchor::End, INK);
+    }
+    drawing.stroke(&d, Stroke::solid(INK, 0.7));
+    let [left, right] = other.units;
+    let y = bar.top - 9.0;
+    drawing.text([bar.left - 3.0, y], left, TICK_SIZE, Anchor::End, INK);
+    let edge = bar.left + bar.width + 3.0;
+    drawing.text([edge, y], right, TICK_SIZE, Anchor::Start, INK);
+}
+
 /// Ticks that point outwards, for they would be lost on the colours.
-pub(super) fn draw_ticks(svg: &mut Svg, frame: Frame, x: &Axis, y: &Axis) {
+pub(super) fn draw_ticks(drawing: &mut Drawing, frame: Frame, x: &Axis, y: &Axis) {
     let mut d = String::new();
     let (bottom, left) = (frame.top + frame.height, frame.left);
     for (value, _) in x.ticks() {
@@ -211,7 +277,7 @@ pub(super) fn draw_ticks(svg: &mut Svg, frame: Frame, x: &Axis, y: &Axis) {
     for (value, _) in y.ticks() {
         let _ = write!(d, "M{} {}h-4", number(left), number(frame.y(y, value)));
     }
-    svg.stroke(&d, Stroke::solid(INK, 0.8));
+    drawing.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
 /// Whether a line is open, or goes round an area that is seen.

@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use super::axis::{Axis, AxisScale};
 use super::chart::Side;
+use super::drawing::{Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number, text_width};
 use super::simplify::simplify;
-use super::svg::{Anchor, INK, LABEL_SIZE, Stroke, Svg, TICK_SIZE, number, text_width};
 
 /// Frame of a diagram inside the picture, px.
 #[derive(Clone, Copy)]
@@ -72,7 +72,7 @@ fn path(points: &[[f64; 2]]) -> String {
 }
 
 /// Ticks on the lower or upper edge of the frame, pointing inwards.
-pub(super) fn draw_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) {
+pub(super) fn draw_x_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, top: bool) {
     let (edge, inwards) = if top {
         (frame.top, 1.0)
     } else {
@@ -87,11 +87,11 @@ pub(super) fn draw_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) {
     axis.minor_ticks()
         .into_iter()
         .for_each(|v| tick(v, MINOR_TICK));
-    svg.stroke(&d, Stroke::solid(INK, 0.8));
+    drawing.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
 /// Tick labels and axis label below or above the frame.
-pub(super) fn label_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) {
+pub(super) fn label_x_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, top: bool) {
     let (ticks_at, label_at) = if top {
         (frame.top - 7.0, frame.top - 29.0)
     } else {
@@ -102,14 +102,14 @@ pub(super) fn label_x_axis(svg: &mut Svg, frame: Frame, axis: &Axis, top: bool) 
     };
     for (value, label) in axis.ticks() {
         let at = [frame.x(axis, value), ticks_at];
-        svg.text(at, &label, TICK_SIZE, Anchor::Middle, INK);
+        drawing.text(at, &label, TICK_SIZE, Anchor::Middle, INK);
     }
     let at = [frame.left + 0.5 * frame.width, label_at];
-    svg.text(at, &axis.label, LABEL_SIZE, Anchor::Middle, INK);
+    drawing.text(at, &axis.label, LABEL_SIZE, Anchor::Middle, INK);
 }
 
 /// Ticks on the left or right edge of the frame, pointing inwards.
-pub(super) fn draw_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side) {
+pub(super) fn draw_y_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, side: Side) {
     let (edge, inwards) = match side {
         Side::Left => (frame.left, 1.0),
         Side::Right => (frame.left + frame.width, -1.0),
@@ -123,11 +123,17 @@ pub(super) fn draw_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side) 
     axis.minor_ticks()
         .into_iter()
         .for_each(|v| tick(v, MINOR_TICK));
-    svg.stroke(&d, Stroke::solid(INK, 0.8));
+    drawing.stroke(&d, Stroke::solid(INK, 0.8));
 }
 
 /// Tick labels and axis label beside the frame.
-pub(super) fn label_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side, colour: &str) {
+pub(super) fn label_y_axis(
+    drawing: &mut Drawing,
+    frame: Frame,
+    axis: &Axis,
+    side: Side,
+    colour: &str,
+) {
     let ticks = axis.ticks();
     let widest = ticks
         .iter()
@@ -142,10 +148,10 @@ pub(super) fn label_y_axis(svg: &mut Svg, frame: Frame, axis: &Axis, side: Side,
     };
     for (value, label) in ticks {
         let at = [ticks_at, frame.y(axis, value) + 4.2];
-        svg.text(at, &label, TICK_SIZE, anchor, colour);
+        drawing.text(at, &label, TICK_SIZE, anchor, colour);
     }
     let at = [label_at, frame.top + 0.5 * frame.height];
-    svg.turned_text(at, &axis.label, LABEL_SIZE, Anchor::Middle, colour, -90.0);
+    drawing.turned_text(at, &axis.label, LABEL_SIZE, Anchor::Middle, colour, -90.0);
 }
 
 fn tick_width(label: &str, scale: AxisScale) -> f64 {

@@ -4,54 +4,94 @@ use super::super::heat::profile_label;
 use super::maps::temperature_map;
 use super::{Axis, Chart, Look, PALETTE, Series, Side, Task, profile, window_x};
 use crate::output::BODIES;
-use crate::solution::{Polynomials, Solution, Thermal};
+use crate::solution::{Solution, Thermal};
 
-/// Least range of a colour scale, K: below it, a map would show noise.
-const LEAST_RANGE: f64 = 0.1;
+/// Which scale temperatures are shown in; the other one stands beside it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum TemperatureScale {
+    /// K.
+    #[default]
+    Kelvin,
+    /// °C.
+    Celsius,
+}
+
+impl TemperatureScale {
+    /// The scale in which a user gave a temperature, `"40 degC"`; Kelvin of anything else.
+    pub fn of(given: &str) -> TemperatureScale {
+        let has = |unit: &str| given.contains(unit);
+        match has("degC") || has("°C") || has("℃") {
+            true => TemperatureScale::Celsius,
+            false => TemperatureScale::Kelvin,
+        }
+    }
+
+    /// A temperature in K in this scale.
+    pub fn shown(self, kelvin: f64) -> f64 {
+        match self {
+            TemperatureScale::Kelvin => kelvin,
+            TemperatureScale::Celsius => kelvin - 273.15,
+        }
+    }
+
+    pub(super) fn unit(self) -> &'static str {
+        match self {
+            TemperatureScale::Kelvin => "K",
+            TemperatureScale::Celsius => "°C",
+        }
+    }
+
+    pub(super) fn other(self) -> TemperatureScale {
+        match self {
+            TemperatureScale::Kelvin => TemperatureScale::Celsius,
+            TemperatureScale::Celsius => TemperatureScale::Kelvin,
+        }
+    }
+
+    /// Axis around temperatures in K, and that of the other scale over the same range.
+    fn axes(self, kelvin: impl Iterator<Item = f64>) -> [Axis; 2] {
+        let label = |scale: TemperatureScale| format!("Temperature *T* ({})", scale.unit());
+        let axis = Axis::linear_around(&label(self), kelvin.map(|t| self.shown(t)));
+        let shift = self.other().shown(0.0) - self.shown(0.0);
+        let other = Axis::linear(&label(self.other()), axis.low + shift, axis.high + shift);
+        [axis, other]
+    }
+}
 
 /// Every picture of the temperatures of a solution.
 pub fn heat_pictures<'a>(
     title: &'a str,
     solution: &'a Solution,
     thermal: &'a Thermal,
+    scale: TemperatureScale,
 ) -> Vec<Task<'a>> {
     let mut pictures: Vec<Task> = vec![(
         "temperature",
-        Box::new(|| temperature_chart(title, solution).svg()),
+        Box::new(move || temperature_chart(title, solution, scale).drawing()),
     )];
     let fields =
         (solution.elements.temperatures.as_ref()).filter(|_| solution.shape.kind.is_point());
     if let Some(t) = fields {
-        let range = |fields: &[&Polynomials]| {
-            let values = fields.iter().flat_map(|f| f.values.iter().copied());
-            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
-                (l.min(v), h.max(v))
-            });
-            [low, high.max(low + LEAST_RANGE)]
-        };
-        // Both surfaces by one scale: which of them is the hotter one is seen.
-        let walls = range(&[&t.plane, &t.ball]);
-        for (name, field, place, range) in [
-            ("temperature-mid", &t.mid, "mid-film", range(&[&t.mid])),
-            ("temperature-body-1", &t.plane, BODIES[0], walls),
-            ("temperature-body-2", &t.ball, BODIES[1], walls),
+        for (name, field, place) in [
+            ("temperature-mid", &t.mid, "mid-film"),
+            ("temperature-body-1", &t.plane, BODIES[0]),
+            ("temperature-body-2", &t.ball, BODIES[1]),
         ] {
-            let label = format!("Temperature *T*, {place} (K)");
-            let draw = move || temperature_map(title, solution, field, &label, range);
+            let draw = move || temperature_map(title, solution, field, place, scale);
             pictures.push((name, Box::new(draw)));
         }
     }
     if !thermal.profiles.is_empty() {
         pictures.push((
             "cross-film",
-            Box::new(|| cross_film_chart(title, solution, thermal).svg()),
+            Box::new(move || cross_film_chart(title, solution, thermal, scale).drawing()),
         ));
     }
     pictures
 }
 
 /// Temperatures at mid-film, of both surfaces, and across the film on average, along y = 0.
-pub fn temperature_chart(title: &str, solution: &Solution) -> Chart {
+pub fn temperature_chart(title: &str, solution: &Solution, scale: TemperatureScale) -> Chart {
     let [low, high] = window_x(solution);
     let fields = (solution.elements.temperatures.iter()).flat_map(|t| {
         [
@@ -64,7 +104,9 @@ pub fn temperature_chart(title: &str, solution: &Solution) -> Chart {
     let series: Vec<Series> = fields
         .map(|(label, field, look, colour)| Series {
             label: label.into(),
-            points: profile(solution, field, 1.0),
+            points: (profile(solution, field, 1.0).into_iter())
+                .map(|[x, t]| [x, scale.shown(t)])
+                .collect(),
             look,
             colour: colour.into(),
             side: Side::Left,
@@ -73,29 +115,31 @@ pub fn temperature_chart(title: &str, solution: &Solution) -> Chart {
     let shown = (series.iter())
         .flat_map(|s| s.points.iter())
         .filter(|p| (low..=high).contains(&p[0]))
-        .map(|p| p[1]);
-    let mut chart = Chart::new(
-        title,
-        Axis::linear("*x*/*a*", low, high),
-        Axis::linear_around("Temperature *T* (K)", shown),
-    );
+        .map(|p| p[1] - scale.shown(0.0));
+    let [y, other] = scale.axes(shown);
+    let mut chart = Chart::new(title, Axis::linear("*x*/*a*", low, high), y);
+    chart.y_other = Some(other);
     chart.series = series;
     chart
 }
 
 /// Temperature across the film at the chosen points (as in Habchi 2008, figure 5.9).
-pub fn cross_film_chart(title: &str, solution: &Solution, thermal: &Thermal) -> Chart {
+pub fn cross_film_chart(
+    title: &str,
+    solution: &Solution,
+    thermal: &Thermal,
+    scale: TemperatureScale,
+) -> Chart {
     let values = thermal.profiles.iter().flat_map(|p| &p.temperature);
-    let mut chart = Chart::new(
-        title,
-        Axis::linear("Height over body 1 *z*/*h*", 0.0, 1.0),
-        Axis::linear_around("Temperature *T* (K)", values.copied()),
-    );
+    let [y, other] = scale.axes(values.copied());
+    let x = Axis::linear("Height over body 1 *z*/*h*", 0.0, 1.0);
+    let mut chart = Chart::new(title, x, y);
+    chart.y_other = Some(other);
     for (i, profile) in thermal.profiles.iter().enumerate() {
         chart.series.push(Series {
             label: profile_label(profile, solution.hertz.half_width),
             points: (profile.z.iter().zip(&profile.temperature))
-                .map(|(z, t)| [z / profile.film_thickness, *t])
+                .map(|(z, t)| [z / profile.film_thickness, scale.shown(*t)])
                 .collect(),
             look: if i < PALETTE.len() {
                 Look::Line
@@ -107,4 +151,33 @@ pub fn cross_film_chart(title: &str, solution: &Solution, thermal: &Thermal) -> 
         });
     }
     chart
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scale_is_that_of_the_user() {
+        for (given, scale) in [
+            ("40 degC", TemperatureScale::Celsius),
+            ("313 K", TemperatureScale::Kelvin),
+            ("104 degF", TemperatureScale::Kelvin),
+        ] {
+            assert_eq!(TemperatureScale::of(given), scale);
+        }
+    }
+
+    /// 313.15 K is 40 °C on both axes, whichever stands on the left.
+    #[test]
+    fn both_scales_agree_on_both_sides() {
+        for scale in [TemperatureScale::Kelvin, TemperatureScale::Celsius] {
+            let [own, other] = scale.axes([313.15, 371.2].into_iter());
+            for kelvin in [313.15, 371.2] {
+                let at = own.position(scale.shown(kelvin));
+                let beside = other.position(scale.other().shown(kelvin));
+                assert!((at - beside).abs() < 1e-12 && (0.0..=1.0).contains(&at));
+            }
+        }
+    }
 }

@@ -7,11 +7,12 @@ use rayon::prelude::*;
 
 use super::axis::Axis;
 use super::chart::Side;
+use super::drawing::{Drawing, DrawingError, INK, Raster, Stroke};
 use super::field::{draw_ticks, map_height};
 use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
 use super::maps::window_map;
+use super::png::encode;
 use super::sampling::value;
-use super::svg::{INK, Stroke, Svg};
 use crate::contact::Symmetry;
 use crate::interference::Interferometer;
 use crate::solution::Solution;
@@ -31,9 +32,6 @@ pub struct Image {
     /// Lower and upper end of both axes, in Hertz half-widths.
     window: [[f64; 2]; 2],
 }
-
-/// Why there is no image.
-pub type ImageError = png_image::EncodingError;
 
 impl Image {
     /// The interferogram of a point contact; `density` is that of the oil at ambient pressure, kg/m³.
@@ -80,21 +78,12 @@ impl Image {
     ///
     /// # Errors
     /// Those of the encoder.
-    pub fn png(&self) -> Result<Vec<u8>, ImageError> {
-        let mut bytes = Vec::new();
-        let mut encoder =
-            png_image::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
-        encoder.set_color(png_image::ColorType::Rgb);
-        encoder.set_depth(png_image::BitDepth::Eight);
-        encoder.set_source_srgb(png_image::SrgbRenderingIntent::Perceptual);
-        let mut writer = encoder.write_header()?;
-        writer.write_image_data(&self.pixels)?;
-        writer.finish()?;
-        Ok(bytes)
+    pub fn png(&self) -> Result<Vec<u8>, DrawingError> {
+        encode(self.width as u32, self.height as u32, &self.pixels, None)
     }
 
-    /// The PNG file `png` of the image with axes around it, as an SVG file.
-    pub fn svg(&self, title: &str, png: &[u8]) -> String {
+    /// The image, whose PNG file is `png`, with axes around it.
+    pub fn drawing(&self, title: &str, png: &[u8]) -> Drawing {
         let [[x0, x1], [y0, y1]] = self.window;
         let height = map_height(self.window);
         let frame = Frame {
@@ -103,22 +92,27 @@ impl Image {
             width: height * (x1 - x0) / (y1 - y0),
             height,
         };
-        let mut svg = Svg::new(
+        let mut drawing = Drawing::new(
             frame.left + frame.width + 24.0,
             frame.top + height + 52.0,
             title,
         );
         let x = Axis::linear("*x*/*a*", x0, x1);
         let y = Axis::linear("*y*/*a*", y0, y1);
-        svg.image(
+        drawing.image(
             [frame.left, frame.top, frame.width, frame.height],
-            &STANDARD.encode(png),
+            Raster {
+                width: self.width,
+                height: self.height,
+                pixels: self.pixels.clone(),
+                png: STANDARD.encode(png),
+            },
         );
-        svg.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
-        label_x_axis(&mut svg, frame, &x, false);
-        draw_ticks(&mut svg, frame, &x, &y);
-        label_y_axis(&mut svg, frame, &y, Side::Left, INK);
-        svg.finish()
+        drawing.stroke(&frame.outline(), Stroke::solid(INK, FRAME_WIDTH));
+        label_x_axis(&mut drawing, frame, &x, false);
+        draw_ticks(&mut drawing, frame, &x, &y);
+        label_y_axis(&mut drawing, frame, &y, Side::Left, INK);
+        drawing
     }
 }
 

@@ -1,53 +1,62 @@
 //! Maps of pressure and film thickness over the whole contact.
 
-use super::field::{Bar, FieldMap, map_height};
+use super::drawing::Drawing;
+use super::field::{Bar, FieldMap, OtherScale, map_height};
 use super::sampling::{Sampling, View};
-use super::{axis, film_unit, pressure_unit, window_x};
+use super::{TemperatureScale, axis, film_unit, pressure_unit};
 use crate::contact::Symmetry;
 use crate::solution::{Polynomials, Solution};
 
 /// Colours of a map that shall look continuous.
 const N_SHADES: usize = 64;
-/// Share of the largest rise of the film's temperature that counts as cold,
-const COLD: f64 = 0.05;
-/// and half-widths shown around what is not.
+/// Space shown around the contact, as a share of its smaller half-extent,
 const MARGIN: f64 = 0.25;
+/// and around what has more than this share of the Hertz pressure, where that reaches farther.
+const PRESSED: f64 = 0.05;
+/// Least range of the scale of a temperature, K: below it, a map would show noise.
+const LEAST_RANGE: f64 = 0.1;
 /// Film maps: fine levels up to this multiple of the central film,
 const FINE_UP_TO: f64 = 1.15;
 /// and coarse ones up to this.
 const FILM_UP_TO: f64 = 2.5;
 
-/// Window of the maps, in half-widths.
+/// Window of the maps, in half-widths: the contact with what else bears a load, and a margin.
 pub(super) fn window_map(solution: &Solution) -> [[f64; 2]; 2] {
-    let [low, high] = window_x(solution);
-    let [_, half] = solution.shape.zone.half_extents();
-    let around = 1.5_f64.max(-0.75 * low) - 1.0;
-    let ratio = solution.shape.zone.axis_ratio;
-    let side = (ratio * solution.extents[2]).min(half + around).max(half);
-    [[low, high], [-side, side]]
+    let a = solution.hertz.half_width;
+    let [along, across] = solution.shape.zone.half_extents();
+    let margin = MARGIN * along.min(across);
+    let surface = &solution.surface;
+    let pressed = (surface.points.iter().zip(&surface.pressure))
+        .filter(|(_, p)| **p > PRESSED * solution.hertz.pressure)
+        .map(|(at, _)| at.map(|x| x / a));
+    let (low, high, side) = pressed.fold((-along, along, across), |(l, h, s), [x, y]| {
+        (l.min(x), h.max(x), s.max(y.abs()))
+    });
+    let ends = || solution.centreline.x.iter().map(|x| x / a);
+    let first = ends().fold(f64::INFINITY, f64::min);
+    let last = ends().fold(f64::NEG_INFINITY, f64::max);
+    let widest = solution.shape.zone.axis_ratio * solution.extents[2];
+    let side = (side + margin).min(widest.max(across));
+    [
+        [(low - margin).max(first), (high + margin).min(last)],
+        [-side, side],
+    ]
 }
 
-/// Window of the maps of temperatures, in half-widths: the contact, and where a surface or mid-film is warm.
-fn warm_window(solution: &Solution) -> [[f64; 2]; 2] {
-    let [[low, high], [_, side]] = window_map(solution);
-    let a = solution.hertz.half_width;
-    let Some(thermal) = &solution.thermal else {
-        return [[low, high], [-side, side]];
-    };
-    let t = &thermal.surface;
-    let inlet = thermal.inlet_temperature;
-    let warm = inlet + COLD * (thermal.film_maximum.value - inlet);
-    let points = solution.surface.points.iter().enumerate();
-    let (first, widest) = points
-        .filter(|(i, _)| [&t.mid, &t.plane, &t.ball].iter().any(|f| f[*i] > warm))
-        .map(|(_, p)| (p[0] / a, (p[1] / a).abs()))
-        .fold(
-            (-1.0_f64, solution.shape.zone.half_extents()[1]),
-            |(l, w), (x, y)| (l.min(x), w.max(y)),
-        );
-    let low = low.max((2.0 * (first - MARGIN)).floor() / 2.0);
-    let side = side.min(widest + MARGIN);
-    [[low, high], [-side, side]]
+/// Smallest and largest value of a field, times a factor, within a window.
+fn range_within(
+    solution: &Solution,
+    field: &Polynomials,
+    factor: f64,
+    window: [[f64; 2]; 2],
+) -> [f64; 2] {
+    let samples = sampled(solution, field, factor, window, &[]);
+    let is_within = |p: &[f64; 2]| (0..2).all(|k| (window[k][0]..=window[k][1]).contains(&p[k]));
+    let inside = samples.points.iter().zip(&samples.values);
+    (inside.filter(|(p, _)| is_within(p)))
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], (_, v)| {
+            [l.min(*v), h.max(*v)]
+        })
 }
 
 fn hex(gradient: colorous::Gradient, i: usize, n: usize) -> String {
@@ -86,7 +95,7 @@ fn shades([low, high]: [f64; 2], gradient: colorous::Gradient) -> (Vec<f64>, Vec
 }
 
 /// Pressure over the whole contact, continuous colours.
-pub fn pressure_map(title: &str, solution: &Solution) -> String {
+pub fn pressure_map(title: &str, solution: &Solution) -> Drawing {
     let (factor, unit) = pressure_unit(solution.hertz.pressure);
     let top = factor * solution.summary.pressure_maximum.value;
     let (levels, colours) = shades([0.0, top], colorous::VIRIDIS);
@@ -107,37 +116,49 @@ pub fn pressure_map(title: &str, solution: &Solution) -> String {
         bar_label: &format!("Pressure *p* ({unit})"),
         zone: solution.shape.zone.clone(),
         rim: "#ffffff",
+        half_width: solution.hertz.half_width,
+        other: None,
     }
-    .svg()
+    .drawing()
 }
 
-/// Temperature over the whole contact, K, continuous colours between the bounds.
+/// Temperature over the whole contact, continuous colours over its own range; the other of Celsius and Kelvin on the left
+/// of the bar.
 pub fn temperature_map(
     title: &str,
     solution: &Solution,
     temperature: &Polynomials,
-    label: &str,
-    bounds: [f64; 2],
-) -> String {
-    let (levels, colours) = shades(bounds, colorous::INFERNO);
-    let window = warm_window(solution);
+    place: &str,
+    scale: TemperatureScale,
+) -> Drawing {
+    let window = window_map(solution);
+    let [low, high] = range_within(solution, temperature, 1.0, window);
+    let bounds = [low, high.max(low + LEAST_RANGE)];
+    let (levels, colours) = shades(bounds, colorous::PLASMA);
+    let shown = bounds.map(|t| scale.shown(t));
+    let other = scale.other();
     FieldMap {
         title,
         field: sampled(solution, temperature, 1.0, window, &levels),
         window,
         levels,
         colours,
-        bar: Bar::Continuous(bounds),
-        bar_label: label,
+        bar: Bar::Continuous(shown),
+        bar_label: &format!("Temperature *T*, {place} ({})", scale.unit()),
         zone: solution.shape.zone.clone(),
         rim: "#ffffff",
+        half_width: solution.hertz.half_width,
+        other: Some(OtherScale {
+            ends: bounds.map(|t| other.shown(t)),
+            units: [other.unit(), scale.unit()],
+        }),
     }
-    .svg()
+    .drawing()
 }
 
 /// Film thickness over the whole contact as contours, like an interferogram: close levels up to
 /// `FINE_UP_TO` times the central film, wide ones to `FILM_UP_TO`, white beyond.
-pub fn film_map(title: &str, solution: &Solution) -> String {
+pub fn film_map(title: &str, solution: &Solution) -> Drawing {
     let summary = &solution.summary;
     let (factor, unit) = film_unit(FILM_UP_TO * summary.film_central.value);
     let levels = film_levels(
@@ -159,8 +180,10 @@ pub fn film_map(title: &str, solution: &Solution) -> String {
         bar_label: &format!("Film thickness *h* ({unit})"),
         zone: solution.shape.zone.clone(),
         rim: "#ffffff",
+        half_width: solution.hertz.half_width,
+        other: None,
     }
-    .svg()
+    .drawing()
 }
 
 /// Rising levels of a film map for the minimum and central film.
@@ -178,6 +201,44 @@ fn film_levels(minimum: f64, central: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::ContactKind;
+    use crate::output::fixture;
+
+    /// All of the contact, and not more than as much again and a half around it.
+    #[test]
+    fn the_frame_is_the_contact_and_a_margin() {
+        for kind in [ContactKind::Circular, ContactKind::Elliptical] {
+            let solution = fixture::solution(kind);
+            let [along, across] = solution.shape.zone.half_extents();
+            let [[x0, x1], [y0, y1]] = window_map(&solution);
+            assert!(x0 < -along && x1 > along && y0 < -across && y1 > across);
+            let contact = std::f64::consts::PI * along * across;
+            let share = contact / ((x1 - x0) * (y1 - y0));
+            assert!(share > 0.4, "{kind:?}: {share}");
+        }
+    }
+
+    /// The scale goes from the smallest to the largest value at the nodes in the frame, and to no others.
+    #[test]
+    fn colours_cover_the_data_in_the_frame() {
+        let solution = fixture::solution(ContactKind::Circular);
+        let window = window_map(&solution);
+        let film = &solution.elements.film_thickness;
+        let [low, high] = range_within(&solution, film, 1e9, window);
+        let a = solution.hertz.half_width;
+        let surface = &solution.surface;
+        let inside = (surface.points.iter().zip(&surface.film_thickness))
+            .filter(|(p, _)| (0..2).all(|k| (window[k][0]..=window[k][1]).contains(&(p[k] / a))));
+        let (least, most) = inside.fold((f64::INFINITY, 0.0_f64), |(l, h), (_, v)| {
+            (l.min(1e9 * v), h.max(1e9 * v))
+        });
+        let within = 0.02 * (most - least);
+        assert!((low - least).abs() < within, "{low} {least}");
+        assert!(
+            high >= most - within && high < most + 5.0 * within,
+            "{high} {most}"
+        );
+    }
 
     /// Central film 245 nm, minimum 107 nm: every 20 nm up to 300, then every 100 to 700 nm.
     #[test]

@@ -4,13 +4,18 @@ mod axis;
 mod chart;
 mod contour;
 mod convergence;
+mod drawing;
 mod field;
 mod fluid;
+mod font;
 mod frame;
 mod heat;
 mod interferogram;
+mod legend;
 mod maps;
-pub mod png;
+mod path;
+mod pdf;
+mod png;
 mod profile;
 mod sampling;
 mod simplify;
@@ -19,9 +24,10 @@ mod svg;
 pub use axis::{Axis, AxisScale};
 pub use chart::{Chart, ErrorBars, Look, Marker, PALETTE, Series, Side, side_by_side};
 pub use convergence::convergence;
+pub use drawing::{Drawing, DrawingError};
 pub use fluid::{ViscosityCurve, viscosity_chart};
-pub use heat::{cross_film_chart, temperature_chart};
-pub use interferogram::{Image, ImageError};
+pub use heat::{TemperatureScale, cross_film_chart, temperature_chart};
+pub use interferogram::Image;
 pub use maps::{film_map, pressure_map};
 pub(crate) use profile::{profile, profile_across};
 
@@ -32,35 +38,64 @@ use crate::solution::Solution;
 /// Film thicknesses are shown in nm below this value (m), else in µm.
 const NANOMETRES_BELOW: f64 = 1e-6;
 
-/// A picture: file name without suffix, and SVG text.
+/// What error bars of computed figures are called in legends.
+pub(crate) const ERROR_BARS: &str = "numerical error";
+
+/// A picture with its name.
 pub struct Picture {
     /// File name without suffix.
     pub name: &'static str,
     /// SVG file.
     pub svg: String,
+    /// What it shows, to be written in other formats.
+    pub drawing: Drawing,
 }
 
-/// Every picture of a solution; the convergence target is drawn where given.
+impl Picture {
+    /// Under a file name without suffix.
+    pub fn new(name: &'static str, drawing: Drawing) -> Picture {
+        Picture {
+            name,
+            svg: drawing.svg(),
+            drawing,
+        }
+    }
+}
+
+/// Every picture of a solution, temperatures in Kelvin first; the convergence target is drawn where given.
 pub fn pictures(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec<Picture> {
-    let mut tasks: Vec<Task> = vec![("centreline", Box::new(|| centreline(title, solution).svg()))];
+    pictures_in(title, solution, tolerance, TemperatureScale::default())
+}
+
+/// The same with the scale in which temperatures are shown first.
+pub fn pictures_in(
+    title: &str,
+    solution: &Solution,
+    tolerance: Option<f64>,
+    scale: TemperatureScale,
+) -> Vec<Picture> {
+    let mut tasks: Vec<Task> = vec![(
+        "centreline",
+        Box::new(|| centreline(title, solution).drawing()),
+    )];
     if solution.shape.kind.is_point() {
         tasks.push(("pressure", Box::new(|| pressure_map(title, solution))));
         tasks.push(("film", Box::new(|| film_map(title, solution))));
     }
     if let Some(thermal) = &solution.thermal {
-        tasks.extend(heat::heat_pictures(title, solution, thermal));
+        tasks.extend(heat::heat_pictures(title, solution, thermal, scale));
     }
     tasks.push((
         "convergence",
-        Box::new(move || convergence(title, solution, tolerance).svg()),
+        Box::new(move || side_by_side(title, &convergence(title, solution, tolerance), 2)),
     ));
     (tasks.into_par_iter())
-        .map(|(name, draw)| Picture { name, svg: draw() })
+        .map(|(name, draw)| Picture::new(name, draw()))
         .collect()
 }
 
 /// Name of a picture, and how it is drawn.
-type Task<'a> = (&'static str, Box<dyn FnOnce() -> String + Send + 'a>);
+type Task<'a> = (&'static str, Box<dyn FnOnce() -> Drawing + Send + 'a>);
 
 /// Factor and unit in which lengths of this size (m) are shown.
 pub(crate) fn film_unit(size: f64) -> (f64, &'static str) {

@@ -1,59 +1,304 @@
-//! PNG from SVG; needs the cargo feature `png`.
+//! Pictures as PNG files.
 
-/// Why there is no PNG.
-#[derive(Debug, thiserror::Error)]
-pub enum PngError {
-    /// The program was built without the feature.
-    #[error(
-        "this build writes SVG only. For PNG pictures, build with `--features png`, or convert the \
-         SVG files with a program such as rsvg-convert or Inkscape"
-    )]
-    NotBuilt,
-    /// The conversion failed.
-    #[error("cannot convert a picture to PNG: {0}")]
-    Conversion(String),
+use tiny_skia::{
+    FillRule, FilterQuality, IntSize, LineJoin, Mask, Paint, Path, PathBuilder, Pixmap,
+    PixmapPaint, Rect, Stroke, StrokeDash, Transform,
+};
+use ttf_parser::OutlineBuilder;
+
+use super::drawing::{Anchor, Drawing, DrawingError, Element, Line, Raster, Text, rgb};
+use super::font::{Run, runs};
+use super::path::{self, Step};
+
+/// Pixels per px: 300 dots per inch where a px is 1/96 inch.
+const SCALE: f64 = 300.0 / 96.0;
+/// The same per metre, as the file says.
+const PER_METRE: u32 = 11_811;
+
+/// The file of a picture.
+pub(super) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
+    let pixels = |length: f64| (SCALE * length).ceil().clamp(0.0, f64::from(u32::MAX)) as u32;
+    let (width, height) = (pixels(drawing.width), pixels(drawing.height));
+    let failed = || DrawingError::Size { width, height };
+    let mut canvas = Canvas {
+        pixmap: Pixmap::new(width, height).ok_or_else(failed)?,
+        clip: None,
+    };
+    canvas.pixmap.fill(tiny_skia::Color::WHITE);
+    for element in &drawing.elements {
+        canvas.draw(element);
+    }
+    // Nothing shines through the white page: the pixels are opaque.
+    let opaque = canvas.pixmap.pixels().iter();
+    let data: Vec<u8> = opaque
+        .flat_map(|p| [p.red(), p.green(), p.blue()])
+        .collect();
+    encode(width, height, &data, Some(PER_METRE))
 }
 
-/// Whether this build can write PNG; call it before a long solve.
-///
-/// # Errors
-/// [`PngError::NotBuilt`], with advice, without the feature `png`.
-pub fn check() -> Result<(), PngError> {
-    if cfg!(feature = "png") {
-        Ok(())
-    } else {
-        Err(PngError::NotBuilt)
+/// A PNG file of pixels, row by row from the top, red, green and blue; with its resolution, dots per metre.
+pub(super) fn encode(
+    width: u32,
+    height: u32,
+    pixels: &[u8],
+    per_metre: Option<u32>,
+) -> Result<Vec<u8>, DrawingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png_image::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png_image::ColorType::Rgb);
+    encoder.set_depth(png_image::BitDepth::Eight);
+    encoder.set_source_srgb(png_image::SrgbRenderingIntent::Perceptual);
+    encoder.set_pixel_dims(per_metre.map(|n| png_image::PixelDimensions {
+        xppu: n,
+        yppu: n,
+        unit: png_image::Unit::Meter,
+    }));
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// The picture as far as it is drawn.
+struct Canvas {
+    pixmap: Pixmap,
+    clip: Option<Mask>,
+}
+
+impl Canvas {
+    fn draw(&mut self, element: &Element) {
+        match element {
+            Element::Stroke(d, line) => self.stroke(path_of(d), line),
+            Element::Fill(d, colour) => self.fill(path_of(d), colour),
+            Element::Rectangle(place, colour) => self.fill(rectangle(*place), colour),
+            Element::Image(place, raster) => self.image(*place, raster),
+            Element::Circle(at, radius, fill, line) => {
+                let path = ellipse(*at, [*radius; 2], 0.0);
+                self.fill(path.clone(), fill);
+                self.stroke(path, line);
+            }
+            Element::Ellipse(at, radii, turn, line) => {
+                self.stroke(ellipse(*at, *radii, *turn), line);
+            }
+            Element::Text(text) => self.text(text),
+            Element::BeginClip(place) => {
+                let mask = Mask::new(self.pixmap.width(), self.pixmap.height());
+                self.clip = mask.zip(rectangle(*place)).map(|(mut mask, path)| {
+                    mask.fill_path(&path, FillRule::Winding, true, scale());
+                    mask
+                });
+            }
+            Element::EndClip => self.clip = None,
+        }
+    }
+
+    fn stroke(&mut self, path: Option<Path>, line: &Line) {
+        let stroke = Stroke {
+            width: line.width as f32,
+            line_join: LineJoin::Round,
+            dash: line
+                .dash
+                .and_then(|dash| StrokeDash::new(dash.map(|v| v as f32).to_vec(), 0.0)),
+            ..Stroke::default()
+        };
+        if let Some(path) = path {
+            let paint = paint(&line.colour);
+            self.pixmap
+                .stroke_path(&path, &paint, &stroke, scale(), self.clip.as_ref());
+        }
+    }
+
+    fn fill(&mut self, path: Option<Path>, colour: &str) {
+        if let Some(path) = path {
+            let paint = paint(colour);
+            self.pixmap.fill_path(
+                &path,
+                &paint,
+                FillRule::EvenOdd,
+                scale(),
+                self.clip.as_ref(),
+            );
+        }
+    }
+
+    fn image(&mut self, [x, y, width, height]: [f64; 4], raster: &Raster) {
+        let opaque = raster.pixels.chunks_exact(3);
+        let data = opaque.flat_map(|p| [p[0], p[1], p[2], 255]).collect();
+        let size = IntSize::from_wh(raster.width as u32, raster.height as u32);
+        let Some(image) = size.and_then(|size| Pixmap::from_vec(data, size)) else {
+            return;
+        };
+        let [sx, sy] = [width / raster.width as f64, height / raster.height as f64];
+        let place = Transform::from_row(sx as f32, 0.0, 0.0, sy as f32, x as f32, y as f32);
+        let paint = PixmapPaint {
+            quality: FilterQuality::Bilinear,
+            ..PixmapPaint::default()
+        };
+        let place = place.post_concat(scale());
+        self.pixmap
+            .draw_pixmap(0, 0, image.as_ref(), &paint, place, self.clip.as_ref());
+    }
+
+    fn text(&mut self, text: &Text) {
+        let runs = runs(&text.text, text.size);
+        let width: f64 = runs.iter().map(Run::width).sum();
+        let mut along = match text.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => -0.5 * width,
+            Anchor::End => -width,
+        };
+        let mut outline = Outline {
+            path: PathBuilder::new(),
+            origin: [0.0; 2],
+            scale: 1.0,
+        };
+        for run in &runs {
+            for c in run.text.chars() {
+                let (glyph, advance) = run.style.glyph(c);
+                if let Some(face) = run.style.face() {
+                    outline.origin = [along, run.shift];
+                    outline.scale = run.size / f64::from(face.units_per_em());
+                    face.outline_glyph(glyph, &mut outline);
+                }
+                along += run.size * advance;
+            }
+        }
+        let Some(path) = outline.path.finish() else {
+            return;
+        };
+        let [x, y] = text.at.map(|v| v as f32);
+        let place = Transform::from_rotate(text.turn as f32).post_translate(x, y);
+        let place = place.post_concat(scale());
+        let paint = paint(&text.colour);
+        self.pixmap
+            .fill_path(&path, &paint, FillRule::Winding, place, self.clip.as_ref());
     }
 }
 
-/// PNG file of an SVG picture, `scale` pixels per SVG unit.
-///
-/// # Errors
-/// [`PngError::NotBuilt`] without the feature `png`; [`PngError::Conversion`] where the renderer
-/// refuses.
-#[cfg(not(feature = "png"))]
-pub fn from_svg(_svg: &str, _scale: f32) -> Result<Vec<u8>, PngError> {
-    Err(PngError::NotBuilt)
+/// Outlines of glyphs, y upwards, as a path with y downwards.
+struct Outline {
+    path: PathBuilder,
+    /// Where the glyph stands, px.
+    origin: [f64; 2],
+    /// px per unit of the font.
+    scale: f64,
 }
 
-/// PNG file of an SVG picture, `scale` pixels per SVG unit.
-///
-/// # Errors
-/// [`PngError::NotBuilt`] without the feature `png`; [`PngError::Conversion`] where the renderer
-/// refuses.
-#[cfg(feature = "png")]
-pub fn from_svg(svg: &str, scale: f32) -> Result<Vec<u8>, PngError> {
-    use resvg::{tiny_skia, usvg};
+impl Outline {
+    fn place(&self, x: f32, y: f32) -> [f32; 2] {
+        [
+            (self.origin[0] + self.scale * f64::from(x)) as f32,
+            (self.origin[1] - self.scale * f64::from(y)) as f32,
+        ]
+    }
+}
 
-    let failed = |e: &dyn std::fmt::Display| PngError::Conversion(e.to_string());
-    let mut options = usvg::Options::default();
-    options.fontdb_mut().load_system_fonts();
-    let tree = usvg::Tree::from_str(svg, &options).map_err(|e| failed(&e))?;
-    let size = tree.size();
-    let pixels = |length: f32| (scale * length).ceil() as u32;
-    let mut image = tiny_skia::Pixmap::new(pixels(size.width()), pixels(size.height()))
-        .ok_or_else(|| failed(&"the picture has no size"))?;
-    let transform = tiny_skia::Transform::from_scale(scale, scale);
-    resvg::render(&tree, transform, &mut image.as_mut());
-    image.encode_png().map_err(|e| failed(&e))
+impl OutlineBuilder for Outline {
+    fn move_to(&mut self, x: f32, y: f32) {
+        let [x, y] = self.place(x, y);
+        self.path.move_to(x, y);
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        let [x, y] = self.place(x, y);
+        self.path.line_to(x, y);
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        let ([x1, y1], [x, y]) = (self.place(x1, y1), self.place(x, y));
+        self.path.quad_to(x1, y1, x, y);
+    }
+
+    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
+        let ([x1, y1], [x2, y2]) = (self.place(x1, y1), self.place(x2, y2));
+        let [x, y] = self.place(x, y);
+        self.path.cubic_to(x1, y1, x2, y2, x, y);
+    }
+
+    fn close(&mut self) {
+        self.path.close();
+    }
+}
+
+fn scale() -> Transform {
+    Transform::from_scale(SCALE as f32, SCALE as f32)
+}
+
+fn paint(colour: &str) -> Paint<'static> {
+    let [r, g, b] = rgb(colour);
+    let mut paint = Paint::default();
+    paint.set_color_rgba8(r, g, b, 255);
+    paint.anti_alias = true;
+    paint
+}
+
+fn path_of(d: &str) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    for step in path::steps(d) {
+        match step {
+            Step::Move([x, y]) => path.move_to(x as f32, y as f32),
+            Step::Line([x, y]) => path.line_to(x as f32, y as f32),
+            Step::Close => path.close(),
+        }
+    }
+    path.finish()
+}
+
+fn rectangle([x, y, width, height]: [f64; 4]) -> Option<Path> {
+    let rect = Rect::from_xywh(x as f32, y as f32, width as f32, height as f32)?;
+    Some(PathBuilder::from_rect(rect))
+}
+
+fn ellipse(at: [f64; 2], radii: [f64; 2], turn: f64) -> Option<Path> {
+    let ([x, y], curves) = path::ellipse(at, radii, turn);
+    let mut path = PathBuilder::new();
+    path.move_to(x as f32, y as f32);
+    for curve in curves {
+        let [[x1, y1], [x2, y2], [x, y]] = curve.map(|p| p.map(|v| v as f32));
+        path.cubic_to(x1, y1, x2, y2, x, y);
+    }
+    path.close();
+    path.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::drawing;
+    use super::*;
+
+    /// A red square in a clip, a circle and text: read back by the decoder, with the colours where they belong.
+    #[test]
+    fn a_picture_is_read_back() {
+        let mut drawing = Drawing::new(96.0, 48.0, "T");
+        drawing.begin_clip(8.0, 8.0, 16.0, 16.0);
+        drawing.rectangle(0.0, 0.0, 40.0, 40.0, "#ff0000");
+        drawing.end_clip();
+        drawing.circle(
+            60.0,
+            16.0,
+            6.0,
+            "#0000ff",
+            drawing::Stroke::solid("#0000ff", 1.0),
+        );
+        let ink = drawing::INK;
+        drawing.text([48.0, 44.0], "*h* (nm)", 12.0, Anchor::Middle, ink);
+        let bytes = drawing.png().unwrap();
+        let decoder = png_image::Decoder::new(std::io::Cursor::new(bytes));
+        let mut reader = decoder.read_info().unwrap();
+        let info = reader.info();
+        assert_eq!((info.width, info.height), (300, 150));
+        assert_eq!(info.pixel_dims.unwrap().xppu, 11_811);
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        let at = |x: f64, y: f64| {
+            let i = 3 * ((SCALE * y) as usize * 300 + (SCALE * x) as usize);
+            [pixels[i], pixels[i + 1], pixels[i + 2]]
+        };
+        assert_eq!(at(16.0, 16.0), [255, 0, 0]);
+        assert_eq!(at(30.0, 16.0), [255; 3]);
+        assert_eq!(at(60.0, 16.0), [0, 0, 255]);
+        let is_ink = |p: &[u8]| p.iter().all(|v| *v < 80);
+        let below = &pixels[3 * 300 * 100..];
+        assert!(below.chunks_exact(3).any(is_ink));
+    }
 }

@@ -114,12 +114,12 @@ pub(super) fn write_results(
     let page = study_page(&echo.title, &table, echo.columns.len(), warnings);
     write(TABLE, table)?;
     write(REPORT_PAGE, page)?;
-    for (name, chart) in [
+    for (name, picture) in [
         (FILMS, output::study_films(echo, records)),
         (TRACTIONS, output::study_tractions(echo, records)),
     ] {
-        if let Some(chart) = chart {
-            write(name, chart.svg())?;
+        if let Some(svg) = picture {
+            write(name, svg)?;
         }
     }
     Ok(())
