@@ -303,6 +303,6 @@ mod tests {
             let row = |y: f64| 3 * 300 * (SCALE * y) as usize;
             pixels[row(from)..row(to)].chunks_exact(3).any(is_ink)
         };
-        assert!(rows(36.0, 43.0) && !rows(24.0, 33.0));
+        assert!(rows(36.0, 40.0) && !rows(24.0, 33.0));
     }
 }
