@@ -298,7 +298,11 @@ mod tests {
         assert_eq!(at(30.0, 16.0), [255; 3]);
         assert_eq!(at(60.0, 16.0), [0, 0, 255]);
         let is_ink = |p: &[u8]| p.iter().all(|v| *v < 80);
-        let below = &pixels[3 * 300 * 100..];
-        assert!(below.chunks_exact(3).any(is_ink));
+        // Letters stand above their baseline, which is at 44.
+        let rows = |from: f64, to: f64| {
+            let row = |y: f64| 3 * 300 * (SCALE * y) as usize;
+            pixels[row(from)..row(to)].chunks_exact(3).any(is_ink)
+        };
+        assert!(rows(36.0, 40.0) && !rows(24.0, 33.0));
     }
 }
