@@ -171,7 +171,7 @@ fn quantities_of_another_kind_come_with_advice() {
         (
             "40,5 ± 2 mPa.s",
             Dimension::VISCOSITY,
-            "write a decimal point: `40.5 mPa.s`",
+            "write a decimal point: `40.5`",
         ),
         ("1,000 N", Dimension::FORCE, "`1.000 N` or `1000 N`"),
     ] {

@@ -2,12 +2,12 @@
 
 use ertel_rheology::input::{InputError, Table};
 
-/// The sections, each with an example that is one line for lack of more in a message.
+/// The sections, each with an example that fits a line.
 const EXAMPLES: [(&str, &str); 4] = [
     (
         "contact",
-        "[contact] needs kind = \"circular\", radius = \"10 mm\" and load = \"50 N\", for example; or give [machine] in place of \
-         [contact] and [motion]",
+        "[contact] and [motion], or [machine] in place of both; [contact] needs kind = \"circular\", radius = \"10 mm\" and \
+         load = \"50 N\", for example",
     ),
     (
         "bodies",
