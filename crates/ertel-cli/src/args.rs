@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand};
 use crate::colour::When;
 use crate::init::InitArgs;
 use crate::manual::{CompletionsArgs, ManArgs};
+use crate::schema::SchemaArgs;
 
 /// Film thickness and pressure of elastohydrodynamic contacts.
 #[derive(Debug, Parser)]
@@ -57,6 +58,8 @@ pub enum Command {
     Solids(SolidsArgs),
     /// Write a case file to start from: a bearing, a gear, a rig, a cam
     Init(InitArgs),
+    /// Print the JSON schema of case or study files, for editors
+    Schema(SchemaArgs),
     /// Print the completions of a shell
     Completions(CompletionsArgs),
     /// Print the manual page, or write those of all commands

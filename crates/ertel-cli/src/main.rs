@@ -24,6 +24,7 @@ mod own_data;
 mod print;
 mod progress;
 mod provenance;
+mod schema;
 mod solids;
 mod solve;
 mod sweep;
@@ -50,6 +51,7 @@ fn main() -> ExitCode {
         Command::Fluids(arguments) => fluids::run(&arguments),
         Command::Solids(arguments) => solids::run(&arguments),
         Command::Init(arguments) => init::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
         Command::Completions(arguments) => manual::completions(&arguments),
         Command::Man(arguments) => manual::man(&arguments),
     });

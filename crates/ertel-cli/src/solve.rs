@@ -289,7 +289,13 @@ fn tell_curve(
         .into_iter()
         .flatten()
     {
-        events.emit("point", point.clone());
+        let mut point = point.clone();
+        if let Some(keys) = point.as_object_mut() {
+            // `seconds` of an event are those since the start.
+            let seconds = keys.remove("seconds").unwrap_or_default();
+            keys.insert("wall_seconds".to_owned(), seconds);
+        }
+        events.emit("point", point);
     }
     let warnings = solution.points.iter().enumerate().flat_map(|(i, point)| {
         let solved = point.outcome.solution();
