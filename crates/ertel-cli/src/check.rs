@@ -132,25 +132,35 @@ impl Checked {
             s => format!("{} h", output::digits(s / 3600.0, 2)),
         };
         format!(
-            "{time} of one core (the median of such contacts; very thin films and high pressures take tens of times as long)"
+            "{time} of one core (an order of magnitude; very thin films and high pressures take tens of times as long)"
         )
     }
 }
 
-/// Medians of cold solves with default settings (docs/performance.md), CPU s.
+/// Ratio of the radii from which on an ellipse takes much longer.
+const SLENDER: f64 = 10.0;
+
+/// CPU s of cold solves with default settings, to an order of magnitude: medians of the convergence map for line and circular
+/// contacts without heat (docs/performance.md), single shipped cases for the others.
 fn typical_cpu_seconds(case: &Case) -> f64 {
-    let is_hot = case.thermal().is_some();
-    let one = match (case.contact.kind, is_hot) {
-        (ContactKind::Line, false) => 0.1,
-        (ContactKind::Line, true) => 3.0,
-        (ContactKind::Circular | ContactKind::Elliptical, false) => 5.0,
-        (ContactKind::Roller, false) => 20.0,
-        (ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller, true) => 40.0,
+    let contact = &case.contact;
+    let is_slender =
+        contact.radius_y.max(contact.radius) > SLENDER * contact.radius_y.min(contact.radius);
+    let one = match contact.kind {
+        ContactKind::Line => 0.1,
+        ContactKind::Circular => 5.0,
+        ContactKind::Elliptical if !is_slender => 5.0,
+        ContactKind::Elliptical | ContactKind::Roller => 40.0,
+    };
+    let heat = match (case.thermal().is_some(), contact.kind) {
+        (false, _) => 1.0,
+        (true, ContactKind::Line) => 30.0,
+        (true, _) => 2.5,
     };
     // Both halves are solved where they differ, and a starved contact once more with all the oil that it takes.
     let halves = if case.motion.is_straight() { 1.0 } else { 2.0 };
     let supplies = if case.supply.is_limited() { 2.0 } else { 1.0 };
-    one * halves * supplies
+    one * heat * halves * supplies
 }
 
 /// What a verbose solve tells before it begins, on stderr.
