@@ -330,6 +330,7 @@ const LUBRICANT: &[Key] = &[
     ("heat_capacity", HEAT_CAPACITY),
     ("reference_temperature", TEMPERATURE),
     ("validity", Table(VALIDITY)),
+    ("correlation", Tables(CORRELATION)),
     ("iso_vg", Number),
     ("kinematic_viscosity_40", KINEMATIC),
     ("kinematic_viscosity_100", KINEMATIC),
