@@ -215,7 +215,7 @@ fn warning(input: &Input, document: &Document) -> Option<Warning> {
         head.is_some_and(|head| head.is_empty() || head.ends_with('.'))
     };
     let mut rows = USUAL.iter().filter(|row| row.dimension == input.dimension);
-    let row = rows.find(|row| row.keys.iter().any(|end| ends_with(end)))?;
+    let row = rows.find(|row| row.keys.iter().any(&ends_with))?;
     let value = input.value.abs() / row.factor;
     let [low, high] = row.range;
     // Zero is said on purpose.
