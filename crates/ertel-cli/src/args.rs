@@ -5,6 +5,11 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
 
+use crate::colour::When;
+use crate::init::InitArgs;
+use crate::manual::{CompletionsArgs, ManArgs};
+use crate::schema::SchemaArgs;
+
 /// Film thickness and pressure of elastohydrodynamic contacts.
 #[derive(Debug, Parser)]
 #[command(name = "ertel", version, arg_required_else_help = true)]
@@ -14,6 +19,17 @@ pub struct Cli {
     /// Folder of own lubricants and materials, `fluids/NAME.toml` and `solids/NAME.toml` [env: ERTEL_DATA]
     #[arg(long = "data", global = true, value_name = "DIR")]
     pub own_data: Option<PathBuf>,
+    /// When messages and reports are coloured.
+    #[arg(
+        long,
+        global = true,
+        value_name = "WHEN",
+        value_enum,
+        default_value_t,
+        hide_possible_values = true,
+        help = "Colour of messages and reports: auto (on terminals; NO_COLOR, CLICOLOR and CLICOLOR_FORCE count), always, never"
+    )]
+    pub color: When,
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
@@ -42,17 +58,32 @@ pub enum Command {
     Fluids(FluidsArgs),
     /// List the solids of the database, or show one of them
     Solids(SolidsArgs),
+    /// Write a case file to start from: a bearing, a gear, a rig, a cam
+    Init(InitArgs),
+    /// Print the JSON schema of case or study files, for editors
+    Schema(SchemaArgs),
+    /// Print the completions of a shell
+    Completions(CompletionsArgs),
+    /// Print the manual page, or write those of all commands
+    Man(ManArgs),
 }
 
 /// `ertel solve`.
 #[derive(Debug, Args)]
 pub struct SolveArgs {
-    /// The case file (TOML)
-    #[arg(value_name = "CASE.toml")]
-    pub case: PathBuf,
-    /// Folder for the results (default: `output.folder` of the case, else `results/<name of the case file>`)
+    /// The case files (TOML), each solved into a folder of its own; `-` reads one from standard input
+    #[arg(value_name = "CASE.toml", required = true)]
+    pub cases: Vec<PathBuf>,
+    /// Folder for the results, of several cases that of their folders (default: `output.folder` of the case, else `results/<name of the
+    /// case file>`)
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Put a value in place of one of the file, such as "contact.load=50 N" (may be repeated)
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Print what happens as JSON, one object on a line, in place of progress and report
+    #[arg(long)]
+    pub json: bool,
     /// Write PNG pictures beside the SVG ones
     #[arg(long)]
     pub png: bool,
@@ -77,6 +108,9 @@ pub struct SolveArgs {
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,
+    /// Tell more: what was read and what for, every iteration, the meshes, the files written
+    #[arg(short, long, conflicts_with_all = ["quiet", "json"])]
+    pub verbose: bool,
 }
 
 /// `ertel sweep`.
@@ -94,6 +128,12 @@ pub struct SweepArgs {
     /// Folder of the study [default: `results/<name of the study file>`, of a shard `shards/i-of-n` within]
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Put a value in place of one of the base case, such as "contact.load=50 N" (may be repeated)
+    #[arg(long, value_name = "KEY=VALUE", conflicts_with = "merge")]
+    pub set: Vec<String>,
+    /// Print what happens as JSON, one object on a line, in place of progress and report
+    #[arg(long)]
+    pub json: bool,
     /// List the points and what they start from, then stop
     #[arg(long)]
     pub dry_run: bool,
@@ -124,6 +164,9 @@ pub struct SweepArgs {
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,
+    /// Tell more: what was read, a line for each point, every failure and warning
+    #[arg(short, long, conflicts_with_all = ["quiet", "json"])]
+    pub verbose: bool,
 }
 
 /// `ertel compare`.
@@ -192,9 +235,12 @@ fn shard(text: &str) -> Result<ertel::study::Shard, String> {
 /// `ertel estimate`.
 #[derive(Debug, Args)]
 pub struct EstimateArgs {
-    /// The case file (TOML)
+    /// The case file (TOML); `-` reads it from standard input
     #[arg(value_name = "CASE.toml")]
     pub case: PathBuf,
+    /// Put a value in place of one of the file, such as "contact.load=50 N" (may be repeated)
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
     /// Print JSON in place of text
     #[arg(long)]
     pub json: bool,

@@ -1,11 +1,11 @@
 //! `ertel estimate`.
 
-use ertel::case::Case;
 use ertel::estimate;
 use ertel::output;
 
 use crate::args::EstimateArgs;
 use crate::failure::Failure;
+use crate::given::Given;
 use crate::print;
 
 /// Runs the command.
@@ -14,7 +14,7 @@ use crate::print;
 ///
 /// A bad case, or an output that cannot be written.
 pub fn run(arguments: &EstimateArgs) -> Result<(), Failure> {
-    let case = Case::read(&arguments.case)?;
+    let case = Given::read(&arguments.case, &arguments.set)?.case;
     let (echo, figures) = (case.echo(), estimate::estimate(&case));
     if !arguments.json {
         return print::stdout(&output::estimate_report(&echo, &figures));

@@ -31,6 +31,14 @@ pub enum Failure {
     /// Results cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// Some of several cases did not succeed.
+    #[error("{message}")]
+    Cases {
+        /// How many, of how many.
+        message: String,
+        /// The exit code of the worst.
+        code: u8,
+    },
     /// Anything else, reading and writing above all.
     #[error("{0}")]
     Other(String),
@@ -38,13 +46,19 @@ pub enum Failure {
 
 impl Failure {
     /// 1 other, 2 bad input, 3 not converged or not resolved, 130 interrupted.
-    pub fn exit_code(&self) -> ExitCode {
-        ExitCode::from(match self {
+    pub fn code(&self) -> u8 {
+        match self {
             Self::Output(_) | Self::Other(_) => 1,
             Self::Input(_) | Self::Argument(_) => 2,
             Self::NotConverged(_) | Self::Unresolved(_) => 3,
             Self::Interrupted | Self::InterruptedCurve(_) => 130,
-        })
+            Self::Cases { code, .. } => *code,
+        }
+    }
+
+    /// The same for the end of the program.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(self.code())
     }
 }
 

@@ -6,17 +6,25 @@
 
 mod args;
 mod cache;
+mod cases;
+mod check;
+mod colour;
 mod compare;
 mod estimate;
+mod events;
 mod failure;
 mod fit;
 mod fluids;
+mod given;
+mod init;
 mod inputs;
+mod manual;
 mod monte_carlo;
 mod own_data;
 mod print;
 mod progress;
 mod provenance;
+mod schema;
 mod solids;
 mod solve;
 mod sweep;
@@ -32,6 +40,7 @@ use args::{Cli, Command};
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
+    colour::set(cli.color);
     let result = own_data::set(cli.own_data.as_deref()).and_then(|()| match cli.command {
         Command::Solve(arguments) => solve::run(&arguments),
         Command::Sweep(arguments) => sweep::run(&arguments),
@@ -43,6 +52,10 @@ fn main() -> ExitCode {
         Command::Cache(arguments) => cache::run(&arguments),
         Command::Fluids(arguments) => fluids::run(&arguments),
         Command::Solids(arguments) => solids::run(&arguments),
+        Command::Init(arguments) => init::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
+        Command::Completions(arguments) => manual::completions(&arguments),
+        Command::Man(arguments) => manual::man(&arguments),
     });
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -27,13 +27,13 @@ pub struct Samples {
 /// A case with a curve, one without uncertain inputs, samples that no contact can have.
 pub fn samples(
     arguments: &SolveArgs,
+    file: &str,
     case: &Case,
     folder: &Path,
 ) -> Result<Option<Samples>, Failure> {
     let Some(n) = arguments.monte_carlo else {
         return Ok(None);
     };
-    let file = arguments.case.display();
     if case.curve.is_some() {
         return Err(Failure::Argument(format!(
             "{file}: --monte-carlo samples the inputs of one contact, but this case has a [curve]"

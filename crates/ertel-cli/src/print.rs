@@ -5,6 +5,7 @@ use std::io::{self, Write};
 
 use ertel_rheology::input::escaped;
 
+use crate::colour;
 use crate::failure::Failure;
 
 /// Writes `text` to stdout; control characters that it quotes are shown, not obeyed.
@@ -14,10 +15,8 @@ use crate::failure::Failure;
 /// Anything but a closed pipe, such as a full disk behind a redirection.
 pub fn stdout(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    match out
-        .write_all(escaped(text).as_bytes())
-        .and_then(|()| out.flush())
-    {
+    let text = colour::stdout(escaped(text).into_owned());
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             Err(Failure::Other(format!("cannot write to stdout: {error}")))
         }
@@ -31,5 +30,5 @@ pub fn stderr(line: &str) {
     // In one piece, so that lines of several threads do not mix.
     let _ = io::stderr()
         .lock()
-        .write_all(format!("{}\n", escaped(line)).as_bytes());
+        .write_all(format!("{}\n", colour::stderr(escaped(line).into_owned())).as_bytes());
 }

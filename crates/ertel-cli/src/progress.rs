@@ -10,21 +10,25 @@ use ertel::study::CurveObserver;
 use ertel_rheology::input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use serde_json::{Value, json};
+
+use crate::events::Events;
 use crate::print;
 
 /// Shows the iterations and passes on that the user wants to stop.
 pub struct Progress<'a> {
-    display: Display,
+    display: Display<'a>,
     cancelled: &'a AtomicBool,
     /// Which point of a curve is being solved; empty outside of curves.
     point: String,
     level: String,
 }
 
-enum Display {
+enum Display<'a> {
     Quiet,
     Lines,
     Terminal(ProgressBar),
+    Events(&'a Events),
 }
 
 impl<'a> Progress<'a> {
@@ -43,6 +47,10 @@ impl<'a> Progress<'a> {
         } else {
             Display::Lines
         };
+        Self::of(display, cancelled)
+    }
+
+    fn of(display: Display<'a>, cancelled: &'a AtomicBool) -> Self {
         Self {
             display,
             cancelled,
@@ -51,10 +59,27 @@ impl<'a> Progress<'a> {
         }
     }
 
+    /// Progress as events for programs.
+    pub fn as_events(events: &'a Events, cancelled: &'a AtomicBool) -> Self {
+        Self::of(Display::Events(events), cancelled)
+    }
+
+    /// Progress with a line for each iteration in terminals, too.
+    pub fn in_lines(cancelled: &'a AtomicBool) -> Self {
+        Self::of(Display::Lines, cancelled)
+    }
+
+    fn emit(&self, event: &str, fields: Value) {
+        if let Display::Events(events) = &self.display {
+            events.emit(event, fields);
+        }
+    }
+
     fn show(&self, line: String) {
         match &self.display {
             Display::Quiet => {}
             Display::Lines => print::stderr(&line),
+            Display::Events(_) => {}
             Display::Terminal(bar) => bar.set_message(escaped(&line).into_owned()),
         }
     }
@@ -70,6 +95,15 @@ impl Drop for Progress<'_> {
 
 impl Observer for Progress<'_> {
     fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, n_displacement: usize) {
+        self.emit(
+            "stage",
+            json!({
+                "stage": level + 1,
+                "stages": n_levels,
+                "pressure_unknowns": n_pressure,
+                "displacement_unknowns": n_displacement,
+            }),
+        );
         self.level = format!("{}stage {}/{n_levels}", self.point, level + 1);
         self.show(format!(
             "{}: {n_pressure} pressure and {n_displacement} displacement unknowns",
@@ -78,6 +112,7 @@ impl Observer for Progress<'_> {
     }
 
     fn iteration(&mut self, record: &IterationRecord) {
+        self.emit("iteration", json!(record));
         self.show(format!(
             "{}, Newton {:>2}: residual {:.1e}, pressure update {:.1e}, step {:.2}, central film {}",
             self.level,
@@ -90,6 +125,10 @@ impl Observer for Progress<'_> {
     }
 
     fn round(&mut self, round: usize, change: f64, rise: f64) {
+        self.emit(
+            "heat",
+            json!({ "round": round, "change": change, "temperature_rise": rise }),
+        );
         self.show(format!(
             "{}, heat {round:>2}: change {change:.1e}, temperature rise {rise:.2} K",
             self.level
@@ -103,6 +142,10 @@ impl Observer for Progress<'_> {
 
 impl CurveObserver for Progress<'_> {
     fn point(&mut self, index: usize, n_points: usize, value: &str) {
+        self.emit(
+            "point_started",
+            json!({ "point": index + 1, "points": n_points, "value": value }),
+        );
         self.point = format!("point {}/{n_points} ({value}), ", index + 1);
     }
 }

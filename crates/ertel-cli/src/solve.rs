@@ -6,19 +6,23 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use ertel::case::{Case, Curve};
 use ertel::output;
 use ertel::params::SensitivityDemand;
-use ertel::run::{self, Session};
-use ertel::solution::Unresolved;
+use ertel::run::Session;
+use ertel::solution::{Solution, Unresolved};
 use ertel::solve::{DiscretisationError, SolveError};
-use ertel::study::{CurveSolution, solve_curve, value_text};
+use ertel::study::{CurveSolution, solve_curve};
 use ertel::warning::{Warning, by_kind};
+use serde_json::{Value, json};
 
 use crate::args::SolveArgs;
 use crate::cache::user_cache;
+use crate::events::Events;
 use crate::failure::Failure;
+use crate::given::Given;
 use crate::inputs;
 use crate::monte_carlo;
 use crate::print;
 use crate::progress::Progress;
+use crate::{cases, check};
 
 /// Set by Ctrl-C; the solver looks at it before each iteration.
 pub static CANCELLED: AtomicBool = AtomicBool::new(false);
@@ -29,24 +33,33 @@ static WRITING: AtomicBool = AtomicBool::new(false);
 const HELP: &str = "  = help: nothing was written. A finer mesh ([mesh] preset = \"fine\"), another \
     formulation ([solver]\n    formulation = \"supg\") or a smaller load to begin with often help";
 
+/// A case to be solved, and where its results go.
+pub struct Job {
+    /// The case.
+    pub given: Given,
+    /// Folder of its results.
+    pub folder: PathBuf,
+}
+
 /// Runs the command.
 ///
 /// # Errors
 ///
 /// A bad case, results that cannot be written, no convergence, an interruption.
 pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
-    let mut case = Case::read(&arguments.case)?;
-    case.output.pictures.png |= arguments.png;
-    case.output.pictures.pdf |= arguments.pdf;
-    if case.curve.is_none() && case.output.sensitivities == SensitivityDemand::WhereUncertain {
-        case.output.sensitivities = SensitivityDemand::WhereCheap;
-    }
-    let folder = folder(arguments, &case);
-    if arguments.check || arguments.quiet {
-        warn(&input_warnings(&case));
+    let events = Events::new(arguments.json);
+    events.finish(run_all(arguments, &events))
+}
+
+fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
+    let jobs = cases::read(arguments, events)?;
+    for Job { given, .. } in &jobs {
+        if arguments.check || arguments.quiet {
+            warn(&input_warnings(&given.case));
+        }
     }
     if arguments.check {
-        return check(&case, &arguments.case);
+        return cases::each(&jobs, events, |job| check::run(job, arguments, events));
     }
     let session = Session {
         cache: match arguments.no_cache {
@@ -54,23 +67,70 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
             false => user_cache()?,
         },
     };
-    let mut read = case.files(arguments.case.parent().unwrap_or(Path::new("")));
-    read.push(arguments.case.clone());
-    inputs::keep_within(&read, &folder)?;
-    // A long solve whose results have no place to go would be in vain.
-    output::clear_leftovers(&folder);
-    output::check_target(&folder)?;
-    check_writable(&folder)?;
-    listen_for_interrupts();
-
-    let samples = monte_carlo::samples(arguments, &case, &folder)?;
-    let mut progress = Progress::new(arguments.quiet, &CANCELLED);
-    if let Some(curve) = &case.curve {
-        let solution = solve_curve(&session, curve, &mut progress);
-        drop(progress);
-        return write_curve(&case, curve, &solution, &folder, arguments);
+    let read: Vec<PathBuf> = jobs.iter().flat_map(|job| job.given.files()).collect();
+    for Job { folder, .. } in &jobs {
+        inputs::keep_within(&read, folder)?;
+        // A long solve whose results have no place to go would be in vain.
+        output::clear_leftovers(folder);
+        output::check_target(folder)?;
+        check_writable(folder)?;
     }
-    let solution = session.solve(&case, &mut progress);
+    listen_for_interrupts();
+    let solve = |job: &Job| solve(job, &session, arguments, events);
+    match &jobs[..] {
+        [job] => {
+            events.set_case(Some(&job.given.name));
+            solve(job).map(drop)
+        }
+        jobs => cases::solve_all(jobs, arguments, events, &solve),
+    }
+}
+
+/// Settings of the command line that are those of the case as well.
+pub fn complete(case: &mut Case, arguments: &SolveArgs) {
+    case.output.pictures.png |= arguments.png;
+    case.output.pictures.pdf |= arguments.pdf;
+    if case.curve.is_none() && case.output.sensitivities == SensitivityDemand::WhereUncertain {
+        case.output.sensitivities = SensitivityDemand::WhereCheap;
+    }
+}
+
+/// Solves a case, or the points of its curve; returns the films in words.
+fn solve(
+    job: &Job,
+    session: &Session,
+    arguments: &SolveArgs,
+    events: &Events,
+) -> Result<String, Failure> {
+    let Job { given, folder } = job;
+    let case = &given.case;
+    let samples = monte_carlo::samples(arguments, &given.name, case, folder)?;
+    let n_points = case.curve.as_ref().map_or(1, |curve| curve.points.len());
+    events.emit(
+        "started",
+        json!({
+            "command": "solve",
+            "version": env!("CARGO_PKG_VERSION"),
+            "title": case.title,
+            "folder": folder,
+            "points": n_points,
+        }),
+    );
+    if arguments.verbose {
+        check::tell(job, session)?;
+    }
+    let mut progress = match (events.is_on(), arguments.verbose) {
+        (true, _) => Progress::as_events(events, &CANCELLED),
+        (false, true) => Progress::in_lines(&CANCELLED),
+        (false, false) => Progress::new(arguments.quiet, &CANCELLED),
+    };
+    if let Some(curve) = &case.curve {
+        let solution = solve_curve(session, curve, &mut progress);
+        drop(progress);
+        return write_curve(case, curve, &solution, folder, arguments, events);
+    }
+    events.warn(&case.warnings);
+    let solution = session.solve(case, &mut progress);
     drop(progress);
     let solution = solution?;
     WRITING.store(true, Ordering::SeqCst);
@@ -78,43 +138,59 @@ pub fn run(arguments: &SolveArgs) -> Result<(), Failure> {
         return Err(Failure::Interrupted);
     }
     let echo = case.echo();
-    output::write(&echo, &solution, &folder, &case.output)?;
+    output::write(&echo, &solution, folder, &case.output)?;
     WRITING.store(false, Ordering::SeqCst);
-    let shown = if arguments.quiet {
-        let known = |warning: &&Warning| !case.warnings.contains(warning);
+    let known = |warning: &&Warning| !case.warnings.contains(warning);
+    let shown = if events.is_on() {
+        events.warn(solution.warnings.iter().filter(known));
+        let result = output::result_json(&echo, &solution).map_err(not_shown)?;
+        events.emit(
+            "result",
+            json!({ "folder": folder, "result": short(result) }),
+        );
+        Ok(())
+    } else if arguments.quiet {
         warn(solution.warnings.iter().filter(known));
         Ok(())
     } else {
-        print::stdout(&output::report(&echo, &solution, Some(&folder)))
+        let text = output::report(&echo, &solution, Some(folder));
+        let more = match arguments.verbose {
+            true => check::effort(&solution, folder),
+            false => String::new(),
+        };
+        print::stdout(&(text + &more))
     };
     if let Some(samples) = &samples {
-        monte_carlo::run(&session, samples, &solution, arguments)?;
+        monte_carlo::run(session, samples, &solution, arguments)?;
     }
     match &solution.unresolved[..] {
         [] => shown,
         _ if arguments.accept_unresolved => shown,
-        unresolved => Err(not_resolved(unresolved, &folder)),
-    }
+        unresolved => Err(not_resolved(unresolved, folder)),
+    }?;
+    Ok(films(&solution))
 }
 
-/// Says of a case, or of the points of its curve, what a solve would refuse before it begins.
-fn check(case: &Case, path: &Path) -> Result<(), Failure> {
-    let file = path.display();
-    let Some(curve) = &case.curve else {
-        let refused = |error| Failure::Argument(format!("{file}: {}", Failure::from(error)));
-        return run::check(case).map_err(refused);
-    };
-    for (i, point) in curve.points.iter().enumerate() {
-        run::check(&point.case).map_err(|error| {
-            Failure::Argument(format!(
-                "{file}: point {} of the curve ({}): {}",
-                i + 1,
-                value_text(&curve.quantity, point.value()),
-                Failure::from(error)
-            ))
-        })?;
+fn films(solution: &Solution) -> String {
+    let [central, minimum] = [
+        solution.summary.film_central.value,
+        solution.summary.film_minimum.value,
+    ]
+    .map(output::length);
+    format!("central film {central}, minimum {minimum}")
+}
+
+/// What events tell of a result: the iterations were told one by one, and the case is known.
+fn short(mut result: Value) -> Value {
+    if let Value::Object(keys) = &mut result {
+        keys.remove("history");
+        keys.remove("case");
     }
-    Ok(())
+    result
+}
+
+fn not_shown(error: serde_json::Error) -> Failure {
+    Failure::Other(format!("cannot show the result: {error}"))
 }
 
 /// Error bars so wide that no one should go on with the figures without noticing.
@@ -148,7 +224,8 @@ fn write_curve(
     solution: &CurveSolution,
     folder: &Path,
     arguments: &SolveArgs,
-) -> Result<(), Failure> {
+    events: &Events,
+) -> Result<String, Failure> {
     let (quiet, accept_unresolved) = (arguments.quiet, arguments.accept_unresolved);
     if solution.points.is_empty() {
         return Err(Failure::Interrupted);
@@ -157,7 +234,8 @@ fn write_curve(
     let echo = case.echo();
     output::write_curve(&echo, solution, folder, &case.output, curve.folders)?;
     WRITING.store(false, Ordering::SeqCst);
-    let shown = match quiet {
+    tell_curve(&echo, solution, folder, events)?;
+    let shown = match quiet || events.is_on() {
         true => Ok(()),
         false => print::stdout(&output::curve_report(&echo, solution, Some(folder))),
     };
@@ -187,11 +265,49 @@ fn write_curve(
             &folder.join("curve.csv"),
         ));
     }
-    shown
+    shown?;
+    Ok(format!("{all} points"))
+}
+
+/// The events of a curve: its points, what to know about them, and what holds for all.
+fn tell_curve(
+    echo: &output::CaseEcho,
+    solution: &CurveSolution,
+    folder: &Path,
+    events: &Events,
+) -> Result<(), Failure> {
+    if !events.is_on() {
+        return Ok(());
+    }
+    let mut curve = output::curve_json(echo, solution).map_err(not_shown)?;
+    let points = curve.as_object_mut().and_then(|keys| keys.remove("points"));
+    for point in points
+        .as_ref()
+        .and_then(Value::as_array)
+        .into_iter()
+        .flatten()
+    {
+        let mut point = point.clone();
+        if let Some(keys) = point.as_object_mut() {
+            // `seconds` of an event are those since the start.
+            let seconds = keys.remove("seconds").unwrap_or_default();
+            keys.insert("wall_seconds".to_owned(), seconds);
+        }
+        events.emit("point", point);
+    }
+    let warnings = solution.points.iter().enumerate().flat_map(|(i, point)| {
+        let solved = point.outcome.solution();
+        solved
+            .into_iter()
+            .flat_map(move |s| s.warnings.iter().map(move |w| (i, w)))
+    });
+    events.warn_of_points(&by_kind(warnings));
+    events.emit("result", json!({ "folder": folder, "result": curve }));
+    Ok(())
 }
 
 /// What to know about the input: of a case, or of the points of its curve.
-fn input_warnings(case: &Case) -> Vec<Warning> {
+pub fn input_warnings(case: &Case) -> Vec<Warning> {
     let Some(curve) = &case.curve else {
         return case.warnings.clone();
     };
@@ -206,16 +322,6 @@ fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     for warning in warnings {
         print::stderr(&format!("warning: {warning}"));
     }
-}
-
-/// Where the results go: the command line, the case, or `results/<name of the case file>`.
-fn folder(arguments: &SolveArgs, case: &Case) -> PathBuf {
-    let name = || arguments.case.file_stem().unwrap_or("case".as_ref());
-    arguments
-        .output
-        .clone()
-        .or_else(|| case.output.folder.clone())
-        .unwrap_or_else(|| Path::new("results").join(name()))
 }
 
 /// Tries to make a folder beside the target, or where the first folder on the way to it will be made.

@@ -17,7 +17,10 @@ use ertel_rheology::input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::args::SweepArgs;
+use serde_json::{Value, json};
+
 use crate::cache::user_cache;
+use crate::events::Events;
 use crate::failure::Failure;
 use crate::inputs;
 use crate::print;
@@ -33,18 +36,23 @@ const MOST_SHOWN: usize = 10;
 ///
 /// A bad study, a folder that cannot be written, points that failed, an interruption.
 pub fn run(arguments: &SweepArgs) -> Result<(), Failure> {
+    let events = Events::new(arguments.json);
+    events.finish(run_with(arguments, &events))
+}
+
+fn run_with(arguments: &SweepArgs, events: &Events) -> Result<(), Failure> {
     if let Some([target, parts @ ..]) = arguments.merge.as_deref() {
         let summary = merge(target, parts)?;
-        return merged(&summary, target, arguments);
+        return merged(&summary, target, arguments, events);
     }
     let Some(path) = &arguments.study else {
         return Err(Failure::Argument("no study is given".into()));
     };
-    let study = Study::read(path)?;
+    let study = Study::read_with(path, &arguments.set)?;
     let folder = folder(arguments, path);
     keep_inputs(&study, &folder)?;
     if arguments.dry_run {
-        return dry_run(&study, &folder);
+        return dry_run(&study, &folder, events);
     }
     let session = Session {
         cache: match arguments.no_cache {
@@ -60,10 +68,30 @@ pub fn run(arguments: &SweepArgs) -> Result<(), Failure> {
         retry: arguments.retry,
     };
     listen_for_interrupts();
-    let progress = Progress::new(arguments.quiet, &CANCELLED);
+    events.emit(
+        "started",
+        json!({
+            "command": "sweep",
+            "version": env!("CARGO_PKG_VERSION"),
+            "title": study.title,
+            "folder": folder,
+            "points": study.points.len(),
+        }),
+    );
+    if arguments.verbose {
+        for file in &study.files {
+            print::stderr(&format!("read {}", file.display()));
+        }
+        print::stderr(&format!("results will go to {}", folder.display()));
+    }
+    let progress = match (events.is_on(), arguments.verbose) {
+        (true, _) => Progress::as_events(events, &CANCELLED),
+        (false, true) => Progress::in_lines(&CANCELLED),
+        (false, false) => Progress::new(arguments.quiet, &CANCELLED),
+    };
     let summary = sweep(&session, &study, &folder, &params, &progress);
     drop(progress);
-    report(&summary?, &folder, arguments)
+    report(&summary?, &folder, arguments, events)
 }
 
 /// Where the study goes: the command line, or `results/<name of the study file>`.
@@ -89,9 +117,28 @@ fn keep_inputs(study: &Study, folder: &Path) -> Result<(), Failure> {
     inputs::keep_within(&study.files, &folder.join(FOLDERS))
 }
 
-fn dry_run(study: &Study, folder: &Path) -> Result<(), Failure> {
+fn dry_run(study: &Study, folder: &Path, events: &Events) -> Result<(), Failure> {
     let plan = Plan::new(study);
     let finished = finished_points(study, folder)?;
+    let state = |i: usize| match &finished[i] {
+        None => "to do",
+        Some(record) if record.converged => "finished",
+        Some(_) => "failed",
+    };
+    if events.is_on() {
+        for (i, point) in study.points.iter().enumerate() {
+            events.emit(
+                "planned",
+                json!({
+                    "point": i + 1,
+                    "starts_from": plan.parents[i].map(|p| p + 1),
+                    "state": state(i),
+                    "values": point.label,
+                }),
+            );
+        }
+        return Ok(());
+    }
     let mut rows = vec![vec![
         "point".to_owned(),
         "starts from".to_owned(),
@@ -99,15 +146,10 @@ fn dry_run(study: &Study, folder: &Path) -> Result<(), Failure> {
         "values".to_owned(),
     ]];
     for (i, point) in study.points.iter().enumerate() {
-        let state = match &finished[i] {
-            None => "to do",
-            Some(record) if record.converged => "finished",
-            Some(_) => "failed",
-        };
         rows.push(vec![
             (i + 1).to_string(),
             plan.parents[i].map_or("dry contact".to_owned(), |p| (p + 1).to_string()),
-            state.to_owned(),
+            state(i).to_owned(),
             point.label.clone(),
         ]);
     }
@@ -121,16 +163,43 @@ fn dry_run(study: &Study, folder: &Path) -> Result<(), Failure> {
     ))
 }
 
-fn report(summary: &SweepSummary, folder: &Path, arguments: &SweepArgs) -> Result<(), Failure> {
+/// The events of a study or of joined parts: what to know about the points, and what holds for all.
+fn tell(summary: &SweepSummary, folder: &Path, events: &Events) {
+    events.warn_of_points(&summary.warnings);
+    let failures: Vec<Value> = (summary.failures.iter())
+        .map(|(i, values, reason)| json!({ "point": i + 1, "values": values, "reason": reason }))
+        .collect();
+    events.emit(
+        "result",
+        json!({
+            "folder": folder,
+            "table": folder.join(TABLE),
+            "points": summary.n_points,
+            "finished": summary.n_kept + summary.n_new,
+            "finished_earlier": summary.n_kept,
+            "failures": failures,
+            "unresolved": summary.n_unresolved,
+            "interrupted": summary.interrupted,
+        }),
+    );
+}
+
+fn report(
+    summary: &SweepSummary,
+    folder: &Path,
+    arguments: &SweepArgs,
+    events: &Events,
+) -> Result<(), Failure> {
     let mut shown = Ok(());
+    tell(summary, folder, events);
     if summary.n_damaged > 0 {
         print::stderr(&format!(
             "warning: {} lines of the journal could not be read; their points were solved again",
             summary.n_damaged
         ));
     }
-    if !arguments.quiet {
-        let mut text = remarks(summary);
+    if !arguments.quiet && !events.is_on() {
+        let mut text = remarks_up_to(summary, most_shown(arguments));
         let kept = match summary.n_kept {
             0 => String::new(),
             n => format!(", {n} of them earlier"),
@@ -183,11 +252,17 @@ fn failed(summary: &SweepSummary, folder: &Path, accept_unresolved: bool) -> Res
     )))
 }
 
-fn merged(summary: &SweepSummary, target: &Path, arguments: &SweepArgs) -> Result<(), Failure> {
+fn merged(
+    summary: &SweepSummary,
+    target: &Path,
+    arguments: &SweepArgs,
+    events: &Events,
+) -> Result<(), Failure> {
+    tell(summary, target, events);
     let finished = summary.n_kept + summary.n_new;
     let mut shown = Ok(());
-    if !arguments.quiet {
-        let text = remarks(summary);
+    if !arguments.quiet && !events.is_on() {
+        let text = remarks_up_to(summary, most_shown(arguments));
         shown = print::stdout(&format!(
             "{text}{finished} of {} points finished, {} failed\nResults in {}\n",
             summary.n_points,
@@ -205,17 +280,29 @@ fn merged(summary: &SweepSummary, target: &Path, arguments: &SweepArgs) -> Resul
     failed(summary, target, arguments.accept_unresolved).and(shown)
 }
 
+fn most_shown(arguments: &SweepArgs) -> usize {
+    if arguments.verbose {
+        usize::MAX
+    } else {
+        MOST_SHOWN
+    }
+}
+
 /// Failures and warnings, each with its points.
 pub fn remarks(summary: &SweepSummary) -> String {
+    remarks_up_to(summary, MOST_SHOWN)
+}
+
+fn remarks_up_to(summary: &SweepSummary, most: usize) -> String {
     let mut text = String::new();
-    for (index, label, reason) in summary.failures.iter().take(MOST_SHOWN) {
+    for (index, label, reason) in summary.failures.iter().take(most) {
         text += &format!("  ! point {} ({label}) failed: {reason}\n", index + 1);
     }
-    for merged in summary.warnings.iter().take(MOST_SHOWN) {
+    for merged in summary.warnings.iter().take(most) {
         text += &format!("  ! {}\n", merged.line(summary.n_points));
     }
-    let more = summary.failures.len().saturating_sub(MOST_SHOWN)
-        + summary.warnings.len().saturating_sub(MOST_SHOWN);
+    let more =
+        summary.failures.len().saturating_sub(most) + summary.warnings.len().saturating_sub(most);
     if more > 0 {
         text += &format!("  ! and {more} more of these\n");
     }
@@ -228,6 +315,9 @@ pub fn remarks(summary: &SweepSummary) -> String {
 /// Points on stderr as they are finished: a bar in a terminal, a line per point elsewhere.
 pub struct Progress<'a> {
     quiet: bool,
+    /// Whether a terminal has a line for each point, too.
+    in_lines: bool,
+    events: Option<&'a Events>,
     bar: Mutex<Option<ProgressBar>>,
     cancelled: &'a AtomicBool,
 }
@@ -236,9 +326,25 @@ impl<'a> Progress<'a> {
     pub fn new(quiet: bool, cancelled: &'a AtomicBool) -> Self {
         Self {
             quiet,
+            in_lines: false,
+            events: None,
             bar: Mutex::new(None),
             cancelled,
         }
+    }
+
+    /// Progress as events for programs.
+    fn as_events(events: &'a Events, cancelled: &'a AtomicBool) -> Self {
+        let mut progress = Self::new(true, cancelled);
+        progress.events = Some(events);
+        progress
+    }
+
+    /// Progress with a line for each point in terminals, too.
+    fn in_lines(cancelled: &'a AtomicBool) -> Self {
+        let mut progress = Self::new(false, cancelled);
+        progress.in_lines = true;
+        progress
     }
 
     fn bar(&self) -> std::sync::MutexGuard<'_, Option<ProgressBar>> {
@@ -267,7 +373,7 @@ impl SweepObserver for Progress<'_> {
                 "{n_kept} of {n_points} points are finished already"
             ));
         }
-        if std::io::stderr().is_terminal() {
+        if std::io::stderr().is_terminal() && !self.in_lines {
             let bar = ProgressBar::new(n_points as u64);
             if let Ok(style) =
                 ProgressStyle::with_template("{elapsed} {bar:30} {pos}/{len} points, {wide_msg}")
@@ -282,6 +388,26 @@ impl SweepObserver for Progress<'_> {
     }
 
     fn finished(&self, progress: &SweepProgress<'_>) {
+        if let Some(events) = self.events {
+            let record = progress.record;
+            let number = |name: &str| record.field(name).and_then(|v| v.parse::<f64>().ok());
+            events.emit(
+                "point",
+                json!({
+                    "point": progress.index + 1,
+                    "values": progress.label,
+                    "converged": record.converged,
+                    "reason": if record.converged { None } else { Some(&record.reason) },
+                    "film_central": number("film_central_m"),
+                    "film_minimum": number("film_minimum_m"),
+                    "traction_coefficient": number("traction_coefficient"),
+                    "wall_seconds": record.seconds,
+                    "finished": progress.n_finished,
+                    "points": progress.n_points,
+                    "seconds_left": progress.seconds_left,
+                }),
+            );
+        }
         if self.quiet {
             return;
         }

@@ -7,6 +7,7 @@
 //! `degC` and `degF` are offset units: alone, and where a temperature is asked for, `40 degC` is 313.15 K;
 //! where a temperature difference is asked for, or inside a compound unit, `degC` is the same as `K`.
 
+mod comma;
 mod dimension;
 mod uncertain;
 mod unit;
@@ -32,6 +33,17 @@ pub enum QuantityError {
     NotFinite {
         /// The text as given.
         text: String,
+    },
+    /// A comma within the number.
+    #[error(
+        "`{text}` has a comma in its number; write a decimal point: {}",
+        comma::listed(readings)
+    )]
+    Comma {
+        /// The text as given.
+        text: String,
+        /// What may be meant, as it is to be written; one or two.
+        readings: Vec<String>,
     },
     /// A number stands alone where a unit is needed.
     #[error("`{text}` has no unit; {} is needed ({})", expected.name(), expected.examples())]
@@ -102,6 +114,12 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
             QuantityError::NotANumber { text: own() }
         }
     })?;
+    if let Some(readings) = comma::readings(trimmed) {
+        return Err(QuantityError::Comma {
+            text: own(),
+            readings,
+        });
+    }
     if unit_text.is_empty() && expected != Dimension::DIMENSIONLESS {
         return Err(QuantityError::MissingUnit {
             text: own(),
@@ -131,6 +149,55 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
         return Err(QuantityError::BelowAbsoluteZero { text: own() });
     }
     Ok(value)
+}
+
+impl QuantityError {
+    /// What to write instead, where more can be said than which units fit.
+    #[must_use]
+    pub fn advice(&self) -> Option<String> {
+        let Self::WrongDimension {
+            text,
+            found,
+            expected,
+        } = self
+        else {
+            return None;
+        };
+        let of =
+            |found_wanted, expected_wanted| *found == found_wanted && *expected == expected_wanted;
+        if of(Dimension::ANGULAR_SPEED, Dimension::SPEED) {
+            return Some(of_rotation(text));
+        }
+        if of(Dimension::SHEAR_RATE, Dimension::ANGULAR_SPEED) {
+            return Some("revolutions per minute are written \"3000 rpm\"".to_owned());
+        }
+        if of(Dimension::KINEMATIC_VISCOSITY, Dimension::VISCOSITY) {
+            return Some(
+                "the dynamic viscosity is the kinematic one times the density, μ = ν ρ; `kinematic_viscosity_40` and \
+                 `kinematic_viscosity_100` of [lubricant] take the kinematic ones of a data sheet"
+                    .to_owned(),
+            );
+        }
+        None
+    }
+}
+
+/// How to give a rotational speed where a surface speed is asked for.
+fn of_rotation(text: &str) -> String {
+    const DIAMETER: f64 = 0.02;
+    let example = match parse(text, Dimension::ANGULAR_SPEED) {
+        Ok(speed) => {
+            let surface = 0.5 * speed * DIAMETER;
+            let decimals = (3 - surface.abs().log10().floor() as i32).clamp(0, 9) as usize;
+            let surface = format!("{surface:.decimals$}");
+            format!("; with d = 20 mm, {} are \"{surface} m/s\"", text.trim())
+        }
+        Err(_) => String::new(),
+    };
+    format!(
+        "a surface of the diameter d that turns n times per minute moves at u = π d n/60{example}; bearings, gears and cams of \
+         [machine] take rpm (inner_ring_speed, pinion_speed, cam_speed)"
+    )
 }
 
 /// Reads `text` as a quantity of whatever dimension its unit has: its value in SI, and what it measures; `None` for

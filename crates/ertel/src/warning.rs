@@ -6,12 +6,15 @@ use std::ops::Deref;
 use ertel_rheology::provenance::RangeWarning;
 use serde::{Deserialize, Serialize};
 
-/// What a warning is about. Warnings of one kind differ only in their figures, except for [`WarningKind::Other`].
+/// What a warning is about. Warnings of one kind differ only in their figures, except for [`WarningKind::Other`] and
+/// [`WarningKind::UnusualInput`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WarningKind {
     /// Something that has no kind of its own.
     Other,
+    /// A value of the case far from those of such contacts.
+    UnusualInput,
     /// Surfaces that move in opposite directions.
     OppositeMotion,
     /// A contact too wide for the parabola of Hertz theory.
@@ -92,7 +95,9 @@ impl Warning {
 
     /// Whether one line can say both.
     fn is_like(&self, other: &Warning) -> bool {
-        self.kind == other.kind && (self.kind != WarningKind::Other || self.text == other.text)
+        // Warnings about different keys.
+        let has_own_words = matches!(self.kind, WarningKind::Other | WarningKind::UnusualInput);
+        self.kind == other.kind && (!has_own_words || self.text == other.text)
     }
 }
 

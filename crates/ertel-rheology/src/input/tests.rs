@@ -134,13 +134,50 @@ fn a_missing_key_points_at_the_misspelt_one_or_the_table() {
     assert_eq!(absent.key(), "contact.radius");
 
     let table = error_of("[conact]\nload = \"1 N\"");
-    assert_eq!(table.message(), "missing key `contact` at the top level");
+    assert_eq!(table.message(), "the section [contact] is missing");
     assert_eq!((table.line(), table.column()), (Some(1), Some(2)));
 
-    assert_eq!(
-        error_of("").message(),
-        "missing key `contact` at the top level"
-    );
+    assert_eq!(error_of("").message(), "the section [contact] is missing");
+}
+
+/// 3000 rpm of 20 mm: π · 0.02 m · 50 1/s = 3.1416 m/s.
+#[test]
+fn quantities_of_another_kind_come_with_advice() {
+    let error = |value: &str, dimension| {
+        let document = document(&format!("key = \"{value}\""));
+        let mut root = document.root();
+        let error = root.required_quantity("key", dimension, Bounds::ANY);
+        error.unwrap_err().to_string()
+    };
+    for (value, dimension, words) in [
+        (
+            "3000 rpm",
+            Dimension::SPEED,
+            "u = π d n/60; with d = 20 mm, 3000 rpm are \"3.142 m/s\"",
+        ),
+        (
+            "3000 rpm",
+            Dimension::SPEED,
+            "[machine] take rpm (inner_ring_speed",
+        ),
+        ("50 1/s", Dimension::ANGULAR_SPEED, "written \"3000 rpm\""),
+        ("50 rev/min", Dimension::ANGULAR_SPEED, "did you mean rpm?"),
+        ("46 cSt", Dimension::VISCOSITY, "times the density, μ = ν ρ"),
+        (
+            "16,5 mm",
+            Dimension::LENGTH,
+            "write a decimal point: `16.5 mm`",
+        ),
+        (
+            "40,5 ± 2 mPa.s",
+            Dimension::VISCOSITY,
+            "write a decimal point: `40.5`",
+        ),
+        ("1,000 N", Dimension::FORCE, "`1.000 N` or `1000 N`"),
+    ] {
+        let error = error(value, dimension);
+        assert!(error.contains(words), "{value}: {error}");
+    }
 }
 
 #[test]

@@ -290,6 +290,8 @@ fn near_symbols(name: &str) -> Vec<String> {
     match name {
         "C" | "celsius" | "Celsius" => near.push((0, "degC".to_owned())),
         "F" => near.push((0, "degF".to_owned())),
+        "rev" | "revs" | "U" | "RPM" => near.push((0, "rpm".to_owned())),
+        "micron" | "microns" => near.push((0, "um".to_owned())),
         _ => {}
     }
     near.sort_by_key(|(rank, _)| *rank);

@@ -4,7 +4,7 @@ use ertel_rheology::input::{InputError, Table};
 
 use super::bodies::Shapes;
 use super::machine::{self, Machine};
-use super::{check, contact, motion};
+use super::{check, contact, motion, sections};
 use crate::contact::{Contact, Hertz, Motion};
 use crate::output::{MachineEcho, digits, length};
 
@@ -34,9 +34,8 @@ impl<'t> Tables<'t> {
     /// Neither `[contact]` nor `[machine]`, or `[machine]` beside one of the others.
     pub fn of(root: &mut Table<'t>) -> Result<Tables<'t>, InputError> {
         let Some(machine) = root.optional_table("machine")? else {
-            let table = root.required_table("contact").map_err(|error| {
-                error.with_help("[contact] and [motion], or [machine] in place of both")
-            })?;
+            let table = root.required_table("contact");
+            let table = table.map_err(|error| sections::missing(root, "contact", error))?;
             return Ok(Tables::Plain(table, None));
         };
         for key in ["contact", "motion"] {
@@ -65,7 +64,9 @@ impl<'t> Tables<'t> {
         let (contact, motion, machine, hertz) = match &mut self {
             Tables::Plain(table, motion_table) => {
                 let contact = contact::read_contact(table, reduced_modulus, shapes)?;
-                let motion_table = motion_table.insert(root.required_table("motion")?);
+                let found = root.required_table("motion");
+                let found = found.map_err(|error| sections::missing(root, "motion", error))?;
+                let motion_table = motion_table.insert(found);
                 let motion = motion::read_motion(motion_table, "plane_speed")?;
                 let hertz = check::hertz(table, "load", &contact, reduced_modulus)?;
                 motion::check_spin(

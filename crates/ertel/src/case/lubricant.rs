@@ -75,7 +75,10 @@ pub(super) fn read(
     pressure: f64,
     heat: bool,
 ) -> Result<(Lubricant, Vec<Warning>), InputError> {
-    match root.required_str_or_table("lubricant")? {
+    let lubricant = root.required_str_or_table("lubricant");
+    let lubricant =
+        lubricant.map_err(|error| super::sections::missing(root, "lubricant", error))?;
+    match lubricant {
         StrOrTable::Str(name) => {
             let fluid = database::fluid_or_file(name, folder, root.recorder("lubricant"))
                 .map_err(super::unknown(root, "lubricant"))?;

@@ -47,8 +47,11 @@ mod motion;
 mod params;
 mod roller;
 mod roughness;
+mod sections;
+mod set;
 pub mod study;
 mod thermal;
+mod usual;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -175,7 +178,11 @@ impl Case {
             ball,
             roughness,
             shapes,
-        } = bodies::read(root.required_table("bodies")?, folder)?;
+        } = bodies::read(
+            (root.required_table("bodies"))
+                .map_err(|error| sections::missing(&root, "bodies", error))?,
+            folder,
+        )?;
         let surface_table = root.optional_table("surface_roughness")?;
         let (roughness, asperities) = match &surface_table {
             Some(table) => roughness::read(table.clone(), roughness)?,
@@ -253,6 +260,8 @@ impl Case {
             case.warnings.extend(thermal::check(&case, table)?);
         }
         case.origin = Some(Arc::new(Origin::new(document, folder, inputs)?));
+        let unusual = usual::warnings(case.inputs(), document);
+        case.warnings.extend(unusual);
         Ok(case)
     }
 

@@ -128,7 +128,7 @@ const MOST_SPIN: f64 = 0.5;
 
 /// Refuses spin of contacts that cannot spin, and spin that leaves no inlet; `reach` is the largest half-width, m.
 pub(super) fn check_spin(
-    table: &mut Table<'_>,
+    table: &Table<'_>,
     motion: &Motion,
     is_point: bool,
     reach: f64,
@@ -137,7 +137,9 @@ pub(super) fn check_spin(
         return Ok(());
     }
     let keys = ["raceway_control", "body_1_spin", "body_2_spin"];
-    let key = (keys.into_iter().find(|key| table.contains(key))).unwrap_or("body_1_spin");
+    // To ask for a key would make it a known one, which [motion] has not.
+    let given = keys.into_iter().find(|key| table.keys().any(|k| k == *key));
+    let key = given.unwrap_or("body_1_spin");
     if !is_point {
         return Err(table.error(
             key,

@@ -3,6 +3,7 @@
 //! [`write()`] puts everything into one folder that appears as a whole or not at all.
 
 pub mod centreline;
+mod check;
 pub mod compare;
 mod csv;
 pub mod curve;
@@ -33,6 +34,7 @@ mod tests;
 #[cfg(test)]
 mod workplace_tests;
 
+pub use check::check_report;
 pub use compare::{comparison_report, write_comparison};
 pub(crate) use csv::{quoted, text_field};
 pub use curve::{curve_files, curve_json, curve_report, curve_table, write_curve};

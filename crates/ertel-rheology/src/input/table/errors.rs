@@ -72,7 +72,19 @@ impl Table<'_> {
     /// An error for the required key that is not there.
     #[must_use]
     pub fn missing(&self, key: &str) -> InputError {
-        let message = format!("missing key `{key}` {}", self.place());
+        self.missing_as(key, format!("missing key `{key}` {}", self.place()))
+    }
+
+    /// The same of a key whose value is a table, which at the top level is a section of the file.
+    #[must_use]
+    pub fn missing_table(&self, key: &str) -> InputError {
+        match self.path.is_empty() {
+            true => self.missing_as(key, format!("the section [{key}] is missing")),
+            false => self.missing(key),
+        }
+    }
+
+    fn missing_as(&self, key: &str, message: String) -> InputError {
         let unread = self
             .entries
             .iter()

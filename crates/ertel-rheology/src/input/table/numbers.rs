@@ -253,8 +253,13 @@ impl Table<'_> {
             Value::Float(value) => (bare(*value)?, None),
             // Exact for every integer a person writes.
             Value::Integer(Some(value)) => (bare(*value as f64)?, None),
-            Value::Str(text) => quantity::parse_uncertain(text, dimension)
-                .map_err(|error| self.at_node(node, key, describe(&error, key)))?,
+            Value::Str(text) => quantity::parse_uncertain(text, dimension).map_err(|error| {
+                let refused = self.at_node(node, key, describe(&error, key));
+                error
+                    .advice()
+                    .into_iter()
+                    .fold(refused, InputError::with_help)
+            })?,
             _ => {
                 let example = dimension.si_unit();
                 let message = if example.is_empty() {

@@ -11,7 +11,8 @@ impl<'a> Table<'a> {
     ///
     /// A missing key or a value that is no table.
     pub fn required_table(&mut self, key: &str) -> Result<Table<'a>, InputError> {
-        self.optional_table(key)?.ok_or_else(|| self.missing(key))
+        self.optional_table(key)?
+            .ok_or_else(|| self.missing_table(key))
     }
 
     /// Like [`Table::required_table`], `None` if the key is absent.
@@ -36,7 +37,7 @@ impl<'a> Table<'a> {
     /// A missing key or a value that is neither.
     pub fn required_str_or_table(&mut self, key: &str) -> Result<StrOrTable<'a>, InputError> {
         self.optional_str_or_table(key)?
-            .ok_or_else(|| self.missing(key))
+            .ok_or_else(|| self.missing_table(key))
     }
 
     /// Like [`Table::required_str_or_table`], `None` if the key is absent.

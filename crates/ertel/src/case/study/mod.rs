@@ -37,11 +37,12 @@ use ertel_rheology::quantity::Dimension;
 use rayon::prelude::*;
 
 use super::Case;
+use super::set::with_settings;
 use crate::contact::ContactKind;
 use axis::Group;
 pub use beside::PointColumn;
 pub(crate) use points::split_title;
-pub(super) use text::quoted;
+pub(super) use text::{inline, quoted};
 pub use values::AxisValue;
 pub(crate) use values::header;
 
@@ -216,12 +217,30 @@ impl Study {
         Self::read_some(path, None)
     }
 
+    /// Reads a study with values in place of those of its base case, each written `key=value` as in
+    /// [`Case::from_text_with`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Study::read`]; settings that are none, and one of a key that varies.
+    pub fn read_with(path: &Path, settings: &[String]) -> Result<Self, InputError> {
+        Self::read_of(path, settings, None)
+    }
+
     /// Reads a study with some of its points alone, given by their places, in this order; `None` for all of them.
     ///
     /// # Errors
     ///
     /// As [`Study::read`], of these points; places that the study does not have.
     pub fn read_some(path: &Path, places: Option<&[usize]>) -> Result<Self, InputError> {
+        Self::read_of(path, &[], places)
+    }
+
+    fn read_of(
+        path: &Path,
+        settings: &[String],
+        places: Option<&[usize]>,
+    ) -> Result<Self, InputError> {
         let folder = path.parent().unwrap_or(Path::new(""));
         let study = Document::read(path)?;
         let mut root = study.root();
@@ -235,6 +254,7 @@ impl Study {
                 .error("case", "the base case of a study has a [curve] of its own")
                 .with_help("make an [[axis]] of it"));
         }
+        let case = with_settings(case, settings)?;
         let (case, offset) = case.beside(study.file(), study.text());
         let mut files = vec![path.to_owned(), base.clone()];
         let (case, mut groups) = match root.optional_str("points")? {
@@ -253,9 +273,15 @@ impl Study {
                 "what varies: [[axis]] with `key` and `values`, or a table `points = \"points.csv\"`",
             ));
         }
+        check_settings(&case, settings, &groups)?;
+        // Kept with the results: the file alone would not say what was solved.
+        let heads: String = (settings.iter())
+            .map(|setting| format!("# --set {}\n", setting.replace(char::is_control, " ")))
+            .collect();
+        let text = heads + study.text();
         let source = Source {
             name: study.file(),
-            text: study.text(),
+            text: &text,
             error: &|message| study.root().error_here(message),
         };
         build(title, base, &case, &groups, &source, (files, places))
@@ -359,6 +385,23 @@ pub(crate) fn read_named(
         Some(_) => error,
         None => table.error(key, format!("{} {}", error.file(), error.message())),
     })
+}
+
+/// A value that every point replaces would be without effect.
+fn check_settings(
+    case: &Document,
+    settings: &[String],
+    groups: &[Group],
+) -> Result<(), InputError> {
+    for setting in settings {
+        let key = setting.split('=').next().unwrap_or_default();
+        let mut axes = groups.iter().flat_map(|group| &group.axes);
+        if let Some(axis) = axes.find(|axis| axis.key == key) {
+            let message = format!("`{key}` varies in this study, and --set gives it one value");
+            return Err(case.error_at(axis.key_span.clone(), key, message));
+        }
+    }
+    Ok(())
 }
 
 /// The same key twice would leave one of its values without effect.

@@ -55,7 +55,7 @@ pub(in crate::case) fn quoted(text: &str) -> String {
 }
 
 /// A value on one line.
-pub(super) fn inline(node: &Node) -> String {
+pub(in crate::case) fn inline(node: &Node) -> String {
     match &node.value {
         Value::Str(text) => quoted(text),
         Value::Integer(number) => number.map_or_else(|| "0".to_owned(), |n| n.to_string()),

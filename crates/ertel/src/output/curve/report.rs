@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::CaseEcho;
-use super::super::figure::{estimate, number, pressure_estimate};
+use super::super::figure::{estimate, number, pressure_estimate, temperature};
 use super::super::mixed::share;
 use super::super::report::digits;
 use crate::solution::MixedLubrication;
@@ -54,6 +54,9 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
     let is_rough = !found.is_empty();
     let has_asperities = found.iter().any(|m| m.asperities.is_some());
     let has_friction = found.iter().any(|m| m.friction().is_some());
+    let solved = || curve.points.iter().filter_map(|p| p.outcome.solution());
+    let slides = curve.points.iter().any(|p| p.case.motion.slides());
+    let is_hot = solved().any(|s| s.thermal.is_some());
     let columns = [
         (true, curve.quantity.name),
         (true, "central film thickness"),
@@ -62,10 +65,12 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
         (has_asperities, "load on asperities"),
         (has_friction, "friction coefficient of both"),
         (true, "largest pressure"),
+        (slides, "traction coefficient"),
+        (is_hot, "largest film temperature"),
         (true, "Newton"),
         (true, "time"),
     ];
-    let shown = |cells: [String; 9]| {
+    let shown = |cells: [String; 11]| {
         let cells = cells.into_iter().zip(&columns);
         let cells = cells.filter_map(|(cell, (is_shown, _))| is_shown.then_some(cell));
         cells.collect::<Vec<String>>()
@@ -90,6 +95,9 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
                     asperities.map_or_else(none, |a| share(a.asperity_load_share)),
                     friction.map_or_else(none, |f| number(f.friction_total)),
                     pressure_estimate(s.summary.pressure_maximum.estimate()),
+                    number(s.traction.size()),
+                    (s.thermal.as_ref())
+                        .map_or_else(none, |t| temperature(t.film_maximum.estimate(), None)),
                     iterations.to_string(),
                     time,
                 ]
@@ -97,6 +105,8 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
             Outcome::Failed(_) => [
                 value,
                 failed(),
+                none(),
+                none(),
                 none(),
                 none(),
                 none(),

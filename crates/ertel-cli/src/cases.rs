@@ -1,0 +1,235 @@
+//! Several cases in one command.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::json;
+
+use crate::args::SolveArgs;
+use crate::events::Events;
+use crate::failure::Failure;
+use crate::given::Given;
+use crate::inputs::is_one_place;
+use crate::print;
+use crate::solve::{Job, complete};
+use crate::table::columns;
+
+/// Reads all cases before anything is solved, and finds a folder for each.
+///
+/// # Errors
+///
+/// Bad cases, each of them told; two cases with one folder; `--monte-carlo` of several.
+pub fn read(arguments: &SolveArgs, events: &Events) -> Result<Vec<Job>, Failure> {
+    let n_cases = arguments.cases.len();
+    if n_cases > 1 && arguments.monte_carlo.is_some() {
+        return Err(Failure::Argument(
+            "--monte-carlo takes one case at a time".into(),
+        ));
+    }
+    let n_stdin = arguments
+        .cases
+        .iter()
+        .filter(|c| c.as_os_str() == "-")
+        .count();
+    if n_stdin > 1 {
+        return Err(Failure::Argument(
+            "`-`, standard input, can be read once only".into(),
+        ));
+    }
+    let mut jobs: Vec<Job> = Vec::new();
+    let mut failures = Vec::new();
+    for path in &arguments.cases {
+        let mut given = match Given::read(path, &arguments.set) {
+            Ok(given) => given,
+            Err(failure) => {
+                failures.push((path.display().to_string(), failure));
+                continue;
+            }
+        };
+        complete(&mut given.case, arguments);
+        let folder = folder(arguments, &given);
+        jobs.push(Job { given, folder });
+    }
+    if n_cases == 1 {
+        return match failures.pop() {
+            Some((_, failure)) => Err(failure),
+            None => Ok(jobs),
+        };
+    }
+    if !failures.is_empty() {
+        let n = failures.len();
+        for (name, failure) in &failures {
+            events.set_case(Some(name));
+            events.fail(failure);
+            print::stderr(&format!("error: {failure}"));
+        }
+        return Err(Failure::Cases {
+            message: format!("{n} of {n_cases} cases are bad; nothing was solved"),
+            code: worst(failures.iter().map(|(_, failure)| failure.code())),
+        });
+    }
+    for (i, job) in jobs.iter().enumerate() {
+        let is_taken = |other: &&Job| overlap(&job.folder, &other.folder);
+        if let Some(other) = jobs[..i].iter().find(is_taken) {
+            return Err(Failure::Argument(format!(
+                "the results of {} and {} would go into the same folder, {}; rename one of the files, or solve them one by one with --output",
+                other.given.name,
+                job.given.name,
+                job.folder.display()
+            )));
+        }
+    }
+    Ok(jobs)
+}
+
+/// Where the results of a case go: the command line, the case, or `results/<name of the case file>`.
+fn folder(arguments: &SolveArgs, given: &Given) -> PathBuf {
+    match (&arguments.output, arguments.cases.len()) {
+        (Some(folder), 1) => folder.clone(),
+        (Some(parent), _) => parent.join(given.stem()),
+        (None, _) => (given.case.output.folder.clone())
+            .unwrap_or_else(|| Path::new("results").join(given.stem())),
+    }
+}
+
+/// Whether one folder is the other or within it.
+fn overlap(a: &Path, b: &Path) -> bool {
+    a.starts_with(b) || b.starts_with(a) || is_one_place(a, b)
+}
+
+/// Does something with each case, whatever becomes of the others.
+///
+/// # Errors
+///
+/// Of one case its own failure; of several the worst exit code, each failure told.
+pub fn each(
+    jobs: &[Job],
+    events: &Events,
+    action: impl Fn(&Job) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let mut codes = Vec::new();
+    for job in jobs {
+        events.set_case(Some(&job.given.name));
+        match action(job) {
+            Ok(()) => {}
+            Err(failure) if jobs.len() == 1 => return Err(failure),
+            Err(failure) => {
+                events.fail(&failure);
+                print::stderr(&format!("error: {failure}"));
+                codes.push(failure.code());
+            }
+        }
+    }
+    all(jobs.len(), codes)
+}
+
+fn all(n_cases: usize, codes: Vec<u8>) -> Result<(), Failure> {
+    match codes.len() {
+        0 => Ok(()),
+        n => Err(Failure::Cases {
+            message: format!("{n} of {n_cases} cases did not succeed"),
+            code: worst(codes),
+        }),
+    }
+}
+
+/// Solves one case after the other and tells what became of each.
+///
+/// # Errors
+///
+/// As [`each`]; after an interruption no further case begins.
+pub fn solve_all(
+    jobs: &[Job],
+    arguments: &SolveArgs,
+    events: &Events,
+    solve: &dyn Fn(&Job) -> Result<String, Failure>,
+) -> Result<(), Failure> {
+    let mut rows = vec![
+        ["case", "outcome", "films", "folder"]
+            .map(str::to_owned)
+            .to_vec(),
+    ];
+    let mut codes: Vec<u8> = Vec::new();
+    let is_talking = !arguments.quiet && !arguments.json;
+    for (i, job) in jobs.iter().enumerate() {
+        let mut row = |outcome: &str, films: &str, folder: &str| {
+            rows.push(
+                [job.given.name.as_str(), outcome, films, folder]
+                    .map(str::to_owned)
+                    .to_vec(),
+            );
+        };
+        if codes.last() == Some(&INTERRUPTED) {
+            row("not begun", "-", "-");
+            codes.push(INTERRUPTED);
+            continue;
+        }
+        events.set_case(Some(&job.given.name));
+        if is_talking {
+            print::stderr(&format!(
+                "case {}/{}: {}",
+                i + 1,
+                jobs.len(),
+                job.given.name
+            ));
+        }
+        let folder = job.folder.display().to_string();
+        match solve(job) {
+            Ok(films) => row("solved", &films, &folder),
+            Err(failure) => {
+                events.fail(&failure);
+                print::stderr(&format!("error: {}: {failure}", job.given.name));
+                match &failure {
+                    Failure::Unresolved(_) => row("not resolved", "-", &folder),
+                    Failure::NotConverged(_) => row("not converged", "-", "-"),
+                    Failure::Interrupted | Failure::InterruptedCurve(_) => {
+                        row("interrupted", "-", "-")
+                    }
+                    Failure::Argument(_) | Failure::Input(_) => row("bad case", "-", "-"),
+                    _ => row("failed", "-", "-"),
+                }
+                codes.push(failure.code());
+            }
+        }
+    }
+    events.set_case(None);
+    let outcomes = rows
+        .iter()
+        .skip(1)
+        .map(|row| json!({ "case": row[0], "outcome": row[1] }));
+    events.emit("summary", json!({ "cases": outcomes.collect::<Vec<_>>() }));
+    let shown = match is_talking {
+        true => print::stdout(&format!("\n{}", columns(&rows))),
+        false => Ok(()),
+    };
+    all(jobs.len(), codes).and(shown)
+}
+
+/// Exit code of an interruption.
+const INTERRUPTED: u8 = 130;
+
+/// The worst of exit codes: an interruption, bad input, what could not be written, what did not converge.
+fn worst(codes: impl IntoIterator<Item = u8>) -> u8 {
+    const ORDER: [u8; 4] = [3, 1, 2, INTERRUPTED];
+    let rank = |code: &u8| ORDER.iter().position(|c| c == code).unwrap_or(0);
+    codes.into_iter().max_by_key(rank).unwrap_or(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_worst_code_counts() {
+        assert_eq!(worst([3, 1]), 1);
+        assert_eq!(worst([2, 3, 1]), 2);
+        assert_eq!(worst([3, INTERRUPTED, 2]), INTERRUPTED);
+        assert_eq!(worst([3, 3]), 3);
+    }
+
+    #[test]
+    fn folders_within_each_other_overlap() {
+        assert!(overlap(Path::new("results/a"), Path::new("results/a")));
+        assert!(overlap(Path::new("results"), Path::new("results/a")));
+        assert!(!overlap(Path::new("results/a"), Path::new("results/ab")));
+    }
+}

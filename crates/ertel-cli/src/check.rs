@@ -1,0 +1,223 @@
+//! What `ertel solve --check` and `--verbose` tell.
+
+use std::path::Path;
+
+use ertel::case::Case;
+use ertel::contact::ContactKind;
+use ertel::estimate::{CaseEstimate, estimate};
+use ertel::output;
+use ertel::run::{self, Session};
+use ertel::solution::Solution;
+use ertel::study::value_text;
+use serde_json::json;
+
+use crate::args::SolveArgs;
+use crate::events::Events;
+use crate::failure::Failure;
+use crate::print;
+use crate::solve::{Job, input_warnings};
+
+/// Says of a case, or of the points of its curve, what a solve would refuse before it begins; then what was checked.
+///
+/// # Errors
+///
+/// What a solve would refuse.
+pub fn run(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
+    let (name, case) = (&job.given.name, &job.given.case);
+    check(case, name)?;
+    let found = Checked::of(case);
+    if events.is_on() {
+        events.warn(&input_warnings(case));
+        events.emit(
+            "checked",
+            json!({
+                "title": case.title,
+                "folder": job.folder,
+                "points": found.n_points,
+                "film_central": found.estimate.film.central,
+                "film_minimum": found.estimate.film.minimum,
+                "hertz_pressure": found.estimate.hertz.pressure,
+                "half_width": found.estimate.hertz.half_width,
+                "cpu_seconds": found.cpu_seconds,
+            }),
+        );
+        return Ok(());
+    }
+    if arguments.quiet {
+        return Ok(());
+    }
+    let text = output::check_report(&case.echo(), &found.estimate);
+    let files: Vec<String> = job
+        .given
+        .files()
+        .iter()
+        .map(|f| f.display().to_string())
+        .collect();
+    let files = match files.is_empty() {
+        true => name.clone(),
+        false => files.join(", "),
+    };
+    print::stdout(&format!(
+        "{text}\nThe solve\n{}\n{name} is a valid case; nothing was solved or written\n",
+        rows(&[
+            ("files read", files),
+            ("contacts to solve", found.points(case)),
+            ("time, about", found.time()),
+            ("results would go to", job.folder.display().to_string()),
+        ])
+    ))
+}
+
+fn rows(rows: &[(&str, String)]) -> String {
+    rows.iter()
+        .map(|(name, value)| format!("  {name:<34}{value}\n"))
+        .collect()
+}
+
+fn check(case: &Case, file: &str) -> Result<(), Failure> {
+    let Some(curve) = &case.curve else {
+        let refused = |error| Failure::Argument(format!("{file}: {}", Failure::from(error)));
+        return run::check(case).map_err(refused);
+    };
+    for (i, point) in curve.points.iter().enumerate() {
+        run::check(&point.case).map_err(|error| {
+            Failure::Argument(format!(
+                "{file}: point {} of the curve ({}): {}",
+                i + 1,
+                value_text(&curve.quantity, point.value()),
+                Failure::from(error)
+            ))
+        })?;
+    }
+    Ok(())
+}
+
+/// What can be said of a case before it is solved.
+struct Checked {
+    estimate: CaseEstimate,
+    n_points: usize,
+    cpu_seconds: f64,
+}
+
+impl Checked {
+    fn of(case: &Case) -> Self {
+        let (n_points, n_solves) = match &case.curve {
+            None => (1, 1),
+            Some(curve) => {
+                let n = curve.points.len();
+                let beside = usize::from(curve.newtonian) + usize::from(curve.isothermal);
+                (n, n * (1 + beside))
+            }
+        };
+        Self {
+            estimate: estimate(case),
+            n_points,
+            cpu_seconds: n_solves as f64 * typical_cpu_seconds(case),
+        }
+    }
+
+    fn points(&self, case: &Case) -> String {
+        match &case.curve {
+            None => "1".to_owned(),
+            Some(curve) => format!("{}, over {}", self.n_points, curve.quantity.path),
+        }
+    }
+
+    fn time(&self) -> String {
+        let time = match self.cpu_seconds {
+            s if s < 1.0 => "a second".to_owned(),
+            s if s < 100.0 => format!("{} s", output::digits(s, 1)),
+            s if s < 6000.0 => format!("{} min", output::digits(s / 60.0, 2)),
+            s => format!("{} h", output::digits(s / 3600.0, 2)),
+        };
+        format!(
+            "{time} of one core (an order of magnitude; very thin films and high pressures take tens of times as long)"
+        )
+    }
+}
+
+/// Ratio of the radii from which on an ellipse takes much longer.
+const SLENDER: f64 = 10.0;
+
+/// CPU s of cold solves with default settings, to an order of magnitude: medians of the convergence map for line and circular
+/// contacts without heat (docs/performance.md), single shipped cases for the others.
+fn typical_cpu_seconds(case: &Case) -> f64 {
+    let contact = &case.contact;
+    let is_slender =
+        contact.radius_y.max(contact.radius) > SLENDER * contact.radius_y.min(contact.radius);
+    let one = match contact.kind {
+        ContactKind::Line => 0.1,
+        ContactKind::Circular => 5.0,
+        ContactKind::Elliptical if !is_slender => 5.0,
+        ContactKind::Elliptical | ContactKind::Roller => 40.0,
+    };
+    let heat = match (case.thermal().is_some(), contact.kind) {
+        (false, _) => 1.0,
+        (true, ContactKind::Line) => 30.0,
+        (true, _) => 2.5,
+    };
+    // Both halves are solved where they differ, and a starved contact once more with all the oil that it takes.
+    let halves = if case.motion.is_straight() { 1.0 } else { 2.0 };
+    let supplies = if case.supply.is_limited() { 2.0 } else { 1.0 };
+    one * heat * halves * supplies
+}
+
+/// What a verbose solve tells before it begins, on stderr.
+///
+/// # Errors
+///
+/// None yet.
+pub fn tell(job: &Job, session: &Session) -> Result<(), Failure> {
+    let case = &job.given.case;
+    let found = Checked::of(case);
+    for file in job.given.files() {
+        print::stderr(&format!("read {}", file.display()));
+    }
+    let film = &found.estimate.film;
+    print::stderr(&format!(
+        "{}; Hertz pressure {}, half-width {}; central film by {} {}",
+        found.points(case) + if found.n_points == 1 { " contact" } else { "" },
+        output::pressure(found.estimate.hertz.pressure),
+        output::length(found.estimate.hertz.half_width),
+        film.central_formula,
+        output::length(film.central),
+    ));
+    print::stderr(&format!("time, about: {}", found.time()));
+    print::stderr(match &session.cache {
+        Some(_) => "elastic operators of former solves are used and kept",
+        None => "elastic operators are neither used nor kept",
+    });
+    print::stderr(&format!("results will go to {}", job.folder.display()));
+    Ok(())
+}
+
+/// The meshes of a solve and the files written.
+pub fn effort(solution: &Solution, folder: &Path) -> String {
+    let mut text = "\nMeshes\n".to_owned();
+    for (i, level) in solution.stats.levels.iter().enumerate() {
+        text += &format!(
+            "  {:>2}: {} elements, {} pressure unknowns of order {}, {} Newton and {} Krylov iterations{}\n",
+            i + 1,
+            level.n_contact_elements,
+            level.n_pressure_dofs,
+            level.pressure_order,
+            level.newton_iterations,
+            level.krylov_iterations,
+            if level.operator_cached {
+                ", elastic operator from the cache"
+            } else {
+                ""
+            },
+        );
+    }
+    text += "\nFiles\n";
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    for name in names {
+        text += &format!("  {}\n", folder.join(name).display());
+    }
+    text
+}

@@ -1,0 +1,293 @@
+//! Values put into a case in place of those of its file: `contact.load=50 N`.
+
+use std::path::Path;
+
+use ertel_rheology::input::tree::{Node, Value};
+use ertel_rheology::input::{Document, InputError};
+use toml_edit::{DocumentMut, Item, TableLike};
+
+use super::Case;
+use super::study::inline;
+
+/// What errors call such a value in place of a file.
+const NAME: &str = "--set";
+
+/// A value and its key.
+struct Setting {
+    key: String,
+    node: Node,
+}
+
+impl Case {
+    /// Reads the text of a case with values in place of its own, each written `key=value` with a key path such as `contact.load`. A value
+    /// is one of TOML, or a text without its quotes: `50 N`. The readers and their bounds are those of the file; errors about
+    /// such a value show it in place of a line. [`Case::source`] is the text with the values in it.
+    ///
+    /// # Errors
+    ///
+    /// As [`Case::read`]; settings that are no `key=value`, set a key twice, or lead through what is no table.
+    pub fn from_text_with(
+        name: &str,
+        text: &str,
+        folder: &Path,
+        settings: &[String],
+    ) -> Result<Self, InputError> {
+        let document = Document::parse(name, text)?;
+        let document = with_settings(document, settings)?;
+        if settings.is_empty() {
+            return Case::from_document(&document, folder);
+        }
+        // Its errors show the settings as they were given; those of the text made of it would show lines that nobody wrote.
+        let case = Case::from_document(&document, folder)?;
+        let edited = edited(text, settings, &document)?;
+        let read = Case::from_text(name, &edited, folder)?;
+        match read.given == case.given {
+            true => Ok(read),
+            false => Err(document.root().error_here(format!(
+                "{NAME} {} cannot be put into the text of this case; change the file",
+                settings.join(&format!(" {NAME} "))
+            ))),
+        }
+    }
+}
+
+/// A case or study with values in place of its own, or beside them.
+///
+/// # Errors
+///
+/// As [`Case::from_text_with`], but for those of reading the values.
+pub(super) fn with_settings(
+    mut document: Document,
+    settings: &[String],
+) -> Result<Document, InputError> {
+    let mut keys: Vec<String> = Vec::new();
+    for text in settings {
+        let (beside, offset) = document.beside(NAME, text);
+        document = beside;
+        let error = |message: String| document.error_at(offset..offset + text.len(), "", message);
+        let setting = parse(text).map_err(&error)?;
+        if keys.contains(&setting.key) {
+            return Err(error(format!("`{}` is set twice", setting.key)));
+        }
+        let key_span = offset..offset + setting.key.len();
+        document.put(&setting.key, &key_span, setting.node.shifted(offset))?;
+        keys.push(setting.key);
+    }
+    Ok(document)
+}
+
+fn parse(text: &str) -> Result<Setting, String> {
+    let form = "write it as KEY=VALUE, such as \"contact.load=50 N\"";
+    let (key, value) = text
+        .split_once('=')
+        .ok_or_else(|| format!("`{text}` has no value: {form}"))?;
+    let is_bare = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    let is_key = |part: &str| !part.is_empty() && part.chars().all(is_bare);
+    if !key.split('.').all(is_key) {
+        return Err(format!("`{key}` is no key path: {form}"));
+    }
+    if value.trim().is_empty() {
+        return Err(format!("`{key}` gets no value: {form}"));
+    }
+    let start = text.len() - value.len();
+    let node = toml_value(value, start).unwrap_or_else(|| {
+        let indent = value.len() - value.trim_start().len();
+        Node {
+            span: start + indent..start + value.trim_end().len(),
+            value: Value::Str(value.trim().to_owned()),
+        }
+    });
+    Ok(Setting {
+        key: key.to_owned(),
+        node,
+    })
+}
+
+/// The value as TOML has it, where it is one alone: a number, a switch, a list, a text in quotes. `start` is where it stands.
+fn toml_value(value: &str, start: usize) -> Option<Node> {
+    const KEY: &str = "k=";
+    let document = Document::parse(NAME, format!("{KEY}{value}")).ok()?;
+    let Value::Table(entries) = &document.tree().value else {
+        return None;
+    };
+    let [entry] = &entries[..] else {
+        return None;
+    };
+    // The key stands before the value here, and more or less of it there.
+    let at = entry.node.clone().shifted(start);
+    Some(moved_back(at, KEY.len()))
+}
+
+fn moved_back(mut node: Node, by: usize) -> Node {
+    node.span = node.span.start - by..node.span.end - by;
+    match &mut node.value {
+        Value::Array(nodes) => {
+            for inner in nodes {
+                *inner = moved_back(inner.clone(), by);
+            }
+        }
+        Value::Table(entries) => {
+            for entry in entries {
+                entry.key_span = entry.key_span.start - by..entry.key_span.end - by;
+                entry.node = moved_back(entry.node.clone(), by);
+            }
+        }
+        _ => {}
+    }
+    node
+}
+
+/// The text with the values in it; comments and the order of all else stay.
+fn edited(text: &str, settings: &[String], document: &Document) -> Result<String, InputError> {
+    let failed = |reason: &str| {
+        document.root().error_here(format!(
+            "{NAME} cannot put its values into this file: {reason}"
+        ))
+    };
+    let mut edited: DocumentMut = text
+        .parse()
+        .map_err(|error: toml_edit::TomlError| failed(error.message()))?;
+    for text in settings {
+        let setting = parse(text).map_err(|reason| failed(&reason))?;
+        let value: toml_edit::Value = inline(&setting.node)
+            .parse()
+            .map_err(|error: toml_edit::TomlError| failed(error.message()))?;
+        put(edited.as_table_mut(), &setting.key, value)
+            .ok_or_else(|| failed(&format!("`{}`", setting.key)))?;
+    }
+    Ok(edited.to_string())
+}
+
+fn put(table: &mut dyn TableLike, path: &str, mut value: toml_edit::Value) -> Option<()> {
+    let Some((key, rest)) = path.split_once('.') else {
+        match table.get_mut(path) {
+            Some(Item::Value(old)) => {
+                // A comment behind it stays where it is.
+                *value.decor_mut() = old.decor().clone();
+                *old = value;
+            }
+            _ => {
+                table.remove(path);
+                table.insert(path, Item::Value(value));
+            }
+        }
+        return Some(());
+    };
+    if table.get(key).is_none() {
+        let mut new = toml_edit::Table::new();
+        new.set_implicit(rest.contains('.'));
+        table.insert(key, Item::Table(new));
+    }
+    put(table.get_mut(key)?.as_table_like_mut()?, rest, value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CASE: &str = include_str!("../../../ertel-cli/tests/good/quick.toml");
+
+    fn read(settings: &[&str]) -> Result<Case, InputError> {
+        let settings: Vec<String> = settings.iter().map(|s| (*s).to_owned()).collect();
+        Case::from_text_with("case.toml", CASE, Path::new(""), &settings)
+    }
+
+    #[test]
+    fn values_stand_in_the_case_and_in_its_text() {
+        let case = read(&[
+            "contact.load=30 kN/m",
+            "motion.slide_to_roll_ratio=0.5",
+            "lubricant.viscosity.mu_0=\"50 mPa.s\"",
+            "solver.isothermal=true",
+            "bodies.ball={ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }",
+            "title=Other title",
+            "mesh.preset=normal",
+        ])
+        .unwrap();
+        assert_eq!(case.contact.load, 3e4);
+        assert_eq!(case.motion.slide_to_roll_ratio, 0.5);
+        assert!((case.lubricant.ambient_viscosity() - 0.05).abs() < 1e-12);
+        assert!(case.solver.isothermal);
+        assert_eq!(case.title, "Other title");
+        for line in [
+            "load = \"30 kN/m\"\n",
+            "# A light line contact on a coarse mesh: solved in about a second.\n",
+            "viscosity = { law = \"roelands\", mu_0 = \"50 mPa.s\", alpha = \"20 1/GPa\" }\n",
+            "[solver]\nisothermal = true\n",
+        ] {
+            assert!(case.source.contains(line), "{line}: {}", case.source);
+        }
+        // What is read of the text is the same case.
+        let again = Case::from_text("case.toml", &case.source, Path::new("")).unwrap();
+        assert_eq!(again.given, case.given);
+        assert_eq!(again.contact, case.contact);
+    }
+
+    #[test]
+    fn a_table_gives_way_to_a_name() {
+        let case = read(&["lubricant=squalane-pip", "temperature=40 degC"]).unwrap();
+        assert_eq!(case.lubricant.name.as_deref(), Some("squalane-pip"));
+        assert!(!case.source.contains("roelands"), "{}", case.source);
+    }
+
+    /// Every message shows the setting and marks what is wrong in it.
+    #[test]
+    fn wrong_ones_are_shown_as_they_were_given() {
+        for (settings, words) in [
+            (
+                &["contact.load=-5 kN/m"][..],
+                "`load` must be positive\n  --> --set:1:14",
+            ),
+            (
+                &["contact.load=5 N"],
+                "`5 N` is a force, but `load` needs a force per length",
+            ),
+            (
+                &["contact.laod=5 N"],
+                "unknown key `laod` in [contact]\n  --> --set:1:1",
+            ),
+            (&["contact.load=5"], "`load` has no unit"),
+            (
+                &["motion.slide_to_roll_ratio=nan"],
+                "must be a finite number",
+            ),
+            (
+                &["contact.load"],
+                "`contact.load` has no value: write it as KEY=VALUE",
+            ),
+            (&["contact.load= "], "gets no value"),
+            (&["contact..load=1"], "is no key path"),
+            (&["=1"], "is no key path"),
+            (
+                &["contact.load.value=1"],
+                "`contact.load` is a string, not a table",
+            ),
+            (&["title=a", "title=b"], "`title` is set twice"),
+            (&["title=5"], "`title` must be a string, not an integer"),
+            (
+                &["nonsense.key=5"],
+                "unknown key `nonsense` at the top level",
+            ),
+            (&["title=a", "contact.radius=16,5 mm"], "--> --set:1:16"),
+        ] {
+            let error = read(settings).unwrap_err().to_string();
+            assert!(error.contains(words), "{settings:?}: {error}");
+        }
+    }
+
+    /// The quantity of a curve, and its values.
+    #[test]
+    fn curves_are_those_of_the_settings() {
+        let curve = "\n[curve]\nquantity = \"contact.load\"\nvalues = [\"20 kN/m\", \"30 kN/m\"]\n";
+        let text = format!("{CASE}{curve}");
+        let settings = ["curve.values=[\"10 kN/m\", \"15 kN/m\", \"20 kN/m\"]".to_owned()];
+        let case = Case::from_text_with("c.toml", &text, Path::new(""), &settings).unwrap();
+        let points = case.curve.unwrap().points;
+        assert_eq!(points.len(), 3);
+        assert!(
+            points[1].case.source.contains("load = \"15 kN/m\""),
+            "{}",
+            points[1].case.source
+        );
+    }
+}
