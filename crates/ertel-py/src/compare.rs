@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use ertel::compare::{Comparison, Measured, ReadParams};
 use ertel::output::compare::{COMPARISON_STUDY, check_comparison_folder};
 use ertel::output::{comparison_report, write_comparison};
+use ertel::params::PictureFormats;
 use ertel::run::Session;
 use ertel::study::{SweepParams, finished_points, sweep as run_sweep};
 use pyo3::prelude::*;
@@ -52,6 +53,7 @@ pub fn compare(
     let summary = summary.map_err(errors::sweep)?;
     let records = finished_points(study, &points).map_err(errors::sweep)?;
     let comparison = Comparison::new(&measured, &records);
-    write_comparison(&comparison, &measured.case_text, &folder, false).map_err(errors::output)?;
+    let formats = PictureFormats::default();
+    write_comparison(&comparison, &measured.case_text, &folder, formats).map_err(errors::output)?;
     Ok((comparison_report(&comparison, None), described(&summary)?))
 }
