@@ -45,7 +45,7 @@ pub fn run(folder: &Path) -> Result<Verdict, Defect> {
             comparison_table(&comparison),
             comparison_report(&comparison, None),
             comparison_json(&comparison).to_string(),
-            comparison_picture(&comparison).map_or_else(String::new, |p| p.svg()),
+            comparison_picture(&comparison).map_or(String::new(), |picture| picture.svg()),
         ];
         if texts.iter().any(|text| text.contains("NaN")) {
             return Err(Defect::wrong(

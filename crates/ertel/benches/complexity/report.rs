@@ -184,5 +184,5 @@ pub fn svg(points: &[Point]) -> String {
             chart
         })
         .collect();
-    side_by_side("Complexity", &charts, 3)
+    side_by_side("Complexity", &charts, 3).svg()
 }

@@ -34,7 +34,7 @@ pub fn svg(records: &[Record]) -> String {
         let of_kind: Vec<&Record> = records.iter().filter(|r| r.kind == kind).collect();
         panel(heading, &of_kind)
     });
-    side_by_side("Convergence map", &charts, 2)
+    side_by_side("Convergence map", &charts, 2).svg()
 }
 
 fn panel(heading: &str, records: &[&Record]) -> Chart {
