@@ -221,7 +221,7 @@ try {
   // Every field has a label; nothing was asked of any other place, and nothing was said on the console.
   const unnamed = await run("[...document.querySelectorAll('input:not([hidden]), select, textarea')].filter((one) => one.labels.length === 0).map((one) => one.id)");
   assert.deepEqual(unnamed, []);
-  const known = new Set(["index.html", "style.css", "page.js", "form.js", "fields.js", "progress.js", "result.js", "ertel.js", "worker.js", "ertel.wasm"]);
+  const known = new Set(["index.html", "frame.html", "style.css", "page.js", "form.js", "fields.js", "progress.js", "result.js", "ertel.js", "worker.js", "ertel.wasm"]);
   assert.deepEqual(requests.filter((name) => !known.has(name)), []);
   assert.deepEqual(foreign, []);
   assert.deepEqual(problems, []);
