@@ -3,7 +3,8 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 ./build.sh
-(cd ../.. && cargo build --release -p ertel-cli)
+# The whole workspace is named for its features: otherwise everything would be compiled once more.
+(cd ../.. && cargo build --release --workspace --bin ertel)
 node tests/node.mjs
 if command -v "${CHROMIUM:-chromium}" > /dev/null; then
   node tests/browser.mjs

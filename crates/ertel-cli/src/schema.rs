@@ -149,6 +149,7 @@ fn of_kind(path: &str, kind: Kind, meanings: &Meanings) -> Value {
             "items": { "type": "array", "items": number(), "minItems": 2, "maxItems": 2 },
         }),
         Kind::Choice(words) => json!({ "enum": words }),
+        Kind::Choices(words) => json!({ "type": "array", "items": { "enum": words } }),
         Kind::Table(keys) => table(path, keys, meanings),
         Kind::Tables(keys) => json!({ "type": "array", "items": table(path, keys, meanings) }),
         Kind::Law { laws, keys, or } => law(path, laws, keys, or, meanings),

@@ -123,6 +123,16 @@ fn every_link_leads_somewhere() {
     assert!(broken.is_empty(), "{}", broken.join("\n"));
 }
 
+/// The words of a command, quoted ones whole.
+fn words(command: &str) -> Vec<String> {
+    let parts = command.split('"').enumerate();
+    let words = parts.flat_map(|(i, part)| match i % 2 {
+        0 => part.split_whitespace().map(str::to_owned).collect(),
+        _ => vec![part.to_owned()],
+    });
+    words.collect()
+}
+
 /// Copies a folder of shipped files.
 fn copy(from: &Path, to: &Path) {
     fs::create_dir_all(to).unwrap();
@@ -162,7 +172,7 @@ fn every_command_of_the_guides_runs() {
                 continue;
             }
             let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
-                .args(command.split_whitespace())
+                .args(words(command))
                 .current_dir(folder.path())
                 .output()
                 .unwrap();

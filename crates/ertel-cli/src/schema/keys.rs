@@ -20,6 +20,8 @@ pub enum Kind {
     QuantityOr(&'static [&'static str]),
     Points,
     Choice(&'static [&'static str]),
+    /// A list of these words.
+    Choices(&'static [&'static str]),
     Table(&'static [Key]),
     Tables(&'static [Key]),
     /// A table with the key `law`; the keys of each law; whether a constant may stand in its place.
@@ -38,7 +40,7 @@ pub enum Kind {
 }
 
 use Kind::{
-    Any, Choice, Count, Fluid, FluidOrTable, Law, List, Machine, Number, Numbers, Points,
+    Any, Choice, Choices, Count, Fluid, FluidOrTable, Law, List, Machine, Number, Numbers, Points,
     Quantities, Quantity, QuantityOr, Solid, SolidOrTable, Switch, Table, Tables, Text,
 };
 
@@ -667,6 +669,7 @@ const SOLVER: &[Key] = &[
 
 const OUTPUT: &[Key] = &[
     ("folder", Text),
+    ("pictures", Choices(&["svg", "pdf", "png"])),
     ("png", Switch),
     ("body_field", Switch),
     ("sensitivities", Switch),

@@ -39,6 +39,7 @@ fn circular_contact_writes_every_file() {
             "convergence.svg",
             "film.svg",
             "pressure.svg",
+            "report.html",
             "report.txt",
             "result.json",
             "surface.vtu",

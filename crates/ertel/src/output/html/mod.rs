@@ -1,7 +1,7 @@
 //! `report.html`: a result as one page that needs nothing but a browser.
 //!
 //! The template and its scripts are in `assets`; uPlot (MIT) draws the lines. Text of cases is escaped by the template engine, data
-//! by [`script_data`]; a content security policy in the page forbids it to load anything.
+//! by writing `<` as an escape; a content security policy in the page forbids it to load anything.
 
 mod data;
 

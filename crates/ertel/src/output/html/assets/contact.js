@@ -118,7 +118,7 @@ class ContactView {
       if (of.minus) {
         const difference = (w, width, height) => {
           const [one, two] = [of.result, of.minus].map((r) => sample(r)(w, width, height));
-          return one.map((v, i) => (two[i] > top && v > top ? NaN : v - two[i]));
+          return one.map((v, i) => (two[i] > top || v > top ? NaN : v - two[i]));
         };
         const range = (raster) => {
           let most = 0;

@@ -36,7 +36,8 @@ function showCards(results) {
       own.slice(1).forEach((f, i) => {
         if (!f) return;
         const change = figure.unit === "K" ? `${digits(f.value - figure.value, 3)} K` : `${digits(100 * (f.value / figure.value - 1), 3)} %`;
-        more.push(`${i + 2}: ${figureText(f)} (${change.startsWith("-") ? "" : "+"}${change})`);
+        const known = figure.value !== 0 ? ` (${change.startsWith("-") ? "" : "+"}${change})` : "";
+        more.push(`${i + 2}: ${figureText(f)}${known}`);
       });
     }
     host.append(makeCard(`${capital(figure.words)} ${figure.symbol}`, (results.length > 1 ? "1: " : "") + figureText(figure), more));
