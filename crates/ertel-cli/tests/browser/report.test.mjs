@@ -117,6 +117,18 @@ for (const [name, kind, settings] of [["ball-on-disc", "circular"], ["ball-in-gr
   });
 }
 
+describe("figures", () => {
+  // The same pairs as in the tests of the program's own report (output/figure.rs).
+  test("have the digits that their bars leave certain", () => {
+    const source = readFileSync(join(CASES, "../crates/ertel/src/output/html/assets/units.js"), "utf8");
+    const withBar = new Function(`${source}; return withBar;`)();
+    for (const [value, error, text] of [
+      [249.19, 0.34, "249.19 ± 0.34"], [1.0623, 0.05, "1.06 ± 0.05"], [1.2345, 0.0123, "1.234 ± 0.012"],
+      [1.0623, 0.097, "1.06 ± 0.10"], [12345, 2345, "12300 ± 2300"], [12345, 678, "12300 ± 700"],
+    ]) assert.equal(withBar(value, error, ""), text);
+  });
+});
+
 describe("line", () => {
   let output;
   before(() => { output = solve("roller"); });

@@ -32,6 +32,11 @@ function withBar(value, error, unit) {
   const two = Math.round(error * 10 ** (2 - first)) <= 354;
   const places = two ? 1 - first : -first;
   if (places > 12) return `${value.toExponential(4)} ± ${error.toExponential(1)}${space}${unit}`;
+  // Digits before the point that are not certain become zeros.
+  if (places < 0) {
+    const round = (v) => (Math.round(v * 10 ** places) / 10 ** places).toFixed(0);
+    return `${round(value)} ± ${round(error)}${space}${unit}`;
+  }
   const at = Math.max(0, Math.min(places, 5 - Math.floor(Math.log10(Math.max(Math.abs(value), error)))));
   const shown = Math.max(error, 10 ** -at).toFixed(at);
   return `${value.toFixed(at)} ± ${shown}${space}${unit}`;
