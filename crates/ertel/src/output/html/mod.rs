@@ -170,7 +170,6 @@ pub fn curve_page(case: &CaseEcho, curve: &CurveSolution) -> String {
         "version": DATA_VERSION,
         "table": table(&curve_table(curve), 1),
     });
-    let failed = curve.n_failed();
     let subtitle = format!(
         "{} points over {}{}{}",
         curve.points.len(),
@@ -187,7 +186,6 @@ pub fn curve_page(case: &CaseEcho, curve: &CurveSolution) -> String {
             "Case (of the file, before the curve's values)",
         ),
         case_file: case.case_file.as_deref(),
-        n_failed: failed,
         data,
         ..Page::default()
     })
@@ -334,7 +332,6 @@ struct Page<'a> {
     effort: Vec<Section>,
     case_file: Option<&'a str>,
     has_uncertainty: bool,
-    n_failed: usize,
     #[serde(skip)]
     data: Value,
 }
