@@ -159,7 +159,6 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
         case_file: case.case_file.as_deref(),
         has_uncertainty: solution.uncertainty.is_some(),
         data,
-        ..Page::default()
     })
 }
 
