@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::solution::{Centreline, Field, FilmTemperatures};
+use crate::solution::{Centreline, FilmTemperatures};
 
 /// The columns: names with units, values point by point.
 pub fn columns(
@@ -14,17 +14,7 @@ pub fn columns(
         ("x_m", line.x.clone()),
         ("x_over_a", line.x.iter().map(|x| x / half_width).collect()),
     ];
-    let fields: [(Field, &[f64]); 6] = [
-        (Field::Pressure, &line.pressure),
-        (Field::HertzPressure, &line.hertz_pressure),
-        (Field::FilmThickness, &line.film_thickness),
-        (Field::Deflection, &line.deflection),
-        (Field::Viscosity, &line.viscosity),
-        (Field::Density, &line.density),
-    ];
-    let temperatures = temperatures.into_iter().flat_map(FilmTemperatures::columns);
-    let fields = fields.into_iter().chain(line.shear.columns());
-    for (field, values) in fields.chain(temperatures) {
+    for (field, values) in line.columns(temperatures) {
         columns.push((field.column(), values.to_vec()));
     }
     columns

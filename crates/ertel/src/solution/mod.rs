@@ -472,6 +472,26 @@ pub struct SurfaceField {
     pub shear: ShearFields,
 }
 
+impl Centreline {
+    /// The fields that there are, with their values, SI; `temperatures` of a thermal contact at the same places.
+    pub fn columns<'a>(
+        &'a self,
+        temperatures: Option<&'a FilmTemperatures>,
+    ) -> Vec<(Field, &'a [f64])> {
+        let mut columns: Vec<(Field, &[f64])> = vec![
+            (Field::Pressure, &self.pressure),
+            (Field::HertzPressure, &self.hertz_pressure),
+            (Field::FilmThickness, &self.film_thickness),
+            (Field::Deflection, &self.deflection),
+            (Field::Viscosity, &self.viscosity),
+            (Field::Density, &self.density),
+        ];
+        columns.extend(self.shear.columns());
+        columns.extend(temperatures.into_iter().flat_map(FilmTemperatures::columns));
+        columns
+    }
+}
+
 /// Displacement of the equivalent body, SI.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BodyField {

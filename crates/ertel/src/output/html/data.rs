@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::contact::Symmetry;
 use crate::output::CaseEcho;
-use crate::solution::{ContactFields, Estimate, Field, FilmTemperatures, Located, Solution};
+use crate::solution::{ContactFields, Estimate, Field, Located, Solution};
 
 /// Value of the key `format` of the data.
 pub const DATA_FORMAT: &str = "ertel-report";
@@ -233,17 +233,7 @@ fn centreline(solution: &Solution) -> Value {
         .filter(|i| line.x[*i].abs() <= reach)
         .collect();
     let temperatures = solution.thermal.as_ref().map(|t| &t.centreline);
-    let all: [(Field, &[f64]); 6] = [
-        (Field::Pressure, &line.pressure),
-        (Field::HertzPressure, &line.hertz_pressure),
-        (Field::FilmThickness, &line.film_thickness),
-        (Field::Deflection, &line.deflection),
-        (Field::Viscosity, &line.viscosity),
-        (Field::Density, &line.density),
-    ];
-    let temperatures = temperatures.into_iter().flat_map(FilmTemperatures::columns);
-    let all = all.into_iter().chain(line.shear.columns());
-    let fields: Vec<Value> = (all.chain(temperatures))
+    let fields: Vec<Value> = (line.columns(temperatures).into_iter())
         .filter(|(_, values)| !values.is_empty())
         .map(|(own, values)| field(own, near.iter().map(|i| values[*i])))
         .collect();
