@@ -3,8 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 ./build.sh
-# The whole workspace is named for its features: otherwise everything would be compiled once more.
-(cd ../.. && cargo build --release --workspace --bin ertel)
+(cd ../.. && cargo build --release --bin ertel)
 node tests/node.mjs
 if command -v "${CHROMIUM:-chromium}" > /dev/null; then
   node tests/browser.mjs
