@@ -339,7 +339,7 @@ pub struct FitFilmArgs {
     #[arg(long, value_name = "P", default_value_t = 0.95)]
     pub confidence: f64,
     /// Write the parity plot into this file
-    #[arg(long, value_name = "FILE.svg")]
+    #[arg(long, value_name = "FILE.svg|pdf|png")]
     pub plot: Option<PathBuf>,
     /// List every film with the formula beside
     #[arg(short, long)]
@@ -408,7 +408,7 @@ pub struct FitLawArgs {
     #[arg(short, long, value_name = "ENTRY.toml")]
     pub output: Option<PathBuf>,
     /// Write the picture of the law over the data into this file
-    #[arg(long, value_name = "FILE.svg")]
+    #[arg(long, value_name = "FILE.svg|pdf|png")]
     pub plot: Option<PathBuf>,
     /// List every state with the law beside
     #[arg(short, long)]
@@ -436,7 +436,7 @@ pub enum FluidsCommand {
         #[arg(short, long, value_name = "T")]
         temperature: Option<String>,
         /// Write the viscosity over pressure as a picture
-        #[arg(long, value_name = "FILE.svg")]
+        #[arg(long, value_name = "FILE.svg|pdf|png")]
         plot: Option<PathBuf>,
     },
 }

@@ -17,6 +17,7 @@ use ertel_rheology::{DensityLaw, Files, database};
 use crate::args::{FitArgs, FitCommand, FitLawArgs};
 use crate::failure::Failure;
 use crate::inputs;
+use crate::picture;
 use crate::print;
 use crate::table::{columns, paragraph};
 
@@ -93,8 +94,7 @@ fn finish(
         Failure::Other(format!("cannot write {}: {error}", path.display()))
     };
     if let Some(path) = plot {
-        let svg = fit::picture(fit, data, &heading.title).svg();
-        write_whole(path, svg.as_bytes()).map_err(|error| cannot_write(path, error))?;
+        picture::write(path, &fit::picture(fit, data, &heading.title).drawing())?;
     }
     text += &report(fit, data, arguments.verbose);
     match &arguments.output {
@@ -117,7 +117,7 @@ fn finish(
 /// Where the picture goes: as asked, or beside the entry.
 fn plot_path(arguments: &FitLawArgs) -> Result<Option<PathBuf>, Failure> {
     if let Some(path) = &arguments.plot {
-        check_svg(path)?;
+        picture::check(path)?;
         return Ok(Some(path.clone()));
     }
     Ok(arguments
@@ -150,16 +150,6 @@ fn keep_inputs(arguments: &FitLawArgs, plot: Option<&Path>) -> Result<(), Failur
             )))
         }
         _ => Ok(()),
-    }
-}
-
-fn check_svg(path: &Path) -> Result<(), Failure> {
-    match path.extension() {
-        Some(extension) if extension.eq_ignore_ascii_case("svg") => Ok(()),
-        _ => Err(Failure::Argument(format!(
-            "the picture is SVG; its name must end in .svg, not {}",
-            path.display()
-        ))),
     }
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ertel::output::plot::{ViscosityCurve, viscosity_chart};
-use ertel::output::{digits, pressure, write_whole};
+use ertel::output::{digits, pressure};
 use ertel_rheology::database::Kind;
 use ertel_rheology::quantity::{self, Dimension};
 use ertel_rheology::shear::ShearLaw;
@@ -11,6 +11,7 @@ use ertel_rheology::{DensityLaw, Fluid, ShearThinning, database};
 
 use crate::args::{FluidsArgs, FluidsCommand};
 use crate::failure::Failure;
+use crate::picture;
 use crate::print;
 use crate::provenance::{data, notes};
 use crate::table::{columns, paragraph};
@@ -265,17 +266,8 @@ fn viscosity(value: f64) -> String {
     }
 }
 
-/// Writes the curve of viscosity over pressure as SVG.
+/// Writes the curve of viscosity over pressure as a picture.
 fn write_plot(path: &Path, fluid: &Fluid, temperature: f64) -> Result<(), Failure> {
-    if path
-        .extension()
-        .is_none_or(|extension| !extension.eq_ignore_ascii_case("svg"))
-    {
-        return Err(Failure::Argument(format!(
-            "the picture is SVG; its name must end in .svg, not {}",
-            path.display()
-        )));
-    }
     let valid = fluid
         .validity
         .as_ref()
@@ -299,7 +291,6 @@ fn write_plot(path: &Path, fluid: &Fluid, temperature: f64) -> Result<(), Failur
             .collect(),
         pressure: pressures,
     };
-    let svg = viscosity_chart(&fluid.title, &[curve], valid.map(Into::into)).svg();
-    write_whole(path, svg.as_bytes())
-        .map_err(|error| Failure::Other(format!("cannot write {}: {error}", path.display())))
+    let chart = viscosity_chart(&fluid.title, &[curve], valid.map(Into::into));
+    picture::write(path, &chart.drawing())
 }

@@ -21,6 +21,7 @@ mod inputs;
 mod manual;
 mod monte_carlo;
 mod own_data;
+mod picture;
 mod print;
 mod progress;
 mod provenance;

@@ -79,7 +79,8 @@ pub fn run(
         )));
     }
     let found = MonteCarlo::of(study, &finished_points(study, folder)?);
-    output::write_monte_carlo(&found, solution, folder)?;
+    let pictures = study.points[0].case.output.pictures;
+    output::write_monte_carlo(&found, solution, folder, pictures)?;
     if !arguments.quiet {
         print::stdout(&output::monte_carlo_report(&found, solution))?;
         print::stdout(&format!("\n  {}\n", folder.display()))?;

@@ -3,10 +3,10 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use ertel::output::length;
+use ertel::output::{self, length};
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
-use ertel::study::CurveObserver;
+use ertel::study::{CurveObserver, PointSolution};
 use ertel_rheology::input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -147,6 +147,21 @@ impl CurveObserver for Progress<'_> {
             json!({ "point": index + 1, "points": n_points, "value": value }),
         );
         self.point = format!("point {}/{n_points} ({value}), ", index + 1);
+    }
+
+    fn finished(&mut self, index: usize, point: &PointSolution) {
+        if !matches!(self.display, Display::Events(_)) {
+            return;
+        }
+        let Ok(mut json) = output::point_json(index, point) else {
+            return;
+        };
+        if let Some(keys) = json.as_object_mut() {
+            // `seconds` of an event are those since the start.
+            let seconds = keys.remove("seconds").unwrap_or_default();
+            keys.insert("wall_seconds".to_owned(), seconds);
+        }
+        self.emit("point", json);
     }
 }
 

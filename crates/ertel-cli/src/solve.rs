@@ -269,7 +269,7 @@ fn write_curve(
     Ok(format!("{all} points"))
 }
 
-/// The events of a curve: its points, what to know about them, and what holds for all.
+/// The last events of a curve: what to know about its points, and what holds for all.
 fn tell_curve(
     echo: &output::CaseEcho,
     solution: &CurveSolution,
@@ -280,20 +280,9 @@ fn tell_curve(
         return Ok(());
     }
     let mut curve = output::curve_json(echo, solution).map_err(not_shown)?;
-    let points = curve.as_object_mut().and_then(|keys| keys.remove("points"));
-    for point in points
-        .as_ref()
-        .and_then(Value::as_array)
-        .into_iter()
-        .flatten()
-    {
-        let mut point = point.clone();
-        if let Some(keys) = point.as_object_mut() {
-            // `seconds` of an event are those since the start.
-            let seconds = keys.remove("seconds").unwrap_or_default();
-            keys.insert("wall_seconds".to_owned(), seconds);
-        }
-        events.emit("point", point);
+    // Each was told when it was solved.
+    if let Some(keys) = curve.as_object_mut() {
+        keys.remove("points");
     }
     let warnings = solution.points.iter().enumerate().flat_map(|(i, point)| {
         let solved = point.outcome.solution();

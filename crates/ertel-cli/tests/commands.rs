@@ -177,14 +177,22 @@ fn the_viscosity_curve_is_written_whole_or_not_at_all() {
     assert!(svg.starts_with("<svg") || svg.starts_with("<?xml"));
     assert!(svg.trim_end().ends_with("</svg>"));
 
-    let output = show(&folder.path().join("curve.pdf"));
-    assert_eq!(output.status.code(), Some(2));
-    assert!(stderr(&output).contains("must end in .svg"));
+    for (name, begin) in [("curve.pdf", &b"%PDF-"[..]), ("curve.PNG", b"\x89PNG\r\n")] {
+        let path = folder.path().join(name);
+        assert_eq!(show(&path).status.code(), Some(0), "{name}");
+        assert!(std::fs::read(&path).unwrap().starts_with(begin), "{name}");
+    }
+
+    for name in ["curve.jpg", "curve"] {
+        let output = show(&folder.path().join(name));
+        assert_eq!(output.status.code(), Some(2));
+        assert!(stderr(&output).contains("must end in .svg, .pdf or .png"));
+    }
 
     let output = show(&folder.path().join("absent/curve.svg"));
     assert_eq!(output.status.code(), Some(1));
     assert!(stderr(&output).contains("cannot write"));
-    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 3);
 }
 
 #[cfg(target_os = "linux")]

@@ -102,7 +102,7 @@ fn bad_data_and_usage_exit_with_2() {
             &[good, "--law", "cheng", "--confidence", "1.5"],
             "confidence",
         ),
-        (&[good, "--law", "cheng", "--plot", "x.png"], ".svg"),
+        (&[good, "--law", "cheng", "--plot", "x.jpg"], ".svg, .pdf"),
         (
             &[good, "--law", "all", "--hold", "mu_0=1 Pa.s"],
             "--law all",

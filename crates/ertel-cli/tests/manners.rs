@@ -378,6 +378,14 @@ fn a_curve_tells_programs_its_points() {
         (2, 2)
     );
     assert_eq!(events[0]["points"], 2);
+    // Each as soon as it is solved.
+    let of_points: Vec<&str> = (events.iter().filter_map(|e| e["event"].as_str()))
+        .filter(|name| name.starts_with("point"))
+        .collect();
+    assert_eq!(
+        of_points,
+        ["point_started", "point", "point_started", "point"]
+    );
     let point = events.iter().find(|e| e["event"] == "point").unwrap();
     assert!(
         point["summary"]["film_central"]["value"].as_f64() > Some(1e-8),

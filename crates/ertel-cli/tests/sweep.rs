@@ -201,6 +201,20 @@ values = [false, true]
         let picture = read(&folder, &format!("results/study/{picture}"));
         assert!(picture.contains("without heat"));
     }
+    // In another format they take the place of those before.
+    let formats = "output.pictures=[\"pdf\", \"png\"]";
+    let output = sweep(&folder, &["study.toml", "-q", "--set", formats]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    for picture in ["film", "traction"] {
+        let file = |suffix| {
+            folder
+                .path()
+                .join(format!("results/study/{picture}.{suffix}"))
+        };
+        assert!(std::fs::read(file("pdf")).unwrap().starts_with(b"%PDF-"));
+        assert!(std::fs::read(file("png")).unwrap().starts_with(b"\x89PNG"));
+        assert!(!file("svg").exists());
+    }
 }
 
 /// Killed at random moments, a study comes to the same table, byte for byte, and no point is in its journal twice.

@@ -5,7 +5,7 @@ mod thermal;
 use crate::interference::Interferometer;
 use std::path::PathBuf;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::contact::ContactKind;
 
@@ -282,7 +282,7 @@ pub struct OutputParams {
 }
 
 /// Formats in which pictures are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PictureFormats {
     /// SVG, for browsers and vector programs.
     pub svg: bool,

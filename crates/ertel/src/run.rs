@@ -12,7 +12,8 @@ use crate::problem::problem_beside;
 pub use crate::problem::{groups, predicted_film, problem};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
-    IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties, Unresolved,
+    HeatRound, IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties,
+    Unresolved,
 };
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::figures::measure;
@@ -374,6 +375,12 @@ impl Observer for Recorder<'_> {
     }
 
     fn round(&mut self, round: usize, change: f64, rise: f64) {
+        if let Some(last) = self.history.last_mut() {
+            last.heat = Some(HeatRound {
+                change,
+                temperature_rise: rise,
+            });
+        }
         self.observer.round(round, change, rise);
     }
 

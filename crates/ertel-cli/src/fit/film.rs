@@ -4,14 +4,14 @@ use std::slice;
 
 use ertel::contact::ContactKind;
 use ertel::fit::{self, FilmFit, FilmForm, FilmKind, Films};
-use ertel::output::{digits, length, write_whole};
+use ertel::output::{digits, length};
 use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
 use ertel_rheology::quantity::{self, Dimension};
 
-use super::check_svg;
 use crate::args::FitFilmArgs;
 use crate::failure::Failure;
 use crate::inputs;
+use crate::picture;
 use crate::print;
 use crate::table::columns;
 
@@ -22,7 +22,7 @@ use crate::table::columns;
 /// Results that cannot be read, too few of them, a picture that cannot be written.
 pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
     if let Some(path) = &arguments.plot {
-        check_svg(path)?;
+        picture::check(path)?;
         inputs::keep(slice::from_ref(&arguments.results), &[("--plot", path)])?;
     }
     let radius = arguments
@@ -75,9 +75,7 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
         )));
     }
     if let Some(path) = &arguments.plot {
-        let svg = fit::parity(&fits, &file).svg();
-        write_whole(path, svg.as_bytes())
-            .map_err(|error| Failure::Other(format!("cannot write {}: {error}", path.display())))?;
+        picture::write(path, &fit::parity(&fits, &file).drawing())?;
     }
     let reports: Vec<String> = fits
         .iter()

@@ -261,6 +261,8 @@ fn effort(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
             r.update,
             r.step,
             r.film_central,
+            r.heat.map_or(0.0, |heat| heat.change),
+            r.heat.map_or(0.0, |heat| heat.temperature_rise),
         ]
         .map(|v| {
             (

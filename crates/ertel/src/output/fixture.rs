@@ -343,6 +343,7 @@ fn history() -> Vec<IterationRecord> {
         step: 1.0,
         krylov_iterations: 9,
         film_central: FILM,
+        heat: None,
     };
     let first = [0.7, 0.2, 0.05, 8e-3, 3e-4, 1e-6, 1e-11].into_iter();
     let second = [0.02, 6e-4, 1e-6, 4e-12].into_iter();

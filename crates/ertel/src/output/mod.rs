@@ -37,19 +37,20 @@ mod workplace_tests;
 pub use check::check_report;
 pub use compare::{comparison_report, write_comparison};
 pub(crate) use csv::{quoted, text_field};
-pub use curve::{curve_files, curve_json, curve_report, curve_table, write_curve};
+pub use curve::{curve_files, curve_json, curve_report, curve_table, point_json, write_curve};
 pub use echo::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use figure::unresolved;
 pub use file::write_whole;
 pub(crate) use file::{TEMPORARY, sync_folder};
 pub use folder::{OutputFile, clear_leftovers};
-pub use monte_carlo::{MONTE_CARLO, MONTE_CARLO_PICTURE, monte_carlo_report, write_monte_carlo};
+pub use monte_carlo::{MONTE_CARLO, monte_carlo_report, write_monte_carlo};
 pub use report::{digits, length, pressure, report};
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
 pub use study::{study_films, study_tractions};
 pub use target::check_target;
 
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -91,6 +92,12 @@ pub enum OutputError {
     NotFinite {
         /// Which.
         what: String,
+    },
+    /// The name of a picture says no format.
+    #[error("the name of a picture must end in .svg, .pdf or .png, not {}", path.display())]
+    Suffix {
+        /// The name.
+        path: PathBuf,
     },
     /// A picture cannot be made in one of the formats.
     #[error(transparent)]
@@ -229,11 +236,79 @@ fn write_picture(
     if formats.svg {
         write("svg", picture.svg.as_bytes())?;
     }
-    if formats.pdf {
-        write("pdf", &picture.drawing.pdf()?)?;
-    }
-    if formats.png {
-        write("png", &picture.drawing.png()?)?;
+    let others = PictureFormats {
+        svg: false,
+        ..formats
+    };
+    for (suffix, content) in drawn(&picture.drawing, others)? {
+        content.map_or(Ok(()), |content| write(suffix, &content))?;
     }
     Ok(())
+}
+
+/// The content of the files of a picture, each with its suffix; `None` for a format that is not asked for.
+fn drawn(
+    drawing: &plot::Drawing,
+    formats: PictureFormats,
+) -> Result<[(&'static str, Option<Vec<u8>>); 3], plot::DrawingError> {
+    let svg = formats.svg.then(|| drawing.svg().into_bytes());
+    let pdf = formats.pdf.then(|| drawing.pdf()).transpose()?;
+    let png = formats.png.then(|| drawing.png()).transpose()?;
+    Ok([("svg", svg), ("pdf", pdf), ("png", png)])
+}
+
+/// Writes a picture as `name.svg`, `name.pdf` and `name.png`, as far as asked for. Pictures of these names that a former run left
+/// are replaced or removed: they would show another result. All formats are made before the first file is written.
+///
+/// # Errors
+/// [`OutputError`].
+pub(crate) fn replace_picture(
+    folder: &Path,
+    name: &str,
+    drawing: Option<&plot::Drawing>,
+    formats: PictureFormats,
+) -> Result<(), OutputError> {
+    let files = match drawing {
+        Some(drawing) => drawn(drawing, formats)?,
+        None => PictureFormats::NAMES.map(|suffix| (suffix, None)),
+    };
+    for (suffix, content) in files {
+        let path = folder.join(format!("{name}.{suffix}"));
+        let written = match content {
+            Some(content) => write_whole(&path, &content),
+            None => match fs::remove_file(&path) {
+                Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(()),
+                removed => removed,
+            },
+        };
+        written.map_err(|e| OutputError::io(&path, e))?;
+    }
+    Ok(())
+}
+
+/// Writes a picture into one file, in the format that its suffix names.
+///
+/// # Errors
+/// [`OutputError::Suffix`] for another suffix than those of [`PictureFormats::NAMES`].
+pub fn write_drawing(path: &Path, drawing: &plot::Drawing) -> Result<(), OutputError> {
+    for (_, content) in drawn(drawing, picture_format(path)?)? {
+        if let Some(content) = content {
+            write_whole(path, &content).map_err(|e| OutputError::io(path, e))?;
+        }
+    }
+    Ok(())
+}
+
+/// The format that the suffix of a file name asks for.
+///
+/// # Errors
+/// [`OutputError::Suffix`].
+pub fn picture_format(path: &Path) -> Result<PictureFormats, OutputError> {
+    let suffix = path.extension().and_then(|s| s.to_str());
+    let suffix = suffix.map(str::to_ascii_lowercase);
+    PictureFormats::named([suffix.as_deref().unwrap_or_default()]).ok_or_else(|| {
+        OutputError::Suffix {
+            path: path.to_owned(),
+        }
+    })
 }

@@ -7,18 +7,21 @@ use serde_json::{Value, json};
 
 use super::figure::{length_unit, pressure_unit};
 use super::lines::Lines;
-use super::plot::{Axis, Chart, Look, PALETTE, Series, Side, side_by_side};
+use super::plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 use super::report::digits;
-use super::{OutputError, write_whole};
+use super::{OutputError, replace_picture, write_whole};
+use crate::params::PictureFormats;
 use crate::solution::{Figure, Solution, Uncertainties};
 use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES};
 
 /// Name of the statistics beside the table of the samples.
 pub const MONTE_CARLO: &str = "monte-carlo.json";
-/// The picture among them.
-pub const MONTE_CARLO_PICTURE: &str = "monte-carlo.svg";
+/// The picture beside it, without suffix.
+const PICTURE: &str = "monte-carlo";
 
 /// Writes statistics and picture into the folder of the study, with the uncertainties to first order beside where there are any.
+///
+/// The picture is written in the formats `pictures`.
 ///
 /// # Errors
 /// Files that cannot be written.
@@ -26,6 +29,7 @@ pub fn write_monte_carlo(
     found: &MonteCarlo,
     solution: &Solution,
     folder: &Path,
+    pictures: PictureFormats,
 ) -> Result<(), OutputError> {
     let document = json(found, solution.uncertainty.as_ref());
     let failed = |path: &Path, source: std::io::Error| OutputError::Io {
@@ -34,14 +38,9 @@ pub fn write_monte_carlo(
     };
     let text = serde_json::to_string_pretty(&document)
         .map_err(|e| failed(&folder.join(MONTE_CARLO), e.into()))?;
-    for (name, text) in [
-        (MONTE_CARLO, text),
-        (MONTE_CARLO_PICTURE, picture(found, solution)),
-    ] {
-        let path = folder.join(name);
-        write_whole(&path, text.as_bytes()).map_err(|e| failed(&path, e))?;
-    }
-    Ok(())
+    let path = folder.join(MONTE_CARLO);
+    write_whole(&path, text.as_bytes()).map_err(|e| failed(&path, e))?;
+    replace_picture(folder, PICTURE, Some(&picture(found, solution)), pictures)
 }
 
 fn json(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Value {
@@ -131,9 +130,9 @@ fn unit(figure: &Distribution) -> (f64, String) {
 }
 
 /// Frequencies of the samples, and the normal distribution of the first order.
-fn picture(found: &MonteCarlo, solution: &Solution) -> String {
+fn picture(found: &MonteCarlo, solution: &Solution) -> Drawing {
     let charts: Vec<Chart> = found.figures.iter().map(|f| chart(f, solution)).collect();
-    side_by_side("Uncertainty of the inputs", &charts, 2).svg()
+    side_by_side("Uncertainty of the inputs", &charts, 2)
 }
 
 fn chart(figure: &Distribution, solution: &Solution) -> Chart {

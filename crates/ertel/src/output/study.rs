@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use ertel_rheology::quantity::Unit;
 
 use super::plot::{
-    Axis, Chart, ERROR_BARS, ErrorBars, Look, PALETTE, Series, film_unit, side_by_side,
+    Axis, Chart, Drawing, ERROR_BARS, ErrorBars, Look, PALETTE, Series, film_unit, side_by_side,
 };
 use super::report::digits;
 use crate::study::journal::{PointKey, Record};
@@ -58,7 +58,7 @@ const TRACTION: [Figure; 1] = [Figure {
 /// each combination of the others, and a panel for each value of one of them where these are more than there are colours; dashed
 /// the points without heat, where an axis switches it. An SVG file; `None` where no axis has three numbers, or there are too many
 /// combinations.
-pub fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<String> {
+pub fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Drawing> {
     let layout = Layout::new(study)?;
     let largest = layout.values(study, records, &FILMS).fold(0.0, f64::max);
     let (factor, unit) = film_unit(largest);
@@ -67,7 +67,7 @@ pub fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Op
 }
 
 /// Traction coefficients likewise; `None` also where nothing slides.
-pub fn study_tractions(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<String> {
+pub fn study_tractions(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Drawing> {
     let layout = Layout::new(study)?;
     let slides = |i| field(study, records, i, "slide_to_roll_ratio").is_some_and(|s| s != 0.0);
     if !(0..study.points.len()).any(slides) {
@@ -206,7 +206,7 @@ impl Layout {
         figures: &[Figure],
         factor: f64,
         y_label: &str,
-    ) -> Option<String> {
+    ) -> Option<Drawing> {
         let charts: Vec<Chart> = (0..self.panels.len())
             .map(|panel| self.chart(study, records, figures, (factor, y_label), panel))
             .filter(|chart| {
@@ -219,7 +219,7 @@ impl Layout {
             4 => 2,
             n => n.min(PANELS_IN_A_ROW),
         };
-        Some(side_by_side(&study.title, &charts, columns).svg())
+        Some(side_by_side(&study.title, &charts, columns))
     }
 
     fn chart(
@@ -435,6 +435,7 @@ mod tests {
                 "lubricant.temperature_K".to_owned(),
                 "motion.slide_to_roll_ratio".to_owned(),
             ],
+            pictures: PictureFormats::default(),
             units: vec!["kN/m".to_owned(), "degC".to_owned(), String::new()],
             points: Vec::new(),
         };

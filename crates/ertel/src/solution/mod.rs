@@ -139,6 +139,18 @@ pub struct IterationRecord {
     pub krylov_iterations: usize,
     /// Central film thickness after the step, m.
     pub film_central: f64,
+    /// The round of film and heat that this step ended.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heat: Option<HeatRound>,
+}
+
+/// A round in which films are computed at given temperatures, and temperatures at given films.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct HeatRound {
+    /// Relative change of temperature rise, pressure and film from the round before.
+    pub change: f64,
+    /// Largest temperature rise, K.
+    pub temperature_rise: f64,
 }
 
 /// One mesh level of the solve.

@@ -82,8 +82,10 @@ pub struct Coupling {
     pub rounds: usize,
     /// Ratio by which changes shrank from round to round.
     pub contraction: f64,
-    /// Last relative change.
+    /// Last relative change of temperature rise, pressure and film from round to round.
     pub change: f64,
+    /// Error left by such changes at which film and heat count as converged.
+    pub tolerance: f64,
     /// Temperatures computed.
     pub n_temperatures: usize,
     /// Newton iterations for them on the last mesh.

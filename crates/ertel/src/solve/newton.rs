@@ -287,6 +287,7 @@ impl<'a> NewtonLevel<'a> {
                 step: share,
                 krylov_iterations: step.krylov_iterations,
                 film_central: label.film_scale * central_film(self.discretisation, state),
+                heat: None,
             });
             // The state is as good as the next update is small: the step after two whole ones is
             // foreseen, and the residual that would go with it is known.

@@ -15,6 +15,8 @@ use crate::solve::Observer;
 pub trait CurveObserver: Observer {
     /// The next point begins: its index from 0, how many there are, and the quantity's value with its unit.
     fn point(&mut self, _index: usize, _n_points: usize, _value: &str) {}
+    /// A point ended: its index from 0, and what became of it.
+    fn finished(&mut self, _index: usize, _point: &PointSolution) {}
 }
 
 impl CurveObserver for crate::solve::Silent {}
@@ -72,6 +74,7 @@ pub fn solve_curve(
             fields: curve.folders,
         };
         let (point, ends) = task.solve(session, from, observer)?;
+        observer.finished(index, &point);
         points.push(point);
         Ok::<_, Interrupted>(ends)
     });

@@ -12,6 +12,7 @@ use crate::case::study::{AxisValue, Study};
 use crate::contact::ContactKind;
 use crate::output::curve::COLUMNS;
 use crate::output::{text_field, write_whole};
+use crate::params::PictureFormats;
 use crate::solution::Estimate;
 
 /// Name of the table in the folder of a study.
@@ -35,6 +36,9 @@ pub struct StudyEcho {
     /// Units in which the user gave them, for pictures; empty where there is none, and of former studies.
     #[serde(default)]
     pub units: Vec<String>,
+    /// Formats of its pictures: those that the base case asks for.
+    #[serde(default)]
+    pub pictures: PictureFormats,
     /// Key and values of each point.
     pub points: Vec<(PointKey, Vec<String>)>,
 }
@@ -52,6 +56,8 @@ impl StudyEcho {
             title: study.title.clone(),
             columns: study.columns.iter().map(|c| c.header.clone()).collect(),
             units: study.columns.iter().map(|c| c.unit.clone()).collect(),
+            pictures: (study.points.first())
+                .map_or_else(PictureFormats::default, |p| p.case.output.pictures),
             points: (study.points.iter())
                 .map(|p| {
                     let values = p.values.iter().map(value).collect();

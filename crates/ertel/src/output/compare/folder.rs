@@ -9,7 +9,7 @@ use super::{
 };
 use crate::compare::Comparison;
 use crate::output::target::has_format;
-use crate::output::{OutputError, TEMPORARY, write_whole};
+use crate::output::{OutputError, TEMPORARY, replace_picture, write_whole};
 use crate::params::PictureFormats;
 use crate::study::{POINTS, STUDY_FORMAT};
 
@@ -17,14 +17,19 @@ use crate::study::{POINTS, STUDY_FORMAT};
 pub const COMPARISON_STUDY: &str = "study";
 
 /// Every file that a comparison writes into its folder.
-pub const COMPARISON_FILES: [&str; 7] =
-    [TABLE, JSON, PICTURE, PICTURE_PDF, PICTURE_PNG, REPORT, CASE];
+pub const COMPARISON_FILES: [&str; 7] = [
+    TABLE,
+    JSON,
+    "comparison.svg",
+    "comparison.pdf",
+    "comparison.png",
+    REPORT,
+    CASE,
+];
 
 const TABLE: &str = "comparison.csv";
 const JSON: &str = "comparison.json";
-const PICTURE: &str = "comparison.svg";
-const PICTURE_PDF: &str = "comparison.pdf";
-const PICTURE_PNG: &str = "comparison.png";
+const PICTURE: &str = "comparison";
 const REPORT: &str = "report.txt";
 const CASE: &str = "case.toml";
 
@@ -101,26 +106,16 @@ pub fn write_comparison(
     };
     let json = serde_json::to_string_pretty(&comparison_json(comparison))
         .map_err(|e| OutputError::io(&target.join(JSON), e.into()))?;
-    let picture = comparison_picture(comparison);
-    let drawn = picture.as_ref();
-    let svg = drawn.filter(|_| formats.svg).map(|p| p.svg().into_bytes());
-    let pdf = drawn.filter(|_| formats.pdf).map(|p| p.pdf()).transpose()?;
-    let png = drawn.filter(|_| formats.png).map(|p| p.png()).transpose()?;
+    // First what may fail for another reason than the disk.
+    replace_picture(
+        target,
+        PICTURE,
+        comparison_picture(comparison).as_ref(),
+        formats,
+    )?;
     write(JSON, format!("{json}\n").as_bytes())?;
     write(TABLE, comparison_table(comparison).as_bytes())?;
     write(REPORT, comparison_report(comparison, None).as_bytes())?;
     write(CASE, case.as_bytes())?;
-    for (name, content) in [(PICTURE, svg), (PICTURE_PDF, pdf), (PICTURE_PNG, png)] {
-        match content {
-            Some(content) => write(name, &content)?,
-            // A picture of a former comparison would show another one.
-            None => match fs::remove_file(target.join(name)) {
-                Err(e) if e.kind() != io::ErrorKind::NotFound => {
-                    return Err(OutputError::io(&target.join(name), e));
-                }
-                _ => {}
-            },
-        }
-    }
     Ok(())
 }

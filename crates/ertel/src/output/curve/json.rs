@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::super::CaseEcho;
 use super::super::result_json::{FORMAT_VERSION, units};
 use crate::run::NUMERICS;
-use crate::study::{CurveSolution, Outcome};
+use crate::study::{CurveSolution, Outcome, PointSolution};
 use crate::warning::texts;
 
 /// Value of the key `format` by which the results of a curve are recognised.
@@ -14,48 +14,7 @@ pub const CURVE_FORMAT: &str = "ertel-curve";
 /// The document; SI throughout.
 pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<Value> {
     let points = (curve.points.iter().enumerate())
-        .map(|(i, point)| {
-            let formulas: Vec<Value> = point
-                .formulas
-                .iter()
-                .map(|f| json!({ "name": f.name, "film_central": f.central, "film_minimum": f.minimum }))
-                .collect();
-            let mut json = json!({
-                "point": i + 1,
-                "value": point.value,
-                "converged": point.outcome.solution().is_some(),
-                "seconds": point.seconds,
-                "formulas": formulas,
-            });
-            match &point.outcome {
-                Outcome::Solved(s) => {
-                    json["summary"] = serde_json::to_value(&s.summary)?;
-                    json["hertz"] = serde_json::to_value(s.hertz)?;
-                    json["groups"] = serde_json::to_value(s.groups)?;
-                    json["traction"] = serde_json::to_value(&s.traction)?;
-                    json["film_reduction"] = serde_json::to_value(point.film_reduction())?;
-                    if let Some(mixed) = &s.mixed {
-                        json["mixed"] = serde_json::to_value(mixed)?;
-                    }
-                    if let Some(thermal) = &s.thermal {
-                        json["thermal"] = serde_json::to_value(thermal)?;
-                        json["thermal"]["reduction"] =
-                            serde_json::to_value(point.thermal_reduction())?;
-                    }
-                    json["stats"] = serde_json::to_value(&s.stats)?;
-                    json["unresolved"] = serde_json::to_value(&s.unresolved)?;
-                    json["warnings"] = json!(texts(&s.warnings));
-                }
-                Outcome::Failed(reason) => json["reason"] = json!(reason),
-            }
-            if let Some(newtonian) = &point.newtonian {
-                json["newtonian"] = beside(newtonian)?;
-            }
-            if let Some(isothermal) = &point.isothermal {
-                json["isothermal"] = beside(isothermal)?;
-            }
-            Ok(json)
-        })
+        .map(|(i, point)| point_json(i, point))
         .collect::<serde_json::Result<Vec<Value>>>()?;
     Ok(json!({
         "format": CURVE_FORMAT,
@@ -76,6 +35,52 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units(),
     }))
+}
+
+/// A point of a curve, as in `points` of [`curve_json`]; `index` counts from 0.
+///
+/// # Errors
+/// Those of serde.
+pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Value> {
+    let formulas: Vec<Value> = point
+        .formulas
+        .iter()
+        .map(|f| json!({ "name": f.name, "film_central": f.central, "film_minimum": f.minimum }))
+        .collect();
+    let mut json = json!({
+        "point": index + 1,
+        "value": point.value,
+        "converged": point.outcome.solution().is_some(),
+        "seconds": point.seconds,
+        "formulas": formulas,
+    });
+    match &point.outcome {
+        Outcome::Solved(s) => {
+            json["summary"] = serde_json::to_value(&s.summary)?;
+            json["hertz"] = serde_json::to_value(s.hertz)?;
+            json["groups"] = serde_json::to_value(s.groups)?;
+            json["traction"] = serde_json::to_value(&s.traction)?;
+            json["film_reduction"] = serde_json::to_value(point.film_reduction())?;
+            if let Some(mixed) = &s.mixed {
+                json["mixed"] = serde_json::to_value(mixed)?;
+            }
+            if let Some(thermal) = &s.thermal {
+                json["thermal"] = serde_json::to_value(thermal)?;
+                json["thermal"]["reduction"] = serde_json::to_value(point.thermal_reduction())?;
+            }
+            json["stats"] = serde_json::to_value(&s.stats)?;
+            json["unresolved"] = serde_json::to_value(&s.unresolved)?;
+            json["warnings"] = json!(texts(&s.warnings));
+        }
+        Outcome::Failed(reason) => json["reason"] = json!(reason),
+    }
+    if let Some(newtonian) = &point.newtonian {
+        json["newtonian"] = beside(newtonian)?;
+    }
+    if let Some(isothermal) = &point.isothermal {
+        json["isothermal"] = beside(isothermal)?;
+    }
+    Ok(json)
 }
 
 /// A simpler case solved beside a point.

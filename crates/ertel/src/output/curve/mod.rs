@@ -7,7 +7,7 @@ mod report;
 mod stribeck;
 mod table;
 
-pub use json::{CURVE_FORMAT, curve_json};
+pub use json::{CURVE_FORMAT, curve_json, point_json};
 pub use picture::{film_chart, film_shape_chart, films_chart, traction_chart, tractions_chart};
 pub use report::curve_report;
 pub use stribeck::stribeck_chart;

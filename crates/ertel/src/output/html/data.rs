@@ -48,6 +48,7 @@ pub fn data(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Value {
                 "residual": r.residual,
                 "update": r.update,
                 "film_central": r.film_central,
+                "heat_change": r.heat.map(|heat| heat.change),
             })
         })
         .collect();
@@ -64,6 +65,7 @@ pub fn data(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Value {
         "centreline": centreline(solution),
         "history": history,
         "tolerance": tolerance,
+        "heat_tolerance": solution.thermal.as_ref().map(|t| t.coupling.tolerance),
     })
 }
 

@@ -15,7 +15,8 @@ const LABELS_APART: f64 = 0.055;
 /// How the films come to those of the last mesh, where there are three meshes at least, and how Newton's method comes to its
 /// tolerance there.
 pub fn convergence(title: &str, solution: &Solution, tolerance: Option<f64>) -> Vec<Chart> {
-    let newton = newton(title, solution, tolerance);
+    let coupling = solution.thermal.as_ref().map(|t| t.coupling.tolerance);
+    let newton = newton(title, solution, [tolerance, coupling]);
     meshes(title, solution)
         .into_iter()
         .chain([newton])
@@ -87,8 +88,11 @@ fn meshes(title: &str, solution: &Solution) -> Option<Chart> {
     Some(chart)
 }
 
-/// Residual and update of every Newton iteration, stages one after the other; those before the solution are pale.
-fn newton(title: &str, solution: &Solution, tolerance: Option<f64>) -> Chart {
+/// Residual and update of every Newton iteration, stages one after the other; those before the solution are pale. With heat,
+/// film and temperatures are solved in turn, each to a share of the other's changes: the change from round to round is what has to
+/// come below a tolerance.
+/// The tolerances are those of Newton's method and of that change.
+fn newton(title: &str, solution: &Solution, [tolerance, coupling]: [Option<f64>; 2]) -> Chart {
     let history = &solution.history;
     let last = solved(&solution.stats.levels);
     // Without levels all is the solution.
@@ -136,14 +140,30 @@ fn newton(title: &str, solution: &Solution, tolerance: Option<f64>) -> Chart {
             side: Side::Left,
         });
     }
+    let of_last = || (1..).zip(history).filter(|(_, r)| is_last(r));
+    let rounds: Vec<[f64; 2]> = of_last()
+        .filter_map(|(i, r)| Some([f64::from(i), r.heat?.change]))
+        .collect();
+    let (tolerance, tolerance_of) = match coupling.filter(|_| !rounds.is_empty()) {
+        Some(of_change) => (Some(of_change), "tolerance of the change"),
+        None => (tolerance, "tolerance of the solution"),
+    };
+    if !rounds.is_empty() {
+        series.push(Series {
+            label: "change from round to round of film and heat".into(),
+            points: rounds,
+            look: Look::LineAndDots,
+            colour: PALETTE[2].into(),
+            side: Side::Left,
+        });
+    }
     let heights = series.iter().flat_map(|s| &s.points).map(|p| p[1]);
     let heights: Vec<f64> = heights.chain(tolerance).collect();
     if let Some(tolerance) = tolerance {
-        let of_last = || (1..).zip(history).filter(|(_, r)| is_last(r));
-        let from = of_last().next().map_or(0.0, |(i, _)| i as f64 - 0.5);
-        let to = of_last().last().map_or(0.0, |(i, _)| i as f64 + 0.5);
+        let from = of_last().next().map_or(0.0, |(i, _)| f64::from(i) - 0.5);
+        let to = of_last().last().map_or(0.0, |(i, _)| f64::from(i) + 0.5);
         series.push(Series {
-            label: "tolerance of the solution".into(),
+            label: tolerance_of.into(),
             points: vec![[from, tolerance], [to, tolerance]],
             look: Look::Dashed,
             colour: GREY.into(),
@@ -191,6 +211,9 @@ fn stages(history: &[IterationRecord], last: Option<usize>) -> Vec<Marker> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::ContactKind;
+    use crate::output::fixture;
+    use crate::solution::HeatRound;
 
     fn record(level: usize) -> IterationRecord {
         IterationRecord {
@@ -203,7 +226,41 @@ mod tests {
             step: 1.0,
             krylov_iterations: 5,
             film_central: 2e-7,
+            heat: None,
         }
+    }
+
+    /// Film and heat in turn: what has to come below the tolerance is the change from round to round, which the picture shows.
+    #[test]
+    fn a_solve_with_heat_ends_below_the_tolerance_that_is_drawn() {
+        let mut solution = fixture::solution(ContactKind::Line);
+        let last = solution.history.last().unwrap().level;
+        let of_last: Vec<usize> = (0..solution.history.len())
+            .filter(|i| solution.history[*i].level == last)
+            .collect();
+        for (round, i) in of_last.iter().enumerate() {
+            let record = &mut solution.history[*i];
+            (record.residual, record.update) = (1e-5, 1e-4);
+            record.heat = Some(HeatRound {
+                change: 0.1_f64.powi(2 + i32::try_from(round).unwrap()),
+                temperature_rise: 8.0,
+            });
+        }
+        let chart = newton("", &solution, [Some(1e-8), Some(1e-4)]);
+        let points = |label: &str| {
+            let series = chart.series.iter().find(|s| s.label.contains(label));
+            &series.unwrap_or_else(|| panic!("no {label}")).points
+        };
+        let rounds = points("round to round");
+        assert_eq!(rounds.len(), of_last.len());
+        let tolerance = points("tolerance of the change")[0][1];
+        assert!(rounds[0][1] > tolerance && rounds.last().unwrap()[1] < tolerance);
+        assert!(
+            !chart
+                .series
+                .iter()
+                .any(|s| s.label == "tolerance of the solution")
+        );
     }
 
     /// Thirty stages of one iteration each: labels keep apart, and the solution has its own.

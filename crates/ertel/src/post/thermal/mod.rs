@@ -61,6 +61,7 @@ pub fn thermal(
             rounds: stats.rounds,
             contraction: stats.contraction,
             change: stats.change,
+            tolerance: stats.tolerance,
             n_temperatures: space.n(),
             iterations: stats.heat.iterations,
             krylov_iterations: stats.heat.krylov_iterations,

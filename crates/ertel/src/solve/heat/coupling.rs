@@ -59,6 +59,8 @@ pub struct CouplingStats {
     pub contraction: f64,
     /// Last relative change.
     pub change: f64,
+    /// That at which all have converged.
+    pub tolerance: f64,
     /// Effort on the temperatures.
     pub heat: HeatStats,
 }
@@ -78,6 +80,7 @@ impl CouplingStats {
                 _ => self.contraction,
             },
             change: self.change,
+            tolerance: self.tolerance,
             heat: HeatStats {
                 iterations: self.heat.iterations + earlier.heat.iterations,
                 krylov_iterations: self.heat.krylov_iterations + earlier.heat.krylov_iterations,
@@ -123,7 +126,10 @@ pub fn solve_coupled(
 ) -> Result<(Reached, CouplingStats), SolveError> {
     let d = level.discretisation;
     let mut temperatures = HeatNewton::new(d, &model.fluid, heat, params.heat);
-    let mut coupling = CouplingStats::default();
+    let mut coupling = CouplingStats {
+        tolerance: params.tolerance,
+        ..CouplingStats::default()
+    };
     let mut first_change = 0.0;
     let mut change: f64 = 1.0;
     let mut relaxation = Relaxation::default();

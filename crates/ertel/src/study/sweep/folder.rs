@@ -14,12 +14,24 @@ use crate::study::table::{POINTS, StudyEcho, TABLE};
 use crate::warning::by_kind;
 
 /// Every file that a study writes into its folder.
-pub const FILES: [&str; 7] = [LOCK, JOURNAL, POINTS, TABLE, FILMS, TRACTIONS, REPORT_PAGE];
+pub const FILES: [&str; 11] = [
+    LOCK,
+    JOURNAL,
+    POINTS,
+    TABLE,
+    "film.svg",
+    "film.pdf",
+    "film.png",
+    "traction.svg",
+    "traction.pdf",
+    "traction.png",
+    REPORT_PAGE,
+];
 /// Folder within that of a study, with the results of its points where these are asked for.
 pub const FOLDERS: &str = "points";
-/// Name of the picture of its films, and of that of its tractions.
-const FILMS: &str = "film.svg";
-const TRACTIONS: &str = "traction.svg";
+/// Name without suffix of the picture of its films, and of that of its tractions.
+const FILMS: &str = "film";
+const TRACTIONS: &str = "traction";
 
 /// Makes the folder of a study, or opens a former one, and writes the list of points there.
 pub(super) fn open(folder: &Path, echo: &StudyEcho) -> Result<(Journal, Entries), SweepError> {
@@ -118,9 +130,7 @@ pub(super) fn write_results(
         (FILMS, output::study_films(echo, records)),
         (TRACTIONS, output::study_tractions(echo, records)),
     ] {
-        if let Some(svg) = picture {
-            write(name, svg)?;
-        }
+        output::replace_picture(folder, name, picture.as_ref(), echo.pictures)?;
     }
     Ok(())
 }

@@ -64,7 +64,15 @@ function showIterations(result) {
     label: `stage ${stage}`, ink: k, points: true,
     data: history.map((r) => (r.stage === stage && r.residual > 0 ? r.residual : NaN)),
   }));
-  series.push({ label: "tolerance", ink: 4, dash: [6, 4], data: history.map(() => result.data.tolerance) });
+  const { tolerance, heat_tolerance: heatTolerance } = result.data;
+  if (heatTolerance) {
+    // Film and heat are solved in turn, each only to a share of what the other still changes: that change is what converges.
+    series.push({ label: "change from round to round of film and heat", ink: 3, points: true, data: history.map((r) => r.heat_change ?? NaN) });
+  }
+  series.push({
+    label: heatTolerance ? "tolerance of that change" : "tolerance", ink: 4, dash: [6, 4],
+    data: history.map(() => heatTolerance ?? tolerance),
+  });
   lineChart("iterations", {
     x: { label: "Newton iteration", data: count }, y: { label: "Residual", log: true }, series, height: 280,
     describe: `Residual over ${history.length} Newton iterations on ${stages.length} meshes`,
