@@ -435,7 +435,7 @@ mod tests {
                 "lubricant.temperature_K".to_owned(),
                 "motion.slide_to_roll_ratio".to_owned(),
             ],
-            pictures: PictureFormats::default(),
+            pictures: crate::params::PictureFormats::default(),
             units: vec!["kN/m".to_owned(), "degC".to_owned(), String::new()],
             points: Vec::new(),
         };
