@@ -1,5 +1,6 @@
 //! `ertel schema` beside what it describes: the readers, the shipped files, the reference pages.
 
+#[path = "draft7/mod.rs"]
 mod draft7;
 
 use std::collections::BTreeSet;

@@ -1,6 +1,6 @@
 //! Elliptical contacts against circular ones and lines, and against themselves seen from other sides.
 
-mod common;
+use crate::common;
 
 use std::sync::Arc;
 

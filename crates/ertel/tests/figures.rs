@@ -1,6 +1,6 @@
 //! Figures with error bars: those of the finest stage are those of the summary, and two meshes give each a bar.
 
-mod common;
+use crate::common;
 
 use common::heated;
 use ertel::contact::ContactKind;

@@ -1,6 +1,6 @@
 //! Contacts whose lubricant has a limiting shear stress, from the dry contact alone, against what theory says of them.
 
-mod common;
+use crate::common;
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;

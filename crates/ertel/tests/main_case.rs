@@ -1,6 +1,6 @@
 //! The thesis's main circular contact, cold, with default settings.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use common::case;

@@ -1,6 +1,6 @@
 //! Elastic operators kept on disk: the same results, bit by bit, whatever befalls the files.
 
-mod common;
+use crate::common;
 
 use std::fs;
 use std::path::{Path, PathBuf};

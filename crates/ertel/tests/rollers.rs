@@ -1,6 +1,6 @@
 //! Rollers of finite length against lines, ellipses and closed forms.
 
-mod common;
+use crate::common;
 
 use std::path::Path;
 use std::sync::Arc;

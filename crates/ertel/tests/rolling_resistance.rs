@@ -1,6 +1,6 @@
 //! What rolling costs, against the formulas of Biboulet and Houpert (2010).
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use common::case;

@@ -1,6 +1,6 @@
 //! Sliding askew and spin: against straight motion, closed forms of the Newtonian film, mirror images and the balance of energy.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use common::{case, heated};

@@ -1,7 +1,7 @@
 //! Contacts that get less oil than they take: against the closed form of the line contact, the limits of thick and thin layers, and
 //! Reynolds' equation integrated upstream to the meniscus.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use common::{case, heated};

@@ -1,7 +1,7 @@
 //! Temperatures and heat as results: made-up temperatures whose figures are known by hand, and real ones reckoned
 //! once more from what is written.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use common::heated;

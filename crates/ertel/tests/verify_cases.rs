@@ -1,6 +1,6 @@
 //! Solutions of whole cases: what theory says they share.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;

@@ -1,6 +1,6 @@
 //! Film and heat in turn: what is left of the error where their coupling stops.
 
-mod common;
+use crate::common;
 
 use std::path::Path;
 

@@ -1,7 +1,7 @@
 //! Elasticity of the body: patch tests, manufactured displacements, Hertz's deflection, and the
 //! laws that any elastic response obeys.
 
-mod common;
+use crate::common;
 
 use std::sync::Arc;
 

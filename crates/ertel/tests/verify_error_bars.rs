@@ -1,7 +1,7 @@
 //! Error bars against the same case on much finer meshes: the bar must hold the truth, and must not
 //! be so wide that it says nothing.
 
-mod common;
+use crate::common;
 
 use ertel::contact::ContactKind;
 use ertel::params::{MeshParams, MeshPreset};

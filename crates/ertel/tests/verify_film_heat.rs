@@ -1,7 +1,7 @@
 //! Stresses, velocities and heat of a thermal film against a film written out here: balance of forces, the law of Rabinowitsch, Simpson's
 //! rule, all in SI.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use common::rigid::heated_case;

@@ -1,6 +1,6 @@
 //! The divergence of the flow through a film against differences of the flow itself, along fields written out here.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use common::rigid::heated_case;

@@ -1,6 +1,6 @@
 //! Half-spaces: closed forms, the finite-element body as it grows, and the laws that any elastic response obeys.
 
-mod common;
+use crate::common;
 
 use std::f64::consts::PI;
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! The energy equation against manufactured temperatures, closed forms and integrals computed here.
 
-mod common;
+use crate::common;
 
 use std::f64::consts::PI;
 

@@ -1,6 +1,6 @@
 //! Jacobian of the coupled film equations against differences of the residual.
 
-mod common;
+use crate::common;
 
 use std::sync::Arc;
 

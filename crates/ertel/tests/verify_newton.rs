@@ -1,7 +1,7 @@
 //! Newton's method on the coupled system: its two linear solvers agree, it converges
 //! quadratically, and its effort and results repeat.
 
-mod common;
+use crate::common;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 

@@ -1,6 +1,6 @@
 //! Figures and fields that are written, against laws and sums evaluated here from the state of a small contact.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use ertel::contact::ContactKind;

@@ -1,6 +1,6 @@
 //! The scale of the residual in Newton's method against integrals by hand.
 
-mod common;
+use crate::common;
 
 use ertel::contact::ContactKind;
 use ertel::params::Formulation;

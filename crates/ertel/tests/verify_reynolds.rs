@@ -15,7 +15,7 @@
 //! Nothing of the product computes f: fluid, film and flux are written out here once more, and
 //! differentiated by dual numbers.
 
-mod common;
+use crate::common;
 
 use std::f64::consts::PI;
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Shear-thinning contacts against what theory says of their solutions.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;

@@ -1,6 +1,6 @@
 //! Whole thermal contacts: limits in which the answer is known, symmetries, and heat that is neither lost nor made.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use common::heated;

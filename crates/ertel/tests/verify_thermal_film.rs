@@ -1,6 +1,6 @@
 //! Properties of the thermal film by their laws, and bodies whose temperatures and heat are known in closed form.
 
-mod common;
+use crate::common;
 
 use approx::assert_relative_eq;
 use common::rigid::{EXTENTS, heated_case, problem_without_expansion, rigid, solve};
