@@ -203,7 +203,7 @@ pub fn adjoints(
 }
 
 /// Relative residual at which an adjoint is good enough to weigh errors.
-pub const TO_WEIGH_ERRORS: f64 = 1e-3;
+pub const TO_WEIGH_ERRORS: f64 = 1e-8;
 
 /// Tolerance down to which products may be as rough as those of Newton's steps.
 const ROUGH: f64 = 1e-4;
