@@ -41,14 +41,16 @@ export function nativeMessage(text) {
 const CLASSES = [
   // Times and iterations.
   { name: "effort", of: (path) => /^\.(stats|history)\b/.test(path), tolerance: Infinity },
-  // Adjoints that weigh errors are solved to 1e-3 with a preconditioner of 16-bit numbers: rounding moves them by as much.
-  { name: "error bars", of: (path) => /error$/.test(path) && !/balance_error$/.test(path), tolerance: 2e-2 },
+  // Adjoints that weigh errors are solved to 1e-8, and what they weigh are small differences.
+  { name: "error bars", of: (path) => /error$/.test(path) && !/balance_error$/.test(path), tolerance: 1e-4 },
   // Small differences of large numbers: compared beside 1.
   { name: "balances", of: (path) => /balance_error$/.test(path), scale: () => 1, tolerance: 1e-9 },
   // Where a film or pressure is extreme it is flat: 1e-15 of the value is 3e-8 of the half-width.
   { name: "places", of: (path) => /^\.summary\..*\.[xyz]$/.test(path), scale: (result) => result.hertz.half_width, tolerance: 1e-6 },
   // By adjoints of their own tolerance; beside 1, a power law.
   { name: "sensitivities", of: (path) => /^\.sensitivities\b/.test(path), scale: () => 1, tolerance: 1e-4 },
+  // At the edge of the steepest rise of pressure, what Newton's method leaves (a residual of 1e-8) is largest: 1.6e-9 was seen.
+  { name: "extremes", of: (path) => /^\.summary\.spike\.value$|^\.traction\.shear_stress_maximum\.value$/.test(path), tolerance: 1e-8 },
   { name: "figures", of: () => true, tolerance: 1e-9 },
 ];
 
@@ -80,15 +82,4 @@ export function agreed(one, other) {
     if (!(value <= tolerance)) throw new Error(`${name}: ${path} differs by ${value}, and ${tolerance} is allowed\n${words}`);
   }
   return words;
-}
-
-/** Largest difference of the figures of a summary over the sum of both error bars. */
-export function withinBars(one, other) {
-  let worst = 0;
-  for (const [key, figure] of Object.entries(other.summary)) {
-    if (typeof figure?.value === "number" && figure.error > 0) {
-      worst = Math.max(worst, Math.abs(one.summary[key].value - figure.value) / (one.summary[key].error + figure.error));
-    }
-  }
-  return worst;
 }

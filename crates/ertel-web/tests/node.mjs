@@ -5,7 +5,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { start } from "../page/ertel.js";
-import { ROOT, TARGET, agreed, nativeMessage, nativeResult, withinBars } from "./native.mjs";
+import { ROOT, TARGET, agreed, nativeMessage, nativeResult } from "./native.mjs";
 
 const bytes = readFileSync(join(TARGET, "web/ertel.wasm"));
 console.log(`ertel.wasm: ${bytes.length} bytes, ${gzipSync(bytes, { level: 9 }).length} compressed`);
@@ -47,13 +47,9 @@ const read = (name) => readFileSync(join(ROOT, `cases/${name}.toml`), "utf8");
   console.log(`  ${agreed(own, native)}`);
 }
 {
-  // Which elements are halved depends on estimates that rounding moves by 1e-3: another mesh, other discretisation errors.
+  // Refined where adjoints of the films ask for it: the same elements.
   const { own, native, seconds } = await both("ball-on-disc", read("ball-on-disc"));
-  const share = withinBars(own, native);
-  const difference = Math.abs(own.summary.film_central.value / native.summary.film_central.value - 1);
-  console.log(`  meshes of ${own.stats.levels.at(-1).n_pressure_dofs} and ${native.stats.levels.at(-1).n_pressure_dofs} unknowns; central film differs by ` +
-    `${difference.toExponential(1)}, all figures by ${share.toFixed(2)} of their error bars at most`);
-  assert(share <= 1);
+  console.log(`  ${agreed(own, native)}`);
   inTime("ball-on-disc", seconds, 10);
 }
 
