@@ -41,7 +41,7 @@ export function nativeMessage(text) {
 const CLASSES = [
   // Times and iterations.
   { name: "effort", of: (path) => /^\.(stats|history)\b/.test(path), tolerance: Infinity },
-  // Adjoints that weigh errors are solved to 1e-8, and what they weigh are small differences.
+  // Adjoints that weigh errors are solved to 1e-6, and what they weigh are small differences.
   { name: "error bars", of: (path) => /error$/.test(path) && !/balance_error$/.test(path), tolerance: 1e-4 },
   // Small differences of large numbers: compared beside 1.
   { name: "balances", of: (path) => /balance_error$/.test(path), scale: () => 1, tolerance: 1e-9 },

@@ -202,8 +202,8 @@ pub fn adjoints(
         .collect()
 }
 
-/// Relative residual at which an adjoint is good enough to weigh errors.
-pub const TO_WEIGH_ERRORS: f64 = 1e-8;
+/// Relative residual at which an adjoint weighs errors: 1e-3 would do for bars, but then rounding decides which elements are halved.
+pub const TO_WEIGH_ERRORS: f64 = 1e-6;
 
 /// Tolerance down to which products may be as rough as those of Newton's steps.
 const ROUGH: f64 = 1e-4;
