@@ -32,12 +32,12 @@ mkdir "$parts/$name/completions"
 cp "$parts"/ertel.{bash,zsh,fish} "$parts/$name/completions/"
 strip "$parts/$name/ertel"
 tar -C "$parts" --sort=name --owner=0 --group=0 --numeric-owner -czf "$out/$name.tar.gz" "$name"
-"$parts/$name/ertel" solve cases/roller.toml --no-cache --quiet --output "$parts/roller"
-test -s "$parts/roller/result.json"
+"$parts/$name/ertel" solve cases/ball-on-disc.toml --no-cache --quiet --output "$parts/ball-on-disc"
+test -s "$parts/ball-on-disc/result.json"
 
 # The Debian package holds the same program.
 if command -v dpkg-deb > /dev/null; then
-  test -x "$target/tools/bin/cargo-deb" || cargo install --quiet --locked --root "$target/tools" --target-dir "$target/tools/target" cargo-deb@3
+  test -x "$target/tools/bin/cargo-deb" || cargo install --quiet --locked --root "$target/tools" --target-dir "$target/tools/target" "cargo-deb@^3"
   PATH=$target/tools/bin:$PATH cargo deb --quiet --no-build --target "$triple" --package ertel-cli --output "$out/"
   dpkg-deb --extract "$out"/ertel_*.deb "$parts/deb"
   "$parts/deb/usr/bin/ertel" --version
@@ -51,7 +51,7 @@ python3 -m venv "$parts/venv"
 "$parts/venv/bin/maturin" build --quiet --release --locked --manifest-path crates/ertel-py/Cargo.toml --out "$out"
 python3 -m venv "$parts/fresh"
 "$parts/fresh/bin/python" -m pip install --quiet "$out"/ertel-*.whl
-"$parts/fresh/bin/python" -c 'import ertel; print(ertel.Case.from_file("cases/roller.toml").solve().film_central)'
+"$parts/fresh/bin/python" -c 'import ertel; print(ertel.Case.from_file("cases/ball-on-disc.toml").solve().film_central)'
 
 # The documentation as a site.
 test -x "$target/tools/bin/mdbook" || cargo install --quiet --locked --root "$target/tools" --target-dir "$target/tools/target" mdbook@0.5.4
