@@ -215,6 +215,15 @@ values = [false, true]
         assert!(std::fs::read(file("png")).unwrap().starts_with(b"\x89PNG"));
         assert!(!file("svg").exists());
     }
+    // Back to SVG: a PDF file of this name may be the user's own by now.
+    let output = sweep(&folder, &["study.toml", "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    for name in ["film.svg", "film.pdf", "traction.svg", "traction.png"] {
+        assert!(
+            folder.path().join("results/study").join(name).is_file(),
+            "{name}"
+        );
+    }
 }
 
 /// Killed at random moments, a study comes to the same table, byte for byte, and no point is in its journal twice.

@@ -241,24 +241,31 @@ fn write_picture(
         ..formats
     };
     for (suffix, content) in drawn(&picture.drawing, others)? {
-        content.map_or(Ok(()), |content| write(suffix, &content))?;
+        write(suffix, &content)?;
     }
     Ok(())
 }
 
-/// The content of the files of a picture, each with its suffix; `None` for a format that is not asked for.
+/// Suffix and content of a file.
+type SuffixedFile = (&'static str, Vec<u8>);
+
+/// The files of a picture in the formats that are asked for.
 fn drawn(
     drawing: &plot::Drawing,
     formats: PictureFormats,
-) -> Result<[(&'static str, Option<Vec<u8>>); 3], plot::DrawingError> {
+) -> Result<Vec<SuffixedFile>, plot::DrawingError> {
     let svg = formats.svg.then(|| drawing.svg().into_bytes());
     let pdf = formats.pdf.then(|| drawing.pdf()).transpose()?;
     let png = formats.png.then(|| drawing.png()).transpose()?;
-    Ok([("svg", svg), ("pdf", pdf), ("png", png)])
+    let files = PictureFormats::NAMES.into_iter().zip([svg, pdf, png]);
+    Ok(files
+        .filter_map(|(suffix, content)| Some((suffix, content?)))
+        .collect())
 }
 
-/// Writes a picture as `name.svg`, `name.pdf` and `name.png`, as far as asked for. Pictures of these names that a former run left
-/// are replaced or removed: they would show another result. All formats are made before the first file is written.
+/// Writes a picture as `name.svg`, `name.pdf` and `name.png`, as far as asked for. Where there is none now, or not in this format, the one
+/// of a former run in one of the formats `former` is removed, for it would show another result; others may be the user's. All
+/// formats are made before the first file is written.
 ///
 /// # Errors
 /// [`OutputError`].
@@ -267,21 +274,25 @@ pub(crate) fn replace_picture(
     name: &str,
     drawing: Option<&plot::Drawing>,
     formats: PictureFormats,
+    former: PictureFormats,
 ) -> Result<(), OutputError> {
-    let files = match drawing {
-        Some(drawing) => drawn(drawing, formats)?,
-        None => PictureFormats::NAMES.map(|suffix| (suffix, None)),
-    };
-    for (suffix, content) in files {
-        let path = folder.join(format!("{name}.{suffix}"));
-        let written = match content {
-            Some(content) => write_whole(&path, &content),
-            None => match fs::remove_file(&path) {
-                Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(()),
-                removed => removed,
-            },
-        };
-        written.map_err(|e| OutputError::io(&path, e))?;
+    let files = drawing.map_or(Ok(Vec::new()), |drawing| drawn(drawing, formats))?;
+    let path = |suffix: &str| folder.join(format!("{name}.{suffix}"));
+    let is_former = [former.svg, former.pdf, former.png];
+    for (suffix, _) in PictureFormats::NAMES
+        .into_iter()
+        .zip(is_former)
+        .filter(|(suffix, is_former)| *is_former && files.iter().all(|(own, _)| own != suffix))
+    {
+        match fs::remove_file(path(suffix)) {
+            Err(e) if e.kind() != io::ErrorKind::NotFound => {
+                return Err(OutputError::io(&path(suffix), e));
+            }
+            _ => {}
+        }
+    }
+    for (suffix, content) in &files {
+        write_whole(&path(suffix), content).map_err(|e| OutputError::io(&path(suffix), e))?;
     }
     Ok(())
 }
@@ -292,9 +303,7 @@ pub(crate) fn replace_picture(
 /// [`OutputError::Suffix`] for another suffix than those of [`PictureFormats::NAMES`].
 pub fn write_drawing(path: &Path, drawing: &plot::Drawing) -> Result<(), OutputError> {
     for (_, content) in drawn(drawing, picture_format(path)?)? {
-        if let Some(content) = content {
-            write_whole(path, &content).map_err(|e| OutputError::io(path, e))?;
-        }
+        write_whole(path, &content).map_err(|e| OutputError::io(path, e))?;
     }
     Ok(())
 }

@@ -40,7 +40,13 @@ pub fn write_monte_carlo(
         .map_err(|e| failed(&folder.join(MONTE_CARLO), e.into()))?;
     let path = folder.join(MONTE_CARLO);
     write_whole(&path, text.as_bytes()).map_err(|e| failed(&path, e))?;
-    replace_picture(folder, PICTURE, Some(&picture(found, solution)), pictures)
+    replace_picture(
+        folder,
+        PICTURE,
+        Some(&picture(found, solution)),
+        pictures,
+        PictureFormats::default(),
+    )
 }
 
 fn json(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Value {

@@ -30,6 +30,11 @@ pub const COMPARISON_FILES: [&str; 7] = [
 const TABLE: &str = "comparison.csv";
 const JSON: &str = "comparison.json";
 const PICTURE: &str = "comparison";
+const ALL_FORMATS: PictureFormats = PictureFormats {
+    svg: true,
+    pdf: true,
+    png: true,
+};
 const REPORT: &str = "report.txt";
 const CASE: &str = "case.toml";
 
@@ -112,6 +117,7 @@ pub fn write_comparison(
         PICTURE,
         comparison_picture(comparison).as_ref(),
         formats,
+        ALL_FORMATS,
     )?;
     write(JSON, format!("{json}\n").as_bytes())?;
     write(TABLE, comparison_table(comparison).as_bytes())?;

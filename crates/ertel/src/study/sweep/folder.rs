@@ -9,6 +9,7 @@ use super::SweepError;
 use crate::case::Study;
 use crate::output;
 use crate::output::html::{REPORT_PAGE, study_page};
+use crate::params::PictureFormats;
 use crate::study::journal::{Entries, JOURNAL, Journal, LOCK, Lock, PointKey, Record};
 use crate::study::table::{POINTS, StudyEcho, TABLE};
 use crate::warning::by_kind;
@@ -130,7 +131,13 @@ pub(super) fn write_results(
         (FILMS, output::study_films(echo, records)),
         (TRACTIONS, output::study_tractions(echo, records)),
     ] {
-        output::replace_picture(folder, name, picture.as_ref(), echo.pictures)?;
+        output::replace_picture(
+            folder,
+            name,
+            picture.as_ref(),
+            echo.pictures,
+            PictureFormats::default(),
+        )?;
     }
     Ok(())
 }
