@@ -29,7 +29,7 @@ use crate::forms::oil_layer::{filling_length, missing};
 use crate::solution::Figure;
 
 /// Relative residual of the adjoints.
-const TOLERANCE: f64 = 1e-6;
+const TOLERANCE: f64 = 1e-7;
 
 /// Figures that have sensitivities.
 pub const FIGURES: [Figure; 4] = [
