@@ -43,9 +43,6 @@ if command -v dpkg-deb > /dev/null; then
   "$parts/deb/usr/bin/ertel" --version
 fi
 
-# `cargo install`, as the README's reader would do it, would compile all once more; that it finds what it needs is seen by the list.
-cargo package --package ertel-cli --list --allow-dirty > /dev/null
-
 python3 -m venv "$parts/venv"
 "$parts/venv/bin/python" -m pip install --quiet "maturin>=1.9,<2"
 "$parts/venv/bin/maturin" build --quiet --release --locked --manifest-path crates/ertel-py/Cargo.toml --out "$out"

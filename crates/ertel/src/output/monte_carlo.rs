@@ -19,9 +19,8 @@ pub const MONTE_CARLO: &str = "monte-carlo.json";
 /// The picture beside it, without suffix.
 const PICTURE: &str = "monte-carlo";
 
-/// Writes statistics and picture into the folder of the study, with the uncertainties to first order beside where there are any.
-///
-/// The picture is written in the formats `pictures`.
+/// Writes statistics and picture into the folder of the study, the picture in the formats `pictures`. The uncertainties to first order
+/// are shown with them where there are any.
 ///
 /// # Errors
 /// Files that cannot be written.

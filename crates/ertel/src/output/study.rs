@@ -56,7 +56,7 @@ const TRACTION: [Figure; 1] = [Figure {
 
 /// Central films with dots and minimum films with rings, with their error bars, over the axis with the most numbers, a colour for
 /// each combination of the others, and a panel for each value of one of them where these are more than there are colours; dashed
-/// the points without heat, where an axis switches it. An SVG file; `None` where no axis has three numbers, or there are too many
+/// the points without heat, where an axis switches it. `None` where no axis has three numbers, or there are too many
 /// combinations.
 pub fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Drawing> {
     let layout = Layout::new(study)?;

@@ -90,8 +90,7 @@ fn meshes(title: &str, solution: &Solution) -> Option<Chart> {
 
 /// Residual and update of every Newton iteration, stages one after the other; those before the solution are pale. With heat,
 /// film and temperatures are solved in turn, each to a share of the other's changes: the change from round to round is what has to
-/// come below a tolerance.
-/// The tolerances are those of Newton's method and of that change.
+/// come below a tolerance. The tolerances are those of Newton's method and of that change.
 fn newton(title: &str, solution: &Solution, [tolerance, coupling]: [Option<f64>; 2]) -> Chart {
     let history = &solution.history;
     let last = solved(&solution.stats.levels);
