@@ -238,7 +238,7 @@ mod tests {
         assert!(
             zip.and_then(Value::as_str)
                 .unwrap_or_default()
-                .contains("side by side")
+                .contains("same name here vary together")
         );
     }
 }
