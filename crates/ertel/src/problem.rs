@@ -65,6 +65,7 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
         entrainment: case.motion.entrainment(scales.length),
         formulation: case.solver.formulation,
         isotropic_diffusion: case.solver.isotropic_diffusion,
+        diffusion_tensor: shape.zone.diffusion_tensor(),
         elastic_stabilisation: case.solver.elastic_stabilisation,
         penalty: case.solver.penalty,
         penalty_scaling: case.solver.penalty_scaling,

@@ -160,6 +160,7 @@ fn check(
             let constants = FilmConstants {
                 formulation,
                 isotropic_diffusion: diffusion,
+                diffusion_tensor: None,
                 ..problem.stages.last().unwrap().constants
             };
             let residual = |factor: f64| {

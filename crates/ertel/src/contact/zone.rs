@@ -130,6 +130,24 @@ impl HertzZone {
         1.0 / x.hypot(y)
     }
 
+    /// How much a diffusion that is in proportion to the length of a cell along the motion is reduced where cells are shorter than
+    /// that, min(1, (s/s_m)²) along each principal direction, with the semi-axis s and the half-width s_m along the motion: the
+    /// components xx, xy, yy of a tensor along and across the motion. `None`: nowhere, as in circles and rollers.
+    pub fn diffusion_tensor(&self) -> Option<[f64; 3]> {
+        let along = self.stretch_along_motion();
+        let share = |semi_axis: f64| (semi_axis / along).powi(2).min(1.0);
+        let [d1, d2] = [share(1.0), share(self.axis_ratio)];
+        if d1 == 1.0 && d2 == 1.0 {
+            return None;
+        }
+        let [c, s] = self.turn.to_axes([1.0, 0.0]);
+        Some([
+            d1 * c * c + d2 * s * s,
+            (d2 - d1) * s * c,
+            d1 * s * s + d2 * c * c,
+        ])
+    }
+
     /// Half the extent of the zone along and across the motion.
     pub fn half_extents(&self) -> [f64; 2] {
         if let Some(roller) = &self.roller {

@@ -6,7 +6,7 @@
 //!   ∫ (Q − ρ̄H ū)·∇W + (ξP⁻ − f) W                            Galerkin
 //!   + Σ_e ∫ τ (R − f) [β·∇W]                                  SUPG
 //!   + Σ_e ∫ τ (R − f) [β·∇W − ∇·(ε∇W)]                        GLS
-//!   + Σ_e ∫ ρ_id h_e H ∂ρ̄/∂P/(2l) ∇P·∇W                       isotropic diffusion
+//!   + Σ_e ∫ ρ_id h_e H ∂ρ̄/∂P/(2l) (T∇P)·∇W                    isotropic diffusion
 //!   + Σ_e ∫ (coth Pe_δ − 1/Pe_δ) ρ̄/h_e κP κW                  unseen pressure
 //!
 //!   β = (H ∂ρ̄/∂P + c ρ̄ h_e) ū,  τ = h_e/(2l|β|) (coth Pe − 1/Pe),  Pe = |β|h_e/(2lε),  l the order
@@ -49,6 +49,8 @@ pub struct ElementConstants {
     pub formulation: Formulation,
     /// ρ_id.
     pub isotropic_diffusion: f64,
+    /// T, xx, xy, yy; `None`: the unit tensor.
+    pub diffusion_tensor: Option<[f64; 3]>,
     /// Whether β and κ reckon with the deflection; only in SUPG and GLS.
     pub elastic_stabilisation: bool,
     /// The layer of oil that arrives; `None`: the gap is full.
@@ -116,8 +118,12 @@ pub fn reynolds_point<D: Number>(
     let l2 = 2.0 * e.order as f64;
     if e.isotropic_diffusion != 0.0 {
         let diffusion = h * m.density_slope * (e.isotropic_diffusion * e.size / l2);
-        test.gradient[0] += diffusion * px;
-        test.gradient[1] += diffusion * py;
+        let [dx, dy] = match e.diffusion_tensor {
+            None => [px, py],
+            Some([xx, xy, yy]) => [px * xx + py * xy, px * xy + py * yy],
+        };
+        test.gradient[0] += diffusion * dx;
+        test.gradient[1] += diffusion * dy;
     }
     if e.formulation == Formulation::Galerkin {
         return test;

@@ -34,6 +34,8 @@ pub struct FilmConstants {
     pub formulation: Formulation,
     /// ρ_id.
     pub isotropic_diffusion: f64,
+    /// T by which it is multiplied where cells are shorter across the motion than along it, xx, xy, yy.
+    pub diffusion_tensor: Option<[f64; 3]>,
     /// Whether the stabilisation reckons with the deflection.
     pub elastic_stabilisation: bool,
     /// ξ₀ in force.
@@ -67,6 +69,7 @@ impl FilmConstants {
             penalty,
             formulation: self.formulation,
             isotropic_diffusion: self.isotropic_diffusion,
+            diffusion_tensor: self.diffusion_tensor,
             elastic_stabilisation: self.elastic_stabilisation,
             oil_layer,
             filling_length: filling_length(size, order),

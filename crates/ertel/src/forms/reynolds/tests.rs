@@ -15,6 +15,7 @@ fn constants(formulation: Formulation) -> ElementConstants {
         penalty: 1e4,
         formulation,
         isotropic_diffusion: 0.5,
+        diffusion_tensor: None,
         elastic_stabilisation: true,
         oil_layer: None,
         filling_length: 0.0,
@@ -178,6 +179,7 @@ fn terms_of_the_weak_form() {
                     let c = ElementConstants {
                         lambda: 0.1,
                         isotropic_diffusion: diffusion,
+                        diffusion_tensor: None,
                         elastic_stabilisation: elastic,
                         ..constants(formulation)
                     };
