@@ -366,10 +366,14 @@ impl From<SolveError> for Failure {
             }
             SolveError::Discretisation(error) => Self::Other(error.to_string()),
             SolveError::NotConverged { .. }
+            | SolveError::EndCarries { .. }
             | SolveError::NotCoupled { .. }
             | SolveError::Heat(_)
             | SolveError::Krylov(_)
-            | SolveError::Factorisation(_) => Self::NotConverged(format!("{error}\n{HELP}")),
+            | SolveError::Factorisation(_) => Self::NotConverged(match error.advice() {
+                Some(advice) => format!("{error}\n  = help: nothing was written. Try {advice}"),
+                None => format!("{error}\n{HELP}"),
+            }),
         }
     }
 }

@@ -50,7 +50,10 @@ pub fn solve(error: SolveError) -> PyErr {
         SolveError::TooThin { help, .. } => {
             CaseError::new_err(format!("{error}\n  = help: {help}"))
         }
-        error => ConvergenceError::new_err(format!("{error}\n  = help: {HELP}")),
+        error => {
+            let help = error.advice().unwrap_or(HELP);
+            ConvergenceError::new_err(format!("{error}\n  = help: {help}"))
+        }
     }
 }
 

@@ -53,7 +53,12 @@ impl From<SolveError> for Failure {
             SolveError::TooThin { help, .. } => {
                 Failure::Refused(format!("{error}\n  = help: {help}"))
             }
-            error => Failure::NotConverged(format!("{error}\n{HELP}")),
+            error => match error.advice() {
+                Some(advice) => {
+                    Failure::NotConverged(format!("{error}\n  = help: try {advice}"))
+                }
+                None => Failure::NotConverged(format!("{error}\n{HELP}")),
+            },
         }
     }
 }

@@ -15,7 +15,7 @@ use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::{Estimate, IterationRecord, Solution};
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
-use ertel::solve::{Observer, Silent};
+use ertel::solve::{Observer, Silent, SolveError};
 use ertel_rheology::input::Document;
 
 const RADIUS: f64 = 0.016;
@@ -158,6 +158,25 @@ fn a_crowned_roller_is_an_ellipse() {
     let [_, along_y] = roller.shape.zone.half_extents();
     let semi_axis = ellipse.hertz.half_width_y.unwrap() / roller.hertz.half_width;
     assert_relative_eq!(along_y, semi_axis, max_relative = 0.05);
+}
+
+/// A crown that falls off by half of what the ends need: the contact runs over them, the film there comes out at or below zero on
+/// every mesh, and the solve ends with that.
+#[test]
+fn a_contact_that_runs_over_the_ends_is_told() {
+    let case = lundberg(0.004);
+    let length = 0.004;
+    let drop = case.contact.roller.as_ref().unwrap().height(0.5 * length)[0];
+    let profile = Profile::Crown {
+        crown_radius: 0.25 * length * length / drop,
+    };
+    let case = roller(case.contact.load, length, profile, 0.0);
+    let outcome = solve(&case, &mut Silent);
+    let Err(error @ SolveError::EndCarries { place, .. }) = outcome else {
+        panic!("{:?}", outcome.map(|s| s.summary.film_minimum_at));
+    };
+    assert_relative_eq!(place.abs(), 0.5 * length, max_relative = 1e-5);
+    assert!(error.advice().is_some());
 }
 
 /// A tilt θ moves the contact of a crown of the radius R along it by θR, towards the end that it presses in; the opposite tilt to the

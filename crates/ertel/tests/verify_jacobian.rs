@@ -160,7 +160,7 @@ fn check(
             let constants = FilmConstants {
                 formulation,
                 isotropic_diffusion: diffusion,
-                diffusion_tensor: None,
+                diffusion_tensor: (kind == ContactKind::Elliptical).then_some([1.0, -0.2, 0.3]),
                 ..problem.stages.last().unwrap().constants
             };
             let residual = |factor: f64| {

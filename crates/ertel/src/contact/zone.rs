@@ -137,7 +137,8 @@ impl HertzZone {
         let along = self.stretch_along_motion();
         let share = |semi_axis: f64| (semi_axis / along).powi(2).min(1.0);
         let [d1, d2] = [share(1.0), share(self.axis_ratio)];
-        if d1 == 1.0 && d2 == 1.0 {
+        // All but rounding.
+        if d1.min(d2) > 1.0 - 1e-9 {
             return None;
         }
         let [c, s] = self.turn.to_axes([1.0, 0.0]);
@@ -163,6 +164,31 @@ impl HertzZone {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
+
+    /// Nothing is reduced in circles and where the motion is along the shorter axis; along the longer axis the shorter one has the
+    /// square of the ratio; of a turned ellipse each principal direction has its share.
+    #[test]
+    fn diffusion_across_slender_zones() {
+        let zone = |axis_ratio, degrees: f64| HertzZone {
+            axis_ratio,
+            turn: Turn::by(degrees.to_radians()),
+            roller: None,
+        };
+        for (ratio, degrees) in [(1.0, 0.0), (1.0, 30.0), (8.0, 0.0)] {
+            assert_eq!(zone(ratio, degrees).diffusion_tensor(), None);
+        }
+        let [xx, xy, yy] = zone(0.1, 0.0).diffusion_tensor().unwrap();
+        assert_eq!([xx, xy], [1.0, 0.0]);
+        assert_relative_eq!(yy, 0.01, max_relative = 1e-14);
+        // At 30 degrees the half-width along the motion is 1/√(¾ + ¼/k²), k = 0.1: 1/√25.75.
+        let turned = zone(0.1, 30.0);
+        let [xx, xy, yy] = turned.diffusion_tensor().unwrap();
+        for (axis, share) in [([1.0, 0.0], 1.0), ([0.0, 1.0], 0.01 * 25.75)] {
+            let [x, y] = turned.turn.to_motion(axis);
+            assert_relative_eq!(xx * x + xy * y, share * x, max_relative = 1e-13);
+            assert_relative_eq!(xy * x + yy * y, share * y, max_relative = 1e-13);
+        }
+    }
 
     /// Unit circle and zone map onto each other, lines along the motion onto such lines; the widest points of an ellipse turned by 30 degrees, by a scan of its rim.
     #[test]

@@ -127,6 +127,19 @@ pub enum SolveError {
         /// What to change.
         help: &'static str,
     },
+    /// The contact of a roller runs over its end.
+    #[error(
+        "the end of the roller at y = {:.4} mm carries pressure: it falls to nothing there, the raceway comes out, and no film is left \
+         ({:.3} nm); the solve was stopped, since finer meshes would only make the film at the end thinner",
+        1e3 * place,
+        1e9 * film
+    )]
+    EndCarries {
+        /// y of the end, m.
+        place: f64,
+        /// Film there, m; negative where the mesh does not keep the bodies apart.
+        film: f64,
+    },
     /// Heat lacks data.
     #[error("{0}; {help}", help = .0.advice())]
     MissingHeatData(#[from] crate::case::MissingHeatData),
@@ -148,6 +161,20 @@ pub enum SolveError {
     /// The observer asked to stop.
     #[error("interrupted")]
     Interrupted,
+}
+
+impl SolveError {
+    /// What to try where a solve comes to no end for a reason of its own; `None`: what often helps.
+    #[must_use]
+    pub fn advice(&self) -> Option<&'static str> {
+        match self {
+            SolveError::EndCarries { .. } => Some(
+                "more relief at the ends of the profile (kind = \"logarithmic\" with a design_load of this load or more falls off \
+                 steeply enough without a tilt), less load or less misalignment; real ends are rounded, which a table can describe",
+            ),
+            _ => None,
+        }
+    }
 }
 
 impl From<DiscretisationError> for SolveError {

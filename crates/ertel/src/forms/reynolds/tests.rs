@@ -175,11 +175,12 @@ fn terms_of_the_weak_form() {
         let coth = |x: f64| 1.0 / x.tanh() - 1.0 / x;
         for formulation in [Formulation::Galerkin, Formulation::Supg, Formulation::Gls] {
             for elastic in [false, true] {
-                for diffusion in [0.0, 0.5] {
+                let slender = [1.0, -0.2, 0.3];
+                for (diffusion, tensor) in [(0.0, None), (0.5, None), (0.5, Some(slender))] {
                     let c = ElementConstants {
                         lambda: 0.1,
                         isotropic_diffusion: diffusion,
-                        diffusion_tensor: None,
+                        diffusion_tensor: tensor,
                         elastic_stabilisation: elastic,
                         ..constants(formulation)
                     };
@@ -197,13 +198,15 @@ fn terms_of_the_weak_form() {
                     let tau = size / (2.0 * l * speed) * coth(speed * size / (2.0 * l * eps));
                     let weight = supg * tau * residual;
                     let spread = diffusion * size * film * 0.2 / (2.0 * l);
+                    let [xx, xy, yy] = tensor.unwrap_or([1.0, 0.0, 1.0]);
+                    let spread = [0.5 * xx - 0.1 * xy, 0.5 * xy - 0.1 * yy].map(|s| s * spread);
                     let pe_unseen = 1.1 * size * size / (2.0 * l * eps);
                     let unseen = supg * elastic * coth(pe_unseen) * 1.1 / size * 0.02;
                     let expected = [
                         penalty - f,
-                        (eps + spread) * 0.5 - 1.1 * film * u
+                        eps * 0.5 + spread[0] - 1.1 * film * u
                             + weight * (beta * u - gls * grad_eps[0]),
-                        -(eps + spread) * 0.1 - 1.1 * film * v
+                        -eps * 0.1 + spread[1] - 1.1 * film * v
                             + weight * (beta * v - gls * grad_eps[1]),
                         -gls * weight * eps,
                         unseen,

@@ -12,12 +12,17 @@ use crate::solve::heat::deviation::deviation;
 use crate::solve::indicator::{Indicator, indicator};
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
 use crate::solve::shear::beyond_edges;
-use crate::solve::system::{FilmConstants, State};
+use crate::solve::system::{FilmConstants, State, System};
 use crate::solve::{Observer, SolveError};
 
-/// Shares of the full cavitation penalty in a start, where the free boundary is still
+/// Shares of the full cavitation penalty in a start, the last first, where the free boundary is still
 /// far from its place.
-const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
+const PENALTY_RAMP: [f64; 2] = [1.0, 1e-3];
+
+/// Shares in between, where the residual with the full penalty is so large: 0.01 in usual contacts, 0.5 and more in slender
+/// ellipses along their longer axis, which do not get over it in one step.
+const GENTLER_RAMP: [f64; 2] = [1e-1, 1e-2];
+const STEEP_RAMP: f64 = 0.1;
 
 /// The same, by decades, for a stage in which Newton's method has gone round in circles: a penalty many times
 /// the usual one makes pressures below zero so small that points at the free boundary go over to the
@@ -126,18 +131,21 @@ impl<'a> StageRun<'a> {
             params.update_tolerance = EXPONENTIAL_TOLERANCE;
             params.residual_tolerance = EXPONENTIAL_TOLERANCE;
         }
-        let ramp: &[f64] = match self.stage.role {
-            Role::Start => &PENALTY_RAMP,
-            _ => &[1.0],
+        let mut ramp = match self.stage.role {
+            Role::Start => PENALTY_RAMP.to_vec(),
+            _ => vec![1.0],
         };
         let from = state.clone();
         let mut outcome = Ok((Reached::default(), None));
-        for share in ramp {
-            outcome = self.run(*share, &params, state, effort, observer);
+        while let Some(share) = ramp.pop() {
+            outcome = self.run(share, &params, state, effort, observer);
             let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
             let diverged = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > DIVERGENCE_LIMIT);
             if outcome.is_err() && (!(leads && stalled) || diverged) {
                 break;
+            }
+            if ramp == [1.0] && self.residual(1.0, state) > STEEP_RAMP {
+                ramp.extend(GENTLER_RAMP);
             }
         }
         let circling = matches!(outcome, Err(SolveError::NotConverged { .. }));
@@ -206,6 +214,13 @@ impl<'a> StageRun<'a> {
             observer,
         )?;
         Ok((reached, Some(coupling)))
+    }
+
+    /// Relative residual of a state with a share of the penalty.
+    fn residual(&self, penalty_share: f64, state: &State) -> f64 {
+        let model = self.model(penalty_share);
+        let (d, fluid) = (self.discretisation, &model.fluid);
+        System::assemble(d, fluid, &model.constants, state, None).relative_residual()
     }
 
     /// The film equations with a share of the cavitation penalty.
