@@ -54,9 +54,7 @@ impl From<SolveError> for Failure {
                 Failure::Refused(format!("{error}\n  = help: {help}"))
             }
             error => match error.advice() {
-                Some(advice) => {
-                    Failure::NotConverged(format!("{error}\n  = help: try {advice}"))
-                }
+                Some(advice) => Failure::NotConverged(format!("{error}\n  = help: try {advice}")),
                 None => Failure::NotConverged(format!("{error}\n{HELP}")),
             },
         }

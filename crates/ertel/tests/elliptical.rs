@@ -2,6 +2,7 @@
 
 use crate::common;
 
+use std::path::Path;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
@@ -16,6 +17,7 @@ use ertel::solution::{Estimate, Solution};
 use ertel::solve::Silent;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, Means};
 use ertel::solve::sequence::Role;
+use ertel_rheology::input::Document;
 
 /// An ellipse of reduced radii (m) under a Hertz pressure of 0.7 GPa, with the entrainment at an angle (degrees).
 fn ellipse(radii: [f64; 2], angle: f64) -> Case {
@@ -114,17 +116,21 @@ fn a_wide_ellipse_tends_to_a_line() {
 }
 
 /// Along the longer axis of an ellipse ten times as long as wide, where cells are ten times as long: the first start leads to the case
-/// without a continuation, and the film is that of Nijenbanning, Venner and Moes (Wear 176 (1994) 217-229) within 10 %.
+/// without a continuation, and the film is that of Nijenbanning, Venner and Moes (Wear 176 (1994) 217-229) within 5 %. With a diffusion that
+/// is as strong across the cells as along them, the start has 33 nm in place of 79.
 #[test]
 fn a_slender_ellipse_along_its_axis() {
-    let case = ellipse([0.2, 0.2 / 36.5], 0.0);
+    let text = "[contact]\nkind = \"elliptical\"\nradius_x = \"182.5 mm\"\nradius_y = \"5 mm\"\nhertz_pressure = \"0.3 GPa\"\n\
+        [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+        [motion]\nentrainment_speed = \"0.5 m/s\"\nslide_to_roll_ratio = 0.0\n\
+        [lubricant]\nname = \"venner-oil\"\ntemperature = \"40 degC\"\n[mesh]\ntarget_error = \"2 %\"\n";
+    let document = Document::parse("slender.toml", text).unwrap();
+    let case = Case::from_document(&document, Path::new("")).unwrap();
     let solution = solved(&case);
     let roles: Vec<Role> = solution.stats.levels.iter().map(|l| l.role).collect();
     assert!(!roles.contains(&Role::Path), "{roles:?}");
-    let formula = predicted_film(&case);
     let film = solution.summary.film_central;
-    println!("{film:?}, by the formula {formula:.3e}; {roles:?}");
-    assert_relative_eq!(film.value, formula, max_relative = 0.1);
+    assert_relative_eq!(film.value, predicted_film(&case), max_relative = 0.05);
 }
 
 /// Under the pressure of the dry contact the bodies close the gap: G + δ is level inside the ellipse (Johnson 1985, section
