@@ -129,8 +129,8 @@ pub enum SolveError {
     },
     /// The contact of a roller runs over its end.
     #[error(
-        "the end of the roller at y = {:.4} mm carries pressure: it falls to nothing there, the raceway comes out, and no film is left \
-         ({:.3} nm); the solve was stopped, since finer meshes would only make the film at the end thinner",
+        "no solution with a film everywhere: the contact runs over the end of the roller at y = {:.4} mm; pressure falls to nothing \
+         there, the raceway comes out, and the film at the end is {:.3} nm, as on former meshes",
         1e3 * place,
         1e9 * film
     )]

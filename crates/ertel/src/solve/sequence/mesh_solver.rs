@@ -75,8 +75,8 @@ pub(super) struct MeshSolver<'a> {
     without_end: usize,
 }
 
-/// Film at the end of a roller, over that in the centre, below which the end has none: where its profile clears the raceway, the
-/// thinnest film lies inside and was a seventh of the central one at least (60 rollers).
+/// Film at the end of a roller, over that in the centre, below which the end has none. The thinnest film of 15 rollers whose profile
+/// clears the raceway is a fifth of the central one at least; of nine others it is below a hundredth, at the end, on every mesh.
 const NO_FILM: f64 = 0.02;
 
 /// Stages after which this is taken for true: the film of a first coarse mesh may be negative and come back.
