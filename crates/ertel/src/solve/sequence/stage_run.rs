@@ -15,13 +15,13 @@ use crate::solve::shear::beyond_edges;
 use crate::solve::system::{FilmConstants, State, System};
 use crate::solve::{Observer, SolveError};
 
-/// Shares of the full cavitation penalty in a start, the last first, where the free boundary is still
+/// Shares of the full cavitation penalty in a start, where the free boundary is still
 /// far from its place.
-const PENALTY_RAMP: [f64; 2] = [1.0, 1e-3];
+const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
 
-/// Shares in between, where the residual with the full penalty is so large: 0.01 in usual contacts, 0.5 and more in slender
-/// ellipses along their longer axis, which do not get over it in one step.
-const GENTLER_RAMP: [f64; 2] = [1e-1, 1e-2];
+/// Shares between these two, where the step to the full penalty has stalled and its residual was so large before: 0.01 in usual
+/// contacts, 0.5 and more in slender ellipses along their longer axis.
+const GENTLER_RAMP: [f64; 2] = [1e-2, 1e-1];
 const STEEP_RAMP: f64 = 0.1;
 
 /// The same, by decades, for a stage in which Newton's method has gone round in circles: a penalty many times
@@ -131,21 +131,27 @@ impl<'a> StageRun<'a> {
             params.update_tolerance = EXPONENTIAL_TOLERANCE;
             params.residual_tolerance = EXPONENTIAL_TOLERANCE;
         }
-        let mut ramp = match self.stage.role {
-            Role::Start => PENALTY_RAMP.to_vec(),
-            _ => vec![1.0],
+        let ramp: &[f64] = match self.stage.role {
+            Role::Start => &PENALTY_RAMP,
+            _ => &[1.0],
         };
         let from = state.clone();
         let mut outcome = Ok((Reached::default(), None));
-        while let Some(share) = ramp.pop() {
-            outcome = self.run(share, &params, state, effort, observer);
-            let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
+        for (i, share) in ramp.iter().enumerate() {
+            let before = state.clone();
+            outcome = self.run(*share, &params, state, effort, observer);
+            let mut stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
+            if stalled && i > 0 && self.residual(1.0, &before) > STEEP_RAMP {
+                let mut trial = before;
+                match self.gently(&params, &mut trial, effort, observer) {
+                    Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+                    Err(_) => {}
+                    Ok(reached) => (*state, outcome, stalled) = (trial, Ok(reached), false),
+                }
+            }
             let diverged = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > DIVERGENCE_LIMIT);
             if outcome.is_err() && (!(leads && stalled) || diverged) {
                 break;
-            }
-            if ramp == [1.0] && self.residual(1.0, state) > STEEP_RAMP {
-                ramp.extend(GENTLER_RAMP);
             }
         }
         let circling = matches!(outcome, Err(SolveError::NotConverged { .. }));
@@ -214,6 +220,20 @@ impl<'a> StageRun<'a> {
             observer,
         )?;
         Ok((reached, Some(coupling)))
+    }
+
+    /// Newton's method through the gentler ramp.
+    fn gently(
+        &self,
+        params: &NewtonParams,
+        state: &mut State,
+        effort: &mut NewtonStats,
+        observer: &mut dyn Observer,
+    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
+        for share in GENTLER_RAMP {
+            self.run(share, params, state, effort, observer)?;
+        }
+        self.run(1.0, params, state, effort, observer)
     }
 
     /// Relative residual of a state with a share of the penalty.
