@@ -12,17 +12,17 @@ use crate::solve::heat::deviation::deviation;
 use crate::solve::indicator::{Indicator, indicator};
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
 use crate::solve::shear::beyond_edges;
-use crate::solve::system::{FilmConstants, State, System};
+use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
 /// Shares of the full cavitation penalty in a start, where the free boundary is still
 /// far from its place.
 const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
 
-/// Shares between these two, where the step to the full penalty has stalled and its residual was so large before: 0.01 in usual
-/// contacts, 0.5 and more in slender ellipses along their longer axis.
+/// Shares between these two, where the step to the full penalty stalls with so much of the residual left, as in slender ellipses along
+/// their longer axis. Starts that stall with less lead on.
 const GENTLER_RAMP: [f64; 2] = [1e-2, 1e-1];
-const STEEP_RAMP: f64 = 0.1;
+const FAR_FROM_SOLVED: f64 = 0.1;
 
 /// The same, by decades, for a stage in which Newton's method has gone round in circles: a penalty many times
 /// the usual one makes pressures below zero so small that points at the free boundary go over to the
@@ -141,7 +141,8 @@ impl<'a> StageRun<'a> {
             let before = state.clone();
             outcome = self.run(*share, &params, state, effort, observer);
             let mut stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
-            if stalled && i > 0 && self.residual(1.0, &before) > STEEP_RAMP {
+            let far = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > FAR_FROM_SOLVED);
+            if far && i > 0 {
                 let mut trial = before;
                 match self.gently(&params, &mut trial, effort, observer) {
                     Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
@@ -234,13 +235,6 @@ impl<'a> StageRun<'a> {
             self.run(share, params, state, effort, observer)?;
         }
         self.run(1.0, params, state, effort, observer)
-    }
-
-    /// Relative residual of a state with a share of the penalty.
-    fn residual(&self, penalty_share: f64, state: &State) -> f64 {
-        let model = self.model(penalty_share);
-        let (d, fluid) = (self.discretisation, &model.fluid);
-        System::assemble(d, fluid, &model.constants, state, None).relative_residual()
     }
 
     /// The film equations with a share of the cavitation penalty.
