@@ -19,8 +19,8 @@ use crate::solve::{Observer, SolveError};
 /// far from its place.
 const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
 
-/// Shares between these two, where the step to the full penalty stalls with so much of the residual left, as in slender ellipses along
-/// their longer axis. Starts that stall with less lead on.
+/// Shares between these two in slender ellipses along their longer axis, where the step to the full penalty stalls with so much of the
+/// residual left. Other contacts come through by other ways with less effort (line contact, M = 200, L = 15: 51 iterations, 73 with this).
 const GENTLER_RAMP: [f64; 2] = [1e-2, 1e-1];
 const FAR_FROM_SOLVED: f64 = 0.1;
 
@@ -142,7 +142,8 @@ impl<'a> StageRun<'a> {
             outcome = self.run(*share, &params, state, effort, observer);
             let mut stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
             let far = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > FAR_FROM_SOLVED);
-            if far && i > 0 {
+            let slender = self.stage.constants.diffusion_tensor.is_some();
+            if far && i > 0 && slender {
                 let mut trial = before;
                 match self.gently(&params, &mut trial, effort, observer) {
                     Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
