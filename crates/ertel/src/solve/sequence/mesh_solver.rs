@@ -76,7 +76,7 @@ pub(super) struct MeshSolver<'a> {
 }
 
 /// Film at the end of a roller, over that in the centre, below which the end has none. The thinnest film of 15 rollers whose profile
-/// clears the raceway is a fifth of the central one at least; of nine others it is below a hundredth, at the end, on every mesh.
+/// clears the raceway is a fifth of the central one at least; of nine others it is less than this, at the end, in two stages.
 const NO_FILM: f64 = 0.02;
 
 /// Stages after which this is taken for true: the film of a first coarse mesh may be negative and come back.
