@@ -77,6 +77,9 @@ const CALIBRATION: (f64, f64) = (0.75, 4.0);
 /// The factor where there is no mesh to calibrate by: first meshes err by up to four times their estimate.
 const UNCALIBRATED: f64 = 3.0;
 
+/// Error bar over the estimate of a first mesh.
+pub const FIRST_BAR: f64 = SAFETY * UNCALIBRATED;
+
 /// Error bar over the estimate e of what the edges of the contact area do, and how it grows with e: the estimate is linear in the
 /// pressure at the edges. Measured: within a tenth where e is below 0.5 % (ball on disc, M = 200), a half of what it should be
 /// at 3 % (M = 5).
@@ -101,8 +104,8 @@ pub struct ErrorBars {
     pub bars: [f64; 2],
     /// What the cells contribute, bodies and free boundary included.
     pub cells: [f64; 2],
-    /// What the cells of the contact area contribute by estimate: refinement lowers it.
-    pub estimated: [f64; 2],
+    /// What the cells of the contact area contribute by its own estimate to each: refinement lowers it.
+    pub own: [f64; 2],
 }
 
 /// Relative error bars of central and minimum film from the last converged mesh and the one before.
@@ -144,11 +147,7 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
         sum.max(LEAST_SHARE_OF_DIFFERENCE * gone[j])
     });
     let bars = [0, 1].map(|j: usize| cells[j] + bar_of_edges(edges[j]));
-    Some(ErrorBars {
-        bars,
-        cells,
-        estimated,
-    })
+    Some(ErrorBars { bars, cells, own })
 }
 
 /// What refinement is to bring down: shares of the elements that add up to an error, or to its square.
@@ -283,9 +282,7 @@ pub fn next_refinement(
     indicator: &Indicator,
 ) -> Option<Refinement> {
     // What the edges do, no refinement mends. Films come first: on meshes that draw the ridge sharply, Newton's method converges worse.
-    let ErrorBars {
-        cells, estimated, ..
-    } = error_bars(levels, grading)?;
+    let ErrorBars { cells, own, .. } = error_bars(levels, grading)?;
     let level = levels.last()?;
     let for_pressure_alone = cells.iter().all(|c| *c <= params.target);
     let most = match for_pressure_alone {
@@ -301,20 +298,27 @@ pub fn next_refinement(
     if growth <= LEAST_GROWTH || n_refinements >= params.max_refinements {
         return None;
     }
-    let film = |j: usize, shares: &'_ [f64]| -> Option<f64> {
-        let share = (GOAL * params.target / estimated[j]).min(LARGEST_GOAL);
-        (cells[j] > params.target).then(|| share * shares.iter().sum::<f64>())
-    };
-    let allowed = [film(0, &indicator.central), film(1, &indicator.minimum)];
-    let lists = [&indicator.central, &indicator.minimum];
-    let mut goals: Vec<Goal> = (lists.into_iter().zip(allowed))
-        .filter_map(|(shares, allowed)| {
-            Some(Goal {
+    // Each film by its own estimate: that a bar is half of the other's at least is mended with the other.
+    let enough = |j: usize| own[j] <= OWN_SHARE * params.target;
+    let both = (0..2).all(enough);
+    let totals = indicator.totals();
+    let lists = [
+        (0, &indicator.central),
+        (1, &indicator.minimum),
+        (1, &indicator.rival),
+    ];
+    let mut goals: Vec<Goal> = (lists.into_iter())
+        .filter(|(j, _)| cells[*j] > params.target && (both || !enough(*j)))
+        .filter_map(|(j, shares)| {
+            let sum: f64 = shares.iter().sum();
+            let allowed = GOAL * params.target / own[j] * totals[j];
+            (both || sum > allowed).then(|| Goal {
                 shares,
-                allowed: allowed?,
+                allowed: allowed.min(LARGEST_GOAL * sum),
                 left_by_halving: FILM_LEFT[dim - 1],
             })
         })
+        .filter(|goal| !goal.shares.is_empty())
         .collect();
     let target = params.pressure_target.unwrap_or(f64::INFINITY);
     if for_pressure_alone && indicator.pressure_error() > target {
@@ -345,6 +349,9 @@ const FEW: f64 = 0.01;
 
 /// Share of the target that the estimate aims at: refinement may fall short.
 const GOAL: f64 = 0.6;
+
+/// Share of the target up to which a film's own estimate asks for no refinement where the other's does.
+const OWN_SHARE: f64 = 0.9;
 
 /// The same for the pressure, whose estimate is no bound.
 const PRESSURE_GOAL: f64 = 0.9;

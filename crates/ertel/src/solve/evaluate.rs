@@ -202,12 +202,44 @@ const THINNEST_ELEMENTS: usize = 6;
 /// Each element is sampled on a lattice; in those with the thinnest points the lattice is refined until its
 /// spacing is 1e-6 of the element: derivatives of the film see that.
 pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
-    let n = 4;
-    let lattice = Lattice::new(&d.contact.deflection.element, n);
-    let mut thinnest: Vec<(f64, usize, [f64; 3])> = Vec::new();
-    for cell in 0..d.contact.n_elements() {
+    let mut thinnest = thinnest_points(d, state);
+    if thinnest.len() > THINNEST_ELEMENTS {
+        thinnest.select_nth_unstable_by(THINNEST_ELEMENTS, |a, b| {
+            a.film.total_cmp(&b.film).then(a.cell.cmp(&b.cell))
+        });
+        thinnest.truncate(THINNEST_ELEMENTS);
+    }
+    thinnest.sort_by(|a, b| a.film.total_cmp(&b.film).then(a.cell.cmp(&b.cell)));
+    (thinnest.into_iter())
+        .map(|start| refined(d, state, start))
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .unwrap_or((f64::NAN, [0.0; 2]))
+}
+
+/// Thinnest point of an element.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Thinnest {
+    /// Film there.
+    pub film: f64,
+    /// The element.
+    pub cell: usize,
+    /// The point in it.
+    pub xi: [f64; 3],
+}
+
+/// Points per edge of the lattice on which the thinnest point of an element is searched for.
+const THINNEST_LATTICE: usize = 4;
+
+/// The thinnest point of each element on a lattice.
+pub(super) fn thinnest_points(d: &Discretisation, state: &State) -> Vec<Thinnest> {
+    let lattice = Lattice::new(&d.contact.deflection.element, THINNEST_LATTICE);
+    let thinnest = |cell: usize| {
         let nodes = d.contact.deflection.nodes_of(cell);
-        let mut best = (f64::INFINITY, cell, [0.0; 3]);
+        let mut best = Thinnest {
+            film: f64::INFINITY,
+            cell,
+            xi: [0.0; 3],
+        };
         for (xi, basis) in lattice.basis() {
             let mut h = state.rigid_separation;
             let mut point = [0.0; 3];
@@ -219,22 +251,20 @@ pub fn minimum_film(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
                 }
             }
             h += d.contact.shape.gap.value([point[0], point[1]]);
-            if h < best.0 {
-                best = (h, cell, *xi);
+            if h < best.film {
+                (best.film, best.xi) = (h, *xi);
             }
         }
-        let rank = thinnest.partition_point(|known| known.0 <= best.0);
-        if rank < THINNEST_ELEMENTS {
-            thinnest.truncate(THINNEST_ELEMENTS - 1);
-            thinnest.insert(rank, best);
-        }
-    }
-    let best = (thinnest.into_iter())
-        .map(|start| thinnest_in(d, state, start, 0.5 / n as f64))
-        .min_by(|a, b| a.0.total_cmp(&b.0));
-    best.map_or((f64::NAN, [0.0; 2]), |(h, cell, xi)| {
-        (h, d.contact.point(cell, xi))
-    })
+        best
+    };
+    (0..d.contact.n_elements()).map(thinnest).collect()
+}
+
+/// The film and the place of the thinnest point of an element, from that of the lattice.
+pub(super) fn refined(d: &Discretisation, state: &State, start: Thinnest) -> (f64, [f64; 2]) {
+    let start = (start.film, start.cell, start.xi);
+    let (h, cell, xi) = thinnest_in(d, state, start, 0.5 / THINNEST_LATTICE as f64);
+    (h, d.contact.point(cell, xi))
 }
 
 /// Shrinks a cross around a point of an element, inside which H is smooth.

@@ -13,18 +13,17 @@
 //! neighbouring elements continue each other.
 
 use ertel_fem::assembly::CONSTRAINED;
-use rustc_hash::FxHashMap;
-
-use ertel_fem::locate::reference_point;
-use ertel_fem::mesh::SimplexMesh;
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::Space;
 
 use super::SolveError;
+use super::adapt::FIRST_BAR;
 use super::adjoint::{Adjoint, Functional, TO_WEIGH_ERRORS, adjoints};
 use super::discretisation::Discretisation;
 use super::element::{Assembler, Element, N_SUMS};
 use super::evaluate::{central_film, fields_in, minimum_film};
+use super::minima::rival_minimum;
+use super::neighbours::Neighbours;
 use super::newton::FilmModel;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
@@ -39,6 +38,8 @@ pub struct Indicator {
     pub central: Vec<f64>,
     /// Of the minimum film thickness.
     pub minimum: Vec<f64>,
+    /// Of the film at another minimum that may be the lowest where the errors are less; empty where there is none.
+    pub rival: Vec<f64>,
     /// Relative errors of the two films that come from the edges of the contact area, where P = 0 is prescribed.
     pub edges: [f64; 2],
     /// Of the mean square error of the pressure over the dry contact, in p_h².
@@ -54,7 +55,9 @@ pub struct Indicator {
 impl Indicator {
     /// Estimated relative errors of central and minimum film.
     pub fn totals(&self) -> [f64; 2] {
-        [self.central.iter().sum(), self.minimum.iter().sum()]
+        let [central, minimum, rival] =
+            [&self.central, &self.minimum, &self.rival].map(|shares| shares.iter().sum::<f64>());
+        [central, minimum.max(rival)]
     }
 
     /// Estimated errors, those of the pressure around a place (in half-widths) in units of `scale`, Pa.
@@ -134,29 +137,33 @@ pub fn indicator(
     };
     let system = System::assemble(d, &model.fluid, &model.constants, state, None);
     let (h_m, at) = minimum_film(d, state);
-    let films = [central_film(d, state), h_m];
-    let thicknesses = [[0.0; 2], at].map(|point| Functional::film_at(d, point));
+    let surface = &d.contact.surface;
+    let neighbours = Neighbours::new(surface);
+    let rival = rival_minimum(d, state, &neighbours, (h_m, at));
+    let mut films = vec![central_film(d, state), h_m];
+    let mut thicknesses = vec![
+        Functional::film_at(d, [0.0; 2]),
+        Functional::film_at(d, at),
+    ];
+    if let Some((film, place)) = rival {
+        films.push(film);
+        thicknesses.push(Functional::film_at(d, place));
+    }
     let solve = |by| adjoints(d, &system, by, &thicknesses, &[], TO_WEIGH_ERRORS);
-    let adjoint = match kept.map(solve) {
+    let mut adjoint = match kept.map(solve) {
         Some(Ok(adjoint)) => adjoint,
         // None, or of no use any more.
         _ => solve(Preconditioner::new(d, near, &system)?)?,
     };
-    let surface = &d.contact.surface;
-    let neighbours = Neighbours::new(surface);
-    let film = neighbours.misfit(
-        surface,
-        &d.pressure,
-        &[&state.pressure, &adjoint[0].film, &adjoint[1].film],
-    );
-    let deflection = neighbours.misfit(
-        surface,
+    let fields = |own: &'_ [f64], of: fn(&Adjoint) -> &[f64], space: &Space| {
+        let fields: Vec<&[f64]> = std::iter::once(own).chain(adjoint.iter().map(of)).collect();
+        neighbours.misfit(surface, space, &fields)
+    };
+    let film = fields(&state.pressure, |a| &a.film, &d.pressure);
+    let deflection = fields(
+        &state.deflection,
+        |a| &a.deflection,
         &d.contact.deflection,
-        &[
-            &state.deflection,
-            &adjoint[0].deflection,
-            &adjoint[1].deflection,
-        ],
     );
     let compliance = d.contact.response.compliance();
     let reference = Quadrature::simplex(surface.dim, 1)
@@ -164,7 +171,7 @@ pub fn indicator(
         .iter()
         .sum::<f64>();
     let wave = |space: &Space| std::f64::consts::PI * (space.element.order() + 1) as f64;
-    let mut shares = [Vec::new(), Vec::new()];
+    let mut shares = vec![Vec::new(); films.len()];
     let mut rule = CrossFilm::default();
     let mut film_of_element = Vec::with_capacity(d.contact.n_elements());
     for c in 0..d.contact.n_elements() {
@@ -195,9 +202,9 @@ pub fn indicator(
         }
     }
     if d.contact.shape.inlet.layer().is_some() {
-        let weights = [0, 1].map(|j: usize| adjoint[j].film.as_slice());
-        let own = blurring(d, model, state, weights);
-        for ((share, own), film) in shares.iter_mut().zip(own).zip(films) {
+        let weights: Vec<&[f64]> = adjoint.iter().map(|a| a.film.as_slice()).collect();
+        let own = blurring(d, model, state, &weights);
+        for ((share, own), film) in shares.iter_mut().zip(own).zip(&films) {
             let (sum, size) = (own.iter().sum::<f64>().abs(), sum_of_sizes(&own));
             let weight = (sum / size).max(LEAST_BLURRING) / film;
             if size > 0.0 {
@@ -208,7 +215,19 @@ pub fn indicator(
             }
         }
     }
-    let [central, minimum] = shares;
+    let rival = match shares.len() {
+        3 => shares.pop().unwrap_or_default(),
+        _ => Vec::new(),
+    };
+    adjoint.truncate(2);
+    // One that the errors do not bring down to the minimum is no rival.
+    let above = films.last().map_or(0.0, |film| film / h_m - 1.0);
+    let rival = match above < FIRST_BAR * rival.iter().sum::<f64>() {
+        true => rival,
+        false => Vec::new(),
+    };
+    let minimum = shares.pop().unwrap_or_default();
+    let central = shares.pop().unwrap_or_default();
     let zone = d.contact.shape.zone_area();
     let unresolved = unresolved(&d.pressure, &state.pressure);
     let squares: Vec<f64> = (d.contact.maps.iter().zip(&unresolved).zip(&system.missed))
@@ -225,6 +244,7 @@ pub fn indicator(
     Ok(Indicator {
         central,
         minimum,
+        rival,
         shear_stress,
         local,
         edges: [0, 1]
@@ -241,21 +261,21 @@ fn sum_of_sizes(changes: &[f64]) -> f64 {
     changes.iter().map(|change| change.abs()).sum()
 }
 
-/// By how much two films would change, element by element, if a gap that a layer of oil fills up did so over half the length; `weights`
+/// By how much films would change, element by element, if a gap that a layer of oil fills up did so over half the length; `weights`
 /// are the adjoints of the films.
 fn blurring(
     d: &Discretisation,
     model: &FilmModel,
     state: &State,
-    weights: [&[f64]; 2],
-) -> [Vec<f64>; 2] {
+    weights: &[&[f64]],
+) -> Vec<Vec<f64>> {
     let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
     let [whole, half] = [1.0, 0.5].map(|share| {
         Assembler::new(d, &model.fluid, &model.constants, state, None).filling_over(share)
     });
     let (mut element, mut block) = (Element::default(), vec![0.0; n * (n + m)]);
     let mut sums = [vec![[0.0; N_SUMS]; n], vec![[0.0; N_SUMS]; n]];
-    let mut changes = [Vec::new(), Vec::new()];
+    let mut changes = vec![Vec::new(); weights.len()];
     for c in 0..d.contact.n_elements() {
         for (assembler, sums) in [&whole, &half].into_iter().zip(&mut sums) {
             assembler.element(c, &mut element, &mut block, sums);
@@ -373,143 +393,4 @@ pub(super) fn unresolved(space: &Space, field: &[f64]) -> Vec<f64> {
             if t > 0.0 { s * (s / t).min(1.0) } else { 0.0 }
         })
         .collect()
-}
-
-/// Elements that share a side.
-struct Neighbours {
-    of: Vec<Vec<u32>>,
-}
-
-impl Neighbours {
-    fn new(surface: &SimplexMesh) -> Neighbours {
-        let mut sides: FxHashMap<[u32; 2], u32> = FxHashMap::default();
-        let mut of = vec![Vec::with_capacity(surface.dim + 1); surface.n_cells()];
-        for c in 0..surface.n_cells() {
-            let cell = surface.cell(c);
-            for (i, &a) in cell.iter().enumerate() {
-                for &b in &cell[i + 1..] {
-                    // a segment's sides are its ends, a triangle's its edges
-                    let keys = if surface.dim == 1 {
-                        [Some([a, a]), Some([b, b])]
-                    } else {
-                        [Some([a.min(b), a.max(b)]), None]
-                    };
-                    for key in keys.into_iter().flatten() {
-                        if let Some(other) = sides.insert(key, c as u32) {
-                            of[c].push(other);
-                            of[other as usize].push(c as u32);
-                        }
-                    }
-                }
-            }
-        }
-        Neighbours { of }
-    }
-
-    /// Root mean square error of each field in each element, estimated from how far the polynomials of
-    /// its neighbours, continued into it, are off.
-    fn misfit(&self, surface: &SimplexMesh, space: &Space, fields: &[&[f64]]) -> Vec<Vec<f64>> {
-        let rule = Quadrature::simplex(surface.dim, 2);
-        let factor = continuation_factor(space.element.order());
-        let values = |xi: [f64; 3]| -> Vec<f64> { space.element.values(xi).collect() };
-        let table: Vec<_> = rule.points.iter().map(|xi| values(*xi)).collect();
-        let mut basis = values([0.0; 3]);
-        let at = |cell: usize, basis: &[f64], field: &[f64]| -> f64 {
-            basis
-                .iter()
-                .zip(space.nodes_of(cell))
-                .map(|(b, node)| b * field[*node as usize])
-                .sum()
-        };
-        let total: f64 = rule.weights.iter().sum();
-        let mut errors = vec![vec![0.0; surface.n_cells()]; fields.len()];
-        for c in 0..surface.n_cells() {
-            let vertex = |k: usize| surface.vertices[surface.cell(c)[k] as usize];
-            let mut squares = vec![0.0; fields.len()];
-            for &other in &self.of[c] {
-                for (q, weight) in rule.weights.iter().enumerate() {
-                    let xi = rule.points[q];
-                    let point = [0, 1].map(|a: usize| {
-                        vertex(0)[a]
-                            + (1..=surface.dim)
-                                .map(|k| xi[k - 1] * (vertex(k)[a] - vertex(0)[a]))
-                                .sum::<f64>()
-                    });
-                    let there = reference_point(surface, other as usize, point);
-                    basis.clear();
-                    basis.extend(space.element.values(there));
-                    for (square, field) in squares.iter_mut().zip(fields) {
-                        let gap = at(other as usize, &basis, field) - at(c, &table[q], field);
-                        *square += weight / total * gap * gap;
-                    }
-                }
-            }
-            let count = self.of[c].len().max(1) as f64;
-            for (error, square) in errors.iter_mut().zip(&squares) {
-                error[c] = factor * (square / count).sqrt();
-            }
-        }
-        errors
-    }
-}
-
-/// Interpolation error of x^(k+1) on a segment over the misfit of the interpolant on the next segment,
-/// both root mean square.
-///
-/// ```text
-///   e = Π_i (x − i/k),   misfit = Π_i (x − i/k) − Π_i (x − 1 − i/k),   0 ≤ x ≤ 1
-/// ```
-fn continuation_factor(order: usize) -> f64 {
-    let error = |x: f64| {
-        (0..=order)
-            .map(|i| x - i as f64 / order as f64)
-            .product::<f64>()
-    };
-    let rule = Quadrature::simplex(1, 2 * order + 2);
-    let rms = |f: &dyn Fn(f64) -> f64| {
-        rule.points
-            .iter()
-            .zip(&rule.weights)
-            .map(|(x, w)| w * f(x[0]).powi(2))
-            .sum::<f64>()
-            .sqrt()
-    };
-    rms(&error) / rms(&|x| error(x) - error(x - 1.0))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use approx::assert_relative_eq;
-
-    fn line(n: usize) -> SimplexMesh {
-        SimplexMesh {
-            dim: 1,
-            axes: [0, 1, 2],
-            vertices: (0..=n).map(|i| [i as f64 / n as f64, 0.0, 0.0]).collect(),
-            cells: (0..n as u32)
-                .map(|i| [i, i + 1, u32::MAX, u32::MAX])
-                .collect(),
-        }
-    }
-
-    /// By hand for k = 1: ‖x(x − 1)‖ = √(1/30), ‖2(x − 1)‖ = 2/√3; and on a mesh, x³ interpolated by
-    /// quadratics errs by h³‖t(t − ½)(t − 1)‖ = h³√(1/840).
-    #[test]
-    fn misfit_is_the_interpolation_error_of_the_next_power() {
-        assert_relative_eq!(
-            continuation_factor(1),
-            (1.0_f64 / 30.0).sqrt() / (2.0 / 3.0_f64.sqrt()),
-            max_relative = 1e-12
-        );
-        let mesh = line(8);
-        let space = Space::new(&mesh, 2);
-        let cube: Vec<f64> = space.points.iter().map(|p| p[0].powi(3)).collect();
-        let square: Vec<f64> = space.points.iter().map(|p| p[0].powi(2)).collect();
-        let found = Neighbours::new(&mesh).misfit(&mesh, &space, &[&cube, &square]);
-        for (c, s) in found[0].iter().zip(&found[1]) {
-            assert_relative_eq!(*c, (1.0_f64 / 840.0).sqrt() / 512.0, max_relative = 0.15);
-            assert!(*s < 1e-14);
-        }
-    }
 }
