@@ -141,14 +141,13 @@ pub fn indicator(
     let neighbours = Neighbours::new(surface);
     let rival = rival_minimum(d, state, &neighbours, (h_m, at));
     let mut films = vec![central_film(d, state), h_m];
-    let mut thicknesses = vec![
-        Functional::film_at(d, [0.0; 2]),
-        Functional::film_at(d, at),
-    ];
+    let mut thicknesses = vec![Functional::film_at(d, [0.0; 2]), Functional::film_at(d, at)];
     if let Some((film, place)) = rival {
         films.push(film);
         thicknesses.push(Functional::film_at(d, place));
     }
+    // Coarse meshes may put a film below zero.
+    let magnitudes: Vec<f64> = films.iter().map(|film| film.abs()).collect();
     let solve = |by| adjoints(d, &system, by, &thicknesses, &[], TO_WEIGH_ERRORS);
     let mut adjoint = match kept.map(solve) {
         Some(Ok(adjoint)) => adjoint,
@@ -160,11 +159,7 @@ pub fn indicator(
         neighbours.misfit(surface, space, &fields)
     };
     let film = fields(&state.pressure, |a| &a.film, &d.pressure);
-    let deflection = fields(
-        &state.deflection,
-        |a| &a.deflection,
-        &d.contact.deflection,
-    );
+    let deflection = fields(&state.deflection, |a| &a.deflection, &d.contact.deflection);
     let compliance = d.contact.response.compliance();
     let reference = Quadrature::simplex(surface.dim, 1)
         .weights
@@ -195,7 +190,7 @@ pub fn indicator(
         let elastic = wave(&d.contact.deflection) / (size * 2.0 * compliance);
         for (j, share) in shares.iter_mut().enumerate() {
             share.push(
-                area / films[j]
+                area / magnitudes[j]
                     * (ELASTIC * elastic * deflection[0][c] * deflection[j + 1][c]
                         + REYNOLDS * reynolds * film[0][c] * film[j + 1][c]),
             );
@@ -204,7 +199,7 @@ pub fn indicator(
     if d.contact.shape.inlet.layer().is_some() {
         let weights: Vec<&[f64]> = adjoint.iter().map(|a| a.film.as_slice()).collect();
         let own = blurring(d, model, state, &weights);
-        for ((share, own), film) in shares.iter_mut().zip(own).zip(&films) {
+        for ((share, own), film) in shares.iter_mut().zip(own).zip(&magnitudes) {
             let (sum, size) = (own.iter().sum::<f64>().abs(), sum_of_sizes(&own));
             let weight = (sum / size).max(LEAST_BLURRING) / film;
             if size > 0.0 {
@@ -248,7 +243,7 @@ pub fn indicator(
         shear_stress,
         local,
         edges: [0, 1]
-            .map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / films[j]),
+            .map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / magnitudes[j]),
         pressure: squares.iter().map(|s| s / zone).collect(),
         adjoints: adjoint,
     })

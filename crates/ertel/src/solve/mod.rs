@@ -7,6 +7,7 @@ pub mod discretisation;
 mod element;
 pub mod evaluate;
 pub mod figures;
+mod halvings;
 pub mod heat;
 pub mod indicator;
 mod minima;

@@ -3,41 +3,6 @@ use crate::solution::{ErrorEstimate, Figure, Reading};
 use crate::solve::bars::tests::level;
 use crate::solve::sequence::Role;
 
-/// Shares 8, 1, 1, 0 of an estimate that is to fall to 5: the first halved once leaves 2 + 1 + 1. To fall to 2.6 it is halved
-/// twice, 0.5 + 1 + 1; and to 2.3 the next goes, too.
-#[test]
-fn largest_shares_are_halved_first() {
-    let halved = |allowed| {
-        let goal = Goal {
-            shares: &[8.0, 1.0, 1.0, 0.0],
-            allowed,
-            left_by_halving: 0.25,
-        };
-        halvings(&[goal], 1, 100.0)
-    };
-    assert_eq!(halved(5.0), [1, 0, 0, 0]);
-    assert_eq!(halved(2.6), [2, 0, 0, 0]);
-    assert_eq!(halved(2.3).iter().sum::<u32>(), 3);
-    assert_eq!(halved(2.3)[0], 2);
-    // What cannot be reached ends where there is nothing more to gain.
-    assert_eq!(halved(1e-9)[3], 0);
-}
-
-/// Four elements become eight where closure may add half as many as are asked for.
-#[test]
-fn growth_ends_at_its_limit() {
-    let goal = Goal {
-        shares: &[1.0; 30],
-        allowed: 1e-9,
-        left_by_halving: 0.5,
-    };
-    let growth = 2.0;
-    let halvings = halvings(&[goal], 2, growth);
-    let added: u32 = halvings.iter().map(|h| 4_u32.pow(*h) - 1).sum();
-    let most = (growth - 1.0) * 30.0 / CLOSURE;
-    assert!(f64::from(added) >= most && f64::from(added) < most + 12.0);
-}
-
 const TARGET: f64 = 2e-3;
 const N: usize = 1000;
 

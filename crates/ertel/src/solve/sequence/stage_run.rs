@@ -32,9 +32,14 @@ const PENALTY_CONTINUATION: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
 /// Update, in p_h, at which a start is good enough.
 const START_TOLERANCE: f64 = 3e-2;
 
-/// Update, in p_h, and residual at which a solution is good enough to be measured and refined: what an
-/// update of this size leaves of the error, its square or so, is far below any error bar.
-const ROUGH_TOLERANCE: f64 = 1e-3;
+/// Residual at which a solution is good enough to be measured and refined.
+const ROUGH_RESIDUAL: f64 = 1e-3;
+
+/// Square of the update, in p_h, at which it is, over the error that films may have: of the error, an update leaves its square or so.
+const ROUGH_SHARE: f64 = 0.05;
+
+/// Least such update, which is also that where no error is asked for, and largest.
+const ROUGH_UPDATE: (f64, f64) = (1e-3, 1e-2);
 
 /// Update and residual at which a continuation step through fluids whose shear rate grows exponentially with the stress is good
 /// enough: there small updates may leave a large residual, and the next step would start far from its solution.
@@ -106,8 +111,11 @@ impl<'a> StageRun<'a> {
         let leads = self.stage.role.leads();
         let mut params = self.problem.newton;
         if finish == Finish::Rough {
-            params.update_tolerance = params.update_tolerance.max(ROUGH_TOLERANCE);
-            params.residual_tolerance = params.residual_tolerance.max(ROUGH_TOLERANCE);
+            let target = self.problem.adapt.as_ref().map_or(0.0, |a| a.target);
+            let update = (ROUGH_SHARE * target).sqrt();
+            let update = update.clamp(ROUGH_UPDATE.0, ROUGH_UPDATE.1);
+            params.update_tolerance = params.update_tolerance.max(update);
+            params.residual_tolerance = params.residual_tolerance.max(ROUGH_RESIDUAL);
         }
         if self.stage.undamped {
             params.safe_update = f64::INFINITY;
