@@ -22,7 +22,7 @@ use crate::elastic::Accuracy;
 use crate::film::FilmFluid;
 use crate::params::LinearSolver;
 use crate::solution::{IterationRecord, Timings};
-use crate::solve::evaluate::central_film;
+use crate::solve::evaluate::{central_film, minimum_film};
 
 /// Settings of one Newton run.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +31,8 @@ pub struct NewtonParams {
     pub update_tolerance: f64,
     /// Largest relative residual at which the run has converged.
     pub residual_tolerance: f64,
+    /// Largest relative change of central and minimum film in the last step of a run that has converged; infinite where pressures tell.
+    pub film_tolerance: f64,
     /// Iterations allowed.
     pub max_iterations: usize,
     /// Iterations without a smaller update after which the run stops: it goes round in circles.
@@ -58,6 +60,7 @@ impl Default for NewtonParams {
         NewtonParams {
             update_tolerance: 1e-8,
             residual_tolerance: 1e-8,
+            film_tolerance: f64::INFINITY,
             max_iterations: 60,
             patience: 20,
             rise_limit: 0.2,
@@ -276,7 +279,7 @@ impl<'a> NewtonLevel<'a> {
                 shortened = true;
             };
             solver.stats.iterations += 1;
-            *state = next_state;
+            let before = std::mem::replace(state, next_state);
             observer.iteration(&IterationRecord {
                 level: label.level,
                 pressure_order: self.discretisation.pressure.element.order(),
@@ -301,7 +304,7 @@ impl<'a> NewtonLevel<'a> {
             let done = params.foresight
                 && foreseen < params.update_tolerance
                 && next_system.relative_residual() < params.residual_tolerance;
-            if converged || done {
+            if (converged || done) && self.films_settled(params, &before, state) {
                 self.kept.replace(solver.into_preconditioner());
                 return Ok(Reached {
                     residual: next_system.relative_residual(),
@@ -317,6 +320,17 @@ impl<'a> NewtonLevel<'a> {
             step = solver.newton_step(&system, state)?;
         }
         unreachable!("the last iteration returns")
+    }
+
+    /// Whether a step has changed central and minimum film by no more than a run may that has converged.
+    fn films_settled(&self, params: &NewtonParams, before: &State, after: &State) -> bool {
+        let films = |state| {
+            let d = self.discretisation;
+            [central_film(d, state), minimum_film(d, state).0]
+        };
+        params.film_tolerance.is_infinite()
+            || (films(before).iter().zip(films(after)))
+                .all(|(a, b)| (a - b).abs() <= params.film_tolerance * b.abs())
     }
 
     /// Multiple of a step, a power of two, up to which the residual falls by half with each doubling.

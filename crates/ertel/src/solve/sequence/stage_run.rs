@@ -38,8 +38,14 @@ const ROUGH_RESIDUAL: f64 = 1e-3;
 /// Square of the update, in p_h, at which it is, over the error that films may have: of the error, an update leaves its square or so.
 const ROUGH_SHARE: f64 = 0.05;
 
-/// Least such update, which is also that where no error is asked for, and largest.
-const ROUGH_UPDATE: (f64, f64) = (1e-3, 1e-2);
+/// Largest such update.
+const ROUGH_UPDATE: f64 = 1e-2;
+
+/// Largest change of films in the last step, over the error that they may have. In very thin films, small updates move them much.
+const ROUGH_FILM_CHANGE: f64 = 2.0;
+
+/// The error of films by which that is judged where a case asks for none.
+const UNASKED: f64 = 2e-3;
 
 /// Update and residual at which a continuation step through fluids whose shear rate grows exponentially with the stress is good
 /// enough: there small updates may leave a large residual, and the next step would start far from its solution.
@@ -111,10 +117,10 @@ impl<'a> StageRun<'a> {
         let leads = self.stage.role.leads();
         let mut params = self.problem.newton;
         if finish == Finish::Rough {
-            let target = self.problem.adapt.as_ref().map_or(0.0, |a| a.target);
-            let update = (ROUGH_SHARE * target).sqrt();
-            let update = update.clamp(ROUGH_UPDATE.0, ROUGH_UPDATE.1);
+            let target = (self.problem.adapt.as_ref()).map_or(UNASKED, |a| a.target);
+            let update = (ROUGH_SHARE * target).sqrt().min(ROUGH_UPDATE);
             params.update_tolerance = params.update_tolerance.max(update);
+            params.film_tolerance = ROUGH_FILM_CHANGE * target;
             params.residual_tolerance = params.residual_tolerance.max(ROUGH_RESIDUAL);
         }
         if self.stage.undamped {
@@ -128,6 +134,7 @@ impl<'a> StageRun<'a> {
         if leads {
             params.update_tolerance = START_TOLERANCE;
             params.residual_tolerance = f64::INFINITY;
+            params.film_tolerance = f64::INFINITY;
             params.max_iterations = START_ITERATIONS;
             params.patience = START_STAGNATION;
             params.trusted_fall = 0.0;
