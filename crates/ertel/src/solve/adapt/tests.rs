@@ -5,6 +5,14 @@ use crate::solve::sequence::Role;
 
 const TARGET: f64 = 2e-3;
 const N: usize = 1000;
+const PARAMS: AdaptParams = AdaptParams {
+    target: TARGET,
+    pressure_target: None,
+    max_unknowns: 100 * N,
+    max_unknowns_for_pressure: 100 * N,
+    max_displacement_dofs: usize::MAX,
+    max_refinements: 10,
+};
 
 /// A mesh whose films err by `films` and whose pressures by `pressure`, with the shares in different elements.
 fn refinement_at(films: f64, pressure: f64) -> Option<Refinement> {
@@ -50,4 +58,43 @@ fn films_come_before_the_pressure() {
     assert!(second.for_pressure_alone);
     assert!(halved(&second, 900..N) && !halved(&second, 0..900));
     assert!(refinement_at(1e-5, 1e-3).is_none());
+}
+
+/// Shares of the minimum film alone are halved where the central film's bar is too wide only because of the minimum's.
+#[test]
+fn each_film_is_refined_by_its_own_estimate() {
+    let uniform = |share: f64, elements: std::ops::Range<usize>| -> Vec<f64> {
+        let of = |c| if elements.contains(&c) { share } else { 0.0 };
+        (0..N).map(of).collect()
+    };
+    let indicator = Indicator {
+        central: uniform(1e-7, 0..100),
+        minimum: uniform(1e-4, 900..1000),
+        ..Indicator::default()
+    };
+    let own = [1e-4, 0.1];
+    let goals = film_goals(&PARAMS, 2, [0.05, 0.1], own, &indicator);
+    assert_eq!(goals.len(), 1);
+    assert_eq!(goals[0].shares, indicator.minimum);
+    // No less than SMALLEST_GOAL of it at once, though the target is 1.2 %.
+    assert!((goals[0].allowed - 0.02 * 1e-2).abs() < 1e-9);
+}
+
+/// Estimates are good enough, and the films have moved by much more: each film is to be confirmed by a mesh on which 0.4 of the estimate
+/// is left.
+#[test]
+fn films_that_moved_are_confirmed() {
+    let indicator = Indicator {
+        central: vec![1e-8; N],
+        minimum: vec![2e-8; N],
+        ..Indicator::default()
+    };
+    let goals = film_goals(&PARAMS, 2, [0.01, 0.02], [4e-5, 8e-5], &indicator);
+    let allowed: Vec<f64> = goals.iter().map(|g| g.allowed).collect();
+    assert_eq!(allowed.len(), 2);
+    for (allowed, sum) in allowed.iter().zip([1e-5, 2e-5]) {
+        assert!((allowed / sum - 0.4).abs() < 1e-9);
+    }
+    // Where the bar is narrow enough there is no goal.
+    assert!(film_goals(&PARAMS, 2, [1e-3, 1e-3], [4e-5, 8e-5], &indicator).is_empty());
 }
