@@ -362,3 +362,61 @@ impl<'a> StageRun<'a> {
         stats
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+    use std::sync::Arc;
+
+    use ertel_rheology::input::Document;
+
+    use super::*;
+    use crate::case::Case;
+    use crate::problem::problem;
+    use crate::solve::discretisation::{ContactSurface, Means};
+    use crate::solve::evaluate::minimum_film;
+    use crate::solve::sequence::start::cold_start;
+
+    const CASE: &str = r#"
+        [contact]
+        kind = "circular"
+        radius = "10 mm"
+        load = "20 N"
+        [bodies]
+        body_1 = "steel"
+        body_2 = "steel"
+        [motion]
+        entrainment_speed = "1 m/s"
+        slide_to_roll_ratio = 0.0
+        [lubricant]
+        temperature = "40 degC"
+        density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+        viscosity = { law = "barus", mu_0 = "40 mPa.s", alpha = "10 1/GPa" }
+        [mesh]
+        preset = "coarse"
+    "#;
+
+    /// A film below zero has errors as one above has: shares of negative sign would tell that there is nothing to refine.
+    #[test]
+    fn films_below_zero_have_errors() {
+        let document = Document::parse("case.toml", CASE).unwrap();
+        let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+        let stage = problem.stages[0];
+        let contact = ContactSurface::new(
+            &problem.shape,
+            &problem.extents,
+            &stage.sizes,
+            &problem.elasticity,
+            Means::default(),
+        );
+        let d = Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order);
+        let mut state = cold_start(&problem, &d);
+        let (film, _) = minimum_film(&d, &state);
+        state.rigid_separation -= 1.01 * film;
+        assert!(minimum_film(&d, &state).0 < 0.0);
+        let run = StageRun::new(&problem, &stage, 0, &d);
+        let indicator = run.measure(&state, &mut NewtonStats::default()).unwrap();
+        assert!(indicator.minimum.iter().all(|share| *share >= 0.0));
+        assert!(indicator.totals()[1] > 0.0);
+    }
+}
