@@ -178,11 +178,13 @@ impl<S: StageSolver> Driver<S> {
         self.before_refinement = None;
         match refinement {
             Some(refinement) => {
+                // Films that are as accurate as asked for bear no long search.
+                let given_up_early = self.outline.impatient || refinement.for_pressure_alone;
                 self.refinement = refinement;
                 self.queue.push_back(Stage {
                     refinements: stage.refinements + 1,
                     undamped: false,
-                    given_up_early: self.outline.impatient,
+                    given_up_early,
                     ..*stage
                 });
             }
