@@ -223,6 +223,9 @@ pub struct SolverParams {
     pub formulation: Formulation,
     /// Isotropic diffusion coefficient ρ_id of eq. 3.18; 0 for none.
     pub isotropic_diffusion: f64,
+    /// Coefficient ρ_r of the diffusion at ridges of the pressure that elements do not resolve; `None`: 1 in circular and elliptical contacts of half-spaces
+    /// with the default stabilisation, else 0.
+    pub ridge_diffusion: Option<f64>,
     /// Whether SUPG and GLS reckon with the deflection, too; without, they are as printed in Habchi
     /// 2008, eqs. 3.15 to 3.17, and incompressible lubricants are not stabilised at all.
     pub elastic_stabilisation: bool,
@@ -252,6 +255,7 @@ impl Default for SolverParams {
         SolverParams {
             formulation: Formulation::default(),
             isotropic_diffusion: 0.0,
+            ridge_diffusion: None,
             elastic_stabilisation: true,
             penalty: 1e4,
             penalty_scaling: PenaltyScaling::default(),

@@ -65,6 +65,7 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
         entrainment: case.motion.entrainment(scales.length),
         formulation: case.solver.formulation,
         isotropic_diffusion: case.solver.isotropic_diffusion,
+        ridge_diffusion: 0.0,
         diffusion_tensor: shape.zone.diffusion_tensor(),
         elastic_stabilisation: case.solver.elastic_stabilisation,
         penalty: case.solver.penalty,
@@ -140,6 +141,7 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
         linear: case.solver.linear,
         cache: None,
         error_estimate: case.solver.error_estimate,
+        ridge_diffusion: ridge_diffusion(case),
         adapt: (case.mesh.target_error).map(|target| {
             let most = match case.elastic_model() {
                 ElasticModel::HalfSpace => DEFAULT_MAX_UNKNOWNS,
@@ -161,6 +163,22 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
         heat,
         shape,
     }
+}
+
+/// ρ_r where the case does not set it: the thesis's method has none, a line contact's mesh resolves its spike for little.
+const RIDGE_DIFFUSION: f64 = 1.0;
+
+/// ρ_r of a case.
+fn ridge_diffusion(case: &Case) -> f64 {
+    let solver = &case.solver;
+    let suits = matches!(
+        case.contact.kind,
+        ContactKind::Circular | ContactKind::Elliptical
+    ) && case.elastic_model() == ElasticModel::HalfSpace
+        && solver.formulation != Formulation::Galerkin
+        && solver.elastic_stabilisation;
+    let usual = if suits { RIDGE_DIFFUSION } else { 0.0 };
+    solver.ridge_diffusion.unwrap_or(usual)
 }
 
 /// Heat of a case, if it counts and its data are complete.

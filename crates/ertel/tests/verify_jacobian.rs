@@ -114,6 +114,10 @@ fn check(
         let unheated = column.unheated(&heat.heat);
         d = d.with_heat(1, column, unheated);
     }
+    // A share of each element in the diffusion at a ridge, from none to all.
+    d.at_ridge = (0..d.contact.n_elements())
+        .map(|c| (c % 5) as f64 / 4.0)
+        .collect();
     let d = d;
     let rough = noise(d.pressure.n_nodes(), 3);
     let pressure: Vec<f64> = (d.pressure.points.iter().zip(&rough).zip(&d.pressure_dofs))
@@ -160,6 +164,7 @@ fn check(
             let constants = FilmConstants {
                 formulation,
                 isotropic_diffusion: diffusion,
+                ridge_diffusion: 1.4 * diffusion,
                 diffusion_tensor: (kind == ContactKind::Elliptical).then_some([1.0, -0.2, 0.3]),
                 ..problem.stages.last().unwrap().constants
             };

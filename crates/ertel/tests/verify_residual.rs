@@ -34,6 +34,7 @@ fn residual_is_relative_to_the_entrained_flow() {
     let constants = FilmConstants {
         formulation: Formulation::Galerkin,
         isotropic_diffusion: 0.0,
+        ridge_diffusion: 0.0,
         diffusion_tensor: None,
         ..problem.stages[0].constants
     };

@@ -314,6 +314,7 @@ fn errors(
         entrainment: fields(kind)[0],
         formulation,
         isotropic_diffusion: diffusion,
+        ridge_diffusion: 0.0,
         diffusion_tensor: None,
         penalty: 0.0,
         ..problem(&common::case(like, 100.0)).stages[0].constants

@@ -644,6 +644,7 @@ const MESH: &[Key] = &[
 const SOLVER: &[Key] = &[
     ("formulation", Choice(&["gls", "supg", "galerkin"])),
     ("isotropic_diffusion", Number),
+    ("ridge_diffusion", Number),
     ("elastic_stabilisation", Switch),
     ("penalty", Number),
     (

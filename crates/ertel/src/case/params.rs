@@ -240,6 +240,7 @@ pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputErr
         &mut solver.isotropic_diffusion,
         table.optional_number("isotropic_diffusion", Bounds::closed(0.0, 10.0))?,
     );
+    solver.ridge_diffusion = table.optional_number("ridge_diffusion", Bounds::closed(0.0, 10.0))?;
     set(
         &mut solver.elastic_stabilisation,
         table.optional_bool("elastic_stabilisation")?,

@@ -175,6 +175,8 @@ pub struct Refinement {
     pub halvings: Vec<u32>,
     /// Whether the films are as accurate as asked for already, and only the pressure is not.
     pub for_pressure_alone: bool,
+    /// Larger of the error bars of both films before it.
+    pub film_bar: f64,
 }
 
 /// The next refinement, or `None` when the targets are reached or a limit is.
@@ -216,6 +218,7 @@ pub fn next_refinement(
     (!few).then_some(Refinement {
         halvings,
         for_pressure_alone,
+        film_bar: cells[0].max(cells[1]),
     })
 }
 

@@ -318,11 +318,18 @@ pub struct Discretisation {
     pub load: Vec<f64>,
     /// What leads from pressures to deflections.
     pub trace: Arc<Trace>,
+    /// Share of each element in the diffusion at a ridge of the pressure; empty: none.
+    pub at_ridge: Vec<f64>,
     /// Temperatures, where heat counts.
     pub heat: Option<Arc<HeatSpace>>,
 }
 
 impl Discretisation {
+    /// Share of an element in the diffusion at a ridge of the pressure.
+    pub fn share_at_ridge(&self, c: usize) -> f64 {
+        self.at_ridge.get(c).copied().unwrap_or(0.0)
+    }
+
     /// Pressure space of the given order on a contact area.
     pub fn new(contact: &Arc<ContactSurface>, pressure_order: usize) -> Discretisation {
         let surface = &contact.surface;
@@ -375,6 +382,7 @@ impl Discretisation {
             pressure_unseen,
             deflection_table,
             load,
+            at_ridge: Vec::new(),
             heat: None,
         }
     }

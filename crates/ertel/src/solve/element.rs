@@ -44,6 +44,8 @@ pub struct Assembler<'a> {
     source: Source<'a>,
     /// Share of the length over which a gap fills up.
     filling: f64,
+    /// Share of the diffusion at a ridge.
+    ridge: f64,
     kernel: Kernel<'a>,
 }
 
@@ -97,16 +99,26 @@ impl<'a> Assembler<'a> {
             state,
             source,
             filling: 1.0,
+            ridge: 1.0,
             kernel,
         }
     }
 
     /// The same where a gap fills up over a share of the length.
     #[must_use]
-    pub fn filling_over(self, share: f64) -> Assembler<'a> {
+    pub fn filling_over(&self, share: f64) -> Assembler<'a> {
         Assembler {
             filling: share,
-            ..self
+            ..*self
+        }
+    }
+
+    /// The same without the diffusion at a ridge.
+    #[must_use]
+    pub fn without_ridge_diffusion(&self) -> Assembler<'a> {
+        Assembler {
+            ridge: 0.0,
+            ..*self
         }
     }
 
@@ -132,7 +144,9 @@ impl<'a> Assembler<'a> {
         let d = self.d;
         let order = d.pressure.element.order();
         let oil_layer = d.contact.shape.inlet.layer().copied();
-        let mut local = (self.constants).on_element(d.contact.sizes[c], order, oil_layer);
+        let mut local =
+            (self.constants).on_element(d.contact.sizes[c], order, oil_layer, d.share_at_ridge(c));
+        local.ridge_diffusion *= self.ridge;
         local.filling_length *= self.filling;
         element.points.clear();
         element.pressure.resize(d.rule.len() * N_LISTS * N, 0.0);

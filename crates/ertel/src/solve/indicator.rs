@@ -48,6 +48,10 @@ pub struct Indicator {
     pub shear_stress: f64,
     /// Root mean square error of the pressure in each element, in p_h.
     pub(super) local: Vec<f64>,
+    /// What a ridge may be higher in each element than the diffusion there leaves it, in p_h.
+    pub(super) cut_off: Vec<f64>,
+    /// By how much such a ridge may exceed the largest pressure, in p_h.
+    pub(super) exceeds: f64,
     /// Adjoints of the two films.
     pub(super) adjoints: Vec<Adjoint>,
 }
@@ -69,6 +73,7 @@ impl Indicator {
     ) -> ErrorEstimate {
         let around = |place: Option<[f64; 2]>| place.map_or(0.0, |p| scale * self.around(d, p));
         let [largest, spike, left, right] = places.map(around);
+        let largest = largest.max(scale * self.exceeds);
         ErrorEstimate {
             films: self.totals(),
             edges: self.edges,
@@ -96,10 +101,11 @@ impl Indicator {
                 m.min((p[0] - place[0]).hypot(p[1] - place[1]))
             }) < reach
         };
+        let error = |c: usize| self.local[c].max(self.cut_off[c]);
         (0..contact.n_elements())
             .filter(is_near)
-            .map(|c| self.local[c])
-            .fold(self.local[found], f64::max)
+            .map(error)
+            .fold(error(found), f64::max)
     }
 
     /// Estimated root-mean-square error of the pressure over the dry contact, in p_h.
@@ -110,6 +116,10 @@ impl Indicator {
 
 /// Distance, in sizes of the element there, up to which elements are around a place.
 const AROUND: f64 = 1.5;
+
+/// What a ridge may be higher than where it is diffused, over the range of the pressure in the element. Measured on ball on disc, M = 199: beside the centreline, 0.75 GPa with
+/// 13,700 pressures, 1.15 GPa with 48,000, and 1.28 GPa with 261,000 without diffusion.
+const CUT_OFF: f64 = 0.75;
 
 /// Constants c_U and c_P of the estimate, measured on line and circular contacts.
 const ELASTIC: f64 = 8.0;
@@ -196,17 +206,26 @@ pub fn indicator(
             );
         }
     }
+    let weights: Vec<&[f64]> = adjoint.iter().map(|a| a.film.as_slice()).collect();
+    let usual = Assembler::new(d, &model.fluid, &model.constants, state, None);
+    let mut others = Vec::new();
     if d.contact.shape.inlet.layer().is_some() {
-        let weights: Vec<&[f64]> = adjoint.iter().map(|a| a.film.as_slice()).collect();
-        let own = blurring(d, model, state, &weights);
-        for ((share, own), film) in shares.iter_mut().zip(own).zip(&magnitudes) {
+        // What it blurs that a gap fills up over a length.
+        let elements: Vec<usize> = (0..d.contact.n_elements()).collect();
+        others.push((usual.filling_over(0.5), elements, BLURRING));
+    }
+    if model.constants.ridge_diffusion > 0.0 {
+        let at_ridge = |c: &usize| d.share_at_ridge(*c) > 0.0;
+        let elements: Vec<usize> = (0..d.contact.n_elements()).filter(at_ridge).collect();
+        others.push((usual.without_ridge_diffusion(), elements, RIDGE));
+    }
+    for (other, elements, [trust, least]) in &others {
+        let changes = film_changes(d, [&usual, other], &weights, elements);
+        for ((share, own), film) in shares.iter_mut().zip(changes).zip(&magnitudes) {
             let (sum, size) = (own.iter().sum::<f64>().abs(), sum_of_sizes(&own));
-            let weight = (sum / size).max(LEAST_BLURRING) / film;
+            let weight = trust * (sum / size).max(*least) / film;
             if size > 0.0 {
-                share
-                    .iter_mut()
-                    .zip(own)
-                    .for_each(|(s, o)| *s += weight * o.abs());
+                (share.iter_mut().zip(own)).for_each(|(s, o)| *s += weight * o.abs());
             }
         }
     }
@@ -231,6 +250,32 @@ pub fn indicator(
     let local: Vec<f64> = (squares.iter().zip(&d.contact.maps))
         .map(|(s, map)| (s / (map.determinant * reference)).sqrt())
         .collect();
+    let range = |c: usize| {
+        let values = d
+            .pressure
+            .nodes_of(c)
+            .iter()
+            .map(|n| state.pressure[*n as usize]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| {
+            [low.min(p), high.max(p)]
+        })
+    };
+    let ranges: Vec<[f64; 2]> = (0..local.len()).map(range).collect();
+    let diffused = model.constants.ridge_diffusion > 0.0;
+    let cut_off: Vec<f64> = (ranges.iter().enumerate())
+        .map(|(c, [low, high])| {
+            let share = if diffused { d.share_at_ridge(c) } else { 0.0 };
+            CUT_OFF * share * (high - low)
+        })
+        .collect();
+    let top = ranges
+        .iter()
+        .fold(f64::NEG_INFINITY, |top, [_, high]| top.max(*high));
+    let exceeds = (ranges.iter().zip(&cut_off))
+        .filter(|(_, cut)| **cut > 0.0)
+        .fold(0.0, |most: f64, ([_, high], cut)| {
+            most.max(high + cut - top)
+        });
     // An error e of the wave number κ, in its slope: κe.
     let slope = |c: usize| 0.5 * wave(&d.pressure) / d.contact.sizes[c] * local[c];
     let shear_stress = (0..local.len())
@@ -242,6 +287,8 @@ pub fn indicator(
         rival,
         shear_stress,
         local,
+        cut_off,
+        exceeds,
         edges: [0, 1]
             .map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / magnitudes[j]),
         pressure: squares.iter().map(|s| s / zone).collect(),
@@ -249,40 +296,39 @@ pub fn indicator(
     })
 }
 
-/// Least share of the sizes of the elements' changes that their sum counts as, though they may cancel.
-const LEAST_BLURRING: f64 = 0.5;
+/// Weight in the estimate of what a change of the equations does, and the least share of the sizes of the elements' changes that their sum
+/// counts as, though they may cancel: of the length over which a gap fills up, and of the diffusion at a ridge, whose sum is
+/// within a fifth of what films change by without it (ball on disc, M = 199: h_c 0.53 % told, 0.61 % found) and needs no bar of four
+/// times the estimate.
+const BLURRING: [f64; 2] = [1.0, 0.5];
+const RIDGE: [f64; 2] = [0.25, 0.1];
 
 fn sum_of_sizes(changes: &[f64]) -> f64 {
     changes.iter().map(|change| change.abs()).sum()
 }
 
-/// By how much films would change, element by element, if a gap that a layer of oil fills up did so over half the length; `weights`
-/// are the adjoints of the films.
-fn blurring(
+/// By how much films would change, element by element, if the equations on some `elements` were those of the other assembly; `weights` are the
+/// adjoints of the films.
+fn film_changes(
     d: &Discretisation,
-    model: &FilmModel,
-    state: &State,
+    [usual, other]: [&Assembler; 2],
     weights: &[&[f64]],
+    elements: &[usize],
 ) -> Vec<Vec<f64>> {
     let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
-    let [whole, half] = [1.0, 0.5].map(|share| {
-        Assembler::new(d, &model.fluid, &model.constants, state, None).filling_over(share)
-    });
     let (mut element, mut block) = (Element::default(), vec![0.0; n * (n + m)]);
     let mut sums = [vec![[0.0; N_SUMS]; n], vec![[0.0; N_SUMS]; n]];
-    let mut changes = vec![Vec::new(); weights.len()];
-    for c in 0..d.contact.n_elements() {
-        for (assembler, sums) in [&whole, &half].into_iter().zip(&mut sums) {
+    let mut changes = vec![vec![0.0; d.contact.n_elements()]; weights.len()];
+    for &c in elements {
+        for (assembler, sums) in [usual, other].into_iter().zip(&mut sums) {
             assembler.element(c, &mut element, &mut block, sums);
         }
         for (change, weights) in changes.iter_mut().zip(weights) {
             let nodes = d.pressure.nodes_of(c).iter().zip(&sums[0]).zip(&sums[1]);
-            change.push(
-                nodes
-                    .filter(|((node, _), _)| d.pressure_dofs[**node as usize] != CONSTRAINED)
-                    .map(|((node, a), b)| -weights[*node as usize] * (b[1] - a[1]))
-                    .sum(),
-            );
+            change[c] = nodes
+                .filter(|((node, _), _)| d.pressure_dofs[**node as usize] != CONSTRAINED)
+                .map(|((node, a), b)| -weights[*node as usize] * (b[1] - a[1]))
+                .sum();
         }
     }
     changes

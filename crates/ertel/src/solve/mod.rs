@@ -16,6 +16,7 @@ mod neighbours;
 pub mod newton;
 pub mod preconditioner;
 pub mod profile;
+mod ridge;
 pub mod sensitivity;
 pub mod sequence;
 pub mod shear;

@@ -458,7 +458,7 @@ const FORESEEN_ORDER: f64 = 1.5;
 
 /// Update, in p_h, above which the next is not foreseen: a step that is small by chance after a much larger one tells nothing (Barus,
 /// M = 200, L = 10 on a mesh refined at the ridge: 20, then 0.7, then 9).
-const FORESEEN_FROM: f64 = 0.1;
+const FORESEEN_FROM: f64 = 0.5;
 
 fn add(x: &mut [f64], dx: &[f64]) {
     for (a, b) in x.iter_mut().zip(dx) {

@@ -34,7 +34,9 @@ pub struct FilmConstants {
     pub formulation: Formulation,
     /// ρ_id.
     pub isotropic_diffusion: f64,
-    /// T by which it is multiplied where cells are shorter across the motion than along it, xx, xy, yy.
+    /// ρ_r, on elements at a ridge of the pressure.
+    pub ridge_diffusion: f64,
+    /// T by which ρ_id is multiplied where cells are shorter across the motion than along it, xx, xy, yy.
     pub diffusion_tensor: Option<[f64; 3]>,
     /// Whether the stabilisation reckons with the deflection.
     pub elastic_stabilisation: bool,
@@ -52,6 +54,7 @@ impl FilmConstants {
         size: f64,
         order: usize,
         oil_layer: Option<OilLayer>,
+        share_at_ridge: f64,
     ) -> ElementConstants {
         let penalty = match self.penalty_scaling {
             PenaltyScaling::ElementSquared => self.penalty * size * size,
@@ -69,6 +72,7 @@ impl FilmConstants {
             penalty,
             formulation: self.formulation,
             isotropic_diffusion: self.isotropic_diffusion,
+            ridge_diffusion: self.ridge_diffusion * share_at_ridge,
             diffusion_tensor: self.diffusion_tensor,
             elastic_stabilisation: self.elastic_stabilisation,
             oil_layer,

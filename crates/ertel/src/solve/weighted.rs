@@ -367,9 +367,10 @@ impl Points {
         sums: &mut [f64],
     ) {
         let (size, order) = (d.contact.sizes[self.element], d.pressure.element.order());
-        let local = own.constants.on_element(size, order, own.oil_layer);
+        let ridge = d.share_at_ridge(self.element);
+        let local = (own.constants).on_element(size, order, own.oil_layer, ridge);
         let locals: Vec<ElementConstants> = (plan.variants.iter())
-            .map(|v| v.constants.on_element(size, order, v.oil_layer))
+            .map(|v| v.constants.on_element(size, order, v.oil_layer, ridge))
             .collect();
         let n_sums = self.n_weights + 1;
         let is_newtonian = own.fluid.is_newtonian();

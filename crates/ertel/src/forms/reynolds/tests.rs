@@ -15,6 +15,7 @@ fn constants(formulation: Formulation) -> ElementConstants {
         penalty: 1e4,
         formulation,
         isotropic_diffusion: 0.5,
+        ridge_diffusion: 0.0,
         diffusion_tensor: None,
         elastic_stabilisation: true,
         oil_layer: None,
@@ -176,10 +177,16 @@ fn terms_of_the_weak_form() {
         for formulation in [Formulation::Galerkin, Formulation::Supg, Formulation::Gls] {
             for elastic in [false, true] {
                 let slender = [1.0, -0.2, 0.3];
-                for (diffusion, tensor) in [(0.0, None), (0.5, None), (0.5, Some(slender))] {
+                for (diffusion, ridge, tensor) in [
+                    (0.0, 0.0, None),
+                    (0.5, 0.0, None),
+                    (0.5, 0.7, Some(slender)),
+                    (0.0, 0.7, None),
+                ] {
                     let c = ElementConstants {
                         lambda: 0.1,
                         isotropic_diffusion: diffusion,
+                        ridge_diffusion: ridge,
                         diffusion_tensor: tensor,
                         elastic_stabilisation: elastic,
                         ..constants(formulation)
@@ -200,13 +207,14 @@ fn terms_of_the_weak_form() {
                     let spread = diffusion * size * film * 0.2 / (2.0 * l);
                     let [xx, xy, yy] = tensor.unwrap_or([1.0, 0.0, 1.0]);
                     let spread = [0.5 * xx - 0.1 * xy, 0.5 * xy - 0.1 * yy].map(|s| s * spread);
+                    let at_ridge = ridge * size * (film * 0.2 + 0.3 * 1.1 * size) / (2.0 * l);
                     let pe_unseen = 1.1 * size * size / (2.0 * l * eps);
                     let unseen = supg * elastic * coth(pe_unseen) * 1.1 / size * 0.02;
                     let expected = [
                         penalty - f,
-                        eps * 0.5 + spread[0] - 1.1 * film * u
+                        (eps + at_ridge) * 0.5 + spread[0] - 1.1 * film * u
                             + weight * (beta * u - gls * grad_eps[0]),
-                        -eps * 0.1 + spread[1] - 1.1 * film * v
+                        -(eps + at_ridge) * 0.1 + spread[1] - 1.1 * film * v
                             + weight * (beta * v - gls * grad_eps[1]),
                         -gls * weight * eps,
                         unseen,

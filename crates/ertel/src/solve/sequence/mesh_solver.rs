@@ -14,6 +14,7 @@ use crate::solve::adapt::{grading_errors, next_refinement};
 use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::newton::{NewtonStats, Reached};
+use crate::solve::ridge::ridge_shares;
 use crate::solve::system::State;
 use crate::solve::{Observer, SolveError};
 
@@ -62,6 +63,20 @@ fn solution_of(
     Ok((solution, stats))
 }
 
+/// Where the pressure of a stage has a ridge, from what it starts from: from its pressure, or as there if that is known on this mesh.
+fn shares_at_ridge(from: &StageSolution, d: &Discretisation) -> Vec<f64> {
+    let there = &from.discretisation;
+    if Arc::ptr_eq(&there.contact, &d.contact) && !there.at_ridge.is_empty() {
+        return there.at_ridge.clone();
+    }
+    let mesh = (
+        &there.contact.surface,
+        &there.contact.locator,
+        &there.pressure,
+    );
+    ridge_shares(mesh, &from.state.pressure, &d.contact.surface)
+}
+
 /// Solves stages of a problem, and keeps the records.
 pub(super) struct MeshSolver<'a> {
     problem: &'a Problem,
@@ -89,6 +104,11 @@ impl Outline {
             usual: problem.stages.clone(),
             exponential: problem.fluid.is_exponential(),
             impatient: problem.shape.kind == ContactKind::Roller,
+            // An exponential law has difficulties of its own.
+            ridge_diffusion: match problem.fluid.is_exponential() {
+                true => 0.0,
+                false => problem.ridge_diffusion,
+            },
             slides: problem.fluid.slides(),
             refined: problem.adapt.is_some(),
         }
@@ -233,6 +253,9 @@ impl StageSolver for MeshSolver<'_> {
             Some(coarse) if !stage.cold => interpolate(coarse, &d),
             _ => cold_start(problem, &d),
         };
+        if let Some(from) = task.from.filter(|_| stage.constants.ridge_diffusion > 0.0) {
+            d.at_ridge = shares_at_ridge(from, &d);
+        }
         let run = StageRun::new(problem, stage, level, &d);
         // What is measured only, or refined further, need not be exact.
         let last = stage.role == Role::Final;

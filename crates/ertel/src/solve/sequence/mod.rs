@@ -65,6 +65,8 @@ pub struct Problem {
     pub cache: Option<OperatorCache>,
     /// Whether errors are estimated.
     pub error_estimate: bool,
+    /// ρ_r of the stages that need it; 0: none does.
+    pub ridge_diffusion: f64,
     /// Local refinement of the final stage, if an accuracy is asked for.
     pub adapt: Option<AdaptParams>,
     /// Heat of film and bodies, where it counts.

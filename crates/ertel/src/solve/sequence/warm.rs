@@ -11,7 +11,7 @@ use crate::solution::LevelStats;
 use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::discretisation::{Discretisation, Extents};
 use crate::solve::evaluate::{central_film, minimum_film};
-use crate::solve::system::State;
+use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
 /// A solution from which a similar problem can start, with its mesh and elastic operator.
@@ -191,6 +191,14 @@ impl Start {
             && has.depth_growth <= wants.depth_growth
     }
 
+    /// The constants of a problem, with the diffusion at a ridge that its solution came with.
+    fn constants(&self, of: &FilmConstants) -> FilmConstants {
+        FilmConstants {
+            ridge_diffusion: self.solution.stage.constants.ridge_diffusion,
+            ..*of
+        }
+    }
+
     /// Its pressures and film as they are foreseen to be in the problem.
     fn rescaled(&self, problem: &Problem) -> StageSolution {
         let mut start = self.solution.clone();
@@ -267,9 +275,13 @@ pub fn solve_warm(
             given_up_early: false,
             undamped,
             role: Role::Final,
+            constants: start.constants(&last.constants),
             ..*last
         };
-        match solve_from(problem, start.rescaled(problem), stage, observer) {
+        let mut from = start.rescaled(problem);
+        // Another contact has its ridge elsewhere.
+        from.discretisation.at_ridge.clear();
+        match solve_from(problem, from, stage, observer) {
             Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
             Err(_) => {}
             Ok((solution, stats)) => {
@@ -301,10 +313,9 @@ pub fn solve_on_mesh(
         return Ok(None);
     }
     let stage = Stage {
-        constants: problem
-            .stages
-            .last()
-            .map_or(start.solution.stage.constants, |s| s.constants),
+        constants: (problem.stages.last()).map_or(start.solution.stage.constants, |last| {
+            start.constants(&last.constants)
+        }),
         undamped: true,
         cold: false,
         given_up_early: false,

@@ -11,6 +11,9 @@ const MAX_HALVED_STEPS: usize = 6;
 /// The same for fluids whose shear rate grows exponentially with the stress, whose steps are small and cheap.
 const MAX_HALVED_EXPONENTIAL_STEPS: usize = 12;
 
+/// Error bar of a film up to which a refined mesh that fails with a diffused ridge is not tried once more.
+const GOOD_ENOUGH: f64 = 0.01;
+
 /// What follows from the end of a stage.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Decision {
@@ -22,6 +25,8 @@ pub(super) enum Decision {
     StopRefining,
     /// Give the case's own pressures up: those of lower order stand.
     KeepLowerOrder,
+    /// The same stage once more, with diffusion at ridges of the pressure, and all that follow.
+    DiffuseRidge,
     /// The refined mesh once more, from a diffusive start.
     RestartRefined,
     /// The start failed: no time is lost on strategies that go on from it.
@@ -56,7 +61,15 @@ impl<S: StageSolver> Driver<S> {
         if solved {
             return Decision::Accept;
         }
+        if stage.role == Role::Final && self.ridge_diffusion < self.outline.ridge_diffusion {
+            return Decision::DiffuseRidge;
+        }
         if refined {
+            // With a ridge that is diffused already, another start seldom leads further.
+            let has_film = self.refinement.film_bar < GOOD_ENOUGH;
+            if self.outline.ridge_diffusion > 0.0 && has_film {
+                return Decision::StopRefining;
+            }
             // Films that are as accurate as asked for need no second try.
             let tried = self.restarted == stage.refinements || self.refinement.for_pressure_alone;
             return match tried {

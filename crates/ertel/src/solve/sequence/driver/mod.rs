@@ -44,6 +44,8 @@ pub(super) struct Driver<S: StageSolver> {
     restarted: usize,
     /// Whether the case's own pressures have been tried from those of lower order.
     raised: bool,
+    /// ρ_r in force.
+    ridge_diffusion: f64,
     /// Whether it starts from the solution of another problem.
     warm: bool,
 }
@@ -63,10 +65,12 @@ impl<S: StageSolver> Driver<S> {
             refinement: Refinement {
                 halvings: Vec::new(),
                 for_pressure_alone: false,
+                film_bar: f64::INFINITY,
             },
             halved_steps: 0,
             restarted: 0,
             raised: false,
+            ridge_diffusion: 0.0,
             warm: false,
         }
     }
@@ -77,6 +81,7 @@ impl<S: StageSolver> Driver<S> {
             queue: VecDeque::from([stage]),
             fallbacks: VecDeque::new(),
             current: Some(from),
+            ridge_diffusion: stage.constants.ridge_diffusion,
             warm: true,
             ..Driver::new(outline, solver)
         }
@@ -87,7 +92,10 @@ impl<S: StageSolver> Driver<S> {
     /// # Errors
     /// That of the usual stages when all strategies fail; [`SolveError::Interrupted`]; what keeps a stage from being begun.
     pub fn run(mut self, observer: &mut dyn Observer) -> Result<(S::Solution, S), SolveError> {
-        while let Some(stage) = self.queue.pop_front() {
+        while let Some(mut stage) = self.queue.pop_front() {
+            if stage.role == Role::Final {
+                stage.constants.ridge_diffusion = self.ridge_diffusion;
+            }
             if observer.cancelled() {
                 return Err(SolveError::Interrupted);
             }
@@ -139,6 +147,10 @@ impl<S: StageSolver> Driver<S> {
                 self.before_refinement = self.before_refinement.take().or(before);
             }
             Decision::StopRefining => self.stop_refining(observer)?,
+            Decision::DiffuseRidge => {
+                self.ridge_diffusion = self.outline.ridge_diffusion;
+                self.queue.push_front(*stage);
+            }
             Decision::RestartRefined => self.restart_refined(stage),
             Decision::KeepLowerOrder | Decision::Skip => {}
             Decision::GoOn => self.current = Some(solution),
@@ -178,8 +190,13 @@ impl<S: StageSolver> Driver<S> {
         self.before_refinement = None;
         match refinement {
             Some(refinement) => {
-                // Films that are as accurate as asked for bear no long search.
-                let given_up_early = self.outline.impatient || refinement.for_pressure_alone;
+                if refinement.for_pressure_alone {
+                    self.ridge_diffusion = self.outline.ridge_diffusion;
+                }
+                // Films that are as accurate as asked for bear no long search, nor does what can be tried with a diffused ridge.
+                let given_up_early = self.outline.impatient
+                    || refinement.for_pressure_alone
+                    || self.ridge_diffusion < self.outline.ridge_diffusion;
                 self.refinement = refinement;
                 self.queue.push_back(Stage {
                     refinements: stage.refinements + 1,

@@ -83,6 +83,7 @@ impl<F: FnMut(usize, &Stage) -> Ending> StageSolver for Scripted<'_, F> {
                 Ending::Inaccurate { for_pressure_alone } => Some(Refinement {
                     halvings: vec![1],
                     for_pressure_alone,
+                    film_bar: 0.005,
                 }),
                 _ => None,
             },

@@ -164,6 +164,68 @@ fn a_mesh_for_the_pressure_alone_is_tried_once() {
     assert_eq!(trace.len(), 3);
 }
 
+/// Where a contact has it: the same stage with diffusion at ridges of the pressure, which all later ones keep; a refined mesh that fails with it is given up.
+#[test]
+fn what_fails_is_tried_with_a_diffused_ridge() {
+    let diffused = |trace: &Trace| -> Vec<(Role, f64)> {
+        let stages = trace.iter();
+        stages
+            .map(|(s, _)| (s.role, s.constants.ridge_diffusion))
+            .collect()
+    };
+    let outline = || Outline {
+        ridge_diffusion: 1.0,
+        ..outline(3)
+    };
+    let (end, trace) = run(outline(), |n, _| match n {
+        1 => Diverged,
+        2 => COARSE,
+        _ => Solved,
+    });
+    assert_eq!(end.unwrap().stage.refinements, 1);
+    let (start, solution) = (Role::Start, Role::Final);
+    let expected = [
+        (start, 0.0),
+        (solution, 0.0),
+        (solution, 1.0),
+        (solution, 1.0),
+    ];
+    assert_eq!(diffused(&trace), expected);
+    assert_eq!(trace[2].1, Some(trace[0].0));
+
+    let (end, trace) = run(outline(), |n, _| match n {
+        1 => COARSE,
+        2 | 3 => Diverged,
+        _ => Solved,
+    });
+    let end = end.unwrap();
+    assert_eq!((end.stage, end.finished), (trace[1].0, true));
+    let expected = [
+        (start, 0.0),
+        (solution, 0.0),
+        (solution, 0.0),
+        (solution, 1.0),
+    ];
+    assert_eq!(diffused(&trace), expected);
+}
+
+/// The ridge is what such a mesh is for.
+#[test]
+fn a_mesh_for_the_pressure_alone_has_a_diffused_ridge() {
+    let outline = Outline {
+        ridge_diffusion: 1.0,
+        ..outline(3)
+    };
+    let (_, trace) = run(outline, |n, _| match n {
+        1 => Ending::Inaccurate {
+            for_pressure_alone: true,
+        },
+        _ => Solved,
+    });
+    assert_eq!(trace[2].0.constants.ridge_diffusion, 1.0);
+    assert!(trace[2].0.given_up_early);
+}
+
 /// Quadratic pressures where a continuation ends short of cubic ones; then those once more, which may fail.
 #[test]
 fn the_order_is_lowered_and_raised() {

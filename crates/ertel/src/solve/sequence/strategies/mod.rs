@@ -25,6 +25,8 @@ pub(super) struct Outline {
     pub exponential: bool,
     /// Whether runs that go round in circles are given up early on refined meshes, too.
     pub impatient: bool,
+    /// ρ_r of stages that do not converge without, and of meshes refined for the pressure alone; 0 where there is none.
+    pub ridge_diffusion: f64,
     /// Whether the surfaces slide.
     pub slides: bool,
     /// Whether the mesh is refined locally after the first solution.

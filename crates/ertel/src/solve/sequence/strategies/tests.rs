@@ -26,6 +26,7 @@ pub(in super::super) fn outline(order: usize) -> Outline {
             entrainment: Planar::along_x(1.0),
             formulation: Formulation::Gls,
             isotropic_diffusion: 0.0,
+            ridge_diffusion: 0.0,
             diffusion_tensor: None,
             elastic_stabilisation: true,
             penalty: 1.0,
@@ -46,6 +47,7 @@ pub(in super::super) fn outline(order: usize) -> Outline {
         pressure_order: order.min(2),
         constants: FilmConstants {
             isotropic_diffusion: 2.0,
+            ridge_diffusion: 0.0,
             diffusion_tensor: None,
             ..solution.constants
         },
@@ -57,6 +59,7 @@ pub(in super::super) fn outline(order: usize) -> Outline {
         usual: vec![start, solution],
         exponential: false,
         impatient: false,
+        ridge_diffusion: 0.0,
         slides: false,
         refined: true,
     }

@@ -1,0 +1,103 @@
+//! Where the pressure has a ridge that the elements do not resolve.
+//!
+//! ```text
+//!   s = e²/(e² + e₀²)
+//! ```
+//! e is the error of the pressure in an element, from how slowly its polynomials fall off, or the largest of its neighbours', on the mesh
+//! before: a finer one puts the ridge elsewhere. Where s is about 1, pressures of high order overshoot: the ridge before the outlet falls off within a thousandth of a half-width.
+
+use ertel_fem::locate::Locator;
+use ertel_fem::mesh::SimplexMesh;
+use ertel_fem::space::Space;
+
+use super::indicator::unresolved;
+use super::neighbours::Neighbours;
+
+/// e₀, in p_h.
+const SCALE: f64 = 0.005;
+
+/// Share below which there is no ridge.
+const LEAST: f64 = 1e-3;
+
+/// s of each element of `surface`, from the `pressure` on another mesh.
+pub(super) fn ridge_shares(
+    (other, locator, space): (&SimplexMesh, &Locator, &Space),
+    pressure: &[f64],
+    surface: &SimplexMesh,
+) -> Vec<f64> {
+    let neighbours = Neighbours::new(other);
+    let own = unresolved(space, pressure);
+    let errors: Vec<f64> = (own.iter().zip(&neighbours.of))
+        .map(|(error, around)| around.iter().fold(*error, |e, n| e.max(own[*n as usize])))
+        .collect();
+    (0..surface.n_cells())
+        .map(|c| {
+            let corners = &surface.cell(c)[..=surface.dim];
+            let centre = [0, 1].map(|axis: usize| {
+                let sum: f64 = (corners.iter())
+                    .map(|v| surface.vertices[*v as usize][axis])
+                    .sum();
+                sum / corners.len() as f64
+            });
+            let found = locator.find(other, centre);
+            let error = found.map_or(0.0, |(cell, _)| errors[cell] / SCALE);
+            let share = error * error / (1.0 + error * error);
+            if share < LEAST { 0.0 } else { share }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// n by n squares of side 1/n, halved.
+    fn square(n: usize) -> SimplexMesh {
+        let at = |i: usize, j: usize| (i + j * (n + 1)) as u32;
+        let mut cells = Vec::new();
+        for j in 0..n {
+            for i in 0..n {
+                let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+                cells.push([a, b, c, u32::MAX]);
+                cells.push([a, c, d, u32::MAX]);
+            }
+        }
+        SimplexMesh {
+            dim: 2,
+            axes: [0, 1, 2],
+            vertices: (0..(n + 1) * (n + 1))
+                .map(|k| {
+                    let [i, j] = [k % (n + 1), k / (n + 1)];
+                    [i as f64 / n as f64, j as f64 / n as f64, 0.0]
+                })
+                .collect(),
+            cells,
+        }
+    }
+
+    /// A jump at x = 0.6 has its elements, and their neighbours, of another mesh at the same place; smooth pressures have none.
+    #[test]
+    fn shares_stand_where_pressures_are_not_resolved() {
+        let (coarse, fine) = (square(10), square(20));
+        let (space, locator) = (Space::new(&coarse, 3), Locator::new(&coarse));
+        let shares = |pressure: &dyn Fn(f64) -> f64| {
+            let nodal: Vec<f64> = space.points.iter().map(|p| pressure(p[0])).collect();
+            ridge_shares((&coarse, &locator, &space), &nodal, &fine)
+        };
+        let smooth = shares(&|x| x - x * x);
+        assert!(smooth.iter().all(|s| *s == 0.0));
+        let jump = shares(&|x| if x < 0.57 { 0.8 } else { 0.2 });
+        for (c, share) in jump.iter().enumerate() {
+            let x = (fine.cell(c)[..3].iter())
+                .map(|v| fine.vertices[*v as usize][0])
+                .sum::<f64>()
+                / 3.0;
+            if (0.5..0.6).contains(&x) {
+                assert_relative_eq!(*share, 1.0, max_relative = 0.05);
+            } else if !(0.4..0.7).contains(&x) {
+                assert_eq!(*share, 0.0);
+            }
+        }
+    }
+}
