@@ -12,7 +12,7 @@ const MAX_HALVED_STEPS: usize = 6;
 const MAX_HALVED_EXPONENTIAL_STEPS: usize = 12;
 
 /// Error bar of a film up to which a refined mesh that fails with a diffused ridge is not tried once more.
-const GOOD_ENOUGH: f64 = 0.01;
+const GOOD_ENOUGH: f64 = 0.04;
 
 /// What follows from the end of a stage.
 #[derive(Clone, Debug, PartialEq)]
