@@ -10,14 +10,15 @@ use ertel_fem::locate::Locator;
 use ertel_fem::mesh::SimplexMesh;
 use ertel_fem::space::Space;
 
+use super::discretisation::Discretisation;
 use super::indicator::unresolved;
 use super::neighbours::Neighbours;
 
 /// e₀, in p_h.
 const SCALE: f64 = 0.005;
 
-/// Share below which there is no ridge.
-const LEAST: f64 = 1e-3;
+/// Shares are multiples of one over this, so that what the mesh before errs by rounding does not change the equations.
+const STEPS: f64 = 64.0;
 
 /// s of each element of `surface`, from the `pressure` on another mesh.
 pub(super) fn ridge_shares(
@@ -42,9 +43,34 @@ pub(super) fn ridge_shares(
             let found = locator.find(other, centre);
             let error = found.map_or(0.0, |(cell, _)| errors[cell] / SCALE);
             let share = error * error / (1.0 + error * error);
-            if share < LEAST { 0.0 } else { share }
+            (STEPS * share).round() / STEPS
         })
         .collect()
+}
+
+/// What a ridge may be higher than where it is diffused, over the range of the pressure in the element. Measured on ball on disc, M = 199, beside
+/// the centreline: 0.75 GPa with 13,700 pressures, 1.15 GPa with 48,000, and 1.28 GPa with 261,000 without diffusion.
+const CUT_OFF: f64 = 0.75;
+
+/// By how much a ridge may be higher in each element than the diffusion there leaves it, and by how much it may exceed the largest pressure so.
+pub(super) fn cut_off(d: &Discretisation, pressure: &[f64]) -> (Vec<f64>, f64) {
+    let range = |c: usize| {
+        let values = d.pressure.nodes_of(c).iter().map(|n| pressure[*n as usize]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| {
+            [low.min(p), high.max(p)]
+        })
+    };
+    let ranges: Vec<[f64; 2]> = (0..d.contact.n_elements()).map(range).collect();
+    let cut_off: Vec<f64> = (ranges.iter().enumerate())
+        .map(|(c, [low, high])| CUT_OFF * d.share_at_ridge(c) * (high - low))
+        .collect();
+    let top = (ranges.iter()).fold(f64::NEG_INFINITY, |top, [_, high]| top.max(*high));
+    let exceeds = (ranges.iter().zip(&cut_off))
+        .filter(|(_, cut)| **cut > 0.0)
+        .fold(0.0, |most: f64, ([_, high], cut)| {
+            most.max(high + cut - top)
+        });
+    (cut_off, exceeds)
 }
 
 #[cfg(test)]

@@ -66,8 +66,8 @@ impl<S: StageSolver> Driver<S> {
         }
         if refined {
             // With a ridge that is diffused already, another start seldom leads further.
-            let has_film = self.refinement.film_bar < GOOD_ENOUGH;
-            if self.outline.ridge_diffusion > 0.0 && has_film {
+            let good_enough = self.refinement.film_bar < GOOD_ENOUGH;
+            if self.outline.ridge_diffusion > 0.0 && good_enough {
                 return Decision::StopRefining;
             }
             // Films that are as accurate as asked for need no second try.
