@@ -132,7 +132,7 @@ try {
   await send("Browser.setDownloadBehavior", { behavior: "allow", downloadPath: downloads });
   await show(1280);
   await tab("Page.navigate", { url: address });
-  await until("document.documentElement.dataset.ready");
+  await until("document.documentElement?.dataset.ready");
   await picture("start-1280");
 
   // The roller, from the list of examples: the figures of the native program.
