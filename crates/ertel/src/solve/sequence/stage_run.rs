@@ -398,12 +398,7 @@ mod tests {
         preset = "coarse"
     "#;
 
-    /// What the diffusion at a ridge does to both films by the adjoints, a quarter of which is in the estimate, against solves without it.
-    #[test]
-    fn the_diffusion_at_a_ridge_is_told() {
-        let document = Document::parse("case.toml", CASE).unwrap();
-        let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
-        let mut stage = *problem.stages.last().unwrap();
+    fn discretisation(problem: &Problem, stage: &Stage) -> Discretisation {
         let contact = ContactSurface::new(
             &problem.shape,
             &problem.extents,
@@ -411,7 +406,16 @@ mod tests {
             &problem.elasticity,
             Means::default(),
         );
-        let mut d = Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order);
+        Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order)
+    }
+
+    /// What the diffusion at a ridge does to both films by the adjoints, a quarter of which is in the estimate, against solves without it.
+    #[test]
+    fn the_diffusion_at_a_ridge_is_told() {
+        let document = Document::parse("case.toml", CASE).unwrap();
+        let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+        let mut stage = *problem.stages.last().unwrap();
+        let mut d = discretisation(&problem, &stage);
         d.at_ridge = vec![1.0; d.contact.n_elements()];
         stage.constants.ridge_diffusion = 0.02;
         let solve = |stage: &Stage, state: &mut State| {
@@ -438,7 +442,7 @@ mod tests {
         for j in 0..2 {
             let (found, told) = (with[j] / without[j] - 1.0, 4.0 * (told[j] - rest[j]));
             println!("{found:.2e} found, {told:.2e} told");
-            assert!(found.abs() > 1e-4 && (told / found.abs() - 1.0).abs() < 0.3);
+            assert!(found.abs() > 1e-4 && (told / found.abs() - 1.0).abs() < 0.05);
         }
     }
 
@@ -448,14 +452,7 @@ mod tests {
         let document = Document::parse("case.toml", CASE).unwrap();
         let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
         let stage = problem.stages[0];
-        let contact = ContactSurface::new(
-            &problem.shape,
-            &problem.extents,
-            &stage.sizes,
-            &problem.elasticity,
-            Means::default(),
-        );
-        let d = Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order);
+        let d = discretisation(&problem, &stage);
         let mut state = cold_start(&problem, &d);
         let (film, _) = minimum_film(&d, &state);
         state.rigid_separation -= 1.01 * film;
