@@ -196,6 +196,9 @@ pub struct LevelStats {
 pub struct ErrorEstimate {
     /// Relative errors of central and minimum film from the cells.
     pub films: [f64; 2],
+    /// What the diffusion at ridges changes both films by, relative.
+    #[serde(skip_serializing_if = "are_zero")]
+    pub ridge: [f64; 2],
     /// The same from the edges of the contact area.
     pub edges: [f64; 2],
     /// Root-mean-square error of the pressure over the dry contact, over p_h.

@@ -81,6 +81,9 @@ const UNCALIBRATED: f64 = 3.0;
 /// Error bar over the estimate of a first mesh.
 pub const FIRST_BAR: f64 = SAFETY * UNCALIBRATED;
 
+/// Error bar over what the diffusion at ridges changes by the adjoints, which tell at least four fifths of it (ball on disc, M = 199: h_c 0.53 % told, 0.61 % found).
+pub const SAFETY_OF_RIDGE: f64 = 1.5;
+
 /// Error bar over the estimate e of what the edges of the contact area do, and how it grows with e: the estimate is linear in the
 /// pressure at the edges. Measured: within a tenth where e is below 0.5 % (ball on disc, M = 200), a half of what it should be
 /// at 3 % (M = 5).
@@ -94,6 +97,10 @@ pub fn bar_of_edges(estimate: f64) -> f64 {
     let bar = estimate * (SAFETY_OF_EDGES[0] + SAFETY_OF_EDGES[1] * estimate);
     bar.min(LARGEST_BAR_OF_EDGES)
 }
+
+/// Part of the error bar of a film over the square of the pressure's error: what a ridge that is far from resolved does to the films, their
+/// estimates miss (Roelands, M = 20, L = 25: 6 % of p_h, and h_min off by 0.4 %).
+const SHARE_OF_PRESSURE: f64 = 1.0;
 
 /// Share of the difference from the mesh before that is the least bar.
 const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.3;
@@ -128,7 +135,7 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
     let own = match (fine.estimate, coarse) {
         (Some(e), _) => {
             let before = comparable.and_then(|c| c.estimate).unwrap_or(e).films;
-            let e = e.films;
+            let (e, ridge) = (e.films, e.ridge);
             [0, 1].map(|j: usize| {
                 let theta = if before[j] > e[j] {
                     gone[j] / (before[j] - e[j])
@@ -136,6 +143,7 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
                     UNCALIBRATED
                 };
                 SAFETY * e[j] * theta.clamp(CALIBRATION.0, CALIBRATION.1)
+                    + SAFETY_OF_RIDGE * ridge[j]
             })
         }
         (None, Some(c)) => difference(c).map(|d| SAFETY_OF_DIFFERENCE * d),
@@ -147,7 +155,10 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
         let sum = estimated[j].hypot(grading[j]);
         sum.max(LEAST_SHARE_OF_DIFFERENCE * gone[j])
     });
-    let bars = [0, 1].map(|j: usize| cells[j] + bar_of_edges(edges[j]));
+    let pressure = fine.estimate.map_or(0.0, |e| e.pressure * e.pressure);
+    let bars = [0, 1].map(|j: usize| {
+        cells[j].hypot(SHARE_OF_PRESSURE * pressure) + bar_of_edges(edges[j])
+    });
     Some(ErrorBars { bars, cells, own })
 }
 
@@ -168,13 +179,24 @@ const LEAST_GROWTH: f64 = 1.2;
 /// puts it.
 const LARGEST_GROWTH: [f64; 2] = [4.0, 2.5];
 
+/// What a refinement is to make more accurate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// The films.
+    Films,
+    /// Films that lack little, and the pressure with them.
+    Both,
+    /// The pressure alone: the films are as accurate as asked for.
+    Pressure,
+}
+
 /// A refinement to come.
 #[derive(Clone, Debug)]
 pub struct Refinement {
     /// Halvings of each element.
     pub halvings: Vec<u32>,
-    /// Whether the films are as accurate as asked for already, and only the pressure is not.
-    pub for_pressure_alone: bool,
+    /// What it is for.
+    pub aim: Aim,
     /// Larger of the error bars of both films before it.
     pub film_bar: f64,
 }
@@ -188,11 +210,16 @@ pub fn next_refinement(
     n_refinements: usize,
     indicator: &Indicator,
 ) -> Option<Refinement> {
-    // What the edges do, no refinement mends. Films come first: on meshes that draw the ridge sharply, Newton's method converges worse.
+    // Films come first: on meshes that draw the ridge sharply, Newton's method converges worse.
     let ErrorBars { cells, own, .. } = error_bars(levels, grading)?;
     let level = levels.last()?;
-    let for_pressure_alone = cells.iter().all(|c| *c <= params.target);
-    let most = match for_pressure_alone {
+    // What the edges do, no refinement mends.
+    let targets = indicator.edges.map(|edges| {
+        (params.target - bar_of_edges(edges)).max(LEAST_LEFT_BY_EDGES * params.target)
+    });
+    let within = |factor: f64| (cells.iter().zip(&targets)).all(|(c, t)| *c <= factor * t);
+    let films_suffice = within(1.0);
+    let most = match films_suffice {
         true => params.max_unknowns_for_pressure,
         false => params.max_unknowns,
     };
@@ -201,23 +228,32 @@ pub fn next_refinement(
         let body = params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64;
         growth = growth.min(1.0 + (body - 1.0) / BODY_GROWTH);
     }
-    growth = growth.min(LARGEST_GROWTH[usize::from(for_pressure_alone)]);
+    growth = growth.min(LARGEST_GROWTH[usize::from(films_suffice)]);
     if growth <= LEAST_GROWTH || n_refinements >= params.max_refinements {
         return None;
     }
-    let goals = match for_pressure_alone {
-        true => pressure_goal(params, indicator).into_iter().collect(),
-        false => film_goals(params, dim, cells, own, indicator),
+    let mut goals = match films_suffice {
+        true => Vec::new(),
+        false => film_goals(targets, dim, cells, own, indicator),
     };
-    if goals.is_empty() {
-        return None;
-    }
+    // What films lack still does not move the ridge any more.
+    let pressure = pressure_goal(params, indicator).filter(|_| within(NEARLY));
+    let aim = match (goals.is_empty(), pressure.is_some()) {
+        (true, false) => return None,
+        (true, true) => Aim::Pressure,
+        (false, true) => Aim::Both,
+        (false, false) => Aim::Films,
+    };
+    goals.extend(pressure);
     let halvings = halvings(&goals, dim, growth);
     let halved = halvings.iter().filter(|h| **h > 0).count() as f64;
-    let few = for_pressure_alone && halved < FEW * halvings.len() as f64;
+    let as_good_as_reached = (params.pressure_target)
+        .is_some_and(|target| indicator.pressure_error() < AS_GOOD_AS_REACHED * target);
+    let few =
+        aim == Aim::Pressure && as_good_as_reached && halved < FEW * halvings.len() as f64;
     (!few).then_some(Refinement {
         halvings,
-        for_pressure_alone,
+        aim,
         film_bar: cells[0].max(cells[1]),
     })
 }
@@ -227,13 +263,13 @@ pub fn next_refinement(
 /// Each by its own estimate: that a bar is half of the other's at least is mended with the other. Where both estimates are good enough
 /// and bars are wide because films have moved much from the mesh before, a finer mesh is to confirm them.
 fn film_goals<'a>(
-    params: &AdaptParams,
+    targets: [f64; 2],
     dim: usize,
     cells: [f64; 2],
     own: [f64; 2],
     indicator: &'a Indicator,
 ) -> Vec<Goal<'a>> {
-    let enough = |j: usize| own[j] <= OWN_SHARE * params.target;
+    let enough = |j: usize| own[j] <= OWN_SHARE * targets[j];
     let confirmed = (0..2).all(enough);
     let largest = if confirmed {
         CONFIRMING_GOAL
@@ -248,10 +284,10 @@ fn film_goals<'a>(
     ];
     (lists.into_iter())
         .filter(|(_, shares)| !shares.is_empty())
-        .filter(|(j, _)| cells[*j] > params.target && (confirmed || !enough(*j)))
+        .filter(|(j, _)| cells[*j] > targets[*j] && (confirmed || !enough(*j)))
         .filter_map(|(j, shares)| {
             let sum: f64 = shares.iter().sum();
-            let allowed = GOAL * params.target / own[j] * totals[j];
+            let allowed = GOAL * targets[j] / own[j] * totals[j];
             (confirmed || sum > allowed).then(|| Goal {
                 shares,
                 allowed: allowed.clamp(SMALLEST_GOAL * sum, largest * sum),
@@ -274,9 +310,16 @@ fn pressure_goal<'a>(params: &AdaptParams, indicator: &'a Indicator) -> Option<G
     })
 }
 
-/// Share of the elements for which alone a mesh is not refined once more, where films are as accurate as asked for: the pressure's
-/// target is as good as reached.
+/// Error bars of the films, over their target, from which on a mesh is refined for films and pressure at once.
+const NEARLY: f64 = 4.0;
+
+/// Share of the elements for which alone a mesh is not refined once more, where films are as accurate as asked for and the pressure's
+/// target is as good as reached: up to this multiple of it.
 const FEW: f64 = 0.01;
+const AS_GOOD_AS_REACHED: f64 = 1.5;
+
+/// Share of the target that the cells are allowed at least, whatever the edges do.
+const LEAST_LEFT_BY_EDGES: f64 = 0.5;
 
 /// Share of the target that the estimate aims at: refinement may fall short.
 const GOAL: f64 = 0.6;

@@ -203,7 +203,7 @@ pub fn adjoints(
 }
 
 /// Relative residual at which an adjoint weighs errors: 1e-3 would do for bars, but then rounding decides which elements are halved.
-pub const TO_WEIGH_ERRORS: f64 = 1e-6;
+pub const TO_WEIGH_ERRORS: f64 = 1e-4;
 
 /// Tolerance down to which products may be as rough as those of Newton's steps.
 const ROUGH: f64 = 1e-4;

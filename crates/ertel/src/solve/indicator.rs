@@ -41,6 +41,8 @@ pub struct Indicator {
     pub minimum: Vec<f64>,
     /// Of the film at another minimum that may be the lowest where the errors are less; empty where there is none.
     pub rival: Vec<f64>,
+    /// What the diffusion at ridges changes the two films by, relative; its [`RIDGE_SHARE`] is in the shares.
+    pub ridge: [f64; 2],
     /// Relative errors of the two films that come from the edges of the contact area, where P = 0 is prescribed.
     pub edges: [f64; 2],
     /// Of the mean square error of the pressure over the dry contact, in p_h².
@@ -75,8 +77,10 @@ impl Indicator {
         let around = |place: Option<[f64; 2]>| place.map_or(0.0, |p| scale * self.around(d, p));
         let [largest, spike, left, right] = places.map(around);
         let largest = largest.max(scale * self.exceeds);
+        let totals = self.totals();
         ErrorEstimate {
-            films: self.totals(),
+            films: [0, 1].map(|j: usize| totals[j] - RIDGE_SHARE * self.ridge[j]),
+            ridge: self.ridge,
             edges: self.edges,
             pressure: self.pressure_error(),
             largest,
@@ -205,26 +209,19 @@ pub fn indicator(
     }
     let weights: Vec<&[f64]> = adjoint.iter().map(|a| a.film.as_slice()).collect();
     let usual = Assembler::new(d, &model.fluid, &model.constants, state, None);
-    let mut others = Vec::new();
     if d.contact.shape.inlet.layer().is_some() {
         // What it blurs that a gap fills up over a length.
         let elements: Vec<usize> = (0..d.contact.n_elements()).collect();
-        others.push((usual.filling_over(0.5), elements, BLURRING));
+        let changes = film_changes(d, [&usual, &usual.filling_over(0.5)], &weights, &elements);
+        share_out(&changes, &magnitudes, BLURRING, &mut shares);
     }
+    let mut ridge = vec![0.0; films.len()];
     if model.constants.ridge_diffusion > 0.0 {
         let at_ridge = |c: &usize| d.share_at_ridge(*c) > 0.0;
         let elements: Vec<usize> = (0..d.contact.n_elements()).filter(at_ridge).collect();
-        others.push((usual.without_ridge_diffusion(), elements, RIDGE));
-    }
-    for (other, elements, [trust, least]) in &others {
-        let changes = film_changes(d, [&usual, other], &weights, elements);
-        for ((share, own), film) in shares.iter_mut().zip(changes).zip(&magnitudes) {
-            let (sum, size) = (own.iter().sum::<f64>().abs(), sum_of_sizes(&own));
-            let weight = trust * (sum / size).max(*least) / film;
-            if size > 0.0 {
-                (share.iter_mut().zip(own)).for_each(|(s, o)| *s += weight * o.abs());
-            }
-        }
+        let without = usual.without_ridge_diffusion();
+        let changes = film_changes(d, [&usual, &without], &weights, &elements);
+        ridge = share_out(&changes, &magnitudes, RIDGE, &mut shares);
     }
     let rival = match shares.len() {
         3 => shares.pop().unwrap_or_default(),
@@ -239,6 +236,11 @@ pub fn indicator(
     };
     let minimum = shares.pop().unwrap_or_default();
     let central = shares.pop().unwrap_or_default();
+    let of_minimum = match rival.iter().sum::<f64>() > minimum.iter().sum::<f64>() {
+        true => 2,
+        false => 1,
+    };
+    let ridge = [ridge[0], ridge[of_minimum]];
     let zone = d.contact.shape.zone_area();
     let unresolved = unresolved(&d.pressure, &state.pressure);
     let squares: Vec<f64> = (d.contact.maps.iter().zip(&unresolved).zip(&system.missed))
@@ -260,6 +262,7 @@ pub fn indicator(
         central,
         minimum,
         rival,
+        ridge,
         shear_stress,
         local,
         cut_off,
@@ -271,15 +274,32 @@ pub fn indicator(
     })
 }
 
-/// Weight in the estimate of what a change of the equations does, and the least share of the sizes of the elements' changes that their sum
-/// counts as, though they may cancel: of the length over which a gap fills up, and of the diffusion at a ridge, whose sum is
-/// within a fifth of what films change by without it (ball on disc, M = 199: h_c 0.53 % told, 0.61 % found) and needs no bar of four
-/// times the estimate.
+/// What of a change of the films is added to the shares of the elements, and the least part of the sizes of the elements' changes that it
+/// counts as, though they may cancel: of the length over which a gap fills up, and of the diffusion at a ridge, which has a bar
+/// of its own ([`super::adapt::SAFETY_OF_RIDGE`]) and a share here so that refinement sees it.
 const BLURRING: [f64; 2] = [1.0, 0.5];
-const RIDGE: [f64; 2] = [0.25, 0.1];
+const RIDGE: [f64; 2] = [RIDGE_SHARE, 0.1];
+const RIDGE_SHARE: f64 = 0.25;
 
-fn sum_of_sizes(changes: &[f64]) -> f64 {
-    changes.iter().map(|change| change.abs()).sum()
+/// What the elements' `changes` of each film come to, relative; a part of it is added to the shares.
+fn share_out(
+    changes: &[Vec<f64>],
+    films: &[f64],
+    [part, least]: [f64; 2],
+    shares: &mut [Vec<f64>],
+) -> Vec<f64> {
+    (changes.iter().zip(films).zip(shares))
+        .map(|((changes, film), shares)| {
+            let sum = changes.iter().sum::<f64>().abs();
+            let sizes: f64 = changes.iter().map(|change| change.abs()).sum();
+            let total = sum.max(least * sizes) / film;
+            if sizes > 0.0 {
+                let weight = part * total / sizes;
+                (shares.iter_mut().zip(changes)).for_each(|(s, c)| *s += weight * c.abs());
+            }
+            total
+        })
+        .collect()
 }
 
 /// By how much films would change, element by element, if the equations on some `elements` were those of the other assembly; `weights` are the

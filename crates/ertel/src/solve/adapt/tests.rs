@@ -52,10 +52,10 @@ fn films_come_before_the_pressure() {
         refinement.halvings[elements].iter().any(|h| *h > 0)
     };
     let first = refinement_at(1e-3, 0.1).unwrap();
-    assert!(!first.for_pressure_alone);
+    assert_eq!(first.aim, Aim::Films);
     assert!(halved(&first, 0..100) && !halved(&first, 100..N));
     let second = refinement_at(1e-5, 0.1).unwrap();
-    assert!(second.for_pressure_alone);
+    assert_eq!(second.aim, Aim::Pressure);
     assert!(halved(&second, 900..N) && !halved(&second, 0..900));
     assert!(refinement_at(1e-5, 1e-3).is_none());
 }
@@ -73,7 +73,7 @@ fn each_film_is_refined_by_its_own_estimate() {
         ..Indicator::default()
     };
     let own = [1e-4, 0.1];
-    let goals = film_goals(&PARAMS, 2, [0.05, 0.1], own, &indicator);
+    let goals = film_goals([TARGET; 2], 2, [0.05, 0.1], own, &indicator);
     assert_eq!(goals.len(), 1);
     assert_eq!(goals[0].shares, indicator.minimum);
     // No less than SMALLEST_GOAL of it at once, though the target is 1.2 %.
@@ -89,12 +89,12 @@ fn films_that_moved_are_confirmed() {
         minimum: vec![2e-8; N],
         ..Indicator::default()
     };
-    let goals = film_goals(&PARAMS, 2, [0.01, 0.02], [4e-5, 8e-5], &indicator);
+    let goals = film_goals([TARGET; 2], 2, [0.01, 0.02], [4e-5, 8e-5], &indicator);
     let allowed: Vec<f64> = goals.iter().map(|g| g.allowed).collect();
     assert_eq!(allowed.len(), 2);
     for (allowed, sum) in allowed.iter().zip([1e-5, 2e-5]) {
         assert!((allowed / sum - 0.4).abs() < 1e-9);
     }
     // Where the bar is narrow enough there is no goal.
-    assert!(film_goals(&PARAMS, 2, [1e-3, 1e-3], [4e-5, 8e-5], &indicator).is_empty());
+    assert!(film_goals([TARGET; 2], 2, [1e-3, 1e-3], [4e-5, 8e-5], &indicator).is_empty());
 }

@@ -42,7 +42,7 @@ const ROUGH_SHARE: f64 = 0.05;
 const ROUGH_UPDATE: f64 = 1e-2;
 
 /// Largest change of films in the last step, over the error that they may have. In very thin films, small updates move them much.
-const ROUGH_FILM_CHANGE: f64 = 2.0;
+const ROUGH_FILM_CHANGE: f64 = 0.3;
 
 /// Such an update in line contacts, where an iteration costs nothing, and where a case asks for no error: the meshes of a preset are
 /// compared for error bars alone, which have to hold (M = 200, L = 10: with 1e-2, the bar of h_min is 1.1e-3, and the error 1.4e-3).

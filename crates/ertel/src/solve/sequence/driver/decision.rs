@@ -1,6 +1,7 @@
 //! What follows from the end of a stage.
 
 use super::{Attempt, Driver, StageEnd, StageSolver};
+use crate::solve::adapt::Aim;
 use crate::solve::sequence::stage::{Role, Stage};
 use crate::solve::sequence::strategies::halfway::halfway;
 use crate::solve::sequence::strategies::lower_order::quadratic;
@@ -27,6 +28,8 @@ pub(super) enum Decision {
     KeepLowerOrder,
     /// The same stage once more, with diffusion at ridges of the pressure, and all that follow.
     DiffuseRidge,
+    /// The refined mesh once more, with pressures of lower order, and those that follow.
+    LowerRefined(Box<Stage>),
     /// The refined mesh once more, from a diffusive start.
     RestartRefined,
     /// The start failed: no time is lost on strategies that go on from it.
@@ -65,13 +68,17 @@ impl<S: StageSolver> Driver<S> {
             return Decision::DiffuseRidge;
         }
         if refined {
+            let lower = quadratic(stage).filter(|_| self.outline.ridge_diffusion > 0.0);
+            if let Some(lower) = lower {
+                return Decision::LowerRefined(Box::new(lower));
+            }
             // With a ridge that is diffused already, another start seldom leads further.
             let good_enough = self.refinement.film_bar < GOOD_ENOUGH;
             if self.outline.ridge_diffusion > 0.0 && good_enough {
                 return Decision::StopRefining;
             }
             // Films that are as accurate as asked for need no second try.
-            let tried = self.restarted == stage.refinements || self.refinement.for_pressure_alone;
+            let tried = self.restarted == stage.refinements || self.refinement.aim == Aim::Pressure;
             return match tried {
                 true => Decision::StopRefining,
                 false => Decision::RestartRefined,

@@ -17,7 +17,7 @@ pub(super) use stage_solver::{Attempt, StageEnd, StageSolver, Task};
 
 use super::stage::{Role, Stage};
 use super::strategies::{Fallback, Outline, diffusion, fallbacks};
-use crate::solve::adapt::Refinement;
+use crate::solve::adapt::{Aim, Refinement};
 use crate::solve::{Observer, SolveError};
 
 /// Where a solve stands.
@@ -64,7 +64,7 @@ impl<S: StageSolver> Driver<S> {
             before_refinement: None,
             refinement: Refinement {
                 halvings: Vec::new(),
-                for_pressure_alone: false,
+                aim: Aim::Films,
                 film_bar: f64::INFINITY,
             },
             halved_steps: 0,
@@ -151,6 +151,14 @@ impl<S: StageSolver> Driver<S> {
                 self.ridge_diffusion = self.outline.ridge_diffusion;
                 self.queue.push_front(*stage);
             }
+            Decision::LowerRefined(lower) => {
+                // It is not for want of a better start that the case's own fail.
+                self.raised = true;
+                self.queue.push_back(Stage {
+                    given_up_early: stage.given_up_early,
+                    ..*lower
+                });
+            }
             Decision::RestartRefined => self.restart_refined(stage),
             Decision::KeepLowerOrder | Decision::Skip => {}
             Decision::GoOn => self.current = Some(solution),
@@ -190,12 +198,12 @@ impl<S: StageSolver> Driver<S> {
         self.before_refinement = None;
         match refinement {
             Some(refinement) => {
-                if refinement.for_pressure_alone {
+                if refinement.aim != Aim::Films {
                     self.ridge_diffusion = self.outline.ridge_diffusion;
                 }
                 // Films that are as accurate as asked for bear no long search, nor does what can be tried with a diffused ridge.
                 let given_up_early = self.outline.impatient
-                    || refinement.for_pressure_alone
+                    || refinement.aim == Aim::Pressure
                     || self.ridge_diffusion < self.outline.ridge_diffusion;
                 self.refinement = refinement;
                 self.queue.push_back(Stage {

@@ -6,9 +6,9 @@ use super::*;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ending {
     Solved,
-    /// Solved, with errors that are too large: of the films, or of the pressure alone.
+    /// Solved, with errors that are too large: of the films, or of the pressure.
     Inaccurate {
-        for_pressure_alone: bool,
+        aim: Aim,
     },
     /// Failed near a contact.
     Stalled,
@@ -21,7 +21,7 @@ use Ending::{Diverged, Interrupted, Solved, Stalled};
 
 /// Films that are not accurate enough.
 pub const COARSE: Ending = Ending::Inaccurate {
-    for_pressure_alone: false,
+    aim: Aim::Films,
 };
 
 /// What a stage came to.
@@ -80,9 +80,9 @@ impl<F: FnMut(usize, &Stage) -> Ending> StageSolver for Scripted<'_, F> {
                 finished: false,
             },
             refinement: match ending {
-                Ending::Inaccurate { for_pressure_alone } => Some(Refinement {
+                Ending::Inaccurate { aim } => Some(Refinement {
                     halvings: vec![1],
-                    for_pressure_alone,
+                    aim,
                     film_bar: 0.005,
                 }),
                 _ => None,

@@ -155,7 +155,7 @@ fn the_mesh_before_stands_where_the_refined_one_fails_again() {
 fn a_mesh_for_the_pressure_alone_is_tried_once() {
     let (end, trace) = run(outline(3), |n, _| match n {
         1 => Ending::Inaccurate {
-            for_pressure_alone: true,
+            aim: Aim::Pressure,
         },
         2 => Diverged,
         _ => Solved,
@@ -218,7 +218,7 @@ fn a_mesh_for_the_pressure_alone_has_a_diffused_ridge() {
     };
     let (_, trace) = run(outline, |n, _| match n {
         1 => Ending::Inaccurate {
-            for_pressure_alone: true,
+            aim: Aim::Pressure,
         },
         _ => Solved,
     });
