@@ -284,6 +284,7 @@ fn contact(kind: ContactKind, body: f64, size: f64, growth: f64, ratios: &[f64])
         hertz: size,
         constriction: size,
         rim: size,
+        outlet_rim: size,
         rim_width: 0.0,
         edge: 2.5 * size,
         growth,

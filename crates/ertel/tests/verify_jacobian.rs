@@ -18,6 +18,7 @@ const SIZES: LevelSizes = LevelSizes {
     hertz: 0.4,
     constriction: 0.2,
     rim: 0.2,
+    outlet_rim: 0.2,
     rim_width: 0.0,
     edge: 0.8,
     growth: 0.9,

@@ -279,6 +279,7 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
         hertz: size,
         constriction: size,
         rim: size,
+        outlet_rim: size,
         rim_width: 0.0,
         edge: size,
         growth: 1.0,

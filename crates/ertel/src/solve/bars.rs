@@ -52,6 +52,8 @@ pub struct Compared<'a> {
     pub fine: &'a LevelStats,
     /// The last converged one before it on another mesh.
     pub coarse: Option<&'a LevelStats>,
+    /// The last one before that, with an estimate of its own.
+    pub coarser: Option<&'a LevelStats>,
 }
 
 /// Which stages tell the errors of a solve; `None` without a converged one.
@@ -65,7 +67,19 @@ pub fn compared(levels: &[LevelStats]) -> Option<Compared<'_>> {
         l.converged && !l.role.compares() && l.n_contact_elements != fine.n_contact_elements
     };
     let coarse = levels[..last].iter().rev().find(other_mesh);
-    Some(Compared { fine, coarse })
+    let coarser = coarse.and_then(|coarse| {
+        (levels[..last].iter().rev())
+            .skip_while(|l| !std::ptr::eq(*l, coarse))
+            .find(|l| {
+                let other = l.n_contact_elements != coarse.n_contact_elements;
+                other && other_mesh(l) && l.estimate.is_some()
+            })
+    });
+    Some(Compared {
+        fine,
+        coarse,
+        coarser,
+    })
 }
 
 /// Error bars of the figures of a solve: of both films their own, `film_bars`, relative; of each other figure
@@ -75,7 +89,7 @@ pub fn compared(levels: &[LevelStats]) -> Option<Compared<'_>> {
 /// There is no bar at all where the films have none, and none of the others without another mesh or an estimate.
 pub fn bars(levels: &[LevelStats], film_bars: Option<[f64; 2]>) -> Option<Bars> {
     let film_bars = film_bars?;
-    let Compared { fine, coarse } = compared(levels)?;
+    let Compared { fine, coarse, .. } = compared(levels)?;
     // Stages that only lead to others solve other equations.
     let coarse = coarse.filter(|level| !level.role.leads());
     let film = SHARE_OF_FILM_BAR * film_bars[0].max(film_bars[1]);

@@ -15,6 +15,8 @@ pub struct LevelSizes {
     pub constriction: f64,
     /// Cell size on the rim of the Hertz zone, where a thin film builds up and breaks off.
     pub rim: f64,
+    /// The same on the outlet side, where the side lobes of heavily loaded contacts are much thinner than the film in the centre.
+    pub outlet_rim: f64,
     /// Half the width of the strip along the rim.
     pub rim_width: f64,
     /// Largest cell size within three half-widths; beyond, it grows with the distance.
@@ -31,6 +33,7 @@ impl LevelSizes {
         LevelSizes {
             constriction: 0.5 * self.constriction,
             rim: 0.5 * self.rim,
+            outlet_rim: 0.5 * self.outlet_rim,
             ..*self
         }
     }
@@ -43,6 +46,14 @@ pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -
         return size_of_roller(roller, s, [x[0], x[1]]);
     }
     let origin = [0.0; 3];
+    let outlet_from = match (shape.kind, shape.symmetry) {
+        (ContactKind::Line, _) => 0.5,
+        (_, Symmetry::Half) => OUTLET_FROM,
+        // The mesh of an ellipse at an angle lies along the motion.
+        (_, Symmetry::Full) if !shape.zone.turn.is_none() => OUTLET_FROM,
+        // The outlet may lie on any side.
+        (_, Symmetry::Full) => f64::NEG_INFINITY,
+    };
     let zones = [
         SizeZone {
             zone: Zone::Disc {
@@ -56,14 +67,7 @@ pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -
                 center: origin,
                 radius: 0.95,
                 half_width: 0.1,
-                x_min: match (shape.kind, shape.symmetry) {
-                    (ContactKind::Line, _) => 0.5,
-                    (_, Symmetry::Half) => OUTLET_FROM,
-                    // The mesh of an ellipse at an angle lies along the motion.
-                    (_, Symmetry::Full) if !shape.zone.turn.is_none() => OUTLET_FROM,
-                    // The outlet may lie on any side.
-                    (_, Symmetry::Full) => f64::NEG_INFINITY,
-                },
+                x_min: outlet_from,
             },
             size: s.constriction,
         },
@@ -75,6 +79,15 @@ pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -
                 x_min: f64::NEG_INFINITY,
             },
             size: s.rim,
+        },
+        SizeZone {
+            zone: Zone::Arc {
+                center: origin,
+                radius: 1.0,
+                half_width: s.rim_width,
+                x_min: outlet_from,
+            },
+            size: s.outlet_rim,
         },
     ];
     // Far from the contact the film varies on the scale of the distance; beyond the contact area
@@ -145,7 +158,8 @@ pub fn expected_unknowns(
     let size = |x: f64, y: f64| size_at(shape, extents, sizes, [x, y, 0.0]);
     // Rings around the rim whose widths grow with the distance from it, from a fraction of the finest cell on.
     let mut distances = vec![0.0];
-    let mut step = 0.25 * sizes.rim.min(sizes.constriction).min(sizes.rim_width);
+    let finest = sizes.outlet_rim.min(sizes.constriction);
+    let mut step = 0.25 * finest.min(sizes.rim_width);
     while *distances.last().expect("not empty") < reach + 1.0 {
         distances.push(distances.last().expect("not empty") + step);
         step *= 1.05;

@@ -178,6 +178,7 @@ pub fn uniform(size: f64) -> LevelSizes {
         hertz: size,
         constriction: size,
         rim: size,
+        outlet_rim: size,
         rim_width: 0.0,
         edge: size,
         growth: 1.0,

@@ -24,7 +24,7 @@ use super::discretisation::{Discretisation, Extents};
 use super::heat::column::Column;
 use super::heat::coupling::{CouplingParams, CouplingStats};
 use super::newton::{NewtonParams, Reached};
-use super::sizes::expected_unknowns;
+use super::sizes::{LevelSizes, expected_unknowns};
 use super::system::State;
 use crate::contact::{Scales, Shape};
 use crate::elastic::cache::OperatorCache;
@@ -133,7 +133,12 @@ impl Problem {
                 .map(|s| s.pressure_order)
                 .max()
                 .unwrap_or(1);
-            expected_unknowns(&self.shape, &self.extents, &stage.sizes, order)
+            // Refinement brings the finer outlet side where the first mesh has none.
+            let sizes = LevelSizes {
+                outlet_rim: stage.sizes.rim,
+                ..stage.sizes
+            };
+            expected_unknowns(&self.shape, &self.extents, &sizes, order)
         };
         let (stage, limit, help) = match &self.adapt {
             Some(adapt) => (

@@ -182,8 +182,13 @@ impl<'a> StageRun<'a> {
             return outcome;
         }
         let mut trial = from;
+        // A film that a coarse mesh does not resolve goes on thinning.
+        let led = NewtonParams {
+            film_tolerance: f64::INFINITY,
+            ..params
+        };
         for share in PENALTY_CONTINUATION {
-            match self.run(share, &params, &mut trial, effort, observer) {
+            match self.run(share, &led, &mut trial, effort, observer) {
                 Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
                 // Not the penalty's doing.
                 Err(_) => return outcome,

@@ -63,6 +63,7 @@ impl Problem {
                     sizes.hertz = sizes.hertz.min(its.hertz);
                     sizes.constriction = sizes.constriction.min(its.constriction);
                     sizes.rim = sizes.rim.min(its.rim);
+                    sizes.outlet_rim = sizes.outlet_rim.min(its.outlet_rim);
                     sizes.rim_width = sizes.rim_width.max(its.rim_width);
                     sizes.edge = sizes.edge.min(its.edge);
                 }
@@ -177,6 +178,7 @@ impl Start {
             has.hertz / wants.hertz,
             has.constriction / wants.constriction,
             has.rim / wants.rim,
+            has.outlet_rim / wants.outlet_rim,
             has.edge / wants.edge,
         ];
         // A meniscus is where the contact area ends.

@@ -14,6 +14,7 @@ pub(in super::super) fn outline(order: usize) -> Outline {
             hertz: 0.2,
             constriction: 0.1,
             rim: 0.1,
+            outlet_rim: 0.1,
             rim_width: 0.2,
             edge: 0.5,
             growth: 0.3,
