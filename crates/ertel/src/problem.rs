@@ -494,3 +494,38 @@ const LARGEST_GROWTH: f64 = 0.9;
 
 /// Isotropic diffusion of the first stage: it only has to start the next one.
 const START_DIFFUSION: f64 = 2.0;
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use ertel_rheology::input::Document;
+
+    use super::*;
+
+    /// By hand: cells of the side lobes go as M^(−2/15) from M = 200 on, down to a half; only where half-spaces are refined.
+    #[test]
+    fn first_meshes_are_finer_at_the_side_lobes_of_heavy_loads() {
+        let at = |load: f64, more: &str| {
+            let text = format!(
+                "lubricant = \"squalane-pip\"\ntemperature = \"40 degC\"\n[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"{load:e} N\"\n\
+                 [bodies]\nplane = \"steel\"\nball = \"steel\"\n[motion]\nentrainment_speed = \"0.01 m/s\"\nslide_to_roll_ratio = 0.0\n{more}"
+            );
+            let document = Document::parse("case.toml", text).unwrap();
+            let case = Case::from_document(&document, Path::new("")).unwrap();
+            let sizes = problem(&case).stages.last().unwrap().sizes;
+            (groups(&case, 0.0).moes_load, sizes.outlet_rim / sizes.rim)
+        };
+        let (one, _) = at(1.0, "");
+        let of = |m: f64, more: &str| at(m / one, more).1;
+        for (m, ratio) in [(10.0, 1.0), (199.0, 1.0), (6400.0, 0.6300), (1e5, 0.5)] {
+            approx::assert_relative_eq!(of(m, ""), ratio, max_relative = 1e-4);
+        }
+        for more in [
+            "[mesh]\npreset = \"normal\"\n",
+            "[solver]\nelastic_model = \"equivalent\"\n",
+        ] {
+            assert_eq!(of(6400.0, more), 1.0);
+        }
+    }
+}

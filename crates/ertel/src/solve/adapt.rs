@@ -102,18 +102,8 @@ pub fn bar_of_edges(estimate: f64) -> f64 {
 /// estimates miss (Roelands, M = 20, L = 25: 6 % of p_h, and h_min off by 0.4 %).
 const SHARE_OF_PRESSURE: f64 = 1.0;
 
-/// Share of the difference from the mesh before that is the least bar, at least and at most: the most where the differences fall off slowly; where a third mesh
-/// shows that they fall off fast, twice their ratio.
-const LEAST_SHARES_OF_DIFFERENCE: [f64; 2] = [0.05, 0.3];
-
-/// Least bar over the last difference of films, `gone`, after the one `before`, or none (zero).
-fn least_share(before: f64, gone: f64) -> f64 {
-    let [least, most] = LEAST_SHARES_OF_DIFFERENCE;
-    match before > 0.0 {
-        true => (2.0 * gone / before).clamp(least, most),
-        false => most,
-    }
-}
+/// Share of the difference from the mesh before that is the least bar.
+const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.3;
 
 /// Error bars, relative, of central and minimum film, with their parts.
 #[derive(Clone, Copy, Debug)]
@@ -131,27 +121,17 @@ pub struct ErrorBars {
 /// The estimate E of the last mesh is corrected by what the step from the mesh before has shown: with
 /// h_1, E_1 there and h_2, E_2 here, |h_1 − h_2| ≈ θ(E_1 − E_2), and the bar is four times θE_2. A difference
 /// can vanish by chance, so that θ does not fall below three quarters; without a mesh before it is 3, and the bar not below half of the other
-/// film's. Root of the sum of squares with the errors of [`grading_errors`]; not below a share of the
-/// difference, three tenths without a third mesh, since estimates can miss a part.
+/// film's. Root of the sum of squares with the errors of [`grading_errors`]; not below three tenths of the
+/// difference, since estimates can miss a part.
 ///
 /// Without estimates the bar is three times the difference of two meshes.
 pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars> {
-    let Compared {
-        fine,
-        coarse,
-        coarser,
-    } = compared(levels)?;
+    let Compared { fine, coarse } = compared(levels)?;
     let films = LevelStats::films;
-    let change = |c: &LevelStats, f: &LevelStats| {
-        [0, 1].map(|j: usize| ((films(c)[j] - films(f)[j]) / films(fine)[j]).abs())
-    };
-    let difference = |c: &LevelStats| change(c, fine);
+    let difference =
+        |c: &LevelStats| [0, 1].map(|j: usize| (films(c)[j] / films(fine)[j] - 1.0).abs());
     let comparable = coarse.filter(|c| c.estimate.is_some());
     let gone = comparable.map_or([0.0; 2], difference);
-    let before = match (comparable, coarser) {
-        (Some(fine), Some(coarse)) => change(coarse, fine),
-        _ => [0.0; 2],
-    };
     let own = match (fine.estimate, coarse) {
         (Some(e), _) => {
             let before = comparable.and_then(|c| c.estimate).unwrap_or(e).films;
@@ -173,7 +153,7 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
     let edges = fine.estimate.map_or([0.0; 2], |e| e.edges);
     let cells = [0, 1].map(|j: usize| {
         let sum = estimated[j].hypot(grading[j]);
-        sum.max(least_share(before[j], gone[j]) * gone[j])
+        sum.max(LEAST_SHARE_OF_DIFFERENCE * gone[j])
     });
     let pressure = fine.estimate.map_or(0.0, |e| e.pressure * e.pressure);
     let bars = [0, 1].map(|j: usize| {
@@ -195,7 +175,7 @@ const BODY_GROWTH: f64 = 0.5;
 /// Growth of a mesh below which refining it is not worth a factorisation.
 const LEAST_GROWTH: f64 = 1.2;
 
-/// Growth of a mesh in one refinement, at most: for the films, and for the pressure alone, whose ridge is not where a coarse mesh
+/// Growth of a mesh in one refinement, at most: for the films alone, and for the pressure, whose ridge is not where a coarse mesh
 /// puts it.
 const LARGEST_GROWTH: [f64; 2] = [4.0, 2.5];
 
@@ -248,7 +228,9 @@ pub fn next_refinement(
         let body = params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64;
         growth = growth.min(1.0 + (body - 1.0) / BODY_GROWTH);
     }
-    growth = growth.min(LARGEST_GROWTH[usize::from(films_suffice)]);
+    // What films lack still does not move the ridge any more.
+    let pressure = pressure_goal(params, indicator).filter(|_| within(NEARLY));
+    growth = growth.min(LARGEST_GROWTH[usize::from(pressure.is_some())]);
     if growth <= LEAST_GROWTH || n_refinements >= params.max_refinements {
         return None;
     }
@@ -256,8 +238,6 @@ pub fn next_refinement(
         true => Vec::new(),
         false => film_goals(targets, dim, cells, own, indicator),
     };
-    // What films lack still does not move the ridge any more.
-    let pressure = pressure_goal(params, indicator).filter(|_| within(NEARLY));
     let aim = match (goals.is_empty(), pressure.is_some()) {
         (true, false) => return None,
         (true, true) => Aim::Pressure,

@@ -15,6 +15,9 @@ const SHARE_OF_FILM_BAR: f64 = 1.0;
 /// The same over the root-mean-square error of the pressure, for what is integrated over the contact.
 const SHARE_OF_PRESSURE: f64 = 0.1;
 
+/// The same for the place where the film breaks off, behind a ridge.
+const SHARE_OF_PRESSURE_AT_OUTLET: f64 = 0.4;
+
 /// The same for what rolling drags along, which has the slopes of the pressure.
 const SHARE_OF_PRESSURE_IN_FRICTION: f64 = 0.3;
 
@@ -52,8 +55,6 @@ pub struct Compared<'a> {
     pub fine: &'a LevelStats,
     /// The last converged one before it on another mesh.
     pub coarse: Option<&'a LevelStats>,
-    /// The last one before that, with an estimate of its own.
-    pub coarser: Option<&'a LevelStats>,
 }
 
 /// Which stages tell the errors of a solve; `None` without a converged one.
@@ -67,19 +68,7 @@ pub fn compared(levels: &[LevelStats]) -> Option<Compared<'_>> {
         l.converged && !l.role.compares() && l.n_contact_elements != fine.n_contact_elements
     };
     let coarse = levels[..last].iter().rev().find(other_mesh);
-    let coarser = coarse.and_then(|coarse| {
-        (levels[..last].iter().rev())
-            .skip_while(|l| !std::ptr::eq(*l, coarse))
-            .find(|l| {
-                let other = l.n_contact_elements != coarse.n_contact_elements;
-                other && other_mesh(l) && l.estimate.is_some()
-            })
-    });
-    Some(Compared {
-        fine,
-        coarse,
-        coarser,
-    })
+    Some(Compared { fine, coarse })
 }
 
 /// Error bars of the figures of a solve: of both films their own, `film_bars`, relative; of each other figure
@@ -89,7 +78,7 @@ pub fn compared(levels: &[LevelStats]) -> Option<Compared<'_>> {
 /// There is no bar at all where the films have none, and none of the others without another mesh or an estimate.
 pub fn bars(levels: &[LevelStats], film_bars: Option<[f64; 2]>) -> Option<Bars> {
     let film_bars = film_bars?;
-    let Compared { fine, coarse, .. } = compared(levels)?;
+    let Compared { fine, coarse } = compared(levels)?;
     // Stages that only lead to others solve other equations.
     let coarse = coarse.filter(|level| !level.role.leads());
     let film = SHARE_OF_FILM_BAR * film_bars[0].max(film_bars[1]);
@@ -151,9 +140,11 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
             SHARE_OF_PRESSURE_MAXIMUM * relative * size(figure)
                 + SHARE_OF_SLOPE * estimate.shear_stress
         }
-        Figure::FilmCentrelineMinimum | Figure::OutletPosition | Figure::MeniscusPosition => {
-            film * size(figure)
+        Figure::FilmCentrelineMinimum => SAFETY * film * size(figure),
+        Figure::OutletPosition => {
+            (film + SHARE_OF_PRESSURE_AT_OUTLET * estimate.pressure) * size(figure)
         }
+        Figure::MeniscusPosition => film * size(figure),
         Figure::TractionCoefficientBody1
         | Figure::TractionCoefficientBody2
         | Figure::TractionCoefficientAcrossBody1

@@ -250,7 +250,7 @@ pub fn indicator(
         .map(|(s, map)| (s / (map.determinant * reference)).sqrt())
         .collect();
     let (cut_off, exceeds) = match model.constants.ridge_diffusion > 0.0 {
-        true => cut_off(d, &state.pressure),
+        true => cut_off(&d.pressure, |c| d.share_at_ridge(c), &state.pressure),
         false => (vec![0.0; local.len()], 0.0),
     };
     // An error e of the wave number κ, in its slope: κe.

@@ -10,7 +10,6 @@ use ertel_fem::locate::Locator;
 use ertel_fem::mesh::SimplexMesh;
 use ertel_fem::space::Space;
 
-use super::discretisation::Discretisation;
 use super::indicator::unresolved;
 use super::neighbours::Neighbours;
 
@@ -53,16 +52,20 @@ pub(super) fn ridge_shares(
 const CUT_OFF: f64 = 0.75;
 
 /// By how much a ridge may be higher in each element than the diffusion there leaves it, and by how much it may exceed the largest pressure so.
-pub(super) fn cut_off(d: &Discretisation, pressure: &[f64]) -> (Vec<f64>, f64) {
+pub(super) fn cut_off(
+    space: &Space,
+    share_at_ridge: impl Fn(usize) -> f64,
+    pressure: &[f64],
+) -> (Vec<f64>, f64) {
     let range = |c: usize| {
-        let values = d.pressure.nodes_of(c).iter().map(|n| pressure[*n as usize]);
+        let values = space.nodes_of(c).iter().map(|n| pressure[*n as usize]);
         values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], p| {
             [low.min(p), high.max(p)]
         })
     };
-    let ranges: Vec<[f64; 2]> = (0..d.contact.n_elements()).map(range).collect();
+    let ranges: Vec<[f64; 2]> = (0..space.n_elements()).map(range).collect();
     let cut_off: Vec<f64> = (ranges.iter().enumerate())
-        .map(|(c, [low, high])| CUT_OFF * d.share_at_ridge(c) * (high - low))
+        .map(|(c, [low, high])| CUT_OFF * share_at_ridge(c) * (high - low))
         .collect();
     let top = (ranges.iter()).fold(f64::NEG_INFINITY, |top, [_, high]| top.max(*high));
     let exceeds = (ranges.iter().zip(&cut_off))
@@ -125,5 +128,22 @@ mod tests {
                 assert_eq!(*share, 0.0);
             }
         }
+    }
+
+    /// By hand: in an element with a share of one half, pressures from 0 to 0.8 may be cut off by 0.75 · ½ · 0.8 = 0.3, up to 1.1: 0.1
+    /// above the largest, 1.0, which stands elsewhere.
+    #[test]
+    fn what_is_cut_off_goes_with_the_range_of_the_pressure() {
+        let space = Space::new(&square(3), 3);
+        let mut pressure = vec![0.0; space.n_nodes()];
+        let own = space.nodes_of(0);
+        pressure[own[0] as usize] = 0.8;
+        let elsewhere = (0..space.n_nodes()).find(|n| !own.contains(&(*n as u32)));
+        pressure[elsewhere.unwrap()] = 1.0;
+        let share = |c: usize| if c == 0 { 0.5 } else { 0.0 };
+        let (cut, exceeds) = cut_off(&space, share, &pressure);
+        assert_relative_eq!(cut[0], 0.3, max_relative = 1e-12);
+        assert!(cut[1..].iter().all(|c| *c == 0.0));
+        assert_relative_eq!(exceeds, 0.1, max_relative = 1e-12);
     }
 }

@@ -414,7 +414,7 @@ mod tests {
         Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order)
     }
 
-    /// What the diffusion at a ridge does to both films by the adjoints, a quarter of which is in the estimate, against solves without it.
+    /// What the diffusion at a ridge does to both films by the adjoints, against solves without it.
     #[test]
     fn the_diffusion_at_a_ridge_is_told() {
         let document = Document::parse("case.toml", CASE).unwrap();
@@ -430,8 +430,8 @@ mod tests {
             );
             let end = run.solve(Finish::Exact, state, &mut effort, &mut crate::solve::Silent);
             end.unwrap();
-            let totals = run.measure(state, &mut effort).unwrap().totals();
-            ([central_film(&d, state), minimum_film(&d, state).0], totals)
+            let told = run.measure(state, &mut effort).unwrap().ridge;
+            ([central_film(&d, state), minimum_film(&d, state).0], told)
         };
         let mut state = cold_start(&problem, &d);
         solve(&problem.stages[0], &mut state);
@@ -443,11 +443,14 @@ mod tests {
             },
             ..stage
         };
-        let (without, rest) = solve(&plain, &mut state);
-        for j in 0..2 {
-            let (found, told) = (with[j] / without[j] - 1.0, 4.0 * (told[j] - rest[j]));
-            println!("{found:.2e} found, {told:.2e} told");
-            assert!(found.abs() > 1e-4 && (told / found.abs() - 1.0).abs() < 0.05);
+        let (without, nothing) = solve(&plain, &mut state);
+        assert_eq!(nothing, [0.0; 2]);
+        let found = [0, 1].map(|j: usize| with[j] / without[j] - 1.0);
+        println!("{found:?} found, {told:?} told");
+        // In h_min, elements cancel each other.
+        let size = found[0].abs().max(found[1].abs());
+        for (found, told) in found.into_iter().zip(told) {
+            assert!(found.abs() > 1e-4 && (told - found.abs()).abs() < 0.03 * size);
         }
     }
 

@@ -201,9 +201,9 @@ impl<S: StageSolver> Driver<S> {
                 if refinement.aim != Aim::Films {
                     self.ridge_diffusion = self.outline.ridge_diffusion;
                 }
-                // Films that are as accurate as asked for bear no long search, nor does what can be tried with a diffused ridge.
+                // Films that are about as accurate as asked for bear no long search, nor does what can be tried with a diffused ridge.
                 let given_up_early = self.outline.impatient
-                    || refinement.aim == Aim::Pressure
+                    || refinement.aim != Aim::Films
                     || self.ridge_diffusion < self.outline.ridge_diffusion;
                 self.refinement = refinement;
                 self.queue.push_back(Stage {

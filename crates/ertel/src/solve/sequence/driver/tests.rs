@@ -195,7 +195,7 @@ fn what_fails_is_tried_with_a_diffused_ridge() {
 
     let (end, trace) = run(outline(), |n, _| match n {
         1 => COARSE,
-        2 | 3 => Diverged,
+        2..=4 => Diverged,
         _ => Solved,
     });
     let end = end.unwrap();
@@ -205,25 +205,46 @@ fn what_fails_is_tried_with_a_diffused_ridge() {
         (solution, 0.0),
         (solution, 0.0),
         (solution, 1.0),
+        (solution, 1.0),
     ];
     assert_eq!(diffused(&trace), expected);
+    let orders: Vec<usize> = trace.iter().map(|(s, _)| s.pressure_order).collect();
+    assert_eq!(orders[1..], [3, 3, 3, 2]);
 }
 
-/// The ridge is what such a mesh is for.
+/// On a refined mesh where cubic pressures fail with a diffused ridge, too; those that follow are quadratic, and cubic ones are not tried again.
 #[test]
-fn a_mesh_for_the_pressure_alone_has_a_diffused_ridge() {
+fn refined_meshes_go_on_with_quadratic_pressures() {
     let outline = Outline {
         ridge_diffusion: 1.0,
         ..outline(3)
     };
-    let (_, trace) = run(outline, |n, _| match n {
-        1 => Ending::Inaccurate {
-            aim: Aim::Pressure,
-        },
+    let (end, trace) = run(outline, |n, stage| match n {
+        1 => COARSE,
+        4 => COARSE,
+        _ if stage.refinements > 0 && stage.pressure_order == 3 => Diverged,
         _ => Solved,
     });
-    assert_eq!(trace[2].0.constants.ridge_diffusion, 1.0);
-    assert!(trace[2].0.given_up_early);
+    let end = end.unwrap().stage;
+    assert_eq!((end.refinements, end.pressure_order), (2, 2));
+    assert_eq!(trace.len(), 6);
+}
+
+/// The ridge is what such a mesh is for.
+#[test]
+fn a_mesh_for_the_pressure_has_a_diffused_ridge() {
+    let outline = Outline {
+        ridge_diffusion: 1.0,
+        ..outline(3)
+    };
+    for aim in [Aim::Pressure, Aim::Both] {
+        let (_, trace) = run(outline.clone(), |n, _| match n {
+            1 => Ending::Inaccurate { aim },
+            _ => Solved,
+        });
+        assert_eq!(trace[2].0.constants.ridge_diffusion, 1.0);
+        assert!(trace[2].0.given_up_early);
+    }
 }
 
 /// Quadratic pressures where a continuation ends short of cubic ones; then those once more, which may fail.
