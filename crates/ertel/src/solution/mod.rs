@@ -201,6 +201,8 @@ pub struct ErrorEstimate {
     pub ridge: [f64; 2],
     /// The same from the edges of the contact area.
     pub edges: [f64; 2],
+    /// What pressures that the cells do not resolve may do to both films, relative.
+    pub unresolved: f64,
     /// Root-mean-square error of the pressure over the dry contact, over p_h.
     pub pressure: f64,
     /// Root-mean-square error of the pressure in the cells around its largest value, Pa.

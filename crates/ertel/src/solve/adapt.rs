@@ -98,10 +98,6 @@ pub fn bar_of_edges(estimate: f64) -> f64 {
     bar.min(LARGEST_BAR_OF_EDGES)
 }
 
-/// Part of the error bar of a film over the square of the pressure's error: what a ridge that is far from resolved does to the films, their
-/// estimates miss (Roelands, M = 20, L = 25: 6 % of p_h, and h_min off by 0.4 %).
-const SHARE_OF_PRESSURE: f64 = 1.0;
-
 /// Share of the difference from the mesh before that is the least bar.
 const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.3;
 
@@ -155,10 +151,8 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
         let sum = estimated[j].hypot(grading[j]);
         sum.max(LEAST_SHARE_OF_DIFFERENCE * gone[j])
     });
-    let pressure = fine.estimate.map_or(0.0, |e| e.pressure * e.pressure);
-    let bars = [0, 1].map(|j: usize| {
-        cells[j].hypot(SHARE_OF_PRESSURE * pressure) + bar_of_edges(edges[j])
-    });
+    let unresolved = fine.estimate.map_or(0.0, |e| e.unresolved);
+    let bars = [0, 1].map(|j: usize| cells[j].hypot(unresolved) + bar_of_edges(edges[j]));
     Some(ErrorBars { bars, cells, own })
 }
 
