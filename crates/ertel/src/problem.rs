@@ -523,7 +523,7 @@ mod tests {
         }
         for more in [
             "[mesh]\npreset = \"normal\"\n",
-            "[solver]\nelastic_model = \"equivalent\"\n",
+            "[solver]\nelasticity = \"equivalent\"\n",
         ] {
             assert_eq!(of(6400.0, more), 1.0);
         }

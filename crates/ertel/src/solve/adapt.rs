@@ -243,8 +243,7 @@ pub fn next_refinement(
     let halved = halvings.iter().filter(|h| **h > 0).count() as f64;
     let as_good_as_reached = (params.pressure_target)
         .is_some_and(|target| indicator.pressure_error() < AS_GOOD_AS_REACHED * target);
-    let few =
-        aim == Aim::Pressure && as_good_as_reached && halved < FEW * halvings.len() as f64;
+    let few = aim == Aim::Pressure && as_good_as_reached && halved < FEW * halvings.len() as f64;
     (!few).then_some(Refinement {
         halvings,
         aim,

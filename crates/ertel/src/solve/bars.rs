@@ -16,7 +16,11 @@ const SHARE_OF_FILM_BAR: f64 = 1.0;
 const SHARE_OF_PRESSURE: f64 = 0.1;
 
 /// The same for the place where the film breaks off, behind a ridge.
-const SHARE_OF_PRESSURE_AT_OUTLET: f64 = 0.4;
+const SHARE_OF_PRESSURE_AT_OUTLET: f64 = 0.5;
+
+/// Least relative error bar of the friction power over what unresolved pressures do to the films: the power that a spike dissipates grows
+/// with its height.
+const SHARE_OF_UNRESOLVED_IN_POWER: f64 = 20.0;
 
 /// The same for what rolling drags along, which has the slopes of the pressure.
 const SHARE_OF_PRESSURE_IN_FRICTION: f64 = 0.3;
@@ -152,11 +156,14 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
         | Figure::FrictionPower
         | Figure::HeatShear => {
             let beyond = estimate.beyond_edges;
-            let beyond = match figure {
-                Figure::FrictionPower | Figure::HeatShear => beyond.power,
-                _ => beyond.traction,
+            let (beyond, spike) = match figure {
+                Figure::FrictionPower | Figure::HeatShear => (
+                    beyond.power,
+                    SHARE_OF_UNRESOLVED_IN_POWER * estimate.unresolved,
+                ),
+                _ => (beyond.traction, 0.0),
             };
-            let integral = film + SHARE_OF_PRESSURE_IN_FRICTION * estimate.pressure;
+            let integral = film + SHARE_OF_PRESSURE_IN_FRICTION * estimate.pressure + spike;
             integral * size(figure) + SHARE_OF_BEYOND * beyond
         }
         _ => {

@@ -104,8 +104,8 @@ fn cells_make_room_for_what_edges_do() {
 fn bars_of(meshes: &[(usize, f64, ErrorEstimate)]) -> [f64; 2] {
     let levels: Vec<LevelStats> = (meshes.iter())
         .map(|(n, film, estimate)| {
-            let figures = [Figure::FilmCentral, Figure::FilmMinimum]
-                .map(|f| (f, Reading::new(1e-7 * film)));
+            let figures =
+                [Figure::FilmCentral, Figure::FilmMinimum].map(|f| (f, Reading::new(1e-7 * film)));
             let mut level = level(*n, Role::Final, &figures);
             level.estimate = Some(*estimate);
             level

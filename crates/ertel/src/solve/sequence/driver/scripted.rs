@@ -20,9 +20,7 @@ pub enum Ending {
 use Ending::{Diverged, Interrupted, Solved, Stalled};
 
 /// Films that are not accurate enough.
-pub const COARSE: Ending = Ending::Inaccurate {
-    aim: Aim::Films,
-};
+pub const COARSE: Ending = Ending::Inaccurate { aim: Aim::Films };
 
 /// What a stage came to.
 #[derive(Debug)]

@@ -154,9 +154,7 @@ fn the_mesh_before_stands_where_the_refined_one_fails_again() {
 #[test]
 fn a_mesh_for_the_pressure_alone_is_tried_once() {
     let (end, trace) = run(outline(3), |n, _| match n {
-        1 => Ending::Inaccurate {
-            aim: Aim::Pressure,
-        },
+        1 => Ending::Inaccurate { aim: Aim::Pressure },
         2 => Diverged,
         _ => Solved,
     });
