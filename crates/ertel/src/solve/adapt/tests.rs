@@ -5,14 +5,6 @@ use crate::solve::sequence::Role;
 
 const TARGET: f64 = 2e-3;
 const N: usize = 1000;
-const PARAMS: AdaptParams = AdaptParams {
-    target: TARGET,
-    pressure_target: None,
-    max_unknowns: 100 * N,
-    max_unknowns_for_pressure: 100 * N,
-    max_displacement_dofs: usize::MAX,
-    max_refinements: 10,
-};
 
 /// A mesh whose films err by `films` and whose pressures by `pressure`, with the shares in different elements.
 fn refinement_at(films: f64, pressure: f64) -> Option<Refinement> {
