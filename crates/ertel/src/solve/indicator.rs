@@ -41,7 +41,7 @@ pub struct Indicator {
     pub minimum: Vec<f64>,
     /// Of the film at another minimum that may be the lowest where the errors are less; empty where there is none.
     pub rival: Vec<f64>,
-    /// What the diffusion at ridges changes the two films by, relative; its [`RIDGE_SHARE`] is in the shares.
+    /// What the diffusion at ridges changes the two films by, relative; a quarter of it is in the shares.
     pub ridge: [f64; 2],
     /// Relative errors of the two films that come from the edges of the contact area, where P = 0 is prescribed.
     pub edges: [f64; 2],
