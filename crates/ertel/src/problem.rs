@@ -6,7 +6,7 @@ use crate::contact::{
     ContactKind, EquivalentBody, Groups, Hertz, Inlet, OilLayer, Planar, Scales, Shape, Supply,
     hertz,
 };
-use crate::elastic::Elasticity;
+use crate::elastic::{BodyModel, Elasticity};
 use crate::film::FilmFluid;
 use crate::forms::energy::{BodyHeat, Heat};
 use crate::params::{
@@ -16,6 +16,7 @@ use crate::params::{
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
 use crate::solve::adapt::AdaptParams;
 use crate::solve::discretisation::{Extents, LevelSizes};
+use crate::solve::dry::with_dry_zone;
 use crate::solve::heat::column::Column;
 use crate::solve::heat::coupling::CouplingParams;
 use crate::solve::newton::NewtonParams;
@@ -82,6 +83,18 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
             .map(|b| dimensionless(b.elasticity.youngs_modulus, b.elasticity.poissons_ratio))
             .to_vec(),
     };
+    let elasticity = match case.elastic_model() {
+        ElasticModel::HalfSpace => {
+            let order = case.mesh.elastic_order.unwrap_or(1);
+            Elasticity::half_space(order.max(case.mesh.pressure_order), &bodies)
+        }
+        _ => Elasticity::finite_elements(case.mesh.elastic_order.unwrap_or(2).min(2), &bodies),
+    };
+    // What lies beside a solve goes on its mesh.
+    let shape = match (own, elasticity.model) {
+        (None, BodyModel::HalfSpace) => with_dry_zone(shape, &elasticity, scales.load),
+        _ => shape,
+    };
     let heat = heat_problem(case, &scales);
     let sliding = case.motion.sliding(scales.length);
     let (density, viscosity) = (&lubricant.density, &lubricant.viscosity);
@@ -120,13 +133,7 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
                 || (heat.is_some() && fluid.slides())
                 || contact.kind == ContactKind::Roller,
         ),
-        elasticity: match case.elastic_model() {
-            ElasticModel::HalfSpace => {
-                let order = case.mesh.elastic_order.unwrap_or(1);
-                Elasticity::half_space(order.max(case.mesh.pressure_order), &bodies)
-            }
-            _ => Elasticity::finite_elements(case.mesh.elastic_order.unwrap_or(2).min(2), &bodies),
-        },
+        elasticity,
         fluid,
         load: scales.load,
         // A film that starts too thick closes in from the safe side.

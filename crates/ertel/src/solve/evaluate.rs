@@ -60,6 +60,25 @@ impl PointFields {
     }
 }
 
+/// Pressure at a point, within the nodal values of its element; zero outside of the contact area.
+pub fn pressure_at(d: &Discretisation, pressure: &[f64], point: [f64; 2]) -> f64 {
+    let contact = &d.contact;
+    let Some((cell, xi)) = contact.locator.find(&contact.surface, point) else {
+        return 0.0;
+    };
+    let nodes = d.pressure.nodes_of(cell);
+    let values = nodes.iter().map(|n| pressure[*n as usize]);
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
+        (l.min(v), h.max(v))
+    });
+    let basis = d.pressure.element.values(xi);
+    let value: f64 = (basis.zip(nodes))
+        .map(|(b, n)| b * pressure[*n as usize])
+        .sum();
+    // No clamp: it panics where the nodal values are no numbers.
+    value.max(low).min(high)
+}
+
 /// Evaluates the fields; `None` outside the contact area.
 pub fn fields_at(d: &Discretisation, state: &State, point: [f64; 2]) -> Option<PointFields> {
     let (cell, xi) = d.contact.locator.find(&d.contact.surface, point)?;

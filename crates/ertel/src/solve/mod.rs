@@ -4,6 +4,7 @@ pub mod adapt;
 pub mod adjoint;
 pub mod bars;
 pub mod discretisation;
+pub mod dry;
 mod element;
 pub mod evaluate;
 pub mod figures;

@@ -53,6 +53,16 @@ impl Slices {
         }
     }
 
+    /// The same slices with other loads per length, in proportion; `load` gives them at the middle of each.
+    pub fn with_loads(&self, load: impl Fn(f64) -> f64) -> Slices {
+        let loads: Vec<f64> = self.all().map(|[y, _]| load(y)).collect();
+        let mean = loads.iter().sum::<f64>() / loads.len() as f64;
+        Slices {
+            load: loads.iter().map(|q| q / mean).collect(),
+            ..self.clone()
+        }
+    }
+
     /// Load per length at y, in the mean one.
     pub fn load(&self, y: f64) -> f64 {
         let place = (y + self.half_length) / self.width - 0.5;

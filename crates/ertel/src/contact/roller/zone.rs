@@ -65,6 +65,16 @@ impl RollerZone {
         zone
     }
 
+    /// The same, drawn out alike, with other loads per length along the axis, in proportion.
+    pub fn with_loads(&self, load: impl Fn(f64) -> f64) -> RollerZone {
+        let slices = self.slices.with_loads(load);
+        RollerZone {
+            widths: self.y.iter().map(|y| slices.load(*y).sqrt()).collect(),
+            slices,
+            ..self.clone()
+        }
+    }
+
     /// Makes a map that differs from its mirror image by rounding alone equal to it.
     fn level_out(&mut self) {
         let n = self.v.len();

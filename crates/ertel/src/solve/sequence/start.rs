@@ -3,17 +3,22 @@
 use super::{Problem, StageSolution};
 use crate::elastic::Accuracy;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::{central_film, fields_at, minimum_film};
+use crate::solve::dry::dry_pressure;
+use crate::solve::evaluate::{central_film, fields_at, minimum_film, pressure_at};
 use crate::solve::system::State;
 
 /// Hertz pressure, and H0 such that the central film is the problem's start film.
 pub(super) fn cold_start(problem: &Problem, d: &Discretisation) -> State {
-    let pressure: Vec<f64> = d
+    let mut pressure: Vec<f64> = d
         .pressure
         .points
         .iter()
         .map(|p| d.contact.shape.zone.pressure([p[0], p[1]]))
         .collect();
+    if problem.shape.zone.roller.is_some() {
+        // Slices know the pressure at ends and kinks of the profile but roughly.
+        pressure = dry_pressure(d, &pressure, problem.load);
+    }
     let deflection = d.deflect(&pressure, Accuracy::Full);
     let mut state = State {
         pressure,
@@ -35,25 +40,6 @@ pub(super) fn cold_start(problem: &Problem, d: &Discretisation) -> State {
     state
 }
 
-/// Pressure at a point, within the nodal values of its element; zero outside of the contact area.
-pub(super) fn pressure_at(d: &Discretisation, state: &State, point: [f64; 2]) -> f64 {
-    let contact = &d.contact;
-    let Some((cell, xi)) = contact.locator.find(&contact.surface, point) else {
-        return 0.0;
-    };
-    let nodes = d.pressure.nodes_of(cell);
-    let values = nodes.iter().map(|n| state.pressure[*n as usize]);
-    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| {
-        (l.min(v), h.max(v))
-    });
-    let basis = d.pressure.element.values(xi);
-    let value: f64 = (basis.zip(nodes))
-        .map(|(b, n)| b * state.pressure[*n as usize])
-        .sum();
-    // No clamp: it panics where the nodal values are no numbers.
-    value.max(low).min(high)
-}
-
 /// Pressures of a coarser level, without new extrema; same central film.
 pub(super) fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
     let (from, old) = (&coarse.discretisation, &coarse.state);
@@ -66,7 +52,7 @@ pub(super) fn interpolate(coarse: &StageSolution, d: &Discretisation) -> State {
             if *dof == ertel_fem::assembly::CONSTRAINED {
                 return 0.0;
             }
-            pressure_at(from, old, [p[0], p[1]])
+            pressure_at(from, &old.pressure, [p[0], p[1]])
         })
         .collect();
     let deflection = d.deflect(&pressure, Accuracy::Full);

@@ -3,14 +3,13 @@
 use std::sync::Arc;
 
 use super::mesh_solver::solve_from;
-use super::start::pressure_at;
 use super::{Problem, Role, Stage, StageSolution};
 use crate::contact::{Inlet, hertz};
 use crate::elastic::{Accuracy, BodyModel, Elasticity, compliance};
 use crate::solution::LevelStats;
 use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::discretisation::{Discretisation, Extents};
-use crate::solve::evaluate::{central_film, minimum_film};
+use crate::solve::evaluate::{central_film, minimum_film, pressure_at};
 use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
@@ -246,7 +245,7 @@ fn stretched(d: &Discretisation, state: &State, q: f64) -> Vec<f64> {
             let share = if r > 0.0 { from / r } else { 1.0 };
             let zone = &d.contact.shape.zone;
             let peak = zone.peak([p[0], p[1]]);
-            let excess = pressure_at(d, state, zone.drawn_in([p[0], p[1]], share))
+            let excess = pressure_at(d, &state.pressure, zone.drawn_in([p[0], p[1]], share))
                 - peak * hertz::pressure_profile(from);
             (peak * hertz::pressure_profile(r) + q.sqrt() * excess).max(0.0)
         })

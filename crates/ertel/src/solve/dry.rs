@@ -1,0 +1,298 @@
+//! The dry contact of a roller by the elastic operator: where its rim lies, and the pressures of a start.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use ertel_fem::assembly::CONSTRAINED;
+
+use super::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
+use super::evaluate::pressure_at;
+use crate::contact::{Shape, Symmetry};
+use crate::elastic::{Accuracy, Elasticity};
+
+/// Iterations, and the part of the load that may still sit at wrong places when they end: a start need not be exact.
+const MAX_ITERATIONS: usize = 80;
+const TOLERANCE: f64 = 3e-3;
+
+/// Order of pressures and deflections where the rim is looked for.
+const ORDER: usize = 2;
+
+/// Cells there, in half-widths.
+const SIZES: LevelSizes = LevelSizes {
+    hertz: 0.25,
+    constriction: 0.15,
+    rim: 0.1,
+    outlet_rim: 0.1,
+    rim_width: 0.05,
+    edge: 0.5,
+    growth: 0.5,
+    depth_growth: 0.5,
+};
+
+/// Width of the area there over that of the zone, and points across it.
+const WIDER: f64 = 1.3;
+const ACROSS: usize = 200;
+
+/// The shape of a roller whose zone has the load per length of the dry contact on a coarse mesh, in place of that of slices: half-widths by
+/// slices are off by some per cent, and by a tenth at ends that carry much; the strip of fine cells along the rim of a thin film is narrower. Other
+/// shapes, and contacts whose mesh cannot be made, stay as they are.
+pub fn with_dry_zone(shape: Shape, elasticity: &Elasticity, load: f64) -> Shape {
+    let Some(roller) = &shape.zone.roller else {
+        return shape;
+    };
+    let reach = WIDER * roller.half_extents()[0];
+    let extents = Extents {
+        inlet: -reach,
+        outlet: reach,
+        side: roller.side(),
+        body_width: 0.0,
+        body_depth: 0.0,
+    };
+    let elasticity = Elasticity {
+        order: ORDER,
+        ..elasticity.clone()
+    };
+    let surface = ContactSurface::new(&shape, &extents, &SIZES, &elasticity, Means::default());
+    let Ok(surface) = surface else {
+        return shape;
+    };
+    let d = Discretisation::new(&Arc::new(surface), ORDER);
+    let guess: Vec<f64> = (d.pressure.points.iter())
+        .map(|p| shape.zone.pressure([p[0], p[1]]))
+        .collect();
+    let pressure = dry_pressure(&d, &guess, load);
+    // Of the Hertz pressure of a line, ∫P dX = π/2.
+    let load_at = |y: f64| {
+        let y = match shape.symmetry {
+            Symmetry::Half => -y.abs(),
+            Symmetry::Full => y,
+        };
+        let step = 2.0 * reach / ACROSS as f64;
+        let sum: f64 = (1..ACROSS)
+            .map(|i| pressure_at(&d, &pressure, [i as f64 * step - reach, y]).max(0.0))
+            .sum();
+        2.0 / PI * sum * step
+    };
+    let zone = roller.with_loads(load_at);
+    let mut shape = shape;
+    shape.zone.roller = Some(Arc::new(zone));
+    shape
+}
+
+/// Nodal pressures of the dry contact under ∫P = `load`, from a guess.
+///
+/// ```text
+///   P ≥ 0,   G = gap + deflection − approach ≥ 0,   P G = 0
+/// ```
+/// by conjugate gradients over the nodes in contact: nodes that come below zero leave it, nodes where the bodies overlap join it.
+///
+/// Source: Polonsky and Keer, Wear 231 (1999), 206-219; here on a mesh of uneven cells, whose scalar products weigh each node by its area.
+pub(super) fn dry_pressure(d: &Discretisation, guess: &[f64], load: f64) -> Vec<f64> {
+    let free: Vec<bool> = (d.pressure_dofs.iter())
+        .map(|i| *i != CONSTRAINED)
+        .collect();
+    let nodes = Nodes::new(d);
+    let mut pressure: Vec<f64> = (guess.iter().zip(&free))
+        .map(|(p, free)| if *free { p.max(0.0) } else { 0.0 })
+        .collect();
+    let scaled = |pressure: &mut [f64]| {
+        let factor = load / d.integral(pressure);
+        pressure.iter_mut().for_each(|p| *p *= factor);
+    };
+    scaled(&mut pressure);
+    let gap: Vec<f64> = (d.pressure.points.iter())
+        .map(|p| d.contact.shape.gap.value([p[0], p[1]]))
+        .collect();
+    let mut direction = vec![0.0; pressure.len()];
+    let (mut keep, mut last) = (0.0, 1.0);
+    for _ in 0..MAX_ITERATIONS {
+        let deflection = d.deflect(&pressure, Accuracy::Krylov);
+        let mut g = nodes.values(d, &deflection);
+        g.iter_mut().zip(&gap).for_each(|(g, gap)| *g += gap);
+        let touches: Vec<bool> = pressure.iter().map(|p| *p > 0.0).collect();
+        let level = nodes.mean(&g, &touches);
+        g.iter_mut().for_each(|g| *g -= level);
+        let size = nodes.product(&g, &g, &touches);
+        for ((t, g), touches) in direction.iter_mut().zip(&g).zip(&touches) {
+            *t = if *touches {
+                g + keep * size / last * *t
+            } else {
+                0.0
+            };
+        }
+        last = size;
+        let bend = d.deflect(&direction, Accuracy::Krylov);
+        let mut r = nodes.values(d, &bend);
+        let level = nodes.mean(&r, &touches);
+        r.iter_mut().for_each(|r| *r -= level);
+        let step =
+            nodes.product(&g, &direction, &touches) / nodes.product(&r, &direction, &touches);
+        if !(step.is_finite() && step > 0.0) {
+            break;
+        }
+        let before = pressure.clone();
+        let mut joined = false;
+        for (i, p) in pressure.iter_mut().enumerate().filter(|(i, _)| free[*i]) {
+            match touches[i] {
+                true => *p = (*p - step * direction[i]).max(0.0),
+                false if g[i] < 0.0 => {
+                    *p = -step * g[i];
+                    joined = true;
+                }
+                false => {}
+            }
+        }
+        keep = if joined { 0.0 } else { 1.0 };
+        scaled(&mut pressure);
+        let moved: f64 = (pressure.iter().zip(&before).zip(&nodes.areas))
+            .map(|((a, b), w)| w * (a - b).abs())
+            .sum();
+        if moved < TOLERANCE * load {
+            break;
+        }
+    }
+    pressure
+}
+
+/// Areas of the pressure nodes, and where they are among those of the deflection.
+struct Nodes {
+    areas: Vec<f64>,
+    /// An element of each, and the deflection's shape functions at it.
+    places: Vec<(u32, Vec<f64>)>,
+}
+
+impl Nodes {
+    fn new(d: &Discretisation) -> Nodes {
+        let element = &d.pressure.element;
+        let basis: Vec<Vec<f64>> = (element.points())
+            .map(|xi| d.contact.deflection.element.values(xi).collect())
+            .collect();
+        let n = d.pressure.n_nodes();
+        let (mut areas, mut places) = (vec![0.0; n], vec![(0, Vec::new()); n]);
+        for (c, map) in d.contact.maps.iter().enumerate() {
+            for (node, basis) in d.pressure.nodes_of(c).iter().zip(&basis) {
+                areas[*node as usize] += map.determinant / element.n_nodes() as f64;
+                places[*node as usize] = (c as u32, basis.clone());
+            }
+        }
+        Nodes { areas, places }
+    }
+
+    /// Nodal values of a deflection.
+    fn values(&self, d: &Discretisation, deflection: &[f64]) -> Vec<f64> {
+        (self.places.iter())
+            .map(|(cell, basis)| {
+                let nodes = d.contact.deflection.nodes_of(*cell as usize);
+                let terms = basis.iter().zip(nodes);
+                terms.map(|(b, n)| b * deflection[*n as usize]).sum()
+            })
+            .collect()
+    }
+
+    fn product(&self, a: &[f64], b: &[f64], of: &[bool]) -> f64 {
+        (0..a.len())
+            .filter(|i| of[*i])
+            .map(|i| self.areas[i] * a[i] * b[i])
+            .sum()
+    }
+
+    fn mean(&self, a: &[f64], of: &[bool]) -> f64 {
+        let of_area = (0..a.len()).filter(|i| of[*i]).map(|i| self.areas[i]);
+        let sum: f64 = of_area.sum();
+        (0..a.len())
+            .filter(|i| of[*i])
+            .map(|i| self.areas[i] * a[i])
+            .sum::<f64>()
+            / sum
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::roller::{Profile, Roller};
+    use crate::contact::{Contact, Hertz, Motion};
+    use approx::assert_relative_eq;
+
+    const RADIUS: f64 = 0.01;
+    const MODULUS: f64 = 2.3e11;
+
+    fn zone(roller: Roller, load: f64) -> (Shape, Shape, f64) {
+        let contact = Contact::of_roller(RADIUS, load, roller);
+        let hertz = Hertz::new(&contact, MODULUS);
+        let shape = Shape::new(&contact, &hertz, &Motion::straight(1.0, 0.0));
+        // Both bodies alike, in units of p_h R/b = E'/4: E = E'(1 − ν²), so 4(1 − ν²).
+        let body = (4.0 * (1.0 - 0.3 * 0.3), 0.3);
+        let elasticity = Elasticity::half_space(3, &[body, body]);
+        let load = shape.load();
+        let dry = with_dry_zone(shape.clone(), &elasticity, load);
+        (shape, dry, hertz.half_width)
+    }
+
+    /// A crown makes a Hertz ellipse, whose load per length is ½π a p_h √(1 − (y/c)²)² by the closed form; slices are off by 0.2 to 0.3 %.
+    #[test]
+    fn a_crown_makes_an_ellipse() {
+        let load = 5000.0;
+        let ellipse = Contact::elliptical([RADIUS, 20.0 * RADIUS], load, 0.0);
+        let exact = Hertz::new(&ellipse, MODULUS);
+        let [a, c] = [exact.half_width, exact.half_width_y.unwrap()];
+        let roller = Roller {
+            length: 2.6 * c,
+            profile: Profile::Crown {
+                crown_radius: 20.0 * RADIUS,
+            },
+            misalignment: 0.0,
+        };
+        let (slices, dry, b) = zone(roller, load);
+        let widths = |shape: &Shape| {
+            [0.0, 0.3, 0.6].map(|share: f64| {
+                let y = share * c / b;
+                let line_load = load / (2.6 * c);
+                let middle = (0.5 * PI * a * exact.pressure / line_load).sqrt();
+                let elliptic = middle * (1.0 - share * share).sqrt();
+                shape.zone.roller.as_ref().unwrap().peak(y) / elliptic - 1.0
+            })
+        };
+        println!(
+            "slices {:.4?}, dry contact {:.4?}",
+            widths(&slices),
+            widths(&dry)
+        );
+        for error in widths(&dry) {
+            assert!(error.abs() < 1e-3, "{error}");
+        }
+    }
+
+    /// Straight with rounded ends, where slices are off by some per cent: the middle has the pressure that the load leaves there, and both
+    /// halves are alike whether one is solved or both.
+    #[test]
+    fn halves_are_alike() {
+        let roller = |misalignment| Roller {
+            length: 4e-3,
+            profile: Profile::Straight {
+                straight_length: 3.2e-3,
+                end_radius: 0.02,
+            },
+            misalignment,
+        };
+        let (_, half, b) = zone(roller(0.0), 2000.0);
+        let (_, whole, _) = zone(roller(1e-12), 2000.0);
+        assert_eq!(half.symmetry, Symmetry::Half);
+        assert_eq!(whole.symmetry, Symmetry::Full);
+        let at = |shape: &Shape, y: f64| shape.zone.roller.as_ref().unwrap().peak(y);
+        for y in [0.0, 0.5e-3, 1e-3, 1.5e-3].map(|y| y / b) {
+            assert_relative_eq!(at(&half, y), at(&half, -y), max_relative = 1e-9);
+            assert_relative_eq!(at(&half, y), at(&whole, y), max_relative = 2e-3);
+        }
+    }
+
+    /// What is no roller stays as it is.
+    #[test]
+    fn other_shapes_stay() {
+        let elasticity = Elasticity::half_space(3, &[(4.0, 0.3)]);
+        assert_eq!(
+            with_dry_zone(Shape::CIRCULAR, &elasticity, 1.0),
+            Shape::CIRCULAR
+        );
+    }
+}
