@@ -21,7 +21,7 @@ fn fields_are_the_values_of_the_file() {
     let values = &found["values"];
     assert_eq!(values["contact.radius"], "16 mm");
     assert_eq!(values["motion.slide_to_roll_ratio"], 0.0);
-    assert_eq!(values["bodies.ball.poissons_ratio"], 0.3);
+    assert_eq!(values["bodies.body_2.poissons_ratio"], 0.3);
     let tables = found["tables"].as_array().unwrap();
     assert!(tables.contains(&json!("lubricant.viscosity")));
     assert_eq!(form("radius = ")["error"]["line"], 1);
@@ -44,8 +44,8 @@ fn an_edit_changes_one_value() {
 #[test]
 fn edits_make_and_remove_tables() {
     let changes = json!([
-        ["bodies.plane.youngs_modulus", "73 GPa"],
-        ["bodies.plane.poissons_ratio", 0.17],
+        ["bodies.body_1.youngs_modulus", "73 GPa"],
+        ["bodies.body_1.poissons_ratio", 0.17],
         ["lubricant", null],
         ["lubricant.name", "squalane-pip"],
         ["lubricant.temperature", "313 K"],
@@ -54,13 +54,13 @@ fn edits_make_and_remove_tables() {
     let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
     assert_eq!(case.plane.elasticity.youngs_modulus, 73e9);
     assert_eq!(case.lubricant.temperature, 313.0);
-    let text = edited(&text, &json!([["thermal", {}], ["bodies.plane", "glass"]]));
+    let text = edited(&text, &json!([["thermal", {}], ["bodies.body_1", "glass"]]));
     let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
     assert!(case.thermal.is_some());
     let text = edited(&text, &json!([["thermal", null]]));
     let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
     assert!(case.thermal.is_none());
-    assert_eq!(form(&text)["values"]["bodies.plane"], "glass");
+    assert_eq!(form(&text)["values"]["bodies.body_1"], "glass");
 }
 
 #[test]
@@ -87,8 +87,8 @@ fn errors_have_their_place() {
     let error = &check(&long)["error"]["text"];
     assert!(error.as_str().unwrap().contains("is too large"), "{error}");
     // There is no disk to look for it.
-    let own = ROLLER.replace("plane = \"steel\"", "plane = \"own-steel.toml\"");
-    assert_eq!(check(&own)["error"]["key"], "bodies.plane");
+    let own = ROLLER.replace("body_1 = \"steel\"", "body_1 = \"own-steel.toml\"");
+    assert_eq!(check(&own)["error"]["key"], "bodies.body_1");
     assert_eq!(check(ROLLER)["ok"], true);
 }
 
@@ -103,7 +103,7 @@ fn lists_can_be_chosen_from() {
     let names = |list: &str| lists[list].as_array().unwrap().len();
     assert!(names("fluids") > 60 && names("solids") > 5);
     for solid in lists["solids"].as_array().unwrap() {
-        let text = edited(ROLLER, &json!([["bodies.plane", solid["name"]]]));
+        let text = edited(ROLLER, &json!([["bodies.body_1", solid["name"]]]));
         assert_eq!(check(&text)["ok"], true, "{}", solid["name"]);
     }
 }

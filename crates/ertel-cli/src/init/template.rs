@@ -22,11 +22,11 @@ pub struct Template {
 /// Questions that every case has.
 pub const COMMON: &[(&str, &str)] = &[
     (
-        "bodies.ball",
+        "bodies.body_2",
         "material of the ball, roller, pinion or cam (`ertel solids` lists them)",
     ),
     (
-        "bodies.plane",
+        "bodies.body_1",
         "material of the disc, ring, wheel or tappet",
     ),
     (

@@ -35,7 +35,7 @@ class Case:
     --------
     >>> case = Case(
     ...     contact={"kind": "line", "radius": "10 mm", "load": "100 kN/m"},
-    ...     bodies={"plane": "steel", "ball": "steel"},
+    ...     bodies={"body_1": "steel", "body_2": "steel"},
     ...     motion={"entrainment_speed": "2 m/s", "slide_to_roll_ratio": 0.0},
     ...     lubricant="squalane-pip",
     ...     temperature="40 degC",
