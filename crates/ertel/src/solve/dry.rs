@@ -263,8 +263,8 @@ mod tests {
         }
     }
 
-    /// Straight with rounded ends, where slices are off by some per cent: the middle has the pressure that the load leaves there, and both
-    /// halves are alike whether one is solved or both.
+    /// Straight with rounded ends, where slices are off by some per cent: the zone is the same whether half of the contact is solved or all of it,
+    /// and symmetric.
     #[test]
     fn halves_are_alike() {
         let roller = |misalignment| Roller {
