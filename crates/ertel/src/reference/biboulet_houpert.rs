@@ -12,6 +12,8 @@
 //! Source: Biboulet and Houpert, Proc. IMechE J 224 (2010), part 1 (line, eq. 42) and part 2 (elliptical, eqs. 14, 32 and 41).
 //! Constants read in stored texts of both. They treat ellipses as wide as a circle or wider, with the motion along the short axis.
 
+use std::f64::consts::PI;
+
 use ellip::ellipe;
 
 use crate::contact::{Contact, ContactKind, Groups, Hertz};
@@ -50,9 +52,9 @@ pub fn rolling_resistance(
                 hertz.half_width,
                 hertz.half_width_y.unwrap_or(hertz.half_width),
             ];
-            let [a, b] = match contact.entrainment_angle.rem_euclid(std::f64::consts::PI) {
-                t if t < ALONG || t > std::f64::consts::PI - ALONG => axes,
-                t if (t - std::f64::consts::FRAC_PI_2).abs() < ALONG => [axes[1], axes[0]],
+            let [a, b] = match contact.entrainment_angle.rem_euclid(PI) {
+                t if t.min(PI - t) < ALONG => axes,
+                t if (t - 0.5 * PI).abs() < ALONG => [axes[1], axes[0]],
                 _ => return None,
             };
             // Equal radii, up to rounding, are a circle.
@@ -62,7 +64,7 @@ pub fn rolling_resistance(
                 (a / b).min(1.0)
             };
             let integral = ellipe(1.0 - kappa * kappa).ok()?;
-            let beta = 4.0 * integral / (std::f64::consts::PI * (1.0 + radius / across));
+            let beta = 4.0 * integral / (PI * (1.0 + radius / across));
             let m = beta.powf(0.25) * kappa * groups.moes_load;
             if !(ELLIPSE.contains(&m) && kappa >= NARROWEST) {
                 return None;
