@@ -33,7 +33,7 @@ const SIZES: LevelSizes = LevelSizes {
 const WIDER: f64 = 1.3;
 const ACROSS: usize = 200;
 
-/// The shape of a roller whose zone has the load per length of the dry contact on a coarse mesh, in place of that of slices: half-widths by
+/// The shape of a roller under ∫P = `load` (dimensionless, over the part that is solved) whose zone has the load per length of the dry contact on a coarse mesh, in place of that of slices: half-widths by
 /// slices are off by some per cent, and by a tenth at ends that carry much; the strip of fine cells along the rim of a thin film is narrower. Other
 /// shapes, and contacts whose mesh cannot be made, stay as they are.
 pub fn with_dry_zone(shape: Shape, elasticity: &Elasticity, load: f64) -> Shape {

@@ -53,7 +53,7 @@ impl Slices {
         }
     }
 
-    /// The same slices with other loads per length, in proportion; `load` gives them at the middle of each.
+    /// The same slices with other loads per length, whose proportions count; `load` gives them at the middle y of each, in half-widths.
     pub fn with_loads(&self, load: impl Fn(f64) -> f64) -> Slices {
         let loads: Vec<f64> = self.all().map(|[y, _]| load(y)).collect();
         let mean = loads.iter().sum::<f64>() / loads.len() as f64;

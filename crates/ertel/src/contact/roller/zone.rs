@@ -65,7 +65,7 @@ impl RollerZone {
         zone
     }
 
-    /// The same, drawn out alike, with other loads per length along the axis, in proportion.
+    /// The same, with the same map along the axis, for other loads per length; only their proportions count.
     pub fn with_loads(&self, load: impl Fn(f64) -> f64) -> RollerZone {
         let slices = self.slices.with_loads(load);
         RollerZone {
