@@ -90,7 +90,7 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
         }
         _ => Elasticity::finite_elements(case.mesh.elastic_order.unwrap_or(2).min(2), &bodies),
     };
-    // Sensitivities evaluate residuals on the mesh of a solve, and read no zone of their own.
+    // Sensitivities evaluate residuals on the mesh of a solve: where the rim lies does not matter to them.
     let shape = match (own, elasticity.model) {
         (None, BodyModel::HalfSpace) => with_dry_zone(shape, &elasticity, scales.load),
         _ => shape,
