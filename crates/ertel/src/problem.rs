@@ -350,7 +350,15 @@ fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents
             true => 0.0,
             false => 4.0 * film,
         };
-        1.5_f64.max((1.0 + 1.5 * film.sqrt() + askew).ceil_half())
+        // The dry contact of a short or crowned roller is wider in places than that of its line (ISO profile, 12 half-widths long: 1.5).
+        let widest = shape
+            .zone
+            .roller
+            .as_ref()
+            .map_or(1.0, |r| r.half_extents()[0]);
+        1.5_f64
+            .max((1.0 + 1.5 * film.sqrt() + askew).ceil_half())
+            .max((widest + BEYOND_ROLLER).ceil_half())
     });
     let side = mesh.side.unwrap_or_else(|| {
         // The film ends with the roller.
@@ -372,6 +380,9 @@ fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents
             .unwrap_or_else(|| 60.0_f64.max(4.0 * widest)),
     }
 }
+
+/// Distance of the outlet edge from the widest place of the dry contact of a roller at least, in half-widths of its line.
+const BEYOND_ROLLER: f64 = 0.3;
 
 /// Rounding up to halves: contact areas that bisection meshes well.
 trait CeilHalf {
