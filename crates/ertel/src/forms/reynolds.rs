@@ -7,12 +7,16 @@
 //!   + Σ_e ∫ τ (R − f) [β·∇W]                                  SUPG
 //!   + Σ_e ∫ τ (R − f) [β·∇W − ∇·(ε∇W)]                        GLS
 //!   + Σ_e ∫ ρ_id h_e H ∂ρ̄/∂P/(2l) (T∇P)·∇W                    isotropic diffusion
-//!   + Σ_e ∫ ρ_r h_e (H ∂ρ̄/∂P + c ρ̄ h_e)/(2l) ∇P·∇W           diffusion at a ridge
+//!   + Σ_e ∫ ρ_r h_e (H ∂ρ̄/∂P + c ρ̄ h_e)/(2l) (T∇P)·∇W       diffusion at a ridge
 //!   + Σ_e ∫ (coth Pe_δ − 1/Pe_δ) ρ̄/h_e κP κW                  unseen pressure
 //!
-//!   β = (H ∂ρ̄/∂P + c ρ̄ h_e) ū,  τ = h_e/(2l|β|) (coth Pe − 1/Pe),  Pe = |β|h_e/(2lε),  l the order
+//!   β = (H ∂ρ̄/∂P + c ρ̄ h_e) ū,  τ = h_e/(2l|β|) (coth Pe − 1/Pe),  Pe = |β|h_e/(2lr²ε),  l the order
 //!   κ = I − π, π the L² projection onto the polynomials that the deflection sees,  Pe_δ = ρ̄h_e²/(2lε)
 //! ```
+//! h_e is the length of a cell along the motion, and r ≥ 1 the ratio of that to its length across, where it is shorter across. Without
+//! r, τ there is r² times what the diffusion leaves room for (h²/ε for the shortest length h), GLS is no longer stable, and a slender contact
+//! along its longer axis starts with a residual of 38 times the entrained flow in place of 1.2 (axis ratio 10).
+//!
 //! ū is the mean velocity of the surfaces over the entrainment speed, free of divergence: e_x + ω̄(−Y, X), with the mean spin ω̄.
 //! Where a layer of oil arrives that does not fill the gap, ρ̄H in the wedge is ρ̄θH and β = ∂(ρ̄θH)/∂P (see [`super::oil_layer`]).
 //! In generalized-Newtonian films Q comes from the closure and ε is ∂Q_x/∂P_x (see [`super::flow`]).
@@ -58,12 +62,27 @@ pub struct ElementConstants {
     pub ridge_diffusion: f64,
     /// T, xx, xy, yy; `None`: the unit tensor.
     pub diffusion_tensor: Option<[f64; 3]>,
+    /// r².
+    pub slenderness: f64,
     /// Whether β and κ reckon with the deflection; only in SUPG and GLS.
     pub elastic_stabilisation: bool,
     /// The layer of oil that arrives; `None`: the gap is full.
     pub oil_layer: Option<OilLayer>,
     /// Length over which the gap fills up.
     pub filling_length: f64,
+}
+
+impl ElementConstants {
+    /// Adds κ T∇P to the coefficients of ∇W, with the diffusion κ.
+    #[inline(always)]
+    fn diffuse<D: Number>(&self, diffusion: D, [px, py]: [D; 2], gradient: &mut [D; 2]) {
+        let [dx, dy] = match self.diffusion_tensor {
+            None => [px, py],
+            Some([xx, xy, yy]) => [px * xx + py * xy, px * xy + py * yy],
+        };
+        gradient[0] += diffusion * dx;
+        gradient[1] += diffusion * dy;
+    }
 }
 
 /// The integrand as a linear form of the test function: a W + b·∇W + c ΔW + d κW.
@@ -125,18 +144,12 @@ pub fn reynolds_point<D: Number>(
     let l2 = 2.0 * e.order as f64;
     if e.isotropic_diffusion != 0.0 {
         let diffusion = h * m.density_slope * (e.isotropic_diffusion * e.size / l2);
-        let [dx, dy] = match e.diffusion_tensor {
-            None => [px, py],
-            Some([xx, xy, yy]) => [px * xx + py * xy, px * xy + py * yy],
-        };
-        test.gradient[0] += diffusion * dx;
-        test.gradient[1] += diffusion * dy;
+        e.diffuse(diffusion, s.pressure_gradient, &mut test.gradient);
     }
     if e.ridge_diffusion != 0.0 {
         let beta = h * m.density_slope + m.density * (DEFLECTION_SHARE * e.size);
         let diffusion = beta * (e.ridge_diffusion * e.size / l2);
-        test.gradient[0] += diffusion * px;
-        test.gradient[1] += diffusion * py;
+        e.diffuse(diffusion, s.pressure_gradient, &mut test.gradient);
     }
     if e.formulation == Formulation::Galerkin {
         return test;
@@ -158,8 +171,9 @@ pub fn reynolds_point<D: Number>(
         beta -= missing.film * m.density_slope + m.density * missing.by_pressure;
     }
     let residual = -flow.divergence + wedge + penalty - source;
-    let peclet = beta * (u.hypot(v) * e.size / l2) / epsilon;
-    let tau = upwind(peclet) * (e.size * e.size / (l2 * l2)) / epsilon;
+    let room = epsilon * e.slenderness;
+    let peclet = beta * (u.hypot(v) * e.size / l2) / room;
+    let tau = upwind(peclet) * (e.size * e.size / (l2 * l2)) / room;
     let weight = tau * residual;
     test.missed = weight;
     test.gradient[0] += weight * beta * u;

@@ -36,7 +36,7 @@ pub struct FilmConstants {
     pub isotropic_diffusion: f64,
     /// ρ_r, on elements at a ridge of the pressure.
     pub ridge_diffusion: f64,
-    /// T by which ρ_id is multiplied where cells are shorter across the motion than along it, xx, xy, yy.
+    /// T by which ρ_id and ρ_r are multiplied where cells are shorter across the motion than along it, xx, xy, yy.
     pub diffusion_tensor: Option<[f64; 3]>,
     /// Whether the stabilisation reckons with the deflection.
     pub elastic_stabilisation: bool,
@@ -74,11 +74,18 @@ impl FilmConstants {
             isotropic_diffusion: self.isotropic_diffusion,
             ridge_diffusion: self.ridge_diffusion * share_at_ridge,
             diffusion_tensor: self.diffusion_tensor,
+            slenderness: self.diffusion_tensor.map_or(1.0, slenderness),
             elastic_stabilisation: self.elastic_stabilisation,
             oil_layer,
             filling_length: filling_length(size, order),
         }
     }
+}
+
+/// r² of cells whose smallest share of a diffusion is 1/r²: the inverse of the smaller eigenvalue of T.
+fn slenderness([xx, xy, yy]: [f64; 3]) -> f64 {
+    let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+    1.0 / (mean - half.hypot(xy))
 }
 
 /// State of the contact on a level.
@@ -320,4 +327,23 @@ const MULTIPLY_BATCH: usize = 128;
 
 fn norm(v: &[f64]) -> f64 {
     v.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::slenderness;
+    use approx::assert_relative_eq;
+
+    /// Cells of T = diag(1, 1/100), turned by 30 degrees or not, are ten times as long one way as the other.
+    #[test]
+    fn slenderness_is_that_of_the_tensor() {
+        assert_relative_eq!(slenderness([1.0, 0.0, 0.01]), 100.0, max_relative = 1e-12);
+        let (c2, s2) = (0.75, 0.25);
+        let turned = [
+            c2 + 0.01 * s2,
+            0.99 * (c2 * s2 as f64).sqrt(),
+            s2 + 0.01 * c2,
+        ];
+        assert_relative_eq!(slenderness(turned), 100.0, max_relative = 1e-12);
+    }
 }

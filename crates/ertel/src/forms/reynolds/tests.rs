@@ -17,6 +17,7 @@ fn constants(formulation: Formulation) -> ElementConstants {
         isotropic_diffusion: 0.5,
         ridge_diffusion: 0.0,
         diffusion_tensor: None,
+        slenderness: 1.0,
         elastic_stabilisation: true,
         oil_layer: None,
         filling_length: 0.0,
@@ -188,6 +189,7 @@ fn terms_of_the_weak_form() {
                         isotropic_diffusion: diffusion,
                         ridge_diffusion: ridge,
                         diffusion_tensor: tensor,
+                        slenderness: if tensor.is_some() { 2.0 } else { 1.0 },
                         elastic_stabilisation: elastic,
                         ..constants(formulation)
                     };
@@ -202,19 +204,22 @@ fn terms_of_the_weak_form() {
                     let elastic = f64::from(u8::from(elastic));
                     let beta = film * 0.2 + elastic * 0.3 * 1.1 * size;
                     let speed = beta * (u * u + v * v).sqrt();
-                    let tau = size / (2.0 * l * speed) * coth(speed * size / (2.0 * l * eps));
+                    // A cell is √2 times as long along the motion as across.
+                    let room = if tensor.is_some() { 2.0 * eps } else { eps };
+                    let tau = size / (2.0 * l * speed) * coth(speed * size / (2.0 * l * room));
                     let weight = supg * tau * residual;
                     let spread = diffusion * size * film * 0.2 / (2.0 * l);
                     let [xx, xy, yy] = tensor.unwrap_or([1.0, 0.0, 1.0]);
-                    let spread = [0.5 * xx - 0.1 * xy, 0.5 * xy - 0.1 * yy].map(|s| s * spread);
                     let at_ridge = ridge * size * (film * 0.2 + 0.3 * 1.1 * size) / (2.0 * l);
+                    let spread =
+                        [0.5 * xx - 0.1 * xy, 0.5 * xy - 0.1 * yy].map(|s| s * (spread + at_ridge));
                     let pe_unseen = 1.1 * size * size / (2.0 * l * eps);
                     let unseen = supg * elastic * coth(pe_unseen) * 1.1 / size * 0.02;
                     let expected = [
                         penalty - f,
-                        (eps + at_ridge) * 0.5 + spread[0] - 1.1 * film * u
+                        eps * 0.5 + spread[0] - 1.1 * film * u
                             + weight * (beta * u - gls * grad_eps[0]),
-                        -(eps + at_ridge) * 0.1 + spread[1] - 1.1 * film * v
+                        -eps * 0.1 + spread[1] - 1.1 * film * v
                             + weight * (beta * v - gls * grad_eps[1]),
                         -gls * weight * eps,
                         unseen,

@@ -19,11 +19,6 @@ use crate::solve::{Observer, SolveError};
 /// far from its place.
 const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
 
-/// Shares between these two in slender ellipses along their longer axis, where the step to the full penalty stalls with so much of the
-/// residual left. Other contacts come through by other ways with less effort (line contact, M = 200, L = 15: 51 iterations, 73 with this).
-const GENTLER_RAMP: [f64; 2] = [1e-2, 1e-1];
-const FAR_FROM_SOLVED: f64 = 0.1;
-
 /// The same, by decades, for a stage in which Newton's method has gone round in circles: a penalty many times
 /// the usual one makes pressures below zero so small that points at the free boundary go over to the
 /// other side in each step.
@@ -156,20 +151,9 @@ impl<'a> StageRun<'a> {
         };
         let from = state.clone();
         let mut outcome = Ok((Reached::default(), None));
-        for (i, share) in ramp.iter().enumerate() {
-            let before = state.clone();
+        for share in ramp {
             outcome = self.run(*share, &params, state, effort, observer);
-            let mut stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
-            let far = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > FAR_FROM_SOLVED);
-            let slender = self.stage.constants.diffusion_tensor.is_some();
-            if far && i > 0 && slender {
-                let mut trial = before;
-                match self.gently(&params, &mut trial, effort, observer) {
-                    Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-                    Err(_) => {}
-                    Ok(reached) => (*state, outcome, stalled) = (trial, Ok(reached), false),
-                }
-            }
+            let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
             let diverged = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > DIVERGENCE_LIMIT);
             if outcome.is_err() && (!(leads && stalled) || diverged) {
                 break;
@@ -248,20 +232,6 @@ impl<'a> StageRun<'a> {
             observer,
         )?;
         Ok((reached, Some(coupling)))
-    }
-
-    /// Newton's method through the gentler ramp.
-    fn gently(
-        &self,
-        params: &NewtonParams,
-        state: &mut State,
-        effort: &mut NewtonStats,
-        observer: &mut dyn Observer,
-    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
-        for share in GENTLER_RAMP {
-            self.run(share, params, state, effort, observer)?;
-        }
-        self.run(1.0, params, state, effort, observer)
     }
 
     /// The film equations with a share of the cavitation penalty.
@@ -383,6 +353,7 @@ mod tests {
     use crate::solve::discretisation::{ContactSurface, Means};
     use crate::solve::evaluate::{central_film, minimum_film};
     use crate::solve::sequence::start::cold_start;
+    use crate::solve::system::System;
 
     const CASE: &str = r#"
         [contact]
@@ -402,6 +373,28 @@ mod tests {
         [mesh]
         preset = "coarse"
     "#;
+
+    /// The dry contact with oil in it lacks the entrained flow and little else, in circles and along the longer axis of an ellipse ten
+    /// times as long as wide: 38 times the entrained flow with a stabilisation that has no regard for how long its cells are.
+    #[test]
+    fn cold_starts_lack_the_entrained_flow() {
+        let slender = CASE.replace(
+            "kind = \"circular\"\n        radius = \"10 mm\"",
+            "kind = \"elliptical\"\n        radius_x = \"730 mm\"\n        radius_y = \"20 mm\"",
+        );
+        assert_ne!(slender, CASE);
+        for text in [CASE, &slender] {
+            let document = Document::parse("case.toml", text).unwrap();
+            let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+            let d = discretisation(&problem, &problem.stages[0]);
+            let run = StageRun::new(&problem, &problem.stages[0], 0, &d);
+            let (model, state) = (run.model(1.0), cold_start(&problem, &d));
+            let system = System::assemble(&d, &model.fluid, &model.constants, &state, None);
+            let residual = system.relative_residual();
+            println!("{residual}");
+            assert!((0.5..2.0).contains(&residual), "{residual}");
+        }
+    }
 
     fn discretisation(problem: &Problem, stage: &Stage) -> Discretisation {
         let contact = ContactSurface::new(
