@@ -219,7 +219,7 @@ fn ellipses_have_the_formula_of_their_page() {
     assert_eq!(points.count(), 100);
     let page = std::fs::read_to_string(root.join("docs/studies/ellipses.md")).unwrap();
     // Limits of the root mean square deviation of the central and the minimum film, %.
-    for (name, limits) in [("ellipses", [10.0, 16.0]), ("ellipses-wide", [5.0, 14.0])] {
+    for (name, limits) in [("ellipses", [10.0, 16.0]), ("ellipses-wide", [5.1, 14.0])] {
         let table = study.join("results").join(name).with_extension("csv");
         let form = ["--form", "elliptical"];
         let output = ertel(&[&["fit", "film", table.to_str().unwrap()], &form[..]].concat());
