@@ -338,12 +338,8 @@ mod tests {
     #[test]
     fn slenderness_is_that_of_the_tensor() {
         assert_relative_eq!(slenderness([1.0, 0.0, 0.01]), 100.0, max_relative = 1e-12);
-        let (c2, s2) = (0.75, 0.25);
-        let turned = [
-            c2 + 0.01 * s2,
-            0.99 * (c2 * s2 as f64).sqrt(),
-            s2 + 0.01 * c2,
-        ];
+        let (c2, s2): (f64, f64) = (0.75, 0.25);
+        let turned = [c2 + 0.01 * s2, 0.99 * (c2 * s2).sqrt(), s2 + 0.01 * c2];
         assert_relative_eq!(slenderness(turned), 100.0, max_relative = 1e-12);
     }
 }

@@ -80,15 +80,20 @@ const GREY: &str = "#595959";
 const BAR_GAP: f64 = 22.0;
 const BAR_WIDTH: f64 = 16.0;
 
+/// Height of the bar, px, below which its labels would lie on each other: it stands out above and below the map of a slender contact.
+const LEAST_BAR_HEIGHT: f64 = 180.0;
+
 impl FieldMap<'_> {
     /// The map as a picture.
     pub fn drawing(&self) -> Drawing {
         let [[x0, x1], [y0, y1]] = self.window;
+        let height = map_height(self.window);
+        let beyond = 0.5 * (LEAST_BAR_HEIGHT - height).max(0.0);
         let frame = Frame {
             left: 62.0,
-            top: if self.other.is_some() { 26.0 } else { 16.0 },
-            width: map_height(self.window) * (x1 - x0) / (y1 - y0),
-            height: map_height(self.window),
+            top: if self.other.is_some() { 26.0 } else { 16.0 } + beyond,
+            width: height * (x1 - x0) / (y1 - y0),
+            height,
         };
         let ticks = self.bar_ticks();
         let widest = ticks
@@ -106,9 +111,10 @@ impl FieldMap<'_> {
         let bar = Frame {
             left: frame.left + frame.width + BAR_GAP + others_widest,
             width: BAR_WIDTH,
-            ..frame
+            top: frame.top - beyond,
+            height: height + 2.0 * beyond,
         };
-        let foot = frame.top + frame.height + 39.0;
+        let foot = frame.top + height + 39.0;
         let notes = [
             format!("*a* = {}; line: rim of", length(self.half_width)),
             "the Hertzian contact".to_owned(),
