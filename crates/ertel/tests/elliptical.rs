@@ -130,7 +130,9 @@ fn formulations_agree_in_slender_ellipses() {
         assert_alike(&gls, &solution(other));
     }
     let iterations: usize = gls.stats.levels.iter().map(|l| l.newton_iterations).sum();
-    assert!(iterations < 60, "{iterations} iterations");
+    println!("{iterations} Newton iterations");
+    // 18 were counted: neither a continuation nor a start from new.
+    assert!(iterations < 30, "{iterations} iterations");
 }
 
 /// An ellipse ten times as long as wide that moves along its longer axis at a speed in m/s.

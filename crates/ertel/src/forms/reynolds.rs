@@ -14,7 +14,7 @@
 //!   κ = I − π, π the L² projection onto the polynomials that the deflection sees,  Pe_δ = ρ̄h_e²/(2lε)
 //! ```
 //! h_e is the length of a cell along the motion, and r ≥ 1 the ratio of that to its length across, where it is shorter across. Without
-//! r, τ there is r² times what the diffusion leaves room for (h²/ε for the shortest length h), GLS is no longer stable, and a slender contact
+//! r, τ there is r² times what the diffusion allows (of the order of h²/ε for the shortest length h), GLS is no longer stable, and a slender contact
 //! along its longer axis starts with a residual of 38 times the entrained flow in place of 1.2 (axis ratio 10).
 //!
 //! ū is the mean velocity of the surfaces over the entrainment speed, free of divergence: e_x + ω̄(−Y, X), with the mean spin ω̄.
@@ -171,9 +171,9 @@ pub fn reynolds_point<D: Number>(
         beta -= missing.film * m.density_slope + m.density * missing.by_pressure;
     }
     let residual = -flow.divergence + wedge + penalty - source;
-    let room = epsilon * e.slenderness;
-    let peclet = beta * (u.hypot(v) * e.size / l2) / room;
-    let tau = upwind(peclet) * (e.size * e.size / (l2 * l2)) / room;
+    let spread = epsilon * e.slenderness;
+    let peclet = beta * (u.hypot(v) * e.size / l2) / spread;
+    let tau = upwind(peclet) * (e.size * e.size / (l2 * l2)) / spread;
     let weight = tau * residual;
     test.missed = weight;
     test.gradient[0] += weight * beta * u;

@@ -205,8 +205,9 @@ fn terms_of_the_weak_form() {
                     let beta = film * 0.2 + elastic * 0.3 * 1.1 * size;
                     let speed = beta * (u * u + v * v).sqrt();
                     // A cell is √2 times as long along the motion as across.
-                    let room = if tensor.is_some() { 2.0 * eps } else { eps };
-                    let tau = size / (2.0 * l * speed) * coth(speed * size / (2.0 * l * room));
+                    let slender_eps = if tensor.is_some() { 2.0 * eps } else { eps };
+                    let tau =
+                        size / (2.0 * l * speed) * coth(speed * size / (2.0 * l * slender_eps));
                     let weight = supg * tau * residual;
                     let spread = diffusion * size * film * 0.2 / (2.0 * l);
                     let [xx, xy, yy] = tensor.unwrap_or([1.0, 0.0, 1.0]);
