@@ -67,7 +67,6 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
         formulation: case.solver.formulation,
         isotropic_diffusion: case.solver.isotropic_diffusion,
         ridge_diffusion: 0.0,
-        diffusion_tensor: shape.zone.diffusion_tensor(),
         elastic_stabilisation: case.solver.elastic_stabilisation,
         penalty: case.solver.penalty,
         penalty_scaling: case.solver.penalty_scaling,

@@ -35,7 +35,6 @@ fn residual_is_relative_to_the_entrained_flow() {
         formulation: Formulation::Galerkin,
         isotropic_diffusion: 0.0,
         ridge_diffusion: 0.0,
-        diffusion_tensor: None,
         ..problem.stages[0].constants
     };
     let state = State {

@@ -316,7 +316,6 @@ fn errors(
         formulation,
         isotropic_diffusion: diffusion,
         ridge_diffusion: 0.0,
-        diffusion_tensor: d.contact.shape.zone.diffusion_tensor(),
         penalty: 0.0,
         ..problem(&common::case(like, 100.0)).stages[0].constants
     };

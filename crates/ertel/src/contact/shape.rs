@@ -90,7 +90,11 @@ impl Shape {
                 ..Shape::LINE.gap
             },
             zone: HertzZone {
-                roller: Some(Arc::new(RollerZone::new(half_length, slices, &kinks))),
+                roller: Some(Arc::new(RollerZone::new(
+                    half_length,
+                    |y| slices.load(y),
+                    &kinks,
+                ))),
                 ..Shape::LINE.zone
             },
             symmetry: match roller.is_symmetric() {

@@ -79,8 +79,19 @@ pub struct ContactSurface {
     pub maps: Vec<Affine>,
     /// Size h_e of each element along the motion: √(2 area) around a circle, the leg of a right isosceles triangle, or length.
     pub sizes: Vec<f64>,
+    /// T of each element, see [`Cell`]; empty where it is the unit tensor everywhere.
+    diffusion_tensors: Vec<[f64; 3]>,
     /// Seconds spent on the mesh and on the elastic operator.
     pub seconds: (f64, f64),
+}
+
+/// How long an element is, and how slender.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell {
+    /// h_e.
+    pub size: f64,
+    /// T by which diffusions are multiplied where it is shorter across the motion than along it, xx, xy, yy.
+    pub diffusion_tensor: Option<[f64; 3]>,
 }
 
 /// By what means elastic responses are come by.
@@ -236,6 +247,11 @@ impl ContactSurface {
                 }
             })
             .collect();
+        let tensors = (0..maps.len()).map(|c| shape.zone.diffusion_tensor(surface.centre(c)));
+        let diffusion_tensors = match tensors.clone().any(|t| t.is_some()) {
+            true => tensors.map(|t| t.unwrap_or([1.0, 0.0, 1.0])).collect(),
+            false => Vec::new(),
+        };
         Ok(ContactSurface {
             shape: shape.clone(),
             extents: *extents,
@@ -251,8 +267,17 @@ impl ContactSurface {
             near_pairs,
             maps,
             sizes: element_sizes,
+            diffusion_tensors,
             seconds: (mesh_seconds, operator_seconds),
         })
+    }
+
+    /// Size and slenderness of an element.
+    pub fn cell(&self, element: usize) -> Cell {
+        Cell {
+            size: self.sizes[element],
+            diffusion_tensor: self.diffusion_tensors.get(element).copied(),
+        }
     }
 
     /// Longest edge of an element where the Hertz zone is the unit circle, as it was meshed.

@@ -7,6 +7,7 @@ use ertel_fem::assembly::CONSTRAINED;
 
 use super::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
 use super::evaluate::pressure_at;
+use crate::contact::roller::RollerZone;
 use crate::contact::{Shape, Symmetry};
 use crate::elastic::{Accuracy, Elasticity};
 
@@ -31,52 +32,79 @@ const SIZES: LevelSizes = LevelSizes {
 
 /// Width of the area there over that of the zone, and points across it.
 const WIDER: f64 = 1.3;
-const ACROSS: usize = 200;
+const ACROSS: usize = 150;
 
-/// The shape of a roller under ∫P = `load` (dimensionless, over the part that is solved) whose zone has the load per length of the dry contact on a coarse mesh, in place of that of slices: half-widths by
-/// slices are off by some per cent, and by a tenth at ends that carry much; the strip of fine cells along the rim of a thin film is narrower. Other
-/// shapes, and contacts whose mesh cannot be made, stay as they are.
+/// The shape of a roller under ∫P = `load` (dimensionless, over the part that is solved) whose zone has the load per length of the dry
+/// contact on a coarse mesh, in place of that of slices: half-widths by slices are off by some per cent, and by a tenth at ends that carry
+/// much; the strip of fine cells along the rim of a thin film is narrower. The first of two rounds finds where the contact ends, the mesh of
+/// the second is fine there. Other shapes, and contacts whose mesh cannot be made, stay as they are.
 pub fn with_dry_zone(shape: Shape, elasticity: &Elasticity, load: f64) -> Shape {
-    let Some(roller) = &shape.zone.roller else {
+    let Some(slices) = shape.zone.roller.clone() else {
         return shape;
     };
-    let reach = WIDER * roller.half_extents()[0];
-    let extents = Extents {
-        inlet: -reach,
-        outlet: reach,
-        side: roller.side(),
-        body_width: 0.0,
-        body_depth: 0.0,
+    let with = |zone: RollerZone| {
+        let mut shape = shape.clone();
+        shape.zone.roller = Some(Arc::new(zone));
+        shape
     };
-    let elasticity = Elasticity {
-        order: ORDER,
-        ..elasticity.clone()
-    };
-    let surface = ContactSurface::new(&shape, &extents, &SIZES, &elasticity, Means::default());
-    let Ok(surface) = surface else {
+    let first = with(slices.to_look_at_edges(|y| slices.load(y)));
+    let Some(loads) = DryLoads::new(&first, elasticity, load) else {
         return shape;
     };
-    let d = Discretisation::new(&Arc::new(surface), ORDER);
-    let guess: Vec<f64> = (d.pressure.points.iter())
-        .map(|p| shape.zone.pressure([p[0], p[1]]))
-        .collect();
-    let pressure = dry_pressure(&d, &guess, load);
-    // Of the Hertz pressure of a line, ∫P dX = π/2.
-    let load_at = |y: f64| {
-        let y = match shape.symmetry {
+    let second = with(slices.to_look_at_edges(|y| loads.at(y)));
+    match DryLoads::new(&second, elasticity, load) {
+        Some(loads) => with(slices.with_loads(|y| loads.at(y))),
+        None => shape,
+    }
+}
+
+/// The dry contact of a roller on a coarse mesh.
+struct DryLoads {
+    d: Discretisation,
+    pressure: Vec<f64>,
+    /// Half the width of the area.
+    reach: f64,
+}
+
+impl DryLoads {
+    /// That of a shape; `None` where its mesh cannot be made.
+    fn new(shape: &Shape, elasticity: &Elasticity, load: f64) -> Option<DryLoads> {
+        let roller = shape.zone.roller.as_ref()?;
+        let reach = WIDER * roller.half_extents()[0];
+        let extents = Extents {
+            inlet: -reach,
+            outlet: reach,
+            side: roller.side(),
+            body_width: 0.0,
+            body_depth: 0.0,
+        };
+        let elasticity = Elasticity {
+            order: ORDER,
+            ..elasticity.clone()
+        };
+        let surface = ContactSurface::new(shape, &extents, &SIZES, &elasticity, Means::default());
+        let d = Discretisation::new(&Arc::new(surface.ok()?), ORDER);
+        let guess: Vec<f64> = (d.pressure.points.iter())
+            .map(|p| shape.zone.pressure([p[0], p[1]]))
+            .collect();
+        let pressure = dry_pressure(&d, &guess, load);
+        Some(DryLoads { d, pressure, reach })
+    }
+
+    /// Load per length at y, in units in which that of the line contact under the mean load is 1.
+    fn at(&self, y: f64) -> f64 {
+        let y = match self.d.contact.shape.symmetry {
             Symmetry::Half => -y.abs(),
             Symmetry::Full => y,
         };
-        let step = 2.0 * reach / ACROSS as f64;
+        // Of the Hertz pressure of a line, ∫P dX = π/2.
+        let step = 2.0 * self.reach / ACROSS as f64;
         let sum: f64 = (1..ACROSS)
-            .map(|i| pressure_at(&d, &pressure, [i as f64 * step - reach, y]).max(0.0))
+            .map(|i| i as f64 * step - self.reach)
+            .map(|x| pressure_at(&self.d, &self.pressure, [x, y]).max(0.0))
             .sum();
         2.0 / PI * sum * step
-    };
-    let zone = roller.with_loads(load_at);
-    let mut shape = shape;
-    shape.zone.roller = Some(Arc::new(zone));
-    shape
+    }
 }
 
 /// Nodal pressures of the dry contact under ∫P = `load`, from a guess.

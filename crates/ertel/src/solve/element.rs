@@ -145,7 +145,7 @@ impl<'a> Assembler<'a> {
         let order = d.pressure.element.order();
         let oil_layer = d.contact.shape.inlet.layer().copied();
         let mut local =
-            (self.constants).on_element(d.contact.sizes[c], order, oil_layer, d.share_at_ridge(c));
+            (self.constants).on_element(d.contact.cell(c), order, oil_layer, d.share_at_ridge(c));
         local.ridge_diffusion *= self.ridge;
         local.filling_length *= self.filling;
         element.points.clear();

@@ -14,7 +14,7 @@ use ertel_fem::kernel;
 use ertel_fem::linear::dense::vectorised;
 use rayon::prelude::*;
 
-use super::discretisation::Discretisation;
+use super::discretisation::{Cell, Discretisation};
 use super::element::{Assembler, Element, N_SUMS};
 use crate::contact::{OilLayer, Planar};
 use crate::elastic::Accuracy;
@@ -36,8 +36,6 @@ pub struct FilmConstants {
     pub isotropic_diffusion: f64,
     /// ρ_r, on elements at a ridge of the pressure.
     pub ridge_diffusion: f64,
-    /// T by which ρ_id and ρ_r are multiplied where cells are shorter across the motion than along it, xx, xy, yy.
-    pub diffusion_tensor: Option<[f64; 3]>,
     /// Whether the stabilisation reckons with the deflection.
     pub elastic_stabilisation: bool,
     /// ξ₀ in force.
@@ -51,11 +49,12 @@ pub struct FilmConstants {
 impl FilmConstants {
     pub(super) fn on_element(
         &self,
-        size: f64,
+        cell: Cell,
         order: usize,
         oil_layer: Option<OilLayer>,
         share_at_ridge: f64,
     ) -> ElementConstants {
+        let size = cell.size;
         let penalty = match self.penalty_scaling {
             PenaltyScaling::ElementSquared => self.penalty * size * size,
             PenaltyScaling::Constant => self.penalty,
@@ -73,8 +72,8 @@ impl FilmConstants {
             formulation: self.formulation,
             isotropic_diffusion: self.isotropic_diffusion,
             ridge_diffusion: self.ridge_diffusion * share_at_ridge,
-            diffusion_tensor: self.diffusion_tensor,
-            slenderness: self.diffusion_tensor.map_or(1.0, slenderness),
+            diffusion_tensor: cell.diffusion_tensor,
+            slenderness: cell.diffusion_tensor.map_or(1.0, slenderness),
             elastic_stabilisation: self.elastic_stabilisation,
             oil_layer,
             filling_length: filling_length(size, order),

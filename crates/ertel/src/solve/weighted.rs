@@ -366,11 +366,11 @@ impl Points {
         rule: &mut CrossFilm,
         sums: &mut [f64],
     ) {
-        let (size, order) = (d.contact.sizes[self.element], d.pressure.element.order());
+        let (cell, order) = (d.contact.cell(self.element), d.pressure.element.order());
         let ridge = d.share_at_ridge(self.element);
-        let local = (own.constants).on_element(size, order, own.oil_layer, ridge);
+        let local = (own.constants).on_element(cell, order, own.oil_layer, ridge);
         let locals: Vec<ElementConstants> = (plan.variants.iter())
-            .map(|v| v.constants.on_element(size, order, v.oil_layer, ridge))
+            .map(|v| v.constants.on_element(cell, order, v.oil_layer, ridge))
             .collect();
         let n_sums = self.n_weights + 1;
         let is_newtonian = own.fluid.is_newtonian();

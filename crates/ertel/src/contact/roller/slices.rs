@@ -53,16 +53,6 @@ impl Slices {
         }
     }
 
-    /// The same slices with other loads per length, whose proportions count; `load` gives them at the middle y of each, in half-widths.
-    pub fn with_loads(&self, load: impl Fn(f64) -> f64) -> Slices {
-        let loads: Vec<f64> = self.all().map(|[y, _]| load(y)).collect();
-        let mean = loads.iter().sum::<f64>() / loads.len() as f64;
-        Slices {
-            load: loads.iter().map(|q| q / mean).collect(),
-            ..self.clone()
-        }
-    }
-
     /// Load per length at y, in the mean one.
     pub fn load(&self, y: f64) -> f64 {
         let place = (y + self.half_length) / self.width - 0.5;
@@ -77,19 +67,6 @@ impl Slices {
     pub fn all(&self) -> impl Iterator<Item = [f64; 2]> {
         let first = 0.5 * self.width - self.half_length;
         (self.load.iter().enumerate()).map(move |(i, q)| [first + i as f64 * self.width, *q])
-    }
-
-    /// First and last place that carries load.
-    pub fn loaded(&self) -> [f64; 2] {
-        let carries = |[_, q]: &[f64; 2]| *q > 0.0;
-        let first = self.all().find(carries).map_or(0.0, |[y, _]| y);
-        let last = self.all().filter(carries).last().map_or(0.0, |[y, _]| y);
-        [first - 0.5 * self.width, last + 0.5 * self.width]
-    }
-
-    /// Length of a slice.
-    pub fn width(&self) -> f64 {
-        self.width
     }
 }
 
@@ -145,7 +122,7 @@ mod tests {
     use approx::assert_relative_eq;
 
     fn sum(slices: &Slices) -> f64 {
-        slices.all().map(|[_, q]| q * slices.width()).sum()
+        slices.all().map(|[_, q]| q * slices.width).sum()
     }
 
     /// Lundberg's profile makes the load uniform: ¼ ln{1/[1 − (1 − e^(−½)/(2k))(y/k)²]} in b²/R, away from the ends within 2 %.
@@ -174,7 +151,9 @@ mod tests {
         let b = line.half_width;
         // y²/(2R_y) in b²/R
         let slices = Slices::new(0.5 * length / b, |y| 0.5 * y * y / 4000.0);
-        let [first, last] = slices.loaded();
+        let loaded = slices.all().filter(|[_, q]| *q > 0.0);
+        let last = loaded.last().unwrap()[0] + 0.5 * slices.width;
+        let first = slices.all().find(|[_, q]| *q > 0.0).unwrap()[0] - 0.5 * slices.width;
         assert_relative_eq!(last, c / b, max_relative = 0.03);
         assert_relative_eq!(first, -last, max_relative = 1e-9);
         assert_relative_eq!(slices.load(0.0), (a / b).powi(2), max_relative = 0.03);
@@ -191,11 +170,7 @@ mod tests {
         let k = 40.0_f64;
         let moment = |tilt: f64| {
             let slices = Slices::new(k, |y| 0.5 * y * y / 2000.0 - tilt * y);
-            slices
-                .all()
-                .map(|[y, q]| y * q * slices.width())
-                .sum::<f64>()
-                / sum(&slices)
+            slices.all().map(|[y, q]| y * q * slices.width).sum::<f64>() / sum(&slices)
         };
         assert!(moment(0.005) > 1.0);
         assert_relative_eq!(moment(0.005), -moment(-0.005), max_relative = 1e-6);

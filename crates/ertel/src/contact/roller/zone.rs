@@ -1,45 +1,72 @@
 //! Where the dry contact of a roller carries pressure, and how a mesh is drawn out along it.
 
-use super::Slices;
+use super::ends::{End, LEAST, ends};
 use super::slices::NARROWEST;
 use crate::contact::hertz;
 
-/// How long a cell may be along the axis that would be as long as wide, at the ends of the contact and where the profile has a kink,
+/// How long a cell may be along the axis that would be as long as wide, where the profile has a kink,
 const FINEST: f64 = 2.0;
 /// how fast that grows with the distance from there,
 const GROWTH: f64 = 1.5;
 /// and how far.
 const LONGEST: f64 = 50.0;
-/// Knots of the map.
-const KNOTS: usize = 400;
+/// Distance of knots in such lengths, and the fewest pieces of half the roller.
+const KNOT_DISTANCE: f64 = 0.08;
+const FEWEST_PIECES: f64 = 80.0;
 /// Distance, in half-widths, of places outside of all that is loaded.
 const OUTSIDE: f64 = 1e3;
 
 /// The zone of a roller in half-widths b of the line contact under the mean load per length.
+///
+/// Each place along the axis has the half-width √q and the largest pressure √q, with q the load per length there over the mean one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RollerZone {
-    slices: Slices,
     half_length: f64,
+    /// Places along the axis that the mesh looks at.
+    kinks: Vec<f64>,
+    ends: [End; 2],
     /// Axial places y and what they become in the plane where the mesh is made, rising.
     y: Vec<f64>,
     v: Vec<f64>,
-    /// Half-width at each knot.
+    /// Load per length at each knot, over the mean one, and half-width.
+    loads: Vec<f64>,
     widths: Vec<f64>,
 }
 
 impl RollerZone {
-    /// Of a roller of half the length k with its dry contact; `kinks` are places along the axis that the mesh looks at.
-    pub fn new(half_length: f64, slices: Slices, kinks: &[f64]) -> RollerZone {
-        let [first, last] = slices.loaded();
-        let mut features = vec![first, last];
-        features.extend(kinks.iter().filter(|y| (first..last).contains(*y)));
-        let stretch = |y: f64| {
-            let nearest = (features.iter().map(|f| (y - f).abs())).fold(f64::INFINITY, f64::min);
-            (FINEST + GROWTH * nearest).min(LONGEST)
-        };
-        let y: Vec<f64> = (0..=KNOTS)
-            .map(|i| half_length * (i as f64 - 0.5 * KNOTS as f64) / (0.5 * KNOTS as f64))
+    /// Of a roller of half the length k with the loads per length of its dry contact, whose proportions count; `kinks` are places along the
+    /// axis that the mesh looks at.
+    pub fn new(half_length: f64, load: impl Fn(f64) -> f64, kinks: &[f64]) -> RollerZone {
+        let ends = ends(half_length, &load);
+        RollerZone::between(ends, half_length, load, kinks)
+    }
+
+    /// That of the same roller for other loads per length.
+    pub fn with_loads(&self, load: impl Fn(f64) -> f64) -> RollerZone {
+        RollerZone::new(self.half_length, load, &self.kinks)
+    }
+
+    /// The same with a mesh that tells whether an edge presses in, which these loads do not know.
+    pub fn to_look_at_edges(&self, load: impl Fn(f64) -> f64) -> RollerZone {
+        let ends = ends(self.half_length, &load).map(|end| End { cut: false, ..end });
+        RollerZone::between(ends, self.half_length, load, &self.kinks)
+    }
+
+    fn between(
+        ends: [End; 2],
+        half_length: f64,
+        load: impl Fn(f64) -> f64,
+        kinks: &[f64],
+    ) -> RollerZone {
+        let within = |k: &&f64| (ends[0].y..ends[1].y).contains(*k);
+        let features: Vec<(f64, f64)> = (ends.iter().map(|end| (end.y, end.longest_cell())))
+            .chain(kinks.iter().filter(within).map(|k| (*k, FINEST)))
             .collect();
+        let stretch = |y: f64| {
+            let at = |(feature, finest): &(f64, f64)| finest + GROWTH * (y - feature).abs();
+            features.iter().map(at).fold(LONGEST, f64::min)
+        };
+        let y = knots(half_length, &stretch);
         let mut v = vec![0.0];
         for pair in y.windows(2) {
             // Simpson's rule on 1/stretch
@@ -48,31 +75,29 @@ impl RollerZone {
             v.push(v[v.len() - 1] + (pair[1] - pair[0]) / 6.0 * (ends + middle));
         }
         // Half the length in halves: bisection meshes that well.
-        let half = 0.5 * v[KNOTS];
+        let half = 0.5 * v[v.len() - 1];
         let side = (2.0 * half).ceil() / 2.0;
         for v in &mut v {
             *v = (*v - half) * side / half;
         }
-        let widths = y.iter().map(|y| slices.load(*y).sqrt()).collect();
+        let mut loads: Vec<f64> = y.iter().map(|y| load(*y).max(0.0)).collect();
+        let total: f64 = (y.windows(2).zip(loads.windows(2)))
+            .map(|(y, q)| 0.5 * (q[0] + q[1]) * (y[1] - y[0]))
+            .sum();
+        let mean = total / (2.0 * half_length);
+        loads.iter_mut().for_each(|q| *q /= mean);
+        let widths = loads.iter().map(|q| q.sqrt()).collect();
         let mut zone = RollerZone {
-            slices,
             half_length,
+            kinks: kinks.to_vec(),
+            ends,
             y,
             v,
+            loads,
             widths,
         };
         zone.level_out();
         zone
-    }
-
-    /// The same, with the same map along the axis, for other loads per length; only their proportions count.
-    pub fn with_loads(&self, load: impl Fn(f64) -> f64) -> RollerZone {
-        let slices = self.slices.with_loads(load);
-        RollerZone {
-            widths: self.y.iter().map(|y| slices.load(*y).sqrt()).collect(),
-            slices,
-            ..self.clone()
-        }
     }
 
     /// Makes a map that differs from its mirror image by rounding alone equal to it.
@@ -86,6 +111,11 @@ impl RollerZone {
         if alike {
             self.v[n / 2] = 0.0;
         }
+    }
+
+    /// Whether y lies at an end of the roller whose edge presses in.
+    pub fn is_at_edge(&self, y: f64) -> bool {
+        self.ends.iter().any(|end| end.presses_in_at(y))
     }
 
     /// Half the length of the roller.
@@ -114,9 +144,14 @@ impl RollerZone {
         (self.y[i + 1] - self.y[i]) / (self.v[i + 1] - self.v[i])
     }
 
+    /// Load per length at y, over the mean one.
+    pub fn load(&self, y: f64) -> f64 {
+        linear(&self.y, &self.loads, y).max(0.0)
+    }
+
     /// Largest pressure at y, in p_h of the line.
     pub fn peak(&self, y: f64) -> f64 {
-        self.slices.load(y).sqrt()
+        self.load(y).sqrt()
     }
 
     /// Distance from the axis over the half-width there.
@@ -134,21 +169,23 @@ impl RollerZone {
 
     /// Area of the zone.
     pub fn area(&self) -> f64 {
-        let widths = self.slices.all().map(|[_, q]| 2.0 * q.sqrt());
-        widths.sum::<f64>() * self.slices.width()
+        let pieces = self.y.windows(2).zip(self.widths.windows(2));
+        pieces.map(|(y, w)| (w[0] + w[1]) * (y[1] - y[0])).sum()
     }
 
     /// Half the extent of the zone along and across the motion.
     pub fn half_extents(&self) -> [f64; 2] {
-        let [first, last] = self.slices.loaded();
         let widest = self.widths.iter().fold(0.0_f64, |m, w| m.max(*w));
-        [widest, last.max(-first).min(self.half_length)]
+        let loaded = self.y.iter().zip(&self.loads).filter(|(_, q)| **q > LEAST);
+        let farthest = loaded.fold(0.0_f64, |m, (y, _)| m.max(y.abs()));
+        [widest, farthest]
     }
 
     /// Where the dry contact carries most.
     pub fn heaviest(&self) -> f64 {
-        let most = self.slices.all().max_by(|a, b| a[1].total_cmp(&b[1]));
-        most.map_or(0.0, |[y, _]| y)
+        let most = self.y.iter().zip(&self.loads);
+        let most = most.max_by(|a, b| a.1.total_cmp(b.1));
+        most.map_or(0.0, |(y, _)| *y)
     }
 
     /// The rim, a closed line.
@@ -184,6 +221,27 @@ impl RollerZone {
     }
 }
 
+/// Places from one end of a roller to the other, from both ends to the middle, as close as the stretch of the mesh there asks for.
+fn knots(half_length: f64, stretch: &impl Fn(f64) -> f64) -> Vec<f64> {
+    let longest = half_length / FEWEST_PIECES;
+    let from = |side: f64| {
+        let mut places = vec![side * half_length];
+        loop {
+            let at = places[places.len() - 1];
+            let step = (KNOT_DISTANCE * stretch(at)).min(longest);
+            if at.abs() < 1.5 * step {
+                return places;
+            }
+            places.push(at - side * step);
+        }
+    };
+    let (left, right) = (from(-1.0), from(1.0));
+    left.into_iter()
+        .chain([0.0])
+        .chain(right.into_iter().rev())
+        .collect()
+}
+
 /// Distance of a point from a segment.
 fn to_segment(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     let (d, r) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
@@ -207,21 +265,22 @@ fn linear(knots: &[f64], values: &[f64], x: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::roller::Slices;
     use approx::assert_relative_eq;
 
     fn zone() -> RollerZone {
         let slices = Slices::new(50.0, |y| 0.5 * y * y / 2000.0);
-        RollerZone::new(50.0, slices, &[])
+        RollerZone::new(50.0, |y| slices.load(y), &[])
     }
 
-    /// The map and its inverse, symmetric to the last bit; cells are short at the ends of the contact and long in the middle.
+    /// The map and its inverse, symmetric; cells are short at the ends of the contact and long in the middle.
     #[test]
     fn the_map_is_invertible() {
         let zone = zone();
         for i in 0..=100 {
             let y = f64::from(i) - 50.0;
             assert_relative_eq!(zone.place(zone.unit(y)), y, epsilon = 1e-12);
-            assert_eq!(zone.unit(-y), -zone.unit(y));
+            assert_relative_eq!(zone.unit(-y), -zone.unit(y), epsilon = 1e-13);
         }
         assert_eq!(zone.unit(0.0), 0.0);
         assert_relative_eq!(zone.unit(50.0), zone.side(), max_relative = 1e-14);

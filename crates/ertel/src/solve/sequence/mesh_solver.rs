@@ -104,6 +104,7 @@ impl Outline {
             usual: problem.stages.clone(),
             exponential: problem.fluid.is_exponential(),
             impatient: problem.shape.kind == ContactKind::Roller,
+            has_steep_ends: problem.shape.kind == ContactKind::Roller,
             // An exponential law has difficulties of its own.
             ridge_diffusion: match problem.fluid.is_exponential() {
                 true => 0.0,
@@ -157,8 +158,7 @@ impl<'a> MeshSolver<'a> {
             return Ok(());
         };
         let (film, [_, y]) = minimum_film(d, state);
-        let at_end = y.abs() > (1.0 - 1e-6) * roller.half_length();
-        if at_end && film < NO_FILM * central_film(d, state) {
+        if roller.is_at_edge(y) && film < NO_FILM * central_film(d, state) {
             self.without_end += 1;
         }
         if self.without_end < STAGES_WITHOUT_END {

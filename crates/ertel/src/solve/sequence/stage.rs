@@ -74,8 +74,9 @@ impl Stage {
     }
 
     /// Whether its equations are those of another stage, apart from diffusion, order and mesh.
-    pub(super) fn has_fluid_and_sliding_of(&self, other: &Stage) -> bool {
-        self.viscosity_exponent == other.viscosity_exponent
+    pub(super) fn has_fluid_and_motion_of(&self, other: &Stage) -> bool {
+        self.constants.lambda == other.constants.lambda
+            && self.viscosity_exponent == other.viscosity_exponent
             && self.softness == other.softness
             && self.sliding == other.sliding
     }

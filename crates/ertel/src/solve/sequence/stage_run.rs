@@ -3,6 +3,7 @@
 use ertel_fem::platform::Instant;
 
 use super::{Problem, Role, Stage};
+use crate::contact::ContactKind;
 use crate::solution::{Figure, LevelStats};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
@@ -59,9 +60,10 @@ const START_STAGNATION: usize = 12;
 /// about 1.4, and starts that come through in the end have got it to 0.2 and mostly far below. Nothing starts from a state with more.
 pub(super) const DIVERGENCE_LIMIT: f64 = 0.5;
 
-/// Those without a smaller update of a stage to which a continuation through easier contacts is known, and all of its.
+/// Those without a smaller update of a stage to which a continuation through easier contacts is known, and all of its; of rollers,
+/// whose thin ends come last, more.
 const EARLY_STAGNATION: usize = 8;
-const EARLY_ITERATIONS: usize = 25;
+const EARLY_ITERATIONS: [usize; 2] = [25, 40];
 
 /// Iterations without a smaller update from a start that was thought to be near.
 const UNDAMPED_STAGNATION: usize = 5;
@@ -128,7 +130,9 @@ impl<'a> StageRun<'a> {
         }
         if self.stage.given_up_early {
             params.patience = params.patience.min(EARLY_STAGNATION);
-            params.max_iterations = params.max_iterations.min(EARLY_ITERATIONS);
+            let rollers = self.problem.shape.kind == ContactKind::Roller;
+            let most = EARLY_ITERATIONS[usize::from(rollers)];
+            params.max_iterations = params.max_iterations.min(most);
         }
         if leads {
             params.update_tolerance = START_TOLERANCE;

@@ -119,7 +119,7 @@ impl<S: StageSolver> Driver<S> {
             && self.first_failure.is_some()
             && from.converged()
             && from.stage().role != Role::Start
-            && from.stage().has_fluid_and_sliding_of(stage)
+            && from.stage().has_fluid_and_motion_of(stage)
             && from.stage().is_on_mesh_of(stage);
         quadratic(stage).filter(|_| led)
     }

@@ -4,7 +4,8 @@ use super::shear_law::SOFTNESS;
 use crate::solve::sequence::stage::{Role, Stage};
 use crate::solve::system::FilmConstants;
 
-/// Ratios of softnesses and of shares of sliding that need not be halved.
+/// Ratios of speeds, softnesses and shares of sliding that need not be halved.
+const NEAR_SPEED: f64 = 1.1;
 const NEAR_SOFTNESS: f64 = 1.2;
 const NEAR_SLIDING: f64 = 1.04;
 
@@ -26,8 +27,11 @@ pub(in super::super) fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {
         0.0
     };
     let sliding = 0.5 * (slid + to.sliding);
+    let lambda = (from.constants.lambda * to.constants.lambda).sqrt();
+    let film_scale = (from.constants.film_scale * to.constants.film_scale).sqrt();
     let near = to.viscosity_exponent - viscosity_exponent < 0.02
         && isotropic_diffusion < 1.4 * diffusion(to)
+        && lambda < NEAR_SPEED * to.constants.lambda
         && between < NEAR_SOFTNESS * to.softness
         && to.sliding < NEAR_SLIDING * sliding;
     (to.role == Role::Path && !near).then_some(Stage {
@@ -36,6 +40,8 @@ pub(in super::super) fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {
         sliding,
         constants: FilmConstants {
             isotropic_diffusion,
+            lambda,
+            film_scale,
             ..to.constants
         },
         ..*to

@@ -9,6 +9,7 @@ pub(super) mod halfway;
 pub(super) mod lower_order;
 pub(super) mod shear_law;
 pub(super) mod sliding;
+pub(super) mod speed;
 pub(super) mod viscosity_exponent;
 
 #[cfg(test)]
@@ -25,6 +26,8 @@ pub(super) struct Outline {
     pub exponential: bool,
     /// Whether runs that go round in circles are given up early on refined meshes, too.
     pub impatient: bool,
+    /// Whether films are much thinner at the ends of the contact than in its middle, as under a roller.
+    pub has_steep_ends: bool,
     /// ρ_r of stages that do not converge without, and of meshes refined for the pressure alone; 0 where there is none.
     pub ridge_diffusion: f64,
     /// Whether the surfaces slide.
@@ -105,6 +108,9 @@ pub(super) fn fallbacks(outline: &Outline) -> Vec<Fallback> {
         ];
         push("shear law", true, from_start.concat());
     } else {
+        if outline.has_steep_ends {
+            push("speed", false, speed::speed(outline));
+        }
         push("sliding", true, sliding::sliding(outline));
         push("diffusion", true, diffusion::diffusion(outline));
     }

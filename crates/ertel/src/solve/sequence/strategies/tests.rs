@@ -28,7 +28,6 @@ pub(in super::super) fn outline(order: usize) -> Outline {
             formulation: Formulation::Gls,
             isotropic_diffusion: 0.0,
             ridge_diffusion: 0.0,
-            diffusion_tensor: None,
             elastic_stabilisation: true,
             penalty: 1.0,
             penalty_scaling: PenaltyScaling::default(),
@@ -49,7 +48,6 @@ pub(in super::super) fn outline(order: usize) -> Outline {
         constants: FilmConstants {
             isotropic_diffusion: 2.0,
             ridge_diffusion: 0.0,
-            diffusion_tensor: None,
             ..solution.constants
         },
         cold: true,
@@ -60,6 +58,7 @@ pub(in super::super) fn outline(order: usize) -> Outline {
         usual: vec![start, solution],
         exponential: false,
         impatient: false,
+        has_steep_ends: false,
         ridge_diffusion: 0.0,
         slides: false,
         refined: true,
@@ -89,6 +88,12 @@ fn outlines() -> Vec<Outline> {
         outline.usual[1].given_up_early = exponential;
         outlines.push(outline);
     }
+    let mut roller = outline(3);
+    roller.has_steep_ends = true;
+    for stage in &mut roller.usual {
+        stage.constants.film_scale = 0.005;
+    }
+    outlines.push(roller);
     outlines
 }
 
@@ -107,7 +112,7 @@ fn strategies_stand_in_their_order() {
         "lower pressure order",
         "lower pressure order",
     ];
-    let first: [&[&str]; 6] = [
+    let first: [&[&str]; 7] = [
         &["diffusion"],
         &["sliding", "diffusion"],
         &["diffusion"],
@@ -118,6 +123,7 @@ fn strategies_stand_in_their_order() {
             "shear law",
         ],
         &["shear law"],
+        &["speed", "diffusion"],
     ];
     for (outline, first) in outlines.iter().zip(first) {
         assert_eq!(names(outline), [first, &others].concat());
@@ -138,7 +144,7 @@ fn strategies_lead_to_the_case() {
             let (first, last) = (&stages[0], &stages[stages.len() - 1]);
             assert!(needs_start || first.cold, "{name}");
             assert_eq!(last.role, Role::Final, "{name}");
-            assert!(last.has_fluid_and_sliding_of(outline.last()), "{name}");
+            assert!(last.has_fluid_and_motion_of(outline.last()), "{name}");
             assert_eq!(last.heated, outline.last().heated, "{name}");
             assert_eq!(last.constants, outline.last().constants, "{name}");
             assert!(!last.newtonian && !last.cold, "{name}");
@@ -166,6 +172,21 @@ fn steps_change_one_quantity() {
             }
         }
     }
+}
+
+/// A film of 0.005 b²/R is led down from 32 times the speed, one of 0.1 from twice the speed, thicker ones not at all.
+#[test]
+fn speeds_fall_to_that_of_the_case() {
+    let speeds = |film_scale| {
+        let mut outline = outline(3);
+        outline.usual[0].constants.film_scale = film_scale;
+        let stages = speed::speed(&outline);
+        let lambdas: Vec<f64> = stages.iter().map(|s| s.constants.lambda).collect();
+        lambdas
+    };
+    assert_eq!(speeds(0.005), [32.0, 32.0, 16.0, 8.0, 4.0, 2.0, 1.0]);
+    assert_eq!(speeds(0.1), [2.0, 2.0, 1.0]);
+    assert!(speeds(0.15).is_empty());
 }
 
 #[test]
