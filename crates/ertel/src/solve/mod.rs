@@ -135,7 +135,7 @@ pub enum SolveError {
     /// The contact of a roller runs over its end.
     #[error(
         "no solution with a film everywhere: the contact runs over the end of the roller at y = {:.4} mm; pressure falls to nothing \
-         there, the raceway comes out, and the film at the end is {:.3} nm, as on former meshes",
+         there, the raceway comes out, and the thinnest film near the end is {:.3} nm, as on former meshes",
         1e3 * place,
         1e9 * film
     )]

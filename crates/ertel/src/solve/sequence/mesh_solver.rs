@@ -165,7 +165,7 @@ impl<'a> MeshSolver<'a> {
             return Ok(());
         }
         Err(SolveError::EndCarries {
-            place: y * self.problem.scales.length,
+            place: y.signum() * roller.half_length() * self.problem.scales.length,
             film: film * self.problem.scales.film,
         })
     }
