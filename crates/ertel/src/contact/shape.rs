@@ -155,9 +155,8 @@ impl Shape {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-12 * (a.abs() + b.abs());
         let [c, s] = self.zone.turn.to_axes([1.0, 0.0]);
         let [d, t] = other.zone.turn.to_axes([1.0, 0.0]);
-        // Rollers of other loads have other lengths in half-widths.
-        self.zone.roller == other.zone.roller
-            && self.gap.along_roller == other.gap.along_roller
+        // Rollers of other loads have other lengths in half-widths; where their dry contact lies follows from the gap.
+        self.gap.along_roller == other.gap.along_roller
             && self.kind == other.kind
             && self.symmetry == other.symmetry
             && self.inlet.is_like(&other.inlet)

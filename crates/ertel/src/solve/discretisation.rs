@@ -196,7 +196,11 @@ impl ContactSurface {
             return None;
         };
         let mesh = Mesh::Surface(mesh.clone());
-        ContactSurface::on(shape, &self.extents, mesh, 0.0, &self.elasticity, means).ok()
+        let mut shape = shape.clone();
+        if let (Some(own), Some(other)) = (&self.shape.zone.roller, &shape.zone.roller) {
+            shape.zone.roller = Some(Arc::new(own.drawn_to(other.half_length())));
+        }
+        ContactSurface::on(&shape, &self.extents, mesh, 0.0, &self.elasticity, means).ok()
     }
 
     /// Makes the elastic response of a mesh.
