@@ -70,7 +70,7 @@ impl End {
         End {
             y: inside,
             rise: 1.0 / steepest.fold(0.0, f64::max),
-            cut: (inside - rim).abs() < AT_EDGE,
+            cut: first > LEAST && (inside - rim).abs() < AT_EDGE,
         }
     }
 
@@ -118,5 +118,7 @@ mod tests {
             assert_eq!(end.longest_cell(), LONGEST);
             assert!(end.presses_in_at(side) && !end.presses_in_at(0.99 * side));
         }
+        // Where no load is seen, none presses in.
+        assert!(ends(50.0, &|_| 0.0).iter().all(|end| !end.cut));
     }
 }
