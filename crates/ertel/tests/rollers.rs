@@ -128,7 +128,7 @@ fn crowned(tilt: f64) -> [Case; 2] {
     crowned_by(CROWN, 5.0, tilt)
 }
 
-/// The same for a crown of a radius in m.
+/// The same for a crown of a radius in m, on a roller as many times as long as half of the contact.
 fn crowned_by(crown_radius: f64, length_over: f64, tilt: f64) -> [Case; 2] {
     let mut ellipse = case(ContactKind::Circular, 1.0);
     let contact = Contact::elliptical([RADIUS, crown_radius], 1.0, 0.0);
@@ -178,13 +178,6 @@ fn a_narrow_crown_is_a_slender_ellipse() {
         println!("{roller:?} {ellipse:?}");
         assert_alike(roller, ellipse, 2e-3);
     }
-    let iterations: usize = roller
-        .stats
-        .levels
-        .iter()
-        .map(|l| l.newton_iterations)
-        .sum();
-    println!("{iterations} Newton iterations");
 }
 
 /// A crown that falls off by half of what the ends need: the contact runs over them, the film there comes out at or below zero on

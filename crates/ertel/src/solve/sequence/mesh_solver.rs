@@ -90,8 +90,8 @@ pub(super) struct MeshSolver<'a> {
     without_end: usize,
 }
 
-/// Film at the end of a roller, over that in the centre, below which the end has none. The thinnest film of 15 rollers whose profile
-/// clears the raceway is a fifth of the central one at least; of nine others it is less than this, at the end, in two stages.
+/// Film near an edge of a roller that presses in, over that in the centre, below which there is none. The thinnest film of 34 rollers of the
+/// map that are solved is a fifth of the central one at least; of 19 others it is less than this, near such an edge, in two stages.
 const NO_FILM: f64 = 0.02;
 
 /// Stages after which this is taken for true: the film of a first coarse mesh may be negative and come back.

@@ -14,7 +14,7 @@ const SPEEDS: [f64; 5] = [32.0, 16.0, 8.0, 4.0, 2.0];
 /// difficulties.
 const THICKEST: f64 = 0.2;
 
-/// Exponent of the speed in the film thickness of heavily loaded contacts.
+/// Exponent of the speed in the central film of heavily loaded contacts (Hamrock and Dowson, J. Lubr. Technol. 99 (1977), 264-276).
 const FILM_EXPONENT: f64 = 0.67;
 
 /// From a start at the highest speed, without its diffusion down to the case; nothing where the film is thick already.
