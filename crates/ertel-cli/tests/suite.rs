@@ -3,6 +3,7 @@
 mod bad_cases;
 mod commands;
 mod compare;
+mod constants;
 mod curve;
 mod data_sheet;
 mod docs;

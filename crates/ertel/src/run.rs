@@ -293,6 +293,7 @@ fn describe(
             &case.lubricant,
             params,
             &scales,
+            finest.discretisation.contact.shape.symmetry,
             extents,
         ));
     }

@@ -6,7 +6,7 @@ use crate::common;
 use approx::assert_relative_eq;
 use common::heated;
 use ertel::case::Case;
-use ertel::contact::{ContactKind, Scales};
+use ertel::contact::{ContactKind, Scales, Symmetry};
 use ertel::params::ThermalParams;
 use ertel::post::elements::elements;
 use ertel::post::thermal::{thermal, warnings};
@@ -312,7 +312,14 @@ fn temperatures_beyond_the_data_are_told() {
             highest,
             basis: "measured".to_owned(),
         }];
-        warnings(&found, &case.lubricant, &params, &scales, [-4.5, 1.5, 3.0])
+        warnings(
+            &found,
+            &case.lubricant,
+            &params,
+            &scales,
+            Symmetry::Full,
+            [-4.5, 1.5, 3.0],
+        )
     };
     assert!(told(300.0, top + 0.1).is_empty());
     let end = format!("{:.2}", top - 2.0);

@@ -6,15 +6,14 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import puppeteer from "puppeteer-core";
+import { CASES, ERTEL, SCREENSHOTS, checkPlots, launch, openPage } from "./pages.mjs";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
-const { ERTEL, CASES, CHROMIUM, SCREENSHOTS } = process.env;
 const folder = mkdtempSync(join(tmpdir(), "ertel-pages-"));
 const MOST_BYTES = 2e6;
 
 let browser;
-before(async () => { browser = await puppeteer.launch({ executablePath: CHROMIUM, args: ["--no-sandbox"] }); });
+before(async () => { browser = await launch(); });
 after(() => browser?.close());
 
 function run(...args) { return execFileSync(ERTEL, args, { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }); }
@@ -27,21 +26,7 @@ function solve(name, command = "solve", settings = []) {
   return output;
 }
 
-// Opens a page; whatever it reports or asks for is kept.
-async function open(file, { width = 1280, dark = false } = {}) {
-  const page = await browser.newPage();
-  page.troubles = [];
-  page.on("console", (m) => { if (["error", "warn"].includes(m.type())) page.troubles.push(`console: ${m.text()}`); });
-  page.on("pageerror", (e) => page.troubles.push(`error: ${e.message}`));
-  page.on("request", (r) => { if (!/^(file|data|blob):/.test(r.url())) page.troubles.push(`request: ${r.url()}`); });
-  await page.setViewport({ width, height: 900 });
-  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }]);
-  await page.goto(`file://${file}`);
-  await page.waitForFunction(() => document.querySelector("#contents a"));
-  // Profiles are drawn with the next frame.
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return page;
-}
+const open = (file, look) => openPage(browser, file, look);
 
 async function violations(page) {
   await page.evaluate(axe);
@@ -55,7 +40,11 @@ async function lookAt(name, file) {
   for (const width of [1280, 390]) {
     for (const dark of [false, true]) {
       const page = await open(file, { width, dark });
+      await checkPlots(page, `${name} at ${width}`);
       assert.deepEqual(page.troubles, [], name);
+      // No table is cut off where the page is narrow.
+      const cut = await page.$$eval(".scroll", (boxes) => boxes.filter((b) => b.scrollWidth > b.clientWidth + 1).map((b) => b.ariaLabel));
+      assert.ok(width > 390 || cut.length === 0, `${name} at ${width}: ${cut}`);
       const overflow = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
       assert.ok(overflow <= 0, `${name} at ${width}: ${overflow} px too wide`);
       assert.deepEqual(await violations(page), [], `${name} at ${width}, ${dark ? "dark" : "light"}`);

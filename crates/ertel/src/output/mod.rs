@@ -193,12 +193,12 @@ fn write_files(
     }
     if let Some(field) = thermal.and_then(|t| t.field.as_ref()) {
         folder.file("temperature.vtu", |out| {
-            vtu::write_temperature(out, solution.shape.kind, field)
+            vtu::write_temperature(out, &solution.shape, field)
         })?;
     }
     if let Some(body) = solution.body.as_ref().filter(|_| params.body_field) {
         folder.file("body.vtu", |out| {
-            vtu::write_body(out, solution.shape.kind, body)
+            vtu::write_body(out, &solution.shape, body)
         })?;
     }
     folder.file(html::REPORT_PAGE, |out| {

@@ -3,12 +3,15 @@
 //! Each array is the base64 text of an 8-byte length in bytes followed by the little-endian data
 //! (`header_type="UInt64"`), as ParaView, PyVista and meshio read it.
 
+mod whole;
+
 use std::io::{self, Write};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use crate::contact::{ContactKind, Shape};
+use self::whole::Whole;
+use crate::contact::Shape;
 use crate::solution::{BodyField, ContactFields, FilmTemperatures, SurfaceField, TemperatureField};
 
 /// VTK cell types by number of nodes: triangles and segments, or tetrahedra, too.
@@ -83,31 +86,31 @@ pub fn write_surface(
     grid.write(out)
 }
 
-/// Writes the temperature, K, of film and bodies (of their half y ≤ 0 for circular contacts); the cells say by `region`
-/// whether they belong to plane (0), film (1) or ball (2). Lengths in m, the film stretched by `film_magnification`.
+/// Writes the temperature, K, of the whole film and both bodies; the cells say by `region` whether they belong to plane (0), film (1) or ball (2). Lengths in m, the film stretched by `film_magnification`.
 ///
 /// # Errors
 /// Those of the writer.
 pub fn write_temperature(
     out: impl Write,
-    kind: ContactKind,
+    shape: &Shape,
     field: &TemperatureField,
 ) -> io::Result<()> {
-    let cells: Vec<&[u32]> = field.cells.iter().map(Vec::as_slice).collect();
+    let whole = Whole::new(shape.symmetry, &field.points, &field.cells);
+    let cells: Vec<&[u32]> = whole.cells.iter().map(Vec::as_slice).collect();
     let array = |name, data| Array {
         name,
         n_components: 1,
         data,
     };
     let grid = Grid {
-        points: &field.points,
+        points: &whole.points,
         cells: &cells,
-        dimension: kind.body_dimension(),
+        dimension: shape.kind.body_dimension(),
         point_data: &[array(
             "temperature_K",
-            Data::Float64(field.temperature.clone()),
+            Data::Float64(whole.scalar(&field.temperature)),
         )],
-        cell_data: &[array("region", Data::UInt8(field.region.clone()))],
+        cell_data: &[array("region", Data::UInt8(whole.per_cell(&field.region)))],
         field_data: &[array(
             "film_magnification",
             Data::Float64(vec![field.film_magnification]),
@@ -116,21 +119,22 @@ pub fn write_temperature(
     grid.write(out)
 }
 
-/// Writes the displacement of the elastic body (of its half y ≤ 0 for circular contacts), in m.
+/// Writes the displacement of the whole elastic body, in m.
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_body(out: impl Write, kind: ContactKind, body: &BodyField) -> io::Result<()> {
-    let cells: Vec<&[u32]> = body.cells.iter().map(Vec::as_slice).collect();
+pub fn write_body(out: impl Write, shape: &Shape, body: &BodyField) -> io::Result<()> {
+    let whole = Whole::new(shape.symmetry, &body.points, &body.cells);
+    let cells: Vec<&[u32]> = whole.cells.iter().map(Vec::as_slice).collect();
     let displacement = Array {
         name: "displacement_m",
         n_components: 3,
-        data: Data::Float64(body.displacement.concat()),
+        data: Data::Float64(whole.vector(&body.displacement).concat()),
     };
     let grid = Grid {
-        points: &body.points,
+        points: &whole.points,
         cells: &cells,
-        dimension: kind.body_dimension(),
+        dimension: shape.kind.body_dimension(),
         point_data: &[displacement],
         ..Grid::default()
     };
@@ -261,6 +265,7 @@ fn section(out: &mut impl Write, name: &str, arrays: &[Array]) -> io::Result<()>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::Symmetry;
     use crate::solution::ShearFields;
 
     fn text(write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>) -> String {
@@ -306,7 +311,11 @@ mod tests {
             cells: vec![vec![0, 1, 2, 3, 4]],
             displacement: vec![[0.0; 3]; 5],
         };
-        let error = write_body(Vec::new(), ContactKind::Circular, &body).unwrap_err();
+        let whole_circle = Shape {
+            symmetry: Symmetry::Full,
+            ..Shape::CIRCULAR
+        };
+        let error = write_body(Vec::new(), &whole_circle, &body).unwrap_err();
         assert!(error.to_string().contains("5 nodes"));
     }
 

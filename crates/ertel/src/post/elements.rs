@@ -3,7 +3,7 @@
 use ertel_fem::element::Lagrange;
 use ertel_fem::space::Space;
 
-use crate::contact::Scales;
+use crate::contact::{Scales, Symmetry};
 use crate::solution::{ElementFields, FilmTemperatures, Polynomials, TemperaturePolynomials};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::heat::recovery::{self, Recovery};
@@ -31,7 +31,8 @@ pub fn elements(solution: &StageSolution, scales: &Scales) -> ElementFields {
         cells: cells.collect(),
         pressure: nodal(&d.pressure, |node| state.pressure[node] * scales.pressure),
         film_thickness: film(d, state, scales),
-        temperatures: (d.heat.as_ref()).map(|space| temperatures(space, state)),
+        temperatures: (d.heat.as_ref())
+            .map(|space| temperatures(space, state, d.contact.shape.symmetry)),
     }
 }
 
@@ -72,13 +73,14 @@ fn film(d: &Discretisation, state: &State, scales: &Scales) -> Polynomials {
 
 /// Temperatures of film and surfaces: each a sum over the column's nodes, so a polynomial as the columns are; of linear
 /// elements the cubics by recovered gradients, whose kinks would be those of the mesh.
-fn temperatures(space: &HeatSpace, state: &State) -> TemperaturePolynomials {
+fn temperatures(space: &HeatSpace, state: &State, symmetry: Symmetry) -> TemperaturePolynomials {
     let column = &space.column;
     let mut at_nodes = FilmTemperatures::default();
     for values in state.temperature.chunks_exact(column.n()) {
         at_nodes.push(&column.film, &column.film_of(values));
     }
-    let recovery = (space.surface.element.order() == 1).then(|| Recovery::new(&space.surface));
+    let recovery =
+        (space.surface.element.order() == 1).then(|| Recovery::new(&space.surface, symmetry));
     let field = |values: &[f64]| match &recovery {
         Some(recovery) => Polynomials {
             order: recovery::ORDER,

@@ -8,17 +8,25 @@ use crate::contact::Scales;
 use crate::film::FilmFluid;
 use crate::post::profile::Profile;
 use crate::solution::{BodyField, Centreline, SurfaceField};
-use crate::solve::discretisation::DiscretisationError;
+use crate::solve::discretisation::{Discretisation, DiscretisationError};
 use crate::solve::evaluate::{PointFields, fields_in};
 use crate::solve::sequence::StageSolution;
+use crate::solve::system::State;
 
-/// Samples per element edge along the centreline.
-pub(super) const PER_EDGE: usize = 4;
+/// Samples per element edge along the centreline, and how many there are at least on coarse meshes, so that curves through
+/// them are round.
+const PER_EDGE: usize = 4;
+const AT_LEAST: usize = 600;
 
-/// Profiles along y = 0, four samples per element edge.
+/// The centreline as it is written and drawn.
+pub(super) fn sampled(d: &Discretisation, state: &State) -> Profile {
+    Profile::smooth(d, state, PER_EDGE, AT_LEAST)
+}
+
+/// Profiles along y = 0, four samples per element edge or more.
 pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> Centreline {
     let d = &solution.discretisation;
-    let profile = Profile::new(d, &solution.state, PER_EDGE);
+    let profile = sampled(d, &solution.state);
     let mut line = Centreline::default();
     for (x, f) in profile.x.iter().zip(&profile.fields) {
         let local = fluid.local(f.pressure, f.temperature.as_ref());

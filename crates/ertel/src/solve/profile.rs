@@ -26,6 +26,20 @@ const SPIKE_DEPTH: f64 = 2e-3;
 impl Profile {
     /// Samples every piece of the centreline between edges of elements, or along them, at `per_edge` intervals.
     pub fn new(d: &Discretisation, state: &State, per_edge: usize) -> Profile {
+        Profile::of(d, state, &Profile::knots(d), per_edge)
+    }
+
+    /// For curves that are looked at: pieces are sampled so often that there are at least `least` intervals, each piece at
+    /// least at `per_edge` of them and at most at eight times as many.
+    pub fn smooth(d: &Discretisation, state: &State, per_edge: usize, least: usize) -> Profile {
+        let knots = Profile::knots(d);
+        let pieces = knots.len().saturating_sub(1).max(1);
+        let per_piece = least.div_ceil(pieces).clamp(per_edge, 8 * per_edge);
+        Profile::of(d, state, &knots, per_piece)
+    }
+
+    /// Where the centreline goes from element to element, X ascending.
+    fn knots(d: &Discretisation) -> Vec<f64> {
         let surface = &d.contact.surface;
         let mut knots: Vec<f64> = (surface.vertices.iter())
             .filter(|v| v[1].abs() < ON_LINE)
@@ -50,6 +64,10 @@ impl Profile {
         }
         knots.sort_by(f64::total_cmp);
         knots.dedup_by(|b, a| *b - *a < ON_LINE);
+        knots
+    }
+
+    fn of(d: &Discretisation, state: &State, knots: &[f64], per_edge: usize) -> Profile {
         let mut x = Vec::new();
         for pair in knots.windows(2) {
             x.extend(

@@ -4,7 +4,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
-use crate::contact::Symmetry;
+use crate::contact::{ContactKind, Symmetry};
 use crate::output::CaseEcho;
 use crate::solution::{ContactFields, Estimate, Field, Located, Solution};
 
@@ -59,6 +59,7 @@ pub fn data(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Value {
         "kind": solution.shape.kind,
         "half_width": a,
         "zone": [a * zone_x, a * zone_y],
+        "edge": edge(solution),
         "reference_temperature": case.temperature,
         "figures": figures(solution),
         "mesh": mesh(solution),
@@ -67,6 +68,30 @@ pub fn data(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Value {
         "tolerance": tolerance,
         "heat_tolerance": solution.thermal.as_ref().map(|t| t.coupling.tolerance),
     })
+}
+
+/// Straight pieces of the drawn edge of an elliptical zone.
+const EDGE_PIECES: usize = 120;
+
+/// Edge of the dry contact, m, as it lies against the motion: an ellipse, or the rectangle of a roller; nothing of a line.
+fn edge(solution: &Solution) -> Value {
+    let zone = &solution.shape.zone;
+    let corners = match solution.shape.kind {
+        ContactKind::Line => return Value::Null,
+        ContactKind::Roller => {
+            let [x, y] = zone.half_extents();
+            vec![[-x, -y], [x, -y], [x, y], [-x, y]]
+        }
+        ContactKind::Circular | ContactKind::Elliptical => (0..EDGE_PIECES)
+            .map(|i| {
+                let angle = std::f64::consts::TAU * i as f64 / EDGE_PIECES as f64;
+                zone.place([angle.cos(), angle.sin()])
+            })
+            .collect(),
+    };
+    let a = solution.hertz.half_width;
+    let scaled = corners.iter().map(|p| p.map(|x| (a * x) as f32));
+    json!(scaled.collect::<Vec<_>>())
 }
 
 /// The figures that a page shows large, with the places of those that have one.
@@ -241,4 +266,40 @@ fn centreline(solution: &Solution) -> Value {
         .collect();
     let x: Vec<f32> = near.iter().map(|i| line.x[*i] as f32).collect();
     json!({ "x": STANDARD.encode(bytes(&x, f32::to_le_bytes)), "fields": fields })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::Turn;
+    use crate::output::fixture;
+
+    /// The edge of an ellipse of half-axes a and 3 a whose first axis is turned by 30° against the motion: in its own axes
+    /// each point has (x/a)² + (y/3a)² = 1.
+    #[test]
+    fn the_edge_of_a_turned_ellipse_is_turned() {
+        let mut solution = fixture::solution(ContactKind::Elliptical);
+        let a = solution.hertz.half_width;
+        let angle = 30_f64.to_radians();
+        for turned in [0.0, angle] {
+            solution.shape.zone.axis_ratio = 3.0;
+            solution.shape.zone.turn = match turned {
+                0.0 => Turn::NONE,
+                _ => Turn::by(turned),
+            };
+            let points: Vec<[f64; 2]> = serde_json::from_value(edge(&solution)).unwrap();
+            assert_eq!(points.len(), EDGE_PIECES);
+            let (sine, cosine) = turned.sin_cos();
+            let off = |sine: f64| {
+                let distances = points.iter().map(|[x, y]| {
+                    let own = [cosine * x + sine * y, cosine * y - sine * x];
+                    ((own[0] / a).powi(2) + (own[1] / (3.0 * a)).powi(2) - 1.0).abs()
+                });
+                distances.fold(0.0, f64::max)
+            };
+            // The sense of the angle is that of `Turn`.
+            assert!(off(sine).min(off(-sine)) < 1e-5, "{}", off(sine));
+            assert!(turned == 0.0 || off(0.0) > 0.1);
+        }
+    }
 }

@@ -37,6 +37,7 @@ const SCRIPT: &str = concat!(
     "\n(() => {\n\"use strict\";\n",
     include_str!("assets/field.js"),
     include_str!("assets/units.js"),
+    include_str!("assets/axis.js"),
     include_str!("assets/chart.js"),
     include_str!("assets/map.js"),
     include_str!("assets/contact.js"),

@@ -25,12 +25,12 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// Linear axis over exactly this range.
+    /// Linear axis over exactly this range; in its place one that can be drawn, where the ends are not finite, not in order,
+    /// too large, or too near to each other to be told apart.
     pub fn linear(label: &str, low: f64, high: f64) -> Axis {
-        let (low, high) = if low.is_finite() && high.is_finite() && high > low {
-            (low, high)
-        } else {
-            (0.0, 1.0)
+        let (low, high) = match low.is_finite() && high.is_finite() {
+            true => apart(low.min(high), low.max(high)),
+            false => (0.0, 1.0),
         };
         Axis {
             label: label.to_owned(),
@@ -52,7 +52,7 @@ impl Axis {
     pub fn linear_around(label: &str, values: impl IntoIterator<Item = f64>) -> Axis {
         let (low, high) = range(values);
         let (low, high) = if high > low {
-            (low, high)
+            apart(low, high)
         } else {
             (
                 low - 0.5 * low.abs().max(1.0),
@@ -69,18 +69,19 @@ impl Axis {
 
     /// Logarithmic axis over the positive values, rounded outwards to 1, 2 or 5 times a power of ten.
     pub fn log_close_around(label: &str, values: impl IntoIterator<Item = f64>) -> Axis {
-        let (low, high) = range(values.into_iter().filter(|v| *v > 0.0));
+        let (low, high) = range(values.into_iter().filter(|v| *v > 0.0).map(within_logs));
         let wide = Axis::log_around(label, [low, high]);
         let ends = || {
             let powers = (-300..300).map(|e| 10f64.powi(e));
             let ends = powers.flat_map(|p| [p, 2.0 * p, 5.0 * p]);
             ends.filter(|v| (0.999 * wide.low..=1.001 * wide.high).contains(v))
         };
+        // Apart, where all values are about the same.
         let lower = ends()
-            .filter(|v| *v <= 1.001 * low)
+            .filter(|v| *v <= 1.001 * low && *v < 0.7 * wide.high)
             .fold(wide.low, f64::max);
         let upper = ends()
-            .filter(|v| *v >= 0.999 * high)
+            .filter(|v| *v >= 0.999 * high && *v > 1.5 * lower)
             .fold(wide.high, f64::min);
         Axis {
             low: lower,
@@ -91,7 +92,8 @@ impl Axis {
 
     /// Logarithmic axis over the decades that cover the positive values.
     pub fn log_around(label: &str, values: impl IntoIterator<Item = f64>) -> Axis {
-        let (low, high) = range(values.into_iter().filter(|v| *v > 0.0).map(f64::log10));
+        let positive = values.into_iter().filter(|v| *v > 0.0 && v.is_finite());
+        let (low, high) = range(positive.map(|v| within_logs(v).log10()));
         let (low, high) = (low.floor(), high.ceil());
         Axis {
             label: label.to_owned(),
@@ -125,14 +127,22 @@ impl Axis {
                     .within_decades(&[1.0, 2.0, 5.0])
                     .map(|v| (v, plain_label(v)))
                     .collect();
-                if self.high / self.low <= labels_within(&between) {
+                if between.len() >= 2 && self.high / self.low <= labels_within(&between) {
                     return between;
                 }
                 // At most about eight labels
-                let every = ((high - low) as usize).div_ceil(8).max(1);
-                (low..=high)
+                let every = ((high - low).max(0) as usize).div_ceil(8).max(1);
+                let powers: Vec<(f64, String)> = (low..=high)
                     .filter(|e| e.rem_euclid(every as i32) == 0)
                     .map(|e| (10f64.powi(e), power_label(e)))
+                    .collect();
+                if powers.len() >= 2 {
+                    return powers;
+                }
+                // Too short for either: round numbers as on an axis of equal steps.
+                let step = tick_step(self.high - self.low);
+                multiples(self.low, self.high, step)
+                    .map(|v| (v, tick_label(v, step)))
                     .collect()
             }
         }
@@ -159,7 +169,8 @@ impl Axis {
                 let (low, high) = self.decades();
                 let inner: &[f64] = match high - low {
                     ..=6 => &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
-                    _ => &[1.0],
+                    ..=60 => &[1.0],
+                    _ => &[],
                 };
                 self.within_decades(inner).collect()
             }
@@ -243,7 +254,31 @@ pub(super) fn tick_step(span: f64) -> f64 {
 fn multiples(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> {
     let first = (low / step - 1e-6).ceil() as i64;
     let last = (high / step + 1e-6).floor() as i64;
-    (first..=last).map(move |i| i as f64 * step)
+    // Never more than can be drawn, whatever the ends are.
+    (first..=last.min(first.saturating_add(MOST_TICKS))).map(move |i| i as f64 * step)
+}
+
+/// Most ticks of an axis, minor ones among them.
+const MOST_TICKS: i64 = 100;
+
+/// Largest size of an end of an axis, and least length of an axis over the size of its ends.
+const LARGEST: f64 = 1e300;
+const LEAST_LENGTH: f64 = 1e-9;
+
+/// Ends in order that are so far apart that ticks between them differ.
+fn apart(low: f64, high: f64) -> (f64, f64) {
+    let (low, high) = (low.clamp(-LARGEST, LARGEST), high.clamp(-LARGEST, LARGEST));
+    let size = low.abs().max(high.abs());
+    match size {
+        s if s < 1.0 / LARGEST => (0.0, 1.0),
+        s if high - low > LEAST_LENGTH * s => (low, high),
+        s => (low - 0.5 * s, high + 0.5 * s),
+    }
+}
+
+/// A positive number of which powers of ten are at hand.
+fn within_logs(value: f64) -> f64 {
+    value.clamp(1.0 / LARGEST, LARGEST)
 }
 
 /// Number with as many decimals as the tick distance needs.
@@ -341,6 +376,91 @@ mod tests {
         assert_eq!(Axis::count("", 11).minor_ticks().len(), 11);
     }
 
+    /// The number that a label says, read as a person does.
+    fn read(label: &str) -> f64 {
+        let plain = label.replace('−', "-");
+        match plain.split_once("10^{") {
+            Some((lead, power)) => {
+                let lead = lead.trim_end_matches('·');
+                let power = power.trim_end_matches('}');
+                format!("{}e{power}", if lead.is_empty() { "1" } else { lead })
+                    .parse()
+                    .unwrap()
+            }
+            None => plain.parse().unwrap(),
+        }
+    }
+
+    /// Of thousands of ranges: ticks lie on the axis, are 2 to 13, and their labels say where they are.
+    #[test]
+    fn ticks_of_any_range_are_few_and_true() {
+        // A linear congruential generator (Knuth, MMIX).
+        let mut state = 35_u64;
+        let mut random = || {
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let mut axes = Vec::new();
+        for _ in 0..5000 {
+            let middle = (random() - 0.5).signum() * 10f64.powf(40.0 * random() - 20.0);
+            let length = middle.abs() * 10f64.powf(10.0 * random() - 7.0);
+            let ends = [middle - length * random(), middle + length];
+            axes.extend([
+                Axis::linear("", ends[0], ends[1]),
+                Axis::linear_around("", ends),
+            ]);
+            let low = 10f64.powf(40.0 * random() - 20.0);
+            let ends = [low, low * 10f64.powf(10f64.powf(5.0 * random() - 3.5))];
+            axes.extend([Axis::log_around("", ends), Axis::log_close_around("", ends)]);
+            axes.push(Axis {
+                low: ends[0],
+                high: ends[1],
+                ..Axis::log_around("", ends)
+            });
+        }
+        let odd = [
+            f64::NAN,
+            f64::INFINITY,
+            0.0,
+            5e-324,
+            1e-310,
+            f64::MAX,
+            f64::MIN,
+            -1.0,
+            1.0,
+            1.0 + 1e-15,
+        ];
+        for p in odd {
+            for q in odd {
+                axes.extend([
+                    Axis::linear("", p, q),
+                    Axis::linear_around("", [p, q]),
+                    Axis::log_around("", [p, q]),
+                    Axis::log_close_around("", [p, q]),
+                ]);
+            }
+        }
+        for axis in axes {
+            let ticks = axis.ticks();
+            assert!((2..=13).contains(&ticks.len()), "{axis:?}: {ticks:?}");
+            assert!(axis.minor_ticks().len() <= 101, "{axis:?}");
+            let room = 2e-3 * (axis.high - axis.low) + 2e-3 * axis.low.abs().min(axis.high.abs());
+            for (value, label) in &ticks {
+                assert!(
+                    (axis.low - room..=axis.high + room).contains(value),
+                    "{axis:?}: {value}"
+                );
+                let size = axis.low.abs().max(axis.high.abs());
+                assert!(
+                    (read(label) - value).abs() <= 1e-12 * size,
+                    "{axis:?}: {value} is not {label}"
+                );
+            }
+        }
+    }
+
     #[test]
     fn empty_or_constant_data_still_make_an_axis() {
         for axis in [
@@ -348,6 +468,8 @@ mod tests {
             Axis::linear_around("", [3.0, 3.0]),
             Axis::log_around("", []),
             Axis::log_around("", [10.0]),
+            Axis::log_close_around("", [2.0, 2.0]),
+            Axis::log_close_around("", [9.9999, 10.0]),
             Axis::linear("", 1.0, f64::NAN),
         ] {
             assert!(axis.low < axis.high && axis.low.is_finite() && axis.high.is_finite());

@@ -11,7 +11,7 @@ use crate::solve::system::State;
 /// Thickness, in half-widths, of about which the central film is drawn.
 const DRAWN_FILM: f64 = 0.05;
 
-/// Film and bodies (their half y ≤ 0 for circular contacts), the film stretched by 1, 2 or 5 times a power of ten.
+/// Film and bodies as they are solved (the half y ≤ 0 of symmetric contacts), the film stretched by 1, 2 or 5 times a power of ten.
 pub(super) fn field(
     d: &Discretisation,
     state: &State,

@@ -7,7 +7,7 @@ mod cross_film;
 mod field;
 
 use crate::case::Lubricant;
-use crate::contact::Scales;
+use crate::contact::{Scales, Symmetry};
 use crate::film::{FilmNodes, Nodal};
 use crate::params::ThermalParams;
 use crate::post::summary::beside;
@@ -21,7 +21,6 @@ use crate::solve::evaluate::fields_in;
 use crate::solve::heat::balance::heat_balance;
 use crate::solve::heat::figures::walls;
 use crate::solve::heat::space::HeatSpace;
-use crate::solve::profile::Profile;
 use crate::solve::sequence::{Problem, Role, StageSolution};
 use crate::solve::system::State;
 use crate::warning::{Warning, WarningKind};
@@ -81,20 +80,30 @@ pub fn thermal(
 /// Kelvins beyond the range of the data that are no news: laws are no better than that.
 const BEYOND: f64 = 1.0;
 
+/// A place in half-widths; where a half was solved, its mirror image has the same.
+fn place([x, y]: [f64; 2], symmetry: Symmetry) -> String {
+    // No minus zero.
+    let rounded = |v: f64| format!("{:.2}", (100.0 * v).round() / 100.0 + 0.0);
+    let x = rounded(x);
+    match symmetry {
+        _ if y == 0.0 => format!("x/a {x}"),
+        Symmetry::Half => format!("x/a {x}, y/a ±{}", rounded(y.abs())),
+        Symmetry::Full => format!("x/a {x}, y/a {}", rounded(y)),
+    }
+}
+
 /// What the user should know: temperatures that the data of the lubricant do not cover, points without film.
 pub fn warnings(
     thermal: &Thermal,
     lubricant: &Lubricant,
     params: &ThermalParams,
     scales: &Scales,
+    symmetry: Symmetry,
     extents: [f64; 3],
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let a = scales.length;
-    let place = |at: &Located| match (at.x / a, at.y / a) {
-        (x, 0.0) => format!("x/a {x:.2}"),
-        (x, y) => format!("x/a {x:.2}, y/a ±{:.2}", y.abs()),
-    };
+    let place = |at: &Located| place([at.x / a, at.y / a], symmetry);
     for (kind, verb, extreme) in [
         (WarningKind::HottestFilm, "reaches", &thermal.film_maximum),
         (WarningKind::ColdestFilm, "falls to", &thermal.film_lowest),
@@ -151,7 +160,7 @@ fn reduction(levels: &[LevelStats], measured: &Measured, slides: bool) -> Option
 
 /// Temperatures at the points of the centreline.
 fn centreline(d: &Discretisation, state: &State, space: &HeatSpace) -> FilmTemperatures {
-    let profile = Profile::new(d, state, super::fields::PER_EDGE);
+    let profile = super::fields::sampled(d, state);
     let mut temperatures = FilmTemperatures::default();
     for fields in &profile.fields {
         if let Some(profile) = &fields.temperature {
@@ -193,5 +202,20 @@ impl FilmTemperatures {
         self.mean.push(film.mean(values));
         self.plane.push(plane);
         self.ball.push(ball);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of a contact that was solved as a whole, the mirror image of a place is another place.
+    #[test]
+    fn places_have_an_image_only_in_symmetric_contacts() {
+        let at = |y, symmetry| place([-0.001, y], symmetry);
+        assert_eq!(at(-0.306, Symmetry::Half), "x/a 0.00, y/a ±0.31");
+        assert_eq!(at(-0.306, Symmetry::Full), "x/a 0.00, y/a -0.31");
+        assert_eq!(at(0.306, Symmetry::Full), "x/a 0.00, y/a 0.31");
+        assert_eq!(at(0.0, Symmetry::Full), "x/a 0.00");
     }
 }

@@ -40,7 +40,7 @@ pub fn deviation(
         return found;
     }
     let places = LOCAL.map(|(figure, _)| place(figure));
-    let recovery = Recovery::new(space);
+    let recovery = Recovery::new(space, d.contact.shape.symmetry);
     let nodal: [Vec<f64>; N_ROWS] = std::array::from_fn(|row| {
         let columns = state.temperature.chunks_exact(column.n());
         let values = columns.map(|values| {

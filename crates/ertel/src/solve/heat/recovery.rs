@@ -12,6 +12,8 @@ use ertel_fem::space::Space;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
+use crate::contact::Symmetry;
+
 /// Order of the recovered polynomials.
 pub const ORDER: usize = 3;
 
@@ -32,11 +34,11 @@ pub struct Recovery<'a> {
 }
 
 impl<'a> Recovery<'a> {
-    /// For segments along x, or triangles on the half y ≤ 0 of what is symmetric about y = 0.
+    /// For segments along x, or triangles on a whole contact or on the half y ≤ 0 of one that is symmetric about y = 0.
     ///
     /// # Panics
     /// For elements that are not linear.
-    pub fn new(space: &'a Space) -> Recovery<'a> {
+    pub fn new(space: &'a Space, symmetry: Symmetry) -> Recovery<'a> {
         assert_eq!(space.element.order(), 1);
         let mut neighbours = vec![Vec::new(); space.n_nodes()];
         for cell in 0..space.n_elements() {
@@ -49,12 +51,15 @@ impl<'a> Recovery<'a> {
             list.sort_unstable();
             list.dedup();
         }
+        // Nodes so near y = 0 lie on the plane of symmetry.
         let reach = space.points.iter().fold(0.0, |r: f64, p| r.max(p[1].abs()));
+        let mirror =
+            (symmetry == Symmetry::Half && space.element.dim() == 2).then_some(1e-9 * reach);
         let stencils = (0..space.n_nodes() as u32).into_par_iter();
         Recovery {
             space,
             stencils: stencils
-                .map(|node| stencil(space, &neighbours, node, 1e-9 * reach))
+                .map(|node| stencil(space, &neighbours, node, mirror))
                 .collect(),
         }
     }
@@ -122,11 +127,11 @@ fn gradient(stencil: &Stencil, values: &[f64], node: usize) -> [f64; 2] {
 
 /// Weights of the gradient at a node, over as few rings of elements as determine a quadratic.
 ///
-/// Nodes within `flat` of y = 0 have mirror images of their neighbours around them.
-fn stencil(space: &Space, neighbours: &[Vec<u32>], node: u32, flat: f64) -> Stencil {
+/// On a half, nodes within `mirror` of y = 0 have mirror images of their neighbours around them, and no gradient across.
+fn stencil(space: &Space, neighbours: &[Vec<u32>], node: u32, mirror: Option<f64>) -> Stencil {
     let dim = space.element.dim();
     let [x, y, _] = space.points[node as usize];
-    let symmetric = dim == 2 && y.abs() <= flat;
+    let mirror = mirror.filter(|flat| y.abs() <= *flat);
     let (mut patch, mut ring) = (vec![node], 0..1);
     for round in 1..=RINGS {
         for k in ring.clone() {
@@ -141,13 +146,13 @@ fn stencil(space: &Space, neighbours: &[Vec<u32>], node: u32, flat: f64) -> Sten
         for other in &patch[1..] {
             let [px, py, _] = space.points[*other as usize];
             samples.push((*other, [px - x, py - y]));
-            if symmetric && py.abs() > flat {
+            if mirror.is_some_and(|flat| py.abs() > flat) {
                 samples.push((*other, [px - x, -py - y]));
             }
         }
         let found = fit(dim, &samples, round == RINGS || ring.is_empty());
         if let Some(mut stencil) = found {
-            if symmetric {
+            if mirror.is_some() {
                 stencil.iter_mut().for_each(|(_, weights)| weights[1] = 0.0);
             }
             return stencil;

@@ -6,30 +6,24 @@ function colour(name) { return getComputedStyle(document.documentElement).getPro
 
 function colours() { return [0, 1, 2, 3, 4, 5].map((i) => colour(`--c${i}`)); }
 
-// Ticks of a logarithmic axis: at 1, 2 and 5 times powers of ten, over many decades at powers of ten alone.
-function logTicks(u, splits) {
-  const known = splits.filter((v) => v != null && v > 0);
-  const decades = Math.log10(Math.max(...known) / Math.min(...known));
-  const every = Math.max(1, Math.ceil(decades / 8));
-  return splits.map((v) => {
-    if (v == null) return null;
-    const power = Math.floor(Math.log10(v) + 1e-9);
-    const mantissa = v / 10 ** power;
-    const is = (m) => Math.abs(mantissa - m) < 1e-6;
-    if (decades > 4) return is(1) && power % every === 0 ? v : null;
-    return is(1) || (decades <= 2.5 && (is(2) || is(5))) ? v : null;
-  });
-}
-
-function logLabels(u, splits) { return splits.map((v) => (v == null ? "" : v >= 1e4 || v < 1e-3 ? v.toExponential(0).replace("e+", "e") : digits(v, 1))); }
-
-function plainLabels(u, splits) {
-  const text = tickText(splits.filter((v) => v != null));
-  return splits.map((v) => (v == null ? "" : text(v)));
+// What uPlot asks of an axis: where its ticks are, and what stands there. `long` is the length of the axis in pixels.
+function ticksFor(log, across, long) {
+  let drawn = { values: [], labels: [] };
+  return {
+    splits: (u, axis, low, high) => {
+      drawn = { low, high, ...ticksOver(low, high, long(u), { log, across }) };
+      return drawn.values;
+    },
+    values: () => drawn.labels,
+    // For those who ask what the axis says: a program cannot read it from the picture.
+    drawn: () => drawn,
+    // uPlot's own filter of logarithmic axes would leave out some.
+    filter: (u, splits) => splits,
+  };
 }
 
 // Room for the longest label of a vertical axis.
-function roomFor(u, labels) { return 16 + 7.2 * Math.max(3, ...(labels ?? []).map((t) => t.length)); }
+function roomFor(u, labels) { return 18 + 7.2 * Math.max(3, ...(labels ?? []).map((t) => t.length)); }
 
 function errorBars(spec) {
   return (u) => {
@@ -60,7 +54,7 @@ function errorBars(spec) {
   };
 }
 
-// Ends of an axis that hold all values with their error bars; of a logarithmic one with a little room, not whole decades.
+// Ends of an axis that hold all values with their error bars; a bar on a logarithmic axis counts to a third and to three times its value.
 function endsOf(spec, scale, log) {
   let [low, high] = [Infinity, -Infinity];
   for (const s of spec.series) {
@@ -72,10 +66,7 @@ function endsOf(spec, scale, log) {
       high = Math.max(high, log ? Math.min(v + e, 3 * v) : v + e);
     });
   }
-  if (!(low <= high)) return null;
-  if (log) { const room = Math.max(1.1, (high / low) ** 0.04); return [low / room, high * room]; }
-  const room = 0.05 * (high - low || Math.abs(high) || 1);
-  return [low - room, high + room];
+  return low <= high ? withRoom(low, high, log) : axisEnds(NaN, NaN, log);
 }
 
 function cursorLine(spec) {
@@ -93,8 +84,9 @@ function cursorLine(spec) {
   };
 }
 
-// Draws a chart into the element of an id, in place of what it holds. `spec`: x {label, data, log}, y and right {label, log},
-// series [{label, data, errors, colour, scale, dash, points}], mark, describe, onPoint, height.
+// Draws a chart into the element of an id, in place of what it holds. `spec`: x {label, data, log, range}, y and right {label, log, range},
+// series [{label, data, errors, colour, scale, dash, points}], mark, describe, onPoint, height. `range` of an axis, from the ends of the
+// values, replaces what holds them.
 function lineChart(id, spec) {
   const host = document.getElementById(id);
   charts.get(id)?.chart.destroy();
@@ -102,23 +94,32 @@ function lineChart(id, spec) {
   const palette = colours();
   spec.series.forEach((s, i) => { s.colour = s.colour ?? palette[(s.ink ?? i) % palette.length]; });
   const ink = colour("--ink");
-  const axis = (label, extra) => ({
-    stroke: ink, label, labelSize: 24, labelFont: "13px system-ui, sans-serif", font: "12px system-ui, sans-serif",
-    grid: { stroke: colour("--grid"), width: 1 }, ticks: { stroke: colour("--rule"), width: 1 }, size: roomFor, values: plainLabels, ...extra,
+  const axis = (label, extra, grid = {}) => ({
+    stroke: ink, label, labelSize: 24, labelGap: 4, labelFont: "13px system-ui, sans-serif", font: "12px system-ui, sans-serif",
+    grid: { stroke: colour("--grid"), width: 1, ...grid }, ticks: { stroke: colour("--rule"), width: 1 }, size: roomFor, ...extra,
   });
-  const logAxis = (log, grid = {}) => (log ? { values: logLabels, filter: logTicks, grid: { stroke: colour("--grid"), width: 1, filter: logTicks, ...grid }, ticks: { stroke: colour("--rule"), width: 1, filter: logTicks } } : {});
-  const axes = [axis(spec.x.label, { size: 36, ...logAxis(spec.x.log) }), axis(spec.y.label, { scale: "y", ...logAxis(spec.y.log) })];
-  if (spec.right) axes.push(axis(spec.right.label, { scale: "right", side: 1, grid: { show: false }, ...logAxis(spec.right.log, { show: false }) }));
-  const distr = (log) => (log ? { distr: 3, log: 10 } : {});
+  const wide = Math.max(240, host.clientWidth);
+  const height = spec.height ?? 300;
+  const upright = (about) => ticksFor(about?.log, false, () => height - 60);
+  const axes = [
+    axis(spec.x.label, { size: 36, ...ticksFor(spec.x.log, true, () => wide - (spec.right ? 130 : 80)) }),
+    axis(spec.y.label, { scale: "y", ...upright(spec.y) }),
+  ];
+  if (spec.right) axes.push(axis(spec.right.label, { scale: "right", side: 1, ...upright(spec.right) }, { show: false }));
+  // Whatever the data are, the ends of each axis can be drawn.
+  const scaled = (log, range) => ({ ...(log ? { distr: 3, log: 10 } : {}), range: (u, low, high) => axisEnds(...range(low, high), log) });
   const fit = (scale, about) => {
-    const ends = about?.log || spec.series.some((s) => s.errors) ? endsOf(spec, scale, about?.log) : null;
-    return { ...distr(about?.log), ...(ends ? { range: () => ends } : {}), ...about?.range };
+    const log = Boolean(about?.log);
+    if (about?.range) return scaled(log, about.range);
+    const ends = spec.series.some((s) => s.errors) ? endsOf(spec, scale, log) : null;
+    return scaled(log, (low, high) => ends ?? withRoom(low, high, log));
   };
+  const along = spec.x.range ?? ((low, high) => (spec.x.log ? withRoom(low, high, true, 0.02) : [low, high]));
   const options = {
-    width: Math.max(240, host.clientWidth), height: spec.height ?? 300,
+    width: wide, height,
     padding: [12, spec.right ? 4 : 16, 0, 0],
     cursor: { drag: { x: true, y: false } },
-    scales: { x: { time: false, ...(spec.x.log ? { ...distr(true), range: (u, low, high) => [low / 1.05, high * 1.05] } : {}) }, y: fit("y", spec.y), right: fit("right", spec.right) },
+    scales: { x: { time: false, ...scaled(spec.x.log, along) }, y: fit("y", spec.y), right: fit("right", spec.right) },
     axes,
     series: [
       { label: spec.x.label, value: (u, v) => (v == null ? "–" : digits(v, 5)) },
@@ -128,10 +129,15 @@ function lineChart(id, spec) {
         value: (u, v) => (v == null ? "–" : digits(v, 5)),
       })),
     ],
-    hooks: { draw: [errorBars(spec), cursorLine(spec)], setCursor: spec.onPoint ? [(u) => spec.onPoint(u.cursor.idx)] : [] },
+    hooks: {
+      draw: [errorBars(spec), cursorLine(spec), () => { host.dataset.axes = JSON.stringify(axes.map((a) => a.drawn())); }],
+      setCursor: spec.onPoint ? [(u) => spec.onPoint(u.cursor.idx)] : [],
+    },
   };
-  const finite = (v) => (v === undefined || Number.isFinite(v) ? v : null);
-  const data = [Array.from(spec.x.data), ...spec.series.map((s) => Array.from(s.data, finite))];
+  // A logarithmic axis has no place for what is not positive.
+  const shown = (log) => (v) => (v === undefined || (Number.isFinite(v) && !(log && v <= 0)) ? v : null);
+  const logOf = (s) => (s.scale === "right" ? spec.right : spec.y)?.log;
+  const data = [Array.from(spec.x.data), ...spec.series.map((s) => Array.from(s.data, shown(logOf(s))))];
   const chart = new uPlot(options, data, host);
   chart.root.querySelector(".u-wrap").setAttribute("role", "img");
   chart.root.querySelector(".u-wrap").setAttribute("aria-label", spec.describe ?? spec.series.map((s) => s.label).join(", "));

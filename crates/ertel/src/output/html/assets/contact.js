@@ -33,7 +33,9 @@ class ContactView {
     return [[-x - 1.4 * margin, x + margin], [-y - margin, y + margin]];
   }
 
+  // Edge of the dry contact, in half-widths.
   zone(result) {
+    if (result.data.edge) return result.data.edge.map((p) => p.map((v) => v / result.a));
     const [x, y] = result.data.zone.map((v) => v / result.a);
     if (result.data.kind === "roller") return [[-x, -y], [x, -y], [x, y], [-x, y]];
     return Array.from({ length: 121 }, (_, i) => [x * Math.cos(i * Math.PI / 60), y * Math.sin(i * Math.PI / 60)]);
@@ -70,7 +72,10 @@ class ContactView {
       this.maps.push({ map, of });
     };
     const single = this.results.length === 1;
-    host.classList.toggle("single", single);
+    // One map and the profiles through it stand side by side, unless the map is as wide as the page.
+    const [[x0, x1], [y0, y1]] = window;
+    document.getElementById("area").classList.toggle("beside", single && !isSlender(window) && x1 - x0 < 1.6 * (y1 - y0));
+    host.classList.toggle("wide", single || isSlender(window));
     this.results.forEach((r, i) => add(single ? "" : `${i + 1}: ${r.name}`, r, { result: r }));
     this.results.slice(1).forEach((r, i) => add(`Difference, ${i + 2} − 1`, r, { result: r, minus: this.results[0] }));
     this.show();
@@ -194,9 +199,9 @@ class ContactView {
       }));
       const isFilm = name === "film_thickness";
       const most = isFilm ? 3 * Math.max(...this.results.map((r) => unit.show(r.figures[0].value))) : null;
-      const range = isFilm ? { range: (u, min, max) => [0, Math.min(most, 1.08 * max)] } : null;
+      const range = isFilm ? (min, max) => [0, Math.min(most, 1.08 * max)] : null;
       lineChart(id, {
-        x: { label: axis === 0 ? "x/a" : "y/a", data: at }, y: { label, range, log: isWide }, series, mark: this.cursor[axis], height: 260,
+        x: { label: axis === 0 ? "x/a" : "y/a", data: at }, y: { label, range, log: isWide }, series, mark: this.cursor[axis], height: 240,
         describe: `${capital(words)} ${axis === 0 ? "along" : "across"} the motion through the cursor`,
       });
     }
@@ -234,7 +239,7 @@ class CentrelineView {
         most: name === "film_thickness" ? 3 * unit.show(Math.max(...this.results.map((q) => q.figures[0].value))) : Infinity,
       }));
       const most = series[series.length - 1].most;
-      const range = Number.isFinite(most) ? { range: () => [0, most] } : null;
+      const range = Number.isFinite(most) ? () => [0, most] : null;
       return { label: `${capital(fields[0].words)} (${unit.name})`, log, range };
     };
     const y = axis(chosen("left"), "y");
@@ -258,10 +263,28 @@ class CentrelineView {
         return v;
       });
     }
+    // All is seen from where the pressure begins to where it ends; what is beyond stays in the copied points.
+    const [first, last] = this.ends();
+    const x = { label: "x/a", data: all, range: (low, high) => [Math.max(low, first), Math.min(high, last)] };
     lineChart("profile", {
-      x: { label: "x/a", data: all }, y, right, series, height: 380,
+      x, y, right, series, height: 380,
       describe: `Profiles along the centreline: ${series.map((s) => s.label).join(", ")}`,
     });
+  }
+
+  // Where the pressure is to be seen, in half-widths: beyond a hundredth of its maximum, and a margin.
+  ends() {
+    let [first, last] = [Infinity, -Infinity];
+    for (const r of this.results) {
+      const { values } = r.profile("pressure");
+      const most = values.reduce((m, v) => Math.max(m, v), 0);
+      values.forEach((v, i) => {
+        if (!(v > 0.01 * most)) return;
+        first = Math.min(first, r.line.x[i] / r.a);
+        last = Math.max(last, r.line.x[i] / r.a);
+      });
+    }
+    return [first - 0.4, last + 0.4];
   }
 
   original(series, i) {

@@ -18,23 +18,6 @@ function ramp(stops) {
 
 const RAMPS = { viridis: ramp(VIRIDIS), diverging: ramp(DIVERGING) };
 
-// Round numbers between two others, about n of them.
-function roundTicks(low, high, n) {
-  const raw = (high - low) / n;
-  if (!(raw > 0)) return [low];
-  const power = 10 ** Math.floor(Math.log10(raw));
-  const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= raw * 0.999);
-  const ticks = [];
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) ticks.push(i * step === 0 ? 0 : i * step);
-  return ticks;
-}
-
-function tickText(ticks) {
-  const step = ticks.length > 1 ? Math.abs(ticks[1] - ticks[0]) : Math.abs(ticks[0]) || 1;
-  const places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return (v) => (Math.abs(v) >= 1e5 ? v.toExponential(1) : v.toFixed(Math.min(places, 6)).replace("-", "−"));
-}
-
 // Segments of the contour at a level through the pixels of a raster (marching squares).
 function contour(raster, width, height, level, segment) {
   for (let j = 0; j + 1 < height; j++) {
@@ -55,8 +38,12 @@ function contour(raster, width, height, level, segment) {
   }
 }
 
+// Whether a window is much longer across the motion than along it.
+function isSlender([[x0, x1], [y0, y1]]) { return y1 - y0 > 1.6 * (x1 - x0); }
+
 class FieldMap {
-  // `sample(window, width, height)` gives values in the shown unit; `window` in half-widths.
+  // `sample(window, width, height)` gives values in the shown unit; `window` in half-widths. A contact that is much longer across the
+  // motion than along it lies on its side where there is room: y to the right, x downwards.
   constructor(host, { caption, window, zone, onCursor, describe }) {
     this.window = window;
     this.zone = zone;
@@ -69,19 +56,26 @@ class FieldMap {
     this.canvas.setAttribute("role", "application");
     this.canvas.setAttribute("aria-label", describe);
     this.canvas.setAttribute("aria-describedby", "map-help");
+    this.title = title;
+    this.caption = caption;
     this.figure.append(title, this.canvas);
     host.append(this.figure);
     this.canvas.addEventListener("pointerdown", (e) => { const p = this.place(e); if (p) onCursor(p); });
     this.canvas.addEventListener("pointermove", (e) => { if (e.buttons & 1) { const p = this.place(e); if (p) onCursor(p); } });
     this.canvas.addEventListener("keydown", (e) => {
       const step = e.shiftKey ? 0.1 : 0.01;
-      const move = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[e.key];
-      if (!move) return;
+      const shown = { ArrowLeft: [-step, 0], ArrowRight: [step, 0], ArrowUp: [0, step], ArrowDown: [0, -step] }[e.key];
+      if (!shown) return;
       e.preventDefault();
+      const move = this.fromShown(shown);
       onCursor([this.cursor[0] + move[0], this.cursor[1] + move[1]]);
     });
     this.cursor = [0, 0];
   }
+
+  toShown([x, y]) { return this.turned ? [y, -x] : [x, y]; }
+
+  fromShown([u, v]) { return this.turned ? [-v, u] : [u, v]; }
 
   layout() {
     const ratio = Math.min(2, devicePixelRatio || 1);
@@ -89,16 +83,33 @@ class FieldMap {
     const [left, right, top, bottom] = [50, 92, 8, 44];
     const inner = width - left - right;
     const [[x0, x1], [y0, y1]] = this.window;
-    let height = inner * (y1 - y0) / (x1 - x0);
-    let used = inner;
-    const tallest = 560;
-    if (height > tallest) { used = inner * tallest / height; height = tallest; }
-    this.frame = { left, top, width: Math.round(used), height: Math.round(height) };
+    this.turned = isSlender(this.window) && width > 620;
+    this.shown = this.turned ? [[y0, y1], [-x1, -x0]] : this.window;
+    const [[u0, u1], [v0, v1]] = this.shown;
+    // Equal scales, unless one side would be too narrow to see anything.
+    const [tallest, least] = [560, Math.min(200, inner)];
+    const scale = Math.min(inner / (u1 - u0), tallest / (v1 - v0));
+    const [wide, high] = [scale * (u1 - u0), scale * (v1 - v0)];
+    this.frame = { left, top, width: Math.round(Math.max(wide, least)), height: Math.round(Math.max(high, least)) };
+    const notes = [this.turned ? "The motion is downwards." : "", wide < least || high < least ? "The axes have different scales." : ""];
+    this.title.textContent = [this.caption, ...notes].filter(Boolean).join(" ");
     const full = top + this.frame.height + bottom;
     this.canvas.style.height = `${full}px`;
     this.canvas.width = width * ratio;
     this.canvas.height = full * ratio;
     this.ratio = ratio;
+  }
+
+  // Values at the pixels of the frame, row by row from the top.
+  sampled(sample, [width, height]) {
+    if (!this.turned) return sample(this.window, width, height);
+    // Rows run along x from the largest y: the pixel at (column, row) is at y of the column and x of the row.
+    const raster = sample(this.window, height, width);
+    const out = new Float32Array(width * height);
+    for (let row = 0; row < height; row++) {
+      for (let column = 0; column < width; column++) out[row * width + column] = raster[(width - 1 - column) * height + row];
+    }
+    return out;
   }
 
   // Draws a raster of the frame's size; `values` as `{sample, range, log, ramp, unit, contours}`.
@@ -108,11 +119,11 @@ class FieldMap {
     this.values = values;
     const { width, height } = this.frame;
     const cells = [Math.round(width * this.ratio), Math.round(height * this.ratio)];
-    this.raster = values.sample(this.window, ...cells);
+    this.raster = this.sampled(values.sample, cells);
     this.cells = cells;
-    const [low, high] = values.range(this.raster);
+    const [low, high] = axisEnds(...values.range(this.raster), values.log);
     this.range = [low, high];
-    const place = values.log ? (v) => Math.log(v / low) / Math.log(high / low) : (v) => (v - low) / (high - low || 1);
+    const place = values.log ? (v) => Math.log(v / low) / Math.log(high / low) : (v) => (v - low) / (high - low);
     const table = RAMPS[values.ramp ?? "viridis"];
     const image = new ImageData(...cells);
     for (let i = 0; i < this.raster.length; i++) {
@@ -131,7 +142,7 @@ class FieldMap {
   levels() {
     const [low, high] = this.range;
     if (this.values.log) return [];
-    return roundTicks(low, high, 9).filter((v) => v > low && v < high);
+    return axisTicks(low, high, { most: 10 }).values.filter((v) => v > low && v < high);
   }
 
   paint() {
@@ -166,18 +177,19 @@ class FieldMap {
   }
 
   toPixel(x, y) {
-    const [[x0, x1], [y0, y1]] = this.window;
+    const [[u0, u1], [v0, v1]] = this.shown;
+    const [u, v] = this.toShown([x, y]);
     const { left, top, width, height } = this.frame;
-    return [left + (x - x0) / (x1 - x0) * width, top + (y1 - y) / (y1 - y0) * height];
+    return [left + (u - u0) / (u1 - u0) * width, top + (v1 - v) / (v1 - v0) * height];
   }
 
   place(event) {
     const box = this.canvas.getBoundingClientRect();
     const { left, top, width, height } = this.frame;
-    const [u, v] = [(event.clientX - box.left - left) / width, (event.clientY - box.top - top) / height];
-    if (u < 0 || u > 1 || v < 0 || v > 1) return null;
-    const [[x0, x1], [y0, y1]] = this.window;
-    return [x0 + u * (x1 - x0), y1 - v * (y1 - y0)];
+    const [s, t] = [(event.clientX - box.left - left) / width, (event.clientY - box.top - top) / height];
+    if (s < 0 || s > 1 || t < 0 || t > 1) return null;
+    const [[u0, u1], [v0, v1]] = this.shown;
+    return this.fromShown([u0 + s * (u1 - u0), v1 - t * (v1 - v0)]);
   }
 
   paintZone(ctx) {
@@ -200,38 +212,39 @@ class FieldMap {
 
   paintAxes(ctx, ink) {
     const { left, top, width, height } = this.frame;
-    const [[x0, x1], [y0, y1]] = this.window;
+    const along = this.turned ? this.window[1] : this.window[0];
+    const up = this.turned ? this.window[0] : this.window[1];
+    const names = this.turned ? ["y/a", "x/a"] : ["x/a", "y/a"];
     ctx.strokeStyle = ink;
     ctx.fillStyle = ink;
     ctx.lineWidth = 1;
     ctx.strokeRect(left, top, width, height);
-    const xs = roundTicks(x0, x1, 6);
-    const ys = roundTicks(y0, y1, 6);
     ctx.beginPath();
     ctx.textAlign = "center";
     ctx.textBaseline = "top";
-    const xText = tickText(xs);
-    for (const v of xs) {
-      const [x] = this.toPixel(v, 0);
+    const xs = ticksOver(...along, width);
+    xs.values.forEach((v, i) => {
+      const [x] = this.turned ? this.toPixel(0, v) : this.toPixel(v, 0);
       ctx.moveTo(x, top + height); ctx.lineTo(x, top + height + 4);
-      ctx.fillText(xText(v), x, top + height + 6);
-    }
+      ctx.fillText(xs.labels[i], x, top + height + 6);
+    });
     ctx.textAlign = "right";
     ctx.textBaseline = "middle";
-    const yText = tickText(ys);
-    for (const v of ys) {
-      const [, y] = this.toPixel(0, v);
+    const ys = ticksOver(...up, height, { across: false });
+    ys.values.forEach((v, i) => {
+      const [, y] = this.turned ? this.toPixel(v, 0) : this.toPixel(0, v);
       ctx.moveTo(left, y); ctx.lineTo(left - 4, y);
-      ctx.fillText(yText(v), left - 7, y);
-    }
+      ctx.fillText(ys.labels[i], left - 7, y);
+    });
+    this.axes = [{ low: along[0], high: along[1], ...xs }, { low: up[0], high: up[1], ...ys }];
     ctx.stroke();
     ctx.textAlign = "center";
     ctx.textBaseline = "bottom";
-    ctx.fillText("x/a", left + width / 2, top + height + 40);
+    ctx.fillText(names[0], left + width / 2, top + height + 40);
     ctx.save();
     ctx.translate(14, top + height / 2);
     ctx.rotate(-Math.PI / 2);
-    ctx.fillText("y/a", 0, 0);
+    ctx.fillText(names[1], 0, 0);
     ctx.restore();
   }
 
@@ -247,22 +260,17 @@ class FieldMap {
     ctx.strokeStyle = ink;
     ctx.strokeRect(x, top, w, height);
     const [low, high] = this.range;
-    const decades = () => {
-      const ticks = [];
-      for (let p = Math.ceil(Math.log10(low)); p <= Math.log10(high); p++) ticks.push(10 ** p);
-      return ticks.length ? ticks : [low, high];
-    };
-    const ticks = this.values.log ? decades() : roundTicks(low, high, Math.max(3, Math.min(9, height / 40)));
-    const text = this.values.log ? (v) => digits(v, 1) : tickText(ticks);
+    const ticks = ticksOver(low, high, height, { log: this.values.log, across: false });
     ctx.fillStyle = ink;
     ctx.textAlign = "left";
     ctx.textBaseline = "middle";
     ctx.beginPath();
-    for (const v of ticks) {
+    ticks.values.forEach((v, i) => {
       const y = top + (1 - this.place01(v)) * height;
       ctx.moveTo(x + w, y); ctx.lineTo(x + w + 4, y);
-      ctx.fillText(text(v), x + w + 7, y);
-    }
+      ctx.fillText(ticks.labels[i], x + w + 7, y);
+    });
+    this.figure.dataset.axes = JSON.stringify([...this.axes, { low, high, ...ticks }]);
     ctx.stroke();
     ctx.textBaseline = "bottom";
     ctx.fillText(this.values.unit, x, top + height + 26);

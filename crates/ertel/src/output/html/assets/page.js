@@ -22,6 +22,13 @@ function makeCard(title, value, more) {
   return card;
 }
 
+// Where a figure is: of a line contact along the motion alone; where both halves are alike, on either side.
+function placeText({ a, data, mesh }, { x, y }) {
+  const at = (v) => (v / a).toFixed(3).replace(/^-0\.0*$/, "0.000").replace("-", "−");
+  if (data.kind === "line") return `at x/a ${at(x)}`;
+  return `at x/a ${at(x)}, y/a ${mesh?.mirrored && at(y) !== "0.000" ? `±${at(Math.abs(y))}` : at(y)}`;
+}
+
 function showCards(results) {
   const host = element("cards");
   const first = results[0];
@@ -29,7 +36,7 @@ function showCards(results) {
     const more = [];
     if (figure.uncertainty != null) more.push(`inputs: ± ${digits(100 * figure.uncertainty / Math.abs(figure.value), 2)} % (95 %)`);
     if (results.length === 1 && figure.x != null && figure.place_error !== undefined) {
-      more.push(`at x/a ${(figure.x / first.a).toFixed(3)}, y/a ${(figure.y / first.a).toFixed(3)}`.replaceAll("-", "−"));
+      more.push(placeText(first, figure));
     }
     const own = results.map((r) => r.figures.find((f) => f.name === figure.name));
     if (results.length > 1) {
@@ -115,7 +122,7 @@ function setUp() {
     view.table = new TableView(table ? { rows: parseCsv(table.csv), nAxes: table.n_axes, leftOut: table.left_out } : joinTables(data.tables));
   }
   const nav = element("contents");
-  for (const section of document.querySelectorAll("main > section[id]:not([hidden])")) {
+  for (const section of document.querySelectorAll("main section[id]:not([hidden])")) {
     const link = document.createElement("a");
     link.href = `#${section.id}`;
     link.textContent = section.querySelector("h2").textContent;

@@ -105,6 +105,8 @@ class TableView {
     const text = row.cells[this.columns.indexOf(column)];
     if (!column.isNumber || text === "" || column.title === "point") return text;
     const value = column.shown.show(Number(text));
+    // What was varied is known exactly.
+    if (this.columns.indexOf(column) <= this.nAxes) return String(Number(value.toPrecision(6)));
     const error = column.errors >= 0 ? Number(row.cells[column.errors]) * column.shown.factor : NaN;
     return error > 0 && !document.getElementById("all-columns").checked ? withBar(value, error, "") : digits(value, 5);
   }
@@ -143,6 +145,8 @@ class TableView {
         const td = document.createElement(k === 0 ? "th" : "td");
         if (k === 0) td.scope = "row";
         td.textContent = this.cell(c, row);
+        // Where rows stand one below the other, each cell says what it is.
+        td.dataset.label = `${capital(c.words)}${c.shown?.name ? ` (${c.shown.name})` : ""}`;
         tr.append(td);
       });
       tr.addEventListener("pointerenter", () => this.mark(row.i, false));
@@ -181,7 +185,7 @@ class TableView {
       const yLog = xLog && values.length > 0 && values.every((v) => v > 0) && Math.max(...values) > 4 * Math.min(...values);
       const title = y === "films" ? `Film thickness (${unit.name})` : label(names[0]);
       const chart = lineChart(id, {
-        x: { label: label(x), data: order.map((r) => x.shown.show(x.numbers[r.i])), log: xLog }, y: { label: title, log: yLog },
+        x: { label: label(x), data: order.map((r) => x.shown.show(x.numbers[r.i])), log: xLog, range: (low, high) => withRoom(low, high, xLog, 0.03) }, y: { label: title, log: yLog },
         series, height: 320,
         describe: `${title} over ${label(x)}, ${order.length} points`,
         onPoint: (idx) => { if (idx != null && order[idx] && this.hovering !== order[idx].i) this.mark(order[idx].i, true); },

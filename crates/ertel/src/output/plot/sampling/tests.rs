@@ -5,6 +5,7 @@ use ertel_fem::space::Space;
 
 use super::super::contour::Triangulation;
 use super::*;
+use crate::contact::Symmetry;
 use crate::solve::heat::recovery::{self, Recovery};
 
 /// Size of a pixel: 330 px over [−1, 1].
@@ -208,7 +209,10 @@ fn recovered_gradients_round_a_polygon() {
     let linear = space.element_nodes.iter().map(|node| nodal[*node as usize]);
     let [polygon, round] = [
         (1, linear.collect()),
-        (recovery::ORDER, Recovery::new(&space).cubics(&nodal)),
+        (
+            recovery::ORDER,
+            Recovery::new(&space, Symmetry::Half).cubics(&nodal),
+        ),
     ]
     .map(|(order, values)| {
         let lines = level_lines(&elements, &Polynomials { order, values }, (-0.49_f64).exp());

@@ -9,10 +9,15 @@ use super::*;
 
 /// [−2, 1] × [−1.5, 0] or [−2, 1] with cells of a size around (0.3, 0), growing to thrice that away from it.
 fn graded(dim: usize, size: f64) -> SimplexMesh {
+    graded_to(dim, size, 0.0)
+}
+
+/// The same up to another y.
+fn graded_to(dim: usize, size: f64, top: f64) -> SimplexMesh {
     let params = SurfaceParams {
         dim,
         x: [-2.0, 1.0],
-        y: [-1.5, 0.0],
+        y: [-1.5, top],
     };
     let field = |[x, y]: [f64; 2]| size * (1.0 + (x - 0.3).hypot(y)).min(3.0);
     surface_mesh(&params, &field).unwrap().mesh().clone()
@@ -25,9 +30,14 @@ fn at(points: &[[f64; 3]], f: &dyn Fn([f64; 2]) -> f64) -> Vec<f64> {
 
 /// Largest errors of the linear elements and of the recovered cubics, at the nodes of these.
 fn errors(mesh: &SimplexMesh, f: &dyn Fn([f64; 2]) -> f64) -> [f64; 2] {
+    errors_of(mesh, Symmetry::Half, f)
+}
+
+/// The same of a contact that is symmetric about y = 0 or not.
+fn errors_of(mesh: &SimplexMesh, symmetry: Symmetry, f: &dyn Fn([f64; 2]) -> f64) -> [f64; 2] {
     let (space, fine) = (Space::new(mesh, 1), Space::new(mesh, ORDER));
     let (nodal, exact) = (at(&space.points, f), at(&fine.points, f));
-    let cubics = Recovery::new(&space).cubics(&nodal);
+    let cubics = Recovery::new(&space, symmetry).cubics(&nodal);
     let n = fine.element.n_nodes();
     let mut errors = [0.0_f64; 2];
     for cell in 0..space.n_elements() {
@@ -55,6 +65,22 @@ fn quadratics_are_reproduced() {
     }
 }
 
+/// On a whole contact, quadratics that grow across y = 0 are reproduced as well: along that line, where the mesh has nodes
+/// or cells across it, and everywhere else.
+#[test]
+fn whole_contacts_have_gradients_across() {
+    let field = |[x, y]: [f64; 2]| 300.0 + 2.0 * x - 7.0 * y + x * y - 3.0 * x * x + 0.5 * y * y;
+    for top in [1.5, 0.0] {
+        let mesh = graded_to(2, 0.2, top);
+        let [linear, recovered] = errors_of(&mesh, Symmetry::Full, &field);
+        assert!(linear > 0.01, "to {top}: {linear}");
+        assert!(recovered < 1e-10, "to {top}: {recovered}");
+    }
+    // Mirrored at y = 0, that slope would be lost.
+    let [_, mirrored] = errors_of(&graded(2, 0.2), Symmetry::Half, &field);
+    assert!(mirrored > 0.1, "{mirrored}");
+}
+
 /// With the gradients given, Hermite's polynomials: x³ on segments, by hand; quadratics on triangles, whatever their symmetry.
 #[test]
 fn given_gradients_make_cubics() {
@@ -66,7 +92,7 @@ fn given_gradients_make_cubics() {
         .iter()
         .map(|p| [3.0 * p[0] * p[0], 0.0])
         .collect();
-    let cubics = Recovery::new(&space).cubics_of(&values, &gradients);
+    let cubics = Recovery::new(&space, Symmetry::Half).cubics_of(&values, &gradients);
     for (value, node) in cubics.iter().zip(&fine.element_nodes) {
         assert_relative_eq!(
             *value,
@@ -82,7 +108,7 @@ fn given_gradients_make_cubics() {
         .iter()
         .map(|[x, y, _]| [2.0 * x + y, x - 1.0])
         .collect();
-    let cubics = Recovery::new(&space).cubics_of(&values, &gradients);
+    let cubics = Recovery::new(&space, Symmetry::Half).cubics_of(&values, &gradients);
     for (value, node) in cubics.iter().zip(&fine.element_nodes) {
         let [x, y, _] = fine.points[*node as usize];
         assert_relative_eq!(*value, x * x + x * y - y, epsilon = 1e-12);
@@ -108,7 +134,7 @@ fn neighbours_agree_on_edges() {
     let mesh = graded(2, 0.2);
     let (space, fine) = (Space::new(&mesh, 1), Space::new(&mesh, ORDER));
     let values = at(&space.points, &|[x, y]| if x > 0.3 * y { 1.0 } else { x });
-    let cubics = Recovery::new(&space).cubics(&values);
+    let cubics = Recovery::new(&space, Symmetry::Half).cubics(&values);
     let mut seen: FxHashMap<u32, f64> = FxHashMap::default();
     let mut shared = 0;
     for (value, node) in cubics.iter().zip(&fine.element_nodes) {

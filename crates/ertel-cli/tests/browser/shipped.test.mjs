@@ -1,0 +1,87 @@
+// The page of every shipped case, curve and study: each plot has lines, true ticks and values under the cursor.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { cpSync, existsSync, mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { CASES, ERTEL, SCREENSHOTS, checkPlots, launch, openPage } from "./pages.mjs";
+
+const folder = mkdtempSync(join(tmpdir(), "ertel-shipped-"));
+const cases = join(folder, "cases");
+
+// The cases as shipped, but for what takes time: meshes are coarse, and of long axes three values are left, both ends among them, so
+// that plots have the same axes.
+const COARSE = ["mesh.target_error=10 %", "mesh.pressure_error=20 %", "output.sensitivities=false"];
+// These pages have plots that no other has not, and take minutes: their maps and curves are those of the others.
+const LEFT_OUT = [];
+
+function thin(text) {
+  const ends = (_, head, list) => {
+    const values = list.split(",").map((v) => v.trim());
+    return `${head}[${[values[0], values[values.length >> 1], values[values.length - 1]].join(", ")}]`;
+  };
+  return text.replace(/^(values\s*=\s*)\[((?:[^,\]]*,){3,}[^\]]*)\]/gm, ends).replace(/^(points\s*=\s*)\d+/gm, "$13");
+}
+
+function kindOf(text) {
+  if (/^\[\[axis\]\]/m.test(text)) return "study";
+  return /^\[curve\]/m.test(text) ? "curve" : "contact";
+}
+
+cpSync(CASES, cases, { recursive: true });
+const files = ["", "machine"].flatMap((under) => readdirSync(join(cases, under)).filter((f) => f.endsWith(".toml")).map((f) => join(under, f)));
+for (const file of files) writeFileSync(join(cases, file), thin(readFileSync(join(cases, file), "utf8")));
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser?.close());
+
+function run(...args) {
+  try {
+    execFileSync(ERTEL, args, { stdio: ["ignore", "ignore", "pipe"], timeout: 600e3 });
+  } catch (e) {
+    // A point of a study may not converge on a coarse mesh: its page is there all the same.
+    assert.equal(e.status, 3, `ertel ${args.join(" ")}: ${e.stderr}`);
+  }
+}
+
+async function look(name, file, expected) {
+  const page = await openPage(browser, file);
+  const found = await checkPlots(page, name);
+  assert.deepEqual(page.troubles, [], name);
+  assert.ok(found.charts >= expected.charts && found.maps >= expected.maps, `${name}: ${JSON.stringify(found)}`);
+  await page.screenshot({ path: join(SCREENSHOTS, `shipped-${name.replaceAll("/", "-")}.png`), fullPage: true });
+  await page.close();
+}
+
+describe("shipped cases", () => {
+  for (const file of files.filter((f) => !LEFT_OUT.includes(f))) {
+    const name = file.replace(/\.toml$/, "");
+    const text = readFileSync(join(cases, file), "utf8");
+    const kind = kindOf(text);
+    test(name, async () => {
+      const output = join(folder, name.replaceAll("/", "-"));
+      const set = (kind === "study" && /^key = "mesh\.target_error"/m.test(text) ? COARSE.slice(1) : COARSE).flatMap((one) => ["--set", one]);
+      run(kind === "study" ? "sweep" : "solve", join(cases, file), "--output", output, "--quiet", "--accept-unresolved", ...set);
+      const isLine = kind === "contact" && JSON.parse(readFileSync(join(output, "result.json"), "utf8")).kind === "line";
+      const expected = kind === "contact" ? { charts: isLine ? 2 : 4, maps: isLine ? 0 : 1 } : { charts: 2, maps: 0 };
+      await look(name, join(output, "report.html"), expected);
+    });
+  }
+  test("samples of uncertain inputs", async () => {
+    const output = join(folder, "samples");
+    run("solve", join(cases, "roller-uncertain.toml"), "--output", output, "--quiet", "--accept-unresolved", "--monte-carlo", "3", ...COARSE.flatMap((one) => ["--set", one]));
+    await look("samples", join(`${output}-monte-carlo`, "report.html"), { charts: 2, maps: 0 });
+  });
+  test("points of a comparison", async () => {
+    const table = readFileSync(join(cases, "measured-films.csv"), "utf8").split("\n");
+    const first = table.findIndex((line) => !line.startsWith("#"));
+    writeFileSync(join(cases, "few.csv"), [...table.slice(0, first + 3), table.filter((line) => line).pop()].join("\n") + "\n");
+    const output = join(folder, "comparison");
+    run("compare", join(cases, "measured-films.toml"), join(cases, "few.csv"), "--output", output, "--quiet", "--accept-unresolved");
+    const points = readdirSync(output, { recursive: true }).find((f) => basename(f) === "report.html");
+    assert.ok(points && existsSync(join(output, points)), "a comparison has a page");
+    await look("comparison", join(output, points), { charts: 2, maps: 0 });
+  });
+});
