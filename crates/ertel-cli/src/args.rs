@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
+use ertel_rheology::input::csv::{ColumnMap, CsvParams, Decimal};
 
 use crate::colour::When;
 use crate::init::InitArgs;
@@ -169,6 +170,31 @@ pub struct SweepArgs {
     pub verbose: bool,
 }
 
+/// How the columns of a table are read.
+#[derive(Debug, Args)]
+pub struct TableArgs {
+    /// Which column holds a quantity, by its title or its number, such as film="Film (nm)", film=Film:nm, film=#3:nm (may be repeated)
+    #[arg(long, value_name = "NAME=TITLE[:UNIT]", value_parser = ColumnMap::parse)]
+    pub column: Vec<ColumnMap>,
+    /// Decimal mark of the table, where its numbers leave it open
+    #[arg(long, value_name = "MARK", value_parser = PossibleValuesParser::new(["point", "comma"]))]
+    pub decimal: Option<String>,
+}
+
+impl TableArgs {
+    /// What is told about a table, with the titles of columns to leave out.
+    pub fn params(&self, ignored: &[String]) -> CsvParams {
+        CsvParams {
+            columns: self.column.clone(),
+            ignored: ignored.to_vec(),
+            decimal: self.decimal.as_ref().map(|mark| match mark.as_str() {
+                "comma" => Decimal::Comma,
+                _ => Decimal::Point,
+            }),
+        }
+    }
+}
+
 /// `ertel compare`.
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -190,6 +216,9 @@ pub struct CompareArgs {
     /// Leave out a column of the table, by its whole title (may be repeated)
     #[arg(long, value_name = "TITLE")]
     pub ignore: Vec<String>,
+    /// How the columns are read.
+    #[command(flatten)]
+    pub table: TableArgs,
     /// Take this step of a rig's export alone, by its number (may be repeated)
     #[arg(long, value_name = "N")]
     pub step: Vec<usize>,
@@ -325,6 +354,9 @@ pub struct FitFilmArgs {
     /// Table with the columns film_central_m or film_minimum_m, and those that the form needs
     #[arg(value_name = "RESULTS.csv")]
     pub results: PathBuf,
+    /// How the columns are read.
+    #[command(flatten)]
+    pub table: TableArgs,
     /// The form: moes, h = c R sqrt(2U) M^a L^b; hamrock-dowson, h = c R U^a G^b W^d; elliptical, the same with ellipticity and
     /// the angle of the motion; blend, of the elastic asymptotes of the central film; speed, h = c u^a; speed-load, h = c u^a F^b
     #[arg(long, value_name = "FORM", default_value = "moes", value_parser = PossibleValuesParser::new(ertel::fit::FilmForm::NAMES))]
@@ -373,6 +405,9 @@ pub struct FitLawArgs {
     /// Table with columns such as pressure_MPa, temperature_degC, viscosity_mPa_s (or density_kg_per_m3)
     #[arg(value_name = "DATA.csv")]
     pub data: PathBuf,
+    /// How the columns are read.
+    #[command(flatten)]
+    pub table: TableArgs,
     /// The law; `all` ranks the laws by how well they predict isotherms left out, and takes the best
     #[arg(long, value_name = "LAW")]
     pub law: String,

@@ -31,7 +31,7 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
             "pot" => Probe::Pot,
             _ => Probe::Lubricant,
         },
-        ignored: arguments.ignore.clone(),
+        table: arguments.table.params(&arguments.ignore),
     };
     let measured = Measured::read(&arguments.case, &arguments.measured, &params)?;
     let folder = folder(arguments);

@@ -10,7 +10,7 @@ use ertel::output::{digits, pressure, write_whole};
 use ertel_rheology::database::Kind;
 use ertel_rheology::density::TaitVolume;
 use ertel_rheology::input::Document;
-use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
+use ertel_rheology::input::file::read_table;
 use ertel_rheology::quantity::{self, Dimension, Unit};
 use ertel_rheology::{DensityLaw, Files, database};
 
@@ -52,7 +52,7 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
     let plot = plot_path(arguments)?;
     keep_inputs(arguments, plot.as_deref())?;
     let params = params(arguments, law)?;
-    let data = read(&arguments.data, property)?;
+    let data = read(arguments, property)?;
     let fit = fit::fit(&data, law, &params).map_err(|error| {
         let help = match error {
             fit::FitError::NoEquationOfState => " (--density NAME of a fluid, or FILE.toml)",
@@ -153,11 +153,17 @@ fn keep_inputs(arguments: &FitLawArgs, plot: Option<&Path>) -> Result<(), Failur
     }
 }
 
-fn read(path: &Path, property: Property) -> Result<Data, Failure> {
-    let text = read_text(path, LARGEST_TABLE)
+fn read(arguments: &FitLawArgs, property: Property) -> Result<Data, Failure> {
+    let path = &arguments.data;
+    let text = read_table(path)
         .map_err(|error| Failure::Argument(format!("{} {error}", path.display())))?;
-    Data::parse(&path.display().to_string(), &text, property)
-        .map_err(|error| Failure::Argument(error.to_string()))
+    let file = path.display().to_string();
+    let data = Data::parse_with(&file, &text, property, &arguments.table.params(&[]))
+        .map_err(|error| Failure::Argument(error.to_string()))?;
+    for note in &data.notes {
+        print::stderr(&format!("note: {}: {note}", data.file));
+    }
+    Ok(data)
 }
 
 fn params(arguments: &FitLawArgs, law: LawName) -> Result<Params, Failure> {

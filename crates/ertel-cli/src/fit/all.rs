@@ -28,7 +28,7 @@ pub fn run(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
     keep_inputs(arguments, plot.as_deref())?;
     // Without constants to hold, these are the same for all laws.
     let params = params(arguments, LawName::Cheng)?;
-    let data = read(&arguments.data, property)?;
+    let data = read(arguments, property)?;
     let ranking = fit::rank(&data, &params);
     let reasons = ranking
         .unranked

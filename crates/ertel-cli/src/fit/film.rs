@@ -5,7 +5,7 @@ use std::slice;
 use ertel::contact::ContactKind;
 use ertel::fit::{self, FilmFit, FilmForm, FilmKind, Films};
 use ertel::output::{digits, length};
-use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
+use ertel_rheology::input::file::read_table;
 use ertel_rheology::quantity::{self, Dimension};
 
 use crate::args::FitFilmArgs;
@@ -34,9 +34,13 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
         return Err(Failure::Argument("--radius must be above zero".into()));
     }
     let file = arguments.results.display().to_string();
-    let text = read_text(&arguments.results, LARGEST_TABLE)
+    let text = read_table(&arguments.results)
         .map_err(|error| Failure::Argument(format!("{file} {error}")))?;
-    let contact = fit::contact_of_films(&text);
+    let given = fit::Given {
+        radius,
+        table: arguments.table.params(&[]),
+    };
+    let contact = fit::contact_of_films_with(&text, &given.table);
     let form = FilmForm::named(&arguments.form, contact)
         .map_err(|error| Failure::Argument(format!("{file}: {error}")))?;
     check_given(form, &arguments.beside)?;
@@ -46,7 +50,7 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
         if kind == FilmKind::Minimum && matches!(form, FilmForm::Blend(_)) {
             continue;
         }
-        let films = fit::read_films(&file, &text, form, kind, radius)
+        let films = fit::read_films_with(&file, &text, form, kind, &given)
             .map_err(|error| Failure::Argument(error.to_string()))?;
         if let Some(films) = films {
             let fit = fit::fit_film(&films, arguments.confidence)

@@ -1,23 +1,34 @@
-//! The one reader of CSV tables: measured states, tables of laws, points of studies, films.
+//! The one reader of tables: measured states, tables of laws, points of studies, films, exports of instruments.
 //!
-//! The first line that is neither empty nor a comment (`#`) names the columns. Cells are separated by semicolons, tabs or
-//! commas, whichever of these the header has first in this order; they may be quoted, directly after the separator. Where
-//! commas do not separate, they may be decimal commas. A mark of the byte order at the start is skipped.
+//! A table is read as spreadsheets and instruments write it. The line with the most titles that are known names the columns;
+//! lines before it are those of an instrument, a line of units may follow it. Empty lines and comments (`#`, `%`, `//`, `!`) are
+//! skipped. Cells are separated by semicolons, tabs, commas or blanks, whichever gives the most titles, or as a line `sep=;`
+//! says; they may be quoted. Decimal commas and marks between thousands are read where the cells tell which is which.
 //!
-//! Columns have their unit in the title: `pressure_MPa`, `pressure [MPa]` or `pressure (MPa)`, with `_per_` for a quotient
-//! in the first spelling, `density_kg_per_m3`.
+//! Columns have their unit in the title: `pressure_MPa`, `pressure [MPa]`, `pressure (MPa)`, `pressure / MPa`, `pressure in MPa`,
+//! `p, MPa`, with `_per_` for a quotient in the first spelling, `density_kg_per_m3`. Quantities have English and German names and
+//! symbols.
 
+mod header;
+mod names;
+mod number;
+mod params;
+mod split;
 mod title;
 
 use std::borrow::Cow;
 use std::ops::Range;
 
-use csv::{ReaderBuilder, StringRecord};
-
 use super::excerpt;
 use super::shown::message;
 use crate::quantity::{Dimension, Unit};
-use title::Title;
+use header::NoHead;
+use names::Match;
+pub use number::Decimal;
+use number::Marks;
+pub use params::{ColumnMap, CsvParams, Vocabulary};
+use split::{Records, Separator, is_comment};
+use title::{NamedUnit, Title};
 
 /// What is wrong with a table, and where.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -37,9 +48,15 @@ pub struct CsvError {
 #[derive(Clone, Debug)]
 pub struct CsvTable {
     file: String,
-    separator: char,
+    separator: Separator,
     header: Row,
+    /// The titles as they are read: with the units of a line of units, and as the user tells them.
+    titles: Vec<String>,
+    /// Columns that are not looked at.
+    is_ignored: Vec<bool>,
     rows: Vec<Row>,
+    marks: Marks,
+    notes: Vec<String>,
 }
 
 /// A line of a table.
@@ -61,90 +78,168 @@ pub struct Column {
     pub name: &'static str,
     /// Its unit.
     pub unit: Unit,
+    /// Its unit as a quantity in a case has it; empty for a plain number.
+    pub unit_text: String,
+    /// Whether its title leaves open which quantity of its kind it is, as `film` does.
+    pub is_open: bool,
 }
 
 impl CsvTable {
-    /// Reads a table; `file` is the name that errors show.
+    /// Reads a table whose first line names the columns; `file` is the name that errors show.
     ///
     /// # Errors
     ///
-    /// [`CsvError`]: no header, a quote that is not closed on its line or stands behind spaces, more cells than columns.
+    /// [`CsvError`]: no header, a quote that is not closed, more cells than columns.
     pub fn parse(file: &str, text: &str) -> Result<Self, CsvError> {
+        Self::parse_for(file, text, &Vocabulary::NONE, &CsvParams::default())
+    }
+
+    /// Reads a table whose columns may be those of a vocabulary, with what the user tells about it.
+    ///
+    /// # Errors
+    ///
+    /// As [`CsvTable::parse`]; two lines that may both be the header; columns that the user names and that are not there.
+    pub fn parse_for(
+        file: &str,
+        text: &str,
+        vocabulary: &Vocabulary<'_>,
+        params: &CsvParams,
+    ) -> Result<Self, CsvError> {
         let at = |line, column, problem: &str| CsvError {
             file: file.to_owned(),
             line,
             column,
             problem: problem.to_owned(),
         };
-        let start = text.len() - text.trim_start_matches('\u{feff}').len();
-        let Some(head) = (text[start..].lines().map(str::trim)).find(|line| is_data(line)) else {
-            return Err(at(1, 1, "the file is empty"));
-        };
-        let separator = separator(head);
-        let mut reader = ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .comment(Some(b'#'))
-            .delimiter(separator as u8)
-            .from_reader(&text.as_bytes()[start..]);
+        const OPEN_QUOTE: &str = "the quote that begins here is not closed on its line";
+        let head = header::find(text, header::start_of(text), vocabulary, params).map_err(
+            |none| match none {
+                NoHead::Empty => at(1, 1, "the file is empty"),
+                NoHead::Quote(line, place) => at(line, place + 1, OPEN_QUOTE),
+                NoHead::Two(first, second) => {
+                    let problem = format!(
+                        "lines {first} and {second} may both name the columns; take one of them out"
+                    );
+                    at(second, 1, &problem)
+                }
+            },
+        )?;
+        let header = head.row;
+        let n_columns = header.cells.len();
+        let mut marks = Marks::new(params.decimal);
         let mut rows: Vec<Row> = Vec::new();
-        let mut record = StringRecord::new();
-        let problem = |error: csv::Error| at(1, 1, &error.to_string());
-        // The reader's count takes a line for every record; the text tells how many there are.
-        let (mut line, mut counted) = (1, start);
-        while reader.read_record(&mut record).map_err(problem)? {
-            // Where the record begins, but for empty lines and comments before it, which the reader skips.
-            let from = start + record.position().map_or(0, |place| place.byte() as usize);
-            let end = start + reader.position().byte() as usize;
-            let span = skip_to_data(text, from..end);
-            line += text[counted..span.start].matches('\n').count();
-            counted = span.start;
-            let cells: Vec<String> = record.iter().map(|c| c.trim().to_owned()).collect();
-            if !is_data(text[span.clone()].trim()) {
+        let mut titles = header.cells.clone();
+        // A line of units is looked at together with the one below it.
+        let mut first: Option<Row> = None;
+        for record in Records::new(text, head.rest.0, head.rest.1, head.separator) {
+            if is_comment(&text[record.span.clone()]) {
                 continue;
             }
-            let span = span.start..span.start + text[span].trim_end().len();
-            for (i, cell) in cells.iter().enumerate() {
-                if record[i].contains('\n') {
-                    let problem = "the quote that begins here is not closed on its line";
-                    return Err(at(line, i + 1, problem));
-                }
-                // A quoted cell may begin with a quote of its own, which is doubled in the text.
-                let is_quoted = || text[span.clone()].contains(&format!("\"{cell}"));
-                if cell.starts_with('"') && !is_quoted() {
-                    return Err(at(
-                        line,
-                        i + 1,
-                        "a quote must follow the separator directly",
-                    ));
+            let line = record.line;
+            let cells = record
+                .cells
+                .map_err(|place| at(line, place + 1, OPEN_QUOTE))?;
+            let mut cells: Vec<String> = cells
+                .into_iter()
+                .map(|(_, cell)| cell.into_owned())
+                .collect();
+            if cells.iter().all(String::is_empty) || cells == header.cells {
+                continue;
+            }
+            if let Some(extra) = (n_columns..cells.len()).find(|i| !cells[*i].is_empty()) {
+                return Err(at(
+                    line,
+                    extra + 1,
+                    &too_many(&cells, n_columns, head.separator),
+                ));
+            }
+            cells.truncate(n_columns);
+            let row = Row {
+                line,
+                span: record.span,
+                cells,
+            };
+            if rows.is_empty() && first.is_none() {
+                first = Some(row);
+                continue;
+            }
+            if let Some(above) = first.take() {
+                match header::with_units(&titles, &above, Some(&row)) {
+                    Some(with_units) => titles = with_units,
+                    None => rows.push(above),
                 }
             }
-            if let Some(header) = rows.first()
-                && let Some(extra) =
-                    (header.cells.len()..cells.len()).find(|i| !cells[*i].is_empty())
+            rows.push(row);
+        }
+        rows.extend(first);
+        for row in &rows {
+            row.cells.iter().for_each(|cell| marks.see(cell));
+        }
+        let mut table = Self {
+            file: file.to_owned(),
+            separator: head.separator,
+            is_ignored: vec![false; n_columns],
+            header,
+            titles,
+            rows,
+            marks,
+            notes: Vec::new(),
+        };
+        table.apply(params, vocabulary)?;
+        table.check_untitled()?;
+        Ok(table)
+    }
+
+    /// Numbers without a title are those of a column that was forgotten, or the decimals of the one before. The first column may
+    /// count the lines.
+    fn check_untitled(&self) -> Result<(), CsvError> {
+        let untitled = (1..self.titles.len())
+            .filter(|i| self.header.cells[*i].is_empty() && self.titles[*i].is_empty());
+        for index in untitled.filter(|i| !self.is_ignored[*i]) {
+            if let Some(row) = self
+                .rows
+                .iter()
+                .find(|row| number::is_number(row.cell(index)))
             {
                 let problem = format!(
-                    "this line has {} cells, but the header has {}",
-                    cells.len(),
-                    header.cells.len()
+                    "the column has no title, but holds `{}`; give it one, or quote numbers with a decimal comma where commas separate",
+                    excerpt(row.cell(index))
                 );
-                return Err(at(line, extra + 1, &problem));
+                return Err(self.error(row, index, problem));
             }
-            rows.push(Row { line, span, cells });
         }
-        let header = rows.remove(0);
-        Ok(Self {
-            file: file.to_owned(),
-            separator,
-            header,
-            rows,
-        })
+        Ok(())
     }
 
     /// The line with the titles.
     #[must_use]
     pub fn header(&self) -> &Row {
         &self.header
+    }
+
+    /// Title of a column as it is read; empty where it has none, and of a column that is not looked at.
+    #[must_use]
+    pub fn title(&self, index: usize) -> &str {
+        self.titles.get(index).map_or("", String::as_str)
+    }
+
+    /// Whether a column is not looked at: nothing stands there, it counts the lines, or the user says so.
+    #[must_use]
+    pub fn is_ignored(&self, index: usize) -> bool {
+        self.is_ignored.get(index).is_none_or(|ignored| *ignored)
+            || self.header.cell(index).is_empty()
+    }
+
+    /// What was left out or taken for something.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// Whether a cell says that nothing stands there: it is empty, `-`, `n/a`, `NaN`.
+    #[must_use]
+    pub fn is_missing(&self, row: &Row, index: usize) -> bool {
+        number::is_missing(row.cell(index))
     }
 
     /// The lines below the header.
@@ -164,7 +259,7 @@ impl CsvTable {
         }
     }
 
-    /// The column `name` whose unit is one of `dimension`, if there is one.
+    /// The column `name` whose unit is one of `dimension`, if there is one: by that name, another one or a symbol of the quantity.
     ///
     /// # Errors
     ///
@@ -174,32 +269,68 @@ impl CsvTable {
         name: &'static str,
         dimension: Dimension,
     ) -> Result<Option<Column>, CsvError> {
-        let mut found: Option<Column> = None;
-        for (index, title) in self.header.cells.iter().enumerate() {
-            let Some(title) = Title::of(title, name) else {
-                continue;
-            };
-            let Some(unit) = title.unit_of(dimension) else {
-                // Another column whose name begins alike, or one that cannot be told from it.
-                if let Some(first) = &found
-                    && title.is_exact
+        self.find_except(name, dimension, &[])
+    }
+
+    /// The same, without some columns.
+    ///
+    /// # Errors
+    ///
+    /// Two such columns.
+    pub fn find_except(
+        &self,
+        name: &'static str,
+        dimension: Dimension,
+        others: &[usize],
+    ) -> Result<Option<Column>, CsvError> {
+        let mut found: Vec<(usize, NamedUnit, Match)> = Vec::new();
+        // One that cannot be told from it: without a unit, or with one that is not known.
+        let mut alike: Vec<usize> = Vec::new();
+        let is_pure = dimension.same_exponents(Dimension::DIMENSIONLESS);
+        for index in (0..self.titles.len()).filter(|i| !others.contains(i)) {
+            let titles = Title::all(&self.titles[index], name);
+            let fit = titles
+                .iter()
+                .find_map(|t| Some((t.unit_of(dimension)?, t.name)));
+            match fit {
+                Some((unit, sure)) => found.push((index, unit, sure)),
+                None if titles.iter().any(|t| {
+                    t.name == Match::Name
+                        && t.is_exact
+                        && (t.unit.is_none() || (t.is_bare() && !is_pure))
+                }) =>
                 {
-                    return Err(self.second(name, first.index, index));
+                    alike.push(index);
                 }
-                continue;
-            };
-            if let Some(first) = &found {
-                return Err(self.second(name, first.index, index));
+                None => {}
             }
-            found = Some(Column { index, name, unit });
         }
-        Ok(found)
+        if found.iter().any(|(_, _, sure)| *sure != Match::Open) {
+            found.retain(|(_, _, sure)| *sure != Match::Open);
+        }
+        let Some((index, unit, sure)) = found.first() else {
+            return Ok(None);
+        };
+        let places = found.iter().map(|(index, _, _)| *index).chain(alike);
+        if let Some(other) = places.filter(|other| other != index).min() {
+            return Err(self.second(name, other.min(*index), other.max(*index)));
+        }
+        Ok(Some(Column {
+            index: *index,
+            name,
+            unit: unit.unit,
+            unit_text: unit.text.clone(),
+            is_open: *sure == Match::Open,
+        }))
     }
 
     fn second(&self, name: &str, first: usize, index: usize) -> CsvError {
         let problem = format!(
-            "there is a second column `{name}`; the first is column {}",
-            first + 1
+            "`{}` is a second column `{name}`; the first is column {}, `{}`; tell which one to take: `--column \"{name}=#{}\"`",
+            excerpt(self.header.cell(index)),
+            first + 1,
+            excerpt(self.header.cell(first)),
+            index + 1
         );
         self.error(&self.header, index, problem)
     }
@@ -214,37 +345,55 @@ impl CsvTable {
         name: &'static str,
         dimension: Dimension,
     ) -> Result<Option<Column>, CsvError> {
-        if let Some(column) = self.find(name, dimension)? {
-            let exact = |(i, title): (usize, &String)| {
-                (i != column.index && Title::of(title, name).is_some_and(|t| t.is_exact))
-                    .then_some(i)
-            };
-            return match self.header.cells.iter().enumerate().find_map(exact) {
-                Some(other) => {
-                    Err(self.second(name, other.min(column.index), other.max(column.index)))
-                }
-                None => Ok(Some(column)),
-            };
+        self.find_with_unit_except(name, dimension, &[])
+    }
+
+    /// The same, without some columns.
+    ///
+    /// # Errors
+    ///
+    /// As [`CsvTable::find_with_unit`].
+    pub fn find_with_unit_except(
+        &self,
+        name: &'static str,
+        dimension: Dimension,
+        others: &[usize],
+    ) -> Result<Option<Column>, CsvError> {
+        if let Some(column) = self.find_except(name, dimension, others)? {
+            return Ok(Some(column));
         }
-        let titles = self.header.cells.iter().enumerate();
-        let named = titles.filter_map(|(i, title)| Some((i, title, Title::of(title, name)?)));
+        let titles = self.titles.iter().enumerate();
+        let titles = titles.filter(|(index, _)| !others.contains(index));
+        let named = titles.flat_map(|(i, cell)| {
+            let own = Title::all(cell, name).into_iter();
+            own.map(move |title| (i, title))
+        });
         // The nearest to the name: one with brackets rather than one whose name goes on.
-        let Some((index, cell, title)) = named.min_by_key(|(_, _, title)| !title.is_exact) else {
+        let nearest = named.min_by_key(|(_, title)| {
+            (
+                !title.is_exact,
+                std::cmp::Reverse(title.name),
+                title.is_bare(),
+            )
+        });
+        let Some((index, title)) = nearest else {
             return Ok(None);
         };
+        let cell = excerpt(self.header.cell(index));
         let units = format!("write one of {}", dimension.examples());
-        let problem = if title.unit.is_empty() {
+        let problem = if title.is_bare() {
             let si = dimension.si_unit();
             let si = si
                 .replace(['.', ' '], "_")
                 .replace('/', "_per_")
                 .replace('^', "");
             format!(
-                "the column `{cell}` has no unit; {units}, as in `{}_{si}`",
-                name.replace(' ', "_")
+                "the column `{cell}` has no unit; {units}, as in `{}_{si}`, or tell it: `--column \"{name}={cell}:{}\"`",
+                name.replace(' ', "_"),
+                dimension.si_unit()
             )
         } else {
-            match Unit::parse(&title.unit) {
+            match Unit::parse(&title.given) {
                 Err(error) => format!("the column `{cell}`: {error}; {units}"),
                 Ok(unit) => format!(
                     "the column `{cell}` has a unit of {}, but {} is needed; {units}",
@@ -256,18 +405,22 @@ impl CsvTable {
         Err(self.error(&self.header, index, problem))
     }
 
-    /// The number of a column in a line, in SI; `None` where the cell is empty or the line ends before it.
+    /// The number of a column in a line, in SI; `None` where the cell is empty, says that nothing was measured, or the
+    /// line ends before it.
     ///
     /// # Errors
     ///
     /// A cell that is no number, or one too large.
     pub fn number(&self, row: &Row, column: &Column) -> Result<Option<f64>, CsvError> {
         let cell = row.cell(column.index);
-        if cell.is_empty() {
+        if number::is_missing(cell) {
             return Ok(None);
         }
-        let number = self.with_point(cell).parse::<f64>();
-        let value = number.ok().map(|number| column.unit.to_si(number));
+        let number = self.marks.read(cell).map_err(|problem| {
+            self.error(row, column.index, format!("{}: {problem}", column.name))
+        })?;
+        let number = number.and_then(|number| number.parse::<f64>().ok());
+        let value = number.map(|number| column.unit.to_si(number));
         value
             .filter(|value| value.is_finite())
             .map(Some)
@@ -281,32 +434,19 @@ impl CsvTable {
             })
     }
 
-    /// A cell with a point in place of a decimal comma, if it is a number with one.
+    /// A cell as a case has it: with a decimal point and nothing between thousands, if it is a number that can be told.
     #[must_use]
     pub fn with_point<'a>(&self, cell: &'a str) -> Cow<'a, str> {
-        if self.separator == ',' || cell.contains('.') {
-            return Cow::Borrowed(cell);
-        }
-        let point = cell.replacen(',', ".", 1);
-        match point.parse::<f64>() {
-            Ok(_) => Cow::Owned(point),
-            Err(_) => Cow::Borrowed(cell),
+        match self.marks.read(cell) {
+            Ok(Some(number)) => number,
+            Ok(None) | Err(_) => Cow::Borrowed(cell),
         }
     }
 
-    /// The bytes of a cell in the text that was read; those of the line where it is quoted.
+    /// The bytes of a cell in the text that was read; those of the line where the cell is not found there.
     #[must_use]
     pub fn cell_span(&self, text: &str, row: &Row, index: usize) -> Range<usize> {
-        let line = &text[row.span.clone()];
-        let Some(cell) = line.split(self.separator).nth(index) else {
-            return row.span.clone();
-        };
-        if line.contains('"') {
-            return row.span.clone();
-        }
-        let start = row.span.start + (cell.as_ptr() as usize - line.as_ptr() as usize);
-        let start = start + (cell.len() - cell.trim_start().len());
-        start..start + cell.trim().len()
+        header::cell_span(text, row, index, self.separator)
     }
 
     /// The same of a number that must be there.
@@ -316,7 +456,10 @@ impl CsvTable {
     /// An empty cell, too.
     pub fn required_number(&self, row: &Row, column: &Column) -> Result<f64, CsvError> {
         self.number(row, column)?.ok_or_else(|| {
-            let problem = if column.index < row.cells.len() {
+            let cell = row.cell(column.index);
+            let problem = if !cell.is_empty() {
+                format!("{}: `{}` is not a number", column.name, excerpt(cell))
+            } else if column.index < row.cells.len() {
                 format!("{}: the cell is empty", column.name)
             } else {
                 format!(
@@ -344,28 +487,47 @@ impl Row {
     }
 }
 
-/// Whether a line, without spaces around, is neither empty nor a comment.
-fn is_data(line: &str) -> bool {
-    !line.is_empty() && !line.starts_with('#')
+/// Names and units that a title may consist of, those that are certain first: `contact.load` and `N` of `contact.load [N]`. The
+/// unit is written as a quantity has it, and empty where the title is a name alone.
+#[must_use]
+pub fn key_titles(title: &str) -> Vec<(String, String)> {
+    let readings = title::readings(title).into_iter();
+    readings
+        .filter_map(|reading| {
+            let unit = title::unit_of(&reading.unit).filter(|unit| unit.zero.is_none())?;
+            let is_alone = reading.unit.is_empty() || !unit.text.is_empty() || reading.is_exact;
+            is_alone.then(|| (reading.name.into_owned(), unit.text))
+        })
+        .collect()
 }
 
-/// What separates the cells of a header.
-fn separator(head: &str) -> char {
-    let outside: String = head.split('"').step_by(2).collect();
-    let separators = [';', '\t', ','];
-    let found = separators.into_iter().find(|c| outside.contains(*c));
-    found.unwrap_or(',')
-}
-
-/// The bytes of a record without the empty lines and comments before it.
-fn skip_to_data(text: &str, mut span: Range<usize>) -> Range<usize> {
-    while let Some(end) = text[span.clone()].find('\n') {
-        if is_data(text[span.start..span.start + end].trim()) {
-            break;
-        }
-        span.start += end + 1;
+/// `line 3`, or `lines 3, 5 and 7`; of many lines the first ones, and how many more there are.
+#[must_use]
+pub fn line_list(lines: &[usize]) -> String {
+    const SHOWN: usize = 8;
+    let shown: Vec<String> = lines.iter().take(SHOWN).map(usize::to_string).collect();
+    match (shown.split_last(), lines.len().saturating_sub(SHOWN)) {
+        (None, _) => "no line".to_owned(),
+        (Some((last, [])), 0) => format!("line {last}"),
+        (Some((last, first)), 0) => format!("lines {} and {last}", first.join(", ")),
+        (Some(_), more) => format!("lines {} and {more} more", shown.join(", ")),
     }
-    span
+}
+
+/// Why a line has more cells than the header.
+fn too_many(cells: &[String], n_columns: usize, separator: Separator) -> String {
+    let problem = format!(
+        "this line has {} cells, but the header has {n_columns}",
+        cells.len()
+    );
+    match separator {
+        Separator::Char(',') if cells.iter().all(|cell| number::is_number(cell)) => {
+            format!(
+                "{problem}; where commas separate cells, numbers with a decimal comma must be quoted"
+            )
+        }
+        Separator::Char(_) | Separator::WideBlanks | Separator::Blanks => problem,
+    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,6 @@
-//! The one reader of files that users name: regular files of bounded size with UTF-8 text.
+//! The one reader of files that users name: regular files of bounded size with text, UTF-8 but for tables.
+
+mod encoding;
 
 use std::fs::{File, Metadata};
 use std::io::{self, Read};
@@ -35,6 +37,12 @@ pub enum FileError {
         /// The line of the first byte that is no text, from 1.
         line: usize,
     },
+    /// A table that is no text, but a file of another kind.
+    #[error("is no text: it is {kind}; save the table as CSV, and give that file")]
+    Binary {
+        /// What it is.
+        kind: &'static str,
+    },
 }
 
 /// The text of a regular file of at most `limit` bytes.
@@ -44,6 +52,26 @@ pub enum FileError {
 /// [`FileError`]: a file that cannot be opened, is no regular file, is larger, or is not UTF-8. None of these waits for
 /// another program or reads more than the limit.
 pub fn read_text(path: &Path, limit: u64) -> Result<String, FileError> {
+    String::from_utf8(read_bytes(path, limit)?).map_err(|error| {
+        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        FileError::Encoding {
+            line: 1 + valid.iter().filter(|byte| **byte == b'\n').count(),
+        }
+    })
+}
+
+/// The text of a table as spreadsheets and instruments write it: UTF-8 or UTF-16 with or without a mark of the byte order, or
+/// Windows-1252, which Latin-1 is a part of. Lines end with a line feed, also those of files that have carriage returns alone.
+///
+/// # Errors
+///
+/// [`FileError`], as [`read_text`]; files that are no text, such as workbooks of a spreadsheet.
+pub fn read_table(path: &Path) -> Result<String, FileError> {
+    encoding::decode(&read_bytes(path, LARGEST_TABLE)?)
+}
+
+/// The bytes of a regular file of at most `limit` bytes.
+fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, FileError> {
     // Asked before it is opened: opening a pipe waits for its writer.
     check(&std::fs::metadata(path)?, limit)?;
     let file = File::open(path)?;
@@ -55,12 +83,7 @@ pub fn read_text(path: &Path, limit: u64) -> Result<String, FileError> {
     if bytes.len() as u64 != metadata.len() {
         return Err(FileError::NotRegular);
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        FileError::Encoding {
-            line: 1 + valid.iter().filter(|byte| **byte == b'\n').count(),
-        }
-    })
+    Ok(bytes)
 }
 
 fn check(metadata: &Metadata, limit: u64) -> Result<(), FileError> {

@@ -13,7 +13,7 @@ mod viscosity;
 use std::borrow::Cow;
 use std::path::Path;
 
-use crate::input::file::{LARGEST_TABLE, read_text};
+use crate::input::file::read_table;
 use crate::input::{Bounds, InputError, Table};
 use crate::linear::LinearFactor;
 use crate::quantity::Dimension;
@@ -32,7 +32,7 @@ impl<'a> Files<'a> {
     /// Text of the file `name`, or why there is none.
     fn read(&self, name: &str) -> Result<Cow<'a, str>, String> {
         match self {
-            Self::Folder(folder) => read_text(&folder.join(name), LARGEST_TABLE)
+            Self::Folder(folder) => read_table(&folder.join(name))
                 .map(Cow::Owned)
                 .map_err(|error| format!("{} {error}", folder.join(name).display())),
             Self::Embedded(files) => files

@@ -2,7 +2,9 @@
 
 use super::{Files, locate};
 use crate::LawError;
-use crate::input::csv::{Column, CsvError, CsvTable, Row};
+use crate::input::csv::{
+    Column, ColumnMap, CsvError, CsvParams, CsvTable, Decimal, Row, Vocabulary,
+};
 use crate::input::{Bounds, InputError, Table};
 use crate::quantity::{self, Dimension, STANDARD_ATMOSPHERE};
 
@@ -42,8 +44,9 @@ impl Columns {
                     "`file` replaces `isotherms` and `units`: give one form",
                 ));
             }
+            let params = csv_params(table)?;
             let columns = files.read(file).and_then(|text| {
-                Self::from_csv(file, &text, name, dimension, pressures)
+                Self::from_csv(file, &text, (name, dimension), pressures, &params)
                     .map_err(|error| error.to_string())
             });
             return columns.map_err(|problem| table.error("file", problem));
@@ -109,11 +112,15 @@ impl Columns {
     fn from_csv(
         file: &str,
         text: &str,
-        name: &'static str,
-        dimension: Dimension,
+        (name, dimension): (&'static str, Dimension),
         pressures: Pressures,
+        params: &CsvParams,
     ) -> Result<Self, CsvError> {
-        let table = CsvTable::parse(file, text)?;
+        let vocabulary = Vocabulary {
+            names: &[name, "pressure", "absolute pressure", "temperature"],
+            is_key: &|_| false,
+        };
+        let table = CsvTable::parse_for(file, text, &vocabulary, params)?;
         let header = Header::of(&table, name, dimension, pressures)?;
         let mut states: Vec<(&Row, [f64; 3])> = Vec::new();
         for row in table.rows() {
@@ -153,6 +160,23 @@ impl Columns {
     }
 }
 
+/// What a law says about the columns of its file: `columns = { viscosity = "eta:mPa.s" }` and `decimal`.
+fn csv_params(table: &mut Table<'_>) -> Result<CsvParams, InputError> {
+    let mut params = CsvParams::default();
+    if let Some(mut columns) = table.optional_table("columns")? {
+        let keys: Vec<String> = columns.keys().map(str::to_owned).collect();
+        for name in keys {
+            let title = columns.required_str(&name)?.to_owned();
+            params.columns.push(ColumnMap { name, title });
+        }
+    }
+    params.decimal = table.optional_choice(
+        "decimal",
+        &[("point", Decimal::Point), ("comma", Decimal::Comma)],
+    )?;
+    Ok(params)
+}
+
 /// Whether a table may do without pressures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Pressures {
@@ -188,8 +212,12 @@ impl Header {
             })
         };
         let find = |title, dimension| table.find_with_unit(title, dimension);
-        let gauge = find("pressure", Dimension::PRESSURE)?;
-        let (pressure, absolute) = match (gauge, find("absolute pressure", Dimension::PRESSURE)?) {
+        let absolute = table.find("absolute pressure", Dimension::PRESSURE)?;
+        let gauge = match absolute {
+            Some(_) => table.find("pressure", Dimension::PRESSURE)?,
+            None => find("pressure", Dimension::PRESSURE)?,
+        };
+        let (pressure, absolute) = match (gauge, absolute) {
             (Some(_), Some(second)) => {
                 let problem = "give `pressure` or `absolute pressure`, not both";
                 return Err(table.error(table.header(), second.index, problem));
@@ -209,7 +237,7 @@ impl Header {
 
     /// Temperature, pressure and value of a line; `None` if the value is left out.
     fn state(&self, table: &CsvTable, row: &Row) -> Result<Option<[f64; 3]>, CsvError> {
-        if row.cell(self.value.index).is_empty() {
+        if table.is_missing(row, self.value.index) {
             return Ok(None);
         }
         let positive = |column: &Column| {

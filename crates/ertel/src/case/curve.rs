@@ -53,7 +53,7 @@ pub struct Quantity {
 }
 
 /// The quantities in order of the documentation; the load is a force here, in line contacts a force per length.
-const QUANTITIES: [Quantity; 13] = [
+const QUANTITIES: [Quantity; 26] = [
     quantity(
         "motion.entrainment_speed",
         "entrainment speed",
@@ -104,6 +104,74 @@ const QUANTITIES: [Quantity; 13] = [
         "distance of the meniscus",
         "",
         Dimension::LENGTH,
+    ),
+    quantity(
+        "machine.entrainment_speed",
+        "entrainment speed",
+        "*u*_{m}",
+        Dimension::SPEED,
+    ),
+    quantity(
+        "machine.slide_to_roll_ratio",
+        "slide-to-roll ratio",
+        "",
+        Dimension::DIMENSIONLESS,
+    ),
+    quantity(
+        "machine.ball_speed",
+        "speed of the ball",
+        "",
+        Dimension::SPEED,
+    ),
+    quantity(
+        "machine.disc_speed",
+        "speed of the disc",
+        "",
+        Dimension::SPEED,
+    ),
+    quantity("machine.load", "load", "*F*", Dimension::FORCE),
+    quantity("machine.ball_load", "ball load", "*F*", Dimension::FORCE),
+    quantity(
+        "machine.roller_load",
+        "roller load",
+        "*F*",
+        Dimension::FORCE,
+    ),
+    quantity(
+        "machine.hertz_pressure",
+        "Hertz pressure",
+        "*p*_{h}",
+        Dimension::PRESSURE,
+    ),
+    quantity(
+        "machine.inner_ring_speed",
+        "speed of the inner ring",
+        "",
+        Dimension::ANGULAR_SPEED,
+    ),
+    quantity(
+        "machine.outer_ring_speed",
+        "speed of the outer ring",
+        "",
+        Dimension::ANGULAR_SPEED,
+    ),
+    quantity(
+        "machine.pinion_speed",
+        "speed of the pinion",
+        "",
+        Dimension::ANGULAR_SPEED,
+    ),
+    quantity(
+        "machine.pinion_torque",
+        "torque of the pinion",
+        "",
+        Dimension::ENERGY,
+    ),
+    quantity(
+        "machine.cam_speed",
+        "speed of the cam",
+        "",
+        Dimension::ANGULAR_SPEED,
     ),
     quantity("temperature", "temperature", "*T*", Dimension::TEMPERATURE),
     quantity(

@@ -82,6 +82,7 @@ pub use study::Study;
 pub(crate) use study::read_named;
 pub(crate) use thermal::read as read_thermal;
 pub use thermal::{Heat, MissingDatum, MissingHeatData, SolidHeat};
+pub(crate) use usual::question_of_state;
 
 /// Everything a solve needs, in SI.
 #[derive(Clone, Debug)]
@@ -260,7 +261,8 @@ impl Case {
             case.warnings.extend(thermal::check(&case, table)?);
         }
         case.origin = Some(Arc::new(Origin::new(document, folder, inputs)?));
-        let unusual = usual::warnings(case.inputs(), document);
+        let mut unusual = usual::warnings(case.inputs(), document);
+        unusual.extend(usual::of_lubricant(&case, &unusual));
         case.warnings.extend(unusual);
         Ok(case)
     }

@@ -4,6 +4,7 @@ use ertel_rheology::input::tree::Value;
 use ertel_rheology::input::{Document, Input};
 use ertel_rheology::quantity::Dimension;
 
+use super::Case;
 use crate::output::digits;
 use crate::warning::{Warning, WarningKind};
 
@@ -216,30 +217,99 @@ fn warning(input: &Input, document: &Document) -> Option<Warning> {
     };
     let mut rows = USUAL.iter().filter(|row| row.dimension == input.dimension);
     let row = rows.find(|row| row.keys.iter().any(&ends_with))?;
-    let value = input.value.abs() / row.factor;
-    let [low, high] = row.range;
-    // Zero is said on purpose.
-    let excess = (value / high).max(low / value);
-    if value == 0.0 || excess <= FAR {
-        return None;
-    }
     let written = match document.tree().entry(&input.key).map(|e| &e.node.value) {
         Some(Value::Str(text)) => text.clone(),
         _ => shown(input.value / row.factor, row.unit),
     };
-    let meant = [1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9].map(|scale| scale * value);
-    let meant = (meant.into_iter()).find(|v| (low..=high).contains(v));
-    let question = match meant {
-        Some(meant) => format!("is {} meant?", shown(meant.copysign(input.value), row.unit)),
-        None => "is the unit right?".to_owned(),
-    };
-    let text = format!(
-        "{} = {written} is far from what is usual, {} to {}: {question}",
-        input.key,
-        digits(low, 4),
-        shown(high, row.unit),
-    );
+    let (excess, text) = row.question(&input.key, &written, input.value)?;
     Some(Warning::beyond(WarningKind::UnusualInput, excess, text))
+}
+
+impl Usual {
+    /// How far beyond what is usual a value (SI) is, and the question that this brings, if it is far.
+    fn question(&self, what: &str, written: &str, value: f64) -> Option<(f64, String)> {
+        let own = value.abs() / self.factor;
+        let [low, high] = self.range;
+        // Zero is said on purpose.
+        let excess = (own / high).max(low / own);
+        if own == 0.0 || excess <= FAR {
+            return None;
+        }
+        let meant = [1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9].map(|scale| scale * own);
+        let meant = (meant.into_iter()).find(|v| (low..=high).contains(v));
+        let question = match meant {
+            Some(meant) => format!("is {} meant?", shown(meant.copysign(value), self.unit)),
+            None => "is the unit right?".to_owned(),
+        };
+        let text = format!(
+            "{what} = {written} is far from what is usual, {} to {}: {question}",
+            digits(low, 4),
+            shown(high, self.unit),
+        );
+        Some((excess, text))
+    }
+}
+
+/// Questions about the lubricant at ambient pressure, wherever its data stand: in a table, in own data. What is typed in the case has
+/// been `asked` about already.
+pub(super) fn of_lubricant(case: &Case, asked: &[Warning]) -> Vec<Warning> {
+    if asked.iter().any(|w| w.text.starts_with("lubricant.")) {
+        return Vec::new();
+    }
+    let lubricant = &case.lubricant;
+    let heat_capacity = lubricant.heat_capacity.as_ref();
+    let heat_capacity = heat_capacity.map(|law| law.heat_capacity(0.0, lubricant.temperature));
+    let properties = [
+        (
+            "viscosity",
+            Some(lubricant.ambient_viscosity()),
+            Dimension::VISCOSITY,
+        ),
+        (
+            "density",
+            Some(lubricant.ambient_density()),
+            Dimension::DENSITY,
+        ),
+        (
+            "thermal conductivity",
+            lubricant.ambient_conductivity(),
+            Dimension::THERMAL_CONDUCTIVITY,
+        ),
+        ("heat capacity", heat_capacity, Dimension::SPECIFIC_HEAT),
+    ];
+    let asked = properties
+        .into_iter()
+        .filter_map(|(name, value, dimension)| {
+            let at = digits(lubricant.temperature - 273.15, 4);
+            let what = format!("the lubricant's {name} at ambient pressure and {at} degC");
+            question_of_state(&what, value?, dimension)
+        });
+    asked
+        .map(|q| Warning::beyond(WarningKind::UnusualInput, q.excess, q.text))
+        .collect()
+}
+
+/// A question about a value of a lubricant.
+pub(crate) struct Question {
+    /// How far beyond what is usual the value is, as a factor.
+    pub excess: f64,
+    /// The question.
+    pub text: String,
+}
+
+/// Asks about a property of a lubricant at ambient pressure (SI), which `what` names, as about one that is typed in a case.
+pub(crate) fn question_of_state(what: &str, value: f64, dimension: Dimension) -> Option<Question> {
+    let keys = [
+        "mu_0",
+        "rho_0",
+        "lubricant.thermal_conductivity",
+        "heat_capacity",
+    ];
+    let mut rows = USUAL.iter().filter(|row| row.dimension == dimension);
+    let row = rows.find(|row| row.keys.iter().any(|key| keys.contains(key)))?;
+    let written = shown(value / row.factor, row.unit);
+    let (excess, text) = row.question(what, &written, value)?;
+    Some(Question { excess, text })
 }
 
 fn shown(value: f64, unit: &str) -> String {
@@ -315,5 +385,31 @@ mod tests {
         ] {
             assert_eq!(told(from, to), Vec::<String>::new(), "{to}");
         }
+    }
+
+    /// A table in Pa.s for mPa.s is asked about as a typed value is.
+    #[test]
+    fn data_in_a_table_are_asked_about() {
+        let folder = tempfile::tempdir().unwrap();
+        let told = |unit: &str| {
+            let table = format!(
+                "p [MPa];T [degC];viscosity [{unit}]\n0;20;112.052\n100;20;1203.02\n0;40;40\n100;40;309.726\n"
+            );
+            std::fs::write(folder.path().join("oil.csv"), table).unwrap();
+            let (head, tail) = CASE.split_once("viscosity = {").unwrap();
+            let (_, tail) = tail.split_once('}').unwrap();
+            let text = format!("{head}viscosity = {{ law = \"table\", file = \"oil.csv\" }}{tail}");
+            let case = Case::from_text("case.toml", &text, folder.path()).unwrap();
+            let unusual =
+                (case.warnings.into_iter()).filter(|w| w.kind == WarningKind::UnusualInput);
+            unusual.map(|w| w.text).collect::<Vec<_>>()
+        };
+        assert_eq!(told("mPa.s"), Vec::<String>::new());
+        let [text] = &told("Pa.s")[..] else { panic!() };
+        assert!(
+            text.contains("viscosity at ambient pressure and 40 degC")
+                && text.contains("is 40 mPa.s meant?"),
+            "{text}"
+        );
     }
 }

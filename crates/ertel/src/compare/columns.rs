@@ -1,50 +1,125 @@
 //! The columns that a table of measurements may have.
 
+use ertel_rheology::input::Document;
 use ertel_rheology::input::csv::{Column, CsvError, CsvTable};
+use ertel_rheology::input::excerpt;
 use ertel_rheology::quantity::Dimension;
 
-use super::Figure;
+use super::{Figure, temperature_key};
 
-/// Columns that set a quantity: their names, the first being the one that messages use, key of the case, and what they measure.
-pub(super) const OPERATING: [(&[&str], &str, &[Dimension]); 4] = [
+/// A quantity that a column sets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Operating {
+    /// Mean speed of the surfaces.
+    Speed,
+    /// Slide-to-roll ratio.
+    Sliding,
+    /// Load, in line contacts per length.
+    Load,
+    /// Temperature of the lubricant.
+    Temperature,
+}
+
+/// The quantities, with the names of their columns.
+pub(super) const OPERATING: [(Operating, &str, &[Dimension]); 4] = [
+    (Operating::Speed, "entrainment speed", &[Dimension::SPEED]),
     (
-        &["entrainment speed", "rolling speed", "speed"],
-        "motion.entrainment_speed",
-        &[Dimension::SPEED],
-    ),
-    (
-        &["slide to roll ratio", "srr"],
-        "motion.slide_to_roll_ratio",
+        Operating::Sliding,
+        "slide to roll ratio",
         &[Dimension::DIMENSIONLESS],
     ),
     (
-        &["load"],
-        "contact.load",
+        Operating::Load,
+        "load",
         &[Dimension::FORCE, Dimension::FORCE_PER_LENGTH],
     ),
-    (&["temperature"], TEMPERATURE, &[Dimension::TEMPERATURE]),
+    (
+        Operating::Temperature,
+        "temperature",
+        &[Dimension::TEMPERATURE],
+    ),
 ];
-/// Stands for the key of the temperature, which depends on the case.
-pub(super) const TEMPERATURE: &str = "";
 
-/// Columns that are measured: their names, and the name of their uncertainty.
-pub(super) const MEASURED: [(&[&str], &[&str], Dimension); 3] = [
+/// Columns that are measured, with the names of their uncertainties.
+pub(super) const MEASURED: [(&str, &str, Dimension); 3] = [
     (
-        &["film central", "central film"],
-        &["film central uncertainty", "central film uncertainty"],
+        "film central",
+        "film central uncertainty",
         Dimension::LENGTH,
     ),
     (
-        &["film minimum", "minimum film"],
-        &["film minimum uncertainty", "minimum film uncertainty"],
+        "film minimum",
+        "film minimum uncertainty",
         Dimension::LENGTH,
     ),
     (
-        &["traction coefficient", "traction"],
-        &["traction coefficient uncertainty", "traction uncertainty"],
+        "traction coefficient",
+        "traction coefficient uncertainty",
         Dimension::DIMENSIONLESS,
     ),
 ];
+
+/// All of these names.
+pub(super) fn names() -> Vec<&'static str> {
+    let operating = OPERATING.iter().map(|(_, name, _)| *name);
+    let measured = MEASURED.iter().flat_map(|(name, bar, _)| [*name, *bar]);
+    operating.chain(measured).collect()
+}
+
+impl Operating {
+    /// Key that a quantity has in a case.
+    ///
+    /// # Errors
+    ///
+    /// A machine whose quantity follows from other keys, which are named.
+    pub(super) fn key(self, case: &Document) -> Result<&'static str, String> {
+        let Some(machine) = case.tree().entry("machine") else {
+            return Ok(match self {
+                Operating::Speed => "motion.entrainment_speed",
+                Operating::Sliding => "motion.slide_to_roll_ratio",
+                Operating::Load => "contact.load",
+                Operating::Temperature => temperature_key(case),
+            });
+        };
+        let has = |key: &str| machine.node.entry(key).is_some();
+        let (own, others): (&[&'static str], &[&str]) = match self {
+            Operating::Temperature => return Ok(temperature_key(case)),
+            Operating::Speed => (
+                &["machine.entrainment_speed"],
+                &[
+                    "inner_ring_speed",
+                    "outer_ring_speed",
+                    "pinion_speed",
+                    "cam_speed",
+                    "ball_speed",
+                    "disc_speed",
+                ],
+            ),
+            Operating::Sliding => (
+                &["machine.slide_to_roll_ratio"],
+                &["ball_speed", "disc_speed"],
+            ),
+            Operating::Load => (
+                &["machine.load", "machine.ball_load", "machine.roller_load"],
+                &["pinion_torque"],
+            ),
+        };
+        let key = |path: &&&str| has(&path["machine.".len()..]);
+        if let Some(key) = own.iter().find(key) {
+            return Ok(key);
+        }
+        let others: Vec<String> = (others.iter().filter(|key| has(key)))
+            .map(|key| format!("`machine.{key}`"))
+            .collect();
+        Err(match others.is_empty() {
+            true => "it follows from the other keys of [machine] in this case; leave the column out with --ignore".to_owned(),
+            false => format!(
+                "it follows from {} of the machine: title the column with that key and its unit",
+                others.join(" and ")
+            ),
+        })
+    }
+}
 
 /// A measured figure and its uncertainty.
 pub(super) struct MeasuredColumns {
@@ -60,54 +135,43 @@ pub(super) struct Uncertainty {
     pub is_relative: bool,
 }
 
-/// The column with one of these names and a unit of one of these dimensions.
+/// The column of a quantity with a unit of one of these dimensions.
 pub(super) fn find(
     table: &CsvTable,
-    names: &[&'static str],
+    name: &'static str,
     dimensions: &[Dimension],
     known: &[usize],
 ) -> Result<Option<Column>, CsvError> {
-    let mut found: Option<Column> = None;
-    for name in names {
-        for dimension in dimensions {
-            let Some(column) = table.find(name, *dimension)? else {
-                continue;
-            };
-            if known.contains(&column.index) {
-                continue;
-            }
-            if let Some(first) = &found {
-                let problem = format!(
-                    "`{}` and `{}` are names of the same column",
-                    table.header().cell(first.index),
-                    table.header().cell(column.index)
-                );
-                return Err(table.error(table.header(), column.index, problem));
-            }
-            found = Some(column);
+    for dimension in dimensions {
+        if let Some(column) = table.find_except(name, *dimension, known)? {
+            return Ok(Some(column));
         }
-    }
-    if found.is_some() {
-        return Ok(found);
     }
     // A title that can be no other column tells what its unit lacks.
-    for name in names {
-        let is_bare = |title: &String| {
-            let head = title.split(['[', '(']).next().unwrap_or_default();
-            head.trim().replace('_', " ").eq_ignore_ascii_case(name)
-        };
-        let place = table.header().cells().iter().position(is_bare);
-        if place.is_some_and(|index| !known.contains(&index)) {
-            return table.find_with_unit(name, dimensions[0]);
+    table.find_with_unit_except(name, dimensions[0], known)
+}
+
+/// What is told about a column whose title leaves open what it is.
+pub(super) fn open_name(table: &CsvTable, column: &Column) -> Option<String> {
+    let title = excerpt(table.header().cell(column.index));
+    let what = match column.name {
+        "film central" => {
+            "the central film; if it is the minimum film, tell so: `--column film_minimum=...`"
         }
-    }
-    Ok(None)
+        "slide to roll ratio" => {
+            "the slide-to-roll ratio (u_body_2 - u_body_1)/u of the mean speed u"
+        }
+        name => name,
+    };
+    column
+        .is_open
+        .then(|| format!("column `{title}` is read as {what}"))
 }
 
 /// A column of uncertainties: in the unit of the figure, or `%` of it.
 pub(super) fn uncertainty(
     table: &CsvTable,
-    names: &[&'static str],
+    name: &'static str,
     dimension: Dimension,
     known: &[usize],
 ) -> Result<Option<Uncertainty>, CsvError> {
@@ -116,11 +180,10 @@ pub(super) fn uncertainty(
         true => &dimensions[..1],
         false => &dimensions[..],
     };
-    let Some(column) = find(table, names, dimensions, known)? else {
+    let Some(column) = find(table, name, dimensions, known)? else {
         return Ok(None);
     };
-    let title = table.header().cell(column.index);
-    let is_percent = title.contains('%');
+    let is_percent = column.unit_text.contains('%');
     if dimension != Dimension::DIMENSIONLESS
         && column
             .unit
@@ -129,7 +192,8 @@ pub(super) fn uncertainty(
         && !is_percent
     {
         let problem = format!(
-            "the column `{title}` has no unit; write `%` for a share of the value, or one of {}",
+            "the column `{}` has no unit; write `%` for a share of the value, or one of {}",
+            table.header().cell(column.index),
             dimension.examples()
         );
         return Err(table.error(table.header(), column.index, problem));

@@ -12,13 +12,14 @@ mod comparison;
 mod rig;
 mod statistics;
 mod table;
+mod turned;
 
 use std::collections::HashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use ertel_rheology::input::csv::CsvError;
-use ertel_rheology::input::file::{FileError, LARGEST_TABLE, read_text};
+use ertel_rheology::input::csv::{CsvError, CsvParams};
+use ertel_rheology::input::file::{FileError, read_table};
 use ertel_rheology::input::tree::Value;
 use ertel_rheology::input::{Document, InputError};
 
@@ -111,8 +112,8 @@ pub struct ReadParams {
     pub steps: Vec<usize>,
     /// Thermometer of a rig.
     pub probe: Probe,
-    /// Columns of a table that are not looked at.
-    pub ignored: Vec<String>,
+    /// What the user tells about the columns of a table.
+    pub table: CsvParams,
 }
 
 /// Why measurements were not read.
@@ -150,7 +151,7 @@ impl Measured {
     ///
     /// [`MeasuredError`] with file, line and column: of the file itself, and of every point that the case refuses.
     pub fn read(base: &Path, path: &Path, params: &ReadParams) -> Result<Self, MeasuredError> {
-        let text = read_text(path, LARGEST_TABLE).map_err(|source| MeasuredError::File {
+        let text = read_table(path).map_err(|source| MeasuredError::File {
             path: path.to_owned(),
             source,
         })?;
@@ -227,5 +228,7 @@ fn column(key: &str, span: Range<usize>) -> PointColumn {
     }
 }
 
+#[cfg(test)]
+mod table_tests;
 #[cfg(test)]
 mod tests;

@@ -95,9 +95,11 @@ pub(super) fn read(
         column: 1,
         problem,
     };
-    if let Some(name) = params.ignored.first() {
+    let told = params.table.ignored.iter();
+    let told = told.chain(params.table.columns.iter().map(|map| &map.title));
+    if let Some(name) = told.into_iter().next() {
         let problem = format!(
-            "columns of an export of a rig are chosen by their titles: `{name}` cannot be ignored"
+            "columns of an export of a rig are chosen by their titles: `{name}` can be neither ignored nor mapped"
         );
         return Err(whole(1, problem));
     }
@@ -231,10 +233,16 @@ fn alone(text: &str, step: &Step) -> (String, usize) {
 /// The columns of a table; or why it has none.
 fn columns_of(table: &CsvTable, probe: Probe) -> Result<Columns, String> {
     let titles = table.header().cells();
-    let find = |title: &'static str, name: &'static str, unit: &str| -> Option<Column> {
+    let find = |title: &'static str, name: &'static str, unit_text: &str| -> Option<Column> {
         let index = titles.iter().rposition(|own| own == title)?;
-        let unit = Unit::parse(unit).ok()?;
-        Some(Column { index, name, unit })
+        let unit = Unit::parse(unit_text).ok()?;
+        Some(Column {
+            index,
+            name,
+            unit,
+            unit_text: unit_text.to_owned(),
+            is_open: false,
+        })
     };
     let need = |found: Option<Column>, title: &str| {
         found.ok_or_else(|| format!("it has no column `{title}`"))

@@ -1,25 +1,73 @@
 //! Plain tables: a column for each quantity that was set, one for each figure that was measured.
 
-use ertel_rheology::input::Document;
-use ertel_rheology::input::csv::{Column, CsvError, CsvTable, Row};
+use ertel_rheology::input::csv::{
+    Column, CsvError, CsvTable, Row, Vocabulary, key_titles, line_list,
+};
+use ertel_rheology::input::{Document, excerpt};
 use ertel_rheology::quantity::Dimension;
 
-use super::columns::{MEASURED, MeasuredColumns, OPERATING, TEMPERATURE, find, uncertainty};
-use super::{Content, Figure, Measurement, ReadParams, column, temperature_key};
+use super::columns::{
+    MEASURED, MeasuredColumns, OPERATING, Operating, find, names, open_name, uncertainty,
+};
+use super::turned::{self, Turned};
+use super::{Content, Figure, Measurement, ReadParams, column};
 use crate::case::study::{PointColumn, split_title};
 
-/// Columns of words about a row.
-const WORDS: [&str; 2] = ["comment", "note"];
+/// Columns about a row that say nothing about its operating point, in small letters and without their unit.
+const WORDS: [&str; 23] = [
+    "comment",
+    "comments",
+    "note",
+    "notes",
+    "remark",
+    "remarks",
+    "kommentar",
+    "bemerkung",
+    "no",
+    "no.",
+    "nr",
+    "nr.",
+    "#",
+    "id",
+    "index",
+    "time",
+    "date",
+    "zeit",
+    "datum",
+    "uhrzeit",
+    "operator",
+    "file",
+    "datei",
+];
 
 /// What a table may have, for messages.
 const CHOICES: &str = "quantities are `entrainment_speed`, `slide_to_roll_ratio`, `load`, `temperature`, and any key of the case, \
     such as `contact.radius`; measured are `film_central`, `film_minimum`, `traction_coefficient`, each with \
-    `_uncertainty` if known; all with their units, as in `film_central_nm` or `film_central [nm]`; a `comment` is skipped";
+    `_uncertainty` if known; all with their units, as in `film_central_nm` or `film_central [nm]`; a `comment` is skipped; \
+    other titles are told as in `--column film=\"Film (nm)\"` or `--column film=Film:nm`";
 
 /// Thickest film that is believed, m: beyond it the unit was mistaken.
 const THICKEST_FILM: f64 = 1e-2;
 /// Largest traction coefficient that is believed.
 const LARGEST_TRACTION: f64 = 10.0;
+
+/// What the columns of a table of measurements may be.
+pub(super) fn parse(
+    case: &Document,
+    file: &str,
+    text: &str,
+    params: &ReadParams,
+) -> Result<CsvTable, CsvError> {
+    let names = names();
+    let vocabulary = Vocabulary {
+        names: &names,
+        is_key: &|title| {
+            let key = split_title(case, title);
+            key.is_some_and(|(key, _)| key.contains('.') && key.starts_with(char::is_alphabetic))
+        },
+    };
+    CsvTable::parse_for(file, text, &vocabulary, &params.table)
+}
 
 /// Reads a table.
 pub(super) fn read(
@@ -28,7 +76,7 @@ pub(super) fn read(
     text: &str,
     params: &ReadParams,
 ) -> Result<Content, CsvError> {
-    let table = CsvTable::parse(file, text).map_err(|mut error| {
+    let table = parse(case, file, text, params).map_err(|mut error| {
         if error.problem.contains("empty") {
             error.problem += &format!("; {CHOICES}");
         }
@@ -36,39 +84,32 @@ pub(super) fn read(
     })?;
     let header = table.header();
     let mut known: Vec<usize> = Vec::new();
-    for name in &params.ignored {
-        let titles = header.cells().iter().enumerate();
-        let found = titles.filter(|(_, title)| *title == name).map(|(i, _)| i);
-        let before = known.len();
-        known.extend(found);
-        if known.len() == before {
-            let problem = format!(
-                "there is no column `{name}` to be ignored; the columns are {}",
-                header.cells().join(", ")
-            );
-            return Err(table.error(header, 0, problem));
-        }
-    }
-    let mut operating: Vec<(PointColumn, Column)> = Vec::new();
-    for (names, key, dimensions) in OPERATING {
-        let key = if key == TEMPERATURE {
-            temperature_key(case)
-        } else {
-            key
-        };
-        if let Some(found) = find(&table, names, dimensions, &known)? {
+    let mut notes = table.notes().to_vec();
+    let mut operating: Vec<Set> = Vec::new();
+    for (quantity, name, dimensions) in OPERATING {
+        if let Some(found) = find(&table, name, dimensions, &known)? {
+            let key = quantity.key(case).map_err(|why| {
+                let problem = format!("the case cannot take {name} from a table: {why}");
+                table.error(header, found.index, problem)
+            })?;
             known.push(found.index);
+            notes.extend(open_name(&table, &found));
             let span = table.cell_span(text, header, found.index);
-            operating.push((column(key, span), found));
+            operating.push(Set {
+                quantity,
+                point: column(key, span),
+                column: found,
+            });
         }
     }
     let mut measured = Vec::new();
-    for (figure, (names, uncertainties, dimension)) in Figure::ALL.into_iter().zip(MEASURED) {
-        let uncertainty = uncertainty(&table, uncertainties, dimension, &known)?;
+    for (figure, (name, bar, dimension)) in Figure::ALL.into_iter().zip(MEASURED) {
+        let uncertainty = uncertainty(&table, bar, dimension, &known)?;
         known.extend(uncertainty.iter().map(|u| u.column.index));
-        match (find(&table, names, &[dimension], &known)?, uncertainty) {
+        match (find(&table, name, &[dimension], &known)?, uncertainty) {
             (Some(value), uncertainty) => {
                 known.push(value.index);
+                notes.extend(open_name(&table, &value));
                 measured.push(MeasuredColumns {
                     figure,
                     value,
@@ -84,14 +125,27 @@ pub(super) fn read(
     }
     let keys = keys(case, &table, text, &mut known, &operating)?;
     if measured.is_empty() {
-        let problem = format!("no column is a measured figure; {CHOICES}");
+        let problem = format!(
+            "no column is a measured figure; the columns are {}; {CHOICES}",
+            header.cells().join(", ")
+        );
         return Err(table.error(header, 0, problem));
     }
     if operating.is_empty() && keys.is_empty() {
         let problem = format!("no column says what was varied; {CHOICES}");
         return Err(table.error(header, 0, problem));
     }
-    rows(&table, text, operating, keys, &measured)
+    let mut content = rows(case, &table, text, operating, keys, &measured)?;
+    notes.append(&mut content.notes);
+    content.notes = notes;
+    Ok(content)
+}
+
+/// A column that sets an operating quantity.
+struct Set {
+    quantity: Operating,
+    point: PointColumn,
+    column: Column,
 }
 
 /// A column that is a key of the case: where it stands, and its unit.
@@ -103,29 +157,30 @@ fn keys(
     table: &CsvTable,
     text: &str,
     known: &mut Vec<usize>,
-    operating: &[(PointColumn, Column)],
+    operating: &[Set],
 ) -> Result<Vec<KeyColumn>, CsvError> {
     let header = table.header();
     let mut keys: Vec<KeyColumn> = Vec::new();
-    for (index, title) in header.cells().iter().enumerate() {
-        if known.contains(&index) || WORDS.contains(&title.to_ascii_lowercase().as_str()) {
+    for (index, cell) in header.cells().iter().enumerate() {
+        let is_word = |title: &str| WORDS.contains(&title.trim().to_lowercase().as_str());
+        let words = key_titles(cell);
+        if known.contains(&index)
+            || table.is_ignored(index)
+            || is_word(cell)
+            || words.iter().any(|(name, _)| is_word(name))
+        {
             continue;
         }
-        let name = title.split(['[', '(']).next().unwrap_or_default();
-        let split = name
-            .contains('.')
-            .then(|| split_title(case, title))
-            .flatten();
+        let title = table.title(index);
+        let split = split_title(case, title).filter(|(key, _)| key.contains('.'));
         let Some((key, unit)) = split else {
-            let problem = match title.is_empty() {
-                true => format!("the column has no title; {CHOICES}"),
-                false => {
-                    format!("unknown column `{title}`; {CHOICES}; or leave it out with --ignore")
-                }
-            };
+            let problem = format!(
+                "unknown column `{}`; {CHOICES}; or leave it out with --ignore",
+                excerpt(cell)
+            );
             return Err(table.error(header, index, problem));
         };
-        let mut others = operating.iter().map(|(column, _)| &column.key);
+        let mut others = operating.iter().map(|set| &set.point.key);
         if others.any(|other| *other == key) || keys.iter().any(|(column, _, _)| column.key == key)
         {
             let problem = format!("there is a second column for `{key}`");
@@ -139,71 +194,85 @@ fn keys(
 }
 
 fn rows(
+    case: &Document,
     table: &CsvTable,
     text: &str,
-    mut operating: Vec<(PointColumn, Column)>,
+    mut operating: Vec<Set>,
     mut keys: Vec<KeyColumn>,
     measured: &[MeasuredColumns],
 ) -> Result<Content, CsvError> {
     let mut rows = Vec::new();
+    let mut empty = Vec::new();
+    let mut turned = turned::Rows::of(case);
     for row in table.rows() {
-        for (point, column) in &mut operating {
-            let value = table.required_number(row, column)?;
-            let span = table.cell_span(text, row, column.index);
-            if column
-                .unit
-                .dimension()
-                .same_exponents(Dimension::DIMENSIONLESS)
-            {
-                point.push_number(span, value);
-            } else {
-                let cell = table.with_point(row.cell(column.index));
-                point.push(span, &cell, &unit_of(table, column));
-            }
-        }
-        for (point, index, unit) in &mut keys {
-            let cell = table.with_point(row.cell(*index));
-            if cell.is_empty() {
-                let problem = format!("{}: the cell is empty", point.key);
-                return Err(table.error(row, *index, problem));
-            }
-            point.push(table.cell_span(text, row, *index), &cell, unit);
-        }
         let mut figures = [None; 3];
         for columns in measured {
             figures[columns.figure as usize] = measurement(table, row, columns)?;
         }
         if figures == [None; 3] {
-            let index = measured[0].value.index;
-            return Err(table.error(row, index, "nothing was measured in this line"));
+            empty.push(row.line);
+            continue;
+        }
+        let speed = operating
+            .iter()
+            .find(|set| set.quantity == Operating::Speed);
+        let speed = speed.map(|set| table.required_number(row, &set.column));
+        let turn = turned.take(row.line, speed.transpose()?);
+        if turn == Turned::LeftOut {
+            continue;
+        }
+        for set in &mut operating {
+            let value = table.required_number(row, &set.column)?;
+            let span = table.cell_span(text, row, set.column.index);
+            let dimension = set.column.unit.dimension();
+            if dimension.same_exponents(Dimension::DIMENSIONLESS) {
+                set.point.push_number(span, value);
+            } else {
+                let cell = table.with_point(row.cell(set.column.index));
+                let is_turned = set.quantity == Operating::Speed && turn == Turned::Yes;
+                let cell = if is_turned {
+                    cell.trim_start_matches('-')
+                } else {
+                    &cell
+                };
+                set.point.push(span, cell, &set.column.unit_text);
+            }
+        }
+        for (point, index, unit) in &mut keys {
+            let cell = table.with_point(row.cell(*index));
+            if table.is_missing(row, *index) {
+                let problem = format!("{}: the cell is empty", point.key);
+                return Err(table.error(row, *index, problem));
+            }
+            point.push(table.cell_span(text, row, *index), &cell, unit);
         }
         rows.push((row.line, figures));
     }
+    let mut notes = turned.notes();
     if rows.is_empty() {
-        let problem = "there are no measurements below the header";
+        let problem = match (empty.first(), notes.is_empty()) {
+            (Some(line), true) => {
+                let row = table.rows().iter().find(|row| row.line == *line);
+                let index = measured[0].value.index;
+                let problem = "nothing was measured in this line, nor in any other";
+                return Err(table.error(row.unwrap_or(table.header()), index, problem));
+            }
+            (None, true) => "there are no measurements below the header".to_owned(),
+            (_, false) => format!("no row is left: {}", notes.join("; ")),
+        };
         return Err(table.error(table.header(), 0, problem));
     }
-    let columns = operating.into_iter().map(|(point, _)| point);
+    if !empty.is_empty() {
+        notes.push(format!("nothing was measured in {}", line_list(&empty)));
+    }
+    let columns = operating.into_iter().map(|set| set.point);
     Ok(Content {
         columns: columns
             .chain(keys.into_iter().map(|(point, ..)| point))
             .collect(),
         rows,
-        notes: Vec::new(),
+        notes,
     })
-}
-
-/// The unit of a column as its title writes it; empty for a plain number.
-fn unit_of(table: &CsvTable, column: &Column) -> String {
-    let title = table.header().cell(column.index);
-    let after = title.get(column.name.len()..).unwrap_or_default().trim();
-    match after.strip_prefix(['[', '(']) {
-        Some(unit) => unit.trim_end_matches([']', ')']).trim().to_owned(),
-        None => after
-            .trim_start_matches(['_', ' '])
-            .replace("_per_", "/")
-            .replace('_', " "),
-    }
 }
 
 /// What one line measured of a figure; `None` where its cell is empty.

@@ -113,10 +113,10 @@ fn a_bad_table_is_refused_with_its_place() {
             &[":1:2", "furlong"],
         ),
         (
-            "speed [m/s],film [nm]\n1,100\n",
+            "speed [m/s],flim [nm]\n1,100\n",
             &[":1:2", "unknown column", "film_central", "--ignore"],
         ),
-        ("speed [m/s],\n1,100\n", &[":1:2", "no title"]),
+        ("speed [m/s],\n1,100\n", &[":2:2", "no title"]),
         (
             "speed [m/s],load [N]\n1,100\n",
             &[":1:1", "no column is a measured figure"],
@@ -136,7 +136,7 @@ fn a_bad_table_is_refused_with_its_place() {
         ),
         (
             "speed [m/s],film_central [nm]\n1,nan\n",
-            &[":2:2", "not a number"],
+            &[":2:2", "nothing was measured"],
         ),
         (
             "speed [m/s],film_central [nm]\n1,-5\n",
@@ -155,7 +155,7 @@ fn a_bad_table_is_refused_with_its_place() {
         ("speed [m/s],traction [1]\n1,20\n", &[":2:2", "traction"]),
         (
             "speed [m/s],rolling_speed [m/s],film_central [nm]\n1,1,5\n",
-            &[":1:1", "same column"],
+            &[":1:2", "second column"],
         ),
         (
             "speed [m/s],speed [mm/s],film_central [nm]\n1,1,5\n",
@@ -199,7 +199,10 @@ fn a_bad_table_is_refused_with_its_place() {
         refused(text, words);
     }
     let ignored = |name: &str| ReadParams {
-        ignored: vec![name.to_owned()],
+        table: ertel_rheology::input::csv::CsvParams {
+            ignored: vec![name.to_owned()],
+            ..Default::default()
+        },
         ..ReadParams::default()
     };
     let text = "speed [m/s],film_central [nm],humidity\n1,5,wet\n";

@@ -1,10 +1,12 @@
 //! Measured states from a CSV file.
 
-use ertel_rheology::input::Bounds;
-use ertel_rheology::input::csv::{Column, CsvTable, Row};
+use ertel_rheology::input::csv::{Column, CsvParams, CsvTable, Row, Vocabulary, line_list};
 use ertel_rheology::quantity::{Dimension, STANDARD_ATMOSPHERE};
 
 pub use ertel_rheology::input::csv::CsvError as DataError;
+use ertel_rheology::input::{Bounds, excerpt};
+
+use crate::case::question_of_state;
 
 /// What was measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,20 +56,42 @@ pub struct Data {
     pub property: Property,
     /// The states, in the order of the file.
     pub states: Vec<State>,
+    /// What was left out, and what is doubted.
+    pub notes: Vec<String>,
 }
 
 impl Data {
-    /// Reads a table of states from the text of a CSV file.
+    /// Reads a table of states from the text of a file.
     ///
     /// The file is a table of [`ertel_rheology::input::csv`] whose columns have units, as `pressure_MPa, temperature_degC,
-    /// viscosity_mPa_s` or `pressure [MPa], temperature [degC], viscosity [mPa.s]`. A column `absolute_pressure` is reduced
-    /// by one standard atmosphere. Other columns are ignored; a state without a value is left out.
+    /// viscosity_mPa_s` or `Druck / bar; Temperatur / °C; dyn. Viskosität / mPas`. Absolute pressures are reduced by one standard
+    /// atmosphere; a kinematic viscosity is multiplied by a density that stands beside it. Other columns are ignored; a state
+    /// without a value is left out.
     ///
     /// # Errors
     ///
     /// Missing columns, units and numbers, with line and column; impossible values.
     pub fn parse(file: &str, text: &str, property: Property) -> Result<Self, DataError> {
-        let table = CsvTable::parse(file, text).map_err(|mut error| {
+        Self::parse_with(file, text, property, &CsvParams::default())
+    }
+
+    /// The same with what the user tells about the table.
+    ///
+    /// # Errors
+    ///
+    /// As [`Data::parse`]; columns that the user names and that are not there.
+    pub fn parse_with(
+        file: &str,
+        text: &str,
+        property: Property,
+        params: &CsvParams,
+    ) -> Result<Self, DataError> {
+        let names = [&COLUMNS[..], &[property.name()]].concat();
+        let vocabulary = Vocabulary {
+            names: &names,
+            is_key: &|_| false,
+        };
+        let table = CsvTable::parse_for(file, text, &vocabulary, params).map_err(|mut error| {
             if error.line == 1 && error.problem.contains("empty") {
                 error.problem += &format!("; {}", expected(property));
             }
@@ -75,17 +99,34 @@ impl Data {
         })?;
         let header = Header::of(&table, property)?;
         let mut states = Vec::new();
+        let mut left_out = Vec::new();
         for row in table.rows() {
-            states.extend(header.state(&table, row)?);
+            match header.state(&table, row)? {
+                Some(state) => states.push(state),
+                None => left_out.push(row.line),
+            }
         }
         if states.is_empty() {
             let problem = "there are no states below the header";
             return Err(table.error(table.header(), 0, problem));
         }
+        let mut notes = table.notes().to_vec();
+        if !left_out.is_empty() {
+            let name = property.name();
+            notes.push(format!("no {name} stands in {}", line_list(&left_out)));
+        }
+        if let Some(column) = &header.density {
+            let title = excerpt(table.header().cell(column.index));
+            notes.push(format!(
+                "the kinematic viscosity is multiplied by the density of column `{title}`"
+            ));
+        }
+        notes.extend(question(property, &states));
         Ok(Self {
             file: file.to_owned(),
             property,
             states,
+            notes,
         })
     }
 
@@ -112,8 +153,10 @@ fn expected(property: Property) -> String {
         Property::Density => "density_kg_per_m3",
     };
     format!(
-        "its first line names the columns with their units, such as `pressure_MPa, temperature_K, {value}` (or \
-         `absolute_pressure_MPa`)"
+        "a line names the columns with their units, such as `pressure_MPa, temperature_K, {value}` (or \
+         `absolute_pressure_MPa`); or tell where they stand, such as `--column {}=\"Title of the column:{}\"`",
+        property.name(),
+        property.dimension().si_unit()
     )
 }
 
@@ -121,13 +164,52 @@ fn expected(property: Property) -> String {
 const TEMPERATURES: [f64; 2] = [1.0, 1e4];
 const LARGEST_PRESSURE: f64 = 1e12;
 const VISCOSITIES: [f64; 2] = [1e-9, 1e30];
+const KINEMATIC_VISCOSITIES: [f64; 2] = [1e-12, 1e27];
 const DENSITIES: [f64; 2] = [1e-6, 1e6];
+
+/// The column of a kinematic viscosity where there is none of a dynamic one.
+fn kinematic(table: &CsvTable) -> Result<Option<Column>, DataError> {
+    if table.find("viscosity", Dimension::VISCOSITY)?.is_some() {
+        return Ok(None);
+    }
+    for name in ["viscosity", "kinematic viscosity"] {
+        if let Some(column) = table.find(name, Dimension::KINEMATIC_VISCOSITY)? {
+            return Ok(Some(column));
+        }
+    }
+    Ok(None)
+}
+
+/// Columns of every table of states, by the names of the program.
+const COLUMNS: [&str; 5] = [
+    "pressure",
+    "absolute pressure",
+    "temperature",
+    "kinematic viscosity",
+    "density",
+];
+
+/// Pressure (Pa) up to which a state counts as one at ambient pressure, where it is known what is usual.
+const LOW_PRESSURE: f64 = 1e7;
+
+/// Asks about the state at the lowest pressure that is farthest from what is usual.
+fn question(property: Property, states: &[State]) -> Option<String> {
+    let low = states.iter().filter(|state| state.pressure <= LOW_PRESSURE);
+    let asked = low.filter_map(|state| {
+        let what = format!("{} in line {}", property.name(), state.line);
+        question_of_state(&what, state.value, property.dimension())
+    });
+    let worst = asked.max_by(|a, b| a.excess.total_cmp(&b.excess))?;
+    Some(worst.text)
+}
 
 struct Header {
     pressure: Column,
     absolute: bool,
     temperature: Column,
     value: Column,
+    /// The density that a kinematic viscosity is multiplied by.
+    density: Option<Column>,
     values: [f64; 2],
 }
 
@@ -144,22 +226,48 @@ impl Header {
                 table.error(table.header(), 0, problem)
             })
         };
-        let gauge = find("pressure", Dimension::PRESSURE)?;
-        let (pressure, absolute) = match (gauge, find("absolute pressure", Dimension::PRESSURE)?) {
+        // By its unit first: a pressure without one may be the absolute one.
+        let absolute = table.find("absolute pressure", Dimension::PRESSURE)?;
+        let gauge = match absolute {
+            Some(_) => table.find("pressure", Dimension::PRESSURE)?,
+            None => find("pressure", Dimension::PRESSURE)?,
+        };
+        let (pressure, absolute) = match (gauge, absolute) {
             (Some(_), Some(second)) => {
                 let problem = "give `pressure` or `absolute_pressure`, not both";
                 return Err(table.error(table.header(), second.index, problem));
             }
             (None, Some(absolute)) => (absolute, true),
+            (None, None) => match find("absolute pressure", Dimension::PRESSURE)? {
+                Some(absolute) => (absolute, true),
+                None => (need(None, "pressure")?, false),
+            },
             (pressure, None) => (need(pressure, "pressure")?, false),
         };
         let temperature = find("temperature", Dimension::TEMPERATURE)?;
-        let value = find(property.name(), property.dimension())?;
+        let (value, density) = match (property, kinematic(table)?) {
+            (Property::Viscosity, Some(value)) => {
+                let density = table.find("density", Dimension::DENSITY)?;
+                if density.is_none() {
+                    let problem = format!(
+                        "the column `{}` is a kinematic viscosity; a law of the dynamic viscosity μ = ρ ν needs the density of each \
+                         state, too: add a column such as `density_kg_per_m3`",
+                        excerpt(table.header().cell(value.index))
+                    );
+                    return Err(table.error(table.header(), value.index, problem));
+                }
+                (Some(value), density)
+            }
+            (Property::Viscosity | Property::Density, _) => {
+                (find(property.name(), property.dimension())?, None)
+            }
+        };
         Ok(Self {
             pressure,
             absolute,
             temperature: need(temperature, "temperature")?,
             value: need(value, property.name())?,
+            density,
             values: match property {
                 Property::Viscosity => VISCOSITIES,
                 Property::Density => DENSITIES,
@@ -169,7 +277,8 @@ impl Header {
 
     /// The state of a line; `None` if the value is left out.
     fn state(&self, table: &CsvTable, row: &Row) -> Result<Option<State>, DataError> {
-        if row.cell(self.value.index).is_empty() {
+        let is_missing = |column: &Column| table.is_missing(row, column.index);
+        if is_missing(&self.value) || self.density.as_ref().is_some_and(is_missing) {
             return Ok(None);
         }
         let within = |column: &Column, [low, high]: [f64; 2]| {
@@ -211,11 +320,20 @@ impl Header {
         Ok(Some(State {
             pressure,
             temperature: within(&self.temperature, TEMPERATURES)?,
-            value: within(&self.value, self.values)?,
+            value: match &self.density {
+                Some(density) => {
+                    within(density, DENSITIES)? * within(&self.value, KINEMATIC_VISCOSITIES)?
+                }
+                None => within(&self.value, self.values)?,
+            },
             line: row.line,
         }))
     }
 }
+
+#[cfg(test)]
+#[path = "data_tests.rs"]
+mod spellings;
 
 #[cfg(test)]
 mod tests {
@@ -269,7 +387,12 @@ mod tests {
                 "Pa.s, mPa.s, cP",
             ),
             ("pressure_MPa,temperature_N,viscosity_cP\n", 1, 2, "K, degC"),
-            ("pressure_MPa,temperature_K,viscosity_mPas\n", 1, 3, "mPa.s"),
+            (
+                "pressure_MPa,temperature_K,viscosity_furlong\n",
+                1,
+                3,
+                "mPa.s",
+            ),
             (head, 1, 1, "no states"),
             (
                 &format!("{head}1,300,2\n\n1,3OO,2\n"),

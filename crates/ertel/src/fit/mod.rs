@@ -23,8 +23,9 @@ mod sense;
 pub use data::{Data, DataError, Property, State};
 pub use entry::{Heading, entry};
 pub use film::{
-    Estimate, FilmFit, FilmFitError, FilmForm, FilmKind, FilmState, Films, FormError, Variable,
-    contact_of_films, fit_film, parity, read_films,
+    Estimate, FilmFit, FilmFitError, FilmForm, FilmKind, FilmState, Films, FormError, Given,
+    Variable, contact_of_films, contact_of_films_with, fit_film, parity, read_films,
+    read_films_with,
 };
 pub use law::{FittedLaw, LawName};
 pub use least_squares::{Minimum, MinimumError, minimise};

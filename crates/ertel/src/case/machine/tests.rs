@@ -86,6 +86,92 @@ fn with(machine: &str, old: &str, new: &str) -> Result<Case, InputError> {
     read(&machine.replacen(old, new, 1))
 }
 
+/// What a machine gives, varied: each point is the machine with this value.
+#[test]
+fn machines_have_curves() {
+    let values = |case: &Case, of: fn(&Case) -> f64| -> Vec<f64> {
+        let curve = case.curve.as_ref().unwrap();
+        curve.points.iter().map(|point| of(&point.case)).collect()
+    };
+    let speed: fn(&Case) -> f64 = |case| case.motion.entrainment_speed;
+    let load: fn(&Case) -> f64 = |case| case.contact.load;
+    let temperature: fn(&Case) -> f64 = |case| case.lubricant.temperature;
+    for (machine, quantity, given, of, ratio) in [
+        (DISC, "machine.load", ["10 N", "30 N"], load, 3.0),
+        (
+            BALL,
+            "machine.inner_ring_speed",
+            ["1000 rpm", "2000 rpm"],
+            speed,
+            2.0,
+        ),
+        (BALL, "machine.ball_load", ["100 N", "500 N"], load, 5.0),
+        (
+            ROLLER,
+            "machine.inner_ring_speed",
+            ["1000 rpm", "3000 rpm"],
+            speed,
+            3.0,
+        ),
+        (ROLLER, "machine.roller_load", ["1 kN", "2 kN"], load, 2.0),
+        (
+            GEAR,
+            "machine.pinion_speed",
+            ["1000 rpm", "1500 rpm"],
+            speed,
+            1.5,
+        ),
+        (
+            GEAR,
+            "machine.pinion_torque",
+            ["50 N.m", "100 N.m"],
+            load,
+            2.0,
+        ),
+        (
+            CAM,
+            "machine.cam_speed",
+            ["50 rad/s", "100 rad/s"],
+            speed,
+            2.0,
+        ),
+        (CAM, "machine.load", ["250 N", "500 N"], load, 2.0),
+        (
+            GEAR,
+            "lubricant.temperature",
+            ["300 K", "330 K"],
+            temperature,
+            1.1,
+        ),
+    ] {
+        let curve = format!("[curve]\nquantity = \"{quantity}\"\nvalues = {given:?}\n");
+        let text = format!("[machine]{machine}{REST}{curve}");
+        let document = Document::parse("machine.toml", text).unwrap();
+        let case = Case::from_document(&document, Path::new(""));
+        let case = case.unwrap_or_else(|error| panic!("{quantity}: {error}"));
+        let found = values(&case, of);
+        assert_relative_eq!(found[1] / found[0], ratio, max_relative = 1e-9);
+    }
+    let speeds = "entrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.1\n";
+    let disc = DISC.replace(
+        "ball_speed = \"1.1 m/s\"\ndisc_speed = \"0.9 m/s\"\n",
+        speeds,
+    );
+    for (quantity, given) in [
+        ("entrainment_speed", "[\"1 m/s\", \"2 m/s\"]"),
+        ("slide_to_roll_ratio", "[0.1, 0.2]"),
+    ] {
+        let text = format!(
+            "[machine]{disc}{REST}[curve]\nquantity = \"machine.{quantity}\"\nvalues = {given}\n"
+        );
+        let document = Document::parse("machine.toml", text).unwrap();
+        assert!(
+            Case::from_document(&document, Path::new("")).is_ok(),
+            "{quantity}"
+        );
+    }
+}
+
 /// Radius in mm, load, entrainment speed, slide-to-roll ratio.
 fn check(case: &Case, radius_mm: f64, load: f64, speed: f64, ratio: f64) {
     let (contact, motion) = (&case.contact, &case.motion);

@@ -1,5 +1,6 @@
 //! `[[axis]]`: lists and ranges.
 
+use std::collections::HashMap;
 use std::ops::Range;
 
 use ertel_rheology::input::tree::{Entry, Node, Value};
@@ -85,9 +86,12 @@ pub(super) fn read(
         if key.split('.').any(str::is_empty) {
             return Err(table.error("key", format!("`{key}` is no key of a case file")));
         }
-        let values = read_values(&mut table, node)?;
-        values::check_distinct(&table, "axis", &values)?;
+        let values = read_values(&mut table, node, &key)?;
         let zip = table.optional_str("zip")?.map(str::to_owned);
+        // Values of axes side by side may repeat, points may not.
+        if zip.is_none() {
+            values::check_distinct(&table, "axis", &values)?;
+        }
         let at_key = node.entry("key").map_or(0..0, |e| e.node.span.clone());
         let axis = Axis {
             key_span: at_key.start + offset..at_key.end + offset,
@@ -118,17 +122,43 @@ pub(super) fn read(
         }
         table.finish()?;
     }
+    for group in &groups {
+        check_points(group, study, offset)?;
+    }
     Ok(groups)
 }
 
-fn read_values(table: &mut Table<'_>, node: &Node) -> Result<Values, InputError> {
+/// No point of axes side by side stands there twice.
+fn check_points(group: &Group, study: &Document, offset: usize) -> Result<(), InputError> {
+    let mut seen = HashMap::new();
+    for i in 0..group.len() {
+        let point: Vec<_> = group
+            .axes
+            .iter()
+            .map(|axis| axis.values[i].1.identity())
+            .collect();
+        if let Some(first) = seen.insert(point, i) {
+            let node = &group.axes[0].values[i].0;
+            let span = node.span.start - offset..node.span.end - offset;
+            let message = format!(
+                "value {} repeats value {} in all axes of this `zip`",
+                i + 1,
+                first + 1
+            );
+            return Err(study.error_at(span, "values", message));
+        }
+    }
+    Ok(())
+}
+
+fn read_values(table: &mut Table<'_>, node: &Node, key: &str) -> Result<Values, InputError> {
     let keys = ["from", "to", "points", "spacing"];
     // Errors list the keys in the order in which they are asked for.
     for key in keys {
         table.contains(key);
     }
     if values::is_range(table, "an axis", &keys, "[\"10 N\", \"20 N\"]")? {
-        return read_range(table, node);
+        return read_range(table, node, key);
     }
     let Some(Entry {
         node: Node {
@@ -152,7 +182,7 @@ fn read_values(table: &mut Table<'_>, node: &Node) -> Result<Values, InputError>
     }
     let values: Values = nodes
         .iter()
-        .map(|node| (node.clone(), AxisValue::of(node)))
+        .map(|node| (node.clone(), AxisValue::of(key, node)))
         .collect();
     let first = &values[0].1;
     if let Some(i) = values.iter().position(|(_, value)| !value.is_like(first)) {
@@ -169,13 +199,13 @@ fn read_values(table: &mut Table<'_>, node: &Node) -> Result<Values, InputError>
     Ok(values)
 }
 
-fn read_range(table: &mut Table<'_>, node: &Node) -> Result<Values, InputError> {
+fn read_range(table: &mut Table<'_>, node: &Node, axis: &str) -> Result<Values, InputError> {
     let end = |table: &mut Table<'_>, key: &'static str| {
         if !table.contains(key) {
             return Err(table.missing(key));
         }
         let entry = node.entry(key).expect("just seen");
-        match AxisValue::of(&entry.node) {
+        match AxisValue::of(axis, &entry.node) {
             AxisValue::Number(value, dimension) if value.is_finite() => {
                 Ok((value, dimension, entry.node.clone()))
             }

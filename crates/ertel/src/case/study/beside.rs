@@ -25,7 +25,8 @@ pub struct PointColumn {
 impl PointColumn {
     /// Adds the value of a cell, `100` with the unit `N`; without a unit a number, a switch or a name.
     pub fn push(&mut self, span: Range<usize>, cell: &str, unit: &str) {
-        self.values.push((span, value_of(cell, unit)));
+        let value = value_of(&self.key, cell, unit);
+        self.values.push((span, value));
     }
 
     /// Adds a pure number, without the noise of the last digits: 0.152 % is 0.00152.
@@ -72,15 +73,15 @@ impl Study {
         }
         let axes = columns.into_iter().map(|column| Axis {
             key_span: moved(column.span),
-            key: column.key,
             values: (column.values.into_iter())
                 .map(|(span, value)| {
                     let span = moved(span);
                     let node = Node { span, value };
-                    let value = AxisValue::of(&node);
+                    let value = AxisValue::of(&column.key, &node);
                     (node, value)
                 })
                 .collect(),
+            key: column.key,
         });
         let groups = [Group {
             name: None,

@@ -3,17 +3,17 @@
 use std::ops::Range;
 use std::path::Path;
 
-use ertel_rheology::input::csv::{CsvTable, Row};
-use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
+use ertel_rheology::input::csv::{CsvParams, CsvTable, Row, Vocabulary, key_titles};
+use ertel_rheology::input::file::read_table;
 use ertel_rheology::input::tree::{Node, Value};
 use ertel_rheology::input::{Document, InputError};
-use ertel_rheology::quantity::Unit;
 
 use super::axis::{Axis, Group};
-use super::values::AxisValue;
+use super::values::{AxisValue, is_text_key};
 
-/// A column: its key, where it stands, and the unit of its cells.
+/// A column: its place, its key, where it stands, and the unit of its cells.
 struct Header {
+    index: usize,
     key: String,
     span: Range<usize>,
     unit: String,
@@ -26,25 +26,42 @@ pub(super) fn read(
     study: &Document,
 ) -> Result<(Document, Group), InputError> {
     let file = path.display().to_string();
-    let text = read_text(path, LARGEST_TABLE)
+    let text = read_table(path)
         .map_err(|error| study.root().error("points", format!("{file} {error}")))?;
     let (case, offset) = case.beside(&file, &text);
     let moved = |span: Range<usize>| span.start + offset..span.end + offset;
-    let table = CsvTable::parse(&file, &text).map_err(|error| {
+    let vocabulary = Vocabulary {
+        names: &[],
+        is_key: &|title| {
+            let key = split_title(&case, title);
+            key.is_some_and(|(key, _)| {
+                let is_path = key.contains('.') && key.starts_with(char::is_alphabetic);
+                is_path || key == "title" || case.tree().entry(&key).is_some()
+            })
+        },
+    };
+    let table = CsvTable::parse_for(&file, &text, &vocabulary, &CsvParams::default());
+    let table = table.map_err(|error| {
         let at = moved(line_span(&text, error.line));
         let message = format!("column {}: {}", error.column, error.problem);
         case.error_at(at, "", message)
     })?;
     let span_of = |row: &Row, index| moved(table.cell_span(&text, row, index));
-    let titles = table.header().cells().iter().enumerate();
-    let headers: Vec<Header> = titles
-        .map(|(index, title)| {
+    let columns = (0..table.header().cells().len()).filter(|index| !table.is_ignored(*index));
+    let headers: Vec<Header> = columns
+        .map(|index| {
+            let title = table.title(index);
             let span = span_of(table.header(), index);
             let (key, unit) = split_title(&case, title).ok_or_else(|| {
                 case.error_at(span.clone(), "", format!("`{title}` is no key with a unit"))
                     .with_help("name the column as in `contact.load_N` or `contact.load [N]`")
             })?;
-            Ok(Header { key, span, unit })
+            Ok(Header {
+                index,
+                key,
+                span,
+                unit,
+            })
         })
         .collect::<Result<_, InputError>>()?;
     let mut axes: Vec<Axis> = headers
@@ -56,21 +73,25 @@ pub(super) fn read(
         })
         .collect();
     for row in table.rows() {
-        for (index, (header, axis)) in headers.iter().zip(&mut axes).enumerate() {
-            let cell = table.with_point(row.cell(index));
+        for (header, axis) in headers.iter().zip(&mut axes) {
+            let index = header.index;
+            let cell = match is_text_key(&header.key) {
+                true => row.cell(index).into(),
+                false => table.with_point(row.cell(index)),
+            };
             if cell.is_empty() {
                 let message = format!("column {}: `{}` is left out", index + 1, header.key);
                 return Err(case.error_at(moved(row.span.clone()), &header.key, message));
             }
             let node = Node {
                 span: span_of(row, index),
-                value: value_of(&cell, &header.unit),
+                value: value_of(&header.key, &cell, &header.unit),
             };
-            let value = AxisValue::of(&node);
+            let value = AxisValue::of(&header.key, &node);
             axis.values.push((node, value));
         }
     }
-    if axes[0].values.is_empty() {
+    if axes.first().is_none_or(|axis| axis.values.is_empty()) {
         let head = moved(table.header().span.clone());
         return Err(case.error_at(head, "", "there are no points below the header"));
     }
@@ -85,8 +106,11 @@ fn line_span(text: &str, line: usize) -> Range<usize> {
     start..start + lines.next().map_or(0, |l| l.trim_end().len())
 }
 
-/// The value that a cell puts into the case.
-pub(super) fn value_of(cell: &str, unit: &str) -> Value {
+/// The value that a cell puts at a key of the case.
+pub(super) fn value_of(key: &str, cell: &str, unit: &str) -> Value {
+    if is_text_key(key) {
+        return Value::Str(cell.to_owned());
+    }
     if !unit.is_empty() {
         return Value::Str(format!("{cell} {unit}"));
     }
@@ -103,8 +127,9 @@ pub(super) fn value_of(cell: &str, unit: &str) -> Value {
     }
 }
 
-/// Key and unit of `contact.load_N`, `contact.load [N]`, `lubricant.name`.
+/// Key and unit of `contact.load_N`, `contact.load [N]`, `contact.load / N`, `lubricant.name`; the unit is empty where there is none.
 pub(crate) fn split_title(case: &Document, title: &str) -> Option<(String, String)> {
+    let title = title.trim();
     let is_key = |key: &str| {
         let part = |p: &str| {
             !p.is_empty()
@@ -113,24 +138,16 @@ pub(crate) fn split_title(case: &Document, title: &str) -> Option<(String, Strin
         };
         key.split('.').all(part)
     };
-    if let Some((key, rest)) = title.split_once(['[', '(']) {
-        let unit = rest.trim_end().trim_end_matches([']', ')']);
-        let key = key.trim_end();
-        Unit::parse(unit).ok()?;
-        return is_key(key).then(|| (key.to_owned(), unit.to_owned()));
+    if is_key(title) && (is_text_key(title) || case.tree().entry(title).is_some()) {
+        return Some((title.to_owned(), String::new()));
     }
-    if !is_key(title) {
-        return None;
-    }
-    if case.tree().entry(title).is_none() {
-        let start = title.rfind('.').map_or(0, |i| i + 1);
-        // The longest unit: `_m_per_s` before `_s`.
-        for (i, _) in title.match_indices('_').filter(|(i, _)| *i > start) {
-            let unit = title[i + 1..].replace("_per_", "/").replace('_', ".");
-            if Unit::parse(&unit).is_ok() && !unit.is_empty() {
-                return Some((title[..i].to_owned(), unit));
-            }
-        }
-    }
-    Some((title.to_owned(), String::new()))
+    // A unit in words stands behind the last point: `motion.slide_to_roll_ratio` has none.
+    let points = |text: &str| text.matches('.').count();
+    let fits = |(key, _): &(String, String)| {
+        is_key(key) && (key == title || !is_key(title) || points(key) == points(title))
+    };
+    let titles = key_titles(title);
+    let with_unit = titles.iter().find(|own| fits(own) && !own.1.is_empty());
+    let found = with_unit.or_else(|| titles.iter().find(|own| fits(own)));
+    found.cloned()
 }

@@ -322,3 +322,64 @@ fn errors_point_to_the_study() {
     let text = read(study, "").unwrap_err().to_string();
     assert!(text.contains("point 2 of"), "{text}");
 }
+
+/// Load sharing along a path of contact: shares repeat, points do not.
+#[test]
+fn values_of_zipped_axes_may_repeat() {
+    let axes = |shares: &str| {
+        format!(
+            "[[axis]]\nkey = \"contact.load\"\nvalues = {shares}\nzip = \"path\"\n\
+             [[axis]]\nkey = \"motion.entrainment_speed\"\nvalues = [\"1 m/s\", \"2 m/s\", \"1 m/s\"]\nzip = \"path\"\n"
+        )
+    };
+    let study = read(&axes("[\"10 kN/m\", \"10 kN/m\", \"20 kN/m\"]"), "").unwrap();
+    assert_eq!(
+        loads_and_speeds(&study),
+        [(1e4, 1.0), (1e4, 2.0), (2e4, 1.0)]
+    );
+    let error = read(&axes("[\"10 kN/m\", \"20 kN/m\", \"10 kN/m\"]"), "").unwrap_err();
+    let text = error.to_string();
+    assert!(
+        text.contains("value 3 repeats value 1 in all axes"),
+        "{text}"
+    );
+    assert_eq!(error.line(), Some(4));
+}
+
+/// Titles and names are text, whatever they look like.
+#[test]
+fn columns_of_text_stay_text() {
+    let points = "title,contact.load / N/m\n-10 deg,10000\n5 N,20000\n1,30000\n1.50,40000\n";
+    let study = read("points = \"points.csv\"\n", points).unwrap();
+    let titles: Vec<&str> = study.points.iter().map(|p| p.case.title.as_str()).collect();
+    assert_eq!(titles, ["-10 deg", "5 N", "1", "1.50"]);
+    assert_eq!(study.columns[0].header, "title");
+    assert_eq!(
+        study.points[0].values[0],
+        AxisValue::Text("-10 deg".to_owned())
+    );
+    let axes = "[[axis]]\nkey = \"title\"\nvalues = [\"10 deg\", \"5 N\"]\nzip = \"a\"\n\
+                [[axis]]\nkey = \"contact.load\"\nvalues = [\"10 kN/m\", \"20 kN/m\"]\nzip = \"a\"\n";
+    let study = read(axes, "").unwrap();
+    assert_eq!(study.columns[0].header, "title");
+    assert_eq!(study.points[1].case.title, "5 N");
+}
+
+/// The points of a study are read as any table is: units below, empty columns, decimal commas.
+#[test]
+fn points_are_a_table_like_any_other() {
+    for points in [
+        "contact.load_N_per_m,motion.entrainment_speed_m_per_s\n10000,1\n20000,2.5\n",
+        "From the rig;;\ncontact.load [kN/m];motion.entrainment_speed in m/s;\n10;1;\n\n20;2,5;\n",
+        "contact.load\tmotion.entrainment_speed\nkN/m\tm/s\n10\t1\n20\t2,5\n",
+        ",contact.load / N/m,motion.entrainment_speed / m/s\n0,10000,1\n1,20000,2.5\n",
+    ] {
+        let study = read("points = \"points.csv\"\n", points)
+            .unwrap_or_else(|error| panic!("{points}\n{error}"));
+        assert_eq!(
+            loads_and_speeds(&study),
+            [(1e4, 1.0), (2e4, 2.5)],
+            "{points}"
+        );
+    }
+}

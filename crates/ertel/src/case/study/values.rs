@@ -22,9 +22,10 @@ pub enum AxisValue {
 }
 
 impl AxisValue {
-    /// What a value in a file stands for.
-    pub(super) fn of(node: &Node) -> Self {
+    /// What a value of a key in a file stands for: titles, names and files are text, whatever they look like.
+    pub(super) fn of(key: &str, node: &Node) -> Self {
         match &node.value {
+            Value::Str(text) if is_text_key(key) => Self::Text(text.clone()),
             Value::Integer(Some(number)) => Self::Number(*number as f64, Dimension::DIMENSIONLESS),
             Value::Float(number) => Self::Number(*number, Dimension::DIMENSIONLESS),
             Value::Str(text) => match parse_any(text) {
@@ -44,7 +45,7 @@ impl AxisValue {
     }
 
     /// Equal for equal values of one axis.
-    fn identity(&self) -> (Option<u64>, &str) {
+    pub(super) fn identity(&self) -> (Option<u64>, &str) {
         match self {
             // Both zeros are one.
             Self::Number(value, _) => (Some((value + 0.0).to_bits()), ""),
@@ -79,6 +80,31 @@ impl fmt::Display for AxisValue {
             Self::Text(text) => f.write_str(text),
         }
     }
+}
+
+/// Keys whose values are text, by their last parts.
+const TEXT_KEYS: [&str; 16] = [
+    "title",
+    "name",
+    "file",
+    "law",
+    "kind",
+    "source",
+    "notes",
+    "lubricant",
+    "base_oil",
+    "plane",
+    "ball",
+    "body_1",
+    "body_2",
+    "preset",
+    "limit_law",
+    "raceway_control",
+];
+
+/// Whether the values of a key are text: titles, names, files, choices.
+pub(super) fn is_text_key(key: &str) -> bool {
+    TEXT_KEYS.contains(&key.rsplit('.').next().unwrap_or(key))
 }
 
 /// Title of the column of a quantity: its key, and its SI unit.

@@ -13,7 +13,9 @@ mod table;
 
 pub use form::{FilmForm, FormError, Variable};
 pub use parity::parity;
-pub use table::{Films, contact_of_films, read_films};
+pub use table::{
+    Films, Given, contact_of_films, contact_of_films_with, read_films, read_films_with,
+};
 
 use super::{Minimum, MinimumError};
 use crate::contact::ContactKind;

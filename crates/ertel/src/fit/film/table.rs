@@ -1,6 +1,6 @@
 //! Films from a table.
 
-use ertel_rheology::input::csv::{Column, CsvTable};
+use ertel_rheology::input::csv::{Column, CsvError, CsvParams, CsvTable, Vocabulary};
 use ertel_rheology::quantity::Dimension;
 
 use super::conditions::Conditions;
@@ -11,8 +11,8 @@ use crate::contact::{Contact, ContactKind};
 use crate::fit::DataError;
 use crate::output::digits;
 
-/// Names of the column of the entrainment speed, as results and curves have it, and a short one.
-const SPEED_NAMES: [&str; 3] = ["entrainment speed", "motion.entrainment speed", "speed"];
+/// Names of the column of the entrainment speed, as results and curves have it.
+const SPEED_NAMES: [&str; 2] = ["entrainment speed", "motion.entrainment speed"];
 
 /// Films to fit a form to.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,7 +67,62 @@ pub fn read_films(
     kind: FilmKind,
     radius: Option<f64>,
 ) -> Result<Option<Films>, DataError> {
-    let table = CsvTable::parse(file, text)?;
+    let given = Given {
+        radius,
+        table: CsvParams::default(),
+    };
+    read_films_with(file, text, form, kind, &given)
+}
+
+/// What a user gives beside a table of films.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Given {
+    /// Reduced radius of all films, m.
+    pub radius: Option<f64>,
+    /// What is told about the columns.
+    pub table: CsvParams,
+}
+
+/// Columns of tables of films, by the names of the program.
+const NAMES: [&str; 14] = [
+    "film central",
+    "film minimum",
+    "film central error",
+    "film minimum error",
+    "entrainment speed",
+    "motion.entrainment speed",
+    "load",
+    "temperature",
+    "radius",
+    "radius y",
+    "entrainment angle",
+    "moes load",
+    "moes material",
+    "speed group",
+];
+
+fn parse(file: &str, text: &str, params: &CsvParams) -> Result<CsvTable, CsvError> {
+    let vocabulary = Vocabulary {
+        names: &NAMES,
+        is_key: &|_| false,
+    };
+    CsvTable::parse_for(file, text, &vocabulary, params)
+}
+
+/// As [`read_films`], with what the user tells about the table.
+///
+/// # Errors
+///
+/// As [`read_films`]; columns that the user names and that are not there.
+pub fn read_films_with(
+    file: &str,
+    text: &str,
+    form: FilmForm,
+    kind: FilmKind,
+    given: &Given,
+) -> Result<Option<Films>, DataError> {
+    let radius = given.radius;
+    let table = parse(file, text, &given.table)?;
     let [name, error_name] = match kind {
         FilmKind::Central => ["film central", "film central error"],
         FilmKind::Minimum => ["film minimum", "film minimum error"],
@@ -82,7 +137,7 @@ pub fn read_films(
     let (mut n_isoviscous, mut first_isoviscous) = (0, None);
     let mut unlike = Unlike::default();
     for row in table.rows() {
-        if row.cell(film.index).is_empty() {
+        if table.is_missing(row, film.index) {
             continue;
         }
         let thickness = positive(&table, row, &film, false)?;
@@ -120,7 +175,7 @@ pub fn read_films(
         };
         conditions.add(&table, row);
         // A film without an error bar has an empty cell.
-        let given = error.as_ref().filter(|e| !row.cell(e.index).is_empty());
+        let given = error.as_ref().filter(|e| !table.is_missing(row, e.index));
         let bar = match given {
             Some(error) => Some(positive(&table, row, error, true)?),
             None => None,
@@ -286,7 +341,12 @@ impl Unlike {
 
 /// Which contact the films of a table belong to, by its column `load_N` or `load_N_per_m`; `None` without one of these.
 pub fn contact_of_films(text: &str) -> Option<ContactKind> {
-    let table = CsvTable::parse("", text).ok()?;
+    contact_of_films_with(text, &CsvParams::default())
+}
+
+/// The same with what the user tells about the columns.
+pub fn contact_of_films_with(text: &str, params: &CsvParams) -> Option<ContactKind> {
+    let table = parse("", text, params).ok()?;
     let has = |dimension| table.find("load", dimension).ok().flatten().is_some();
     match (has(Dimension::FORCE), has(Dimension::FORCE_PER_LENGTH)) {
         (true, false) => Some(ContactKind::Circular),

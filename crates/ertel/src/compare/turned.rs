@@ -1,0 +1,81 @@
+//! Rows of a rig that ran the other way, or stood still.
+
+use ertel_rheology::input::Document;
+use ertel_rheology::input::csv::line_list;
+
+/// What becomes of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Turned {
+    /// It runs along x.
+    No,
+    /// All of its speeds are turned; their ratio stays, (-u_2 + u_1)/(-u) = (u_2 - u_1)/u.
+    Yes,
+    /// It is not computed.
+    LeftOut,
+}
+
+/// The rows of a table, as far as they are not ordinary.
+pub(super) struct Rows {
+    /// Whether a contact with all speeds turned is the same one, seen from the other side: nothing turns about the normal.
+    can_turn: bool,
+    turned: Vec<usize>,
+    left_out: Vec<usize>,
+    at_rest: Vec<usize>,
+}
+
+/// Keys of a motion that turns about the normal: a table tells nothing of it, and it is not turned with the speeds.
+const SPIN: [&str; 3] = [
+    "motion.body_1_spin",
+    "motion.body_2_spin",
+    "motion.raceway_control",
+];
+
+impl Rows {
+    /// Of measurements with a case.
+    pub(super) fn of(case: &Document) -> Self {
+        let has = |path: &&str| case.tree().entry(path).is_some();
+        Self {
+            can_turn: !SPIN.iter().any(|path| has(&path)),
+            turned: Vec::new(),
+            left_out: Vec::new(),
+            at_rest: Vec::new(),
+        }
+    }
+
+    /// Takes a row in, with its line and its speed (m/s) if the table has speeds.
+    pub(super) fn take(&mut self, line: usize, speed: Option<f64>) -> Turned {
+        match speed {
+            Some(0.0) => {
+                self.at_rest.push(line);
+                Turned::LeftOut
+            }
+            Some(speed) if speed < 0.0 && self.can_turn => {
+                self.turned.push(line);
+                Turned::Yes
+            }
+            Some(speed) if speed < 0.0 => {
+                self.left_out.push(line);
+                Turned::LeftOut
+            }
+            Some(_) | None => Turned::No,
+        }
+    }
+
+    /// What the report tells.
+    pub(super) fn notes(&self) -> Vec<String> {
+        let told = [
+            (
+                &self.turned,
+                "reversed motion, turned: speeds change their sign, the slide-to-roll ratio does not",
+            ),
+            (
+                &self.left_out,
+                "reversed motion, left out: the spin of the case would not be turned with it",
+            ),
+            (&self.at_rest, "at rest, left out"),
+        ];
+        (told.iter().filter(|(lines, _)| !lines.is_empty()))
+            .map(|(lines, what)| format!("{}: {what}", line_list(lines)))
+            .collect()
+    }
+}
