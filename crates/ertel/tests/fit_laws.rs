@@ -28,6 +28,7 @@ fn grid(property: Property, temperatures: &[f64], law: impl Fn(f64, f64) -> f64)
         file: "made.csv".into(),
         property,
         states,
+        notes: Vec::new(),
     }
 }
 

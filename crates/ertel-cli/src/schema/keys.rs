@@ -74,8 +74,13 @@ pub const CASE: &[Key] = &[
     ("solver", Table(SOLVER)),
     ("output", Table(OUTPUT)),
     ("curve", Table(CURVE)),
+    ("compare", Table(COMPARE)),
     ("correlation", Tables(CORRELATION)),
 ];
+
+const COMPARE: &[Key] = &[("columns", Any), ("ignore", List), ("decimal", DECIMAL)];
+
+const DECIMAL: Kind = Choice(&["point", "comma"]);
 
 const CONTACT: &[Key] = &[
     (
@@ -368,7 +373,7 @@ const UNITS: &[Key] = &[
     ("heat_capacity", Text),
 ];
 
-const TABLE_OF_LAW: &[&str] = &["file", "isotherms", "units"];
+const TABLE_OF_LAW: &[&str] = &["file", "isotherms", "units", "columns", "decimal"];
 
 const DENSITIES: &[(&str, &[&str])] = &[
     ("constant", &["rho_0"]),
@@ -416,6 +421,8 @@ const DENSITY_KEYS: &[Key] = &[
     ("beta_k_prime", PER_KELVIN),
     ("a_v", PER_KELVIN),
     ("file", Text),
+    ("columns", Any),
+    ("decimal", DECIMAL),
     ("units", Table(UNITS)),
     ("isotherms", Tables(ISOTHERMS)),
 ];
@@ -494,6 +501,8 @@ const VISCOSITY_KEYS: &[Key] = &[
     ("p_inf", PRESSURE),
     ("pressure", Choice(&["roelands", "barus"])),
     ("file", Text),
+    ("columns", Any),
+    ("decimal", DECIMAL),
     ("units", Table(UNITS)),
     ("isotherms", Tables(ISOTHERMS)),
 ];
@@ -559,6 +568,8 @@ const CONDUCTIVITY: Kind = Law {
         ("a", Number),
         ("q", Number),
         ("file", Text),
+        ("columns", Any),
+        ("decimal", DECIMAL),
         ("units", Table(UNITS)),
         ("isotherms", Tables(ISOTHERMS)),
     ],
@@ -599,6 +610,8 @@ const HEAT_CAPACITY: Kind = Law {
         ("k_1", PER_PRESSURE),
         ("k_2", PER_PRESSURE),
         ("file", Text),
+        ("columns", Any),
+        ("decimal", DECIMAL),
         ("units", Table(UNITS)),
         ("isotherms", Tables(ISOTHERMS)),
     ],

@@ -94,6 +94,22 @@ impl CsvTable {
         Self::parse_for(file, text, &Vocabulary::NONE, &CsvParams::default())
     }
 
+    /// Reads a table that is a part of a file and begins with its header, at a line of the file, from 1.
+    ///
+    /// # Errors
+    ///
+    /// As [`CsvTable::parse`].
+    pub fn parse_part(file: &str, text: &str, line: usize) -> Result<Self, CsvError> {
+        let before = line.saturating_sub(1);
+        let mut table = Self::parse(file, text).map_err(|mut error| {
+            error.line += before;
+            error
+        })?;
+        table.header.line += before;
+        table.rows.iter_mut().for_each(|row| row.line += before);
+        Ok(table)
+    }
+
     /// Reads a table whose columns may be those of a vocabulary, with what the user tells about it.
     ///
     /// # Errors
@@ -345,10 +361,15 @@ impl CsvTable {
         name: &'static str,
         dimension: Dimension,
     ) -> Result<Option<Column>, CsvError> {
-        self.find_with_unit_except(name, dimension, &[])
+        if let Some(column) = self.find(name, dimension)? {
+            return Ok(Some(column));
+        }
+        // A name that goes on may be that of another column.
+        let is_near = |title: &Title| title.is_exact || title.name == Match::Name;
+        self.without_unit(name, dimension, &[], &is_near)
     }
 
-    /// The same, without some columns.
+    /// The column `name`, without some others; one that has this name and no more, but no unit or another's unit, is an error.
     ///
     /// # Errors
     ///
@@ -362,12 +383,27 @@ impl CsvTable {
         if let Some(column) = self.find_except(name, dimension, others)? {
             return Ok(Some(column));
         }
+        self.without_unit(name, dimension, others, &|title| title.is_exact)
+    }
+
+    /// The error about a column of that name without a unit that fits; `None` where there is none.
+    fn without_unit(
+        &self,
+        name: &'static str,
+        dimension: Dimension,
+        others: &[usize],
+        is_near: &dyn Fn(&Title) -> bool,
+    ) -> Result<Option<Column>, CsvError> {
         let titles = self.titles.iter().enumerate();
         let titles = titles.filter(|(index, _)| !others.contains(index));
         let named = titles.flat_map(|(i, cell)| {
             let own = Title::all(cell, name).into_iter();
             own.map(move |title| (i, title))
         });
+        // A symbol with another's unit is that of another quantity: `t [s]` is a time.
+        let is_other =
+            |title: &Title| title.name == Match::Symbol && title.unit.is_some() && !title.is_bare();
+        let named = named.filter(|(_, title)| is_near(title) && !is_other(title));
         // The nearest to the name: one with brackets rather than one whose name goes on.
         let nearest = named.min_by_key(|(_, title)| {
             (

@@ -2,9 +2,7 @@
 
 use super::{Files, locate};
 use crate::LawError;
-use crate::input::csv::{
-    Column, ColumnMap, CsvError, CsvParams, CsvTable, Decimal, Row, Vocabulary,
-};
+use crate::input::csv::{Column, CsvError, CsvParams, CsvTable, Row, Vocabulary};
 use crate::input::{Bounds, InputError, Table};
 use crate::quantity::{self, Dimension, STANDARD_ATMOSPHERE};
 
@@ -17,7 +15,7 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// Reads `file = "name.csv"`, or `isotherms` with `units`, for the property `name` of the given dimension:
+    /// Reads `file = "name.csv"` with `columns` and `decimal` where they are needed, or `isotherms` with `units`, for the property `name` of the given dimension:
     ///
     /// ```toml
     /// units = { pressure = "MPa", viscosity = "mPa.s" }
@@ -44,7 +42,7 @@ impl Columns {
                     "`file` replaces `isotherms` and `units`: give one form",
                 ));
             }
-            let params = csv_params(table)?;
+            let params = CsvParams::of_keys(table)?;
             let columns = files.read(file).and_then(|text| {
                 Self::from_csv(file, &text, (name, dimension), pressures, &params)
                     .map_err(|error| error.to_string())
@@ -158,23 +156,6 @@ impl Columns {
         }
         Ok(columns)
     }
-}
-
-/// What a law says about the columns of its file: `columns = { viscosity = "eta:mPa.s" }` and `decimal`.
-fn csv_params(table: &mut Table<'_>) -> Result<CsvParams, InputError> {
-    let mut params = CsvParams::default();
-    if let Some(mut columns) = table.optional_table("columns")? {
-        let keys: Vec<String> = columns.keys().map(str::to_owned).collect();
-        for name in keys {
-            let title = columns.required_str(&name)?.to_owned();
-            params.columns.push(ColumnMap { name, title });
-        }
-    }
-    params.decimal = table.optional_choice(
-        "decimal",
-        &[("point", Decimal::Point), ("comma", Decimal::Comma)],
-    )?;
-    Ok(params)
 }
 
 /// Whether a table may do without pressures.

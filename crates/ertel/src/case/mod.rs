@@ -59,6 +59,7 @@ use std::sync::Arc;
 
 use ertel_rheology::ShearThinning;
 use ertel_rheology::database::DatabaseError;
+use ertel_rheology::input::csv::CsvParams;
 use ertel_rheology::input::{Document, InputError, Inputs, Table};
 
 use crate::contact::{Contact, Hertz, Motion, Supply, reduced_modulus};
@@ -225,6 +226,10 @@ impl Case {
             None => OutputParams::default(),
         };
         root.contains("curve");
+        // What a comparison says of its table has no effect on a solve, but no wrong key gets through.
+        if let Some(table) = root.optional_table("compare")? {
+            CsvParams::of_table(table)?;
+        }
         root.read_correlations()?;
         tables.clone().finish()?;
         root.finish()?;

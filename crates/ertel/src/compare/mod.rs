@@ -157,6 +157,14 @@ impl Measured {
         })?;
         // Where the temperature stands in a case depends on how the case names its lubricant.
         let case = Document::read(base)?;
+        let given = match case.root().optional_table("compare")? {
+            Some(table) => CsvParams::of_table(table)?,
+            None => CsvParams::default(),
+        };
+        let params = &ReadParams {
+            table: given.with(&params.table),
+            ..params.clone()
+        };
         let file = path.display().to_string();
         let content = match rig::is_export(&text) {
             true => rig::read(&case, &file, &text, params)?,
@@ -167,8 +175,11 @@ impl Measured {
             rows,
             notes,
         } = content;
+        // Most rows of a rig repeat others: each case is read once.
+        let (columns, written) = distinct_rows(columns);
         let mut study = Study::of_points(base, path, &text, columns)?;
-        let point_of_row = distinct(&mut study);
+        let same = distinct(&mut study);
+        let point_of_row = written.into_iter().map(|point| same[point]);
         let row = |((line, figures), point): ((usize, _), usize)| MeasuredRow {
             line,
             point,
@@ -188,6 +199,28 @@ impl Measured {
         let index = figure as usize;
         self.rows.iter().any(|row| row.figures[index].is_some())
     }
+}
+
+/// Keeps the rows that are written alike once, the first of them; says which one each was.
+fn distinct_rows(mut columns: Vec<PointColumn>) -> (Vec<PointColumn>, Vec<usize>) {
+    let n_rows = columns.first().map_or(0, |column| column.values.len());
+    let mut seen: HashMap<String, usize> = HashMap::new();
+    let mut is_first = Vec::with_capacity(n_rows);
+    let mut index = Vec::with_capacity(n_rows);
+    for i in 0..n_rows {
+        let values = columns
+            .iter()
+            .map(|column| format!("{:?}\n", column.values[i].1));
+        let next = seen.len();
+        let place = *seen.entry(values.collect()).or_insert(next);
+        is_first.push(place == next);
+        index.push(place);
+    }
+    for column in &mut columns {
+        let mut first = is_first.iter();
+        column.values.retain(|_| first.next() == Some(&true));
+    }
+    (columns, index)
 }
 
 /// Keeps each point of a study once, the first of those that are the same case; says which one each was.

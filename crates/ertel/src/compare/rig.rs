@@ -19,11 +19,13 @@
 use std::ops::Range;
 
 use ertel_rheology::input::Document;
-use ertel_rheology::input::csv::{Column, CsvError, CsvTable, Row};
+use ertel_rheology::input::csv::{Column, CsvError, CsvTable, Row, line_list};
 use ertel_rheology::quantity::Unit;
 
+use super::columns::Operating;
 use super::table::impossible;
-use super::{Content, Figure, Measurement, ReadParams, column, temperature_key};
+use super::turned::{self, Turned};
+use super::{Content, Figure, Measurement, ReadParams, column};
 use crate::case::study::PointColumn;
 
 /// Thermometer of a rig.
@@ -129,8 +131,8 @@ pub(super) fn read(
         if !params.steps.is_empty() && !is_asked {
             continue;
         }
-        let (own, offset) = alone(text, step);
-        let table = CsvTable::parse(file, &own)?;
+        let (own, offset) = (&text[step.span.clone()], step.span.start);
+        let table = CsvTable::parse_part(file, own, step.line)?;
         if !is_asked && table.header().cell(0) == TIME {
             let note = format!(
                 "step {} ({}) is left out: nothing but time varies in it; --step {} takes it",
@@ -140,7 +142,7 @@ pub(super) fn read(
             continue;
         }
         match columns_of(&table, params.probe) {
-            Ok(columns) => read_step(case, &table, (&own, offset), &columns, step, &mut content)?,
+            Ok(columns) => read_step(case, &table, (own, offset), &columns, step, &mut content)?,
             Err(problem) if is_asked => return Err(whole(step.line, problem)),
             Err(problem) => {
                 let note = format!(
@@ -222,14 +224,6 @@ fn step_number(line: &str) -> Option<usize> {
         .flatten()
 }
 
-/// The table of a step behind as many empty lines as come before it, so that errors name the lines of the file; a byte of it
-/// stands in the file further on by the number returned.
-fn alone(text: &str, step: &Step) -> (String, usize) {
-    let before = step.line - 1;
-    let table = format!("{}{}", "\n".repeat(before), &text[step.span.clone()]);
-    (table, step.span.start - before)
-}
-
 /// The columns of a table; or why it has none.
 fn columns_of(table: &CsvTable, probe: Probe) -> Result<Columns, String> {
     let titles = table.header().cells();
@@ -281,19 +275,31 @@ fn read_step(
         span.start + offset..span.end + offset
     };
     if content.columns.is_empty() {
-        let of = |key, own: &Column| column(key, span_of(table.header(), own.index));
+        let of = |quantity: Operating, own: &Column| {
+            let key = quantity.key(case).map_err(|why| {
+                let problem = format!("the case cannot take this column from an export: {why}");
+                table.error(table.header(), own.index, problem)
+            })?;
+            Ok(column(key, span_of(table.header(), own.index)))
+        };
         content.columns = vec![
-            of("motion.entrainment_speed", &columns.speed),
-            of("motion.slide_to_roll_ratio", &columns.sliding),
-            of("contact.load", &columns.load),
-            of(temperature_key(case), &columns.temperature),
+            of(Operating::Speed, &columns.speed)?,
+            of(Operating::Sliding, &columns.sliding)?,
+            of(Operating::Load, &columns.load)?,
+            of(Operating::Temperature, &columns.temperature)?,
         ];
     }
     let (mut without_film, mut empty) = (Vec::new(), Vec::new());
+    let mut turned = turned::Rows::of(case);
     for row in table.rows() {
         let figures = figures(table, row, columns, &mut without_film)?;
         if figures == [None; 3] {
-            empty.push(row.line.to_string());
+            empty.push(row.line);
+            continue;
+        }
+        let speed = table.required_number(row, &columns.speed)?;
+        let turn = turned.take(row.line, Some(speed));
+        if turn == Turned::LeftOut {
             continue;
         }
         let sliding = table.required_number(row, &columns.sliding)?;
@@ -307,7 +313,13 @@ fn read_step(
         }
         let push = |point: &mut PointColumn, (own, unit): (&Column, &str)| {
             let cell = table.with_point(row.cell(own.index));
-            point.push(span_of(row, own.index), &cell, unit);
+            let is_turned = own.index == columns.speed.index && turn == Turned::Yes;
+            let cell = if is_turned {
+                cell.trim_start_matches('-')
+            } else {
+                &cell
+            };
+            point.push(span_of(row, own.index), cell, unit);
         };
         push(&mut content.columns[0], units[0]);
         let span = span_of(row, columns.sliding.index);
@@ -317,18 +329,22 @@ fn read_step(
         push(&mut content.columns[3], units[2]);
         content.rows.push((row.line, figures));
     }
+    let number = step.number;
+    let told = turned.notes().into_iter();
+    content
+        .notes
+        .extend(told.map(|note| format!("step {number}: {note}")));
     if !without_film.is_empty() {
-        let lines = without_film.join(", ");
-        let note = format!(
-            "step {}: films that are not above zero are left out (line {lines})",
-            step.number
-        );
-        content.notes.push(note);
+        let lines = line_list(&without_film);
+        content.notes.push(format!(
+            "step {number}: films that are not above zero are left out ({lines})"
+        ));
     }
     if !empty.is_empty() {
-        let lines = empty.join(", ");
-        let note = format!("step {}: nothing was measured in line {lines}", step.number);
-        content.notes.push(note);
+        let lines = line_list(&empty);
+        content
+            .notes
+            .push(format!("step {number}: nothing was measured in {lines}"));
     }
     Ok(())
 }
@@ -338,7 +354,7 @@ fn figures(
     table: &CsvTable,
     row: &Row,
     columns: &Columns,
-    without_film: &mut Vec<String>,
+    without_film: &mut Vec<usize>,
 ) -> Result<[Option<Measurement>; 3], CsvError> {
     let number = |own: &Option<Column>| match own {
         Some(own) => table.number(row, own),
@@ -353,7 +369,7 @@ fn figures(
         let Some(value) = number(own)? else { continue };
         let index = own.as_ref().map_or(0, |own| own.index);
         if figure.is_film() && value <= 0.0 {
-            without_film.push(row.line.to_string());
+            without_film.push(row.line);
             continue;
         }
         if let Some(problem) = impossible(figure, value, row.cell(index)) {

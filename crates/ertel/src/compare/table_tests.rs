@@ -119,7 +119,7 @@ fn one_table_of_tractions_in_many_spellings() {
         check(table, &measured, Figure::Traction, [0.052, 0.047]);
         let case = &measured.study.points[0].case;
         assert!(
-            (case.contact.load - 20.0).abs() < 1e-9,
+            (case.contact.load - 20.0).abs() < 1e-6,
             "{table} {}",
             case.contact.load
         );
@@ -168,6 +168,26 @@ fn columns_are_told_by_the_user() {
         let measured = measured.unwrap_or_else(|error| panic!("{table}\n{error}"));
         check(table, &measured, Figure::FilmCentral, [120e-9, 300e-9]);
     }
+    // The same in the case.
+    let case = format!(
+        "{CONTACT}\n[compare]\ncolumns = {{ speed = \"Drive:m/s\", film = \"Result:nm\" }}\nignore = [\"x\"]\n"
+    );
+    let table = b"Drive,Result,x\n0.5,120,1\n1,300,1\n";
+    let measured = read_case(&case, table, &ReadParams::default()).unwrap();
+    check(
+        "in the case",
+        &measured,
+        Figure::FilmCentral,
+        [120e-9, 300e-9],
+    );
+    let wrong = case.replace("ignore", "ignored");
+    let error = read_case(&wrong, table, &ReadParams::default())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("ignored") && error.contains("ignore"),
+        "{error}"
+    );
     let table = "Speed [m/s],R,film_central [nm]\n0.5,10,120\n1,10,300\n";
     let measured = read_case(CONTACT, table.as_bytes(), &told(&["contact.radius=R:mm"])).unwrap();
     assert!(near(measured.study.points[0].case.contact.radius, 0.01));

@@ -326,6 +326,16 @@ fn a_bad_export_is_refused_with_its_place() {
         &replaced("\t857.67\t", "\t-857.67e9\t"),
         &[":14:48", "entrainment_speed"],
     );
+    let turned = read(&replaced("\t857.67\t", "\t-857.67\t")).unwrap();
+    close(
+        turned.study.points[1].case.motion.entrainment_speed,
+        0.85767,
+    );
+    let notes = turned.notes.join("\n");
+    assert!(
+        notes.contains("step 2: line 14: reversed motion, turned"),
+        "{notes}"
+    );
     refused("EHD261 Test Data File\n", &["no measurement was found"]);
 }
 

@@ -539,18 +539,3 @@ fn a_unit_that_was_mistaken_is_asked_about() {
         data.notes
     );
 }
-
-proptest::proptest! {
-    /// No text is read with a panic.
-    #[test]
-    fn any_text_is_read_or_refused(
-        lines in proptest::collection::vec(
-            proptest::string::string_regex("(p \\[MPa\\]|T|eta|[;,\t \"#%/()-]|[0-9.,]{1,6}|[°µη\u{308}ßA-z]|NaN|sep=|\u{feff}|\r){0,12}").unwrap(),
-            0..8,
-        )
-    ) {
-        let text = lines.join("\n");
-        let _ = Data::parse("x.csv", &text, Property::Viscosity);
-        let _ = Data::parse("x.csv", &format!("p [MPa];T [K];eta [cP]\n{text}"), Property::Viscosity);
-    }
-}

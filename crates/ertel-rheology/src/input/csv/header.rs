@@ -68,7 +68,18 @@ pub(super) fn find(
         |cell: &str| vocabulary.knows(cell) || params.columns.iter().any(|map| map.title == cell);
     let mut best: Vec<Candidate> = Vec::new();
     for separator in &separators {
+        // Titles of several words are known by parts of them, too: blanks separate only where nothing else does.
+        let is_blank = !matches!(separator, Separator::Char(_));
+        let is_parted = |best: &Candidate| best.score.1 && best.head.row.cells.len() > 1;
+        if is_blank && best.first().is_some_and(is_parted) {
+            break;
+        }
         for candidate in candidates(text, (start, line), *separator, &is_known) {
+            // A column alone: a comma in its numbers would be a decimal comma or a second cell.
+            let is_alone = candidate.head.row.cells.len() == 1;
+            if is_alone && told.is_none() && *separator != Separator::Char(',') {
+                continue;
+            }
             let is_better = best.first().is_none_or(|best| candidate.score > best.score);
             let is_equal = best.first().is_some_and(|best| {
                 candidate.score == best.score && candidate.head.separator == best.head.separator

@@ -143,7 +143,7 @@ const NAMES: [Names; 12] = [
             "gleit waelz verhaeltnis",
             "gleit roll verhaeltnis",
         ],
-        symbols: &["s"],
+        symbols: &[],
         open: &["slip", "schlupf", "slip ratio", "sliding ratio"],
     },
     Names {

@@ -1,5 +1,6 @@
 //! What a user tells about a table: columns by their titles, columns to leave out, the decimal mark.
 
+use super::super::{InputError, Table};
 use super::number::Decimal;
 use super::title::{readings, unit_of};
 use super::{CsvError, CsvTable, names};
@@ -22,6 +23,51 @@ pub struct ColumnMap {
     pub name: String,
     /// The title of the column or its number, `#3`; a unit may follow a colon.
     pub title: String,
+}
+
+impl CsvParams {
+    /// Reads the keys `columns` and `decimal` of a table in a file: `columns = { viscosity = "Result (mPas)" }`.
+    ///
+    /// # Errors
+    ///
+    /// Values of another kind.
+    pub fn of_keys(table: &mut Table<'_>) -> Result<Self, InputError> {
+        let mut params = Self::default();
+        if let Some(mut columns) = table.optional_table("columns")? {
+            let names: Vec<String> = columns.keys().map(str::to_owned).collect();
+            for name in names {
+                let title = columns.required_str(&name)?.to_owned();
+                params.columns.push(ColumnMap { name, title });
+            }
+        }
+        let marks = [("point", Decimal::Point), ("comma", Decimal::Comma)];
+        params.decimal = table.optional_choice("decimal", &marks)?;
+        Ok(params)
+    }
+
+    /// Reads a table in a file that has these keys and `ignore`, a list of titles, and no others.
+    ///
+    /// # Errors
+    ///
+    /// Other keys, values of another kind.
+    pub fn of_table(mut table: Table<'_>) -> Result<Self, InputError> {
+        let mut params = Self::of_keys(&mut table)?;
+        let ignored = table.optional_strs("ignore")?.unwrap_or_default();
+        params.ignored = ignored.into_iter().map(str::to_owned).collect();
+        table.finish()?;
+        Ok(params)
+    }
+
+    /// These with others behind them, which count where both say something.
+    #[must_use]
+    pub fn with(mut self, others: &Self) -> Self {
+        let is_other = |map: &ColumnMap| others.columns.iter().any(|other| other.name == map.name);
+        self.columns.retain(|map| !is_other(map));
+        self.columns.extend(others.columns.iter().cloned());
+        self.ignored.extend(others.ignored.iter().cloned());
+        self.decimal = others.decimal.or(self.decimal);
+        self
+    }
 }
 
 /// What the columns of a table may be.

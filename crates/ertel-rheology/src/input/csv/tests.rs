@@ -133,3 +133,58 @@ fn two_units_in_a_title_are_a_quotient_or_a_product() {
     assert_eq!(table.required_number(row, &work).unwrap(), 2.0);
     assert!(table.find("speed", Dimension::FORCE).unwrap().is_none());
 }
+
+/// A table as any of its readers takes it, in any of the ways in which it may be told.
+fn read_all(text: &str) {
+    let vocabulary = Vocabulary {
+        names: &["pressure", "absolute pressure", "temperature", "viscosity"],
+        is_key: &|title| title.contains('.'),
+    };
+    let told = CsvParams {
+        columns: vec![ColumnMap::parse("viscosity=#2:mPa.s").unwrap()],
+        ignored: vec!["T".to_owned()],
+        decimal: Some(Decimal::Comma),
+    };
+    for params in [CsvParams::default(), told] {
+        let Ok(table) = CsvTable::parse_for("x.csv", text, &vocabulary, &params) else {
+            continue;
+        };
+        let names = [("pressure", PRESSURE), ("viscosity", Dimension::VISCOSITY)];
+        for (name, dimension) in names {
+            let Ok(Some(column)) = table.find_with_unit(name, dimension) else {
+                continue;
+            };
+            for row in table.rows() {
+                let _ = table.required_number(row, &column);
+                let _ = &text[table.cell_span(text, row, column.index)];
+                let _ = table.with_point(row.cell(column.index));
+            }
+        }
+    }
+}
+
+proptest::proptest! {
+    /// Nothing is read with a panic: text of the signs that mean something, and any bytes.
+    #[test]
+    fn any_text_is_read_or_refused(
+        lines in proptest::collection::vec(
+            proptest::string::string_regex("(p \\[MPa\\]|T|eta|[;,\t \"#%/()\\[\\]-]|[0-9.,]{1,6}|[°µη\u{308}ßA-z]|NaN|sep=|\u{feff}|\r){0,12}").unwrap(),
+            0..8,
+        )
+    ) {
+        let text = lines.join("\n");
+        read_all(&text);
+        read_all(&format!("p [MPa];T [K];eta [cP]\n{text}"));
+    }
+
+    #[test]
+    fn any_bytes_are_read_or_refused(bytes in proptest::collection::vec(proptest::num::u8::ANY, 0..300)) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("t.csv");
+        std::fs::write(&path, &bytes).unwrap();
+        if let Ok(text) = crate::input::file::read_table(&path) {
+            read_all(&text);
+            read_all(&format!("p [MPa]\tT [K]\teta [cP]\n{text}"));
+        }
+    }
+}

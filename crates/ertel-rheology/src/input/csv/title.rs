@@ -126,7 +126,6 @@ const SPELLINGS: [(&[&str], &str); 10] = [
     ),
     (
         &[
-            "c",
             "° c",
             "deg c",
             "deg. c",
@@ -145,7 +144,6 @@ const SPELLINGS: [(&[&str], &str); 10] = [
     ),
     (
         &[
-            "f",
             "° f",
             "deg f",
             "deg. f",
@@ -179,6 +177,8 @@ pub(super) fn unit_of(text: &str) -> Option<NamedUnit> {
     let spelling = match text {
         "Pas" | "Pa-s" => Some("Pa.s"),
         "Ns/m2" | "Ns/m²" | "Ns/m^2" => Some("N.s/m^2"),
+        "C" => Some("degC"),
+        "F" => Some("degF"),
         "MPas" | "CP" | "PaS" => None,
         _ => SPELLINGS
             .iter()
