@@ -46,8 +46,8 @@ fn there_are_more_than_thirty_of_many_kinds() {
 fn grades_are_in_their_grade() {
     for grade in [32, 46, 68, 100, 150, 220, 320, 460, 680] {
         for (kind, indices, alphas) in [
-            ("mineral", 85.0..103.0, 15.0..25.0),
-            ("pao", 141.0..191.0, 11.0..18.0),
+            ("mineral", 85.0..103.0, 21.0..34.0),
+            ("pao", 141.0..191.0, 15.0..25.0),
         ] {
             let oil = fluid(&format!("iso-vg-{grade}-{kind}"));
             let (nu_40, nu_100) = (kinematic(&oil, 40.0), kinematic(&oil, 100.0));
@@ -65,14 +65,14 @@ fn grades_are_in_their_grade() {
     }
 }
 
-/// Another public program has these for FVA 3, mm²/s and 1/GPa.
+/// Another public program has these for FVA 3, mm²/s; its coefficient is that of the entry.
 #[test]
 fn reference_oil_fva_3() {
     let oil = fluid("fva-3");
     for (celsius, nu) in [(40.0, 96.0), (60.0, 36.0), (80.0, 18.5)] {
         assert_relative_eq!(kinematic(&oil, celsius), nu, max_relative = 0.12);
     }
-    assert_relative_eq!(alpha(&oil, 40.0), 20.0, max_relative = 0.08);
+    assert_relative_eq!(alpha(&oil, 40.0), 20.0, max_relative = 1e-9);
 }
 
 /// The oil has two sets of constants on one page: the free volume of the entry, and improved Yasutomi.

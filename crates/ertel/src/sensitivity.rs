@@ -153,7 +153,7 @@ pub fn by_adjoint(
                 });
             }
             Some(Ok(sides)) => asked.push((input, sides)),
-            Some(Err(reason)) if input.written => left_out.push(LeftOut {
+            Some(Err(reason)) if input.written || input.estimated => left_out.push(LeftOut {
                 key: input.key.clone(),
                 reason,
             }),

@@ -18,6 +18,8 @@ pub struct Input {
     pub uncertainty: Option<Uncertainty>,
     /// Whether it stands in the document itself, and not in what a name stands for.
     pub written: bool,
+    /// Whether nobody gave it: it is estimated from other inputs.
+    pub estimated: bool,
 }
 
 /// Correlation of two quantities with an uncertainty.
@@ -143,6 +145,28 @@ impl<'a> Recorder<'a> {
             dimension,
             uncertainty,
             written: self.written,
+            estimated: false,
+        });
+        replaced
+    }
+
+    /// As [`Recorder::read`] of a quantity that nobody gave.
+    pub(super) fn estimated(
+        &self,
+        key: &str,
+        value: f64,
+        dimension: Dimension,
+        uncertainty: Uncertainty,
+    ) -> Option<f64> {
+        let key = self.path(key);
+        let replaced = self.inputs.replaced.get(&key).copied();
+        self.inputs.note(Input {
+            key,
+            value,
+            dimension,
+            uncertainty: Some(uncertainty),
+            written: false,
+            estimated: true,
         });
         replaced
     }

@@ -100,16 +100,17 @@ impl Case {
 
     /// Whether derivatives by its inputs are to be computed.
     pub fn wants_sensitivities(&self) -> bool {
-        let uncertain = || {
-            self.inputs()
-                .iter()
-                .any(|input| input.uncertainty.is_some())
+        let uncertain = |or_estimated: bool| {
+            (self.inputs().iter())
+                .any(|input| input.uncertainty.is_some() && (or_estimated || !input.estimated))
         };
+        // Where heat counts each input takes two solves: estimates alone do not ask for them.
+        let is_cheap = self.thermal().is_none();
         match self.output.sensitivities {
             SensitivityDemand::Off => false,
-            SensitivityDemand::WhereUncertain => uncertain(),
+            SensitivityDemand::WhereUncertain => uncertain(is_cheap),
             SensitivityDemand::WhereCheap => {
-                (self.thermal().is_none() && !self.inputs().is_empty()) || uncertain()
+                (is_cheap && !self.inputs().is_empty()) || uncertain(is_cheap)
             }
             SensitivityDemand::All => !self.inputs().is_empty(),
         }

@@ -73,6 +73,12 @@ impl<'a> Table<'a> {
         Some(inputs.within(&self.path))
     }
 
+    /// The same without noting its quantities, for numbers that are names: a grade has no derivative.
+    #[must_use]
+    pub fn unnoted(&self) -> Table<'a> {
+        self.clone().noted_by(None)
+    }
+
     /// The key path of this table, `bodies.ball`; empty for the top level.
     #[must_use]
     pub fn path(&self) -> &str {

@@ -49,6 +49,22 @@ impl Table<'_> {
         }
     }
 
+    /// Notes `value` (SI) for the key that is absent, an estimate with an uncertainty, among the quantities read. Returns the value to
+    /// reckon with: another one where the document is read with a value in its place.
+    pub fn estimated_quantity(
+        &self,
+        key: &str,
+        value: f64,
+        dimension: Dimension,
+        uncertainty: Uncertainty,
+    ) -> f64 {
+        let path = self.path_of(key);
+        let inputs = self.inputs.as_ref();
+        let other =
+            inputs.and_then(|inputs| inputs.estimated(&path, value, dimension, uncertainty));
+        other.unwrap_or(value)
+    }
+
     /// A pure number: `0.3`, or a text such as `"30 %"`.
     ///
     /// # Errors

@@ -3,6 +3,7 @@
 use crate::data_sheet::Estimate;
 use crate::input::Table;
 use crate::provenance::{Datum, Status};
+use crate::quantity::Dimension;
 
 /// A number that the table gives.
 pub(super) fn given(table: &Table<'_>, key: &str, value: String, unit: &str) -> Datum {
@@ -19,8 +20,20 @@ pub(super) fn computed(key: &str, value: String, unit: &str, source: &str) -> Da
     datum(key, value, unit, source.to_owned(), Status::Computed, None)
 }
 
-/// The datum of an estimate, times `scale` in `unit`.
-pub(super) fn estimated(key: &str, estimate: &Estimate, scale: f64, unit: &str) -> Datum {
+/// The value of an estimate, noted with its uncertainty among the inputs of `table`, and its datum among `data`: times `scale` in
+/// `unit`.
+pub(super) fn estimated(
+    table: &Table<'_>,
+    data: &mut Vec<Datum>,
+    (key, estimate): (&str, &Estimate),
+    dimension: Dimension,
+    (scale, unit): (f64, &str),
+) -> f64 {
+    data.push(datum_of(key, estimate, scale, unit));
+    table.estimated_quantity(key, estimate.value, dimension, estimate.uncertainty())
+}
+
+fn datum_of(key: &str, estimate: &Estimate, scale: f64, unit: &str) -> Datum {
     let percent = |share: f64| format!("{:.0} %", 100.0 * share);
     let range = if estimate.below == estimate.above {
         format!("± {}", percent(estimate.above))

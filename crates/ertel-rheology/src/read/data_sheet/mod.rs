@@ -125,8 +125,15 @@ fn read_density(
         ([(_, rho, temperature)], _) => (*rho, *temperature),
         ([], Some(base_oil)) => {
             let typical = base_oil.density_at_15();
-            data.push(estimated("density_15", &typical, 1.0, "kg/m^3"));
-            (typical.value, CELSIUS_15)
+            let unit = (1.0, "kg/m^3");
+            let rho = estimated(
+                table,
+                data,
+                ("density_15", &typical),
+                Dimension::DENSITY,
+                unit,
+            );
+            (rho, CELSIUS_15)
         }
         ([], None) => {
             return Err(needs_base_oil(table, "density_15"));
@@ -136,9 +143,15 @@ fn read_density(
         return Err(needs_base_oil(table, "base_oil"));
     };
     let expansion = base_oil.expansion();
-    data.push(estimated("density.beta", &expansion, 1.0, "1/K"));
+    let of_temperature = Dimension::INVERSE_TEMPERATURE;
     // The share is of the density at 15 degC.
-    let beta = expansion.value;
+    let beta = estimated(
+        table,
+        data,
+        ("density.beta", &expansion),
+        of_temperature,
+        (1.0, "1/K"),
+    );
     let beta = beta / (1.0 - beta * (reference_temperature - CELSIUS_15));
     let thermal = ThermalExpansion {
         reference_temperature,
@@ -166,8 +179,14 @@ fn coefficient(
     };
     let nu: f64 = law.kinematic_viscosity(law.reference_temperature);
     let estimate = base_oil.pressure_viscosity(nu);
-    data.push(estimated(key, &estimate, 1e9, "1/GPa"));
-    Ok(estimate.value)
+    let of_pressure = Dimension::INVERSE_PRESSURE;
+    Ok(estimated(
+        table,
+        data,
+        (key, &estimate),
+        of_pressure,
+        (1e9, "1/GPa"),
+    ))
 }
 
 fn needs_base_oil(table: &Table<'_>, key: &str) -> InputError {

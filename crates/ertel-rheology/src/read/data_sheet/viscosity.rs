@@ -2,7 +2,8 @@
 
 use super::data::{computed, estimated, figures, given};
 use crate::data_sheet::{
-    BaseOil, Estimate, ISO_VG, ISO_VG_NAMES, ISO_VG_TOLERANCE, viscosity_at_100, viscosity_index,
+    BaseOil, Estimate, ISO_VG, ISO_VG_NAMES, ISO_VG_TOLERANCE, Spread, viscosity_at_100,
+    viscosity_index,
 };
 use crate::input::{Bounds, InputError, Table};
 use crate::provenance::Datum;
@@ -22,7 +23,8 @@ pub(super) fn viscosity_40(
 ) -> Result<f64, InputError> {
     let key = "kinematic_viscosity_40";
     let measured = table.optional_quantity(key, Dimension::KINEMATIC_VISCOSITY, VISCOSITIES)?;
-    let grade = table.optional_number("iso_vg", Bounds::POSITIVE)?;
+    table.contains("iso_vg");
+    let grade = (table.unnoted()).optional_number("iso_vg", Bounds::POSITIVE)?;
     let middle = match grade {
         None => None,
         Some(grade) => match ISO_VG_NAMES.iter().position(|name| *name == grade) {
@@ -66,11 +68,18 @@ pub(super) fn viscosity_40(
                 value: middle,
                 below: ISO_VG_TOLERANCE,
                 above: ISO_VG_TOLERANCE,
+                spread: Spread::Even,
                 source: "iso3448",
                 basis: "an oil of a grade may lie anywhere in it",
             };
-            data.push(estimated(key, &estimate, 1e6, "mm^2/s"));
-            Ok(middle)
+            let dimension = Dimension::KINEMATIC_VISCOSITY;
+            Ok(estimated(
+                table,
+                data,
+                (key, &estimate),
+                dimension,
+                (1e6, "mm^2/s"),
+            ))
         }
         (None, None) => Err(table
             .missing(key)
@@ -142,8 +151,9 @@ pub(super) fn viscosity_100(
             (index, "viscosity_index")
         }
         (None, Some(typical)) => {
-            data.push(estimated("viscosity_index", &typical, 1.0, "1"));
-            (typical.value, "base_oil")
+            let key = ("viscosity_index", &typical);
+            let index = estimated(table, data, key, Dimension::DIMENSIONLESS, (1.0, "1"));
+            (index, "base_oil")
         }
         (None, None) => {
             return Err(table.missing(key).with_help(

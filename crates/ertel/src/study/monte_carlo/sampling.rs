@@ -126,6 +126,7 @@ mod tests {
             dimension: Dimension::FORCE,
             uncertainty: Some(uncertainty),
             written: true,
+            estimated: false,
         }
     }
 
