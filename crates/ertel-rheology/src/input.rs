@@ -26,6 +26,7 @@ mod inputs;
 mod shown;
 mod table;
 pub mod tree;
+mod usual;
 
 use std::ops::Range;
 use std::path::Path;
@@ -36,6 +37,7 @@ pub use error::InputError;
 pub use inputs::{Correlation, Input, Inputs, Recorder};
 pub use shown::{LONGEST_EXCERPT, escaped, excerpt};
 pub use table::{StrOrTable, Table};
+pub use usual::{Usual, unit_meant, usual_of};
 
 use tree::{Entry, Node, Value};
 

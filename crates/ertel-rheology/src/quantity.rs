@@ -9,10 +9,13 @@
 
 mod comma;
 mod dimension;
+mod saybolt;
+mod symbols;
 mod uncertain;
 mod unit;
 
 pub use dimension::Dimension;
+pub use saybolt::{corrected as saybolt_corrected, is_saybolt};
 pub use uncertain::{COVERAGE, CUT, Uncertainty, parse_uncertain};
 pub use unit::{Unit, UnitError};
 
@@ -82,6 +85,12 @@ pub enum QuantityError {
         /// What is wrong with it.
         reason: String,
     },
+    /// Seconds of a Saybolt viscometer that no oil has.
+    #[error("`{text}`: Saybolt seconds begin at 32 SUS (1.8 mm^2/s); write mm^2/s")]
+    Saybolt {
+        /// The text as given.
+        text: String,
+    },
     /// A temperature below 0 K.
     #[error("`{text}` is below absolute zero")]
     BelowAbsoluteZero {
@@ -126,7 +135,7 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
             expected,
         });
     }
-    let unit = Unit::parse(unit_text).map_err(|source| QuantityError::Unit {
+    let unit = Unit::parse_as(unit_text, expected).map_err(|source| QuantityError::Unit {
         text: own(),
         source,
     })?;
@@ -142,6 +151,9 @@ pub fn parse(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
     } else {
         unit.to_si(number)
     };
+    if unit.is_saybolt() && !value.is_finite() {
+        return Err(QuantityError::Saybolt { text: own() });
+    }
     if !value.is_finite() {
         return Err(QuantityError::NotFinite { text: own() });
     }
@@ -170,6 +182,32 @@ impl QuantityError {
         }
         if of(Dimension::SHEAR_RATE, Dimension::ANGULAR_SPEED) {
             return Some("revolutions per minute are written \"3000 rpm\"".to_owned());
+        }
+        if *found == Dimension::SHEAR_RATE && *expected == Dimension::SPEED {
+            return Some(of_rotation(text));
+        }
+        // A mass where a force is needed, alone or in a pressure.
+        let gravity = Dimension::SPEED.per(Dimension::TIME);
+        if found.times(gravity).same_exponents(*expected) {
+            return Some("a weight is a force: write kgf for the weight of a kilogram, lbf for that of a pound".to_owned());
+        }
+        if of(Dimension::MASS, Dimension::FORCE_PER_LENGTH) {
+            return Some(
+                "a load per length is a force over a length: N/mm, kN/m, lbf/in".to_owned(),
+            );
+        }
+        if of(Dimension::VISCOSITY, Dimension::KINEMATIC_VISCOSITY) {
+            return Some(
+                "the kinematic viscosity is the dynamic one over the density, ν = μ/ρ".to_owned(),
+            );
+        }
+        if of(Dimension::DIMENSIONLESS, Dimension::KINEMATIC_VISCOSITY)
+            || of(Dimension::ANGLE, Dimension::KINEMATIC_VISCOSITY)
+        {
+            return Some(
+                "kinematic viscosities are read in mm^2/s, cSt and Saybolt seconds, \"215 SUS\""
+                    .to_owned(),
+            );
         }
         if of(Dimension::KINEMATIC_VISCOSITY, Dimension::VISCOSITY) {
             return Some(
@@ -250,8 +288,43 @@ fn split_number(text: &str) -> Option<(f64, &str)> {
             end += 1 + sign + n_exponent;
         }
     }
-    let number = text[..end].parse().ok()?;
-    Some((number, text[end..].trim_start()))
+    let number: f64 = text[..end].parse().ok()?;
+    match power_of_ten(text[end..].trim_start()) {
+        // Read as one number, so that it is rounded once.
+        Some((exponent, rest)) => {
+            let number = format!("{}e{exponent}", &text[..end]).parse().ok()?;
+            Some((number, rest.trim_start()))
+        }
+        None => Some((number, text[end..].trim_start())),
+    }
+}
+
+/// The exponent of `×10^-8`, `x 10^-8`, `·10⁻⁸`, and what follows; `None` where no power of ten stands.
+fn power_of_ten(text: &str) -> Option<(i32, &str)> {
+    let rest = text.strip_prefix(['×', 'x', '*', '·', '⋅'])?;
+    let rest = rest.trim_start().strip_prefix("10")?;
+    let (raised, rest) = match rest.strip_prefix('^') {
+        Some(rest) => (true, rest),
+        None => (false, rest),
+    };
+    let plain = |c: char| match c {
+        '⁻' | '−' => Some('-'),
+        '⁰' => Some('0'),
+        '¹' => Some('1'),
+        '²' => Some('2'),
+        '³' => Some('3'),
+        '⁴'..='⁹' => char::from_digit(c as u32 - '⁰' as u32, 10),
+        '-' | '0'..='9' if raised => Some(c),
+        _ => None,
+    };
+    let digits: String = rest.chars().map_while(plain).collect();
+    let n_bytes: usize = rest
+        .chars()
+        .take(digits.chars().count())
+        .map(char::len_utf8)
+        .sum();
+    let exponent = digits.parse::<i32>().ok()?;
+    (exponent.abs() < 400).then(|| (exponent, &rest[n_bytes..]))
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@
 mod index_table;
 mod viscosity_index;
 
-pub use viscosity_index::{viscosity_at_100, viscosity_index};
+pub use viscosity_index::{viscosity_at_40, viscosity_at_100, viscosity_index};
 
 use crate::quantity::{COVERAGE, Uncertainty};
 
@@ -90,6 +90,26 @@ impl BaseOil {
         ("ester", Self::Ester),
         ("PAG", Self::Pag),
     ];
+
+    /// Its name in data files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        let found = Self::NAMES.iter().find(|(_, kind)| *kind == self);
+        found.map_or("", |(name, _)| name)
+    }
+
+    /// The kind by one of its names in small letters and digits: `polyalphaolefin`, `groupiv`; `None` of kinds without correlations.
+    pub(crate) fn by_other_name(plain: &str) -> Option<Self> {
+        match plain {
+            "mineral" | "mineraloil" | "mineraloel" | "paraffinic" | "groupi" | "apigroupi"
+            | "gruppei" => Some(Self::Mineral),
+            "pao" | "polyalphaolefin" | "polyalphaolefine" | "groupiv" | "apigroupiv"
+            | "gruppeiv" => Some(Self::Pao),
+            "ester" | "esters" | "polyolester" | "diester" | "poe" => Some(Self::Ester),
+            "pag" | "polyalkyleneglycol" | "polyglycol" | "polyglykol" => Some(Self::Pag),
+            _ => None,
+        }
+    }
 
     /// Pressure-viscosity coefficient (1/Pa) from the kinematic viscosity `nu` (m²/s) at the same temperature (Gold,
     /// Schmidt, Dicke, Loos and Assmann, J. Synthetic Lubrication 18, 2001, 51-79):

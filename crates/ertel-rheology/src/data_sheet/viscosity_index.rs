@@ -46,6 +46,24 @@ pub fn viscosity_at_100(nu_40: f64, index: f64) -> Option<f64> {
     Some(0.5 * (low + high))
 }
 
+/// Kinematic viscosity (m²/s) at 40 degC of an oil with `nu_100` (m²/s) at 100 degC and the viscosity index `index`, the equations of
+/// [`viscosity_index`] solved for `U`; `None` below 2 mm²/s at 100 degC.
+///
+/// ```text
+/// U = L - (L - H) VI/100                                       up to 100
+/// U = H/Y^N,   N = lg[1 + 0.00715 (VI - 100)]                  above
+/// ```
+pub fn viscosity_at_40(nu_100: f64, index: f64) -> Option<f64> {
+    let y = nu_100 * 1e6;
+    let (l, h) = reference_oils(y)?;
+    let u = if index <= 100.0 {
+        l - (l - h) * index / 100.0
+    } else {
+        h / y.powf((1.0 + 0.007_15 * (index - 100.0)).log10())
+    };
+    (u > 0.0).then_some(1e-6 * u)
+}
+
 /// `L` and `H` (mm²/s) for `y` mm²/s at 100 degC.
 fn reference_oils(y: f64) -> Option<(f64, f64)> {
     // Two degrees of rounding: 2 mm²/s may have come from m²/s.
@@ -107,6 +125,27 @@ mod tests {
                 assert_relative_eq!(column[i], line, max_relative = 1e-2);
             }
         }
+    }
+
+    /// PAO 4 of 4 mm²/s and an index of 125: H = 19.56 mm²/s in the table, 1.17875^(lg 4) = 1.10409, 17.716 mm²/s by hand.
+    #[test]
+    fn an_oil_by_its_viscosity_at_100_and_its_index() {
+        let nu_40 = viscosity_at_40(4e-6, 125.0).unwrap();
+        assert_relative_eq!(nu_40, 17.716e-6, max_relative = 1e-4);
+        for (nu_100, index) in [
+            (8.86e-6, 92.43),
+            (5.05e-6, 156.4),
+            (20e-6, -50.0),
+            (80e-6, 180.0),
+        ] {
+            let nu_40 = viscosity_at_40(nu_100, index).unwrap();
+            assert_relative_eq!(
+                viscosity_index(nu_40, nu_100).unwrap(),
+                index,
+                max_relative = 1e-9
+            );
+        }
+        assert_eq!(viscosity_at_40(1.5e-6, 100.0), None);
     }
 
     #[test]

@@ -8,6 +8,7 @@
 //! are looked for in the folder of own data, if there is one ([`use_own_data`]), and then in the database.
 
 mod entry;
+pub(crate) mod names;
 mod own;
 mod shipped;
 
@@ -32,8 +33,9 @@ pub const REFERENCES: &str = include_str!("../../data/references.bib");
 pub enum DatabaseError {
     /// There is no such fluid or solid.
     #[error(
-        "there is no {kind} `{name}` in the database{}; the choices are {}",
-        .near.map(|near| format!(" (did you mean `{near}`?)")).unwrap_or_default(), .choices.join(", ")
+        "there is no {kind} `{name}` in the database{}; {}the choices are {}",
+        .near.map(|near| format!(" (did you mean `{near}`?)")).unwrap_or_default(),
+        .help.as_ref().map(|help| format!("{help}; ")).unwrap_or_default(), .choices.join(", ")
     )]
     Unknown {
         /// `fluid` or `solid`.
@@ -42,6 +44,8 @@ pub enum DatabaseError {
         name: String,
         /// The name most like it.
         near: Option<&'static str>,
+        /// What to write instead of a name, if that is more likely.
+        help: Option<String>,
         /// All names.
         choices: Vec<&'static str>,
     },
@@ -214,25 +218,12 @@ fn find(
             });
             let choices: Vec<&'static str> =
                 own.iter().map(String::as_str).chain(shipped).collect();
-            let wanted = name.to_lowercase();
-            let similarity = |choice: &str| {
-                // A part of a name counts as much as a likeness of the whole: `squalane`, `fluid-a`.
-                let part = wanted.len() >= 3 && choice.contains(&wanted);
-                if part {
-                    1.0
-                } else {
-                    strsim::jaro_winkler(choice, &wanted)
-                }
-            };
-            let near = choices
-                .iter()
-                .copied()
-                .max_by(|a, b| similarity(a).total_cmp(&similarity(b)));
-            let near = near.filter(|near| similarity(near) > 0.8);
+            let meant = names::meant(kind, name, &choices);
             DatabaseError::Unknown {
                 kind,
                 name: name.to_owned(),
-                near,
+                near: meant.near,
+                help: meant.help,
                 choices,
             }
         })

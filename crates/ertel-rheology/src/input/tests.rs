@@ -161,7 +161,11 @@ fn quantities_of_another_kind_come_with_advice() {
             "[machine] take rpm (inner_ring_speed",
         ),
         ("50 1/s", Dimension::ANGULAR_SPEED, "written \"3000 rpm\""),
-        ("50 rev/min", Dimension::ANGULAR_SPEED, "did you mean rpm?"),
+        (
+            "50 turns/min",
+            Dimension::ANGULAR_SPEED,
+            "did you mean rev?",
+        ),
         ("46 cSt", Dimension::VISCOSITY, "times the density, μ = ν ρ"),
         (
             "16,5 mm",
@@ -202,7 +206,7 @@ fn wrong_quantities_name_the_key_and_the_need() {
 
     let bare = error_of("[contact]\nradius = 16\nload = \"1 N\"");
     assert_eq!(bare.message(), "`radius` has no unit");
-    assert!(bare.to_string().contains("radius = \"16 m\""), "{bare}");
+    assert!(bare.to_string().contains("radius = \"16 mm\""), "{bare}");
 
     let unitless = error_of("[contact]\nradius = \"16\"\nload = \"1 N\"");
     assert!(

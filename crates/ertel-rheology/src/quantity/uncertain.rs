@@ -77,6 +77,11 @@ pub fn parse_uncertain(
         reason: reason.to_owned(),
     };
     let (_, unit) = split_number(deviation).ok_or_else(|| wrong("no number follows the ±"))?;
+    if super::is_saybolt(deviation) {
+        return Err(wrong(
+            "differences of Saybolt seconds are none of viscosity; write the ± in % or mm^2/s",
+        ));
+    }
     // "40 ± 2 mPa.s": one unit for both.
     let shared;
     let alone = split_number(value).is_some_and(|(_, unit)| unit.is_empty());

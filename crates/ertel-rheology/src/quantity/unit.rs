@@ -1,6 +1,7 @@
 //! Unit expressions: symbols with prefixes, products, quotients, integer powers.
 
-use super::{Dimension, STANDARD_ATMOSPHERE};
+use super::symbols::{PREFIXES, SYMBOLS, usual_spelling};
+use super::{Dimension, saybolt};
 
 /// Why a unit expression cannot be read.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -45,84 +46,18 @@ pub struct Unit {
     denominator: f64,
     /// Zero of the scale, in this unit; non-zero for degC and degF only.
     offset: f64,
+    /// Seconds of the Saybolt viscometer, which are no multiple of anything.
+    is_saybolt: bool,
 }
 
-/// A symbol, its SI dimension, factor numerator and denominator, and the prefixes it takes.
-struct Symbol {
-    name: &'static str,
-    dimension: Dimension,
-    numerator: f64,
-    denominator: f64,
-    prefixes: &'static str,
+/// How a product after a slash is read.
+#[derive(Clone, Copy, PartialEq)]
+enum AfterSlash {
+    /// Not at all.
+    Refuse,
+    /// As a whole below the line, `J/kg K` as J/(kg·K).
+    Divide,
 }
-
-const fn symbol(
-    name: &'static str,
-    dimension: Dimension,
-    numerator: f64,
-    denominator: f64,
-    prefixes: &'static str,
-) -> Symbol {
-    Symbol {
-        name,
-        dimension,
-        numerator,
-        denominator,
-        prefixes,
-    }
-}
-
-// K takes no prefix so that `W/mK` is refused and not read as watts per millikelvin.
-const SYMBOLS: &[Symbol] = &[
-    symbol("1", Dimension::DIMENSIONLESS, 1.0, 1.0, ""),
-    symbol("%", Dimension::DIMENSIONLESS, 1.0, 1e2, ""),
-    symbol("m", Dimension::LENGTH, 1.0, 1.0, "pnumcdk"),
-    symbol("in", Dimension::LENGTH, 0.0254, 1.0, ""),
-    symbol("ft", Dimension::LENGTH, 0.3048, 1.0, ""),
-    symbol("g", Dimension::MASS, 1.0, 1e3, "numk"),
-    symbol("s", Dimension::TIME, 1.0, 1.0, "pnum"),
-    symbol("min", Dimension::TIME, 60.0, 1.0, ""),
-    symbol("h", Dimension::TIME, 3600.0, 1.0, ""),
-    symbol("Hz", Dimension::SHEAR_RATE, 1.0, 1.0, "kMG"),
-    symbol("K", Dimension::TEMPERATURE, 1.0, 1.0, ""),
-    symbol("degC", Dimension::TEMPERATURE, 1.0, 1.0, ""),
-    symbol("degF", Dimension::TEMPERATURE, 5.0, 9.0, ""),
-    symbol("rad", Dimension::ANGLE, 1.0, 1.0, "m"),
-    symbol("deg", Dimension::ANGLE, std::f64::consts::PI, 180.0, ""),
-    symbol(
-        "rpm",
-        Dimension::ANGULAR_SPEED,
-        std::f64::consts::TAU,
-        60.0,
-        "",
-    ),
-    symbol("N", Dimension::FORCE, 1.0, 1.0, "numkMG"),
-    symbol("lbf", Dimension::FORCE, 4.448_221_615_260_5, 1.0, ""),
-    symbol("Pa", Dimension::PRESSURE, 1.0, 1.0, "numhkMGT"),
-    symbol("bar", Dimension::PRESSURE, 1e5, 1.0, "mk"),
-    symbol("atm", Dimension::PRESSURE, STANDARD_ATMOSPHERE, 1.0, ""),
-    symbol("psi", Dimension::PRESSURE, 6_894.757_293_168_361, 1.0, "kM"),
-    symbol("ksi", Dimension::PRESSURE, 6_894_757.293_168_361, 1.0, ""),
-    symbol("J", Dimension::ENERGY, 1.0, 1.0, "numkMG"),
-    symbol("W", Dimension::POWER, 1.0, 1.0, "numkMG"),
-    symbol("P", Dimension::VISCOSITY, 1.0, 10.0, "mc"),
-    symbol("St", Dimension::KINEMATIC_VISCOSITY, 1.0, 1e4, "mc"),
-];
-
-/// Prefix, power of ten as numerator and denominator.
-const PREFIXES: &[(char, f64, f64)] = &[
-    ('p', 1.0, 1e12),
-    ('n', 1.0, 1e9),
-    ('u', 1.0, 1e6),
-    ('m', 1.0, 1e3),
-    ('c', 1.0, 1e2),
-    ('d', 1.0, 1e1),
-    ('h', 1e2, 1.0),
-    ('k', 1e3, 1.0),
-    ('M', 1e6, 1.0),
-    ('G', 1e9, 1.0),
-    ('T', 1e12, 1.0),
-];
 
 impl Unit {
     const ONE: Self = Self {
@@ -130,6 +65,7 @@ impl Unit {
         numerator: 1.0,
         denominator: 1.0,
         offset: 0.0,
+        is_saybolt: false,
     };
 
     /// Reads a unit expression; the empty text is the unit 1.
@@ -138,14 +74,53 @@ impl Unit {
     ///
     /// [`UnitError`] for an unknown symbol, an ambiguous quotient or anything that is not a unit expression.
     pub fn parse(text: &str) -> Result<Self, UnitError> {
+        Self::read(text, AfterSlash::Refuse)
+    }
+
+    /// Reads a unit expression where one of dimension `expected` is needed, which settles what [`Unit::parse`] alone cannot: a product
+    /// after a slash, and revolutions of which the name is left out, `1/min`. The unit read may measure something else.
+    ///
+    /// # Errors
+    ///
+    /// As [`Unit::parse`].
+    pub fn parse_as(text: &str, expected: Dimension) -> Result<Self, UnitError> {
+        let unit = match Self::parse(text) {
+            Err(error @ UnitError::Ambiguous { .. }) => {
+                return match Self::read(text, AfterSlash::Divide) {
+                    Ok(unit) if unit.dimension.same_exponents(expected) => Ok(unit),
+                    _ => Err(error),
+                };
+            }
+            unit => unit?,
+        };
+        let is_rate = unit.dimension == Dimension::SHEAR_RATE && normalise(text).contains("min");
+        if expected == Dimension::ANGULAR_SPEED && is_rate {
+            return Ok(Self {
+                dimension: Dimension::ANGULAR_SPEED,
+                numerator: unit.numerator * std::f64::consts::TAU,
+                ..unit
+            });
+        }
+        Ok(unit)
+    }
+
+    fn read(text: &str, after_slash: AfterSlash) -> Result<Self, UnitError> {
         let plain = normalise(text);
         if plain.is_empty() {
             return Ok(Self::ONE);
+        }
+        if saybolt::NAMES.contains(&plain.as_str()) {
+            return Ok(Self {
+                dimension: Dimension::KINEMATIC_VISCOSITY,
+                is_saybolt: true,
+                ..Self::ONE
+            });
         }
         let mut parser = Parser {
             rest: &plain,
             unit: text.trim(),
             depth: 0,
+            after_slash,
         };
         let unit = parser.expression()?;
         if parser.rest.is_empty() {
@@ -153,6 +128,11 @@ impl Unit {
         } else {
             Err(parser.malformed("a closing parenthesis without an opening one"))
         }
+    }
+
+    /// Whether it is the second of a Saybolt viscometer.
+    pub(super) fn is_saybolt(&self) -> bool {
+        self.is_saybolt
     }
 
     /// What it measures.
@@ -164,22 +144,32 @@ impl Unit {
     /// `number` of this unit in SI; `40` of `degC` is 313.15 (K).
     #[must_use]
     pub fn to_si(&self, number: f64) -> f64 {
+        if self.is_saybolt {
+            return saybolt::kinematic_viscosity(number, saybolt::FAHRENHEIT_100);
+        }
         (number + self.offset) * self.numerator / self.denominator
     }
 
-    /// A difference of `number` of this unit in SI; `40` of `degC` is 40 (K).
+    /// A difference of `number` of this unit in SI; `40` of `degC` is 40 (K). NaN of Saybolt seconds, whose differences are none.
     #[must_use]
     pub fn difference_to_si(&self, number: f64) -> f64 {
+        if self.is_saybolt {
+            return f64::NAN;
+        }
         number * self.numerator / self.denominator
     }
 
     /// `value` (SI) in this unit; the inverse of [`Unit::to_si`].
     #[must_use]
     pub fn from_si(&self, value: f64) -> f64 {
+        if self.is_saybolt {
+            return saybolt::seconds(value, saybolt::FAHRENHEIT_100);
+        }
         value * self.denominator / self.numerator - self.offset
     }
 
     fn of_symbol(name: &str) -> Option<Self> {
+        let name = usual_spelling(name);
         if let Some(symbol) = SYMBOLS.iter().find(|symbol| symbol.name == name) {
             let offset = match name {
                 "degC" => 273.15,
@@ -191,6 +181,7 @@ impl Unit {
                 numerator: symbol.numerator,
                 denominator: symbol.denominator,
                 offset,
+                is_saybolt: false,
             });
         }
         let prefix = name.chars().next()?;
@@ -203,6 +194,7 @@ impl Unit {
             numerator: symbol.numerator * numerator,
             denominator: symbol.denominator * denominator,
             offset: 0.0,
+            is_saybolt: false,
         })
     }
 
@@ -218,15 +210,17 @@ impl Unit {
             numerator: self.numerator * up.powi(size),
             denominator: self.denominator * down.powi(size),
             offset: 0.0,
+            is_saybolt: false,
         }
     }
 }
 
-/// One spelling for each sign: micro, degree, product, powers.
+/// One spelling for each sign: micro, degree, product, quotient, powers.
 fn normalise(text: &str) -> String {
     let mut plain = String::with_capacity(text.len());
     let mut in_superscript = false;
-    for c in text.trim().chars() {
+    let mut signs = text.trim().chars().peekable();
+    while let Some(c) = signs.next() {
         let superscript = match c {
             '⁻' => Some('-'),
             '⁰' => Some('0'),
@@ -244,15 +238,42 @@ fn normalise(text: &str) -> String {
         } else {
             match c {
                 'µ' | 'μ' => plain.push('u'),
-                '°' => plain.push_str("deg"),
+                '°' | 'º' | '˚' => {
+                    plain.push_str("deg");
+                    // "° C"
+                    while signs.peek() == Some(&' ') {
+                        signs.next();
+                    }
+                }
                 '℃' => plain.push_str("degC"),
-                '·' | '⋅' | '×' => plain.push('.'),
+                '℉' => plain.push_str("degF"),
+                'Å' => plain.push('Å'),
+                '·' | '⋅' | '×' | '∙' | '•' => plain.push('.'),
+                '∕' | '⁄' => plain.push('/'),
+                '−' => plain.push('-'),
+                '\u{a0}' | '\u{202f}' | '\u{2009}' => plain.push(' '),
+                // "ft-lbf"; before a digit it is a minus.
+                '-' if signs.peek().is_some_and(|next| next.is_alphabetic()) => plain.push('.'),
                 _ => plain.push(c),
             }
         }
         in_superscript = superscript.is_some();
     }
-    plain.replace("**", "^").replace('*', ".")
+    let mut plain = plain
+        .replace("**", "^")
+        .replace('*', ".")
+        .replace(" per ", "/");
+    for (spaced, joined) in [
+        ("deg C", "degC"),
+        ("deg F", "degF"),
+        ("degrees C", "degC"),
+        ("degrees F", "degF"),
+    ] {
+        if plain.starts_with(spaced) {
+            plain.replace_range(..spaced.len(), joined);
+        }
+    }
+    plain
 }
 
 /// Known symbols, with prefixes, that differ from `name` by letter case or by one edit.
@@ -288,10 +309,9 @@ fn near_symbols(name: &str) -> Vec<String> {
         }
     }
     match name {
-        "C" | "celsius" | "Celsius" => near.push((0, "degC".to_owned())),
-        "F" => near.push((0, "degF".to_owned())),
-        "rev" | "revs" | "U" | "RPM" => near.push((0, "rpm".to_owned())),
-        "micron" | "microns" => near.push((0, "um".to_owned())),
+        "Cst" | "csT" => near.push((0, "cSt".to_owned())),
+        "r" | "tr" | "turns" => near.push((0, "rev".to_owned())),
+        "mu" | "mü" | "my" => near.push((0, "um".to_owned())),
         _ => {}
     }
     near.sort_by_key(|(rank, _)| *rank);
@@ -313,6 +333,7 @@ struct Parser<'a> {
     rest: &'a str,
     unit: &'a str,
     depth: usize,
+    after_slash: AfterSlash,
 }
 
 impl Parser<'_> {
@@ -349,11 +370,15 @@ impl Parser<'_> {
                 self.rest = &self.rest[1..];
                 self.skip_spaces();
             }
-            if divided && power == 1 {
-                return Err(UnitError::Ambiguous {
-                    unit: self.unit.to_owned(),
-                });
-            }
+            let power = match (divided && power == 1, self.after_slash) {
+                (false, _) => power,
+                (true, AfterSlash::Divide) => -1,
+                (true, AfterSlash::Refuse) => {
+                    return Err(UnitError::Ambiguous {
+                        unit: self.unit.to_owned(),
+                    });
+                }
+            };
             divided |= power == -1;
             unit = unit.times(self.factor()?, power);
         }
@@ -416,6 +441,7 @@ impl Parser<'_> {
         }
         self.rest = rest;
         match power.parse::<i8>() {
+            Ok(0) => Err(self.malformed("a power of zero")),
             Ok(power) if power.abs() <= 9 => Ok(Some(power)),
             _ => Err(self.malformed("a power beyond 9")),
         }

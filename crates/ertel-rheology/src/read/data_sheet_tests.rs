@@ -191,6 +191,113 @@ fn other_ways_to_say_it() {
     );
 }
 
+/// Any two temperatures, dynamic viscosities, one viscosity with the index, Saybolt seconds: each the oil of SHEET, 46 and 6.9 mm²/s.
+#[test]
+fn any_two_viscosities_make_the_oil() {
+    let rest = "density_15 = '870 kg/m^3'\nbase_oil = 'mineral'\n";
+    let reference = oil(SHEET).unwrap();
+    let kinematic = |celsius: f64| {
+        let t = celsius + 273.15;
+        reference.viscosity(0.0, t) / reference.density(0.0, t).unwrap()
+    };
+    let mm2 = |celsius: f64| format!("{:.9} mm2/s", 1e6 * kinematic(celsius));
+    let mpas = |celsius: f64| {
+        format!(
+            "{:.9} mPas",
+            1e3 * reference.viscosity(0.0, celsius + 273.15)
+        )
+    };
+    let sheets = [
+        (
+            format!(
+                "kinematic_viscosity_20 = '{}'\nkinematic_viscosity_80 = '{}'",
+                mm2(20.0),
+                mm2(80.0)
+            ),
+            1e-6,
+        ),
+        (
+            format!(
+                "kinematic_viscosity_40 = '46 cSt'\nkinematic_viscosity_50 = '{}'",
+                mm2(50.0)
+            ),
+            1e-6,
+        ),
+        (
+            format!(
+                "dynamic_viscosity_40 = '{}'\ndynamic_viscosity_100 = '{}'",
+                mpas(40.0),
+                mpas(100.0)
+            ),
+            1e-6,
+        ),
+        (
+            format!(
+                "dynamic_viscosity_25 = '{}'\nkinematic_viscosity_100 = '6.9 cSt'",
+                mpas(25.0)
+            ),
+            1e-6,
+        ),
+        // The index of the sheet is 105.2.
+        (
+            "kinematic_viscosity_100 = '6.9 cSt'\nviscosity_index = 105.2".to_owned(),
+            5e-3,
+        ),
+        (
+            format!(
+                "kinematic_viscosity_50 = '{}'\nviscosity_index = 105.2",
+                mm2(50.0)
+            ),
+            5e-3,
+        ),
+        (
+            "iso_vg = 'VG 46'\nkinematic_viscosity_100 = '6.9 cSt'".to_owned(),
+            1e-6,
+        ),
+        // 46 mm²/s are 214.24 SUS at 40 degC, 6.9 are 49.0 at 100 degC, by ASTM D2161.
+        (
+            "kinematic_viscosity_40 = '214.24 SUS'\nkinematic_viscosity_100 = '48.796 SUS'"
+                .to_owned(),
+            2e-3,
+        ),
+    ];
+    for (sheet, tolerance) in sheets {
+        let found = oil(&format!("{sheet}\n{rest}")).unwrap_or_else(|error| panic!("{error}"));
+        for t in [293.15, 333.15, 363.15] {
+            let ratio: f64 = found.viscosity(0.0, t) / reference.viscosity(0.0, t);
+            assert!((ratio - 1.0).abs() < tolerance, "{sheet}: {ratio} at {t} K");
+        }
+    }
+    // PAO 4 by its viscosity at 100 degC and its index, 17.716 mm²/s at 40 degC by hand.
+    let pao = oil("kinematic_viscosity_100 = '4 mm2/s'\nviscosity_index = 125\ndensity_15 = '0.82 kg/dm3'\nbase_oil = 'pao'").unwrap();
+    assert_eq!(
+        datum(&pao, "kinematic_viscosity_40"),
+        ("17.72", "mm^2/s", false)
+    );
+    assert_eq!(datum(&pao, "base_oil"), ("PAO", "", false));
+    for (sheet, part) in [
+        (
+            "kinematic_viscosity_80 = '11 cSt'\ndensity_15 = '870 kg/m^3'\nbase_oil = 'ester'",
+            "missing key `viscosity_index`",
+        ),
+        (
+            "kinematic_viscosity_20 = '11 cSt'\nkinematic_viscosity_80 = '20 cSt'\nbase_oil = 'ester'",
+            "must fall with temperature",
+        ),
+        (
+            "kinematic_viscosity_40 = '46 cSt'\ndynamic_viscosity_40 = '40 mPas'\nbase_oil = 'ester'",
+            "say the same thing",
+        ),
+        (
+            "iso_vg = 32\nkinematic_viscosity_20 = '100 cSt'\nkinematic_viscosity_80 = '11 cSt'\nbase_oil = 'mineral'",
+            "is not of grade ISO VG 32",
+        ),
+    ] {
+        let error = oil(sheet).unwrap_err();
+        assert!(error.message().contains(part), "{error}");
+    }
+}
+
 #[test]
 fn a_sheet_that_contradicts_itself_is_refused() {
     let with = |from: &str, to: &str| SHEET.replace(from, to);
@@ -242,6 +349,18 @@ fn a_sheet_that_contradicts_itself_is_refused() {
             6,
             "base_oil",
             "mineral, PAO, ester, PAG",
+        ),
+        (
+            with("mineral", "PFPE"),
+            6,
+            "base_oil",
+            "give what it would estimate: `pressure_viscosity_coefficient`",
+        ),
+        (
+            format!("{SHEET}kinematic_viscosity_80 = '11 cSt'"),
+            7,
+            "kinematic_viscosity_80",
+            "at two temperatures",
         ),
         (
             with("870", "8.7"),

@@ -107,5 +107,5 @@ impl Solid {
     }
 }
 
-/// Stable and compressible.
-const POISSONS_RATIO: Bounds = Bounds::open(-1.0, 0.5);
+/// Stable; 0.5 is incompressible, as rubber nearly is.
+const POISSONS_RATIO: Bounds = Bounds::above_to(-1.0, 0.5);

@@ -424,7 +424,7 @@ fn solids_are_read_and_checked() {
     assert_relative_eq!(steel.density.unwrap(), 7850.0);
     assert_eq!(steel.heat_capacity, None);
     assert_eq!(
-        solid("youngs_modulus = '210 GPa'\npoissons_ratio = 0.5")
+        solid("youngs_modulus = '210 GPa'\npoissons_ratio = 0.51")
             .unwrap_err()
             .key(),
         "poissons_ratio"

@@ -92,6 +92,12 @@ impl Walther {
         ln_kinematic_viscosity((self.a, self.b), temperature).exp()
     }
 
+    /// The same of constants `a` and `b` alone.
+    #[must_use]
+    pub fn kinematic_viscosity_of(a: f64, b: f64, temperature: f64) -> f64 {
+        ln_kinematic_viscosity((a, b), temperature).exp()
+    }
+
     /// `ln μ` at ambient pressure, μ in Pa·s, and `temperature` (K).
     #[inline]
     fn ln_ambient<D: Scalar>(&self, temperature: D) -> D {

@@ -3,6 +3,7 @@
 use ertel_rheology::input::{Bounds, InputError, Table};
 
 use super::Case;
+use crate::contact::equivalent::EquivalentBody;
 use crate::contact::{Contact, ContactKind, Hertz};
 use crate::output::{digits, length, pressure};
 use crate::params::ElasticModel;
@@ -10,7 +11,7 @@ use crate::warning::{Warning, WarningKind};
 
 /// Hertz pressures of lubricated contacts, Pa.
 pub(super) const HERTZ_PRESSURE: Bounds = Bounds::closed(MIN_PRESSURE, MAX_PRESSURE);
-const MIN_PRESSURE: f64 = 1e6;
+const MIN_PRESSURE: f64 = 1e3;
 const MAX_PRESSURE: f64 = 5e9;
 /// Half-width over radius from which the parabola of Hertz theory is a poor sphere.
 const POOR_PARABOLA: f64 = 0.2;
@@ -32,7 +33,7 @@ pub(super) fn hertz(
             .error(
                 load_key,
                 format!(
-                    "this load gives a Hertz pressure of {}, outside 1 MPa to 5 GPa",
+                    "this load gives a Hertz pressure of {}, outside 1 kPa to 5 GPa",
                     pressure(hertz.pressure)
                 ),
             )
@@ -71,6 +72,34 @@ pub(super) fn hertz(
     Ok(hertz)
 }
 
+/// Poisson's ratio from which displacements of finite elements lock: their volume hardly changes, and at 0.5 the bulk modulus has no bound.
+const LOCKING: f64 = 0.495;
+
+/// Refuses finite elements for bodies that are nearly incompressible; half-spaces take them.
+pub(super) fn finite_elements_of_soft_bodies(
+    case: &Case,
+    root: &Table<'_>,
+) -> Result<(), InputError> {
+    if case.elastic_model() == ElasticModel::HalfSpace {
+        return Ok(());
+    }
+    let body = EquivalentBody::new(case.plane.elasticity, case.ball.elasticity);
+    if body.poissons_ratio <= LOCKING {
+        return Ok(());
+    }
+    Err(root
+        .error(
+            "bodies",
+            format!(
+                "finite-element bodies lock where Poisson's ratio nears 0.5: that of the equivalent body is {}, the largest {LOCKING}",
+                digits(body.poissons_ratio, 4)
+            ),
+        )
+        .with_help(
+            "half-spaces take up to 0.5: leave out elasticity and linear in [solver], and body_field in [output]",
+        ))
+}
+
 /// What the user should know, one sentence each.
 pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
     let mut warnings = Vec::new();
@@ -93,7 +122,7 @@ pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
         );
         warnings.push(Warning::beyond(WarningKind::WideContact, share, text));
     }
-    warnings.extend(super::roller::warning(
+    warnings.extend(super::roller::warnings(
         &case.contact,
         hertz,
         case.reduced_modulus(),

@@ -1,5 +1,7 @@
 //! `[contact]`, and what `[machine]` shares with it.
 
+use std::path::Path;
+
 use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
@@ -19,6 +21,7 @@ pub(super) fn read_contact(
     table: &mut Table<'_>,
     reduced_modulus: f64,
     shapes: Option<&Shapes>,
+    folder: &Path,
 ) -> Result<Contact, InputError> {
     let kind = table.required_choice(
         "kind",
@@ -44,7 +47,7 @@ pub(super) fn read_contact(
                 )
                 .with_help("kind = \"elliptical\" takes them"));
         }
-        ContactKind::Roller => super::roller::read(table, reduced_modulus)?,
+        ContactKind::Roller => super::roller::read(table, reduced_modulus, folder)?,
         kind => {
             let radius = table.required_quantity("radius", Dimension::LENGTH, RADIUS)?;
             Contact::of_one_radius(kind, radius, 0.0)

@@ -25,6 +25,7 @@ impl Case {
             plane: body(&self.plane),
             ball: body(&self.ball),
             roughness: self.roughness,
+            roughness_rules: self.roughness_rules.clone(),
             asperities: self.asperities,
             fluid: FluidEcho {
                 name: lubricant.name.clone().unwrap_or_else(|| {

@@ -1,5 +1,7 @@
 //! What the contact is and how it moves: `[contact]` and `[motion]`, or `[machine]` in their place.
 
+use std::path::Path;
+
 use ertel_rheology::input::{InputError, Table};
 
 use super::bodies::Shapes;
@@ -51,7 +53,7 @@ impl<'t> Tables<'t> {
         Ok(Tables::Machine(machine))
     }
 
-    /// Reads them; `reduced_modulus` in Pa, `shapes` those of the bodies.
+    /// Reads them; `reduced_modulus` in Pa, `shapes` those of the bodies, files that they name in `folder`.
     ///
     /// # Errors
     /// Missing keys, wrong units, and contacts that Hertz theory does not cover.
@@ -60,10 +62,11 @@ impl<'t> Tables<'t> {
         root: &mut Table<'t>,
         reduced_modulus: f64,
         shapes: Option<&Shapes>,
+        folder: &Path,
     ) -> Result<Geometry<'t>, InputError> {
         let (contact, motion, machine, hertz) = match &mut self {
             Tables::Plain(table, motion_table) => {
-                let contact = contact::read_contact(table, reduced_modulus, shapes)?;
+                let contact = contact::read_contact(table, reduced_modulus, shapes, folder)?;
                 let found = root.required_table("motion");
                 let found = found.map_err(|error| sections::missing(root, "motion", error))?;
                 let motion_table = motion_table.insert(found);
@@ -89,7 +92,7 @@ impl<'t> Tables<'t> {
                     motion,
                     load_key,
                     echo,
-                } = machine::read(table, reduced_modulus)?;
+                } = machine::read(table, reduced_modulus, folder)?;
                 let hertz = check::hertz(table, load_key, &contact, reduced_modulus)
                     .map_err(|error| error.with_help(computed(&contact)))?;
                 motion::check_spin(

@@ -98,6 +98,8 @@ pub struct Case {
     pub ball: Body,
     /// Composite rms roughness of both surfaces σ = √(σ_plane² + σ_ball²), m, if given.
     pub roughness: Option<f64>,
+    /// How it follows from Ra or Rz, one sentence each.
+    pub roughness_rules: Vec<String>,
     /// Asperities of the surfaces, if described; then there is a roughness, too.
     pub asperities: Option<Asperities>,
     /// Speeds.
@@ -134,7 +136,7 @@ impl Case {
     /// # Errors
     ///
     /// [`InputError`] with file, line and key: a file that cannot be read, bad syntax, unknown or missing
-    /// keys, wrong units, values that no contact can have, and a Hertz pressure outside 1 MPa to 5 GPa.
+    /// keys, wrong units, values that no contact can have, and a Hertz pressure outside 1 kPa to 5 GPa.
     pub fn read(path: &Path) -> Result<Self, InputError> {
         let folder = path.parent().unwrap_or(Path::new(""));
         Self::from_document(&Document::read(path)?, folder)
@@ -186,9 +188,17 @@ impl Case {
             folder,
         )?;
         let surface_table = root.optional_table("surface_roughness")?;
-        let (roughness, asperities) = match &surface_table {
+        let roughness::Surfaces {
+            roughness,
+            rules: roughness_rules,
+            asperities,
+        } = match &surface_table {
             Some(table) => roughness::read(table.clone(), roughness)?,
-            None => (roughness, None),
+            None => roughness::Surfaces {
+                roughness,
+                rules: Vec::new(),
+                asperities: None,
+            },
         };
         let modulus = reduced_modulus(plane.elasticity, ball.elasticity);
         let Geometry {
@@ -197,7 +207,7 @@ impl Case {
             machine,
             hertz,
             tables,
-        } = tables.read(&mut root, modulus, shapes.as_ref())?;
+        } = tables.read(&mut root, modulus, shapes.as_ref(), folder)?;
         let solver = match root.optional_table("solver")? {
             Some(table) => params::read_solver(table)?,
             None => SolverParams::default(),
@@ -239,6 +249,7 @@ impl Case {
             plane,
             ball,
             roughness,
+            roughness_rules,
             asperities,
             motion,
             machine,
@@ -255,6 +266,7 @@ impl Case {
             curve: None,
         };
         check::body_of_wide_contact(&case, tables.main())?;
+        check::finite_elements_of_soft_bodies(&case, &document.root())?;
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(range_warnings);
         case.warnings
@@ -302,7 +314,15 @@ impl Case {
 /// Points at the name that is not in the database.
 fn unknown<'t>(table: &'t Table<'_>, key: &'t str) -> impl Fn(DatabaseError) -> InputError + 't {
     move |error| match error {
-        DatabaseError::Unknown { choices, .. } => table.unknown_name(key, choices),
+        DatabaseError::Unknown {
+            choices,
+            near,
+            help,
+            ..
+        } => {
+            let error = table.unknown_name_like(key, &choices, near);
+            help.into_iter().fold(error, InputError::with_help)
+        }
         DatabaseError::Data(error) => error,
         DatabaseError::File { .. } | DatabaseError::Folder { .. } => {
             table.error(key, error.to_string())

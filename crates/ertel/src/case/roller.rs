@@ -1,10 +1,15 @@
 //! `length`, `profile` and `misalignment` of a roller.
 
+use std::path::Path;
+
+use ertel_rheology::input::csv::{CsvError, CsvTable};
+use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
 use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
 use super::contact::RADIUS;
-use crate::contact::roller::{Profile, ProfileTable, Relief, Roller};
+use crate::contact::roller::measured::{Trace, Treatment};
+use crate::contact::roller::{Profile, ProfileTable, ProfileTableError, Relief, Roller};
 use crate::contact::{Contact, Hertz};
 use crate::output::{digits, length};
 use crate::warning::{Warning, WarningKind};
@@ -13,6 +18,10 @@ use crate::warning::{Warning, WarningKind};
 const TILT: Bounds = Bounds::closed(-0.1, 0.1);
 /// Drops from nanometres to the size of bodies, m.
 const DROP: Bounds = Bounds::closed(0.0, 0.1);
+/// The same of traces, whose zero lies anywhere.
+const TRACE: Bounds = Bounds::closed(-0.1, 0.1);
+/// Largest change of a drop, over the largest drop, that passes for scatter of a trace.
+const SCATTER: f64 = 0.1;
 /// Half the length over the half-width of the contact, below which a roller is no cylinder.
 const SHORTEST: f64 = 2.0;
 /// Drop of the ends, in that which makes the pressure uniform, below which they carry like sharp edges,
@@ -31,19 +40,23 @@ enum Kind {
 }
 
 /// Reads the keys of `kind = "roller"` but for the load; `reduced_modulus` in Pa.
-pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Contact, InputError> {
+pub(super) fn read(
+    table: &mut Table<'_>,
+    reduced_modulus: f64,
+    folder: &Path,
+) -> Result<Contact, InputError> {
     let radius = table.required_quantity("radius", Dimension::LENGTH, RADIUS)?;
     let length = table.required_quantity("length", Dimension::LENGTH, RADIUS)?;
-    let roller = read_roller(table, radius, length, reduced_modulus)?;
+    let roller = read_roller(table, (radius, length), reduced_modulus, folder)?;
     Ok(Contact::of_roller(radius, 0.0, roller))
 }
 
-/// Reads `profile` and `misalignment` of a roller of the reduced radius and the length (m).
+/// Reads `profile` and `misalignment` of a roller of the reduced radius and the length (m); a trace may lie in `folder`.
 pub(super) fn read_roller(
     table: &mut Table<'_>,
-    radius: f64,
-    length: f64,
+    (radius, length): (f64, f64),
     reduced_modulus: f64,
+    folder: &Path,
 ) -> Result<Roller, InputError> {
     let mut keys = table.required_table("profile").map_err(|error| {
         error.with_help(
@@ -51,7 +64,7 @@ pub(super) fn read_roller(
              roller need a relief, or the pressure there has no bound",
         )
     })?;
-    let profile = read_profile(&mut keys, radius, length, reduced_modulus)?;
+    let profile = read_profile(&mut keys, (radius, length), reduced_modulus, folder)?;
     keys.finish()?;
     let misalignment = table.optional_quantity("misalignment", Dimension::ANGLE, TILT)?;
     Ok(Roller {
@@ -63,9 +76,9 @@ pub(super) fn read_roller(
 
 fn read_profile(
     table: &mut Table<'_>,
-    radius: f64,
-    length: f64,
+    (radius, length): (f64, f64),
     reduced_modulus: f64,
+    folder: &Path,
 ) -> Result<Profile, InputError> {
     let kind = table.required_choice(
         "kind",
@@ -125,14 +138,147 @@ fn read_profile(
             Ok(Profile::iso_16281(length, diameter))
         }
         Kind::Table => {
-            let position = table.required_quantities("position", Dimension::LENGTH, Bounds::ANY)?;
-            let drop = table.required_quantities("drop", Dimension::LENGTH, DROP)?;
-            let profile = ProfileTable::new(&position, &drop, length);
-            Ok(Profile::Table(profile.map_err(|error| {
-                table.error("position", format!("the table makes no profile: {error}"))
-            })?))
+            let (key, trace) = read_trace(table, folder)?;
+            let smoothing_length = table.optional_quantity(
+                "smoothing_length",
+                Dimension::LENGTH,
+                Bounds::open(0.0, length),
+            )?;
+            let level = table.optional_bool("level")?.unwrap_or(false);
+            table_profile(trace, length, (level, smoothing_length))
+                .map(Profile::Table)
+                .map_err(|error| table.error(key, format!("the table makes no profile: {error}")))
         }
     }
+}
+
+/// Positions and drops of a table or a file, with the key to blame.
+fn read_trace(table: &mut Table<'_>, folder: &Path) -> Result<(&'static str, Trace), InputError> {
+    let Some(file) = table.optional_str("file")? else {
+        let position = table.required_quantities("position", Dimension::LENGTH, Bounds::ANY);
+        let position = position.map_err(|error| error.with_help("or `file = \"trace.csv\"`"))?;
+        let drop = table.required_quantities("drop", Dimension::LENGTH, TRACE)?;
+        return Ok(("position", Trace { position, drop }));
+    };
+    if table.contains("position") || table.contains("drop") {
+        return Err(table.error(
+            "file",
+            "`file` replaces `position` and `drop`: give one form",
+        ));
+    }
+    let path = folder.join(file);
+    let text = read_text(&path, LARGEST_TABLE)
+        .map_err(|error| table.error("file", format!("{} {error}", path.display())))?;
+    let trace = trace_of(file, &text).map_err(|error| {
+        table.error("file", error.to_string()).with_help(
+            "a trace is a CSV table with the columns `position` and `drop`, or `height`, which counts the other way, each with its unit: \
+             position [mm], drop [um]",
+        )
+    })?;
+    Ok(("file", trace))
+}
+
+/// The trace of a CSV file.
+fn trace_of(file: &str, text: &str) -> Result<Trace, CsvError> {
+    let csv = CsvTable::parse(file, text)?;
+    let column = |name: &'static str| csv.find_with_unit(name, Dimension::LENGTH);
+    let missing = |name: &str| csv.error(csv.header(), 0, format!("there is no column `{name}`"));
+    let position = column("position")?.ok_or_else(|| missing("position"))?;
+    let (drop, sign) = match column("drop")? {
+        Some(drop) => (drop, 1.0),
+        None => (column("height")?.ok_or_else(|| missing("drop"))?, -1.0),
+    };
+    let mut trace = Trace {
+        position: Vec::new(),
+        drop: Vec::new(),
+    };
+    for row in csv.rows() {
+        let at = csv.required_number(row, &position)?;
+        let z = sign * csv.required_number(row, &drop)?;
+        if !TRACE.contains(z) {
+            let must = TRACE.describe("m");
+            return Err(csv.error(row, 0, format!("the drop {z:e} m must be {must}")));
+        }
+        trace.position.push(at);
+        trace.drop.push(z);
+    }
+    Ok(trace)
+}
+
+/// The profile of a table. One that does not fall off towards both ends, or not from zero, is a measured trace: it is made a profile, as
+/// long as what is changed passes for scatter.
+fn table_profile(
+    mut trace: Trace,
+    length: f64,
+    (level, smoothing_length): (bool, Option<f64>),
+) -> Result<ProfileTable, ProfileTableError> {
+    let tilt = if level && trace.position.len() == trace.drop.len() {
+        trace.level()
+    } else {
+        0.0
+    };
+    let plain = ProfileTable::new(&trace.position, &trace.drop, length);
+    let lowest = trace.drop.iter().copied().fold(f64::INFINITY, f64::min);
+    let as_it_is = !level && smoothing_length.is_none() && lowest == 0.0;
+    let may_be_trace = matches!(plain, Ok(_) | Err(ProfileTableError::Dip(_)));
+    if !may_be_trace || (plain.is_ok() && as_it_is) {
+        return plain;
+    }
+    if let Some(length) = smoothing_length {
+        trace.smooth(length);
+    }
+    let half = trace.position.first() == Some(&0.0);
+    let Some((fallen, treatment)) = trace.fallen(half) else {
+        return plain;
+    };
+    let largest = fallen.drop.iter().copied().fold(0.0, f64::max);
+    if let Err(error) = plain
+        && treatment.largest_change > SCATTER * largest
+    {
+        return Err(error);
+    }
+    let mut profile = ProfileTable::new(&fallen.position, &fallen.drop, length)?;
+    profile.treatment = Some(Treatment {
+        tilt,
+        smoothing_length: smoothing_length.unwrap_or(0.0),
+        ..treatment
+    });
+    Ok(profile)
+}
+
+/// What was done to a measured trace, in words.
+fn told(treatment: &Treatment) -> String {
+    let mut done = Vec::new();
+    if treatment.tilt != 0.0 {
+        done.push(format!(
+            "levelled by {} mrad",
+            digits(1e3 * treatment.tilt, 3)
+        ));
+    }
+    if treatment.smoothing_length > 0.0 {
+        done.push(format!(
+            "averaged over {}",
+            length(treatment.smoothing_length)
+        ));
+    }
+    if treatment.shift != 0.0 {
+        done.push(format!(
+            "shifted by {} so that its smallest drop is zero",
+            length(treatment.shift)
+        ));
+    }
+    if treatment.largest_change > 0.0 {
+        done.push(format!(
+            "made to fall off towards both ends, by the nearest such profile, which moves its points by {} rms and {} at most",
+            length(treatment.rms_change),
+            length(treatment.largest_change)
+        ));
+    }
+    format!(
+        "the profile is a trace of {} points: {}",
+        treatment.points,
+        done.join("; ")
+    )
 }
 
 /// A crown by its radius, or by how much it drops at the ends.
@@ -235,8 +381,22 @@ pub(super) fn check(
     }
 }
 
+/// What the user should know about a roller: what was done to its trace, and whether pressure reaches its ends.
+pub(super) fn warnings(contact: &Contact, hertz: &Hertz, reduced_modulus: f64) -> Vec<Warning> {
+    let roller = contact.roller.as_ref();
+    let treatment = roller.and_then(|roller| match &roller.profile {
+        Profile::Table(table) => table.treatment.as_ref(),
+        _ => None,
+    });
+    let treated = treatment.map(|treatment| Warning::from(told(treatment)));
+    treated
+        .into_iter()
+        .chain(warning(contact, hertz, reduced_modulus))
+        .collect()
+}
+
 /// What the user should know about the ends of a roller.
-pub(super) fn warning(contact: &Contact, hertz: &Hertz, reduced_modulus: f64) -> Option<Warning> {
+fn warning(contact: &Contact, hertz: &Hertz, reduced_modulus: f64) -> Option<Warning> {
     let roller = contact.roller.as_ref()?;
     match roller.relief(contact.line_load(), hertz.half_width, reduced_modulus) {
         Relief::Share(share) if share < BARELY_RELIEVED => {

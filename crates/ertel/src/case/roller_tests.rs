@@ -214,3 +214,67 @@ fn a_roller_of_a_bearing() {
     );
     assert_eq!(roller.contact.radius, line.contact.radius);
 }
+
+/// A measured trace with scatter of 0.2 um and a zero in its middle; from the lists and from a file.
+#[test]
+fn measured_traces_are_made_profiles() {
+    let drops = [
+        8.966, 5.756, 3.675, 1.405, 0.204, 0.244, -0.156, 0.059, -0.303, 0.248, 0.082, 1.124,
+        3.768, 6.028, 8.929,
+    ];
+    let positions: Vec<f64> = (0..15).map(|i| -4.2 + 0.6 * f64::from(i)).collect();
+    let list = |values: &[f64], unit: &str| {
+        let values: Vec<String> = values
+            .iter()
+            .map(|v| format!("\"{v:.3} {unit}\""))
+            .collect();
+        values.join(", ")
+    };
+    let profile = format!(
+        "profile = {{ kind = \"table\", position = [{}], drop = [{}] }}",
+        list(&positions, "mm"),
+        list(&drops, "um")
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let rows: Vec<String> = positions
+        .iter()
+        .zip(drops)
+        .map(|(y, z)| format!("{y:.3},{:.3}", -z))
+        .collect();
+    let csv = format!("position [mm],height [um]\n{}\n", rows.join("\n"));
+    std::fs::write(folder.path().join("trace.csv"), csv).unwrap();
+    let from_file = "profile = { kind = \"table\", file = \"trace.csv\" }";
+    let read = |profile: &str| {
+        let text =
+            format!("[contact]\nkind = \"roller\"\n{SIZES}\nload = \"1 kN\"\n{profile}\n{REST}");
+        Case::from_document(&Document::parse("roller.toml", text)?, folder.path())
+    };
+    let lists = read(&profile).unwrap();
+    let file = read(from_file).unwrap();
+    assert_eq!(lists.contact.roller, file.contact.roller);
+    let roller = lists.contact.roller.as_ref().unwrap();
+    let [end, _] = roller.profile.drop(roller.length, -4e-3);
+    // Between 8.966 and 5.756 um less the lowest of the pooled middle, around -0.05 um.
+    assert!((8.0e-6..9.0e-6).contains(&end), "{end}");
+    let told = lists
+        .warnings
+        .iter()
+        .find(|w| w.text.contains("trace of 15 points"));
+    let told = &told.unwrap().text;
+    assert!(
+        told.contains("smallest drop is zero") && told.contains("fall off towards both ends"),
+        "{told}"
+    );
+    assert!(
+        file.files(folder.path())
+            .contains(&folder.path().join("trace.csv"))
+    );
+    // A slip of a digit is no scatter.
+    let slip = profile.replace("\"6.028 um\"", "\"0.028 um\"");
+    let error = read(&slip).unwrap_err().to_string();
+    assert!(error.contains("by more than scatter"), "{error}");
+    let error = read("profile = { kind = \"table\", file = \"none.csv\" }")
+        .unwrap_err()
+        .to_string();
+    assert!(error.contains("none.csv"), "{error}");
+}

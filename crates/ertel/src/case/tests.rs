@@ -76,14 +76,14 @@ fn a_line_contact_has_a_load_per_length() {
 
 #[test]
 fn a_hertz_pressure_stands_for_the_load() {
-    for pressure in ["1 MPa", "0.5 GPa", "5 GPa"] {
+    for pressure in ["1 kPa", "0.5 GPa", "5 GPa"] {
         let case = with(
             "load = \"100 N\"",
             &format!("hertz_pressure = \"{pressure}\""),
         )
         .unwrap();
         let expected = match pressure {
-            "1 MPa" => 1e6,
+            "1 kPa" => 1e3,
             "0.5 GPa" => 5e8,
             _ => 5e9,
         };
@@ -229,16 +229,73 @@ body_field = true
 
 #[test]
 fn a_hertz_pressure_out_of_range_tells_the_loads_that_fit() {
-    // 1 MPa and 5 GPa on 16 mm steel: 9.937e-8 N and 12420 N by an independent evaluation.
-    for load in ["\"1e-9 N\"", "\"1 MN\""] {
+    // 1 kPa and 5 GPa on 16 mm steel: 9.937e-17 N and 12420 N by an independent evaluation.
+    for load in ["\"1e-18 N\"", "\"1 MN\""] {
         let error = message(with("\"100 N\"", load));
         assert!(
-            error.contains("must be between 9.937e-8 N and 12420 N"),
+            error.contains("must be between 9.937e-17 N and 12420 N"),
             "{error}"
         );
     }
     with("\"100 N\"", "\"1e-7 N\"").unwrap();
     with("\"100 N\"", "\"12420 N\"").unwrap();
+}
+
+/// A silicone rubber ball on silicone rubber: E' = 2 E/(2 (1 − ν²)) = 3.2 MPa, p_h = 192.5 kPa and a = 1.796 mm by hand.
+#[test]
+fn soft_bodies_are_read() {
+    let rubber = "{ youngs_modulus = \"2.4 MPa\", poissons_ratio = 0.5 }";
+    let text = STEEL
+        .replace("\"steel\"", rubber)
+        .replace(
+            "{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }",
+            rubber,
+        )
+        .replace("\"16 mm\"", "\"9.5 mm\"")
+        .replace("\"100 N\"", "\"1.3 N\"");
+    let case = read(&text).unwrap();
+    assert_relative_eq!(case.reduced_modulus(), 3.2e6, max_relative = 1e-12);
+    assert_relative_eq!(case.hertz().pressure, 192.4e3, max_relative = 2e-3);
+    assert_relative_eq!(case.hertz().half_width, 1.796e-3, max_relative = 2e-3);
+    let error = message(read(&format!(
+        "{text}\n[solver]\nelasticity = \"equivalent\"\n"
+    )));
+    assert!(
+        error.contains("lock where Poisson's ratio nears 0.5"),
+        "{error}"
+    );
+}
+
+/// Ra 0.4 and 0.31 um: σ = √(0.5² + 0.3875²) = 0.63257 um by hand; Rz 2.4 um is Ra 0.4 um.
+#[test]
+fn roughness_by_ra_and_rz() {
+    let of = |keys: &str| read(&format!("{STEEL}\n[surface_roughness]\n{keys}\n"));
+    let case = of("body_1_ra = \"0.4 um\"\nbody_2_ra = \"0.31 um\"").unwrap();
+    assert_relative_eq!(case.roughness.unwrap(), 0.632_58e-6, max_relative = 1e-5);
+    assert_eq!(case.roughness_rules.len(), 2);
+    assert!(
+        case.roughness_rules[0].contains("σ = 500 nm = 1.25 Ra"),
+        "{:?}",
+        case.roughness_rules
+    );
+    let case = of("body_1_rz = \"2.4 um\"\nbody_2_rq = \"0.3875 um\"").unwrap();
+    assert_relative_eq!(case.roughness.unwrap(), 0.632_58e-6, max_relative = 1e-5);
+    assert!(
+        case.roughness_rules[0].contains("-25 to +50 %"),
+        "{:?}",
+        case.roughness_rules
+    );
+    for (keys, words) in [
+        ("body_1_ra = \"0.4 um\"", "missing key `body_2_rms_height`"),
+        (
+            "body_1_ra = \"0.4 um\"\nbody_1_rz = \"3 um\"\nbody_2_ra = \"0.4 um\"",
+            "say the same thing twice",
+        ),
+        ("body_1_ra = 0.4\nbody_2_ra = 0.4", "body_1_ra = \"0.4 um\""),
+    ] {
+        let error = message(of(keys));
+        assert!(error.contains(words), "{error}");
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Values far from those of such contacts: almost always a unit was mistaken.
 
 use ertel_rheology::input::tree::Value;
-use ertel_rheology::input::{Document, Input};
+use ertel_rheology::input::{Document, Input, Usual, usual_of};
 use ertel_rheology::quantity::Dimension;
 
 use super::Case;
@@ -11,198 +11,6 @@ use crate::warning::{Warning, WarningKind};
 /// How far beyond the usual range a value is doubted, as a factor.
 const FAR: f64 = 10.0;
 
-/// What is usual for some keys.
-struct Usual {
-    /// Ends of the key paths, after a dot or the start.
-    keys: &'static [&'static str],
-    dimension: Dimension,
-    /// From, to, in the unit.
-    range: [f64; 2],
-    unit: &'static str,
-    /// SI per unit.
-    factor: f64,
-}
-
-const fn usual(
-    keys: &'static [&'static str],
-    dimension: Dimension,
-    range: [f64; 2],
-    unit: &'static str,
-    factor: f64,
-) -> Usual {
-    Usual {
-        keys,
-        dimension,
-        range,
-        unit,
-        factor,
-    }
-}
-
-/// Contacts from miniature bearings to rolling mills, and the liquids and solids in them.
-const USUAL: &[Usual] = &[
-    usual(
-        &[
-            "contact.radius",
-            "contact.radius_x",
-            "ball_radius",
-            "ball_diameter",
-            "roller_diameter",
-            "base_radius",
-        ],
-        Dimension::LENGTH,
-        [0.5, 1000.0],
-        "mm",
-        1e-3,
-    ),
-    // Crowns and grooves are flat.
-    usual(
-        &["radius_x", "radius_y"],
-        Dimension::LENGTH,
-        [0.5, 50_000.0],
-        "mm",
-        1e-3,
-    ),
-    usual(
-        &[
-            "contact.length",
-            "roller_length",
-            "face_width",
-            "machine.width",
-            "pitch_diameter",
-        ],
-        Dimension::LENGTH,
-        [0.5, 2000.0],
-        "mm",
-        1e-3,
-    ),
-    usual(
-        &["module", "normal_module"],
-        Dimension::LENGTH,
-        [0.2, 50.0],
-        "mm",
-        1e-3,
-    ),
-    usual(
-        &["roughness", "body_1_rms_height", "body_2_rms_height"],
-        Dimension::LENGTH,
-        [0.1, 10_000.0],
-        "nm",
-        1e-9,
-    ),
-    usual(
-        &["entrainment_speed"],
-        Dimension::SPEED,
-        [1e-4, 50.0],
-        "m/s",
-        1.0,
-    ),
-    usual(
-        &[
-            "inner_ring_speed",
-            "outer_ring_speed",
-            "pinion_speed",
-            "cam_speed",
-        ],
-        Dimension::ANGULAR_SPEED,
-        [0.1, 50_000.0],
-        "rpm",
-        std::f64::consts::TAU / 60.0,
-    ),
-    usual(
-        &["load", "ball_load", "roller_load", "design_load"],
-        Dimension::FORCE,
-        [0.01, 1e6],
-        "N",
-        1.0,
-    ),
-    usual(
-        &["load"],
-        Dimension::FORCE_PER_LENGTH,
-        [0.1, 1e4],
-        "kN/m",
-        1e3,
-    ),
-    usual(
-        &["pinion_torque"],
-        Dimension::ENERGY,
-        [0.01, 1e6],
-        "N.m",
-        1.0,
-    ),
-    usual(
-        &["youngs_modulus"],
-        Dimension::PRESSURE,
-        [0.002, 1200.0],
-        "GPa",
-        1e9,
-    ),
-    usual(
-        &["mu_0"],
-        Dimension::VISCOSITY,
-        [0.3, 3000.0],
-        "mPa.s",
-        1e-3,
-    ),
-    usual(
-        &["alpha", "pressure_viscosity_coefficient"],
-        Dimension::INVERSE_PRESSURE,
-        [0.5, 60.0],
-        "1/GPa",
-        1e-9,
-    ),
-    usual(
-        &["kinematic_viscosity_40", "kinematic_viscosity_100"],
-        Dimension::KINEMATIC_VISCOSITY,
-        [0.5, 5000.0],
-        "mm^2/s",
-        1e-6,
-    ),
-    usual(
-        &["rho_0", "density_15", "density_20"],
-        Dimension::DENSITY,
-        [500.0, 3000.0],
-        "kg/m^3",
-        1.0,
-    ),
-    usual(
-        &[
-            "plane.density",
-            "ball.density",
-            "body_1.density",
-            "body_2.density",
-        ],
-        Dimension::DENSITY,
-        [800.0, 20_000.0],
-        "kg/m^3",
-        1.0,
-    ),
-    usual(
-        &[
-            "lubricant.thermal_conductivity",
-            "lubricant.thermal_conductivity.k_0",
-        ],
-        Dimension::THERMAL_CONDUCTIVITY,
-        [0.05, 1.0],
-        "W/(m.K)",
-        1.0,
-    ),
-    usual(
-        &["thermal_conductivity", "thermal_conductivity.k_0"],
-        Dimension::THERMAL_CONDUCTIVITY,
-        [0.1, 2500.0],
-        "W/(m.K)",
-        1.0,
-    ),
-    usual(
-        &["heat_capacity", "heat_capacity.c_0"],
-        Dimension::SPECIFIC_HEAT,
-        [100.0, 5000.0],
-        "J/(kg.K)",
-        1.0,
-    ),
-];
-
 /// Questions about inputs that stand in the document itself; what the database and other files say has its own checks.
 pub(super) fn warnings(inputs: &[Input], document: &Document) -> Vec<Warning> {
     (inputs.iter().filter(|input| input.written))
@@ -211,43 +19,36 @@ pub(super) fn warnings(inputs: &[Input], document: &Document) -> Vec<Warning> {
 }
 
 fn warning(input: &Input, document: &Document) -> Option<Warning> {
-    let ends_with = |end: &&str| {
-        let head = input.key.strip_suffix(*end);
-        head.is_some_and(|head| head.is_empty() || head.ends_with('.'))
-    };
-    let mut rows = USUAL.iter().filter(|row| row.dimension == input.dimension);
-    let row = rows.find(|row| row.keys.iter().any(&ends_with))?;
+    let row = usual_of(&input.key, input.dimension).filter(|row| row.is_questioned)?;
     let written = match document.tree().entry(&input.key).map(|e| &e.node.value) {
         Some(Value::Str(text)) => text.clone(),
         _ => shown(input.value / row.factor, row.unit),
     };
-    let (excess, text) = row.question(&input.key, &written, input.value)?;
+    let (excess, text) = question(row, &input.key, &written, input.value)?;
     Some(Warning::beyond(WarningKind::UnusualInput, excess, text))
 }
 
-impl Usual {
-    /// How far beyond what is usual a value (SI) is, and the question that this brings, if it is far.
-    fn question(&self, what: &str, written: &str, value: f64) -> Option<(f64, String)> {
-        let own = value.abs() / self.factor;
-        let [low, high] = self.range;
-        // Zero is said on purpose.
-        let excess = (own / high).max(low / own);
-        if own == 0.0 || excess <= FAR {
-            return None;
-        }
-        let meant = [1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9].map(|scale| scale * own);
-        let meant = (meant.into_iter()).find(|v| (low..=high).contains(v));
-        let question = match meant {
-            Some(meant) => format!("is {} meant?", shown(meant.copysign(value), self.unit)),
-            None => "is the unit right?".to_owned(),
-        };
-        let text = format!(
-            "{what} = {written} is far from what is usual, {} to {}: {question}",
-            digits(low, 4),
-            shown(high, self.unit),
-        );
-        Some((excess, text))
+/// How far beyond what is usual a value (SI) is, and the question that this brings, if it is far.
+fn question(row: &Usual, what: &str, written: &str, value: f64) -> Option<(f64, String)> {
+    let own = value.abs() / row.factor;
+    let [low, high] = row.range;
+    // Zero is said on purpose.
+    let excess = (own / high).max(low / own);
+    if own == 0.0 || excess <= FAR {
+        return None;
     }
+    let meant = [1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9].map(|scale| scale * own);
+    let meant = (meant.into_iter()).find(|v| (low..=high).contains(v));
+    let question = match meant {
+        Some(meant) => format!("is {} meant?", shown(meant.copysign(value), row.unit)),
+        None => "is the unit right?".to_owned(),
+    };
+    let text = format!(
+        "{what} = {written} is far from what is usual, {} to {}: {question}",
+        digits(low, 4),
+        shown(high, row.unit),
+    );
+    Some((excess, text))
 }
 
 /// Questions about the lubricant at ambient pressure, wherever its data stand: in a table, in own data. What is typed in the case has
@@ -305,10 +106,10 @@ pub(crate) fn question_of_state(what: &str, value: f64, dimension: Dimension) ->
         "lubricant.thermal_conductivity",
         "heat_capacity",
     ];
-    let mut rows = USUAL.iter().filter(|row| row.dimension == dimension);
-    let row = rows.find(|row| row.keys.iter().any(|key| keys.contains(key)))?;
+    let mut rows = keys.iter().filter_map(|key| usual_of(key, dimension));
+    let row = rows.find(|row| row.is_questioned)?;
     let written = shown(value / row.factor, row.unit);
-    let (excess, text) = row.question(what, &written, value)?;
+    let (excess, text) = question(row, what, &written, value)?;
     Some(Question { excess, text })
 }
 

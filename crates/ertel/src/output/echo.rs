@@ -125,6 +125,9 @@ pub struct CaseEcho {
     /// Composite rms roughness, m, if given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<f64>,
+    /// How it follows from Ra or Rz.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub roughness_rules: Vec<String>,
     /// Asperities, if described.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub asperities: Option<Asperities>,

@@ -45,6 +45,7 @@ pub(super) fn case_echo(kind: ContactKind) -> CaseEcho {
         plane: steel("plane"),
         ball: steel("ball"),
         roughness: None,
+        roughness_rules: Vec::new(),
         asperities: None,
         fluid: FluidEcho {
             name: "thesis oil".into(),

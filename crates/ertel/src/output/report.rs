@@ -101,6 +101,9 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
     }
     if let Some(sigma) = case.roughness {
         out.row("composite roughness σ (rms)", length(sigma));
+        for rule in &case.roughness_rules {
+            out.line(rule);
+        }
     }
     if let Some(asperities) = &case.asperities {
         out.row("asperities", mixed::describe(asperities));

@@ -41,6 +41,7 @@ pub fn roller() -> Roller {
 pub fn case(kind: ContactKind, load: f64) -> Case {
     let steel = Body::elastic("steel", STEEL);
     Case {
+        roughness_rules: Vec::new(),
         title: String::new(),
         contact: match kind {
             ContactKind::Elliptical => Contact::elliptical([0.016, 0.024], load, 0.4),

@@ -57,16 +57,28 @@ impl Table<'_> {
         choices: impl IntoIterator<Item = &'n str>,
     ) -> InputError {
         let choices: Vec<&str> = choices.into_iter().collect();
-        let found = self.entries.iter().find(|entry| entry.key == key);
-        let text = match found.map(|entry| &entry.node.value) {
-            Some(Value::Str(text)) => text.as_str(),
-            _ => "",
-        };
+        let near = nearest(self.text_of(key), choices.iter().copied());
+        self.unknown_name_like(key, &choices, near)
+    }
+
+    /// The same where it is known which of the choices is meant, if any.
+    #[must_use]
+    pub fn unknown_name_like(&self, key: &str, choices: &[&str], near: Option<&str>) -> InputError {
+        let text = self.text_of(key);
         let mut error = self.error(key, format!("`{text}` is not a known `{key}`"));
-        if let Some(near) = nearest(text, choices.iter().copied()) {
+        if let Some(near) = near {
             error = error.with_label(format!("did you mean `{near}`?"));
         }
         error.with_help(format!("`{key}` is one of: {}", choices.join(", ")))
+    }
+
+    /// The text at `key`; empty of anything else.
+    fn text_of(&self, key: &str) -> &str {
+        let found = self.entries.iter().find(|entry| entry.key == key);
+        match found.map(|entry| &entry.node.value) {
+            Some(Value::Str(text)) => text.as_str(),
+            _ => "",
+        }
     }
 
     /// An error for the required key that is not there.

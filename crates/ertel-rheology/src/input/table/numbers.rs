@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use super::Table;
 use crate::input::tree::{Node, Value};
-use crate::input::{Bounds, InputError};
+use crate::input::{Bounds, InputError, unit_meant};
 use crate::quantity::{self, Dimension, QuantityError, Uncertainty};
 
 impl Table<'_> {
@@ -251,15 +251,10 @@ impl Table<'_> {
             if dimension == Dimension::DIMENSIONLESS {
                 Ok(value)
             } else {
-                let number = self.source.slice(node.span.clone());
-                let unit = dimension.si_unit();
                 Err(self
                     .at_node(node, key, format!("`{key}` has no unit"))
                     .with_label(format!("{} is needed", dimension.name()))
-                    .with_help(format!(
-                        "write it as a text, `{key} = \"{number} {unit}\"`; units: {}",
-                        dimension.examples()
-                    )))
+                    .with_help(self.with_unit(node, key, dimension, value)))
             }
         };
         let (value, uncertainty) = match &node.value {
@@ -271,10 +266,12 @@ impl Table<'_> {
             Value::Integer(Some(value)) => (bare(*value as f64)?, None),
             Value::Str(text) => quantity::parse_uncertain(text, dimension).map_err(|error| {
                 let refused = self.at_node(node, key, describe(&error, key));
-                error
-                    .advice()
-                    .into_iter()
-                    .fold(refused, InputError::with_help)
+                let number = match &error {
+                    QuantityError::MissingUnit { text, .. } => text.trim().parse().ok(),
+                    _ => None,
+                };
+                let proposal = number.map(|value| self.with_unit(node, key, dimension, value));
+                (error.advice().into_iter().chain(proposal)).fold(refused, InputError::with_help)
             })?,
             _ => {
                 let example = dimension.si_unit();
@@ -312,6 +309,20 @@ impl Table<'_> {
             }
         }
         Ok((value, uncertainty))
+    }
+
+    /// How to write the number with the unit that is most likely meant.
+    fn with_unit(&self, node: &Node, key: &str, dimension: Dimension, value: f64) -> String {
+        let number = self
+            .source
+            .slice(node.span.clone())
+            .trim_matches(['"', '\''])
+            .trim();
+        let unit = unit_meant(&self.path_of(key), dimension, value);
+        format!(
+            "write it as a text, `{key} = \"{number} {unit}\"`; units: {}",
+            dimension.examples()
+        )
     }
 
     fn out_of(&self, node: &Node, key: &str, dimension: Dimension, bounds: Bounds) -> InputError {

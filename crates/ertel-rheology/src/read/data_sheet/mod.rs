@@ -4,9 +4,10 @@ mod data;
 mod viscosity;
 
 use self::data::{estimated, figures, given};
-use self::viscosity::{viscosity_40, viscosity_100};
+use self::viscosity::{DYNAMIC, KINEMATIC, has_dynamic, points};
 use super::{density::reference_temperature, locate};
 use crate::data_sheet::{BaseOil, WATER_AT_15};
+use crate::database::names::plain;
 use crate::density::{DowsonHigginson, ThermalExpansion};
 use crate::input::{Bounds, InputError, Table};
 use crate::provenance::{Datum, ValidityRange};
@@ -15,10 +16,8 @@ use crate::viscosity::{PressureLaw, Walther};
 use crate::{DensityLaw, ViscosityLaw};
 
 /// Keys of a data sheet. `reference_temperature` is one of the fluid.
-pub(super) const KEYS: [&str; 10] = [
+const KEYS: [&str; 8] = [
     "iso_vg",
-    "kinematic_viscosity_40",
-    "kinematic_viscosity_100",
     "viscosity_index",
     "density_15",
     "density_20",
@@ -43,7 +42,9 @@ pub(super) struct Sheet {
 
 /// Whether the table has keys of a data sheet; the first of them.
 pub(super) fn first_key(table: &mut Table<'_>) -> Option<&'static str> {
-    KEYS.into_iter().find(|key| table.contains(key))
+    let viscosities = KINEMATIC.iter().chain(&DYNAMIC).map(|(key, _)| *key);
+    let mut all = viscosities.chain(KEYS);
+    all.find(|key| table.contains(key))
 }
 
 /// Reads the keys of a data sheet. `density` is the law of the density where the table has one.
@@ -51,30 +52,27 @@ pub(super) fn read(
     table: &mut Table<'_>,
     density: Option<DensityLaw>,
 ) -> Result<Sheet, InputError> {
-    let base_oil = table.optional_choice("base_oil", &BaseOil::NAMES)?;
+    let base_oil = read_base_oil(table)?;
     let mut data = Vec::new();
-    if base_oil.is_some() {
-        let name = table.optional_str("base_oil")?.unwrap_or_default();
-        data.push(given(table, "base_oil", name.to_owned(), ""));
+    if let Some(base_oil) = base_oil {
+        data.push(given(table, "base_oil", base_oil.name().to_owned(), ""));
     }
-    let nu_40 = viscosity_40(table, &mut data)?;
-    let nu_100 = viscosity_100(table, nu_40, base_oil, &mut data)?;
-    let density = match density {
-        None => read_density(table, base_oil, &mut data)?,
-        Some(law) => match ["density_15", "density_20", "relative_density_15"]
-            .into_iter()
-            .find(|key| table.contains(key))
-        {
-            None => law,
-            Some(key) => return Err(twice(table, key, "density")),
-        },
+    // A dynamic viscosity becomes a kinematic one by the density.
+    let first = match has_dynamic(table) {
+        true => Some(density_law(table, density.clone(), base_oil, &mut data)?),
+        false => None,
+    };
+    let points = points(table, first.as_ref(), base_oil, &mut data)?;
+    let density = match first {
+        Some(law) => law,
+        None => density_law(table, density, base_oil, &mut data)?,
     };
     let reference = if table.contains("reference_temperature") {
         reference_temperature(table)?
     } else {
         CELSIUS_40
     };
-    let (a, b) = Walther::constants([(CELSIUS_40, nu_40), (CELSIUS_100, nu_100)]);
+    let (a, b) = Walther::constants(points);
     let mut law = Walther {
         a,
         b,
@@ -99,6 +97,67 @@ pub(super) fn read(
         },
         provenance: data,
     })
+}
+
+/// Kinds of oils for which no correlation with a source is known here, in small letters and digits.
+const WITHOUT_CORRELATION: [&str; 20] = [
+    "naphthenic",
+    "naphthenisch",
+    "groupii",
+    "groupiii",
+    "groupv",
+    "apigroupii",
+    "apigroupiii",
+    "gruppeii",
+    "gruppeiii",
+    "silicone",
+    "silikon",
+    "siliconeoil",
+    "silikonoel",
+    "pdms",
+    "pfpe",
+    "perfluoropolyether",
+    "waterglycol",
+    "wasserglykol",
+    "hfc",
+    "polybutene",
+];
+
+fn read_base_oil(table: &mut Table<'_>) -> Result<Option<BaseOil>, InputError> {
+    let key = "base_oil";
+    let Some(text) = table.optional_str(key)? else {
+        return Ok(None);
+    };
+    let plain = plain(text);
+    if let Some(base_oil) = BaseOil::by_other_name(&plain) {
+        return Ok(Some(base_oil));
+    }
+    if WITHOUT_CORRELATION.contains(&plain.as_str()) {
+        return Err(table
+            .error(key, format!("no correlation with a source is known here for the base oil `{text}`"))
+            .with_help(
+                "leave `base_oil` out and give what it would estimate: `pressure_viscosity_coefficient`, two viscosities or one with \
+                 `viscosity_index`, and a law of the density, such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }",
+            ));
+    }
+    table.optional_choice(key, &BaseOil::NAMES)
+}
+
+/// The law that the table has, or the one by the density of the sheet.
+fn density_law(
+    table: &mut Table<'_>,
+    law: Option<DensityLaw>,
+    base_oil: Option<BaseOil>,
+    data: &mut Vec<Datum>,
+) -> Result<DensityLaw, InputError> {
+    let Some(law) = law else {
+        return read_density(table, base_oil, data);
+    };
+    let keys = ["density_15", "density_20", "relative_density_15"];
+    match keys.into_iter().find(|key| table.contains(key)) {
+        None => Ok(law),
+        Some(key) => Err(twice(table, key, "density")),
+    }
 }
 
 /// Dowson and Higginson's law with the density at 15 or 20 degC and the expansion of the kind of oil.

@@ -12,6 +12,8 @@ mod involute;
 mod roller_bearing;
 mod spin;
 
+use std::path::Path;
+
 use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
@@ -44,7 +46,11 @@ pub(super) struct Machine {
 }
 
 /// Reads `[machine]`; `reduced_modulus` in Pa converts a Hertz pressure to a load.
-pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machine, InputError> {
+pub(super) fn read(
+    table: &mut Table<'_>,
+    reduced_modulus: f64,
+    folder: &Path,
+) -> Result<Machine, InputError> {
     let kind = table.required_choice(
         "kind",
         &[
@@ -59,7 +65,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     match kind {
         MachineKind::BallOnDisc => ball_on_disc::read(table, reduced_modulus),
         MachineKind::BallBearing => ball_bearing::read(table, reduced_modulus),
-        MachineKind::RollerBearing => roller_bearing::read(table, reduced_modulus),
+        MachineKind::RollerBearing => roller_bearing::read(table, reduced_modulus, folder),
         MachineKind::SpurGear => gears::read(table, gears::Teeth::Straight),
         MachineKind::HelicalGear => gears::read(table, gears::Teeth::Helical),
         MachineKind::CamAndFlatTappet => cam::read(table, reduced_modulus),

@@ -1,5 +1,7 @@
 //! The contact of a roller with a raceway of a cylindrical roller bearing.
 
+use std::path::Path;
+
 use ertel_rheology::input::{InputError, Table};
 
 use super::bearing::{Ring, SOURCE, gamma, rolling};
@@ -9,7 +11,11 @@ use crate::contact::Contact;
 
 /// Reads the keys of `kind = "roller-bearing"`; `reduced_modulus` in Pa. Without a `profile` the contact is a line, under
 /// the load per length of a roller without crowning that does not tilt.
-pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machine, InputError> {
+pub(super) fn read(
+    table: &mut Table<'_>,
+    reduced_modulus: f64,
+    folder: &Path,
+) -> Result<Machine, InputError> {
     let ring = Ring::read(table)?;
     let diameter = required_length(table, "roller_diameter")?;
     let pitch_diameter = required_length(table, "pitch_diameter")?;
@@ -21,7 +27,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     let line_load = line_load(table, "roller_load", length, &contact, reduced_modulus)?;
     contact.load = line_load;
     if table.contains("profile") {
-        let roller = read_roller(table, contact.radius, length, reduced_modulus)?;
+        let roller = read_roller(table, (contact.radius, length), reduced_modulus, folder)?;
         contact = Contact::of_roller(contact.radius, line_load * length, roller);
     }
     let mut rows = Rows::default();

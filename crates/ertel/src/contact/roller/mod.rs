@@ -1,6 +1,7 @@
 //! Rollers of finite length with a relief along their axis, which may stand at an angle to the raceway.
 
 mod ends;
+pub mod measured;
 pub mod profile;
 mod slices;
 mod zone;

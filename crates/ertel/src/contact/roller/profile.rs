@@ -1,5 +1,6 @@
 //! How far a roller falls off from a cylinder along its axis.
 
+use super::measured::Treatment;
 use serde::Serialize;
 
 /// The logarithm follows its tangent from where 1 − c t² is this: it would be infinite at the very end where c = 1.
@@ -156,6 +157,9 @@ pub struct ProfileTable {
     drop: Vec<f64>,
     #[serde(skip)]
     slope: Vec<f64>,
+    /// What made a profile of a measured trace, if anything was needed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub treatment: Option<Treatment>,
 }
 
 /// Why a table makes no profile.
@@ -175,7 +179,9 @@ pub enum ProfileTableError {
     #[error("position {0} does not lie beyond the one before it; positions increase")]
     Order(usize),
     /// A drop smaller than one nearer to the middle.
-    #[error("drop {0} is smaller than one nearer to the middle: drops grow towards both ends")]
+    #[error(
+        "drop {0} is smaller than one nearer to the middle by more than scatter: drops grow towards both ends"
+    )]
     Dip(usize),
     /// The table does not reach the ends.
     #[error(
@@ -236,6 +242,7 @@ impl ProfileTable {
             position,
             drop,
             slope,
+            treatment: None,
         })
     }
 
