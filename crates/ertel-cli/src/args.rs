@@ -373,6 +373,9 @@ pub struct FitFilmArgs {
     /// Write the parity plot into this file
     #[arg(long, value_name = "FILE.svg|pdf|png")]
     pub plot: Option<PathBuf>,
+    /// Overwrite a file that exists
+    #[arg(long)]
+    pub force: bool,
     /// List every film with the formula beside
     #[arg(short, long)]
     pub verbose: bool,
@@ -445,6 +448,9 @@ pub struct FitLawArgs {
     /// Write the picture of the law over the data into this file
     #[arg(long, value_name = "FILE.svg|pdf|png")]
     pub plot: Option<PathBuf>,
+    /// Overwrite files that exist, the entry as well as the picture
+    #[arg(long)]
+    pub force: bool,
     /// List every state with the law beside
     #[arg(short, long)]
     pub verbose: bool,
@@ -473,6 +479,9 @@ pub enum FluidsCommand {
         /// Write the viscosity over pressure as a picture
         #[arg(long, value_name = "FILE.svg|pdf|png")]
         plot: Option<PathBuf>,
+        /// Overwrite a file that exists
+        #[arg(long)]
+        force: bool,
     },
 }
 

@@ -22,13 +22,16 @@ const DEFAULT_LIMIT: u64 = 2_000_000_000;
 /// # Errors
 /// A limit that is no size.
 pub fn user_cache() -> Result<Option<OperatorCache>, Failure> {
-    let limit = match std::env::var(LIMIT) {
-        Ok(text) => parse_size(&text).ok_or_else(|| {
-            Failure::Argument(format!(
-                "{LIMIT}={text} is no size: write a number with kB, MB or GB, such as \"500 MB\""
-            ))
-        })?,
-        Err(_) => DEFAULT_LIMIT,
+    let limit = match std::env::var_os(LIMIT) {
+        Some(text) => {
+            let text = text.to_string_lossy();
+            parse_size(&text).ok_or_else(|| {
+                Failure::Argument(format!(
+                    "{LIMIT}={text} is no size: write a number with kB, MB or GB, such as \"500 MB\""
+                ))
+            })?
+        }
+        None => DEFAULT_LIMIT,
     };
     let folder = match std::env::var_os(FOLDER) {
         Some(folder) if folder.is_empty() => None,

@@ -8,7 +8,7 @@ use crate::args::SolveArgs;
 use crate::events::Events;
 use crate::failure::Failure;
 use crate::given::Given;
-use crate::inputs::is_one_place;
+use crate::inputs::overlap;
 use crate::print;
 use crate::solve::{Job, complete};
 use crate::table::columns;
@@ -89,11 +89,6 @@ fn folder(arguments: &SolveArgs, given: &Given) -> PathBuf {
         (None, _) => (given.case.output.folder.clone())
             .unwrap_or_else(|| Path::new("results").join(given.stem())),
     }
-}
-
-/// Whether one folder is the other or within it.
-fn overlap(a: &Path, b: &Path) -> bool {
-    a.starts_with(b) || b.starts_with(a) || is_one_place(a, b)
 }
 
 /// Does something with each case, whatever becomes of the others.
@@ -224,12 +219,5 @@ mod tests {
         assert_eq!(worst([2, 3, 1]), 2);
         assert_eq!(worst([3, INTERRUPTED, 2]), INTERRUPTED);
         assert_eq!(worst([3, 3]), 3);
-    }
-
-    #[test]
-    fn folders_within_each_other_overlap() {
-        assert!(overlap(Path::new("results/a"), Path::new("results/a")));
-        assert!(overlap(Path::new("results"), Path::new("results/a")));
-        assert!(!overlap(Path::new("results/a"), Path::new("results/ab")));
     }
 }

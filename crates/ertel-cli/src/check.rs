@@ -12,7 +12,7 @@ use ertel::study::value_text;
 use serde_json::json;
 
 use crate::args::SolveArgs;
-use crate::events::Events;
+use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::print;
 use crate::solve::{Job, input_warnings};
@@ -32,7 +32,7 @@ pub fn run(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<(), Fail
             "checked",
             json!({
                 "title": case.title,
-                "folder": job.folder,
+                "folder": path_text(&job.folder),
                 "points": found.n_points,
                 "film_central": found.estimate.film.central,
                 "film_minimum": found.estimate.film.minimum,

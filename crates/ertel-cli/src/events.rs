@@ -1,5 +1,6 @@
 //! What happens in a run as JSON, one object on a line of stdout, for programs.
 
+use std::path::Path;
 use std::sync::Mutex;
 use std::time::Instant;
 
@@ -8,6 +9,11 @@ use serde_json::{Map, Value, json};
 
 use crate::failure::Failure;
 use crate::print;
+
+/// A path as events tell it. JSON is text: what is no text in a name is replaced, as in all messages.
+pub fn path_text(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
 
 /// Writes the events of a run, where they are asked for.
 pub struct Events {

@@ -126,7 +126,7 @@ fn plot_path(arguments: &FitLawArgs) -> Result<Option<PathBuf>, Failure> {
         .map(|path| path.with_extension("svg")))
 }
 
-/// Neither the data nor the equation of state is overwritten, and the entry not by its own picture.
+/// Neither the data nor the equation of state is overwritten, nor the entry by its own picture, nor what is there already.
 fn keep_inputs(arguments: &FitLawArgs, plot: Option<&Path>) -> Result<(), Failure> {
     let mut read = vec![arguments.data.clone()];
     let density = arguments.density.as_ref();
@@ -142,15 +142,16 @@ fn keep_inputs(arguments: &FitLawArgs, plot: Option<&Path>) -> Result<(), Failur
         .flatten()
         .collect::<Vec<_>>(),
     )?;
-    match (entry, plot) {
-        (Some(entry), Some(plot)) if inputs::is_one_place(entry, plot) => {
-            Err(Failure::Argument(format!(
-                "--output {} names both the entry and the picture beside it; give the entry a name that ends in .toml",
-                entry.display()
-            )))
-        }
-        _ => Ok(()),
+    if let (Some(entry), Some(plot)) = (entry, plot)
+        && inputs::is_one_place(entry, plot)
+    {
+        return Err(Failure::Argument(format!(
+            "--output {} names both the entry and the picture beside it; give the entry a name that ends in .toml",
+            entry.display()
+        )));
     }
+    let outputs: Vec<&Path> = entry.into_iter().chain(plot).collect();
+    inputs::refuse_existing(&outputs, arguments.force)
 }
 
 fn read(arguments: &FitLawArgs, property: Property) -> Result<Data, Failure> {

@@ -11,6 +11,7 @@ use ertel_rheology::{DensityLaw, Fluid, ShearThinning, database};
 
 use crate::args::{FluidsArgs, FluidsCommand};
 use crate::failure::Failure;
+use crate::inputs;
 use crate::picture;
 use crate::print;
 use crate::provenance::{data, notes};
@@ -39,7 +40,12 @@ pub fn run(arguments: &FluidsArgs) -> Result<(), Failure> {
             name,
             temperature,
             plot,
+            force,
         }) => {
+            if let Some(path) = plot {
+                picture::check(path)?;
+                inputs::refuse_existing(&[path], *force)?;
+            }
             let fluid = database::fluid_or_file(name, Path::new(""), None)?;
             let temperature = state_temperature(&fluid, temperature.as_deref())?;
             if let Some(path) = plot {

@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use ertel::output::place;
+
 use crate::failure::Failure;
 
 /// Refuses files to be written that are among those being read, whatever their names; `what` is how messages call an
@@ -44,16 +46,94 @@ pub fn keep_within(inputs: &[PathBuf], folder: &Path) -> Result<(), Failure> {
     }
 }
 
+/// Refuses files that exist already, which somebody may have written or changed by hand, unless `force` says otherwise.
+///
+/// # Errors
+///
+/// [`Failure::Argument`] that names the file.
+pub fn refuse_existing(outputs: &[&Path], force: bool) -> Result<(), Failure> {
+    let exists = |path: &&&Path| path.symlink_metadata().is_ok();
+    match outputs.iter().find(exists) {
+        Some(path) if !force => Err(Failure::Argument(format!(
+            "will not overwrite {}; choose another name, or add --force",
+            path.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
 /// Whether two files to be written would be one.
 pub fn is_one_place(a: &Path, b: &Path) -> bool {
-    let place = |path: &Path| {
-        let folder = match path.parent() {
-            Some(folder) if !folder.as_os_str().is_empty() => folder,
-            _ => Path::new("."),
-        };
-        Some((fs::canonicalize(folder).ok()?, path.file_name()?.to_owned()))
+    let both = |a: &Place, b: &Place| a.is_within(b) && b.is_within(a);
+    a == b || is_same(a, b) || with_places(a, b, both).unwrap_or(false)
+}
+
+/// Whether of two folders to be written one would be the other or lie within it, however they are spelled and whatever of them exists
+/// already.
+pub fn overlap(a: &Path, b: &Path) -> bool {
+    let either = |a: &Place, b: &Place| a.is_within(b) || b.is_within(a);
+    a.starts_with(b) || b.starts_with(a) || with_places(a, b, either).unwrap_or(false)
+}
+
+fn with_places(a: &Path, b: &Path, found: impl Fn(&Place, &Place) -> bool) -> Option<bool> {
+    Some(found(&Place::of(a)?, &Place::of(b)?))
+}
+
+/// Where a path leads: as far as it exists, and what is to be made there.
+struct Place {
+    existing: PathBuf,
+    ahead: PathBuf,
+}
+
+impl Place {
+    fn of(path: &Path) -> Option<Self> {
+        let place = place(path).ok()?;
+        let existing = place.ancestors().find(|a| a.exists())?.to_owned();
+        let ahead = place.strip_prefix(&existing).ok()?.to_owned();
+        Some(Self { existing, ahead })
+    }
+
+    /// Whether it is the other or lies within it.
+    fn is_within(&self, other: &Self) -> bool {
+        if other.ahead.as_os_str().is_empty() {
+            let mut ancestors = self.existing.ancestors();
+            return ancestors.any(|a| is_same_place(a, &other.existing));
+        }
+        is_same_place(&self.existing, &other.existing)
+            && begins_with(&self.ahead, &other.ahead, || ignores_case(&self.existing))
+    }
+}
+
+/// Whether a path begins with another, where names may differ in case alone if the file system takes these for one.
+fn begins_with(path: &Path, start: &Path, ignores_case: impl Fn() -> bool) -> bool {
+    let lower = |path: &Path| PathBuf::from(path.to_string_lossy().to_lowercase());
+    path.starts_with(start) || (lower(path).starts_with(lower(start)) && ignores_case())
+}
+
+/// Whether two existing places are one, be it that a file system is mounted twice.
+fn is_same_place(a: &Path, b: &Path) -> bool {
+    a == b || (a.is_dir() && b.is_dir() && same_file::is_same_file(a, b).unwrap_or(false))
+}
+
+/// Whether names that differ in case alone are one in a folder; told by a name there, else by that of the folder.
+fn ignores_case(folder: &Path) -> bool {
+    let swapped = |path: &Path| {
+        let name = path.file_name()?.to_str()?;
+        let other: String = name
+            .chars()
+            .map(|c| match c {
+                c if c.is_ascii_lowercase() => c.to_ascii_uppercase(),
+                c => c.to_ascii_lowercase(),
+            })
+            .collect();
+        (other != name).then(|| path.with_file_name(other))
     };
-    a == b || is_same(a, b) || place(a).is_some_and(|p| Some(p) == place(b))
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let names = entries.map(|entry| entry.path()).chain([folder.to_owned()]);
+    let mut pairs = names.filter_map(|path| Some((swapped(&path)?, path)));
+    pairs.next().is_some_and(|(other, path)| {
+        is_same(&other, &path) || (other.is_dir() && is_same_place(&other, &path))
+    })
 }
 
 /// Whether two names are those of one file: links of both kinds count.
@@ -61,4 +141,45 @@ fn is_same(a: &Path, b: &Path) -> bool {
     // Opening a pipe to look at it could wait for ever.
     let is_file = |path: &Path| fs::metadata(path).is_ok_and(|m| m.is_file());
     is_file(a) && is_file(b) && same_file::is_same_file(a, b).unwrap_or(false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folders_within_each_other_overlap() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        fs::create_dir(at("there")).unwrap();
+        for (a, b) in [
+            ("new", "new"),
+            ("new", "./new"),
+            ("new/x", "new"),
+            ("new/x", "new/y/../x"),
+            ("new/x", "./not-there/../new/./x/deep"),
+            ("there", "there/x"),
+            ("there/../there/x", "there"),
+        ] {
+            assert!(overlap(&at(a), &at(b)), "{a}, {b}");
+            assert!(overlap(&at(b), &at(a)), "{b}, {a}");
+        }
+        for (a, b) in [("new", "news"), ("new/x", "new/y"), ("there/x", "new/x"), ("there/x", "x")] {
+            assert!(!overlap(&at(a), &at(b)), "{a}, {b}");
+        }
+        assert!(is_one_place(&at("there/a.svg"), &at("there/../there/a.svg")));
+        assert!(!is_one_place(&at("there/a.svg"), &at("there")));
+    }
+
+    #[test]
+    fn case_counts_where_the_file_system_says_so() {
+        let [a, b] = ["Results/A", "results"].map(Path::new);
+        assert!(begins_with(a, b, || true));
+        assert!(!begins_with(a, b, || false));
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("name"), "").unwrap();
+        let is_one = folder.path().join("NAME").exists();
+        assert_eq!(ignores_case(folder.path()), is_one);
+        assert_eq!(overlap(&folder.path().join("x"), &folder.path().join("X")), is_one);
+    }
 }

@@ -5,6 +5,8 @@ use std::{fs, io};
 
 use clap::{Args, CommandFactory};
 use clap_complete::Shell;
+use ertel::output::write_whole;
+use ertel_rheology::input::file::{LARGEST_DOCUMENT, read_bytes};
 
 use crate::args::Cli;
 use crate::failure::Failure;
@@ -79,7 +81,11 @@ fn write(folder: &Path) -> Result<usize, Failure> {
     }
     for (path, page) in &pages {
         let first = page.split(|byte| *byte == b'\n').next().unwrap_or_default();
-        if fs::read(path).is_ok_and(|old| !old.starts_with(first)) {
+        let is_ours = match read_bytes(path, LARGEST_DOCUMENT) {
+            Ok(old) => old.starts_with(first),
+            Err(error) => error.is_missing(),
+        };
+        if !is_ours {
             return Err(Failure::Argument(format!(
                 "will not overwrite {}: it is no manual page of this program",
                 path.display()
@@ -87,7 +93,7 @@ fn write(folder: &Path) -> Result<usize, Failure> {
         }
     }
     for (path, page) in &pages {
-        fs::write(path, page).map_err(failed)?;
+        write_whole(path, page).map_err(failed)?;
     }
     Ok(pages.len())
 }

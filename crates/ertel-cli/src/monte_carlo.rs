@@ -11,6 +11,7 @@ use ertel::study::{SweepParams, finished_points, sweep};
 
 use crate::args::SolveArgs;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 use crate::solve::CANCELLED;
 use crate::sweep::Progress;
@@ -47,9 +48,19 @@ pub fn samples(
         study_of(case, &params).map_err(|error| Failure::Argument(format!("{file}: {error}")))?;
     let mut name = folder.file_name().unwrap_or("results".as_ref()).to_owned();
     name.push("-monte-carlo");
+    let beside = folder.with_file_name(name);
+    if inputs::overlap(&beside, folder) {
+        return Err(Failure::Argument(format!(
+            "the results would go to {} and the samples to {}, and both are one place; choose another folder with --output",
+            folder.display(),
+            beside.display()
+        )));
+    }
+    // Before the solve, not after it: whether it is the folder of a study, or none yet.
+    finished_points(&study, &beside)?;
     Ok(Some(Samples {
         study,
-        folder: folder.with_file_name(name),
+        folder: beside,
     }))
 }
 

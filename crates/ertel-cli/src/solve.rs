@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 
 use crate::args::SolveArgs;
 use crate::cache::user_cache;
-use crate::events::Events;
+use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::given::Given;
 use crate::inputs;
@@ -70,6 +70,7 @@ fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     let read: Vec<PathBuf> = jobs.iter().flat_map(|job| job.given.files()).collect();
     for Job { folder, .. } in &jobs {
         inputs::keep_within(&read, folder)?;
+        keep_cache_apart(&session, folder)?;
         // A long solve whose results have no place to go would be in vain.
         output::clear_leftovers(folder);
         output::check_target(folder)?;
@@ -83,6 +84,18 @@ fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
             solve(job).map(drop)
         }
         jobs => cases::solve_all(jobs, arguments, events, &solve),
+    }
+}
+
+/// A folder with files of a cache in it is no result to be replaced: the result would have no place to go.
+fn keep_cache_apart(session: &Session, folder: &Path) -> Result<(), Failure> {
+    match &session.cache {
+        Some(cache) if inputs::overlap(cache.folder(), folder) => Err(Failure::Argument(format!(
+            "the results would go to {} and elastic operators are kept in {}; choose another folder with --output, or --no-cache",
+            folder.display(),
+            cache.folder().display()
+        ))),
+        _ => Ok(()),
     }
 }
 
@@ -112,7 +125,7 @@ fn solve(
             "command": "solve",
             "version": env!("CARGO_PKG_VERSION"),
             "title": case.title,
-            "folder": folder,
+            "folder": path_text(folder),
             "points": n_points,
         }),
     );
@@ -146,7 +159,7 @@ fn solve(
         let result = output::result_json(&echo, &solution).map_err(not_shown)?;
         events.emit(
             "result",
-            json!({ "folder": folder, "result": short(result) }),
+            json!({ "folder": path_text(folder), "result": short(result) }),
         );
         Ok(())
     } else if arguments.quiet {
@@ -291,7 +304,7 @@ fn tell_curve(
             .flat_map(move |s| s.warnings.iter().map(move |w| (i, w)))
     });
     events.warn_of_points(&by_kind(warnings));
-    events.emit("result", json!({ "folder": folder, "result": curve }));
+    events.emit("result", json!({ "folder": path_text(folder), "result": curve }));
     Ok(())
 }
 

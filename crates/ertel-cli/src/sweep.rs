@@ -20,7 +20,7 @@ use crate::args::SweepArgs;
 use serde_json::{Value, json};
 
 use crate::cache::user_cache;
-use crate::events::Events;
+use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::inputs;
 use crate::print;
@@ -74,7 +74,7 @@ fn run_with(arguments: &SweepArgs, events: &Events) -> Result<(), Failure> {
             "command": "sweep",
             "version": env!("CARGO_PKG_VERSION"),
             "title": study.title,
-            "folder": folder,
+            "folder": path_text(&folder),
             "points": study.points.len(),
         }),
     );
@@ -172,8 +172,8 @@ fn tell(summary: &SweepSummary, folder: &Path, events: &Events) {
     events.emit(
         "result",
         json!({
-            "folder": folder,
-            "table": folder.join(TABLE),
+            "folder": path_text(folder),
+            "table": path_text(&folder.join(TABLE)),
             "points": summary.n_points,
             "finished": summary.n_kept + summary.n_new,
             "finished_earlier": summary.n_kept,

@@ -1,13 +1,14 @@
 //! `ertel validate`.
 
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use ertel::output::write_whole;
 use ertel::solve::Silent;
 use ertel::validate::{self, Quantity, Row, Selection, Study, StudyResult, Verdict};
+
+use ertel_rheology::input::file::{LARGEST_DOCUMENT, LARGEST_TABLE, read_text};
 
 use crate::args::ValidateArgs;
 use crate::failure::Failure;
@@ -23,6 +24,12 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     let folder = &arguments.folder;
     let known = validate::names(folder)
         .map_err(|error| Failure::Argument(format!("{}: {error}", folder.display())))?;
+    if known.is_empty() {
+        return Err(Failure::Argument(format!(
+            "there is no study in {}: each is a folder with a file reference.toml; name the folder that holds them with --folder",
+            folder.display()
+        )));
+    }
     for name in &arguments.names {
         if !known.contains(name) {
             return Err(Failure::Argument(format!(
@@ -48,6 +55,14 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     if let Some(docs) = &arguments.write {
         for file in written(&studies, docs) {
             inputs::keep(&read, &[("the file", &file)])?;
+            if let Some(table) = &arguments.table
+                && inputs::is_one_place(table, &file)
+            {
+                return Err(Failure::Argument(format!(
+                    "--table {} names a file that --write makes, too; give it another name",
+                    table.display()
+                )));
+            }
         }
     }
     let selection = if arguments.quick {
@@ -99,6 +114,13 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
         };
         write(&path, &validate::splice(&old, &sections))?;
     }
+    if results.iter().all(|(_, result, _)| result.rows.is_empty()) {
+        let help = match arguments.quick {
+            true => ": none of the runs takes seconds; leave --quick out",
+            false => "",
+        };
+        return Err(Failure::Argument(format!("nothing was compared{help}")));
+    }
     if failed.is_empty() {
         shown?;
         print::stdout("all comparisons hold\n")
@@ -114,7 +136,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
 fn update(study: &Study, result: &StudyResult, folder: &Path) -> Result<String, Failure> {
     let path = folder.join("reference.toml");
     let failed = |error: String| Failure::Other(format!("{}: {error}", path.display()));
-    let text = fs::read_to_string(&path).map_err(|error| failed(error.to_string()))?;
+    let text = read_text(&path, LARGEST_DOCUMENT).map_err(|error| failed(error.to_string()))?;
     let (updated, changes) = validate::update(&text, study, result).map_err(failed)?;
     if changes.is_empty() {
         return Ok(String::new());
@@ -149,13 +171,10 @@ fn section(study: &Study, result: &StudyResult, docs: &Path) -> Result<String, F
 
 /// The page as it is; empty if there is none.
 fn read_page(path: &Path) -> Result<String, Failure> {
-    match fs::read_to_string(path) {
+    match read_text(path, LARGEST_TABLE) {
         Ok(page) => Ok(page),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(String::new()),
-        Err(error) => Err(Failure::Other(format!(
-            "cannot read {}: {error}",
-            path.display()
-        ))),
+        Err(error) if error.is_missing() => Ok(String::new()),
+        Err(error) => Err(Failure::Other(format!("{} {error}", path.display()))),
     }
 }
 

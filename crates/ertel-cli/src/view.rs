@@ -1,13 +1,14 @@
 //! `ertel view`: the pages of results in the browser, several of them on one page.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use ertel::output::html::{self, PageError};
 use ertel::output::write_whole;
+use ertel_rheology::input::file::{FileError, LARGEST_OWN, read_text};
 
 use crate::args::ViewArgs;
 use crate::failure::Failure;
+use crate::inputs;
 use crate::print;
 
 /// Shows results: the page of one, or a page of all of them side by side.
@@ -56,15 +57,15 @@ fn page_of(path: &Path) -> PathBuf {
 }
 
 fn read(page: &Path) -> Result<String, Failure> {
-    fs::read_to_string(page).map_err(|error| {
+    read_text(page, LARGEST_OWN).map_err(|error| {
         let folder = page.parent().unwrap_or(page).display();
-        Failure::Argument(match error.kind() {
-            std::io::ErrorKind::NotFound => format!(
+        Failure::Argument(match error {
+            error if error.is_missing() => format!(
                 "there is no {}\n  = help: a result folder holds it since ertel writes pages; solve the case of {folder} once more",
                 page.display()
             ),
-            std::io::ErrorKind::InvalidData => refused_text(page, "it is not text"),
-            _ => format!("cannot read {}: {error}", page.display()),
+            FileError::Encoding { .. } => refused_text(page, "it is not text"),
+            error => format!("{} {error}", page.display()),
         })
     })
 }
@@ -101,16 +102,16 @@ fn check_output(path: &Path, pages: &[PathBuf]) -> Result<(), Failure> {
     };
     if pages
         .iter()
-        .any(|page| same_file::is_same_file(page, path).unwrap_or(false))
+        .any(|page| inputs::is_one_place(page, path))
     {
         return refuse("it is one of the pages to be shown");
     }
     if path.is_dir() {
         return refuse("it is a folder; name a file");
     }
-    match fs::read_to_string(path) {
+    match read_text(path, LARGEST_OWN) {
         Ok(text) if html::page_data(&text).is_ok() => Ok(()),
-        Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(()),
+        Err(error) if error.is_missing() => Ok(()),
         _ => refuse("it exists, and is no page of ertel"),
     }
 }

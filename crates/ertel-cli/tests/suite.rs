@@ -15,6 +15,7 @@ mod machine;
 mod manners;
 mod mixed;
 mod own_data;
+mod places;
 mod schema;
 mod solve;
 mod studies;

@@ -32,11 +32,29 @@ pub enum Target {
     Operator,
     /// Journal and list of points of a sweep.
     Journal,
+    /// A case file of a machine.
+    Machine,
+    /// Values put in place of those of a case, as `--set` does.
+    Settings,
+    /// Answers to the questions of `ertel init --ask`.
+    Answers,
+    /// A lubricant and a solid of the user, with a table of a law.
+    OwnData,
+    /// The list of points of a sweep, with its journal.
+    StudyList,
+    /// Results in a folder that a new one is to replace.
+    CurveResult,
+    /// Pages of results, shown one by one and side by side.
+    View,
+    /// What the functions of the Python package hand to the library.
+    Python,
+    /// What the page of a browser asks for.
+    Web,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 11] = [
+    pub const ALL: [Target; 20] = [
         Target::Case,
         Target::Solve,
         Target::Study,
@@ -48,6 +66,15 @@ impl Target {
         Target::Measured,
         Target::Operator,
         Target::Journal,
+        Target::Machine,
+        Target::Settings,
+        Target::Answers,
+        Target::OwnData,
+        Target::StudyList,
+        Target::CurveResult,
+        Target::View,
+        Target::Python,
+        Target::Web,
     ];
 
     /// Its name on the command line and in findings.
@@ -64,6 +91,15 @@ impl Target {
             Target::Measured => "measured",
             Target::Operator => "operator",
             Target::Journal => "journal",
+            Target::Machine => "machine",
+            Target::Settings => "settings",
+            Target::Answers => "answers",
+            Target::OwnData => "own-data",
+            Target::StudyList => "study-list",
+            Target::CurveResult => "curve-result",
+            Target::View => "view",
+            Target::Python => "python",
+            Target::Web => "web",
         }
     }
 
@@ -81,13 +117,22 @@ impl Target {
             Target::Measured => 60,
             Target::Operator => 60,
             Target::Journal => 40,
+            Target::Machine => 40,
+            Target::Settings => 60,
+            Target::Answers => 10,
+            Target::OwnData => 60,
+            Target::StudyList => 30,
+            Target::CurveResult => 30,
+            Target::View => 40,
+            Target::Python => 30,
+            Target::Web => 60,
         }
     }
 
     /// The file that is damaged most.
     pub fn main_file(self) -> &'static str {
         match self {
-            Target::Case | Target::Solve => "case.toml",
+            Target::Case | Target::Solve | Target::Machine | Target::Web => "case.toml",
             Target::Study => "study.toml",
             Target::Points => "points.csv",
             Target::Table => "table.csv",
@@ -95,6 +140,13 @@ impl Target {
             Target::Measured => "measured.csv",
             Target::Operator => "operator.bin",
             Target::Journal => "journal.jsonl",
+            Target::Settings => "settings.txt",
+            Target::Answers => "answers.txt",
+            Target::OwnData => "oil.toml",
+            Target::StudyList => "study.json",
+            Target::CurveResult => "curve.json",
+            Target::View => "report.html",
+            Target::Python => "call.json",
         }
     }
 

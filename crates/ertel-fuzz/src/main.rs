@@ -5,6 +5,9 @@
 //! Inputs are made from the shipped cases, studies and data and from the corpus beside this crate, and numbered: the
 //! same seed and number make the same input. How it works, and why so, stands in docs/decisions/0013.
 
+#[allow(dead_code)]
+#[path = "../../ertel-cli/src/failure.rs"]
+mod failure;
 mod finding;
 mod input;
 mod minimise;

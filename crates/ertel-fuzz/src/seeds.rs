@@ -9,7 +9,7 @@ use fastrand::Rng;
 
 use crate::input::{Input, Target};
 use crate::mutate::Words;
-use crate::targets::{self, Verdict, journal, operator};
+use crate::targets::{self, Verdict, answers, journal, operator, view};
 
 /// Lines of a seed table, at most: long tables are slow and say no more.
 const MOST_LINES: usize = 25;
@@ -29,6 +29,9 @@ const TABLE_CASE: &str = include_str!("../corpus/table-case.toml");
 const POINTS_STUDY: &str = include_str!("../corpus/points-study.toml");
 const BALL: &str = include_str!("../../../cases/measured-films.toml");
 const ROLLER: &str = include_str!("../../../cases/roller.toml");
+
+const SETTINGS: &str = "contact.load=50 kN/m\nlubricant.temperature=80 degC\nmotion.slide_to_roll_ratio=0.1\n";
+const CHANGES: &str = r#"[["contact.radius", "16 mm"], ["mesh.target_error", "1 %"], ["thermal", {}], ["title", null], ["a.b", 3]]"#;
 
 /// What inputs are made from.
 #[derive(Debug)]
@@ -61,6 +64,17 @@ impl Seeds {
                     if text.contains("\"line\"") {
                         inputs.push(of_main(Target::Solve, content.clone()));
                     }
+                    for (target, words) in [
+                        (Target::Machine, "[machine"),
+                        (Target::Settings, "[contact"),
+                        (Target::Web, ""),
+                    ] {
+                        if text.contains(words) {
+                            let mut input = of_main(target, Vec::new());
+                            input.set("case.toml", content.clone());
+                            inputs.push(input);
+                        }
+                    }
                     inputs.push(of_main(Target::Case, content));
                 }
             }
@@ -79,8 +93,20 @@ impl Seeds {
         }
         let films = fs::read_to_string(root.join("cases/measured-films.csv"))?;
         inputs.push(of_main(Target::Measured, films.into_bytes()));
+        for path in files(&root.join("crates/ertel-rheology/data"), "toml")? {
+            let mut input = of_main(Target::OwnData, fs::read(&path)?);
+            beside(&path, &mut input)?;
+            inputs.push(input);
+        }
         inputs.push(operator::seed()?);
-        inputs.push(journal::seed()?);
+        let journal = journal::seed()?;
+        inputs.push(Input {
+            target: Target::StudyList,
+            ..journal.clone()
+        });
+        inputs.push(journal);
+        inputs.extend(answers::seeds());
+        inputs.extend(view::seeds());
         inputs.extend(corpus(root)?);
         let texts = inputs.iter().flat_map(|input| &input.files);
         let words = Words::new(
@@ -140,6 +166,8 @@ fn of_main(target: Target, content: Vec<u8>) -> Input {
         Target::Table => &[("case.toml", TABLE_CASE)],
         Target::Measured => &[("case.toml", BALL)],
         Target::Points => &[("study.toml", POINTS_STUDY), ("roller.toml", ROLLER)],
+        Target::Settings => &[("case.toml", ROLLER), ("settings.txt", SETTINGS)],
+        Target::Web => &[("changes.json", CHANGES)],
         _ => &[],
     };
     for (name, text) in beside {
@@ -163,6 +191,18 @@ fn study(path: &Path, content: Vec<u8>, text: &str) -> io::Result<Input> {
         }
     }
     Ok(input)
+}
+
+/// The tables that a file of the database names.
+fn beside(path: &Path, input: &mut Input) -> io::Result<()> {
+    let folder = path.parent().unwrap_or(path);
+    let text = String::from_utf8_lossy(input.file(input.target.main_file())).into_owned();
+    for name in text.split('"').filter(|name| name.ends_with(".csv")) {
+        if folder.join(name).is_file() {
+            input.set(name, fs::read(folder.join(name))?);
+        }
+    }
+    Ok(())
 }
 
 /// The inputs of the corpus: of each target a folder with main files, or with folders of all files of an input.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property};
 use ertel::solution::Field;
 use ertel_rheology::database;
+use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
 use pyo3::prelude::*;
 
 use crate::errors::{self, CaseError};
@@ -55,6 +56,13 @@ pub fn viscosity(
 pub fn use_own_data(folder: PathBuf) -> PyResult<()> {
     database::use_own_data(&folder).map_err(errors::database)?;
     Ok(())
+}
+
+/// Text of a table of measurements: of a regular file of bounded size.
+#[pyfunction]
+pub fn table_text(path: PathBuf) -> PyResult<String> {
+    read_text(&path, LARGEST_TABLE)
+        .map_err(|error| CaseError::new_err(format!("{} {error}", path.display())))
 }
 
 /// Fits a law to the text of a CSV table; returns constants (key, SI value, unit in which it is shown, SI interval), the rms of the

@@ -14,6 +14,9 @@ use pyo3::prelude::*;
 
 use crate::errors;
 
+/// Points of a grid: with some twenty fields these take half a gigabyte.
+const MOST_GRID_POINTS: usize = 5_000_000;
+
 /// Fields by name, each a one-dimensional array.
 type Fields<'py> = Vec<(&'static str, Bound<'py, PyArray1<f64>>)>;
 
@@ -88,6 +91,12 @@ impl NativeSolution {
 
     /// Values of each field at the crossings of `x` and `y` (m), rows along y; not a number outside the contact area.
     fn on_grid<'py>(&self, py: Python<'py>, x: Vec<f64>, y: Vec<f64>) -> PyResult<Grids<'py>> {
+        if x.len().saturating_mul(y.len()) > MOST_GRID_POINTS {
+            let [n, m] = [x.len(), y.len()];
+            return Err(errors::CaseError::new_err(format!(
+                "a grid of {n} x {m} points is too large: at most {MOST_GRID_POINTS} in all"
+            )));
+        }
         let grids = crate::pool::detached(py, || self.fields().on_grid(&x, &y))?;
         let rows = grids
             .first()

@@ -12,6 +12,7 @@ use ertel::study::{
     Collector, Shard, SweepObserver, SweepParams, SweepProgress, SweepSummary,
     merge as merge_parts, sweep as run_sweep, sweep_part,
 };
+use ertel_rheology::input::file::{LARGEST_OWN, read_text};
 use pyo3::prelude::*;
 
 use crate::case::json;
@@ -165,8 +166,8 @@ pub fn solve_part(
         )
     })?;
     summary.map_err(errors::sweep)?;
-    std::fs::read_to_string(folder.join(JOURNAL))
-        .map_err(|e| errors::OutputError::new_err(e.to_string()))
+    read_text(&folder.join(JOURNAL), LARGEST_OWN)
+        .map_err(|e| errors::OutputError::new_err(format!("the journal of the part {e}")))
 }
 
 /// Sends each finished point as JSON.

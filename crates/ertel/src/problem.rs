@@ -25,15 +25,31 @@ use crate::solve::system::FilmConstants;
 
 /// Dimensionless problem of a case.
 pub fn problem(case: &Case) -> Problem {
-    make(case, None)
+    make(case, Zone::Dry, None)
+}
+
+/// The same with the zone of a roller as its slices have it: at once, for all that does not depend on where exactly its rim lies, and not
+/// for solves.
+pub fn problem_by_slices(case: &Case) -> Problem {
+    make(case, Zone::Slices, None)
 }
 
 /// The same for a case that differs little from that of a fluid, with which it shares what it can: for residuals, and not for solves.
 pub fn problem_beside(case: &Case, own: &FilmFluid) -> Problem {
-    make(case, Some(own))
+    // Sensitivities evaluate residuals on the mesh of a solve: where the rim lies does not matter to them.
+    make(case, Zone::Slices, Some(own))
 }
 
-fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
+/// Where the zone of a roller comes from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Zone {
+    /// Its dry contact by the elastic operator, up to seconds for a long one.
+    Dry,
+    /// Its slices, in a millisecond.
+    Slices,
+}
+
+fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
     let lubricant = &case.lubricant;
@@ -89,9 +105,8 @@ fn make(case: &Case, own: Option<&FilmFluid>) -> Problem {
         }
         _ => Elasticity::finite_elements(case.mesh.elastic_order.unwrap_or(2).min(2), &bodies),
     };
-    // Sensitivities evaluate residuals on the mesh of a solve: where the rim lies does not matter to them.
-    let shape = match (own, elasticity.model) {
-        (None, BodyModel::HalfSpace) => with_dry_zone(shape, &elasticity, scales.load),
+    let shape = match (zone, elasticity.model) {
+        (Zone::Dry, BodyModel::HalfSpace) => with_dry_zone(shape, &elasticity, scales.load),
         _ => shape,
     };
     let heat = heat_problem(case, &scales);

@@ -8,7 +8,7 @@ use crate::elastic::cache::OperatorCache;
 use crate::params::SensitivityDemand;
 use crate::plausible;
 use crate::post;
-use crate::problem::problem_beside;
+use crate::problem::{problem_beside, problem_by_slices};
 pub use crate::problem::{groups, predicted_film, problem};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
@@ -33,15 +33,25 @@ pub const NUMERICS: u32 = 12;
 /// # Errors
 /// As [`Session::solve`] has them before any work.
 pub fn check(case: &Case) -> Result<(), SolveError> {
-    ready(case).map(drop)
+    may_begin(case).map(drop)
 }
 
-/// The problem of a case that a solve may begin with.
-fn ready(case: &Case) -> Result<Problem, SolveError> {
+/// The problem of a case, a roller's zone by slices, if a solve may begin.
+fn may_begin(case: &Case) -> Result<Problem, SolveError> {
     case.heat()?;
-    let problem = problem(case);
+    let problem = problem_by_slices(case);
     problem.check_size()?;
     Ok(problem)
+}
+
+/// The problem that a solve begins with.
+fn ready(case: &Case) -> Result<Problem, SolveError> {
+    let found = may_begin(case)?;
+    Ok(match found.shape.zone.roller {
+        // Not before it is known that it is worth the time.
+        Some(_) => problem(case),
+        None => found,
+    })
 }
 
 /// What solves share.

@@ -24,6 +24,7 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
     if let Some(path) = &arguments.plot {
         picture::check(path)?;
         inputs::keep(slice::from_ref(&arguments.results), &[("--plot", path)])?;
+        inputs::refuse_existing(&[path], arguments.force)?;
     }
     let radius = arguments
         .radius

@@ -1,6 +1,6 @@
 //! Questions about a case, each answer checked at once.
 
-use std::io::BufRead;
+use std::io::{BufRead, Read};
 
 use ertel::warning::WarningKind;
 use ertel_rheology::input::InputError;
@@ -8,11 +8,16 @@ use ertel_rheology::input::InputError;
 use super::template::{COMMON, TEMPLATES, Template, named};
 use crate::failure::Failure;
 
+/// Longest answer, bytes.
+const LONGEST_ANSWER: usize = 1_000;
+/// Answers to one question, none of them right, after which it is asked no more: no one types so many.
+const MOST_TRIES: usize = 100;
+
 /// Asks for what a case needs, of a template or of one to be chosen; returns the case file. `say` shows a line.
 ///
 /// # Errors
 ///
-/// Input that ends before the last answer, or cannot be read.
+/// Input that ends before the last answer or cannot be read, an answer that is too long or no text, and too many wrong ones.
 pub fn ask(
     template: Option<&'static Template>,
     input: &mut dyn BufRead,
@@ -35,12 +40,14 @@ pub fn ask(
         let value = value.map_or_else(String::new, |v| {
             v.as_str().map_or_else(|| v.to_string(), str::to_owned)
         });
+        let mut tries = 0;
         loop {
             say(&format!("{question} [{value}]: "));
             let answer = answer(input)?;
             if answer.is_empty() {
                 break;
             }
+            count(&mut tries)?;
             let mut all = settings.clone();
             all.push(format!("{key}={answer}"));
             match template.read(&all) {
@@ -80,8 +87,10 @@ fn choose(
             template.about
         ));
     }
+    let mut tries = 0;
     loop {
         say("Name or number: ");
+        count(&mut tries)?;
         match named(&answer(input)?) {
             Ok(template) => return Ok(template),
             Err(error) => say(&format!("error: {error}")),
@@ -89,14 +98,29 @@ fn choose(
     }
 }
 
+fn count(tries: &mut usize) -> Result<(), Failure> {
+    *tries += 1;
+    match *tries > MOST_TRIES {
+        true => Err(Failure::Argument(format!(
+            "{MOST_TRIES} answers to one question were wrong; nothing was written"
+        ))),
+        false => Ok(()),
+    }
+}
+
 fn answer(input: &mut dyn BufRead) -> Result<String, Failure> {
-    let mut line = String::new();
-    let n = input.read_line(&mut line);
+    let refused = |reason: String| Failure::Argument(format!("{reason}; nothing was written"));
+    let mut line = Vec::new();
+    let n = (input.take(LONGEST_ANSWER as u64 + 1)).read_until(b'\n', &mut line);
     match n.map_err(|error| Failure::Other(format!("cannot read the answer: {error}")))? {
-        0 => Err(Failure::Argument(
-            "the answers ended before the last question; nothing was written".to_owned(),
-        )),
-        _ => Ok(line.trim().to_owned()),
+        0 => Err(refused("the answers ended before the last question".to_owned())),
+        n if n > LONGEST_ANSWER => Err(refused(format!(
+            "an answer is longer than {LONGEST_ANSWER} bytes"
+        ))),
+        _ => match std::str::from_utf8(&line) {
+            Ok(text) => Ok(text.trim().to_owned()),
+            Err(_) => Err(refused("an answer is not UTF-8 text".to_owned())),
+        },
     }
 }
 
@@ -153,5 +177,23 @@ mod tests {
             said.iter()
                 .any(|line| line.contains("there is no template `nonsense`"))
         );
+    }
+
+    /// Devices, programs that answer for ever, and what is no text end the questions.
+    #[test]
+    fn answers_are_bounded() {
+        let end = |input: &mut dyn BufRead| {
+            let template = named("rig").unwrap();
+            let failure = ask(Some(template), input, &mut |_| {}).unwrap_err();
+            assert_eq!(failure.code(), 2);
+            failure.to_string()
+        };
+        let mut zeros = std::io::BufReader::new(std::io::repeat(0));
+        assert!(end(&mut zeros).contains("longer than 1000 bytes"));
+        let wrong = "nonsense\n".repeat(1000);
+        assert!(end(&mut wrong.as_bytes()).contains("100 answers to one question were wrong"));
+        assert!(end(&mut &b"\xff\n"[..]).contains("not UTF-8"));
+        let failure = ask(None, &mut wrong.as_bytes(), &mut |_| {}).unwrap_err();
+        assert!(failure.to_string().contains("were wrong"));
     }
 }

@@ -1,11 +1,18 @@
 //! The readers, each driven as far as is cheap, and what must hold of them.
 
+pub mod answers;
 mod case;
+mod curve_result;
 mod fit;
 pub mod journal;
 mod measured;
 pub mod operator;
+mod own_data;
+mod python;
+mod settings;
 mod study;
+pub mod view;
+mod web;
 
 use std::path::Path;
 
@@ -32,13 +39,20 @@ pub enum Verdict {
 /// A rule that does not hold.
 pub fn run(input: &Input, folder: &Path) -> Result<Verdict, Defect> {
     match input.target {
-        Target::Case | Target::Table => case::run(folder),
+        Target::Case | Target::Table | Target::Machine => case::run(folder),
         Target::Solve => case::solve(folder),
         Target::Study | Target::Points => study::run(folder),
         Target::FitViscosity | Target::FitDensity | Target::FitFilm => fit::run(input),
         Target::Measured => measured::run(folder),
         Target::Operator => operator::run(input, folder),
-        Target::Journal => journal::run(folder),
+        Target::Journal | Target::StudyList => journal::run(folder),
+        Target::Settings => settings::run(input, folder),
+        Target::Answers => answers::run(input),
+        Target::OwnData => own_data::run(folder),
+        Target::CurveResult => curve_result::run(folder),
+        Target::View => view::run(input),
+        Target::Python => python::run(input, folder),
+        Target::Web => web::run(input),
     }
 }
 

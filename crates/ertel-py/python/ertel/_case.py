@@ -147,6 +147,8 @@ class Case:
             if start is not None:
                 raise CaseError("a curve starts from the dry contact: leave out `start`")
             return Curve(self, _ertel.solve_curve(self._native, listener))
+        if start is not None and not isinstance(start, Result):
+            raise CaseError(f"start: the result of a similar case, not a {type(start).__name__}")
         native = None if start is None else start._started()
         return Result(self, _ertel.solve(self._native, listener, native))
 
@@ -175,6 +177,8 @@ def _restored(name: str, text: str, folder: str) -> Case:
 def _listener(progress: Progress) -> Callable[[str], None] | None:
     if progress is None or progress is False:
         return None
+    if progress is not True and not callable(progress):
+        raise CaseError(f"progress: True, or a function of one event, not a {type(progress).__name__}")
     if progress is True:
         return lambda message: _show(json.loads(message))
     return lambda message: _ignore(progress(json.loads(message)))

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _ertel
+from ._ertel import CaseError, OutputError
 
 
 def fluids() -> list[str]:
@@ -40,9 +41,23 @@ def viscosity(fluid: str, pressure: ArrayLike, temperature: float) -> NDArray[np
     temperature : float
         K.
     """
-    pressures = np.asarray(pressure, dtype=float)
-    values, _ = _ertel.viscosity(fluid, pressures.ravel().tolist(), float(temperature))
+    pressures = _numbers("pressure", pressure)
+    values, _ = _ertel.viscosity(fluid, pressures.ravel().tolist(), _number("temperature", temperature))
     return np.array(values).reshape(pressures.shape)
+
+
+def _numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        raise CaseError(f"{name}: numbers in SI, without unit") from None
+
+
+def _number(name: str, value: float) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise CaseError(f"{name} = {value!r}: one number in SI, without unit") from None
 
 
 @dataclass(frozen=True)
@@ -80,8 +95,8 @@ class Fluid:
 
     def density(self, pressure: ArrayLike, temperature: float) -> NDArray[np.float64]:
         """Density, kg/m^3, at pressures above ambient (Pa) and a temperature (K); not a number without a law."""
-        pressures = np.asarray(pressure, dtype=float)
-        _, values = _ertel.viscosity(self.name, pressures.ravel().tolist(), float(temperature))
+        pressures = _numbers("pressure", pressure)
+        _, values = _ertel.viscosity(self.name, pressures.ravel().tolist(), _number("temperature", temperature))
         return np.array(values).reshape(pressures.shape)
 
 
@@ -147,7 +162,8 @@ def fit_film(
         A table that cannot be read, with line and column; an unknown form; too few films.
     """
     path = Path(table)
-    found = _ertel.fit_film(str(path), path.read_text(encoding="utf-8-sig"), form, radius, confidence)
+    length = None if radius is None else _number("radius", radius)
+    found = _ertel.fit_film(str(path), _ertel.table_text(path), form, length, _number("confidence", confidence))
     return {
         kind: FilmFit(
             constants={name: None if c is None else c[0] for name, c in constants},
@@ -184,9 +200,18 @@ class Fit:
     text: str
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Write the file of the lubricant, which a case can name; an existing file is not replaced."""
-        with open(path, "x", encoding="utf-8") as file:
-            file.write(self.text)
+        """Write the file of the lubricant, which a case can name; an existing file is not replaced.
+
+        Raises
+        ------
+        OutputError
+            For a file that is there already, or cannot be written.
+        """
+        try:
+            with open(path, "x", encoding="utf-8") as file:
+                file.write(self.text)
+        except OSError as error:
+            raise OutputError(f"cannot write {path}: {error.strerror}") from error
         return Path(path)
 
 
@@ -218,7 +243,10 @@ def fit_density(
 
 def _fit(kind: str, path: Path, law: str, hold: Mapping[str, str] | None, title: str | None) -> Fit:
     held = list((hold or {}).items())
-    text = path.read_text(encoding="utf-8-sig")
+    for key, value in held:
+        if not isinstance(value, str):
+            raise CaseError(f"hold[{key!r}] = {value!r}: write it with its unit, as \"40 mPa.s\"")
+    text = _ertel.table_text(path)
     constants, rms, warnings, entry = _ertel.fit_law(
         kind, str(path), text, law, held, title or path.stem, path.name
     )

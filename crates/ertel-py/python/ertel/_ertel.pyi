@@ -116,6 +116,7 @@ def fit_film(
 def fluid(
     name: str,
 ) -> tuple[str, list[str | None], float | None, list[str], list[tuple[str, str, str]]]: ...
+def table_text(path: Path) -> str: ...
 def fit_law(
     property: str,
     file: str,

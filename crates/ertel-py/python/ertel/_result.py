@@ -5,6 +5,8 @@ from __future__ import annotations
 import html
 import io
 import json
+import math
+import operator
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _ertel
+from ._ertel import CaseError
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -72,6 +75,29 @@ class Quantity:
 _PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
 
 _FIELD_NAMES: dict[str, tuple[str, str]] = {name: (unit, words) for name, unit, words in _ertel.field_names()}
+
+
+# Points of a grid: with some twenty fields these take half a gigabyte.
+_MOST_GRID_POINTS = 5_000_000
+
+
+def _grid(n_points: int, extent: tuple[float, float, float, float]) -> tuple[int, tuple[float, float, float, float]]:
+    """Points along x and limits, checked."""
+    try:
+        n = operator.index(n_points)
+    except TypeError:
+        raise CaseError(f"n_points = {n_points!r}: a whole number") from None
+    if n < 2:
+        raise CaseError("n_points: two at least")
+    try:
+        x_low, x_high, y_low, y_high = (float(limit) for limit in extent)
+    except (TypeError, ValueError, OverflowError):
+        raise CaseError(f"extent = {extent!r}: four numbers in m, (x_low, x_high, y_low, y_high)") from None
+    spans = (x_high - x_low, y_high - y_low)
+    # Line contacts have no extent along y.
+    if not (all(map(math.isfinite, (*spans, x_low, y_low))) and spans[0] > 0.0 and spans[1] >= 0.0):
+        raise CaseError(f"extent = {extent!r}: finite numbers in m, x_low below x_high and y_low below y_high")
+    return n, (x_low, x_high, y_low, y_high)
 
 
 class Result:
@@ -240,15 +266,21 @@ class Result:
         -------
         xarray.Dataset
             Dimensions (y, x) in m, or x alone of a line contact; each variable with its unit.
+
+        Raises
+        ------
+        CaseError
+            For fewer than two points along x or more than five millions in all, and for limits that are not four numbers, each low one
+            below its high one.
         """
         import xarray as xr
 
-        if n_points < 2:
-            raise ValueError("n_points: two at least")
-        x_low, x_high, y_low, y_high = extent or self._frame()
+        n_points, (x_low, x_high, y_low, y_high) = _grid(n_points, extent or self._frame())
+        n_rows = 1 if self.is_line else max(2, round(min(n_points * ((y_high - y_low) / (x_high - x_low)), 10 * n_points)))
+        if n_points * n_rows > _MOST_GRID_POINTS:
+            raise CaseError(f"a grid of {n_points} x {n_rows} points is too large: at most {_MOST_GRID_POINTS} in all; give fewer n_points")
         x = np.linspace(x_low, x_high, n_points)
-        n_rows = 1 if self.is_line else max(2, round(n_points * (y_high - y_low) / (x_high - x_low)))
-        y = np.linspace(y_low, y_high, min(n_rows, 10 * n_points))
+        y = np.linspace(y_low, y_high, n_rows)
         grids = self._alive("fields on a grid").on_grid(x.tolist(), y.tolist())
         data = {}
         for name, values in grids:

@@ -81,7 +81,7 @@ def sweep(
         with tempfile.TemporaryDirectory(prefix="ertel-") as place:
             path = Path(place) / "study made in Python.toml"
             # Files beside which it stands in no folder are found from the current one.
-            named = {key: os.path.abspath(study[key]) for key in ("case", "points") if key in study}
+            named = {key: _absolute(key, study[key]) for key in ("case", "points") if key in study}
             path.write_text(_toml.text({**study, **named}), encoding="utf-8")
             return sweep(
                 path, folder, jobs=jobs, threads=threads, folders=folders, retry=retry, progress=progress
@@ -92,6 +92,12 @@ def sweep(
         path, target, jobs=jobs, threads=threads, folders=folders, retry=retry, progress=_listener(progress)
     )
     return table(target, StudySummary._read(text))
+
+
+def _absolute(key: str, path: Any) -> str:
+    if not isinstance(path, (str, os.PathLike)):
+        raise CaseError(f"`{key}` of a study is the path of a file, not a {type(path).__name__}")
+    return os.fsdecode(os.path.abspath(path))
 
 
 def table(folder: Path, summary: StudySummary) -> pd.DataFrame:

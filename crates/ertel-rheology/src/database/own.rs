@@ -75,7 +75,10 @@ fn names(folder: &Path) -> std::io::Result<Vec<String>> {
     }
     let mut names = Vec::new();
     for entry in std::fs::read_dir(folder)? {
-        let name = entry?.file_name().to_string_lossy().into_owned();
+        // A case, which is text, cannot name any other file.
+        let Ok(name) = entry?.file_name().into_string() else {
+            continue;
+        };
         if let Some(stem) = name
             .strip_suffix(".toml")
             .filter(|stem| !stem.is_empty() && !stem.starts_with('.'))

@@ -11,6 +11,9 @@ pub const LARGEST_DOCUMENT: u64 = 2_000_000;
 /// Largest table of numbers (CSV), bytes: more than a million lines.
 pub const LARGEST_TABLE: u64 = 100_000_000;
 
+/// Largest file that ertel itself writes and reads again, bytes: results, lists of points, pages.
+pub const LARGEST_OWN: u64 = 1_000_000_000;
+
 /// Why a file is not read; the message follows the name of the file.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
@@ -45,14 +48,44 @@ pub enum FileError {
     },
 }
 
+/// A regular file of at most `limit` bytes, to be read.
+///
+/// # Errors
+///
+/// [`FileError`]: a file that cannot be opened, is no regular file, or is larger. None of these waits for another program.
+pub fn open(path: &Path, limit: u64) -> Result<(File, Metadata), FileError> {
+    // Asked before it is opened: opening a pipe waits for its writer.
+    check(&std::fs::metadata(path)?, limit)?;
+    let file = File::open(path)?;
+    let metadata = file.metadata()?;
+    check(&metadata, limit)?;
+    Ok((file, metadata))
+}
+
+/// The bytes of a regular file of at most `limit` bytes.
+///
+/// # Errors
+///
+/// As [`open`], and a file that has more or fewer bytes than it states.
+pub fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, FileError> {
+    let (file, metadata) = open(path, limit)?;
+    let mut bytes = Vec::new();
+    file.take(metadata.len() + 1).read_to_end(&mut bytes)?;
+    // Files of /proc and /sys call themselves regular, but state no size or another one than they have.
+    if bytes.len() as u64 != metadata.len() {
+        return Err(FileError::NotRegular);
+    }
+    Ok(bytes)
+}
+
 /// The text of a regular file of at most `limit` bytes.
 ///
 /// # Errors
 ///
-/// [`FileError`]: a file that cannot be opened, is no regular file, is larger, or is not UTF-8. None of these waits for
-/// another program or reads more than the limit.
+/// [`FileError`]: as [`read_bytes`], and a file that is not UTF-8. None of these waits for another program or reads more than the limit.
 pub fn read_text(path: &Path, limit: u64) -> Result<String, FileError> {
-    String::from_utf8(read_bytes(path, limit)?).map_err(|error| {
+    let bytes = read_bytes(path, limit)?;
+    String::from_utf8(bytes).map_err(|error| {
         let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         FileError::Encoding {
             line: 1 + valid.iter().filter(|byte| **byte == b'\n').count(),
@@ -70,20 +103,20 @@ pub fn read_table(path: &Path) -> Result<String, FileError> {
     encoding::decode(&read_bytes(path, LARGEST_TABLE)?)
 }
 
-/// The bytes of a regular file of at most `limit` bytes.
-fn read_bytes(path: &Path, limit: u64) -> Result<Vec<u8>, FileError> {
-    // Asked before it is opened: opening a pipe waits for its writer.
-    check(&std::fs::metadata(path)?, limit)?;
-    let file = File::open(path)?;
-    let metadata = file.metadata()?;
-    check(&metadata, limit)?;
-    let mut bytes = Vec::new();
-    file.take(metadata.len() + 1).read_to_end(&mut bytes)?;
-    // Files of /proc and /sys call themselves regular, but state no size or another one than they have.
-    if bytes.len() as u64 != metadata.len() {
-        return Err(FileError::NotRegular);
+impl FileError {
+    /// Whether there is no such file.
+    pub fn is_missing(&self) -> bool {
+        matches!(self, Self::Io(error) if error.kind() == io::ErrorKind::NotFound)
     }
-    Ok(bytes)
+}
+
+impl From<FileError> for io::Error {
+    fn from(error: FileError) -> Self {
+        match error {
+            FileError::Io(error) => error,
+            other => io::Error::new(io::ErrorKind::InvalidInput, other.to_string()),
+        }
+    }
 }
 
 fn check(metadata: &Metadata, limit: u64) -> Result<(), FileError> {

@@ -13,6 +13,7 @@ use std::time::{Duration, SystemTime};
 use bytemuck::{cast_slice, cast_slice_mut};
 use ertel_fem::linear::compliance::Compliance;
 use ertel_fem::mesh::BodyMesh;
+use ertel_rheology::input::file::open;
 use xxhash_rust::xxh3::Xxh3;
 
 use super::CondensedResponse;
@@ -280,7 +281,8 @@ struct CacheFile {
 /// Whether a file begins as every file of a cache does, of this format or another one. One that cannot be read is left alone.
 fn begins_as_ours(path: &Path) -> bool {
     let mut start = [0; MAGIC.len()];
-    File::open(path).is_ok_and(|mut file| file.read_exact(&mut start).is_ok()) && start == MAGIC
+    open(path, u64::MAX).is_ok_and(|(mut file, _)| file.read_exact(&mut start).is_ok())
+        && start == MAGIC
 }
 
 /// Bytes of a response of `n` surface nodes and `n_near` near pairs.
@@ -302,7 +304,7 @@ fn read(
     n: usize,
     n_near: usize,
 ) -> Result<(CondensedResponse, usize), Unusable> {
-    let mut file = File::open(path)?;
+    let (mut file, metadata) = open(path, u64::MAX).map_err(io::Error::from)?;
     let mut header = [0u8; HEADER];
     file.read_exact(&mut header)
         .map_err(|_| Unusable::Content("it is cut short"))?;
@@ -322,7 +324,7 @@ fn read(
     if stored[0] != n as u64 || stored[1] != n_near as u64 {
         return Err(Unusable::Content("its size is wrong"));
     }
-    if file.metadata()?.len() != file_size(n, n_near) {
+    if metadata.len() != file_size(n, n_near) {
         return Err(Unusable::Content("it is cut short"));
     }
     // Straight into the memory where they stay.

@@ -5,14 +5,28 @@ use std::fs::File;
 use std::io::{self, Write};
 use std::path::Path;
 
+use super::place::place;
+
 /// How the names of files in the making begin.
 pub(crate) const TEMPORARY: &str = ".ertel-";
 
-/// Writes a file so that it is whole, or as before.
+/// Writes a file so that it is whole, or as before. Through a link the file that it leads to is written.
 ///
 /// # Errors
-/// The system's reason.
+/// The system's reason; [`io::ErrorKind::InvalidInput`] for devices, pipes, folders and all that is no regular file: none of these is
+/// replaced.
 pub fn write_whole(path: &Path, content: &[u8]) -> io::Result<()> {
+    let path = &place(path)?;
+    match std::fs::metadata(path) {
+        Ok(metadata) if !metadata.is_file() => {
+            let reason = match metadata.is_dir() {
+                true => "it is a folder",
+                false => "it is not a regular file",
+            };
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, reason));
+        }
+        _ => {}
+    }
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

@@ -19,6 +19,7 @@ mod inputs;
 mod lines;
 mod mixed;
 mod monte_carlo;
+mod place;
 pub mod plot;
 mod report;
 mod result_json;
@@ -45,6 +46,7 @@ pub use file::write_whole;
 pub(crate) use file::{TEMPORARY, sync_folder};
 pub use folder::{OutputFile, clear_leftovers};
 pub use monte_carlo::{MONTE_CARLO, monte_carlo_report, write_monte_carlo};
+pub use place::place;
 pub use report::{digits, length, pressure, report};
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
 pub use study::{study_films, study_tractions};
@@ -247,7 +249,7 @@ fn write_picture(
 }
 
 /// Suffix and content of a file.
-type SuffixedFile = (&'static str, Vec<u8>);
+pub(crate) type SuffixedFile = (&'static str, Vec<u8>);
 
 /// The files of a picture in the formats that are asked for.
 fn drawn(
@@ -263,9 +265,7 @@ fn drawn(
         .collect())
 }
 
-/// Writes a picture as `name.svg`, `name.pdf` and `name.png`, as far as asked for. Where there is none now, or not in this format, the one
-/// of a former run in one of the formats `former` is removed, for it would show another result; others may be the user's. All
-/// formats are made before the first file is written.
+/// Writes a picture as [`put_picture`] does. All formats are made before the first file is written.
 ///
 /// # Errors
 /// [`OutputError`].
@@ -276,7 +276,31 @@ pub(crate) fn replace_picture(
     formats: PictureFormats,
     former: PictureFormats,
 ) -> Result<(), OutputError> {
-    let files = drawing.map_or(Ok(Vec::new()), |drawing| drawn(drawing, formats))?;
+    put_picture(folder, name, &picture_files(drawing, formats)?, former)
+}
+
+/// The files of a picture, if there is one, in the formats that are asked for.
+///
+/// # Errors
+/// [`OutputError`] of a picture that cannot be made.
+pub(crate) fn picture_files(
+    drawing: Option<&plot::Drawing>,
+    formats: PictureFormats,
+) -> Result<Vec<SuffixedFile>, OutputError> {
+    Ok(drawing.map_or(Ok(Vec::new()), |drawing| drawn(drawing, formats))?)
+}
+
+/// Writes a picture as `name.svg`, `name.pdf` and `name.png`, as far as there are such files. Where there is none now, or not in this
+/// format, the one of a former run in one of the formats `former` is removed, for it would show another result; others may be the user's.
+///
+/// # Errors
+/// [`OutputError`].
+pub(crate) fn put_picture(
+    folder: &Path,
+    name: &str,
+    files: &[SuffixedFile],
+    former: PictureFormats,
+) -> Result<(), OutputError> {
     let path = |suffix: &str| folder.join(format!("{name}.{suffix}"));
     let is_former = [former.svg, former.pdf, former.png];
     for (suffix, _) in PictureFormats::NAMES
@@ -291,7 +315,7 @@ pub(crate) fn replace_picture(
             _ => {}
         }
     }
-    for (suffix, content) in &files {
+    for (suffix, content) in files {
         write_whole(&path(suffix), content).map_err(|e| OutputError::io(&path(suffix), e))?;
     }
     Ok(())

@@ -2,8 +2,10 @@
 
 use std::ffi::OsStr;
 use std::fs;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+
+use ertel_rheology::input::file::{LARGEST_OWN, open};
 
 use super::OutputError;
 use super::curve::CURVE_FORMAT;
@@ -175,9 +177,17 @@ fn point_without_result(folder: &Path) -> io::Result<Option<PathBuf>> {
     Ok(None)
 }
 
+/// Whether a file of JSON says that it has this format. Whatever it is, looking at it neither waits nor keeps it in memory.
 pub(super) fn has_format(path: &Path, format: &str) -> bool {
-    fs::read(path)
+    #[derive(serde::Deserialize)]
+    struct Head {
+        format: String,
+    }
+    open(path, LARGEST_OWN)
         .ok()
-        .and_then(|bytes| serde_json::from_slice::<serde_json::Value>(&bytes).ok())
-        .is_some_and(|json| json["format"] == format)
+        .and_then(|(file, metadata)| {
+            let text = io::BufReader::new(file.take(metadata.len()));
+            serde_json::from_reader::<_, Head>(text).ok()
+        })
+        .is_some_and(|head| head.format == format)
 }

@@ -5,11 +5,12 @@
 
 use std::collections::{BTreeSet, HashMap};
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufRead, BufReader, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use ertel_rheology::input::file::open;
 use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh3::xxh3_128;
 
@@ -23,6 +24,9 @@ use crate::warning::Warning;
 pub const JOURNAL: &str = "journal.jsonl";
 /// Name of the file there that a run locks.
 pub const LOCK: &str = ".lock";
+
+/// Bytes of a line that is none: many times what a record takes.
+const LONGEST_LINE: u64 = 100_000_000;
 
 /// How every record begins.
 const RECORD_START: &[u8] = br#"{"key":""#;
@@ -159,10 +163,10 @@ impl Entries {
     /// [`SweepError::Io`].
     pub fn read(folder: &Path) -> Result<Entries, SweepError> {
         let path = folder.join(JOURNAL);
-        let mut lines = match File::open(&path) {
-            Ok(file) => BufReader::new(file),
-            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(Entries::default()),
-            Err(e) => return Err(SweepError::io(&path, e)),
+        let mut lines = match open(&path, u64::MAX) {
+            Ok((file, _)) => BufReader::new(file),
+            Err(e) if e.is_missing() => return Ok(Entries::default()),
+            Err(e) => return Err(SweepError::io(&path, e.into())),
         };
         let mut entries = Entries {
             exists: true,
@@ -171,8 +175,14 @@ impl Entries {
         let mut line = Vec::new();
         loop {
             line.clear();
-            let n = (lines.read_until(b'\n', &mut line)).map_err(|e| SweepError::io(&path, e))?;
+            let n = ((&mut lines).take(LONGEST_LINE).read_until(b'\n', &mut line))
+                .map_err(|e| SweepError::io(&path, e))?;
             if n == 0 {
+                break;
+            }
+            if n as u64 == LONGEST_LINE {
+                // No run wrote that, and it need not fit into the memory.
+                entries.foreign_end = true;
                 break;
             }
             let Some(record) = line.strip_suffix(b"\n") else {

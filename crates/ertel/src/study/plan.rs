@@ -11,7 +11,7 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 
 use crate::case::Study;
-use crate::run::problem;
+use crate::problem::problem_by_slices;
 
 /// Ratio of the largest to the smallest relative film thickness in a group: one mesh has room for so many.
 const FILM_RATIO: f64 = 2.8;
@@ -267,7 +267,7 @@ fn features(study: &Study) -> Vec<Features> {
     };
     let scales: Vec<_> = (0..study.columns.len()).map(scale).collect();
     let features = |point: &crate::case::study::StudyPoint| {
-        let problem = problem(&point.case);
+        let problem = problem_by_slices(&point.case);
         let case = &point.case;
         // Without the noise of the last digits.
         let bodies: Vec<String> = (problem.elasticity.bodies.iter())

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
+use ertel_rheology::input::file::{LARGEST_OWN, read_bytes};
 use serde::{Deserialize, Serialize};
 
 use super::journal::{PointKey, Record, Title};
@@ -73,10 +74,10 @@ impl StudyEcho {
     /// [`SweepError::Io`], also for a file that is no such list.
     pub fn read(folder: &Path) -> Result<Option<StudyEcho>, SweepError> {
         let path = folder.join(POINTS);
-        let bytes = match std::fs::read(&path) {
+        let bytes = match read_bytes(&path, LARGEST_OWN) {
             Ok(bytes) => bytes,
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-            Err(e) => return Err(SweepError::io(&path, e)),
+            Err(e) if e.is_missing() => return Ok(None),
+            Err(e) => return Err(SweepError::io(&path, e.into())),
         };
         let echo: Result<StudyEcho, _> = serde_json::from_slice(&bytes);
         match echo {

@@ -213,24 +213,42 @@ impl RollerZone {
 
     /// Distance from the rim in the plane of the mesh, and whether the point (u, v) lies inside.
     pub fn rim_distance(&self, [u, v]: [f64; 2]) -> (f64, bool) {
-        let mut least = f64::INFINITY;
-        let points = || self.v.iter().zip(&self.widths);
-        // Every other knot will do.
-        for (a, b) in points().step_by(2).zip(points().step_by(2).skip(1)) {
-            if *a.1 == 0.0 && *b.1 == 0.0 {
-                continue;
+        let from = [u.abs(), v];
+        let mut nearest = [f64::INFINITY; 2];
+        let mut look_at = |a: [f64; 2], b: [f64; 2]| {
+            let offset = to_segment(from, a, b);
+            if square(offset) < square(nearest) {
+                nearest = offset;
             }
-            least = least.min(to_segment([u.abs(), v], [*a.1, *a.0], [*b.1, *b.0]));
-        }
+            square(nearest)
+        };
         // A contact that the end of the roller cuts off is closed by it.
+        let mut least = f64::INFINITY;
         for end in [0, self.v.len() - 1] {
             let [width, at] = [self.widths[end], self.v[end]];
             if width > 0.0 {
-                least = least.min(to_segment([u.abs(), v], [0.0, at], [width, at]));
+                least = look_at([0.0, at], [width, at]);
             }
         }
+        // Every other knot will do. From the pieces beside the point outwards, as long as one may be nearer than those before: along
+        // rollers there are thousands.
+        let n_pieces = (self.v.len() - 1) / 2;
+        let middle = (piece(&self.v, v) / 2).min(n_pieces.saturating_sub(1));
+        let mut is_done = |i: usize, knot: usize| {
+            let beyond = self.v[knot] - v;
+            if (knot == 2 * i) == (beyond > 0.0) && beyond * beyond > least {
+                return true;
+            }
+            let [a, b] = [2 * i, 2 * i + 2].map(|i| [self.widths[i], self.v[i]]);
+            if a[0] > 0.0 || b[0] > 0.0 {
+                least = look_at(a, b);
+            }
+            false
+        };
+        let _ = (middle..n_pieces).any(|i| is_done(i, 2 * i));
+        let _ = (0..middle).rev().any(|i| is_done(i, 2 * i + 2));
         let inside = u.abs() < linear(&self.v, &self.widths, v);
-        (least, inside)
+        (nearest[0].hypot(nearest[1]), inside)
     }
 }
 
@@ -255,12 +273,15 @@ fn knots(half_length: f64, stretch: &impl Fn(f64) -> f64) -> Vec<f64> {
         .collect()
 }
 
-/// Distance of a point from a segment.
-fn to_segment(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
+/// From the nearest point of a segment to p.
+fn to_segment(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     let (d, r) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
-    let square = d[0] * d[0] + d[1] * d[1];
-    let t = ((r[0] * d[0] + r[1] * d[1]) / square.max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-    (r[0] - t * d[0]).hypot(r[1] - t * d[1])
+    let t = ((r[0] * d[0] + r[1] * d[1]) / square(d).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    [r[0] - t * d[0], r[1] - t * d[1]]
+}
+
+fn square(d: [f64; 2]) -> f64 {
+    d[0] * d[0] + d[1] * d[1]
 }
 
 /// Which piece of rising knots holds x; the first and the last go on beyond.
@@ -322,6 +343,34 @@ mod tests {
         }
         assert_relative_eq!(load, std::f64::consts::PI * 50.0, max_relative = 2e-3);
         assert_relative_eq!(area, zone.area(), max_relative = 1e-2);
+    }
+
+    /// The nearest piece is found without looking at all of them: the same distance as by all, far off the roller and beyond its ends, too.
+    #[test]
+    fn the_nearest_piece_is_found() {
+        let tilted = Slices::new(900.0, |y| 1e-4 * y * y - 0.05 * y);
+        for zone in [zone(), RollerZone::new(900.0, |y| tilted.load(y), &[])] {
+            let n = zone.v.len();
+            let place = |i: usize| [zone.widths[i], zone.v[i]];
+            let pieces = (0..n - 2).step_by(2).map(|i| [place(i), place(i + 2)]);
+            let pieces = pieces.filter(|[a, b]| a[0] > 0.0 || b[0] > 0.0);
+            let ends = [0, n - 1].map(|i| [[0.0, zone.v[i]], place(i)]);
+            let ends = ends.into_iter().filter(|[_, b]| b[0] > 0.0);
+            let all: Vec<_> = pieces.chain(ends).collect();
+            for i in 0..=40 {
+                for j in 0..=60 {
+                    let v = (f64::from(j) / 25.0 - 1.2) * zone.side();
+                    let u = f64::from(i) * 0.15 - 3.0;
+                    let distance = |[a, b]: &[[f64; 2]; 2]| {
+                        let [x, y] = to_segment([u.abs(), v], *a, *b);
+                        x.hypot(y)
+                    };
+                    let least = all.iter().map(distance).fold(f64::INFINITY, f64::min);
+                    let (found, _) = zone.rim_distance([u, v]);
+                    assert_relative_eq!(found, least, max_relative = 1e-15);
+                }
+            }
+        }
     }
 
     /// Distances from the rim: at the middle line half the width, none on the rim.

@@ -9,8 +9,9 @@ use super::{
 };
 use crate::compare::Comparison;
 use crate::output::target::has_format;
-use crate::output::{OutputError, TEMPORARY, replace_picture, write_whole};
+use crate::output::{OutputError, TEMPORARY, picture_files, put_picture, write_whole};
 use crate::params::PictureFormats;
+use crate::study::journal::LOCK;
 use crate::study::{POINTS, STUDY_FORMAT};
 
 /// Folder within, with the study of the points.
@@ -84,13 +85,27 @@ pub fn check_comparison_folder(target: &Path) -> Result<(), OutputError> {
     }
     let study = target.join(COMPARISON_STUDY);
     let is_study = || has_format(&study.join(POINTS), STUDY_FORMAT);
-    let is_empty = || fs::read_dir(&study).is_ok_and(|mut entries| entries.next().is_none());
-    if has_study && !has_files && !is_study() && !is_empty() {
+    if has_study && !has_files && !is_study() && !is_begun(&study) {
         return Err(foreign(format!(
             "its folder {COMPARISON_STUDY} is no study of ertel"
         )));
     }
     Ok(())
+}
+
+/// Whether the folder of a study holds no more than a run leaves there that was stopped, or found the disk full, before it had written its
+/// list of points: its lock and files in the making, none of which holds anything yet.
+fn is_begun(study: &Path) -> bool {
+    let is_of_the_beginning = |entry: io::Result<fs::DirEntry>| {
+        let entry = entry?;
+        let (name, kind) = (entry.file_name(), entry.file_type()?);
+        let is_ours = match name == LOCK {
+            true => entry.metadata()?.len() == 0,
+            false => name.to_string_lossy().starts_with(TEMPORARY),
+        };
+        io::Result::Ok(is_ours && kind.is_file())
+    };
+    fs::read_dir(study).is_ok_and(|mut entries| entries.all(|e| is_of_the_beginning(e).unwrap_or(false)))
 }
 
 /// Writes the files of a comparison into its folder, each whole or as before; `case` is the text of the base case.
@@ -112,14 +127,10 @@ pub fn write_comparison(
     let json = serde_json::to_string_pretty(&comparison_json(comparison))
         .map_err(|e| OutputError::io(&target.join(JSON), e.into()))?;
     // First what may fail for another reason than the disk.
-    replace_picture(
-        target,
-        PICTURE,
-        comparison_picture(comparison).as_ref(),
-        formats,
-        ALL_FORMATS,
-    )?;
+    let picture = picture_files(comparison_picture(comparison).as_ref(), formats)?;
+    // Before all others: a folder with any of them and without it is taken for somebody else's.
     write(JSON, format!("{json}\n").as_bytes())?;
+    put_picture(target, PICTURE, &picture, ALL_FORMATS)?;
     write(TABLE, comparison_table(comparison).as_bytes())?;
     write(REPORT, comparison_report(comparison, None).as_bytes())?;
     write(CASE, case.as_bytes())?;

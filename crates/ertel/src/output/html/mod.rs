@@ -227,15 +227,16 @@ pub enum PageError {
 /// of their fields, or curves and studies with their points in one table.
 ///
 /// # Errors
-/// [`PageError::Mixed`].
+/// [`PageError::Mixed`]; [`PageError::NotAPage`] of data that are damaged.
 pub fn joint_page(parts: Vec<(String, Value)>) -> Result<String, PageError> {
     let n = parts.len();
     let (mut results, mut tables) = (Vec::new(), Vec::new());
     for (name, data) in parts {
         if let Some(found) = data["results"].as_array() {
-            for mut result in found.iter().cloned() {
-                result["name"] = name.clone().into();
-                results.push(result);
+            for result in found {
+                let mut result = result.as_object().ok_or(PageError::NotAPage)?.clone();
+                result.insert("name".to_owned(), name.clone().into());
+                results.push(Value::Object(result));
             }
         }
         if data["table"].is_object() {
