@@ -164,10 +164,18 @@ mod tests {
             assert!(overlap(&at(a), &at(b)), "{a}, {b}");
             assert!(overlap(&at(b), &at(a)), "{b}, {a}");
         }
-        for (a, b) in [("new", "news"), ("new/x", "new/y"), ("there/x", "new/x"), ("there/x", "x")] {
+        for (a, b) in [
+            ("new", "news"),
+            ("new/x", "new/y"),
+            ("there/x", "new/x"),
+            ("there/x", "x"),
+        ] {
             assert!(!overlap(&at(a), &at(b)), "{a}, {b}");
         }
-        assert!(is_one_place(&at("there/a.svg"), &at("there/../there/a.svg")));
+        assert!(is_one_place(
+            &at("there/a.svg"),
+            &at("there/../there/a.svg")
+        ));
         assert!(!is_one_place(&at("there/a.svg"), &at("there")));
     }
 
@@ -180,6 +188,9 @@ mod tests {
         fs::write(folder.path().join("name"), "").unwrap();
         let is_one = folder.path().join("NAME").exists();
         assert_eq!(ignores_case(folder.path()), is_one);
-        assert_eq!(overlap(&folder.path().join("x"), &folder.path().join("X")), is_one);
+        assert_eq!(
+            overlap(&folder.path().join("x"), &folder.path().join("X")),
+            is_one
+        );
     }
 }

@@ -304,7 +304,10 @@ fn tell_curve(
             .flat_map(move |s| s.warnings.iter().map(move |w| (i, w)))
     });
     events.warn_of_points(&by_kind(warnings));
-    events.emit("result", json!({ "folder": path_text(folder), "result": curve }));
+    events.emit(
+        "result",
+        json!({ "folder": path_text(folder), "result": curve }),
+    );
     Ok(())
 }
 

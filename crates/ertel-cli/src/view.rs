@@ -100,10 +100,7 @@ fn check_output(path: &Path, pages: &[PathBuf]) -> Result<(), Failure> {
             path.display()
         )))
     };
-    if pages
-        .iter()
-        .any(|page| inputs::is_one_place(page, path))
-    {
+    if pages.iter().any(|page| inputs::is_one_place(page, path)) {
         return refuse("it is one of the pages to be shown");
     }
     if path.is_dir() {

@@ -30,7 +30,8 @@ const POINTS_STUDY: &str = include_str!("../corpus/points-study.toml");
 const BALL: &str = include_str!("../../../cases/measured-films.toml");
 const ROLLER: &str = include_str!("../../../cases/roller.toml");
 
-const SETTINGS: &str = "contact.load=50 kN/m\nlubricant.temperature=80 degC\nmotion.slide_to_roll_ratio=0.1\n";
+const SETTINGS: &str =
+    "contact.load=50 kN/m\nlubricant.temperature=80 degC\nmotion.slide_to_roll_ratio=0.1\n";
 const CHANGES: &str = r#"[["contact.radius", "16 mm"], ["mesh.target_error", "1 %"], ["thermal", {}], ["title", null], ["a.b", 3]]"#;
 
 /// What inputs are made from.

@@ -8,8 +8,8 @@ use crate::elastic::cache::OperatorCache;
 use crate::params::SensitivityDemand;
 use crate::plausible;
 use crate::post;
-use crate::problem::{problem_beside, problem_by_slices};
 pub use crate::problem::{groups, predicted_film, problem};
+use crate::problem::{problem_beside, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
     HeatRound, IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties,

@@ -113,7 +113,9 @@ fn answer(input: &mut dyn BufRead) -> Result<String, Failure> {
     let mut line = Vec::new();
     let n = (input.take(LONGEST_ANSWER as u64 + 1)).read_until(b'\n', &mut line);
     match n.map_err(|error| Failure::Other(format!("cannot read the answer: {error}")))? {
-        0 => Err(refused("the answers ended before the last question".to_owned())),
+        0 => Err(refused(
+            "the answers ended before the last question".to_owned(),
+        )),
         n if n > LONGEST_ANSWER => Err(refused(format!(
             "an answer is longer than {LONGEST_ANSWER} bytes"
         ))),

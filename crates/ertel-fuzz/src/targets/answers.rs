@@ -37,11 +37,17 @@ pub fn run(input: &Input) -> Result<Verdict, Defect> {
     match questions::ask(None, &mut answers, &mut |_| {}) {
         Ok(text) => match Case::from_text("case.toml", &text, Path::new("")) {
             Ok(_) => Ok(Verdict::Taken),
-            Err(error) => Err(Defect::wrong("answers that make no case", error.to_string())),
+            Err(error) => Err(Defect::wrong(
+                "answers that make no case",
+                error.to_string(),
+            )),
         },
         Err(failure) if failure.code() == 2 => {
             check_text(&ertel_rheology::input::escaped(&failure.to_string()))
         }
-        Err(failure) => Err(Defect::wrong("answers are refused for no reason", failure.to_string())),
+        Err(failure) => Err(Defect::wrong(
+            "answers are refused for no reason",
+            failure.to_string(),
+        )),
     }
 }

@@ -25,7 +25,10 @@ pub fn run(folder: &Path) -> Result<Verdict, Defect> {
                 if let Ok(density) = fluid.density(pressure, TEMPERATURE)
                     && density.is_nan()
                 {
-                    return Err(Defect::wrong("a density that is none", pressure.to_string()));
+                    return Err(Defect::wrong(
+                        "a density that is none",
+                        pressure.to_string(),
+                    ));
                 }
             }
             verdict = Verdict::Taken;

@@ -56,7 +56,10 @@ pub fn run(input: &Input, folder: &Path) -> Result<Verdict, Defect> {
             for pressure in call.pressures.iter().take(MOST).map(|p| number(p)) {
                 if temperature.is_finite() && temperature > 0.0 && pressure.is_finite() {
                     fluid.viscosity.viscosity(pressure, temperature);
-                    fluid.density.as_ref().map(|law| law.density(pressure, temperature));
+                    fluid
+                        .density
+                        .as_ref()
+                        .map(|law| law.density(pressure, temperature));
                 }
             }
         }

@@ -9,7 +9,8 @@ use crate::input::{Input, Target};
 /// Asks for all but the solve, with the text of `case.toml` and the changes of `changes.json`.
 pub fn run(input: &Input) -> Result<Verdict, Defect> {
     // A page has no text but UTF-16, and no halves of pairs come across.
-    let texts = [Target::Web.main_file(), "changes.json"].map(|name| std::str::from_utf8(input.file(name)));
+    let texts =
+        [Target::Web.main_file(), "changes.json"].map(|name| std::str::from_utf8(input.file(name)));
     let [Ok(case), Ok(changes)] = texts else {
         return Ok(Verdict::Refused);
     };
@@ -18,7 +19,9 @@ pub fn run(input: &Input) -> Result<Verdict, Defect> {
     match ertel_web::edit(case, changes) {
         // What was valid TOML stays so.
         Ok(text) => drop(answered(&ertel_web::form(&text))?),
-        Err(error) => drop(check_text(&ertel_rheology::input::escaped(&error.to_string()))?),
+        Err(error) => drop(check_text(&ertel_rheology::input::escaped(
+            &error.to_string(),
+        ))?),
     }
     Ok(checked)
 }

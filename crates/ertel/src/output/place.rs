@@ -59,7 +59,9 @@ fn lay_out(path: &Path, ahead: &mut Vec<OsString>, place: &mut PathBuf) {
 
 /// The same with the part that exists as the system has it: its own case of letters, long names.
 fn as_the_system_spells(place: PathBuf) -> PathBuf {
-    let existing = place.ancestors().find_map(|a| Some((a, fs::canonicalize(a).ok()?)));
+    let existing = place
+        .ancestors()
+        .find_map(|a| Some((a, fs::canonicalize(a).ok()?)));
     match existing {
         Some((ancestor, known)) => match place.strip_prefix(ancestor) {
             Ok(rest) if rest.as_os_str().is_empty() => known,
@@ -98,7 +100,11 @@ mod tests {
             ("to-nothing", "later/deep"),
             ("chain/x", "later/deep/x"),
         ] {
-            assert_eq!(place(&root.join(spelled)).unwrap(), root.join(meant), "{spelled}");
+            assert_eq!(
+                place(&root.join(spelled)).unwrap(),
+                root.join(meant),
+                "{spelled}"
+            );
         }
         assert_eq!(place(Path::new("/..")).unwrap(), Path::new("/"));
         assert!(place(Path::new("")).is_err());

@@ -105,7 +105,8 @@ fn is_begun(study: &Path) -> bool {
         };
         io::Result::Ok(is_ours && kind.is_file())
     };
-    fs::read_dir(study).is_ok_and(|mut entries| entries.all(|e| is_of_the_beginning(e).unwrap_or(false)))
+    fs::read_dir(study)
+        .is_ok_and(|mut entries| entries.all(|e| is_of_the_beginning(e).unwrap_or(false)))
 }
 
 /// Writes the files of a comparison into its folder, each whole or as before; `case` is the text of the base case.
