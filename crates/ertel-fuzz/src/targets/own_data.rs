@@ -43,7 +43,7 @@ pub fn run(folder: &Path) -> Result<Verdict, Defect> {
 
 fn refused(error: &DatabaseError, folder: &Path) -> Result<Verdict, Defect> {
     match error {
-        DatabaseError::Input(error) => check_place(error, folder),
+        DatabaseError::Data(error) => check_place(error, folder),
         error => check_text(&error.to_string()),
     }
 }
