@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property};
 use ertel::solution::Field;
 use ertel_rheology::database;
-use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
+use ertel_rheology::input::file::read_table;
 use pyo3::prelude::*;
 
 use crate::errors::{self, CaseError};
@@ -61,7 +61,7 @@ pub fn use_own_data(folder: PathBuf) -> PyResult<()> {
 /// Text of a table of measurements: of a regular file of bounded size.
 #[pyfunction]
 pub fn table_text(path: PathBuf) -> PyResult<String> {
-    read_text(&path, LARGEST_TABLE)
+    read_table(&path)
         .map_err(|error| CaseError::new_err(format!("{} {error}", path.display())))
 }
 
