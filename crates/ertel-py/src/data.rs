@@ -61,8 +61,7 @@ pub fn use_own_data(folder: PathBuf) -> PyResult<()> {
 /// Text of a table of measurements: of a regular file of bounded size.
 #[pyfunction]
 pub fn table_text(path: PathBuf) -> PyResult<String> {
-    read_table(&path)
-        .map_err(|error| CaseError::new_err(format!("{} {error}", path.display())))
+    read_table(&path).map_err(|error| CaseError::new_err(format!("{} {error}", path.display())))
 }
 
 /// Fits a law to the text of a CSV table; returns constants (key, SI value, unit in which it is shown, SI interval), the rms of the
