@@ -9,13 +9,14 @@ use ertel::output;
 use ertel::run::{self, Session};
 use ertel::solution::Solution;
 use ertel::study::value_text;
+use ertel::warning::WarningKind;
 use serde_json::json;
 
 use crate::args::SolveArgs;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::print;
-use crate::solve::{Job, input_warnings};
+use crate::solve::{Job, input_warnings, warn};
 
 /// Says of a case, or of the points of its curve, what a solve would refuse before it begins; then what was checked.
 ///
@@ -26,8 +27,14 @@ pub fn run(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<(), Fail
     let (name, case) = (&job.given.name, &job.given.case);
     check(case, name)?;
     let found = Checked::of(case);
+    // What estimates doubt, beside the input; of the points of a curve they say nothing.
+    let doubts = found.estimate.warnings.iter().filter(|warning| {
+        let is_own = warning.kind != WarningKind::Other && !case.warnings.contains(warning);
+        is_own && case.curve.is_none()
+    });
     if events.is_on() {
         events.warn(&input_warnings(case));
+        events.warn(doubts);
         events.emit(
             "checked",
             json!({
@@ -43,6 +50,7 @@ pub fn run(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<(), Fail
         );
         return Ok(());
     }
+    warn(doubts);
     if arguments.quiet {
         return Ok(());
     }

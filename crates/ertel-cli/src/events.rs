@@ -58,8 +58,13 @@ impl Events {
     /// Writes what to know about the input or the result.
     pub fn warn<'a>(&self, warnings: impl IntoIterator<Item = &'a Warning>) {
         for warning in warnings {
+            let event = if warning.kind.is_note() {
+                "note"
+            } else {
+                "warning"
+            };
             self.emit(
-                "warning",
+                event,
                 json!({ "kind": warning.kind, "text": warning.text }),
             );
         }

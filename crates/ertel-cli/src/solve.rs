@@ -317,15 +317,23 @@ pub fn input_warnings(case: &Case) -> Vec<Warning> {
         return case.warnings.clone();
     };
     let points = curve.points.iter().enumerate();
-    let warnings = points.flat_map(|(i, p)| p.case.warnings.iter().map(move |w| (i, w)));
+    let warnings = points.flat_map(|(i, p)| {
+        let told = p.case.warnings.iter().filter(|w| !w.kind.is_note());
+        told.map(move |w| (i, w))
+    });
     (by_kind(warnings).iter())
         .map(|merged| Warning::from(merged.line(curve.points.len())))
         .collect()
 }
 
-fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
+pub fn warn<'a>(warnings: impl IntoIterator<Item = &'a Warning>) {
     for warning in warnings {
-        print::stderr(&format!("warning: {warning}"));
+        let what = if warning.kind.is_note() {
+            "note"
+        } else {
+            "warning"
+        };
+        print::stderr(&format!("{what}: {warning}"));
     }
 }
 

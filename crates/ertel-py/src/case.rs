@@ -73,7 +73,8 @@ impl NativeCase {
     /// What the user should know about the input.
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.case.warnings.iter().map(ToString::to_string).collect()
+        let told = self.case.warnings.iter().filter(|w| !w.kind.is_note());
+        told.map(ToString::to_string).collect()
     }
 
     /// The case in SI, as JSON.

@@ -163,22 +163,24 @@ impl Fluid {
             pressure_limits.extend(
                 validity
                     .pressure
-                    .map(|range| (range.1, validity.source.as_str())),
+                    .map(|range| (range.1, validity.source.as_str(), validity.of_law)),
             );
         }
         for ([pressure, _], basis) in tables {
-            pressure_limits.push((pressure.1, *basis));
+            pressure_limits.push((pressure.1, *basis, false));
         }
         if let ViscosityLaw::ModifiedWlf(law) = &self.viscosity {
             pressure_limits.push((
                 law.limiting_pressure(temperature),
                 "end of the WLF law: glass transition or F = 0",
+                false,
             ));
         }
         if let ViscosityLaw::ImprovedYasutomi(law) = &self.viscosity {
             pressure_limits.push((
                 law.limiting_pressure(temperature),
                 "end of the Yasutomi law: glass transition",
+                false,
             ));
         }
 
@@ -186,12 +188,15 @@ impl Fluid {
         let tightest = pressure_limits
             .into_iter()
             .min_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((limit, basis)) = tightest.filter(|(limit, _)| pressure_max > *limit) {
+        if let Some((limit, basis, of_law)) =
+            tightest.filter(|(limit, ..)| pressure_max > *limit)
+        {
             warnings.push(RangeWarning::PressureAbove {
                 fluid: self.name.clone(),
                 pressure: pressure_max,
                 limit,
                 basis: basis.to_owned(),
+                of_law,
             });
         }
         let mut left = self.temperatures_of(tables);

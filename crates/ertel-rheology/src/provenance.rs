@@ -82,6 +82,8 @@ pub struct ValidityRange {
     pub temperature: Option<(f64, f64)>,
     /// What the range rests on.
     pub source: String,
+    /// Whether it is what is stated for a law in general, and not for this fluid.
+    pub of_law: bool,
 }
 
 /// Temperatures that some of the data of a fluid cover.
@@ -136,6 +138,8 @@ pub enum RangeWarning {
         limit: f64,
         /// What the range rests on.
         basis: String,
+        /// Whether it is what is stated for the law in general.
+        of_law: bool,
     },
     /// The temperature lies outside the range.
     #[error(

@@ -14,6 +14,8 @@ pub struct Solid {
     pub youngs_modulus: f64,
     /// Poisson's ratio (-).
     pub poissons_ratio: f64,
+    /// Largest Hertz pressure (Pa) that the solid bears without lasting damage: yield of ductile ones, cracks of brittle ones.
+    pub hertz_pressure_limit: Option<f64>,
     /// Density (kg/m³).
     pub density: Option<f64>,
     /// Law of the thermal conductivity, evaluated at ambient pressure.

@@ -288,7 +288,8 @@ pub fn groups(case: &Case, pressure_viscosity_coefficient: f64) -> Groups {
     )
 }
 
-/// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular, elliptical) predict.
+/// Central film, m, that the formulas of Moes (line) and Nijenbanning et al. (circular, elliptical) predict for an incompressible
+/// lubricant: what meshes and starts of solves go by. [`estimated_film`] is the estimate.
 pub fn predicted_film(case: &Case) -> f64 {
     let slope = case
         .lubricant
@@ -303,6 +304,11 @@ pub fn predicted_film(case: &Case) -> f64 {
         }
     };
     h * along * (2.0 * g.speed).sqrt()
+}
+
+/// The same of the lubricant as it is compressed: divided by its relative density at the Hertz pressure.
+pub fn estimated_film(case: &Case) -> f64 {
+    predicted_film(case) / case.relative_density()
 }
 
 /// Ratio of the gap at the inlet edge to the central film from which the inlet counts as flooded.

@@ -7,8 +7,9 @@ use crate::contact::{Hertz, Scales, Supply};
 use crate::elastic::cache::OperatorCache;
 use crate::params::SensitivityDemand;
 use crate::plausible;
+use crate::plausible::left_out::Known;
 use crate::post;
-pub use crate::problem::{groups, predicted_film, problem};
+pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::problem::{problem_beside, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
@@ -327,7 +328,7 @@ fn describe(
         shape: problem.shape.clone(),
         hertz,
         reduced_modulus: case.reduced_modulus(),
-        formulas: crate::reference::film_formulas(&case.contact, &groups),
+        formulas: crate::reference::film_formulas(&case.contact, &groups, case.relative_density()),
         groups,
         groups_asymptotic,
         scales,
@@ -343,6 +344,14 @@ fn describe(
             .then(|| post::fields::body(finest, &scales))
             .transpose()?
             .flatten(),
+        left_out: plausible::left_out::left_out(
+            case,
+            &Known {
+                film_central: summary.film_central.value,
+                film_minimum: summary.film_minimum.value,
+                friction_power: traction.friction_power.value,
+            },
+        ),
         unresolved: Unresolved::all(&summary, &traction, case.motion.slides(), thermal.as_ref()),
         summary,
         starvation: Starvation::of(&measured, &case.supply),

@@ -75,6 +75,13 @@ pub fn by_differences(
         false => input.value != 0.0 || input.uncertainty.is_some(),
     });
     for input in asked {
+        if let Some(reason) = no_temperature(case, input) {
+            sensitivities.left_out.push(LeftOut {
+                key: input.key.clone(),
+                reason,
+            });
+            continue;
+        }
         let step = (input.uncertainty).map_or(STEP_OF_SOLVES * input.value.abs(), |u| u.standard());
         let mut side = |value: f64| -> Result<Result<Vec<Option<f64>>, &str>, SolveError> {
             let values = BTreeMap::from([(input.key.clone(), value)]);
@@ -137,6 +144,13 @@ pub fn by_adjoint(
         .map(|input| sides(case, problem, input))
         .collect();
     for (input, sides) in inputs.into_iter().zip(both_sides) {
+        if let Some(reason) = no_temperature(case, input) {
+            left_out.push(LeftOut {
+                key: input.key.clone(),
+                reason,
+            });
+            continue;
+        }
         match sides {
             Some(Ok(sides))
                 if is_costly(case, input)
@@ -211,6 +225,12 @@ pub fn by_adjoint(
         figures,
         left_out,
     })
+}
+
+/// Why a derivative by the temperature of the lubricant would be zero for want of a law, and say nothing.
+fn no_temperature(case: &Case, input: &Input) -> Option<String> {
+    let is_temperature = matches!(input.key.as_str(), "temperature" | "lubricant.temperature");
+    is_temperature.then(|| case.lubricant.no_temperature())?
 }
 
 /// Whether another mesh for an input costs more than was asked for.

@@ -21,6 +21,12 @@ pub enum WarningKind {
     WideContact,
     /// Pressures beyond the lubricant's data.
     PressureRange,
+    /// A temperature that was changed, of which the laws of the lubricant know nothing.
+    TemperatureIgnored,
+    /// Pressures beyond those that are stated for the lubricant's law in general: hardly any contact stays below.
+    LawRange,
+    /// Pressures beyond what the bodies bear.
+    Strength,
     /// Temperatures beyond the lubricant's data, at the inlet.
     TemperatureRange,
     /// The same in the film where it is hottest.
@@ -45,6 +51,12 @@ pub enum WarningKind {
     AsperityData,
     /// Friction that no lubricant transmits.
     Friction,
+    /// A shear stress of rolling beyond what lubricants bear, where film and pressure hardly feel it.
+    RollingStress,
+    /// Heat that an isothermal contact leaves out.
+    HeatLeftOut,
+    /// Teeth that mesh badly.
+    Gears,
     /// An error bar of the central film beyond the target.
     CentralFilmError,
     /// An error bar of the minimum film beyond the target.
@@ -61,6 +73,13 @@ pub enum WarningKind {
     InletEdge,
     /// Inertia of the lubricant.
     Inertia,
+}
+
+impl WarningKind {
+    /// Whether it is worth knowing, but no reason to doubt a result: told quietly.
+    pub fn is_note(self) -> bool {
+        matches!(self, WarningKind::LawRange | WarningKind::RollingStress)
+    }
 }
 
 /// What a user should know, in a sentence or two.
@@ -111,8 +130,14 @@ impl From<&RangeWarning> for Warning {
     fn from(warning: &RangeWarning) -> Warning {
         let (kind, excess) = match warning {
             RangeWarning::PressureAbove {
-                pressure, limit, ..
-            } => (WarningKind::PressureRange, pressure / limit),
+                pressure,
+                limit,
+                of_law,
+                ..
+            } => match of_law {
+                true => (WarningKind::LawRange, pressure / limit),
+                false => (WarningKind::PressureRange, pressure / limit),
+            },
             RangeWarning::Temperature {
                 temperature, range, ..
             } => (
@@ -138,9 +163,16 @@ impl fmt::Display for Warning {
     }
 }
 
-/// The sentences alone.
+/// The sentences alone, without notes.
 pub fn texts(warnings: &[Warning]) -> Vec<&str> {
-    warnings.iter().map(|w| &**w).collect()
+    let told = warnings.iter().filter(|w| !w.kind.is_note());
+    told.map(|w| &**w).collect()
+}
+
+/// Those of notes.
+pub fn notes(warnings: &[Warning]) -> Vec<&str> {
+    let notes = warnings.iter().filter(|w| w.kind.is_note());
+    notes.map(|w| &**w).collect()
 }
 
 /// Warnings of one kind at several points.

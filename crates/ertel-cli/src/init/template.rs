@@ -34,8 +34,16 @@ pub const COMMON: &[(&str, &str)] = &[
         "temperature of the lubricant at the inlet",
     ),
     (
+        "lubricant.viscosity.reference_temperature",
+        "temperature at which its viscosity is known",
+    ),
+    (
         "lubricant.viscosity.mu_0",
-        "viscosity at this temperature and ambient pressure",
+        "viscosity at that temperature and ambient pressure",
+    ),
+    (
+        "lubricant.viscosity.beta",
+        "how fast it falls with temperature, ln(mu_1/mu_2)/(T_2 - T_1), 0.03 to 0.05 1/K for oils",
     ),
     (
         "lubricant.viscosity.alpha",
@@ -203,7 +211,8 @@ const HEAD: &str = "\
 const OPTIONS: &str = "
 ## More that may be said; remove the `# ` before a line.
 
-## Roughness, for the lambda ratio and the share of the load that asperities carry.
+## Roughness, for the lambda ratio and the share of the load that asperities carry. The asperities here are usual numbers, of which the load
+## of thin films is more than they can carry (a warning says so): measure those of your surfaces.
 # [surface_roughness]
 # body_1_rms_height = \"50 nm\"
 # body_2_rms_height = \"50 nm\"

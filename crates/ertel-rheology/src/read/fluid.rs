@@ -269,5 +269,6 @@ fn read_validity(mut table: Table<'_>) -> Result<ValidityRange, InputError> {
         pressure,
         temperature,
         source,
+        of_law: false,
     })
 }

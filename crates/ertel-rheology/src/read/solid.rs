@@ -7,7 +7,7 @@ use crate::quantity::Dimension;
 use crate::{ConductivityLaw, HeatCapacityLaw, Solid};
 
 impl Solid {
-    /// Reads a solid from a table: `youngs_modulus`, `poissons_ratio`, and where given `density`, and the laws
+    /// Reads a solid from a table: `youngs_modulus`, `poissons_ratio`, and where given `hertz_pressure_limit`, `density`, and the laws
     /// `thermal_conductivity` and `heat_capacity`, for which a quantity stands for a constant.
     ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the solid is called in
@@ -26,6 +26,7 @@ impl Solid {
             title: name.to_owned(),
             youngs_modulus: 0.0,
             poissons_ratio: 0.0,
+            hertz_pressure_limit: None,
             density: None,
             thermal_conductivity: None,
             heat_capacity: None,
@@ -59,6 +60,11 @@ impl Solid {
         if let Some(ratio) = table.optional_number("poissons_ratio", POISSONS_RATIO)? {
             self.poissons_ratio = ratio;
             self.record("poissons_ratio", ratio.to_string(), "1");
+        }
+        let key = "hertz_pressure_limit";
+        if let Some(limit) = table.optional_quantity(key, Dimension::PRESSURE, positive)? {
+            self.hertz_pressure_limit = Some(limit);
+            self.record(key, limit.to_string(), "Pa");
         }
         if let Some(density) = table.optional_quantity("density", Dimension::DENSITY, positive)? {
             self.density = Some(density);

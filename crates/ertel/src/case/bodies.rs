@@ -7,7 +7,7 @@ use ertel_rheology::quantity::Dimension;
 use ertel_rheology::{ConductivityLaw, Files, HeatCapacityLaw, Solid, database};
 
 use crate::contact::Elasticity;
-use crate::contact::curvature::Curvatures;
+use crate::contact::curvature::{Curvatures, curvature_along, gap_between};
 
 /// One of the two bodies.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +18,8 @@ pub struct Body {
     pub in_database: bool,
     /// Elastic constants.
     pub elasticity: Elasticity,
+    /// Largest Hertz pressure that it bears without lasting damage, Pa, if known.
+    pub hertz_pressure_limit: Option<f64>,
     /// Density, kg/m³, if known.
     pub density: Option<f64>,
     /// Law of the thermal conductivity at ambient pressure, if known.
@@ -33,6 +35,7 @@ impl Body {
             name: name.to_owned(),
             in_database: false,
             elasticity,
+            hertz_pressure_limit: None,
             density: None,
             thermal_conductivity: None,
             heat_capacity: None,
@@ -60,6 +63,18 @@ pub(super) struct Shapes {
     pub curvatures: [Curvatures; 2],
     /// From the x axis of the first body to that of the second, rad.
     pub angle: f64,
+}
+
+impl Shapes {
+    /// Smallest radius of curvature of either body along each axis of the Hertz ellipse, m, convex or concave; infinite where both are flat.
+    pub fn smallest_radii(&self) -> [f64; 2] {
+        let [one, two] = self.curvatures;
+        let (_, direction) = gap_between(one, two, self.angle);
+        [direction, direction + std::f64::consts::FRAC_PI_2].map(|along| {
+            let first = curvature_along(one, along).abs();
+            1.0 / first.max(curvature_along(two, along - self.angle).abs())
+        })
+    }
 }
 
 /// Radii of bodies, m; negative where they are concave.
@@ -185,6 +200,7 @@ fn read_body(
             youngs_modulus: solid.youngs_modulus,
             poissons_ratio: solid.poissons_ratio,
         },
+        hertz_pressure_limit: solid.hertz_pressure_limit,
         density: solid.density,
         thermal_conductivity: solid.thermal_conductivity,
         heat_capacity: solid.heat_capacity,

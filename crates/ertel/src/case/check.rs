@@ -100,6 +100,71 @@ pub(super) fn finite_elements_of_soft_bodies(
         ))
 }
 
+/// Half-width over the radius of a body itself from which the parabola is a poor circle. Of two bodies that fit closely, the gap between
+/// their circles exceeds that between their parabolas by ¾(y/R)²: 7 % there at the edge of the contact.
+const POOR_CIRCLE: f64 = 0.3;
+
+/// Refuses a contact that is wider than one of its bodies; `radii` are the smallest of both along x and y, m.
+pub(super) fn body_size(
+    table: &Table<'_>,
+    key: &str,
+    hertz: &Hertz,
+    radii: [f64; 2],
+) -> Result<(), InputError> {
+    let half_widths = [hertz.half_width, hertz.half_width_y.unwrap_or(0.0)];
+    let wide = half_widths.into_iter().zip(radii).find(|(a, r)| a >= r);
+    let Some((half_width, radius)) = wide else {
+        return Ok(());
+    };
+    Err(table
+        .error(
+            key,
+            format!(
+                "the contact half-width, {}, exceeds the radius of a body, {}",
+                length(half_width),
+                length(radius)
+            ),
+        )
+        .with_help("Hertz theory and the film equation hold for contacts much smaller than the bodies"))
+}
+
+/// Largest Hertz pressures, Pa, of hardened bearing steel in ball and in roller bearings under static load: a lasting deformation of
+/// 0.0001 of the diameter (ISO 76). Of solids without a limit of their own no more is borne.
+const HARDEST_STEEL: [f64; 2] = [4.2e9, 4.0e9];
+
+/// Says so if a Hertz pressure, Pa, is beyond what the bodies bear.
+fn strength(case: &Case, hertz_pressure: f64) -> Option<Warning> {
+    let (limit, whose) = case.pressure_limit();
+    if hertz_pressure <= limit {
+        return None;
+    }
+    let text = format!(
+        "the Hertz pressure of {} is beyond the {} that {whose}: the bodies do not stay elastic as they are computed",
+        pressure(hertz_pressure),
+        pressure(limit),
+    );
+    Some(Warning::beyond(
+        WarningKind::Strength,
+        hertz_pressure / limit,
+        text,
+    ))
+}
+
+impl Case {
+    /// Largest Hertz pressure that the weaker body bears, Pa, and whose it is; of bodies that say none that of the hardest steels.
+    pub fn pressure_limit(&self) -> (f64, String) {
+        let own = [&self.plane, &self.ball].map(|body| {
+            let limit = body.hertz_pressure_limit?;
+            Some((limit, format!("{} bears (hertz_pressure_limit)", body.name)))
+        });
+        let weaker = own.into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
+        weaker.unwrap_or_else(|| {
+            let limit = HARDEST_STEEL[usize::from(self.contact.kind.is_cylinder())];
+            (limit, "hardened bearing steel bears (ISO 76)".to_owned())
+        })
+    }
+}
+
 /// What the user should know, one sentence each.
 pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
     let mut warnings = Vec::new();
@@ -122,6 +187,17 @@ pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
         );
         warnings.push(Warning::beyond(WarningKind::WideContact, share, text));
     }
+    let half_widths = [hertz.half_width, hertz.half_width_y.unwrap_or(0.0)];
+    let share = (half_widths.into_iter().zip(case.body_radii))
+        .map(|(half_width, radius)| half_width / radius)
+        .fold(0.0, f64::max);
+    if share > POOR_CIRCLE {
+        let text = format!(
+            "the contact half-width is {share:.2} of the radius of a body: half-spaces and the parabolic gap of Hertz theory are crude"
+        );
+        warnings.push(Warning::beyond(WarningKind::WideContact, share, text));
+    }
+    warnings.extend(strength(case, hertz.pressure));
     warnings.extend(super::roller::warnings(
         &case.contact,
         hertz,

@@ -9,6 +9,7 @@ use super::machine::{self, Machine};
 use super::{check, contact, motion, sections};
 use crate::contact::{Contact, Hertz, Motion};
 use crate::output::{MachineEcho, digits, length};
+use crate::warning::Warning;
 
 /// Contact and motion, and the tables that say them.
 pub(super) struct Geometry<'t> {
@@ -16,6 +17,10 @@ pub(super) struct Geometry<'t> {
     pub motion: Motion,
     pub machine: Option<MachineEcho>,
     pub hertz: Hertz,
+    /// Smallest radius of curvature of either body along x and along y, m, convex or concave; infinite where none is known or both are flat.
+    pub body_radii: [f64; 2],
+    /// What to know about the machine.
+    pub warnings: Vec<Warning>,
     /// Not yet searched for unknown keys.
     pub tables: Tables<'t>,
 }
@@ -64,7 +69,8 @@ impl<'t> Tables<'t> {
         shapes: Option<&Shapes>,
         folder: &Path,
     ) -> Result<Geometry<'t>, InputError> {
-        let (contact, motion, machine, hertz) = match &mut self {
+        let mut warnings = Vec::new();
+        let (contact, motion, machine, hertz, body_radii) = match &mut self {
             Tables::Plain(table, motion_table) => {
                 let contact = contact::read_contact(table, reduced_modulus, shapes, folder)?;
                 let found = root.required_table("motion");
@@ -79,7 +85,9 @@ impl<'t> Tables<'t> {
                     reach(&contact, &hertz),
                 )?;
                 super::roller::check(table, &contact, &hertz, reduced_modulus)?;
-                (contact, motion, None, hertz)
+                let body_radii = shapes.map_or([f64::INFINITY; 2], Shapes::smallest_radii);
+                check::body_size(table, "kind", &hertz, body_radii)?;
+                (contact, motion, None, hertz, body_radii)
             }
             Tables::Machine(table) => {
                 if shapes.is_some() {
@@ -91,8 +99,11 @@ impl<'t> Tables<'t> {
                     contact,
                     motion,
                     load_key,
+                    body_radii,
+                    warnings: own,
                     echo,
                 } = machine::read(table, reduced_modulus, folder)?;
+                warnings = own;
                 let hertz = check::hertz(table, load_key, &contact, reduced_modulus)
                     .map_err(|error| error.with_help(computed(&contact)))?;
                 motion::check_spin(
@@ -102,7 +113,9 @@ impl<'t> Tables<'t> {
                     reach(&contact, &hertz),
                 )?;
                 super::roller::check(table, &contact, &hertz, reduced_modulus)?;
-                (contact, motion, Some(echo), hertz)
+                check::body_size(table, load_key, &hertz, body_radii)
+                    .map_err(|error| error.with_help(computed(&contact)))?;
+                (contact, motion, Some(echo), hertz, body_radii)
             }
         };
         Ok(Geometry {
@@ -110,6 +123,8 @@ impl<'t> Tables<'t> {
             motion,
             machine,
             hertz,
+            body_radii,
+            warnings,
             tables: self,
         })
     }

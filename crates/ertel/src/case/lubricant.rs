@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::warning::Warning;
+use crate::warning::{Warning, WarningKind};
 use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
 use ertel_rheology::provenance::{Datum, Status, TemperatureRange};
 use ertel_rheology::quantity::Dimension;
@@ -17,6 +17,16 @@ pub(super) const TEMPERATURE: Bounds = Bounds::closed(100.0, 1000.0);
 const VISCOSITY: Bounds = Bounds::closed(1e-6, 1e6);
 /// Ambient densities, kg/m³; likewise.
 const DENSITY: Bounds = Bounds::closed(0.1, 3e4);
+
+/// Where a case says the temperature of its lubricant.
+pub(super) const TEMPERATURE_KEYS: [&str; 2] = ["temperature", "lubricant.temperature"];
+
+/// What to do about a law without temperature.
+const OILS_WITH_TEMPERATURE: &str = "give the law its temperature (`beta` and `reference_temperature` of Roelands' law), the oil by its \
+     data sheet (`iso_vg`, `kinematic_viscosity_40` and `_100`), or a viscosity for each temperature";
+
+/// K by which the temperature of a case may differ from that at which constants without temperature hold.
+const SAME_TEMPERATURE: f64 = 0.5;
 
 /// The lubricant of a case.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,6 +66,47 @@ impl Lubricant {
     pub fn ambient_conductivity(&self) -> Option<f64> {
         let law = self.thermal_conductivity.as_ref()?;
         Some(law.conductivity(0.0, self.temperature))
+    }
+
+    /// Density at a pressure, Pa, over that at ambient pressure.
+    pub fn relative_density(&self, pressure: f64) -> f64 {
+        self.density.density(pressure, self.temperature) / self.ambient_density()
+    }
+
+    /// Which laws leave the temperature without effect on the viscosity; `None` where it depends on it.
+    pub fn no_temperature(&self) -> Option<String> {
+        let (viscosity, density) = (self.viscosity.name(), self.density.name());
+        match (
+            self.viscosity.depends_on_temperature(),
+            self.density.depends_on_temperature(),
+        ) {
+            (true, _) => None,
+            (false, true) => Some(format!(
+                "the viscosity law ({viscosity}) does not depend on temperature"
+            )),
+            (false, false) => Some(format!(
+                "neither the viscosity law ({viscosity}) nor the density law ({density}) depends on temperature"
+            )),
+        }
+    }
+
+    /// Says that a temperature which was changed on purpose, as `how` says, is without effect. `keys` were changed with it: where the
+    /// viscosity is among them, it may well be that of this temperature.
+    pub(super) fn temperature_ignored<'a>(
+        &self,
+        keys: impl IntoIterator<Item = &'a str>,
+        how: &str,
+    ) -> Option<Warning> {
+        let keys: Vec<&str> = keys.into_iter().collect();
+        let temperature = keys.iter().find(|key| TEMPERATURE_KEYS.contains(key))?;
+        let is_viscosity =
+            |key: &&str| *key == "lubricant" || key.starts_with("lubricant.") && !TEMPERATURE_KEYS.contains(key);
+        if keys.iter().any(is_viscosity) {
+            return None;
+        }
+        let reason = self.no_temperature()?;
+        let text = format!("`{temperature}` {how}, but {reason}: the film is the same at any temperature; {OILS_WITH_TEMPERATURE}");
+        Some(Warning::new(WarningKind::TemperatureIgnored, text))
     }
 
     /// The narrowest range of the data that `temperature`, K, leaves.
@@ -148,6 +199,7 @@ fn check(
         fluid.check_range(pressure, temperature)
     };
     let temperature_ranges = fluid.temperature_ranges();
+    let reference_temperature = fluid.reference_temperature;
     let mut estimates = fluid.provenance;
     estimates.retain(|datum| datum.status == Status::Estimated);
     let lubricant = Lubricant {
@@ -199,5 +251,46 @@ fn check(
             ));
         }
     }
-    Ok((lubricant, warnings.iter().map(Warning::from).collect()))
+    let mut warnings: Vec<Warning> = warnings.iter().map(Warning::from).collect();
+    warnings.extend(glass(&lubricant, pressure));
+    let out_of_range = warnings
+        .iter()
+        .any(|w| w.kind == WarningKind::TemperatureRange);
+    if let (Some(holds_at), Some(reason), false) = (
+        reference_temperature,
+        lubricant.no_temperature(),
+        out_of_range,
+    ) {
+        let distance = (temperature - holds_at).abs();
+        if distance > SAME_TEMPERATURE {
+            let text = format!(
+                "the constants of the lubricant hold at {holds_at:.2} K, its temperature is {temperature:.2} K, and {reason}: \
+                 {OILS_WITH_TEMPERATURE}"
+            );
+            warnings.push(Warning::beyond(
+                WarningKind::TemperatureIgnored,
+                distance,
+                text,
+            ));
+        }
+    }
+    Ok((lubricant, warnings))
+}
+
+/// ln of the viscosity, Pa·s, from which a liquid counts as a glass: 1e12 Pa·s, the viscosity of the glass transition in the law of
+/// Yasutomi, Bair and Winer (1984).
+const LN_GLASS: f64 = 27.631_021_115_928_547;
+
+/// Says so where a law makes a glass of the lubricant at the Hertz pressure, Pa.
+fn glass(lubricant: &Lubricant, pressure: f64) -> Option<Warning> {
+    let law = &lubricant.viscosity;
+    let logarithm = law.ln_viscosity(pressure, lubricant.temperature);
+    let text = format!(
+        "the viscosity law ({}) gives 1e{:.0} Pa.s at the Hertz pressure, beyond the glass transition (1e12 Pa.s): it is taken far \
+         beyond where any oil follows it, and friction and shear stress are not to be used",
+        law.name(),
+        logarithm / std::f64::consts::LN_10
+    );
+    (logarithm > LN_GLASS)
+        .then(|| Warning::beyond(WarningKind::PressureRange, logarithm / LN_GLASS, text))
 }

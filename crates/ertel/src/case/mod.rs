@@ -96,6 +96,8 @@ pub struct Case {
     pub plane: Body,
     /// The ball (or cylinder).
     pub ball: Body,
+    /// Smallest radius of curvature of either body along x and along y, m, convex or concave; infinite where the case says none.
+    pub body_radii: [f64; 2],
     /// Composite rms roughness of both surfaces σ = √(σ_plane² + σ_ball²), m, if given.
     pub roughness: Option<f64>,
     /// How it follows from Ra or Rz, one sentence each.
@@ -206,6 +208,8 @@ impl Case {
             motion,
             machine,
             hertz,
+            body_radii,
+            warnings: of_machine,
             tables,
         } = tables.read(&mut root, modulus, shapes.as_ref(), folder)?;
         let solver = match root.optional_table("solver")? {
@@ -248,6 +252,7 @@ impl Case {
             contact,
             plane,
             ball,
+            body_radii,
             roughness,
             roughness_rules,
             asperities,
@@ -268,6 +273,7 @@ impl Case {
         check::body_of_wide_contact(&case, tables.main())?;
         check::finite_elements_of_soft_bodies(&case, &document.root())?;
         case.warnings = check::warnings(&case, &hertz);
+        case.warnings.extend(of_machine);
         case.warnings.extend(range_warnings);
         case.warnings
             .extend(case.asperities.iter().flat_map(roughness::warnings));
@@ -281,6 +287,12 @@ impl Case {
         let mut unusual = usual::warnings(case.inputs(), document);
         unusual.extend(usual::of_lubricant(&case, &unusual));
         case.warnings.extend(unusual);
+        let uncertain: Vec<&str> = (case.inputs().iter())
+            .filter(|input| input.uncertainty.is_some() && lubricant::TEMPERATURE_KEYS.contains(&input.key.as_str()))
+            .map(|input| input.key.as_str())
+            .collect();
+        let ignored = (case.lubricant).temperature_ignored(uncertain, "has an uncertainty");
+        case.warnings.extend(ignored);
         Ok(case)
     }
 
@@ -303,6 +315,11 @@ impl Case {
     /// Reduced modulus E' of both bodies, Pa.
     pub fn reduced_modulus(&self) -> f64 {
         reduced_modulus(self.plane.elasticity, self.ball.elasticity)
+    }
+
+    /// Density of the lubricant at the Hertz pressure over that at ambient pressure.
+    pub fn relative_density(&self) -> f64 {
+        self.lubricant.relative_density(self.hertz().pressure)
     }
 
     /// The dry contact.

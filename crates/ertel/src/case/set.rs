@@ -40,7 +40,11 @@ impl Case {
         // Its errors show the settings as they were given; those of the text made of it would show lines that nobody wrote.
         let case = Case::from_document(&document, folder)?;
         let edited = edited(text, settings, &document)?;
-        let read = Case::from_text(name, &edited, folder)?;
+        let mut read = Case::from_text(name, &edited, folder)?;
+        let keys = settings.iter().filter_map(|s| s.split('=').next());
+        let how = format!("is set ({NAME})");
+        let ignored = read.lubricant.temperature_ignored(keys, &how);
+        read.warnings.extend(ignored);
         match read.given == case.given {
             true => Ok(read),
             false => Err(document.root().error_here(format!(

@@ -27,6 +27,14 @@ pub fn gap_between(body_1: Curvatures, body_2: Curvatures, angle: f64) -> (Curva
     ([mean - radius, mean + radius], direction)
 }
 
+/// Curvature of a body, 1/m, along a direction at `angle` (rad) to its x axis (Euler).
+///
+/// κ = κ_x cos² φ + κ_y sin² φ
+pub fn curvature_along(body: Curvatures, angle: f64) -> f64 {
+    let (s, c) = angle.sin_cos();
+    body[0] * c * c + body[1] * s * s
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,25 +1,27 @@
 //! What can be said about a case without solving it.
 
-mod inertia;
 mod regime;
 
-use num_dual::first_derivative;
 use serde::Serialize;
 
-pub use inertia::{CRITICAL_REYNOLDS, FilmReynolds, NEGLIGIBLE_INERTIA, film_reynolds};
+pub use crate::plausible::inertia::{
+    CRITICAL_REYNOLDS, FilmReynolds, NEGLIGIBLE_INERTIA, film_reynolds,
+};
 pub use regime::{Regime, RegimeEstimate, regime};
 
 use crate::case::Case;
 use crate::contact::{ContactKind, Groups, Hertz};
 use crate::mixed::{Separation, roughness_warning};
-use crate::plausible::thick_film;
+use crate::plausible::heat::inlet_heat;
+use crate::plausible::left_out::{self, Known};
+use crate::plausible::{smallest_radius, thick_film};
 use crate::post::limits::thin_film_warning;
-use crate::post::mixed::share_warning;
+use crate::post::mixed::{limit_warning, share_warning};
 use crate::reference::biboulet_houpert::rolling_resistance;
-use crate::reference::thermal::{ThermalReduction, thermal_loading};
-use crate::reference::{FilmFormula, film_formulas};
-use crate::run::{groups, predicted_film};
-use crate::solution::FormulaFilm;
+use crate::reference::thermal::ThermalReduction;
+use crate::reference::{Asymptotes, FilmFormula, film_formulas};
+use crate::run::{estimated_film, groups};
+use crate::solution::{FormulaFilm, Neglected};
 use crate::warning::{Warning, WarningKind};
 
 /// Estimates of a case, SI.
@@ -53,6 +55,8 @@ pub struct CaseEstimate {
     pub reynolds: FilmReynolds,
     /// Heating of the inlet.
     pub thermal: ThermalEstimate,
+    /// What a solve of the case would leave out; without the heat of friction, which no formula here knows.
+    pub left_out: Neglected,
     /// Film over roughness, if a roughness is given.
     pub lambda: Option<LambdaRatio>,
     /// What the user should know.
@@ -90,8 +94,25 @@ pub struct ThermalEstimate {
     pub loading: Option<f64>,
     /// Factors by which to multiply the isothermal films.
     pub factors: Vec<ThermalFactor>,
+    /// The recommended one, applied to the films; `None` where there is none.
+    pub recommended: Option<HeatedFilm>,
     /// Why there are none.
     pub missing: Option<&'static str>,
+}
+
+/// Films with the heat of the inlet.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct HeatedFilm {
+    /// Whose factor it is.
+    pub name: &'static str,
+    /// Thermal film over isothermal film.
+    pub factor: f64,
+    /// Central film, m.
+    pub central: f64,
+    /// Minimum film, m, where there is an isothermal one.
+    pub minimum: Option<f64>,
+    /// Whether the case lies in the range that the factor was checked in, [`ThermalReduction::CHECKED`].
+    pub in_range: bool,
 }
 
 /// One published reduction.
@@ -125,7 +146,7 @@ pub struct LambdaRatio {
 
 /// Estimates from formulas; calls no solver.
 pub fn estimate(case: &Case) -> CaseEstimate {
-    let (contact, lubricant, motion) = (&case.contact, &case.lubricant, &case.motion);
+    let (contact, lubricant) = (&case.contact, &case.lubricant);
     let (hertz, modulus) = (case.hertz(), case.reduced_modulus());
     let temperature = lubricant.temperature;
     let slope = lubricant.viscosity.pressure_viscosity_slope(temperature);
@@ -134,8 +155,10 @@ pub fn estimate(case: &Case) -> CaseEstimate {
         .ok();
     let g = groups(case, slope);
     let groups_asymptotic = asymptotic.map(|alpha| groups(case, alpha));
-    let formulas = |g: &Groups| film_formulas(contact, g);
-    let regime = regime(contact, &g);
+    let density = case.relative_density();
+    let formulas = |g: &Groups| film_formulas(contact, g, density);
+    let mut regime = regime(contact, &g);
+    regime.films = compressed(&regime.films, density);
     let film = film(case, &g, regime.regime);
     let mut estimate = CaseEstimate {
         kind: contact.kind,
@@ -150,14 +173,16 @@ pub fn estimate(case: &Case) -> CaseEstimate {
         groups_asymptotic,
         newtonian_only: case.shear_thinning().is_some(),
         film,
-        reynolds: film_reynolds(
-            lubricant.ambient_density(),
-            motion.entrainment_speed,
-            film.central,
-            lubricant.ambient_viscosity(),
-            hertz.half_width,
+        reynolds: left_out::reynolds(case, film.central),
+        thermal: thermal(case, hertz.pressure / modulus, &film),
+        left_out: left_out::left_out(
+            case,
+            &Known {
+                film_central: film.central,
+                film_minimum: film.minimum.unwrap_or(film.central),
+                friction_power: 0.0,
+            },
         ),
-        thermal: thermal(case, hertz.pressure / modulus),
         lambda: case.roughness.map(|sigma| LambdaRatio {
             of_central: film.central / sigma,
             of_minimum: film.minimum.map(|h| h / sigma),
@@ -175,6 +200,16 @@ pub fn estimate(case: &Case) -> CaseEstimate {
     let new = warnings(case, &estimate);
     estimate.warnings.extend(new);
     estimate
+}
+
+/// Asymptotes of an incompressible lubricant, divided by the relative density at the Hertz pressure: as the film that they blend into.
+fn compressed(films: &Asymptotes, density: f64) -> Asymptotes {
+    Asymptotes {
+        isoviscous_rigid: films.isoviscous_rigid / density,
+        isoviscous_elastic: films.isoviscous_elastic / density,
+        piezoviscous_rigid: films.piezoviscous_rigid / density,
+        piezoviscous_elastic: films.piezoviscous_elastic / density,
+    }
 }
 
 fn chart(kind: ContactKind, groups: &Groups) -> ChartParameters {
@@ -203,39 +238,25 @@ fn film(case: &Case, groups: &Groups, regime: Regime) -> FilmEstimate {
     let minimum_film = (minimum.film(&case.contact, groups).1)
         .filter(|_| !isoviscous && minimum.applies(&case.contact));
     FilmEstimate {
-        central: predicted_film(case),
+        central: estimated_film(case),
         central_formula: central.name(),
         minimum: minimum_film,
         minimum_formula: minimum_film.map(|_| minimum.name()),
     }
 }
 
-fn thermal(case: &Case, pressure_over_modulus: f64) -> ThermalEstimate {
-    let lubricant = &case.lubricant;
-    let logarithm = |t| lubricant.viscosity.ln_viscosity(0.0.into(), t);
-    let beta = -first_derivative(logarithm, lubricant.temperature).1;
+fn thermal(case: &Case, pressure_over_modulus: f64, film: &FilmEstimate) -> ThermalEstimate {
+    let inlet = inlet_heat(case);
     let mut estimate = ThermalEstimate {
-        // no −0 in reports
-        temperature_coefficient: beta + 0.0,
-        loading: None,
+        temperature_coefficient: inlet.temperature_coefficient,
+        loading: inlet.loading.ok(),
         factors: Vec::new(),
-        missing: None,
+        recommended: None,
+        missing: inlet.loading.err(),
     };
-    if beta.is_nan() || beta <= 0.0 {
-        estimate.missing = Some("the viscosity law does not fall with temperature");
-        return estimate;
-    }
-    let Some(conductivity) = lubricant.ambient_conductivity() else {
-        estimate.missing = Some("the lubricant has no thermal_conductivity");
+    let Ok(loading) = inlet.loading else {
         return estimate;
     };
-    let loading = thermal_loading(
-        lubricant.ambient_viscosity(),
-        beta,
-        case.motion.entrainment_speed,
-        conductivity,
-    );
-    estimate.loading = Some(loading);
     let ratio = case.motion.sliding_at_centre();
     estimate.factors = ThermalReduction::ALL
         .into_iter()
@@ -247,6 +268,13 @@ fn thermal(case: &Case, pressure_over_modulus: f64) -> ThermalEstimate {
             })
         })
         .collect();
+    estimate.recommended = inlet.factor(case).map(|factor| HeatedFilm {
+        name: ThermalReduction::RECOMMENDED.name(),
+        factor,
+        central: factor * film.central,
+        minimum: film.minimum.map(|h| factor * h),
+        in_range: ThermalReduction::is_checked(loading, ratio),
+    });
     estimate
 }
 
@@ -272,17 +300,11 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
              low-shear viscosity, and films may be thinner",
         ));
     }
-    if estimate.reynolds.inertia_matters {
-        let text = format!(
-            "inertia may matter (Reynolds number of the film {:.3e}, reduced {:.3e}): Reynolds' equation has none",
-            estimate.reynolds.reynolds, estimate.reynolds.reduced
-        );
-        warnings.push(Warning::beyond(
-            WarningKind::Inertia,
-            estimate.reynolds.reduced,
-            text,
-        ));
-    }
+    warnings.extend(left_out::warnings(
+        case,
+        estimate.film.central,
+        &estimate.left_out,
+    ));
     let (name, thickness) = match estimate.film.minimum {
         Some(minimum) => ("the estimated minimum film thickness", minimum),
         None => (
@@ -291,10 +313,13 @@ fn warnings(case: &Case, estimate: &CaseEstimate) -> Vec<Warning> {
         ),
     };
     warnings.extend(thin_film_warning(name, thickness));
-    warnings.extend(thick_film(name, thickness, case.contact.radius));
+    warnings.extend(thick_film(name, thickness, smallest_radius(case)));
     warnings.extend((case.roughness).and_then(|sigma| roughness_warning(name, thickness, sigma)));
     if let Some(lambda) = &estimate.lambda {
         warnings.extend(lambda.asperity_load_share.and_then(share_warning));
+        let smallest = lambda.of_minimum.unwrap_or(lambda.of_central);
+        let limit = lambda.asperity_load_share_at_contact;
+        warnings.extend(limit.and_then(|limit| limit_warning(smallest, limit)));
     }
     warnings
 }

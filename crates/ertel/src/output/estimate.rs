@@ -47,7 +47,7 @@ pub fn estimate_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {
 
 fn write_regime(out: &mut Lines, estimate: &CaseEstimate) {
     let regime = &estimate.regime;
-    out.heading("Lubrication regime (Moes' asymptotes of the central film)");
+    out.heading("Lubrication regime (Moes' asymptotes of the central film, over the relative density at p_h)");
     let mut text = regime.regime.name().to_owned();
     if let Some(neighbour) = regime.neighbour {
         let _ = write!(text, ", close to {}", neighbour.name());
@@ -188,8 +188,28 @@ fn write_thermal(out: &mut Lines, estimate: &CaseEstimate) {
         out.row("thermal loading L_T = μ β u_m²/k", digits(loading, 3));
     }
     for f in &thermal.factors {
-        let name = format!("film times, {}", f.name);
+        let name = format!("thermal reduction factor, {}", f.name);
         out.row(&name, digits(f.factor, 4));
+    }
+    match &thermal.recommended {
+        Some(heated) => {
+            let range = match heated.in_range {
+                true => "",
+                false => "; beyond the range that it was checked in",
+            };
+            let by = format!("recommended: {}{range}", heated.name);
+            out.row(
+                "central film with this heat",
+                format!("{} ({by})", length(heated.central)),
+            );
+            if let Some(minimum) = heated.minimum {
+                out.row("minimum film with this heat", length(minimum));
+            }
+        }
+        None => out.row(
+            "films with this heat",
+            "beyond the recommended formula: `ertel solve` with [thermal] computes them",
+        ),
     }
     for f in &thermal.factors {
         out.note(f.source);
@@ -205,6 +225,7 @@ pub fn estimate_json(case: &CaseEcho, estimate: &CaseEstimate) -> serde_json::Re
     for (key, unit) in [
         ("central", "m"),
         ("minimum", "m"),
+        ("temperature_rise", "K"),
         ("isoviscous_rigid", "m"),
         ("isoviscous_elastic", "m"),
         ("piezoviscous_rigid", "m"),

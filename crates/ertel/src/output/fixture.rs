@@ -233,7 +233,7 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             central: bar(0.31),
             minimum: bar(0.28),
         }),
-        formulas: film_formulas(&contact, &groups),
+        formulas: film_formulas(&contact, &groups, 1.2),
         centreline,
         surface: SurfaceField {
             points: nodes.iter().map(|p| p.map(|x| a * x)).collect(),
@@ -255,6 +255,17 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             levels: vec![level(300, 7), level(2500, 4)],
             wall_seconds: 8.4,
             peak_memory: Some(412 << 20),
+        },
+        left_out: Neglected {
+            heat: Some(NeglectedHeat {
+                film_factor: Some(0.97),
+                film_factor_missing: None,
+                temperature_rise: 2.0,
+                is_lower_bound: false,
+            }),
+            inertia: 7e-6,
+            plasticity: 0.24,
+            lambda: None,
         },
         unresolved: Vec::new(),
         warnings: vec![

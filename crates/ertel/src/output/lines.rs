@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::warning::Warning;
+use crate::warning::{Warning, notes, texts};
 
 /// Width of the column of names.
 pub(super) const NAME_WIDTH: usize = 34;
@@ -75,14 +75,21 @@ impl Lines {
         self.blocks.push(Block::Table(table));
     }
 
-    /// Under a heading of their own, if there are any.
+    /// Warnings under a heading of their own, if there are any; then notes.
     pub fn warnings(&mut self, warnings: &[Warning]) {
-        if warnings.is_empty() {
-            return;
+        let told = texts(warnings);
+        if !told.is_empty() {
+            self.heading("Warnings");
+            let told = told.into_iter().map(str::to_owned).collect();
+            self.blocks.push(Block::Warnings(told));
         }
-        self.heading("Warnings");
-        let texts = warnings.iter().map(Warning::to_string).collect();
-        self.blocks.push(Block::Warnings(texts));
+        let notes = notes(warnings);
+        if !notes.is_empty() {
+            self.heading("Notes");
+        }
+        for text in notes {
+            self.note(text);
+        }
     }
 
     /// The report as text for a terminal.

@@ -10,6 +10,7 @@ use super::figure::{
 use super::lines::{Lines, NAME_WIDTH, Table};
 use super::{CaseEcho, heat, inputs, mixed};
 use crate::contact::{ContactKind, Groups, Hertz, Supply, Symmetry};
+use crate::plausible::left_out::words;
 use crate::solution::{Estimate, FormulaFilm, Located, Solution, Timings};
 
 /// Width of the column of values that have something beside them.
@@ -264,6 +265,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
     mixed::write_asperities(out, solution);
     out.row("mass balance error", percent_or_power(s.film_balance_error));
     out.row("load balance error", percent_or_power(s.load_balance_error));
+    out.row("left out by the model", words(&solution.left_out));
 }
 
 /// A figure and what stands beside it.

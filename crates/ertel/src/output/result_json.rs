@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::CaseEcho;
 use crate::run::NUMERICS;
 use crate::solution::{Figure, Solution};
-use crate::warning::texts;
+use crate::warning::{notes, texts};
 
 /// Value of the key `format` by which a result is recognised.
 pub const FORMAT: &str = "ertel-result";
@@ -49,6 +49,8 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "formulas": formulas,
         "unresolved": solution.unresolved,
         "warnings": texts(&solution.warnings),
+        "notes": notes(&solution.warnings),
+        "left_out": solution.left_out,
         "body_1_speed": case.motion.plane_speed(),
         "body_2_speed": case.motion.ball_speed(),
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
@@ -129,7 +131,7 @@ pub(super) fn units() -> Value {
         ),
         (
             "K",
-            &["temperature", "body_1_temperature", "body_2_temperature"],
+            &["temperature", "temperature_rise", "body_1_temperature", "body_2_temperature"],
         ),
         (
             "K",

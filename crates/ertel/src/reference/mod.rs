@@ -101,6 +101,35 @@ impl FilmFormula {
         }
     }
 
+    /// Whether the films that the formula was fitted to are of an incompressible fluid. Those of a compressible one are thinner in the
+    /// middle of the contact, where its mass fills less room, by the relative density at the Hertz pressure.
+    pub fn is_incompressible(self) -> bool {
+        match self {
+            FilmFormula::NijenbanningVennerMoes
+            | FilmFormula::VennerIsoviscous
+            | FilmFormula::MoesLine => true,
+            FilmFormula::HamrockDowson
+            | FilmFormula::Chittenden
+            | FilmFormula::DowsonHigginson
+            | FilmFormula::DowsonHigginson1966
+            | FilmFormula::DowsonToyoda => false,
+        }
+    }
+
+    /// [`FilmFormula::film`] of a lubricant that has `relative_density` at the Hertz pressure, over that at ambient pressure.
+    pub fn film_of_compressible(
+        self,
+        contact: &Contact,
+        groups: &Groups,
+        relative_density: f64,
+    ) -> (Option<f64>, Option<f64>) {
+        let (central, minimum) = self.film(contact, groups);
+        match self.is_incompressible() {
+            true => (central.map(|h| h / relative_density), minimum),
+            false => (central, minimum),
+        }
+    }
+
     /// Name in reports.
     pub fn name(self) -> &'static str {
         match self {
@@ -174,13 +203,19 @@ impl FilmFormula {
     }
 }
 
-/// Every formula that applies to a contact, with films in m.
-pub fn film_formulas(contact: &Contact, groups: &Groups) -> Vec<FormulaFilm> {
+/// Every formula that applies to a contact, with films in m, those of incompressible fluids divided by the relative density at the Hertz
+/// pressure.
+pub fn film_formulas(
+    contact: &Contact,
+    groups: &Groups,
+    relative_density: f64,
+) -> Vec<FormulaFilm> {
     FilmFormula::ALL
         .into_iter()
         .filter(|formula| formula.applies(contact))
         .filter_map(|formula| {
-            let (central, minimum) = formula.film(contact, groups);
+            let (central, minimum) =
+                formula.film_of_compressible(contact, groups, relative_density);
             (central.is_some() || minimum.is_some()).then(|| FormulaFilm {
                 name: formula.name(),
                 central,

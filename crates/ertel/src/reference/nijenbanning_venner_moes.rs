@@ -2,7 +2,7 @@
 
 use super::{Asymptotes, ElasticExponents, Fraction};
 
-pub(super) const SOURCE: &str = "Nijenbanning, Venner & Moes 1994, Wear 176, 217-229; incompressible fluid (constants \
+pub(super) const SOURCE: &str = "Nijenbanning, Venner & Moes 1994, Wear 176, 217-229; incompressible fluid, here divided by the relative density at p_h (constants \
      verified; exponent of the blend recalled, the two forms in use differ by up to 5 %)";
 
 /// Dimensionless central film H = h/(R √(2U)) for D = R_x/R_y, x along the motion, Moes'

@@ -146,7 +146,7 @@ fn line_power_laws_match_independent_values() {
     assert_relative_eq!(minimum.unwrap(), 168.84654e-9, max_relative = 1e-6);
     let (central, _) = FilmFormula::DowsonToyoda.film(&Contact::line(0.01, 1.0), &groups);
     assert_relative_eq!(central.unwrap(), 220.28150e-9, max_relative = 1e-6);
-    let names: Vec<_> = film_formulas(&Contact::line(0.01, 1.0), &groups)
+    let names: Vec<_> = film_formulas(&Contact::line(0.01, 1.0), &groups, 1.0)
         .into_iter()
         .map(|f| f.name)
         .collect();
@@ -212,7 +212,7 @@ fn isoviscous_contact_lists_only_what_applies() {
         moes_load: 1000.0,
         moes_material: 0.0,
     };
-    let films = film_formulas(&Contact::circular(0.01, 1.0), &groups);
+    let films = film_formulas(&Contact::circular(0.01, 1.0), &groups, 1.0);
     let names: Vec<_> = films.iter().map(|f| f.name).collect();
     assert_eq!(
         names,

@@ -33,6 +33,18 @@ impl ThermalReduction {
         ThermalReduction::MurchWilson,
     ];
 
+    /// The one that estimates go by.
+    pub const RECOMMENDED: ThermalReduction = ThermalReduction::GuptaCheng;
+
+    /// Largest thermal loading L_T and slide-to-roll ratio for which the recommended factor was checked against solves with heat.
+    pub const CHECKED: (f64, f64) = (5.0, 0.5);
+
+    /// Whether a case lies in [`ThermalReduction::CHECKED`].
+    pub fn is_checked(loading: f64, slide_to_roll_ratio: f64) -> bool {
+        let (most, slid) = Self::CHECKED;
+        loading <= most && slide_to_roll_ratio.abs() <= slid
+    }
+
     /// Name in reports.
     pub fn name(self) -> &'static str {
         match self {

@@ -4,6 +4,7 @@ mod contact_fields;
 mod elements;
 mod field;
 mod figures;
+mod left_out;
 mod mixed;
 mod roller;
 mod sensitivities;
@@ -23,6 +24,7 @@ pub(crate) use contact_fields::{mirror, near_zero};
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use field::Field;
 pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, Reading};
+pub use left_out::{Neglected, NeglectedHeat};
 pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
 pub use roller::RollerFigures;
 pub use sensitivities::{FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
@@ -571,6 +573,8 @@ pub struct Solution {
     pub history: Vec<IterationRecord>,
     /// Effort.
     pub stats: Stats,
+    /// What the model leaves out.
+    pub left_out: Neglected,
     /// Figures that the case is solved for and that the mesh does not resolve.
     pub unresolved: Vec<Unresolved>,
     /// What the user should know: ranges left, films below a nanometre, contact area too small.

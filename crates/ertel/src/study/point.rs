@@ -179,7 +179,7 @@ impl Task<'_> {
         let point = PointSolution {
             value: self.point.value(),
             case: case.echo(),
-            formulas: film_formulas(&case.contact, &groups(case, slope)),
+            formulas: film_formulas(&case.contact, &groups(case, slope), case.relative_density()),
             outcome,
             newtonian,
             isothermal,

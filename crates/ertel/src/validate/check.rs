@@ -244,22 +244,17 @@ fn formula_film(
     run: &Run,
     solution: &Solution,
 ) -> Option<f64> {
-    let (central, minimum) = formula.film(&run.case.contact, &solution.groups);
+    let (contact, groups) = (&run.case.contact, &solution.groups);
+    let (central, minimum) = match compressed {
+        true => formula.film_of_compressible(contact, groups, run.case.relative_density()),
+        false => formula.film(contact, groups),
+    };
     let film = match quantity {
         Quantity::CentralFilm => central?,
         Quantity::MinimumFilm => minimum?,
         _ => return None,
     };
-    let lubricant = &run.case.lubricant;
-    let density = if compressed {
-        lubricant
-            .density
-            .density(solution.hertz.pressure, lubricant.temperature)
-            / lubricant.ambient_density()
-    } else {
-        1.0
-    };
-    Some(film / density / solution.scales.film)
+    Some(film / solution.scales.film)
 }
 
 /// Dimensionless film of a power law for the case of a solution.

@@ -94,6 +94,7 @@ pub(super) fn read(
             temperature: Some((CELSIUS_20, 423.15)),
             source: "not given with the oil; what Roelands, Vlugter and Waterman (1963) state for the law"
                 .to_owned(),
+            of_law: true,
         },
         provenance: data,
     })

@@ -35,6 +35,8 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         contact,
         motion,
         load_key: "load",
+        body_radii: [f64::INFINITY; 2],
+        warnings: Vec::new(),
         echo: rows.echo(),
     })
 }

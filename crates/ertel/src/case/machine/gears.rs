@@ -8,6 +8,8 @@ use ertel_rheology::quantity::Dimension;
 use super::involute::Pair;
 use super::{Machine, Rows, required_length};
 use crate::contact::Contact;
+use crate::output::{digits, length};
+use crate::warning::{Warning, WarningKind};
 
 /// Pressure angles, rad.
 const PRESSURE_ANGLE: Bounds = Bounds::open(0.0, FRAC_PI_4);
@@ -105,6 +107,8 @@ pub(super) fn read(table: &mut Table<'_>, kind: Teeth) -> Result<Machine, InputE
     let addenda = [addendum("addendum_pinion")?, addendum("addendum_wheel")?]
         .map(|given| given.unwrap_or(module));
     let pair = Pair::new(module, pressure_angle, helix_angle, teeth, addenda);
+    check_teeth(table, &pair)?;
+    let warnings = undercut(&pair, teeth);
     let position = read_position(table, &pair)?;
     let flanks = pair.flank_radii(position);
     let radius = pair.reduced_radius(flanks);
@@ -113,6 +117,7 @@ pub(super) fn read(table: &mut Table<'_>, kind: Teeth) -> Result<Machine, InputE
 
     let width = required_length(table, "face_width")?;
     let torque = table.required_quantity("pinion_torque", Dimension::ENERGY, Bounds::POSITIVE)?;
+    check_contact_ratio(table, &pair)?;
     let share = load_share(table, kind, &pair)?;
     let force = torque / pair.base_radius();
     contact.load = share * force / width;
@@ -153,8 +158,63 @@ pub(super) fn read(table: &mut Table<'_>, kind: Teeth) -> Result<Machine, InputE
         contact,
         motion,
         load_key: "pinion_torque",
+        body_radii: [f64::INFINITY; 2],
+        warnings,
         echo: rows.echo(),
     })
+}
+
+/// Keys of the addenda, pinion first, and what they are called.
+const ADDENDA: [(&str, &str); 2] = [("addendum_pinion", "pinion"), ("addendum_wheel", "wheel")];
+
+/// Refuses teeth that end in a point before their tip circle.
+fn check_teeth(table: &Table<'_>, pair: &Pair) -> Result<(), InputError> {
+    for (gear, (key, name)) in ADDENDA.into_iter().enumerate() {
+        let thickness = pair.tip_thickness(gear);
+        if thickness > 0.0 {
+            continue;
+        }
+        return Err(table
+            .error(
+                key,
+                format!(
+                    "the teeth of the {name} are pointed before this addendum, {}: no tip is left",
+                    length(pair.addenda[gear])
+                ),
+            )
+            .with_help("addenda are about the module"));
+    }
+    Ok(())
+}
+
+/// Says so where the flank near the base circle is cut away.
+fn undercut(pair: &Pair, teeth: [f64; 2]) -> Vec<Warning> {
+    let cut = (0..2).filter(|gear| pair.is_undercut(*gear));
+    cut.map(|gear| {
+        let (own, other) = (ADDENDA[gear].1, ADDENDA[1 - gear].1);
+        Warning::new(
+            WarningKind::Gears,
+            format!(
+                "the tips of the {other} reach inside the base circle of the {own} ({} teeth): without profile shift its flanks are \
+                 undercut there, and the path of contact is shorter than the one given here",
+                digits(teeth[gear], 6)
+            ),
+        )
+    })
+    .collect()
+}
+
+/// Refuses pairs of which no two teeth touch at times.
+fn check_contact_ratio(table: &Table<'_>, pair: &Pair) -> Result<(), InputError> {
+    let ratio = pair.contact_ratio();
+    if ratio >= 1.0 {
+        return Ok(());
+    }
+    Err(table
+        .error_here(format!(
+            "the transverse contact ratio of this pair is {ratio:.3}: its teeth do not take over from each other"
+        ))
+        .with_help("give longer addenda"))
 }
 
 /// The share X of T_1/(r_b1 b) that is the load per length; of helical gears that of the mean length of the contact lines where it is absent.
@@ -163,15 +223,7 @@ fn load_share(table: &mut Table<'_>, kind: Teeth, pair: &Pair) -> Result<f64, In
     if kind == Teeth::Straight || table.contains("load_share") {
         return table.required_number("load_share", bounds);
     }
-    let ratio = pair.contact_ratio();
-    match ratio >= 1.0 {
-        true => Ok(1.0 / ratio),
-        false => Err(table
-            .error_here(format!(
-                "the transverse contact ratio of this pair is {ratio:.3}: its teeth do not take over from each other"
-            ))
-            .with_help("give longer addenda, or `load_share`")),
-    }
+    Ok(1.0 / pair.contact_ratio())
 }
 
 /// The place of the contact on the line of action, m from the pitch point and positive towards the pinion's tip.

@@ -78,6 +78,29 @@ impl Pair {
         (tip * tip - base * base).sqrt() - r * self.pressure_angle.sin()
     }
 
+    /// Thickness of the teeth of a gear at their tips, m, in the transverse section; negative where the flanks cross before.
+    ///
+    /// s_a = 2 r_a [π/(2z) + inv α_t − inv α_a],  cos α_a = r_b/r_a,  inv α = tan α − α
+    ///
+    /// Source: ISO 21771:2007, tooth thickness at a circle, of teeth as thick as their spaces at the pitch circle.
+    pub fn tip_thickness(&self, gear: usize) -> f64 {
+        let involute = |angle: f64| angle.tan() - angle;
+        let (r, tip) = (
+            self.pitch_radii[gear],
+            self.pitch_radii[gear] + self.addenda[gear],
+        );
+        let at_tip = (r * self.pressure_angle.cos() / tip).acos();
+        let half_angle = std::f64::consts::PI * self.module / (4.0 * r);
+        2.0 * tip * (half_angle + involute(self.pressure_angle) - involute(at_tip))
+    }
+
+    /// Whether the tip of the other gear reaches inside the base circle of this one, where there is no involute: there it meets the fillet,
+    /// or the cutter that made room for it has cut away some of the flank.
+    pub fn is_undercut(&self, gear: usize) -> bool {
+        let own = self.flank_radii(0.0)[gear];
+        self.reach(1 - gear) > own * (1.0 + 1e-9)
+    }
+
     /// The path of contact, from the tip of the wheel to that of the pinion, but not beyond the base circles, inside which
     /// there is no involute.
     pub fn path(&self) -> [f64; 2] {

@@ -21,6 +21,7 @@ use super::contact::{MOST_SLENDER, RADIUS, load_of_pressure, too_slender};
 use super::motion::{MAX_SPEED, check_entrainment};
 use crate::contact::{Contact, Motion};
 use crate::output::{MachineEcho, digits, length};
+use crate::warning::Warning;
 
 /// Angular speeds of machines, rad/s.
 const ANGULAR_SPEED: Bounds = Bounds::closed(-1e6, 1e6);
@@ -42,6 +43,11 @@ pub(super) struct Machine {
     pub motion: Motion,
     /// The key that the load comes from.
     pub load_key: &'static str,
+    /// Smallest radius of curvature of either body along x and y, m, where one fits into the other; infinite where the reduced radius is
+    /// the smallest.
+    pub body_radii: [f64; 2],
+    /// What to know.
+    pub warnings: Vec<Warning>,
     pub echo: MachineEcho,
 }
 

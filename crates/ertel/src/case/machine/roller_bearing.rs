@@ -48,6 +48,8 @@ pub(super) fn read(
         contact,
         motion,
         load_key: "roller_load",
+        body_radii: [0.5 * diameter, f64::INFINITY],
+        warnings: Vec::new(),
         echo: rows.echo(),
     })
 }

@@ -155,7 +155,10 @@ impl StudyPoint {
             }
             Case::without_curve(&varied, folder, BTreeMap::new())
         };
-        let case = read().map_err(|error| error.with_help(told(&label)))?;
+        let mut case = read().map_err(|error| error.with_help(told(&label)))?;
+        let keys = settings.iter().map(|s| s.key.as_str());
+        let ignored = case.lubricant.temperature_ignored(keys, "varies");
+        case.warnings.extend(ignored);
         let values = settings.iter().map(|s| s.value.clone()).collect();
         let point = StudyPoint {
             values,

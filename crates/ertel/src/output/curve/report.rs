@@ -128,7 +128,10 @@ fn write_remarks(text: &mut String, curve: &CurveSolution) {
             Outcome::Failed(reason) => {
                 let _ = writeln!(text, "\n  ! point {} failed: {reason}", i + 1);
             }
-            Outcome::Solved(s) => warnings.extend(s.warnings.iter().map(|w| (i, w))),
+            Outcome::Solved(s) => {
+                let told = s.warnings.iter().filter(|w| !w.kind.is_note());
+                warnings.extend(told.map(|w| (i, w)));
+            }
         }
     }
     for merged in by_kind(warnings) {

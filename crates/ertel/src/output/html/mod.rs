@@ -16,6 +16,7 @@ use super::report::{write_case, write_contact, write_effort, write_formulas, wri
 use super::{CaseEcho, curve_report, curve_table, heat, inputs};
 use crate::contact::ContactKind;
 use crate::solution::Solution;
+use crate::warning::texts;
 use crate::study::CurveSolution;
 
 /// Name of the page in a folder of results.
@@ -143,7 +144,9 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
         },
         "Case",
     );
-    let warnings: Vec<String> = solution.warnings.iter().map(|w| w.to_string()).collect();
+    let warnings: Vec<String> = (texts(&solution.warnings).into_iter())
+        .map(str::to_owned)
+        .collect();
     let data = json!({
         "version": DATA_VERSION,
         "results": [data::data(case, solution, tolerance)],

@@ -266,7 +266,8 @@ pub fn sweep_part(
             summary.failures.push((i, label, record.reason.clone()));
         }
         summary.n_unresolved += usize::from(record.is_unresolved());
-        warnings.extend(record.warnings.iter().map(|w| (i, w)));
+        let told = record.warnings.iter().filter(|w| !w.kind.is_note());
+        warnings.extend(told.map(|w| (i, w)));
     }
     summary.warnings = by_kind(warnings);
     summary.wall_seconds = clock.elapsed().as_secs_f64();

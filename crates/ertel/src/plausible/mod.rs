@@ -1,5 +1,21 @@
 //! Results that converged and still cannot be true: friction that no lubricant transmits, films that are not small beside the
-//! bodies, air colder than all that flows in.
+//! bodies, air colder than all that flows in; and what the model leaves out, with its size.
+//!
+//! | check | threshold | source |
+//! |---|---|---|
+//! | traction coefficient | [`LARGEST_TRACTION`] | traction fluids |
+//! | shear stress over p_h, sliding or rolling, whatever its error bar | [`LARGEST_STRESS_RATIO`] | Johnson; Habchi |
+//! | film over the smallest radius | [`LARGEST_FILM`] | slope of the gap |
+//! | heat of an isothermal contact | [`heat::LARGEST_RISE`], [`heat::SMALLEST_FACTOR`] | temperature coefficient of oils |
+//! | inertia of the film | [`inertia::NEGLIGIBLE_INERTIA`], [`inertia::CRITICAL_REYNOLDS`] | Habchi |
+//! | air colder than what flows in, heat balance | `UNDERSHOOT`, `LARGEST_HEAT_ERROR` | nothing cools before the contact |
+//!
+//! Checks of the input alone (Hertz pressure against the bodies' limit, width against each body's radii, the law's range) stand where the
+//! case is read.
+
+pub mod heat;
+pub mod inertia;
+pub mod left_out;
 
 use crate::case::Case;
 use crate::output::{digits, length, pressure};
@@ -32,18 +48,29 @@ pub fn warnings(case: &Case, solution: &Solution) -> Vec<Warning> {
         thick_film(
             "the central film thickness",
             solution.summary.film_central.value,
-            case.contact.radius,
+            smallest_radius(case),
         ),
         cold_inlet(case, solution),
         open_balance(solution),
     ]
     .into_iter()
     .flatten()
+    .chain(left_out::warnings(
+        case,
+        solution.summary.film_central.value,
+        &solution.left_out,
+    ))
     .collect()
 }
 
+/// Smallest radius, m: of the gap, or of a body itself.
+pub fn smallest_radius(case: &Case) -> f64 {
+    let [x, y] = case.body_radii;
+    case.contact.radius.min(x).min(y)
+}
+
 /// What a case leaves out of what limits friction.
-fn left_out(case: &Case) -> Vec<&'static str> {
+fn left_out_of_friction(case: &Case) -> Vec<&'static str> {
     let thinning = case.shear_thinning();
     [
         (
@@ -61,16 +88,17 @@ fn left_out(case: &Case) -> Vec<&'static str> {
     .collect()
 }
 
-/// Friction where the surfaces slide; films are hardly touched by it, and rolling alone makes no doubtful friction.
+/// Share of p_h from which a shear stress of rolling is more than a spike of the pressure gradient.
+const GROSS_STRESS_RATIO: f64 = 0.5;
+
+/// Friction beyond what lubricants transmit. The value counts, whatever its error bar: a wide bar makes a result no better. Where the
+/// surfaces only roll, stress comes of the pressure gradient at the spike, which films hardly feel.
 fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<Warning> {
-    if !case.motion.slides() {
-        return None;
-    }
+    let slides = case.motion.slides();
     let coefficient = traction.size().value;
-    let stress = traction.shear_stress_maximum;
-    // Largest stresses stand at spikes, which few meshes resolve: only what is sure.
-    let sure = stress.value - stress.error.unwrap_or(0.0);
-    let (excess, what) = if coefficient > LARGEST_TRACTION {
+    let stress = traction.shear_stress_maximum.value;
+    let largest = LARGEST_STRESS_RATIO * hertz_pressure;
+    let (excess, what) = if slides && coefficient > LARGEST_TRACTION {
         let what = format!(
             "a traction coefficient of {} is beyond what any lubricant transmits (about 0.12)",
             digits(
@@ -82,24 +110,34 @@ fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<War
             )
         );
         (coefficient / LARGEST_TRACTION, what)
-    } else if sure > LARGEST_STRESS_RATIO * hertz_pressure {
+    } else if stress > largest {
         let what = format!(
             "a shear stress of {} is beyond what lubricants bear (about 0.1 of the pressure, here {})",
-            pressure(stress.value),
-            pressure(LARGEST_STRESS_RATIO * hertz_pressure)
+            pressure(stress),
+            pressure(largest)
         );
-        (sure / (LARGEST_STRESS_RATIO * hertz_pressure), what)
+        (stress / largest, what)
     } else {
         return None;
     };
-    let missing = left_out(case);
+    let missing = left_out_of_friction(case);
     let why = match &missing[..] {
         [] => "look at the constants of the lubricant's laws".to_owned(),
         [one] => format!("the case leaves out {one}"),
         [all @ .., last] => format!("the case leaves out {} and {last}", all.join(", ")),
     };
-    let text = format!("{what}: {why}; do not use friction, stress and heat of this result");
-    Some(Warning::beyond(WarningKind::Friction, excess, text))
+    let (kind, unusable) = match slides || stress > GROSS_STRESS_RATIO * hertz_pressure {
+        true => (
+            WarningKind::Friction,
+            "do not use friction, stress and heat of this result",
+        ),
+        false => (
+            WarningKind::RollingStress,
+            "do not use the shear stress of this result; pure rolling leaves film and pressure alone",
+        ),
+    };
+    let text = format!("{what}: {why}; {unusable}");
+    Some(Warning::beyond(kind, excess, text))
 }
 
 /// Says so if a film thickness, m, is not small beside the radius, m. `film` names it.

@@ -1,0 +1,190 @@
+//! The table of checks on what a model leaves out, and the line that tells it.
+
+use super::heat::{LARGEST_RISE, SMALLEST_FACTOR, inlet_heat, rise};
+use super::inertia::{FilmReynolds, film_reynolds};
+use crate::case::Case;
+use crate::output::digits;
+use crate::solution::{NeglectedHeat, Neglected};
+use crate::warning::{Warning, WarningKind};
+
+/// What is known of a contact when it is asked what its model leaves out.
+pub struct Known {
+    /// Central film, m.
+    pub film_central: f64,
+    /// Minimum film, m.
+    pub film_minimum: f64,
+    /// Friction power, W (W/m of a line); zero where none is known.
+    pub friction_power: f64,
+}
+
+/// Reynolds numbers of the film of a case.
+pub fn reynolds(case: &Case, film_central: f64) -> FilmReynolds {
+    film_reynolds(
+        case.lubricant.ambient_density(),
+        case.motion.entrainment_speed,
+        film_central,
+        case.lubricant.ambient_viscosity(),
+        case.hertz().half_width,
+    )
+}
+
+/// Estimates of what is left out.
+pub fn left_out(case: &Case, known: &Known) -> Neglected {
+    let heat = case.thermal().is_none().then(|| {
+        let inlet = inlet_heat(case);
+        let rise = rise(case, known.friction_power, known.film_central);
+        NeglectedHeat {
+            film_factor: inlet.factor(case),
+            film_factor_missing: inlet.loading.err(),
+            temperature_rise: rise.mean,
+            is_lower_bound: rise.is_lower_bound,
+        }
+    });
+    Neglected {
+        heat,
+        inertia: reynolds(case, known.film_central).reduced,
+        plasticity: case.hertz().pressure / case.pressure_limit().0,
+        lambda: case.roughness.map(|sigma| known.film_minimum / sigma),
+    }
+}
+
+/// Warnings where what is left out matters.
+pub fn warnings(case: &Case, film_central: f64, left_out: &Neglected) -> Vec<Warning> {
+    let heat = left_out.heat.as_ref().and_then(heat_warning);
+    let reynolds = reynolds(case, film_central);
+    let inertia = inertia_warning(&reynolds);
+    heat.into_iter().chain(inertia).collect()
+}
+
+/// Says so if an isothermal contact makes so much heat that films or friction are others.
+pub fn heat_warning(heat: &NeglectedHeat) -> Option<Warning> {
+    let factor = heat.film_factor.unwrap_or(1.0);
+    let mut parts = Vec::new();
+    if factor < SMALLEST_FACTOR {
+        parts.push(format!(
+            "the heat of shear in the inlet thins the film by about {} %",
+            digits(100.0 * (1.0 - factor), 2)
+        ));
+    }
+    if heat.temperature_rise > LARGEST_RISE {
+        parts.push(format!(
+            "friction warms it by {} {} K, which lowers friction",
+            about(heat),
+            digits(heat.temperature_rise, 2)
+        ));
+    }
+    if parts.is_empty() {
+        return None;
+    }
+    let text = format!(
+        "the contact is computed without heat, but {}: [thermal] reckons with it",
+        parts.join(", and ")
+    );
+    let excess = (SMALLEST_FACTOR / factor).max(heat.temperature_rise / LARGEST_RISE);
+    Some(Warning::beyond(WarningKind::HeatLeftOut, excess, text))
+}
+
+fn about(heat: &NeglectedHeat) -> &'static str {
+    match heat.is_lower_bound {
+        true => "at least about",
+        false => "about",
+    }
+}
+
+/// Says so if inertia or turbulence may count.
+pub fn inertia_warning(reynolds: &FilmReynolds) -> Option<Warning> {
+    let text = format!(
+        "inertia may matter (Reynolds number of the film {:.3e}, reduced {:.3e}): Reynolds' equation has none",
+        reynolds.reynolds, reynolds.reduced
+    );
+    (reynolds.inertia_matters)
+        .then(|| Warning::beyond(WarningKind::Inertia, reynolds.reduced, text))
+}
+
+/// The line of a report.
+pub fn words(left_out: &Neglected) -> String {
+    let mut parts = Vec::new();
+    if let Some(heat) = &left_out.heat {
+        let film = match (heat.film_factor, heat.film_factor_missing) {
+            (Some(factor), _) => format!(
+                "of the inlet thins the film by about {} %",
+                digits(100.0 * (1.0 - factor), 2)
+            ),
+            (None, Some(reason)) => format!("effect on the film not known, {reason}"),
+            (None, None) => "effect on the film beyond the formula".to_owned(),
+        };
+        let rise = match heat.temperature_rise > 0.0 {
+            true => format!(
+                ", of friction warms it by {} {} K",
+                about(heat),
+                digits(heat.temperature_rise, 2)
+            ),
+            false => String::new(),
+        };
+        parts.push(format!("heat ({film}{rise})"));
+    }
+    parts.push(format!(
+        "inertia ({} of viscous forces)",
+        percent(left_out.inertia)
+    ));
+    parts.push(format!(
+        "plasticity (p_h is {} of what the bodies bear)",
+        digits(left_out.plasticity, 2)
+    ));
+    parts.push(match left_out.lambda {
+        Some(lambda) => format!(
+            "roughness in the film (h_min is {} times the rms height)",
+            digits(lambda, 3)
+        ),
+        None => "roughness (none given)".to_owned(),
+    });
+    parts.join("; ")
+}
+
+/// A share as per cent; none below 0.01 %.
+fn percent(share: f64) -> String {
+    match share < 1e-4 {
+        true => "below 0.01 %".to_owned(),
+        false => format!("{} %", digits(100.0 * share, 2)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn heat(film_factor: f64, temperature_rise: f64) -> NeglectedHeat {
+        NeglectedHeat {
+            film_factor: Some(film_factor),
+            temperature_rise,
+            ..NeglectedHeat::default()
+        }
+    }
+
+    /// Both sides of both thresholds.
+    #[test]
+    fn heat_at_the_limits() {
+        assert_eq!(heat_warning(&heat(0.901, 9.99)), None);
+        let thin = heat_warning(&heat(0.889, 9.99)).unwrap();
+        assert!(thin.contains("thins the film by about 11 %"), "{thin}");
+        assert!(!thin.contains("friction warms"), "{thin}");
+        let warm = heat_warning(&heat(0.901, 10.1)).unwrap();
+        assert!(warm.contains("friction warms it by about 10 K"), "{warm}");
+        assert!(!warm.contains("thins the film"), "{warm}");
+    }
+
+    #[test]
+    fn the_line() {
+        let known = Neglected {
+            heat: Some(heat(0.97, 2.0)),
+            inertia: 7e-6,
+            plasticity: 0.2386,
+            lambda: None,
+        };
+        assert_eq!(
+            words(&known),
+            "heat (of the inlet thins the film by about 3 %, of friction warms it by about 2 K); inertia (below 0.01 % of viscous \
+             forces); plasticity (p_h is 0.24 of what the bodies bear); roughness (none given)"
+        );
+    }
+}

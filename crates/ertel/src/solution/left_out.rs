@@ -1,0 +1,30 @@
+//! What the model of a result leaves out, with its estimated size.
+
+use serde::Serialize;
+
+/// Estimates of what a solve did not reckon with. A size is `None` where nothing can be said of it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Neglected {
+    /// Heat; `None` where the solve has it.
+    pub heat: Option<NeglectedHeat>,
+    /// Inertia of the film over its viscous forces.
+    pub inertia: f64,
+    /// Hertz pressure over the largest one that the weaker body bears.
+    pub plasticity: f64,
+    /// Minimum film over the rms roughness; `None` where no roughness is given.
+    pub lambda: Option<f64>,
+}
+
+/// Heat that an isothermal contact leaves out.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct NeglectedHeat {
+    /// Factor by which the heat of shear in the inlet thins the film.
+    pub film_factor: Option<f64>,
+    /// Why there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub film_factor_missing: Option<&'static str>,
+    /// Mean rise of the film in the contact by the heat of friction, K.
+    pub temperature_rise: f64,
+    /// Whether the rise is a lower bound: bodies without thermal data count as steel, and a lubricant without conductivity as a conductor.
+    pub is_lower_bound: bool,
+}
