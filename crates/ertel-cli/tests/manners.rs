@@ -598,7 +598,7 @@ fn init_writes_templates_that_pass_the_check() {
 #[test]
 fn init_asks_and_checks_the_answers() {
     let folder = tempfile::tempdir().unwrap();
-    let answers = "20 mm\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n\n\n\n\n";
+    let answers = "20 mm\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n\n\n\n\n\n\n";
     let output = with_input(&folder, &["init", "rig", "--ask", "-o", "my.toml"], answers);
     code(&output, 0);
     assert!(

@@ -352,6 +352,8 @@ mod ellipse_tests;
 #[cfg(test)]
 mod motion_tests;
 #[cfg(test)]
+mod plausible_tests;
+#[cfg(test)]
 mod roller_tests;
 #[cfg(test)]
 mod tests;

@@ -226,4 +226,62 @@ mod tests {
         assert_eq!(words(311.0, -4.5e-4, 200.0), None);
         assert_eq!(words(258.0, 1.2e-4, 6.4), None);
     }
+
+    fn case(ratio: f64) -> Case {
+        let text = include_str!("../../../ertel-cli/tests/good/quick.toml");
+        let setting = format!("motion.slide_to_roll_ratio={ratio:?}");
+        Case::from_text_with("quick.toml", text, std::path::Path::new(""), &[setting]).unwrap()
+    }
+
+    /// Both sides of each bound; a bar as wide as the figure silences nothing.
+    #[test]
+    fn stresses_that_no_lubricant_bears() {
+        let exact = |value| crate::solution::Estimate {
+            value,
+            error: Some(0.0),
+        };
+        let kind = |ratio: f64, stress: f64| {
+            let traction = Traction {
+                coefficient: exact(0.02),
+                coefficient_body_1: exact(0.02),
+                coefficient_body_2: exact(0.02),
+                force: exact(0.0),
+                across: None,
+                moment: None,
+                friction_power: exact(0.0),
+                shear_stress_maximum: crate::solution::Estimate {
+                    value: stress,
+                    error: Some(stress),
+                },
+                beyond_first_limit: None,
+                beyond_second_limit: None,
+            };
+            friction(&case(ratio), &traction, 1e9).map(|warning| warning.kind)
+        };
+        for (ratio, stress, expected) in [
+            (0.1, 0.099e9, None),
+            (0.1, 0.101e9, Some(WarningKind::Friction)),
+            (0.0, 0.099e9, None),
+            (0.0, 0.101e9, Some(WarningKind::RollingStress)),
+            (0.0, 0.499e9, Some(WarningKind::RollingStress)),
+            (0.0, 0.501e9, Some(WarningKind::Friction)),
+            (0.0, 12e9, Some(WarningKind::Friction)),
+        ] {
+            assert_eq!(kind(ratio, stress), expected, "{ratio} {stress}");
+        }
+    }
+
+    /// Flash temperature of a uniform band on a fast half-space: the mean rise is 0.5319230 (Q/b)/(e √(u/b)) (computed by quadrature); two
+    /// bodies of one effusivity and speed halve it.
+    #[test]
+    fn flash_temperature() {
+        let case = case(0.0);
+        let power = 1e5;
+        let b = case.hertz().half_width;
+        let u = case.motion.plane_speed();
+        let steel = (46.0_f64 * 7850.0 * 470.0).sqrt();
+        let expected = 0.5 * 0.531_923_040_5 * (power / b) / (steel * (u / b).sqrt());
+        let found = heat::rise(&case, power, 0.0);
+        approx::assert_relative_eq!(found.mean, expected, max_relative = 1e-4);
+    }
 }

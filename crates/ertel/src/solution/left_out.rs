@@ -6,12 +6,14 @@ use serde::Serialize;
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Neglected {
     /// Heat; `None` where the solve has it.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub heat: Option<NeglectedHeat>,
     /// Inertia of the film over its viscous forces.
     pub inertia: f64,
     /// Hertz pressure over the largest one that the weaker body bears.
     pub plasticity: f64,
     /// Minimum film over the rms roughness; `None` where no roughness is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub lambda: Option<f64>,
 }
 
@@ -19,6 +21,7 @@ pub struct Neglected {
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct NeglectedHeat {
     /// Factor by which the heat of shear in the inlet thins the film.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub film_factor: Option<f64>,
     /// Why there is none.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -6,6 +6,7 @@ use ertel_rheology::input::Document;
 
 use super::{BALL, CAM, DISC, GEAR, REST, ROLLER, read, with};
 use crate::case::Case;
+use crate::warning::WarningKind;
 
 pub(super) fn refused(machine: &str, old: &str, new: &str, words: &[&str]) {
     let message = with(machine, old, new).unwrap_err().to_string();
@@ -188,6 +189,39 @@ fn the_path_ends_at_the_base_circle() {
     let light = small.replace("100 N.m", "1 N.m");
     let case = with(&light, "\"pitch point\"", "\"-6.8 mm\"").unwrap();
     assert!(case.contact.radius > 0.0);
+}
+
+/// Teeth of 20 with α = 20° are pointed at inv α_a = π/40 + inv 20° = 0.093444, α_a = 35.87°: an addendum of 40 cos 20°/cos 35.87° − 40 =
+/// 6.39 mm. Addenda of 1.5 mm leave a contact ratio below 1. The small pinion's undercut is told, and 20 teeth have none.
+#[test]
+fn teeth_that_do_not_mesh() {
+    let addendum = |mm: f64| format!("module = \"4 mm\"\naddendum_pinion = \"{mm} mm\"");
+    assert!(with(GEAR, "module = \"4 mm\"", &addendum(6.3)).is_ok());
+    for mm in [6.5, 40.0] {
+        refused(
+            GEAR,
+            "module = \"4 mm\"",
+            &addendum(mm),
+            &["pointed before this addendum", "addendum_pinion"],
+        );
+    }
+    let short = format!("{}\naddendum_wheel = \"1.5 mm\"", addendum(1.5));
+    refused(
+        GEAR,
+        "module = \"4 mm\"",
+        &short,
+        &["the transverse contact ratio of this pair is 0.", "do not take over"],
+    );
+    let told = |machine: &str| {
+        let case = read(machine).unwrap();
+        case.warnings.iter().any(|w| w.kind == WarningKind::Gears)
+    };
+    assert!(!told(GEAR));
+    let small = GEAR
+        .replace("pinion_teeth = 20", "pinion_teeth = 10")
+        .replace("= 40", "= 100")
+        .replace("100 N.m", "1 N.m");
+    assert!(told(&small));
 }
 
 #[test]
