@@ -111,7 +111,9 @@ pub struct HeatedFilm {
     pub central: f64,
     /// Minimum film, m, where there is an isothermal one.
     pub minimum: Option<f64>,
-    /// Whether the case lies in the range that the factor was checked in, [`ThermalReduction::CHECKED`].
+    /// Largest difference of another published factor, over this one.
+    pub difference: f64,
+    /// Whether the published factors agree, within [`ThermalReduction::LARGEST_DIFFERENCE`].
     pub in_range: bool,
 }
 
@@ -268,12 +270,19 @@ fn thermal(case: &Case, pressure_over_modulus: f64, film: &FilmEstimate) -> Ther
             })
         })
         .collect();
-    estimate.recommended = inlet.factor(case).map(|factor| HeatedFilm {
-        name: ThermalReduction::RECOMMENDED.name(),
-        factor,
-        central: factor * film.central,
-        minimum: film.minimum.map(|h| factor * h),
-        in_range: ThermalReduction::is_checked(loading, ratio),
+    estimate.recommended = inlet.factor(case).map(|factor| {
+        let others = estimate.factors.iter();
+        let difference = others
+            .map(|other| (other.factor / factor - 1.0).abs())
+            .fold(0.0, f64::max);
+        HeatedFilm {
+            name: ThermalReduction::RECOMMENDED.name(),
+            factor,
+            central: factor * film.central,
+            minimum: film.minimum.map(|h| factor * h),
+            difference,
+            in_range: difference <= ThermalReduction::LARGEST_DIFFERENCE,
+        }
     });
     estimate
 }

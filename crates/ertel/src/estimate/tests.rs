@@ -382,8 +382,10 @@ fn the_recommended_factor_is_applied() {
     assert_eq!(gupta.unwrap().factor, heated.factor);
     assert_relative_eq!(heated.central, heated.factor * e.film.central);
     assert!(heated.in_range);
-    let fast = of(&on_glass("glycerol", "313 K", "30 N", "20 m/s"));
+    assert!(!warns(&e, "without heat"));
+    // Sliding at 2 m/s: the published factors part, and the film is a quarter thinner at the least.
+    let sliding = on_glass("glycerol", "313 K", "30 N", "2 m/s").replace("ratio = 0.0", "ratio = 1.5");
+    let fast = of(&sliding);
     assert!(fast.thermal.recommended.is_none_or(|h| !h.in_range));
-    assert!(warns(&e, "without heat") == (heated.factor < 0.9));
-    assert!(fast.thermal.recommended.is_none() || warns(&fast, "thins the film"));
+    assert!(warns(&fast, "thins the film"), "{:?}", fast.thermal);
 }

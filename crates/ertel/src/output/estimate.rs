@@ -194,8 +194,11 @@ fn write_thermal(out: &mut Lines, estimate: &CaseEstimate) {
     match &thermal.recommended {
         Some(heated) => {
             let range = match heated.in_range {
-                true => "",
-                false => "; beyond the range that it was checked in",
+                true => String::new(),
+                false => format!(
+                    "; the formulas differ by {:.0} %: solve with [thermal]",
+                    100.0 * heated.difference
+                ),
             };
             let by = format!("recommended: {}{range}", heated.name);
             out.row(
