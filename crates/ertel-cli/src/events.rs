@@ -63,10 +63,7 @@ impl Events {
             } else {
                 "warning"
             };
-            self.emit(
-                event,
-                json!({ "kind": warning.kind, "text": warning.text }),
-            );
+            self.emit(event, json!({ "kind": warning.kind, "text": warning.text }));
         }
     }
 

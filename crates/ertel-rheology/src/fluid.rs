@@ -188,9 +188,7 @@ impl Fluid {
         let tightest = pressure_limits
             .into_iter()
             .min_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some((limit, basis, of_law)) =
-            tightest.filter(|(limit, ..)| pressure_max > *limit)
-        {
+        if let Some((limit, basis, of_law)) = tightest.filter(|(limit, ..)| pressure_max > *limit) {
             warnings.push(RangeWarning::PressureAbove {
                 fluid: self.name.clone(),
                 pressure: pressure_max,

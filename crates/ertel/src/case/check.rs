@@ -125,7 +125,9 @@ pub(super) fn body_size(
                 length(radius)
             ),
         )
-        .with_help("Hertz theory and the film equation hold for contacts much smaller than the bodies"))
+        .with_help(
+            "Hertz theory and the film equation hold for contacts much smaller than the bodies",
+        ))
 }
 
 /// Largest Hertz pressures, Pa, of hardened bearing steel in ball and in roller bearings under static load: a lasting deformation of

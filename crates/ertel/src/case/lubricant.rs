@@ -99,13 +99,16 @@ impl Lubricant {
     ) -> Option<Warning> {
         let keys: Vec<&str> = keys.into_iter().collect();
         let temperature = keys.iter().find(|key| TEMPERATURE_KEYS.contains(key))?;
-        let is_viscosity =
-            |key: &&str| *key == "lubricant" || key.starts_with("lubricant.") && !TEMPERATURE_KEYS.contains(key);
+        let is_viscosity = |key: &&str| {
+            *key == "lubricant" || key.starts_with("lubricant.") && !TEMPERATURE_KEYS.contains(key)
+        };
         if keys.iter().any(is_viscosity) {
             return None;
         }
         let reason = self.no_temperature()?;
-        let text = format!("`{temperature}` {how}, but {reason}: the film is the same at any temperature; {OILS_WITH_TEMPERATURE}");
+        let text = format!(
+            "`{temperature}` {how}, but {reason}: the film is the same at any temperature; {OILS_WITH_TEMPERATURE}"
+        );
         Some(Warning::new(WarningKind::TemperatureIgnored, text))
     }
 

@@ -288,7 +288,10 @@ impl Case {
         unusual.extend(usual::of_lubricant(&case, &unusual));
         case.warnings.extend(unusual);
         let uncertain: Vec<&str> = (case.inputs().iter())
-            .filter(|input| input.uncertainty.is_some() && lubricant::TEMPERATURE_KEYS.contains(&input.key.as_str()))
+            .filter(|input| {
+                input.uncertainty.is_some()
+                    && lubricant::TEMPERATURE_KEYS.contains(&input.key.as_str())
+            })
             .map(|input| input.key.as_str())
             .collect();
         let ignored = (case.lubricant).temperature_ignored(uncertain, "has an uncertainty");

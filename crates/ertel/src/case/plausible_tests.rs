@@ -46,15 +46,22 @@ fn temperatures_without_effect() {
     let set = "lubricant.temperature=80 degC";
     assert!(!ignored(&read(CASE, &[])));
     assert!(ignored(&read(CASE, &[set])));
-    assert!(!ignored(&read(CASE, &[set, "lubricant.viscosity.mu_0=10 mPa.s"])));
+    assert!(!ignored(&read(
+        CASE,
+        &[set, "lubricant.viscosity.mu_0=10 mPa.s"]
+    )));
     assert!(!ignored(&read(&with_beta(), &[set])));
     let uncertain = CASE.replace("40 degC", "40 degC ± 2 K");
     assert!(ignored(&read(&uncertain, &[])));
-    let curve = "[curve]\nquantity = \"lubricant.temperature\"\nvalues = [\"40 degC\", \"60 degC\"]\n";
+    let curve =
+        "[curve]\nquantity = \"lubricant.temperature\"\nvalues = [\"40 degC\", \"60 degC\"]\n";
     for (text, expected) in [(CASE.to_owned(), true), (with_beta(), false)] {
         let case = read(&format!("{text}{curve}"), &[]);
         let points = &case.curve.as_ref().unwrap().points;
-        assert!(points.iter().all(|p| ignored(&p.case) == expected), "{text}");
+        assert!(
+            points.iter().all(|p| ignored(&p.case) == expected),
+            "{text}"
+        );
     }
 }
 
@@ -84,7 +91,10 @@ fn pressures_beyond_strength() {
             "{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, hertz_pressure_limit = \"1 GPa\" }",
             1e9,
         ),
-        ("{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }", 4.2e9),
+        (
+            "{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }",
+            4.2e9,
+        ),
     ] {
         let told = |pressure: f64| {
             let text = CASE
@@ -128,7 +138,10 @@ viscosity = {{ law = "constant", mu_0 = "5 mPa.s" }}
     assert!(told(1.03 * bound).unwrap());
     assert!(told(1500.0).unwrap());
     let error = told(3000.0).unwrap_err();
-    assert!(error.to_string().contains("exceeds the radius of a body"), "{error}");
+    assert!(
+        error.to_string().contains("exceeds the radius of a body"),
+        "{error}"
+    );
 }
 
 /// Barus' law reaches 1e12 Pa.s where α p = ln(1e12/0.04) = 30.85: at 1.402 GPa.

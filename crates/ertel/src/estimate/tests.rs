@@ -384,7 +384,8 @@ fn the_recommended_factor_is_applied() {
     assert!(heated.in_range);
     assert!(!warns(&e, "without heat"));
     // Sliding at 2 m/s: the published factors part, and the film is a quarter thinner at the least.
-    let sliding = on_glass("glycerol", "313 K", "30 N", "2 m/s").replace("ratio = 0.0", "ratio = 1.5");
+    let sliding =
+        on_glass("glycerol", "313 K", "30 N", "2 m/s").replace("ratio = 0.0", "ratio = 1.5");
     let fast = of(&sliding);
     assert!(fast.thermal.recommended.is_none_or(|h| !h.in_range));
     assert!(warns(&fast, "thins the film"), "{:?}", fast.thermal);

@@ -131,7 +131,12 @@ pub(super) fn units() -> Value {
         ),
         (
             "K",
-            &["temperature", "temperature_rise", "body_1_temperature", "body_2_temperature"],
+            &[
+                "temperature",
+                "temperature_rise",
+                "body_1_temperature",
+                "body_2_temperature",
+            ],
         ),
         (
             "K",

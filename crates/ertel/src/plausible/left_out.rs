@@ -4,7 +4,7 @@ use super::heat::{LARGEST_RISE, SMALLEST_FACTOR, inlet_heat, rise};
 use super::inertia::{FilmReynolds, film_reynolds};
 use crate::case::Case;
 use crate::output::digits;
-use crate::solution::{NeglectedHeat, Neglected};
+use crate::solution::{Neglected, NeglectedHeat};
 use crate::warning::{Warning, WarningKind};
 
 /// What is known of a contact when it is asked what its model leaves out.

@@ -16,8 +16,8 @@ use super::report::{write_case, write_contact, write_effort, write_formulas, wri
 use super::{CaseEcho, curve_report, curve_table, heat, inputs};
 use crate::contact::ContactKind;
 use crate::solution::Solution;
-use crate::warning::texts;
 use crate::study::CurveSolution;
+use crate::warning::texts;
 
 /// Name of the page in a folder of results.
 pub const REPORT_PAGE: &str = "report.html";

@@ -122,7 +122,12 @@ pub(super) fn write_results(
     let table = echo.table(records);
     let finished =
         (echo.points.iter().enumerate()).filter_map(|(i, (key, _))| Some((i, records.get(key)?)));
-    let warnings = by_kind(finished.flat_map(|(i, r)| r.warnings.iter().filter(|w| !w.kind.is_note()).map(move |w| (i, w))));
+    let warnings = by_kind(finished.flat_map(|(i, r)| {
+        r.warnings
+            .iter()
+            .filter(|w| !w.kind.is_note())
+            .map(move |w| (i, w))
+    }));
     let warnings = (warnings.iter().map(|merged| merged.line(echo.points.len()))).collect();
     let page = study_page(&echo.title, &table, echo.columns.len(), warnings);
     write(TABLE, table)?;

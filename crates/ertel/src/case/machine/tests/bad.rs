@@ -210,7 +210,10 @@ fn teeth_that_do_not_mesh() {
         GEAR,
         "module = \"4 mm\"",
         &short,
-        &["the transverse contact ratio of this pair is 0.", "do not take over"],
+        &[
+            "the transverse contact ratio of this pair is 0.",
+            "do not take over",
+        ],
     );
     let told = |machine: &str| {
         let case = read(machine).unwrap();
