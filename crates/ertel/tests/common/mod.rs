@@ -50,6 +50,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         },
         plane: steel.clone(),
         ball: steel,
+        body_radii: [f64::INFINITY; 2],
         roughness: None,
         asperities: None,
         motion: Motion::straight(0.8, 0.0),
