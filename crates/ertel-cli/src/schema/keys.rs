@@ -292,6 +292,7 @@ const BODY: &[Key] = &[
     ("name", Solid),
     ("youngs_modulus", PRESSURE),
     ("poissons_ratio", Number),
+    ("hertz_pressure_limit", PRESSURE),
     ("density", DENSITY),
     ("thermal_conductivity", CONDUCTIVITY),
     ("heat_capacity", HEAT_CAPACITY),
