@@ -261,3 +261,26 @@ fn rollers_scale() {
     ];
     scales_with_size_and_stress(&format!("{contact}{}", scalable()), &lengths, 1e-3, 1e-2);
 }
+
+/// A crown that carries no load near its ends knows nothing of the length beyond: no figure changes with it, though all is told in
+/// half-widths of a line contact of that length, whose load then is another.
+#[test]
+fn a_roller_does_not_feel_length_that_carries_nothing() {
+    let contact = "[contact]\nkind = \"roller\"\nradius = \"10 mm\"\nload = \"40 N\"\nlength = \"2 mm\"\n\
+                   profile = { kind = \"crown\", crown_radius = \"300 mm\" }\n";
+    let base = case(&format!(
+        "{contact}{}\n[output]\nsensitivities = true\n",
+        scalable()
+    ));
+    let (solution, _) = solved(&base, None);
+    let sensitivities = solution.sensitivities.as_ref().unwrap();
+    for figure in &sensitivities.figures {
+        let found = sensitivities.logarithmic(figure);
+        let by = |key: &str| found.iter().find(|(k, _)| *k == key).unwrap().1;
+        let (length, load) = (by("contact.length"), by("contact.load"));
+        println!("{} {length} {load}", figure.figure.name());
+        if figure.figure != Figure::PressureMaximum {
+            assert!(length.abs() < 1e-2, "{length}");
+        }
+    }
+}

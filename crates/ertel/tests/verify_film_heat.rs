@@ -9,11 +9,13 @@ use ertel::case::Case;
 use ertel::contact::{ContactKind, Motion};
 use ertel::film::cross_film::CrossFilm;
 use ertel::film::{MOST_NODES, TemperatureProfile};
-use ertel::forms::energy::{FilmColumn, FilmPlace, film_column};
+use ertel::forms::energy::{FilmColumn, FilmPlace, Heat, film_column};
 use ertel::run::problem;
 use ertel::solve::evaluate::PointFields;
 use ertel::solve::sequence::Problem;
 use ertel::solve::shear::Shear;
+use ertel_rheology::ConductivityLaw;
+use ertel_rheology::conductivity::{Linear, LinearFactor};
 use ertel_rheology::shear::{Rabinowitsch, ShearLaw, ShearThinning};
 
 /// The place, in half-widths, P, ∇P and H there; slide-to-roll ratio, and τ_c of the film that stress thins, Pa.
@@ -362,6 +364,130 @@ fn heat_of_a_held_flow_by_temperature() {
                     + point.by_gradient_factor * found.gradient_factor_slopes[m];
                 let largest = found.heights.iter().fold(0.0_f64, |m, h| m.max(h.shear));
                 assert_relative_eq!(change, difference, epsilon = 1e-5 * largest);
+            }
+        }
+    }
+}
+
+/// A film of k = 0.13 W/(m·K) [1 − 2e-3/K (T − 313.15 K)] conducts k/h at each height by the temperature there, not by that of the inlet.
+#[test]
+fn the_film_conducts_by_its_own_temperature() {
+    let problem = problem(&case(false));
+    let heat = problem.heat.as_ref().unwrap();
+    let heights = &heat.column.heights;
+    let factor = LinearFactor::new(ISOTHERMAL, -2e-3, 0.0).unwrap();
+    let conductivity = ConductivityLaw::Linear(Linear::new(0.13, factor).unwrap());
+    let law = Heat {
+        conductivity,
+        ..heat.heat.clone()
+    };
+    let mut place = FilmPlace {
+        at: AT,
+        pressure: PRESSURE,
+        pressure_gradient: GRADIENT,
+        film: FILM,
+        filling: 1.0,
+        temperature: [0.0; MOST_NODES],
+        held_conductance: None,
+    };
+    let nodes = problem.fluid.nodes().unwrap().points();
+    for (t, s) in place.temperature.iter_mut().zip(nodes) {
+        *t = profile(*s);
+    }
+    let found = film_column(
+        &problem.fluid,
+        &law,
+        heights,
+        &place,
+        &mut CrossFilm::default(),
+    );
+    let h = FILM * law.film;
+    let mut largest = 0.0_f64;
+    for (point, s) in found.heights.iter().zip(heights.points()) {
+        let rise = profile(*s) - ISOTHERMAL;
+        largest = largest.max(rise.abs());
+        let k = 0.13 * (1.0 - 2e-3 * rise);
+        assert_relative_eq!(point.conduction, k / h, max_relative = 1e-6);
+    }
+    assert!(largest > 5.0, "{largest}");
+}
+
+/// A line contact whose oil is glass in the middle (α = 40 1/GPa at 0.9 GPa, viscosity e^73 times that at ambient pressure), sheared by
+/// Eyring's law: heat of h τ γ̇ with τ = τ_0 asinh(μγ̇/τ_0) at every height, by hand, where nothing drives the oil but sliding; and finite
+/// where the pressure falls steeply.
+#[test]
+fn heat_of_a_film_that_is_all_but_solid() {
+    let text = r#"
+        [contact]
+        kind = "line"
+        radius = "7.9 mm"
+        load = "181 kN/m"
+        [bodies]
+        body_1 = "steel"
+        body_2 = "steel"
+        [motion]
+        entrainment_speed = "0.1 m/s"
+        slide_to_roll_ratio = 1.0
+        [lubricant]
+        temperature = "60 degC"
+        density = { law = "dowson-higginson", rho_0 = "860 kg/m^3", reference_temperature = "60 degC", beta = "7e-4 1/K" }
+        viscosity = { law = "roelands", mu_0 = "8.65 mPa.s", alpha = "40 1/GPa", reference_temperature = "60 degC", beta = "0.035 1/K" }
+        thermal_conductivity = "0.13 W/(m.K)"
+        heat_capacity = "2000 J/(kg.K)"
+        shear_thinning = { law = "ree-eyring", tau_0 = "6 MPa" }
+        [thermal]
+    "#;
+    let document = ertel_rheology::input::Document::parse("case.toml", text).unwrap();
+    let case = Case::from_document(&document, std::path::Path::new("")).unwrap();
+    let problem = problem(&case);
+    let heat = problem.heat.as_ref().unwrap();
+    let (heights, law) = (&heat.column.heights, &heat.heat);
+    for pressure in [0.2, 0.5, 0.8, 0.9, 1.0, 1.1] {
+        for gradient in [0.0, -0.1, -1.0, -30.0] {
+            let place = FilmPlace {
+                at: [0.0; 2],
+                pressure,
+                pressure_gradient: [gradient, 0.0],
+                film: 0.03,
+                filling: 1.0,
+                temperature: [case.lubricant.temperature; MOST_NODES],
+                held_conductance: None,
+            };
+            let found = film_column(
+                &problem.fluid,
+                law,
+                heights,
+                &place,
+                &mut CrossFilm::default(),
+            );
+            let held = FilmPlace {
+                held_conductance: Some(found.conductance),
+                ..place
+            };
+            let held = film_column(
+                &problem.fluid,
+                law,
+                heights,
+                &held,
+                &mut CrossFilm::default(),
+            );
+            println!("{pressure} {gradient} {found:?}");
+            let h = place.film * law.film;
+            let mu = case
+                .lubricant
+                .viscosity
+                .viscosity(pressure * law.pressure, case.lubricant.temperature);
+            let rate = case.motion.entrainment_speed / h;
+            let stress = 6e6 * (mu * rate / 6e6).asinh();
+            let of = |column: &FilmColumn| column.heights[..heights.n()].to_vec();
+            for point in of(&found).iter().chain(&of(&held)) {
+                assert!(
+                    point.shear.is_finite() && point.compression.is_finite(),
+                    "{pressure} {gradient}"
+                );
+                if gradient == 0.0 {
+                    assert_relative_eq!(point.shear, h * stress * rate, max_relative = 1e-3);
+                }
             }
         }
     }

@@ -265,4 +265,100 @@ mod tests {
         assert!(limit_warning(0.5, 0.041).unwrap().contains("at most 4.1 %"));
         assert!(share_warning(1.5).unwrap().contains("1.50 times the load"));
     }
+
+    /// A line of the film h_c for |x| < b, and h_c + (|x| − b)²/2R beyond. The load of the asperities, its bar from films thinner and thicker by
+    /// the larger relative error, and their largest share, with the gap of the dry contact, (h − h_c)⁺: against sums by the midpoint rule.
+    #[test]
+    fn load_and_largest_share_of_a_flattened_line() {
+        const SIGMA: f64 = 0.2e-6;
+        const MODULUS: f64 = 230e9;
+        let (central, b, radius, load) = (0.3e-6, 1e-4, 1e-2, 1e5);
+        let film = |x: f64| central + (x.abs() - b).max(0.0).powi(2) / (2.0 * radius);
+        let asperities = Asperities {
+            asperity_group: 0.05,
+            rms_height_to_asperity_radius: 1e-3,
+            boundary_friction_coefficient: None,
+        };
+        // Elements meet at ±b: quadratic films are exact.
+        let n = 30;
+        let vertices: Vec<[f64; 2]> = (0..=n)
+            .map(|i| [3.0 * b * (2.0 * f64::from(i) / f64::from(n) - 1.0), 0.0])
+            .collect();
+        let cells: Vec<[u32; 3]> = (0..n as u32).map(|i| [i, i + 1, 0]).collect();
+        let nodes = ertel_fem::element::Lagrange::new(1, 2);
+        let values = (cells.iter())
+            .flat_map(|cell| {
+                let [l, r, _] = cell.map(|v| vertices[v as usize][0]);
+                nodes.points().map(move |xi| film(l + xi[0] * (r - l)))
+            })
+            .collect();
+        let elements = ElementFields {
+            dim: 1,
+            vertices,
+            cells,
+            film_thickness: crate::solution::Polynomials { order: 2, values },
+            ..ElementFields::default()
+        };
+        let nowhere = crate::solution::Located {
+            value: central,
+            error: Some(0.02 * central),
+            x: 0.0,
+            y: 0.0,
+            place_error: None,
+        };
+        let summary = Summary {
+            film_central: Estimate {
+                value: central,
+                error: Some(0.01 * central),
+            },
+            film_minimum: nowhere.estimate(),
+            film_minimum_at: nowhere,
+            film_centreline_minimum: nowhere,
+            pressure_maximum: nowhere,
+            spike: None,
+            outlet_position: exact(0.0),
+            pressure_minimum: 0.0,
+            film_balance_error: 0.0,
+            load_balance_error: 0.0,
+            rigid_separation: 0.0,
+        };
+        let surfaces = RoughSurfaces {
+            rms_height: SIGMA,
+            asperities: Some(asperities),
+            reduced_modulus: MODULUS,
+            load,
+        };
+        let mixed = mixed_lubrication(
+            &surfaces,
+            &Motion::straight(1.0, 0.5),
+            Symmetry::Full,
+            &elements,
+            &summary,
+            &traction(exact(0.0)),
+        );
+        let found = mixed.asperities.unwrap();
+        let sum = |gap: &dyn Fn(f64) -> f64| -> f64 {
+            let m = 60_000;
+            let step = 6.0 * b / f64::from(m);
+            let at = |i: i32| step * (f64::from(i) + 0.5) - 3.0 * b;
+            let pressures = (0..m).map(|i| asperities.pressure(gap(at(i)) / SIGMA, MODULUS));
+            step * pressures.sum::<f64>()
+        };
+        let at_film = sum(&film);
+        assert_relative_eq!(found.asperity_load.value, at_film, max_relative = 1e-6);
+        let bar = sum(&|x| 0.98 * film(x)) - at_film;
+        assert_relative_eq!(found.asperity_load.error.unwrap(), bar, max_relative = 1e-5);
+        assert_relative_eq!(
+            found.asperity_load_share.error.unwrap(),
+            bar / load,
+            max_relative = 1e-5
+        );
+        let dry = sum(&|x| film(x) - central);
+        assert_relative_eq!(
+            found.asperity_load_share_limit,
+            dry / load,
+            max_relative = 1e-4
+        );
+        assert!(dry > 3.0 * at_film);
+    }
 }
