@@ -29,10 +29,6 @@ pub static CANCELLED: AtomicBool = AtomicBool::new(false);
 /// While results are written a second Ctrl-C waits for the moment this takes.
 static WRITING: AtomicBool = AtomicBool::new(false);
 
-/// What to try when the iterations do not converge.
-const HELP: &str = "  = help: nothing was written. A finer mesh ([mesh] preset = \"fine\"), another \
-    formulation ([solver]\n    formulation = \"supg\") or a smaller load to begin with often help";
-
 /// A case to be solved, and where its results go.
 pub struct Job {
     /// The case.
@@ -392,12 +388,15 @@ impl From<SolveError> for Failure {
             SolveError::NotConverged { .. }
             | SolveError::EndCarries { .. }
             | SolveError::NotCoupled { .. }
+            | SolveError::AllFailed { .. }
             | SolveError::Heat(_)
             | SolveError::Krylov(_)
-            | SolveError::Factorisation(_) => Self::NotConverged(match error.advice() {
-                Some(advice) => format!("{error}\n  = help: nothing was written. Try {advice}"),
-                None => format!("{error}\n{HELP}"),
-            }),
+            | SolveError::Factorisation(_) => {
+                let advice = error
+                    .advice()
+                    .map_or(String::new(), |a| format!(". Try {a}"));
+                Self::NotConverged(format!("{error}\n  = help: nothing was written{advice}"))
+            }
         }
     }
 }

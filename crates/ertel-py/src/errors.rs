@@ -50,16 +50,14 @@ pub fn solve(error: SolveError) -> PyErr {
         SolveError::TooThin { help, .. } => {
             CaseError::new_err(format!("{error}\n  = help: {help}"))
         }
-        error => {
-            let help = error.advice().unwrap_or(HELP);
-            ConvergenceError::new_err(format!("{error}\n  = help: {help}"))
-        }
+        error => ConvergenceError::new_err(match error.advice() {
+            Some(advice) => format!(
+                "{error}\n  = help: try {advice}; the result of a similar case as `start` helps, too"
+            ),
+            None => error.to_string(),
+        }),
     }
 }
-
-/// What to try when a solve comes to no end.
-const HELP: &str = "a finer mesh ([mesh] preset = \"fine\"), another formulation ([solver] formulation = \"supg\"), or the result of \
-                    a smaller load as `start` often help";
 
 /// Files that were not written.
 pub fn output(error: WriteError) -> PyErr {

@@ -34,10 +34,6 @@ pub enum Failure {
     Edit(#[from] EditError),
 }
 
-/// What to try when the iterations do not converge.
-const HELP: &str = "  = help: a finer mesh ([mesh] preset = \"fine\"), another formulation ([solver] formulation = \"supg\") or a smaller load to \
-    begin with often help";
-
 impl From<SolveError> for Failure {
     fn from(error: SolveError) -> Failure {
         match error {
@@ -55,7 +51,7 @@ impl From<SolveError> for Failure {
             }
             error => match error.advice() {
                 Some(advice) => Failure::NotConverged(format!("{error}\n  = help: try {advice}")),
-                None => Failure::NotConverged(format!("{error}\n{HELP}")),
+                None => Failure::NotConverged(error.to_string()),
             },
         }
     }

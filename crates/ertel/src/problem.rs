@@ -1,5 +1,7 @@
 //! From a case to its dimensionless problem: scales, equations, meshes, stages.
 
+mod thinning;
+
 use crate::case::{Case, SolidHeat};
 use crate::contact::starvation::starved_film;
 use crate::contact::{
@@ -77,6 +79,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         scales.length,
         scales.film,
     );
+    let mesh_film = thinning::film_of_mesh(case, start_film * scales.film) / scales.film;
     let constants = FilmConstants {
         lambda: scales.lambda,
         entrainment: case.motion.entrainment(scales.length),
@@ -136,7 +139,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         reach: [reach.inlet, reach.side],
         stages: stages(
             (&case.mesh, rim_finesse(case)),
-            start_film,
+            mesh_film,
             constants,
             case.solver.error_estimate,
             case.shear_thinning().is_some(),
@@ -152,6 +155,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         load: scales.load,
         // A film that starts too thick closes in from the safe side.
         start_film: 1.5 * start_film,
+        mesh_film,
         scales,
         newton: NewtonParams {
             update_tolerance: case.solver.tolerance,

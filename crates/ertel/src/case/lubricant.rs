@@ -14,7 +14,7 @@ use ertel_rheology::{
 /// Temperatures of lubricants, K: outside, a unit was mistaken.
 pub(super) const TEMPERATURE: Bounds = Bounds::closed(100.0, 1000.0);
 /// Ambient viscosities from gases to pitch, Pa·s; likewise.
-const VISCOSITY: Bounds = Bounds::closed(1e-6, 1e6);
+pub(super) const VISCOSITY: Bounds = Bounds::closed(1e-6, 1e6);
 /// Ambient densities, kg/m³; likewise.
 const DENSITY: Bounds = Bounds::closed(0.1, 3e4);
 

@@ -7,7 +7,7 @@ use ertel_rheology::quantity::Dimension;
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 use thiserror::Error;
 
-use super::lubricant::TEMPERATURE;
+use super::lubricant::{TEMPERATURE, VISCOSITY};
 use super::params::{FARTHEST, order, set};
 use super::{Body, Case};
 use crate::contact::ContactKind;
@@ -318,6 +318,29 @@ pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, Inpu
                 "the {name} is {value:e} {unit}; it must be {}",
                 bounds.describe(unit)
             )));
+        }
+    }
+    for (key, older, solid) in [
+        ("body_1_temperature", "plane_temperature", &heat.plane),
+        ("body_2_temperature", "ball_temperature", &heat.ball),
+    ] {
+        let t = solid.temperature;
+        let viscosity = case.lubricant.viscosity.viscosity(0.0, t);
+        if !VISCOSITY.contains(viscosity) {
+            let key = if table.clone().contains(older) {
+                older
+            } else {
+                key
+            };
+            return Err(table
+                .error(
+                    key,
+                    format!(
+                        "the viscosity of the lubricant at {t} K and ambient pressure is {viscosity:e} Pa.s; it must be {}",
+                        VISCOSITY.describe("Pa.s")
+                    ),
+                )
+                .with_help("the lubricant must be liquid at the temperatures of both bodies: look at the unit, or at the viscosity law"));
         }
     }
     let mut warnings = Vec::new();

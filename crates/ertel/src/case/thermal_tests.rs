@@ -232,3 +232,24 @@ fn the_range_that_a_temperature_leaves() {
     let range = case.lubricant.range_left(330.0).unwrap();
     assert_relative_eq!(range.highest, 323.15);
 }
+
+/// A body at 150 K freezes squalane, whose viscosity there is beyond that of pitch: refused, by the key of the body.
+#[test]
+fn a_body_that_freezes_the_lubricant_is_refused() {
+    for key in [
+        "body_1_temperature",
+        "body_2_temperature",
+        "ball_temperature",
+    ] {
+        let text = message(thermal(&format!("{key} = \"150 K\"")));
+        assert!(
+            text.contains("the viscosity of the lubricant at 150 K"),
+            "{text}"
+        );
+        assert!(
+            text.contains(key) && text.contains("must be liquid"),
+            "{text}"
+        );
+    }
+    assert!(thermal("body_1_temperature = \"300 K\"").is_ok());
+}

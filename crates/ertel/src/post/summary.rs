@@ -6,7 +6,7 @@ use crate::contact::{ContactKind, Inlet, Scales};
 use crate::solution::{
     Figure, FilmReduction, LevelStats, Measured, Summary, Traction, TractionAcross, solved,
 };
-use crate::solve::adapt::bar_of_edges;
+use crate::solve::adapt::{RefinementEnd, bar_of_edges};
 use crate::solve::bars::reduction;
 use crate::solve::evaluate::central_film;
 use crate::solve::newton::FilmModel;
@@ -86,6 +86,33 @@ pub(super) fn beside(levels: &[LevelStats], role: Role) -> Option<[&LevelStats; 
 /// Change of the largest pressure from mesh to mesh, relative, up to which it counts as resolved.
 const PRESSURE_RESOLVED: f64 = 0.05;
 
+/// Why a mesh is not refined further, in words.
+fn refinement_ended(end: Option<RefinementEnd>) -> String {
+    match end {
+        None => "refinement ended at a mesh on which Newton's method does not converge".to_owned(),
+        Some(RefinementEnd::Unknowns(most)) => format!(
+            "refinement ended at the largest mesh allowed, of about {most} pressure unknowns ([mesh] max_unknowns)"
+        ),
+        Some(RefinementEnd::BodyUnknowns(most)) => format!(
+            "refinement ended at the largest body allowed, of about {most} displacement unknowns ([mesh] max_unknowns)"
+        ),
+        Some(RefinementEnd::Refinements(n)) => {
+            format!("refinement ended after {n} refinements, as many as a mesh may have")
+        }
+        Some(RefinementEnd::Pressure) => "the cells suffice for it, but not for the pressure, whose error counts in the bar: a \
+                                          smaller [mesh] pressure_error, without refine_for = \"films\", lowers it"
+            .to_owned(),
+        // Bars of another kind were wide before.
+        Some(RefinementEnd::Reached | RefinementEnd::NothingToHalve) => {
+            "the estimate of the errors asks for no smaller cell; a smaller [mesh] target_error lowers the error bar"
+                .to_owned()
+        }
+        Some(RefinementEnd::NoEstimate) => {
+            "the errors on the last mesh could not be estimated, so that it was not refined".to_owned()
+        }
+    }
+}
+
 /// Warnings about a solution: film too thin for a continuum, error bars too wide, contact area
 /// too small.
 pub fn warnings(
@@ -107,11 +134,7 @@ pub fn warnings(
             "no error bar: no coarser mesh converged (or solver.error_estimate is off)",
         ));
     }
-    // On the mesh of the solution itself it was only the case's own pressures that failed.
     let own = solved(levels);
-    let stuck = levels.last().is_some_and(|l| {
-        !l.converged && own.is_none_or(|s| s.n_contact_elements != l.n_contact_elements)
-    });
     let edges = own.and_then(|l| l.estimate).map_or([0.0; 2], |e| e.edges);
     let figures = [
         (
@@ -131,14 +154,9 @@ pub fn warnings(
                 if kind.is_point() { ", side" } else { "" }
             ),
             Some(target) if relative > target => format!(
-                "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error: refinement \
-                 ended at {}",
+                "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error: {}",
                 100.0 * relative,
-                if stuck {
-                    "a mesh on which Newton's method does not converge"
-                } else {
-                    "the largest mesh allowed ([mesh] max_unknowns)"
-                }
+                refinement_ended(solution.refinement_end),
             ),
             None if relative > 0.05 => format!(
                 "the {name} film thickness is uncertain by {:.0} %: use a finer mesh ([mesh] preset = \"fine\")",

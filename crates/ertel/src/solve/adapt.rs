@@ -195,7 +195,30 @@ pub struct Refinement {
     pub film_bar: f64,
 }
 
-/// The next refinement, or `None` when the targets are reached or a limit is.
+/// Why no mesh follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RefinementEnd {
+    /// Errors are as small as asked for.
+    Reached,
+    /// A finer mesh would have more than so many pressure unknowns.
+    Unknowns(usize),
+    /// Its finite-element body would have more than so many displacement unknowns.
+    BodyUnknowns(usize),
+    /// So many refinements are allowed.
+    Refinements(usize),
+    /// The cells suffice for the films, but not for the pressure, for which no further refinement is asked; what it lacks widens the bars
+    /// of the films.
+    Pressure,
+    /// The estimates ask for no cell to be halved.
+    NothingToHalve,
+    /// The errors could not be estimated.
+    NoEstimate,
+}
+
+/// The next refinement.
+///
+/// # Errors
+/// Why there is none: the targets are reached, or a limit is.
 pub fn next_refinement(
     params: &AdaptParams,
     dim: usize,
@@ -203,52 +226,150 @@ pub fn next_refinement(
     grading: [f64; 2],
     n_refinements: usize,
     indicator: &Indicator,
-) -> Option<Refinement> {
+) -> Result<Refinement, RefinementEnd> {
     // Films come first: on meshes that draw the ridge sharply, Newton's method converges worse.
-    let ErrorBars { cells, own, .. } = error_bars(levels, grading)?;
-    let level = levels.last()?;
+    let errors = error_bars(levels, grading).ok_or(RefinementEnd::NoEstimate)?;
+    let level = levels.last().ok_or(RefinementEnd::NoEstimate)?;
     // What the edges do, no refinement mends.
     let targets = indicator.edges.map(|edges| {
         (params.target - bar_of_edges(edges)).max(LEAST_LEFT_BY_EDGES * params.target)
     });
-    let within = |factor: f64| (cells.iter().zip(&targets)).all(|(c, t)| *c <= factor * t);
-    let films_suffice = within(1.0);
-    let most = match films_suffice {
-        true => params.max_unknowns_for_pressure,
-        false => params.max_unknowns,
+    let plan = |cells: [f64; 2], pressure: Option<f64>, even_few: bool| {
+        let of = Targets {
+            cells,
+            pressure,
+            even_few,
+        };
+        planned(params, dim, level, &errors, n_refinements, indicator, of)
     };
-    let mut growth = most as f64 / level.n_pressure_dofs as f64;
-    if level.n_displacement_dofs > 0 {
-        let body = params.max_displacement_dofs as f64 / level.n_displacement_dofs as f64;
-        growth = growth.min(1.0 + (body - 1.0) / BODY_GROWTH);
+    // The cells by themselves, and the pressure by its own target.
+    let end = match plan(targets, params.pressure_target, false) {
+        Err(RefinementEnd::Reached) => RefinementEnd::Reached,
+        next => return next,
+    };
+    // The bars are of both: where the sum is still too wide, what each may leave.
+    let unresolved = level.estimate.map_or(0.0, |e| e.unresolved);
+    let bar = |j: usize| errors.cells[j].hypot(unresolved);
+    if (0..2).all(|j| bar(j) <= targets[j]) {
+        return Err(end);
     }
+    let mendable = dim == 1 || params.pressure_target.is_some();
+    let shares = [0, 1].map(|j: usize| shares(targets[j], errors.cells[j], unresolved, mendable));
+    let of_pressure = shares[0][1].min(shares[1][1]);
+    let pressure = (mendable && unresolved > of_pressure)
+        .then(|| indicator.pressure_error() * of_pressure / unresolved);
+    match plan(shares.map(|s| s[0]), pressure, true) {
+        Err(RefinementEnd::Reached) => Err(RefinementEnd::Pressure),
+        next => next,
+    }
+}
+
+/// What the cells may leave of a film's target, and what pressures that are not resolved may: c² + u² = t².
+///
+/// Each as much as it has where the other has less than its usual share, else the usual shares; where nothing is done about pressures,
+/// the cells make room for them if there is any.
+fn shares(target: f64, cells: f64, unresolved: f64, mendable: bool) -> [f64; 2] {
+    let left_by = |other: f64| (target * target - other * other).max(0.0).sqrt();
+    let [of_cells, of_pressure] = SHARES.map(|share| share * target);
+    if unresolved <= of_pressure || (!mendable && unresolved <= MOST_BESIDE_CELLS * target) {
+        [left_by(unresolved), unresolved]
+    } else if cells <= of_cells {
+        [cells, left_by(cells)]
+    } else if mendable {
+        [of_cells, of_pressure]
+    } else {
+        // No cell is worth halving for bars that stay too wide.
+        [cells, unresolved]
+    }
+}
+
+/// Usual shares of a film's target for cells and for pressures that are not resolved: 0.8² + 0.6² = 1.
+const SHARES: [f64; 2] = [0.8, 0.6];
+
+/// Share of a film's target up to which the cells make room for pressures that nothing is done about.
+const MOST_BESIDE_CELLS: f64 = 0.9;
+
+/// What a mesh is refined to.
+struct Targets {
+    /// Relative error bars of both films from the cells.
+    cells: [f64; 2],
+    /// Root-mean-square error of the pressure.
+    pressure: Option<f64>,
+    /// Whether it is refined however few cells the pressure asks for.
+    even_few: bool,
+}
+
+/// The refinement that leads to targets.
+///
+/// # Errors
+/// Why there is none.
+fn planned(
+    params: &AdaptParams,
+    dim: usize,
+    level: &LevelStats,
+    errors: &ErrorBars,
+    n_refinements: usize,
+    indicator: &Indicator,
+    targets: Targets,
+) -> Result<Refinement, RefinementEnd> {
+    let ErrorBars { cells, own, .. } = *errors;
+    let within = |factor: f64| (cells.iter().zip(&targets.cells)).all(|(c, t)| *c <= factor * t);
+    let films_suffice = within(1.0);
     // What films lack still does not move the ridge any more.
-    let pressure = pressure_goal(params, indicator).filter(|_| within(NEARLY));
-    growth = growth.min(LARGEST_GROWTH[usize::from(pressure.is_some())]);
-    if growth <= LEAST_GROWTH || n_refinements >= params.max_refinements {
-        return None;
-    }
+    let pressure =
+        pressure_goal(targets.pressure, indicator).filter(|_| films_suffice || within(NEARLY));
     let mut goals = match films_suffice {
         true => Vec::new(),
-        false => film_goals(targets, dim, cells, own, indicator),
+        false => film_goals(targets.cells, dim, cells, own, indicator),
     };
     let aim = match (goals.is_empty(), pressure.is_some()) {
-        (true, false) => return None,
+        (true, false) if films_suffice => return Err(RefinementEnd::Reached),
+        (true, false) => return Err(RefinementEnd::NothingToHalve),
         (true, true) => Aim::Pressure,
         (false, true) => Aim::Both,
         (false, false) => Aim::Films,
     };
+    let most = match films_suffice {
+        true => params.max_unknowns_for_pressure,
+        false => params.max_unknowns,
+    };
+    let growth = most as f64 / level.n_pressure_dofs as f64;
+    let body_growth = match level.n_displacement_dofs {
+        0 => f64::INFINITY,
+        n => 1.0 + (params.max_displacement_dofs as f64 / n as f64 - 1.0) / BODY_GROWTH,
+    };
+    if growth <= LEAST_GROWTH {
+        return Err(RefinementEnd::Unknowns(most));
+    }
+    if body_growth <= LEAST_GROWTH {
+        return Err(RefinementEnd::BodyUnknowns(params.max_displacement_dofs));
+    }
+    if n_refinements >= params.max_refinements {
+        return Err(RefinementEnd::Refinements(params.max_refinements));
+    }
     goals.extend(pressure);
+    let growth = growth
+        .min(body_growth)
+        .min(LARGEST_GROWTH[usize::from(aim != Aim::Films)]);
     let halvings = halvings(&goals, dim, growth);
     let halved = halvings.iter().filter(|h| **h > 0).count() as f64;
-    let as_good_as_reached = (params.pressure_target)
+    if halved == 0.0 {
+        return Err(RefinementEnd::NothingToHalve);
+    }
+    let as_good_as_reached = (targets.pressure)
         .is_some_and(|target| indicator.pressure_error() < AS_GOOD_AS_REACHED * target);
-    let few = aim == Aim::Pressure && as_good_as_reached && halved < FEW * halvings.len() as f64;
-    (!few).then_some(Refinement {
-        halvings,
-        aim,
-        film_bar: cells[0].max(cells[1]),
-    })
+    let few = aim == Aim::Pressure
+        && as_good_as_reached
+        && !targets.even_few
+        && halved < FEW * halvings.len() as f64;
+    match few {
+        true => Err(RefinementEnd::Reached),
+        false => Ok(Refinement {
+            halvings,
+            aim,
+            film_bar: cells[0].max(cells[1]),
+        }),
+    }
 }
 
 /// Goals for the films whose bars are too wide.
@@ -263,7 +384,7 @@ fn film_goals<'a>(
     indicator: &'a Indicator,
 ) -> Vec<Goal<'a>> {
     let enough = |j: usize| own[j] <= OWN_SHARE * targets[j];
-    let confirmed = (0..2).all(enough);
+    let confirmed = (0..2).all(|j| cells[j] <= targets[j] || enough(j));
     let largest = if confirmed {
         CONFIRMING_GOAL
     } else {
@@ -291,8 +412,8 @@ fn film_goals<'a>(
 }
 
 /// The goal for the pressure, if it errs too much.
-fn pressure_goal<'a>(params: &AdaptParams, indicator: &'a Indicator) -> Option<Goal<'a>> {
-    let target = params.pressure_target?;
+fn pressure_goal(target: Option<f64>, indicator: &Indicator) -> Option<Goal<'_>> {
+    let target = target?;
     let sum: f64 = indicator.pressure.iter().sum();
     (indicator.pressure_error() > target).then(|| Goal {
         shares: &indicator.pressure,

@@ -89,7 +89,17 @@ pub struct RoughAdjoints {
     pub films: Vec<Adjoint>,
 }
 
-/// Adjoints of several figures, to a relative residual of `tolerance`, from those of the first of them in `starts`.
+/// How exactly adjoints are solved for.
+#[derive(Clone, Copy, Debug)]
+pub struct Exactness {
+    /// Relative residual.
+    pub tolerance: f64,
+    /// Whether no equation counts more in it than the typical one: the coefficients of the film equations grow as H³, and around a thick
+    /// film those far away would be all that counts. Where a layer of oil arrives they always are.
+    pub weighed: bool,
+}
+
+/// Adjoints of several figures, as exactly as asked for, from those of the first of them in `starts`.
 ///
 /// # Errors
 /// When the Krylov iterations run out.
@@ -99,13 +109,16 @@ pub fn adjoints(
     mut preconditioner: Preconditioner,
     functionals: &[Functional],
     starts: &[Adjoint],
-    tolerance: f64,
+    Exactness { tolerance, weighed }: Exactness,
 ) -> Result<Vec<Adjoint>, SolveError> {
     let n = d.n_pressure;
     let mut response = d.load.clone();
     preconditioner.solve_transposed(&mut response);
     let schur = dot(&system.by_separation, &response);
-    let weights = weights(d, system);
+    let weights = match weighed || d.contact.shape.inlet.layer().is_some() {
+        true => weights(d, system),
+        false => vec![1.0; d.n_pressure],
+    };
     let adjoint = |(k, functional): (usize, &Functional)| -> Result<Adjoint, SolveError> {
         let mut sparse = preconditioner.clone();
         let mut at = functional.by_deflection.clone();
@@ -203,7 +216,10 @@ pub fn adjoints(
 }
 
 /// Relative residual at which an adjoint weighs errors: 1e-3 would do for bars, but then rounding decides which elements are halved.
-pub const TO_WEIGH_ERRORS: f64 = 1e-4;
+pub const TO_WEIGH_ERRORS: Exactness = Exactness {
+    tolerance: 1e-4,
+    weighed: false,
+};
 
 /// Tolerance down to which products may be as rough as those of Newton's steps.
 const ROUGH: f64 = 1e-4;
@@ -214,9 +230,6 @@ const MOST_ROUNDS: usize = 6;
 /// Weights of the equations of each pressure unknown in the norm of the residual: where a layer of oil arrives, z does not fall off
 /// upstream, while the coefficients of the film equations grow as H³; without, all count alike.
 fn weights(d: &Discretisation, system: &System) -> Vec<f64> {
-    if d.contact.shape.inlet.layer().is_none() {
-        return vec![1.0; d.n_pressure];
-    }
     let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
     let mut diagonal = vec![0.0; d.n_pressure];
     for c in 0..d.contact.n_elements() {

@@ -17,7 +17,7 @@ use super::monolithic::BodyMatrices;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::step::{Method, Step, StepSolver, dot};
 use super::system::{FilmConstants, State};
-use super::{Observer, SolveError};
+use super::{Observer, SolveError, Stopped};
 use crate::elastic::Accuracy;
 use crate::film::FilmFluid;
 use crate::params::LinearSolver;
@@ -219,7 +219,7 @@ impl<'a> NewtonLevel<'a> {
                 reason,
             };
             if !(residual.is_finite() && update.is_finite()) {
-                return Err(stopped("the residual is not finite"));
+                return Err(stopped(Stopped::NotFinite));
             }
             let far_out = exponential && residual > FAR_OUT;
             if update < 0.9 * smallest_update.1 {
@@ -227,7 +227,7 @@ impl<'a> NewtonLevel<'a> {
             } else if far_out && residual < 0.5 * smallest_residual {
                 smallest_update.0 = iteration;
             } else if iteration >= smallest_update.0 + params.patience {
-                return Err(stopped("the updates no longer shrink"));
+                return Err(stopped(Stopped::Circling));
             }
             smallest_residual = smallest_residual.min(residual);
             let converged =
@@ -273,7 +273,7 @@ impl<'a> NewtonLevel<'a> {
                     break (trial, trial_system);
                 }
                 if share < smallest_share {
-                    return Err(stopped("no step leads to a finite residual"));
+                    return Err(stopped(Stopped::NoStep));
                 }
                 share *= 0.5;
                 shortened = true;
@@ -313,7 +313,7 @@ impl<'a> NewtonLevel<'a> {
             }
             update_before = whole.then_some(update);
             if iteration == params.max_iterations {
-                return Err(stopped("the iterations ran out"));
+                return Err(stopped(Stopped::OutOfIterations));
             }
             go_on(observer)?;
             system = next_system;

@@ -12,7 +12,7 @@
 use std::sync::Arc;
 
 use super::SolveError;
-use super::adjoint::{Adjoint, Functional, RoughAdjoints, adjoints};
+use super::adjoint::{Adjoint, Exactness, Functional, RoughAdjoints, adjoints};
 use super::discretisation::{ContactSurface, Discretisation, Means};
 use super::element::Metric;
 use super::evaluate::{fields_in, largest_pressure, minimum_film};
@@ -28,8 +28,22 @@ use crate::film::FilmFluid;
 use crate::forms::oil_layer::{filling_length, missing};
 use crate::solution::Figure;
 
-/// Relative residual of the adjoints.
-const TOLERANCE: f64 = 1e-7;
+/// How exactly the adjoints are solved for: around thick films equations far away, with coefficients of many times those in the contact,
+/// leave a residual that products with rounding do not fall below, and what sensitivities are told to is a thousandth.
+const EXACTNESS: [Exactness; 3] = [
+    Exactness {
+        tolerance: 1e-7,
+        weighed: false,
+    },
+    Exactness {
+        tolerance: 1e-7,
+        weighed: true,
+    },
+    Exactness {
+        tolerance: 1e-5,
+        weighed: true,
+    },
+];
 
 /// Figures that have sensitivities.
 pub const FIGURES: [Figure; 4] = [
@@ -111,11 +125,18 @@ impl<'a> Sensitivity<'a> {
                 _ => traction(d, &flows, &model.fluid, &problem.scales),
             })
             .collect();
-        let solve = |by| adjoints(d, &system, by, &functionals, &films, TOLERANCE);
-        let adjoints = match kept.map(solve) {
+        let solve = |by, exactness| adjoints(d, &system, by, &functionals, &films, exactness);
+        let adjoints = match kept.map(|by| solve(by, EXACTNESS[0])) {
             Some(Ok(adjoints)) => adjoints,
             // None, or of no use any more.
-            _ => solve(Preconditioner::new(d, &NearStiffness::new(d), &system)?)?,
+            _ => {
+                let fresh = Preconditioner::new(d, &NearStiffness::new(d), &system)?;
+                let [first, rest @ ..] = EXACTNESS;
+                rest.into_iter()
+                    .fold(solve(fresh.clone(), first), |found, exactness| {
+                        found.or_else(|_| solve(fresh.clone(), exactness))
+                    })?
+            }
         };
         let goals = (figures.into_iter().zip(adjoints))
             .map(|(figure, adjoint)| Goal { figure, adjoint })

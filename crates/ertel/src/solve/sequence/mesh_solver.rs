@@ -10,13 +10,13 @@ use super::strategies::Outline;
 use super::{Problem, Role, Stage, StageSolution};
 use crate::contact::ContactKind;
 use crate::solution::LevelStats;
-use crate::solve::adapt::{grading_errors, next_refinement};
+use crate::solve::adapt::{RefinementEnd, grading_errors, next_refinement};
 use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::newton::{NewtonStats, Reached};
 use crate::solve::ridge::ridge_shares;
 use crate::solve::system::State;
-use crate::solve::{Observer, SolveError};
+use crate::solve::{Observer, SolveError, Stopped};
 
 /// Solves stage by stage; returns the last and the effort on each.
 ///
@@ -57,7 +57,7 @@ fn solution_of(
             residual: solution.reached.residual,
             update: solution.reached.update,
             penalty_share: 1.0,
-            reason: "the mesh is too coarse for the film, which comes out negative at a point",
+            reason: Stopped::NegativeFilm,
         });
     }
     Ok((solution, stats))
@@ -280,7 +280,7 @@ impl StageSolver for MeshSolver<'_> {
         };
         let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
         self.stats.push(stats);
-        let refinement = match (&problem.adapt, &indicator) {
+        let next = match (&problem.adapt, &indicator) {
             (Some(adapt), Some(indicator)) if last => next_refinement(
                 adapt,
                 problem.shape.kind.body_dimension() - 1,
@@ -289,8 +289,10 @@ impl StageSolver for MeshSolver<'_> {
                 stage.refinements - self.inherited,
                 indicator,
             ),
-            _ => None,
+            _ => Err(RefinementEnd::NoEstimate),
         };
+        let refinement_end = next.as_ref().err().copied();
+        let refinement = next.ok();
         if rough && last && outcome.is_ok() && refinement.is_none() {
             // Measured, and already accurate enough: the solution itself, to the end.
             let rough = outcome.ok().and_then(|(_, coupling)| coupling);
@@ -316,6 +318,7 @@ impl StageSolver for MeshSolver<'_> {
             reached,
             converged: outcome.is_ok(),
             rough: false,
+            refinement_end,
             coupling,
         };
         Ok(StageEnd {

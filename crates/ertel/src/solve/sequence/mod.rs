@@ -18,7 +18,7 @@ mod strategies;
 mod warm;
 
 use super::SolveError;
-use super::adapt::AdaptParams;
+use super::adapt::{AdaptParams, RefinementEnd};
 use super::adjoint::RoughAdjoints;
 use super::discretisation::{Discretisation, Extents};
 use super::heat::column::Column;
@@ -55,6 +55,8 @@ pub struct Problem {
     pub load: f64,
     /// Central film of the start.
     pub start_film: f64,
+    /// Central film that the meshes are made for: less than that of the start where stress thins the fluid in the inlet.
+    pub mesh_film: f64,
     /// Scales of its variables.
     pub scales: Scales,
     /// Newton tolerances and limits.
@@ -101,6 +103,8 @@ pub struct StageSolution {
     pub converged: bool,
     /// Whether it came only as far as measuring the errors needs, and not to the tolerance of the case.
     pub rough: bool,
+    /// Why its mesh is not refined further; `None` where it was to be.
+    pub refinement_end: Option<RefinementEnd>,
     /// How its coupling with the heat went, if there is one.
     pub coupling: Option<CouplingStats>,
     /// What adjoints can start from, until it is taken: it is large.
@@ -159,9 +163,10 @@ impl Problem {
         if n <= limit || !thin {
             return Ok(());
         }
-        let ratio = stage.constants.film_scale;
+        let ratio = self.mesh_film;
         Err(SolveError::TooThin {
             film: ratio * self.scales.film,
+            sheared: ratio < stage.constants.film_scale,
             ratio,
             length: stage.sizes.rim_width,
             size: stage.sizes.rim,

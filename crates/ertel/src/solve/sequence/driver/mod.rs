@@ -28,6 +28,8 @@ pub(super) struct Driver<S: StageSolver> {
     queue: VecDeque<Stage>,
     /// What to try if these fail.
     fallbacks: VecDeque<Fallback>,
+    /// What was tried of it.
+    tried: Vec<&'static str>,
     /// Why the usual stages failed: the error to report when all strategies do.
     first_failure: Option<SolveError>,
     /// Stages solved or given up.
@@ -57,6 +59,7 @@ impl<S: StageSolver> Driver<S> {
             solver,
             queue: outline.usual.iter().copied().collect(),
             fallbacks: fallbacks(&outline).into(),
+            tried: Vec::new(),
             outline,
             first_failure: None,
             attempts: 0,
@@ -121,9 +124,7 @@ impl<S: StageSolver> Driver<S> {
         match solution.filter(Attempt::converged) {
             Some(solution) => Ok((solution, self.solver)),
             // Every queue ends with a final stage; what follows a failure may not reach its end.
-            None => Err(self
-                .first_failure
-                .expect("stages that end without failure end with a solution")),
+            None => Err(all_failed(self.first_failure, self.tried)),
         }
     }
 
@@ -221,8 +222,14 @@ impl<S: StageSolver> Driver<S> {
     fn fall_back(&mut self) -> Result<(), SolveError> {
         self.halved_steps = 0;
         match self.fallbacks.pop_front() {
-            Some(fallback) => self.queue = fallback.stages.into(),
-            None => return Err(self.first_failure.take().unwrap_or(SolveError::Interrupted)),
+            Some(fallback) => {
+                self.tried.push(fallback.name);
+                self.queue = fallback.stages.into();
+            }
+            None => {
+                let tried = std::mem::take(&mut self.tried);
+                return Err(all_failed(self.first_failure.take(), tried));
+            }
         }
         Ok(())
     }
@@ -272,5 +279,17 @@ impl<S: StageSolver> Driver<S> {
         let stage = *current.stage();
         self.raise(&stage);
         Ok(())
+    }
+}
+
+/// The error of a solve that failed first for a reason, and then in all that was `tried`.
+fn all_failed(first: Option<SolveError>, tried: Vec<&'static str>) -> SolveError {
+    let first = first.expect("stages that end without failure end with a solution");
+    match tried.is_empty() {
+        true => first,
+        false => SolveError::AllFailed {
+            first: Box::new(first),
+            tried,
+        },
     }
 }

@@ -101,7 +101,7 @@ fn failure(level: usize) -> SolveError {
         residual: 1.0,
         update: 1.0,
         penalty_share: 1.0,
-        reason: "scripted",
+        reason: crate::solve::Stopped::Circling,
     }
 }
 
@@ -109,6 +109,7 @@ fn failure(level: usize) -> SolveError {
 pub fn level_of(error: &SolveError) -> usize {
     match error {
         SolveError::NotConverged { level, .. } => *level,
+        SolveError::AllFailed { first, .. } => level_of(first),
         other => panic!("{other}"),
     }
 }

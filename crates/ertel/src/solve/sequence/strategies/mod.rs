@@ -39,8 +39,7 @@ pub(super) struct Outline {
 /// A strategy laid out for a problem.
 #[derive(Clone, Debug)]
 pub(super) struct Fallback {
-    /// For reports and tests.
-    #[cfg_attr(not(test), allow(dead_code))]
+    /// What it changes step by step, in words for users.
     pub name: &'static str,
     /// Whether it goes on from the usual start, so that it is of no use where that has failed.
     pub needs_start: bool,

@@ -1,0 +1,303 @@
+//! Why a solve came to no end, and what to try then.
+
+use ertel_fem::linear::condensed::CholeskyError;
+use ertel_fem::linear::gmres::GmresError;
+use ertel_fem::linear::lu::LuError;
+
+use super::discretisation::DiscretisationError;
+use super::heat::newton::HeatError;
+
+/// What stopped Newton's method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Stopped {
+    /// The equations have no value at the pressures found.
+    #[error("the residual is not finite")]
+    NotFinite,
+    /// Nor have they anywhere on the way of the step.
+    #[error("no step leads to a finite residual")]
+    NoStep,
+    /// It goes round in circles.
+    #[error("the updates no longer shrink")]
+    Circling,
+    /// They shrink, but too slowly.
+    #[error("the iterations ran out")]
+    OutOfIterations,
+    /// A root of the discrete equations, but no contact.
+    #[error("the mesh is too coarse for the film, which comes out negative at a point")]
+    NegativeFilm,
+}
+
+/// A solve failed.
+#[derive(Debug, thiserror::Error)]
+pub enum SolveError {
+    /// Newton's method did not converge.
+    #[error(
+        "no convergence in stage {} after {iterations} Newton iterations: {reason}; \
+         last relative residual {residual:.1e}, last pressure update {update:.1e} p_h, \
+         {:.2} % of the cavitation penalty in force",
+        level + 1,
+        100.0 * penalty_share
+    )]
+    NotConverged {
+        /// Stage, 0 the first.
+        level: usize,
+        /// Newton iterations in this stage.
+        iterations: usize,
+        /// Last relative residual.
+        residual: f64,
+        /// Last pressure update over p_h.
+        update: f64,
+        /// Share of the full penalty in force.
+        penalty_share: f64,
+        /// Why it stopped.
+        reason: Stopped,
+    },
+    /// Film and temperature did not come to rest together.
+    #[error(
+        "no convergence in stage {}: film and temperature still change by {change:.1e} after {rounds} rounds \
+         (by a factor of {contraction:.2} from round to round)",
+        level + 1
+    )]
+    NotCoupled {
+        /// Stage, 0 the first.
+        level: usize,
+        /// Rounds.
+        rounds: usize,
+        /// Last relative change of temperature rise, pressure or film.
+        change: f64,
+        /// Ratio of changes from round to round.
+        contraction: f64,
+    },
+    /// No mesh that is allowed resolves the film.
+    #[error(
+        "the film is too thin to resolve: formulas predict a central film of {:.3e} m{}, {ratio:.1e} of a²/R; its pressure builds up \
+         within {length:.1e} half-widths, so that the first mesh needs cells of {size:.1e} half-widths and about {unknowns:.0} \
+         pressure unknowns, where {limit:.0} are allowed",
+        film,
+        if *sheared { ", with the viscosity that [lubricant.shear_thinning] leaves at the shear rates of the inlet" } else { "" }
+    )]
+    TooThin {
+        /// Predicted central film thickness, m.
+        film: f64,
+        /// Whether shear thinning counts in it.
+        sheared: bool,
+        /// The same over a²/R.
+        ratio: f64,
+        /// Length over which pressure builds up, in half-widths.
+        length: f64,
+        /// Cell size at the rim, in half-widths.
+        size: f64,
+        /// Unknowns of the first mesh, about.
+        unknowns: f64,
+        /// Unknowns allowed for it.
+        limit: f64,
+        /// What to change.
+        help: &'static str,
+    },
+    /// The contact of a roller runs over its end.
+    #[error(
+        "no solution with a film everywhere: the contact runs over the end of the roller at y = {:.4} mm; pressure falls to nothing \
+         there, the raceway comes out, and the thinnest film near the end is {:.3} nm, as on former meshes",
+        1e3 * place,
+        1e9 * film
+    )]
+    EndCarries {
+        /// y of the end, m.
+        place: f64,
+        /// Film there, m; negative where the mesh does not keep the bodies apart.
+        film: f64,
+    },
+    /// The usual stages failed, and so did all that leads to the solution through easier contacts.
+    #[error("{first}; nor by what leads there step by step ({})", .tried.join("; "))]
+    AllFailed {
+        /// Why the usual stages failed.
+        first: Box<SolveError>,
+        /// What was tried then: the quantities that were brought to those of the case step by step.
+        tried: Vec<&'static str>,
+    },
+    /// Heat lacks data.
+    #[error("{0}; {help}", help = .0.advice())]
+    MissingHeatData(#[from] crate::case::MissingHeatData),
+    /// The temperatures could not be computed.
+    #[error("temperatures: {0}")]
+    Heat(#[from] HeatError),
+    /// A linear system could not be solved.
+    #[error(
+        "no convergence: the linear equations of a step cannot be solved as exactly as needed (to a residual of {:.1e} of theirs)",
+        .0.residual
+    )]
+    Krylov(#[from] GmresError),
+    /// A factorisation failed.
+    #[error(
+        "no convergence: the equations at the pressures found so far cannot be solved ({0}), as where the viscosity changes by more \
+         decades than can be computed; constants of the lubricant's laws that are far from those of an oil do so"
+    )]
+    Factorisation(#[from] LuError),
+    /// Mesh or elastic operator failed.
+    #[error(transparent)]
+    Discretisation(DiscretisationError),
+    /// The observer asked to stop.
+    #[error("interrupted")]
+    Interrupted,
+}
+
+impl SolveError {
+    /// What to try, by what it failed of; `None` where nothing failed, or the error itself says it.
+    #[must_use]
+    pub fn advice(&self) -> Option<&'static str> {
+        match self {
+            SolveError::NotConverged { reason, .. } => Some(reason.advice()),
+            SolveError::NotCoupled { contraction, .. } => Some(match *contraction < 1.0 {
+                true => {
+                    "more rounds ([thermal] max_iterations), since the changes shrink, or a larger [thermal] tolerance"
+                }
+                false => {
+                    "less sliding or load to begin with: the heat that the film makes changes it by more than a round brings back; \
+                     without [thermal] the isothermal film comes out"
+                }
+            }),
+            SolveError::Heat(HeatError::Overheated) => Some(
+                "a look at the constants of [lubricant.shear_thinning], less sliding, or a lower load: shear stresses that the law \
+                 bears",
+            ),
+            SolveError::Heat(_) => Some(
+                "a look at the lubricant's laws over the temperature ([lubricant] viscosity, density, thermal_conductivity), less \
+                 sliding to begin with, or no [thermal], which gives the isothermal film",
+            ),
+            SolveError::Krylov(_) => Some(
+                "another mesh ([mesh] preset = \"fine\", or the edges inlet, outlet and side nearer to the contact) or formulation \
+                 ([solver] formulation = \"supg\")",
+            ),
+            SolveError::Factorisation(_) => Some(
+                "a look at the constants of the lubricant's laws, above all of the viscosity over the pressure, or a lower load",
+            ),
+            SolveError::EndCarries { .. } => Some(
+                "more relief at the ends of the profile (kind = \"logarithmic\" with a design_load of this load or more falls off \
+                 steeply enough without a tilt), less load or less misalignment; real ends are rounded, which a table can describe",
+            ),
+            SolveError::TooThin { help, .. } => Some(help),
+            SolveError::AllFailed { first, .. } => first.advice(),
+            SolveError::MissingHeatData(_)
+            | SolveError::Discretisation(_)
+            | SolveError::Interrupted => None,
+        }
+    }
+}
+
+impl Stopped {
+    /// What to try.
+    #[must_use]
+    pub fn advice(self) -> &'static str {
+        match self {
+            Stopped::NotFinite | Stopped::NoStep => {
+                "a lower load, or a look at the constants of the lubricant's laws (viscosity over the pressure, \
+                 [lubricant.shear_thinning]): at the pressures found on the way they have no value that can be computed"
+            }
+            Stopped::Circling => {
+                "a finer mesh ([mesh] preset = \"fine\"), another formulation ([solver] formulation = \"supg\"), or a smaller load to \
+                 begin with"
+            }
+            Stopped::OutOfIterations => {
+                "more iterations ([solver] max_iterations), since the updates still shrink, or a smaller load to begin with"
+            }
+            Stopped::NegativeFilm => {
+                "smaller cells where the film is thinnest ([mesh] preset = \"fine\", or rim_size), or a thicker film: more viscous oil, \
+                 faster motion"
+            }
+        }
+    }
+}
+
+impl From<DiscretisationError> for SolveError {
+    fn from(error: DiscretisationError) -> SolveError {
+        match error {
+            DiscretisationError::Elastic(CholeskyError::Interrupted) => SolveError::Interrupted,
+            error => SolveError::Discretisation(error),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stopped(reason: Stopped) -> SolveError {
+        SolveError::NotConverged {
+            level: 0,
+            iterations: 1,
+            residual: 1.0,
+            update: 1.0,
+            penalty_share: 1.0,
+            reason,
+        }
+    }
+
+    fn not_coupled(contraction: f64) -> SolveError {
+        SolveError::NotCoupled {
+            level: 0,
+            rounds: 40,
+            change: 0.1,
+            contraction,
+        }
+    }
+
+    /// Each kind of failure has advice of its own that names what can be changed in it; only circles of Newton's method ask for a finer
+    /// mesh and another formulation, and no heat for either.
+    #[test]
+    fn advice_fits_the_failure() {
+        let krylov = GmresError {
+            iterations: 1,
+            residual: 0.5,
+        };
+        let kinds = [
+            (stopped(Stopped::NotFinite), "shear_thinning"),
+            (stopped(Stopped::Circling), "supg"),
+            (stopped(Stopped::OutOfIterations), "max_iterations"),
+            (stopped(Stopped::NegativeFilm), "rim_size"),
+            (not_coupled(0.9), "[thermal] max_iterations"),
+            (not_coupled(1.1), "less sliding"),
+            (SolveError::Heat(HeatError::Overheated), "shear_thinning"),
+            (
+                SolveError::Heat(HeatError::NotFinite),
+                "over the temperature",
+            ),
+            (SolveError::Krylov(krylov), "inlet, outlet and side"),
+            (
+                SolveError::EndCarries {
+                    place: 0.01,
+                    film: 0.0,
+                },
+                "relief",
+            ),
+        ];
+        let mut seen = std::collections::BTreeSet::new();
+        for (error, key) in &kinds {
+            let advice = error.advice().expect("advice");
+            assert!(advice.contains(key), "{error}: {advice}");
+            assert!(seen.insert(advice), "the same for two kinds: {advice}");
+            let of_mesh = advice.contains("preset");
+            let meshes = matches!(
+                error,
+                SolveError::Krylov(_)
+                    | SolveError::NotConverged {
+                        reason: Stopped::Circling | Stopped::NegativeFilm,
+                        ..
+                    }
+            );
+            assert_eq!(of_mesh, meshes, "{error}: {advice}");
+        }
+        assert!(SolveError::Interrupted.advice().is_none());
+        let all = SolveError::AllFailed {
+            first: Box::new(not_coupled(1.1)),
+            tried: vec!["sliding", "viscosity exponent"],
+        };
+        assert_eq!(all.advice(), not_coupled(1.1).advice());
+        assert!(
+            all.to_string()
+                .ends_with("step by step (sliding; viscosity exponent)"),
+            "{all}"
+        );
+        // What solves the linear equations is nobody's business but ours.
+        assert!(!SolveError::Krylov(krylov).to_string().contains("GMRES"));
+    }
+}
