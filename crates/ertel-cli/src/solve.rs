@@ -202,12 +202,11 @@ fn not_shown(error: serde_json::Error) -> Failure {
     Failure::Other(format!("cannot show the result: {error}"))
 }
 
-/// Error bars so wide that no one should go on with the figures without noticing.
+/// Figures that no one should go on with without noticing.
 fn not_resolved(unresolved: &[Unresolved], folder: &Path) -> Failure {
     let figures: Vec<String> = unresolved.iter().map(output::unresolved).collect();
     Failure::Unresolved(format!(
-        "not resolved: {}, with an error bar wider than half of it; the results are in {}, where result.json says \
-         \"unresolved\"\n  = help: {RESOLVE}",
+        "not resolved: {}; the results are in {}, where result.json says \"unresolved\"\n  = help: {RESOLVE}",
         figures.join("; "),
         folder.display()
     ))
@@ -216,8 +215,8 @@ fn not_resolved(unresolved: &[Unresolved], folder: &Path) -> Failure {
 /// The same of points; their table says which.
 pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
     Failure::Unresolved(format!(
-        "{n} of {all} points are not resolved: error bars wider than half of the figure; which, stands in the column \
-         `unresolved` of {}\n  = help: {RESOLVE}",
+        "{n} of {all} points are not resolved: error bars wider than half of the figure, or none; which figures, stands in the \
+         column `unresolved` of {}\n  = help: {RESOLVE}",
         table.display()
     ))
 }

@@ -39,7 +39,7 @@ export function showResult(place, answer) {
   }
   const { files } = answer;
   if (answer.unresolved.length > 0) {
-    const text = `Not resolved: ${answer.unresolved.join("; ")}, with an error bar wider than half of it. Raise max_unknowns in [mesh]; the warnings say what the mesh lacks.`;
+    const text = `Not resolved: ${answer.unresolved.join("; ")}. Raise max_unknowns in [mesh]; the warnings say what the mesh lacks.`;
     place.append(element("p", { className: "unresolved", textContent: text }));
   }
   if (answer.failed_points > 0) {

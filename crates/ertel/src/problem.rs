@@ -230,7 +230,7 @@ fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
         lambda: scales.lambda,
         entrainment_speed: u_m,
     };
-    let skins = heat.bodies.each_ref().map(|b| skin(b, scales.length));
+    let skins = (heat.bodies.each_ref()).map(|b| b.diffusion_depth(scales.length).min(1.0));
     let column = Column::new(
         params.film_order,
         params.solid_elements,
@@ -247,15 +247,6 @@ fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
             ..CouplingParams::default()
         },
     })
-}
-
-/// Depth, in half-widths, to which heat gets into a body while it passes through the contact.
-fn skin(body: &BodyHeat, length: f64) -> f64 {
-    let t = body.bulk_temperature;
-    let capacity = body.density * body.heat_capacity.heat_capacity(0.0, t);
-    let diffusivity = body.conductivity.conductivity(0.0, t) / capacity;
-    let [u, v] = body.velocity.centre;
-    (diffusivity / (u.hypot(v) * length)).sqrt().min(1.0)
 }
 
 /// Size of the first cells on the outlet side of the rim over that on the other, where half-spaces let the mesh be refined.

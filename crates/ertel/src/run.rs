@@ -13,7 +13,7 @@ pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::problem::{problem_beside, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
-    HeatRound, IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties,
+    Asked, HeatRound, IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties,
     Unresolved,
 };
 use crate::solve::adjoint::RoughAdjoints;
@@ -198,12 +198,13 @@ fn note_sensitivities(
     if !case.wants_sensitivities() {
         return Ok(());
     }
+    let resolved = |figure| solution.resolves(figure);
     let found = match &problem.heat {
         Some(_) => {
             let only_uncertain = case.output.sensitivities != SensitivityDemand::All;
-            by_differences(case, problem, start, only_uncertain, observer)
+            by_differences(case, problem, start, only_uncertain, resolved, observer)
         }
-        None => by_adjoint(case, problem, start.solution(), rough),
+        None => by_adjoint(case, problem, start.solution(), rough, resolved),
     };
     let found = match found {
         Ok(found) => found,
@@ -307,6 +308,10 @@ fn describe(
             finest.discretisation.contact.shape.symmetry,
             extents,
         ));
+        let heat = problem.heat.iter();
+        warnings.extend(
+            heat.flat_map(|heat| post::thermal::at_rest::warnings(&heat.heat, thermal, params)),
+        );
     }
     let elements = post::elements::elements(finest, &scales);
     let mixed = case.roughness.map(|rms_height| {
@@ -352,7 +357,7 @@ fn describe(
                 friction_power: traction.friction_power.value,
             },
         ),
-        unresolved: Unresolved::all(&summary, &traction, case.motion.slides(), thermal.as_ref()),
+        unresolved: Vec::new(),
         summary,
         starvation: Starvation::of(&measured, &case.supply),
         roller: RollerFigures::of(&measured),
@@ -366,6 +371,12 @@ fn describe(
         stats,
         warnings,
     };
+    let asked = Asked {
+        bars: case.solver.error_estimate,
+        slides: case.motion.slides(),
+        radius: case.contact.radius,
+    };
+    solution.unresolved = Unresolved::all(&solution, asked);
     let doubts = plausible::warnings(case, &solution);
     solution.warnings.extend(doubts);
     Ok(solution)

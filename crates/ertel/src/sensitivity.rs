@@ -35,12 +35,25 @@ const STEP_OF_SOLVES: f64 = 0.01;
 const FIGURES_WITH_HEAT: [Figure; 5] = [
     Figure::FilmCentral,
     Figure::FilmMinimum,
-    Figure::PressureMaximum,
+    Figure::PressureCentral,
     Figure::TractionCoefficient,
     Figure::FilmTemperatureMaximum,
 ];
 
-/// Derivatives where heat counts: for each input two solves on the mesh of `start`, for `only_uncertain` inputs or all of them.
+/// Why an input has no derivative where values on neither side of it are allowed.
+const AT_ITS_BOUND: &str = "a case may have no value near it";
+
+/// Why an input has no derivative, in plain words: numbers of grades are names, and have no neighbours.
+fn why_not(key: &str, reason: &str) -> String {
+    let is_grade = key.rsplit('.').next() == Some("iso_vg");
+    match is_grade && reason == AT_ITS_BOUND {
+        true => "grades are discrete; kinematic_viscosity_40 has a derivative".to_owned(),
+        false => reason.to_owned(),
+    }
+}
+
+/// Derivatives of those figures that are `resolved` where heat counts: for each input two solves on the mesh of `start`, for `only_uncertain`
+/// inputs or all of them.
 ///
 /// # Errors
 /// Only when the user wants to stop.
@@ -49,6 +62,7 @@ pub fn by_differences(
     own: &Problem,
     start: &Start,
     only_uncertain: bool,
+    resolved: impl Fn(Figure) -> bool,
     observer: &mut dyn Observer,
 ) -> Result<Sensitivities, SolveError> {
     let of = |problem: &Problem, solution: &StageSolution| -> Vec<Option<f64>> {
@@ -57,7 +71,9 @@ pub fn by_differences(
         FIGURES_WITH_HEAT.map(|figure| found.value(figure)).to_vec()
     };
     let values = of(own, start.solution());
-    let present: Vec<usize> = (0..values.len()).filter(|i| values[*i].is_some()).collect();
+    let present: Vec<usize> = (0..values.len())
+        .filter(|i| values[*i].is_some() && resolved(FIGURES_WITH_HEAT[*i]))
+        .collect();
     let mut sensitivities = Sensitivities {
         by_adjoint: false,
         inputs: Vec::new(),
@@ -86,7 +102,7 @@ pub fn by_differences(
         let mut side = |value: f64| -> Result<Result<Vec<Option<f64>>, &str>, SolveError> {
             let values = BTreeMap::from([(input.key.clone(), value)]);
             let Ok(case) = case.with_values(values) else {
-                return Ok(Err("it lies at the end of what a case may have"));
+                return Ok(Err(AT_ITS_BOUND));
             };
             let problem = Problem {
                 adapt: None,
@@ -98,12 +114,19 @@ pub fn by_differences(
                 None => Err("a solve beside did not converge on the mesh of the solution"),
             })
         };
-        match (side(input.value - step)?, side(input.value + step)?) {
-            (Ok(below), Ok(above)) if below == above && !input.written => {}
-            (Ok(below), Ok(above)) => {
+        let sides = [side(input.value - step)?, side(input.value + step)?];
+        // At a bound, the derivative towards the side that there is.
+        let (sides, distance) = match sides {
+            [Err(AT_ITS_BOUND), Ok(above)] => ([Ok(values.clone()), Ok(above)], step),
+            [Ok(below), Err(AT_ITS_BOUND)] => ([Ok(below), Ok(values.clone())], step),
+            sides => (sides, 2.0 * step),
+        };
+        match sides {
+            [Ok(below), Ok(above)] if below == above && !input.written => {}
+            [Ok(below), Ok(above)] => {
                 for (figure, i) in sensitivities.figures.iter_mut().zip(&present) {
                     let [below, above] = [below[*i], above[*i]].map(|v| v.unwrap_or(f64::NAN));
-                    figure.derivatives.push((above - below) / (2.0 * step));
+                    figure.derivatives.push((above - below) / distance);
                 }
                 sensitivities.inputs.push(SensitivityInput {
                     key: input.key.clone(),
@@ -112,16 +135,16 @@ pub fn by_differences(
                     uncertainty: input.uncertainty,
                 });
             }
-            (Err(reason), _) | (_, Err(reason)) => sensitivities.left_out.push(LeftOut {
+            [Err(reason), _] | [_, Err(reason)] => sensitivities.left_out.push(LeftOut {
                 key: input.key.clone(),
-                reason: reason.to_owned(),
+                reason: why_not(&input.key, reason),
             }),
         }
     }
     Ok(sensitivities)
 }
 
-/// Derivatives of films, largest pressure and traction by every input of an isothermal contact.
+/// Derivatives of films, smooth pressure maximum and traction, of those that are `resolved`, by every input of an isothermal contact.
 ///
 /// # Errors
 /// When the adjoints cannot be solved for.
@@ -133,8 +156,9 @@ pub fn by_adjoint(
     problem: &Problem,
     solution: &StageSolution,
     rough: Option<RoughAdjoints>,
+    resolved: impl Fn(Figure) -> bool,
 ) -> Result<Sensitivities, SolveError> {
-    let adjoint = Sensitivity::new(problem, solution, rough)?;
+    let adjoint = Sensitivity::new(problem, solution, rough, resolved)?;
     let modulus = ByModulus::of(case);
     let mut left_out = Vec::new();
     let mut asked: Vec<(&Input, Sides)> = Vec::new();
@@ -245,15 +269,18 @@ fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Sides, Stri
     let at = |step: f64| -> Result<Sides, String> {
         let side = |value: f64| {
             let values = BTreeMap::from([(input.key.clone(), value)]);
-            (case
-                .with_values(values)
-                .map(|case| problem_beside(&case, &own.fluid)))
-            .map_err(|_| "it lies at the end of what a case may have".to_owned())
+            let case = case.with_values(values).ok()?;
+            Some(problem_beside(&case, &own.fluid))
         };
-        Ok(Sides {
-            problems: [side(input.value - step)?, side(input.value + step)?],
-            distance: 2.0 * step,
-        })
+        let here = || problem_beside(case, &own.fluid);
+        // At a bound, the derivative towards the side that there is.
+        let (problems, distance) = match [side(input.value - step), side(input.value + step)] {
+            [Some(below), Some(above)] => ([below, above], 2.0 * step),
+            [None, Some(above)] => ([here(), above], step),
+            [Some(below), None] => ([below, here()], step),
+            [None, None] => return Err(why_not(&input.key, AT_ITS_BOUND)),
+        };
+        Ok(Sides { problems, distance })
     };
     let size = match input.value {
         0.0 => STEP_FROM_ZERO / STEP * input.uncertainty?.standard(),

@@ -30,7 +30,7 @@ fn value(solution: &Solution, figure: Figure) -> f64 {
     match figure {
         Figure::FilmCentral => solution.summary.film_central.value,
         Figure::FilmMinimum => solution.summary.film_minimum.value,
-        Figure::PressureMaximum => solution.summary.pressure_maximum.value,
+        Figure::PressureCentral => solution.summary.pressure_central.value,
         _ => solution.traction.coefficient.value,
     }
 }
@@ -207,7 +207,7 @@ fn scales_with_size_and_stress(text: &str, lengths: &[&str], tolerance: f64, of_
         };
         // A largest pressure is read at a point of a mesh that moves.
         let tolerance = match figure.figure {
-            Figure::PressureMaximum => of_pressure,
+            Figure::PressureCentral => of_pressure,
             _ => tolerance,
         };
         let is_film = matches!(figure.figure, Figure::FilmCentral | Figure::FilmMinimum);

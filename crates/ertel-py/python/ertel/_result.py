@@ -43,12 +43,16 @@ class Quantity:
         Half-width that the uncertainty of the inputs makes, two standard deviations; None where they have none.
     unit : str
         SI unit, empty for a pure number.
+    resolved : bool
+        False where the error bar is too wide for a number, more than half of it or a tenth of a largest pressure; a largest pressure
+        is a lower bound then.
     """
 
     value: float
     error: float | None = None
     uncertainty: float | None = None
     unit: str = ""
+    resolved: bool = True
 
     def __float__(self) -> float:
         return self.value
@@ -65,6 +69,8 @@ class Quantity:
         if self.error is not None:
             text += f" ± {self.error * factor:.2g}"
         text += f" {unit}".rstrip()
+        if not self.resolved:
+            text = f"not resolved ({text})"
         if self.uncertainty is not None:
             text += f" (inputs ± {self.uncertainty * factor:.2g})"
         return text
@@ -142,8 +148,13 @@ class Result:
         return self._figure("film_minimum", self._document["summary"]["film_minimum"], "m")
 
     @property
+    def pressure_central(self) -> Quantity:
+        """Top of the smooth hill of the pressure in the middle of the contact, Pa."""
+        return self._figure("pressure_central", self._document["summary"]["pressure_central"], "Pa")
+
+    @property
     def pressure_maximum(self) -> Quantity:
-        """Largest pressure, Pa."""
+        """Largest pressure, Pa; a lower bound where it is not ``resolved``, because a ridge may exceed it."""
         return self._figure("pressure_maximum", self._document["summary"]["pressure_maximum"], "Pa")
 
     @property
@@ -183,12 +194,13 @@ class Result:
     def _figure(self, name: str, entry: dict[str, Any], unit: str) -> Quantity:
         bars = (self._document.get("uncertainty") or {}).get(name)
         bar = bars.get("half_width") if isinstance(bars, dict) else None
-        return Quantity(entry["value"], entry["error"], bar, unit)
+        return Quantity(entry["value"], entry["error"], bar, unit, entry.get("resolved") is not False)
 
     def _figures(self) -> dict[str, Quantity]:
         figures = {
             "film_central": self.film_central,
             "film_minimum": self.film_minimum,
+            "pressure_central": self.pressure_central,
             "pressure_maximum": self.pressure_maximum,
             "traction_coefficient": self.traction_coefficient,
             "friction_power": self.friction_power,
@@ -319,8 +331,8 @@ class Result:
         """The main figures: a row for each with value, error, uncertainty and unit."""
         import pandas as pd
 
-        rows = {n: [q.value, q.error, q.uncertainty, q.unit] for n, q in self._figures().items()}
-        columns = ["value", "error", "uncertainty", "unit"]
+        rows = {n: [q.value, q.error, q.uncertainty, q.unit, q.resolved] for n, q in self._figures().items()}
+        columns = ["value", "error", "uncertainty", "unit", "resolved"]
         return pd.DataFrame.from_dict(rows, orient="index", columns=columns)
 
     def to_pyvista(self) -> pv.UnstructuredGrid:
@@ -386,7 +398,7 @@ class Result:
         self.__dict__.update(state)
 
     def __repr__(self) -> str:
-        return f"<ertel.Result: h_c {self.film_central}, h_min {self.film_minimum}, p_max {self.pressure_maximum}>"
+        return f"<ertel.Result: h_c {self.film_central}, h_min {self.film_minimum}, p_c {self.pressure_central}>"
 
     def _repr_html_(self) -> str:
         rows = []

@@ -159,7 +159,7 @@ fn radii_between(table: &mut Table<'_>, shapes: &Shapes) -> Result<([f64; 2], f6
                  for cylinders with parallel axes kind = \"line\"",
             ));
     }
-    let radii = curvatures.map(f64::recip);
+    let radii = curvatures.map(|k| to_digits(k.recip()));
     if let Some(radius) = radii.into_iter().find(|r| !RADIUS.contains(*r)) {
         return Err(table.error(
             "kind",
@@ -167,6 +167,11 @@ fn radii_between(table: &mut Table<'_>, shapes: &Shapes) -> Result<([f64; 2], f6
         ));
     }
     Ok((radii, direction))
+}
+
+/// A number to 14 digits: what sums of curvatures leave beyond them is rounding.
+fn to_digits(value: f64) -> f64 {
+    format!("{value:.13e}").parse().unwrap_or(value)
 }
 
 /// The ratio R_y/R_x of two reduced radii (m) where it is beyond those of ellipses.

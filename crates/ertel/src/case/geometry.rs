@@ -7,6 +7,7 @@ use ertel_rheology::input::{InputError, Table};
 use super::bodies::Shapes;
 use super::machine::{self, Machine};
 use super::{check, contact, motion, sections};
+use crate::contact::motion::ROUNDING;
 use crate::contact::{Contact, Hertz, Motion};
 use crate::output::{MachineEcho, digits, length};
 use crate::warning::Warning;
@@ -119,8 +120,8 @@ impl<'t> Tables<'t> {
             }
         };
         Ok(Geometry {
-            contact,
-            motion,
+            contact: without_rounding(contact),
+            motion: motion.without_rounding(),
             machine,
             hertz,
             body_radii,
@@ -148,6 +149,15 @@ impl<'t> Tables<'t> {
             }
             Tables::Machine(table) => table.finish(),
         }
+    }
+}
+
+/// A contact without what rounding leaves of an angle that vanishes.
+fn without_rounding(contact: Contact) -> Contact {
+    let angle = contact.entrainment_angle;
+    Contact {
+        entrainment_angle: if angle.abs() < ROUNDING { 0.0 } else { angle },
+        ..contact
     }
 }
 

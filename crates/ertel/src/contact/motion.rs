@@ -33,6 +33,9 @@ fn are_zero(values: &[f64; 2]) -> bool {
     *values == [0.0; 2]
 }
 
+/// Slide-to-roll ratio, and angle in rad, below which there is none: a million times what rounding leaves, a thousandth of what matters.
+pub const ROUNDING: f64 = 1e-12;
+
 impl Motion {
     /// Both surfaces along the entrainment, at its speed (m/s) with a slide-to-roll ratio.
     pub fn straight(entrainment_speed: f64, slide_to_roll_ratio: f64) -> Motion {
@@ -52,6 +55,23 @@ impl Motion {
     /// Speed of the plane's surface along the entrainment at the centre, m/s.
     pub fn plane_speed(&self) -> f64 {
         self.entrainment_speed * (1.0 - 0.5 * self.slide_to_roll_ratio)
+    }
+
+    /// The same without what rounding leaves of a sliding or a spin that vanishes, as at the pitch point of gears: surfaces that only
+    /// roll are solved, and told, as such.
+    pub fn without_rounding(self) -> Motion {
+        let ratio = |s: f64| if s.abs() < ROUNDING { 0.0 } else { s };
+        // Of a spin, what it slides a millimetre from the centre.
+        let spin = |w: f64| match (1e-3 * w).abs() < ROUNDING * self.entrainment_speed.abs() {
+            true => 0.0,
+            false => w,
+        };
+        Motion {
+            slide_to_roll_ratio: ratio(self.slide_to_roll_ratio),
+            slide_to_roll_ratio_across: ratio(self.slide_to_roll_ratio_across),
+            spin: self.spin.map(spin),
+            ..self
+        }
     }
 
     /// Whether the surfaces move along the entrainment alone, everywhere.

@@ -40,6 +40,17 @@ pub struct BodyHeat {
     pub bulk_temperature: f64,
 }
 
+impl BodyHeat {
+    /// √(χ/(u a)), in half-widths a (m): the depth to which heat gets into the body while it moves on by a; without end of a body at rest.
+    pub fn diffusion_depth(&self, length: f64) -> f64 {
+        let t = self.bulk_temperature;
+        let capacity = self.density * self.heat_capacity.heat_capacity(0.0, t);
+        let diffusivity = self.conductivity.conductivity(0.0, t) / capacity;
+        let [u, v] = self.velocity.centre;
+        (diffusivity / (u.hypot(v) * length)).sqrt()
+    }
+}
+
 /// Heat of a contact: thermal laws, and the scales that make its film dimensional.
 #[derive(Clone, Debug)]
 pub struct Heat {

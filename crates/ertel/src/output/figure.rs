@@ -2,7 +2,7 @@
 
 use super::report::digits;
 use crate::contact::{ContactKind, Symmetry};
-use crate::solution::{Estimate, Figure, Located, Solution, Unresolved};
+use crate::solution::{Estimate, Figure, Located, Solution, Unresolved, Why};
 
 /// Most significant digits of a figure, however narrow its bar.
 const MOST_DIGITS: i32 = 6;
@@ -12,6 +12,9 @@ const DIGITS: usize = 4;
 
 /// Decimals of a temperature in K, at the most.
 const KELVIN_DECIMALS: i32 = 2;
+
+/// Rise of temperature beside which a bar counts, K, at the least.
+const LEAST_RISE: f64 = 1.0;
 
 /// Decimals of a place in half-widths, at the most.
 const PLACE_DECIMALS: i32 = 3;
@@ -75,8 +78,34 @@ fn parts(value: f64, error: Option<f64>) -> (String, Option<String>) {
     }
 }
 
-/// A figure with its error bar and its unit, the value times `factor` having the unit.
+/// Digits of what a figure lies between whose bar leaves no number.
+const DIGITS_OF_BOUNDS: usize = 2;
+
+/// What a figure lies between whose bar is too wide for a number.
+fn range(e: Estimate, factor: f64, unit: &str) -> String {
+    let (value, error) = (factor * e.value, factor * e.error.unwrap_or(0.0));
+    let bound = |v: f64| digits(v, DIGITS_OF_BOUNDS);
+    let range = match error < value.abs() {
+        true => format!(
+            "between {} and {}",
+            bound(value - error),
+            bound(value + error)
+        ),
+        false => format!("at most {}", bound(value.abs() + error)),
+    };
+    format!("{range} {unit}").trim_end().to_owned()
+}
+
+/// A figure with its error bar and its unit, the value times `factor` having the unit; without a number where the bar is too wide for one.
 pub fn in_unit(e: Estimate, factor: f64, unit: &str) -> String {
+    match e.is_resolved() {
+        true => with_bar(e, factor, unit),
+        false => format!("not resolved ({})", range(e, factor, unit)),
+    }
+}
+
+/// A number with what it is uncertain by, however much that is, as of a measurement.
+pub fn with_bar(e: Estimate, factor: f64, unit: &str) -> String {
     let (value, error) = (factor * e.value, e.error.map(|error| factor * error));
     let largest = value.abs().max(error.unwrap_or(0.0));
     let text = match error {
@@ -111,6 +140,10 @@ pub fn percent(e: Estimate) -> String {
 
 /// A temperature with its rise above that of the inlet, both in K.
 pub fn temperature(e: Estimate, inlet: Option<f64>) -> String {
+    let rise = inlet.map_or(e.value, |inlet| (e.value - inlet).abs().max(LEAST_RISE));
+    if e.error.is_some_and(|error| error > 0.5 * rise) {
+        return not_resolved_temperature(e);
+    }
     let error = e.error.filter(|error| *error > 0.0);
     let shown = error.map_or(KELVIN_DECIMALS, |error| {
         decimals(e.value, error).min(KELVIN_DECIMALS)
@@ -122,6 +155,12 @@ pub fn temperature(e: Estimate, inlet: Option<f64>) -> String {
         format!(" ({sign}{rise} K)")
     });
     format!("{}{error} K{rise}", rounded(e.value, shown))
+}
+
+fn not_resolved_temperature(e: Estimate) -> String {
+    let error = e.error.unwrap_or(0.0);
+    let [low, high] = [e.value - error, e.value + error].map(|t| rounded(t, 0));
+    format!("not resolved (between {low} and {high} K)")
 }
 
 /// A length with a readable unit.
@@ -136,14 +175,48 @@ pub fn pressure_estimate(e: Estimate) -> String {
     in_unit(e, factor, unit)
 }
 
-/// A figure that its mesh does not resolve: `the minimum film thickness, 0.4 ± 0.3 nm`.
+/// A largest pressure; no more than a lower bound where the mesh does not draw its peak.
+pub fn peak(at: &Located) -> String {
+    if at.resolved {
+        return pressure_estimate(at.estimate());
+    }
+    let (factor, unit) = pressure_unit(at.value);
+    format!(
+        "at least {} {unit}, not resolved",
+        floored(factor * at.value)
+    )
+}
+
+/// Three digits, never above the number.
+fn floored(value: f64) -> String {
+    if value <= 0.0 || !value.is_finite() {
+        return digits(value, 3);
+    }
+    let step = 10f64.powi(exponent(value) - 2);
+    // What stands a rounding below a step is on it.
+    digits((value / step * (1.0 + 1e-12)).floor() * step, 3)
+}
+
+/// A figure that a result does not tell: `the minimum film thickness (between 0.1 and 0.7 nm)`.
 pub fn unresolved(u: &Unresolved) -> String {
-    let figure = match u.figure {
-        Figure::FilmCentral | Figure::FilmMinimum => estimate(&u.estimate),
-        Figure::FilmTemperatureMaximum => in_unit(u.estimate, 1.0, "K"),
-        _ => number(u.estimate),
+    let (factor, unit) = match u.figure {
+        Figure::FilmCentral | Figure::FilmMinimum => length_unit(largest(&u.estimate)),
+        Figure::FilmTemperatureMaximum => (1.0, "K"),
+        _ => (1.0, ""),
     };
-    format!("{}, {figure}", u.words())
+    let text = match u.why {
+        Why::WideBar => range(u.estimate, factor, unit),
+        Why::NoBar => "no error bar could be computed".to_owned(),
+        Why::BeyondBodies => format!(
+            "{} {unit}, beyond the radius",
+            digits(factor * u.estimate.value, 2)
+        ),
+        Why::OpenBalance => format!(
+            "open by {} % of the heat made",
+            digits(100.0 * u.estimate.value, 2)
+        ),
+    };
+    format!("{} ({text})", u.words())
 }
 
 /// The size that asks for a unit: of the value, unless that is lost in its bar.
@@ -151,8 +224,16 @@ fn largest(e: &Estimate) -> f64 {
     e.value.abs().max(e.error.unwrap_or(0.0))
 }
 
+/// Error bar of a place, in half-widths, beyond which it is not told.
+const WIDEST_OF_PLACE: f64 = 0.25;
+
 /// A position along the motion, in half-widths.
 pub fn position(e: Estimate, half_width: f64) -> String {
+    if e.error
+        .is_some_and(|error| error > WIDEST_OF_PLACE * half_width)
+    {
+        return PLACE_NOT_RESOLVED.to_owned();
+    }
     let (x, error) = (
         e.value / half_width,
         e.error.map(|error| error / half_width),
@@ -162,8 +243,13 @@ pub fn position(e: Estimate, half_width: f64) -> String {
     format!("at x/a {}{error}", x[0])
 }
 
+const PLACE_NOT_RESOLVED: &str = "place not resolved";
+
 /// Where a figure is, in half-widths.
 pub fn place(solution: &Solution, at: &Located) -> String {
+    if !at.place_resolved {
+        return PLACE_NOT_RESOLVED.to_owned();
+    }
     let a = solution.hertz.half_width;
     let along = Estimate {
         value: at.x,
@@ -223,6 +309,7 @@ pub(super) fn pressure_unit(value: f64) -> (f64, &'static str) {
 mod tests {
     use super::super::fixture;
     use super::*;
+    use crate::solution::Asked;
 
     fn e(value: f64, error: f64) -> Estimate {
         Estimate {
@@ -239,8 +326,10 @@ mod tests {
             (1.0623, 0.052, "1.06 ± 0.05"),
             (1.2345, 0.0123, "1.234 ± 0.012"),
             (1.0623, 0.097, "1.06 ± 0.10"),
-            (0.03, 0.05, "0.03 ± 0.05"),
-            (-0.001, 0.5, "0.0 ± 0.5"),
+            (0.03, 0.05, "not resolved (at most 0.08)"),
+            (-0.001, 0.5, "not resolved (at most 0.5)"),
+            (0.03, 0.02, "not resolved (between 0.01 and 0.05)"),
+            (0.03, 0.015, "0.030 ± 0.015"),
             (12345.0, 2345.0, "12300 ± 2300"),
             (12345.0, 678.0, "12300 ± 700"),
             (1.0, 1e-12, "1.00000 ± 0.00001"),
@@ -264,7 +353,10 @@ mod tests {
         assert_eq!(estimate(&e(244.824e-9, 0.82e-9)), "244.8 ± 0.8 nm");
         assert_eq!(estimate(&e(1.2345e-6, 12.3e-9)), "1.234 ± 0.012 µm");
         assert_eq!(pressure_estimate(e(1.0623e9, 5e7)), "1.06 ± 0.05 GPa");
-        assert_eq!(pressure_estimate(e(0.7e9, 2e9)), "0.7 ± 2.0 GPa");
+        assert_eq!(
+            pressure_estimate(e(0.7e9, 2e9)),
+            "not resolved (at most 2.7 GPa)"
+        );
         assert_eq!(percent(e(0.3061, 0.0023)), "30.61 ± 0.23 %");
         assert_eq!(
             temperature(e(330.042, 0.4), Some(313.0)),
@@ -274,12 +366,82 @@ mod tests {
             temperature(e(312.96, 0.4), Some(313.0)),
             "313.0 ± 0.4 K (+0.0 K)"
         );
+        assert_eq!(
+            temperature(e(333.0, 12.0), Some(313.0)),
+            "not resolved (between 321 and 345 K)"
+        );
         assert_eq!(temperature(e(318.9634, 0.0193), None), "318.96 ± 0.02 K");
         let plain = Estimate {
             value: 310.0,
             error: None,
         };
         assert_eq!(temperature(plain, Some(313.0)), "310.00 K (-3.00 K)");
+    }
+
+    /// By hand, of a film of 245.0 ± 0.8 nm: a bar of 150 nm, none though one was asked for, and one of 20 mm on bodies of 16 mm are no results.
+    #[test]
+    fn what_is_not_told_has_a_reason() {
+        let asked = Asked {
+            bars: true,
+            slides: false,
+            radius: 0.016,
+        };
+        let told = |film: Estimate, asked| {
+            let mut solution = fixture::solution(ContactKind::Circular);
+            solution.summary.film_central = film;
+            let found = Unresolved::all(&solution, asked);
+            (found.iter().map(unresolved).collect::<Vec<_>>()).join("; ")
+        };
+        assert_eq!(told(e(245e-9, 0.8e-9), asked), "");
+        assert_eq!(
+            told(e(245e-9, 150e-9), asked),
+            "the central film thickness (between 95 and 400 nm)"
+        );
+        let without = Estimate {
+            value: 245e-9,
+            error: None,
+        };
+        assert_eq!(
+            told(without, asked),
+            "the central film thickness (no error bar could be computed)"
+        );
+        assert_eq!(
+            told(
+                without,
+                Asked {
+                    bars: false,
+                    ..asked
+                }
+            ),
+            ""
+        );
+        assert_eq!(
+            told(e(0.02, 1e-4), asked),
+            "the central film thickness (20 mm, beyond the radius)"
+        );
+    }
+
+    /// A peak that the mesh cuts off is a lower bound, which rounding does not raise.
+    #[test]
+    fn peaks_that_are_not_resolved_are_lower_bounds() {
+        let at = |value: f64, error: f64, resolved: bool| Located {
+            value,
+            error: Some(error),
+            resolved,
+            x: 0.0,
+            y: 0.0,
+            place_error: None,
+            place_resolved: true,
+        };
+        assert_eq!(peak(&at(1.0112e9, 0.0013e9, true)), "1.0112 ± 0.0013 GPa");
+        assert_eq!(
+            peak(&at(1.0169e9, 0.34e9, false)),
+            "at least 1.01 GPa, not resolved"
+        );
+        assert_eq!(
+            peak(&at(7.2e8, 2.2e8, false)),
+            "at least 720 MPa, not resolved"
+        );
     }
 
     #[test]
@@ -290,9 +452,11 @@ mod tests {
             let at = Located {
                 value: 1.0,
                 error: None,
+                resolved: true,
                 x: 0.8754 * a,
                 y: y * a,
                 place_error: error.map(|error| error * a),
+                place_resolved: error.is_none_or(|error| error <= 0.25),
             };
             place(&solution, &at)
         };
@@ -302,7 +466,8 @@ mod tests {
             at(-0.906, Some(0.012)),
             "at x/a 0.875, y/a ±0.906, to 0.012"
         );
-        assert_eq!(at(-0.906, Some(2.7)), "at x/a 0.9, y/a ±0.9, to 2.7");
+        assert_eq!(at(-0.906, Some(0.25)), "at x/a 0.88, y/a ±0.91, to 0.25");
+        assert_eq!(at(-0.906, Some(0.27)), "place not resolved");
         assert_eq!(at(-0.906, Some(1e-7)), "at x/a 0.875, y/a ±0.906, to 0.001");
     }
 }

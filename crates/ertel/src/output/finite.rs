@@ -122,7 +122,9 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
             &s.film_centreline_minimum,
         ),
         ("largest pressure", &s.pressure_maximum),
+        ("smooth pressure maximum", &s.pressure_central),
     ];
+    located.extend((s.pressure_ridge.as_ref()).map(|ridge| ("pressure of the ridge", ridge)));
     if let Some(s) = &solution.starvation {
         let found = [
             s.film_central_flooded,

@@ -162,9 +162,11 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
     let located = |value: f64, x: f64, y: f64| Located {
         value,
         error: Some(5e-3 * value),
+        resolved: true,
         x: a * x,
         y: a * y,
         place_error: Some(0.02 * a),
+        place_resolved: true,
     };
     let lowest = films.iter().copied().fold(f64::INFINITY, f64::min);
     let highest = pressures.iter().copied().fold(0.0, f64::max);
@@ -204,6 +206,8 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
             film_minimum_at: located(lowest, 0.3, -0.88),
             film_centreline_minimum: located(0.47 * FILM, 0.93, 0.0),
             pressure_maximum: located(highest, -0.05, 0.0),
+            pressure_central: located(highest, -0.05, 0.0),
+            pressure_ridge: None,
             spike: Some(located(0.86 * p_h, 0.86, 0.0)),
             outlet_position: bar(1.05 * a),
             pressure_minimum: -1.3e3,

@@ -17,12 +17,21 @@ const NEGLIGIBLE_SHARE: f64 = 0.01;
 /// Half-width of an interval, over the figure, beyond which derivatives alone tell little.
 const FAR_FROM_LINEAR: f64 = 0.2;
 
+/// Figures that have sensitivities where the mesh resolves them.
+const ASKED_FOR: [Figure; 5] = [
+    Figure::FilmCentral,
+    Figure::FilmMinimum,
+    Figure::PressureCentral,
+    Figure::TractionCoefficient,
+    Figure::FilmTemperatureMaximum,
+];
+
 /// Short name of a figure.
 fn symbol(figure: Figure) -> &'static str {
     match figure {
         Figure::FilmCentral => "h_c",
         Figure::FilmMinimum => "h_min",
-        Figure::PressureMaximum => "p_max",
+        Figure::PressureCentral => "p_c",
         Figure::TractionCoefficient => "traction",
         Figure::FilmTemperatureMaximum => "T_max",
         figure => figure.name(),
@@ -38,17 +47,23 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
         }
         return;
     };
-    out.heading(
-        "Sensitivities: per cent of the figure for one per cent of the input (temperatures in K)",
-    );
+    out.heading("Sensitivities: per cent of the figure for one per cent of the input, for one kelvin of a temperature");
     // A traction that is zero has no per cent.
     let figures: Vec<&FigureSensitivity> = sensitivities
         .figures
         .iter()
         .filter(|f| f.value != 0.0)
         .collect();
+    if figures.is_empty() {
+        out.line("not computed: the mesh resolves none of the figures");
+        return;
+    }
     let mut head = vec![String::new()];
-    head.extend(figures.iter().map(|f| symbol(f.figure).to_owned()));
+    let title = |figure| match figure {
+        Figure::FilmTemperatureMaximum => "T_max (K)",
+        figure => symbol(figure),
+    };
+    head.extend(figures.iter().map(|f| title(f.figure).to_owned()));
     let mut widths = vec![(NUMBER_WIDTH, 0); head.len()];
     widths[0] = (KEY_WIDTH, 0);
     let (rows, negligible) = rows(sensitivities, &figures);
@@ -67,6 +82,17 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
     for (reason, keys) in left_out(sensitivities) {
         out.line(&format!("not computed: {} ({reason})", keys.join(", ")));
     }
+    let missing: Vec<&str> = ASKED_FOR
+        .into_iter()
+        .filter(|figure| !solution.resolves(*figure))
+        .map(symbol)
+        .collect();
+    if !missing.is_empty() {
+        out.line(&format!(
+            "not computed of what is not resolved: {}",
+            missing.join(", ")
+        ));
+    }
     if !sensitivities.by_adjoint {
         out.line("by differences of solves on one mesh, good to about a per cent");
     }
@@ -80,7 +106,15 @@ fn rows<'a>(
     let all = (sensitivities.inputs.iter().enumerate())
         .filter(|(_, input)| input.value != 0.0)
         .map(|(i, input)| {
-            let of = |f: &&FigureSensitivity| f.derivatives[i] * input.value / f.value;
+            // Per cent for one per cent, or for one kelvin; of the largest temperature, kelvins.
+            let step = match input.is_temperature() {
+                true => 100.0,
+                false => input.value,
+            };
+            let of = |f: &&FigureSensitivity| match f.figure {
+                Figure::FilmTemperatureMaximum => 0.01 * step * f.derivatives[i],
+                _ => f.derivatives[i] * step / f.value,
+            };
             (
                 input.key.as_str(),
                 figures.iter().map(of).collect::<Vec<f64>>(),
@@ -119,13 +153,20 @@ fn write_uncertainty(out: &mut Lines, solution: &Solution) {
             .filter(|(_, share)| share.abs() >= NEGLIGIBLE_SHARE)
             .map(|(key, share)| format!("{key} {:.0} %", 100.0 * share))
             .collect();
-        let size = match figure.value {
-            0.0 => digits(figure.half_width, 2),
-            value => format!("{} %", digits(100.0 * figure.half_width / value.abs(), 2)),
+        let size = match (figure.figure, figure.value) {
+            // Per cent of a temperature mean nothing.
+            (Figure::FilmTemperatureMaximum, _) => {
+                format!("{} K", digits(figure.half_width, 2))
+            }
+            (_, 0.0) => digits(figure.half_width, 2),
+            (_, value) => format!(
+                "{} % of it",
+                digits(100.0 * figure.half_width / value.abs(), 2)
+            ),
         };
         out.row(
             symbol(figure.figure),
-            format!("± {size:<10} of it {}", shares.join(", ")),
+            format!("± {size:<14} {}", shares.join(", ")),
         );
     }
     let wide = |u: &&FigureUncertainty| u.half_width > FAR_FROM_LINEAR * u.value.abs();

@@ -126,7 +126,7 @@ pub fn monte_carlo_report(found: &MonteCarlo, solution: &Solution) -> String {
 fn unit(figure: &Distribution) -> (f64, String) {
     let (factor, unit) = match figure.figure {
         "film_central" | "film_minimum" => length_unit(figure.mean),
-        "pressure_maximum" => pressure_unit(figure.mean),
+        "pressure_central" => pressure_unit(figure.mean),
         "film_temperature_maximum" => (1.0, "K"),
         _ => (1.0, ""),
     };
@@ -145,7 +145,7 @@ fn chart(figure: &Distribution, solution: &Solution) -> Chart {
     let name = match figure.figure {
         "film_central" => "Central film *h*_{c}",
         "film_minimum" => "Minimum film *h*_{min}",
-        "pressure_maximum" => "Largest pressure *p*_{max}",
+        "pressure_central" => "Smooth pressure maximum *p*_{c}",
         "film_temperature_maximum" => "Largest temperature *T*",
         _ => "Traction coefficient",
     };

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::BODIES;
 use super::figure::{
-    estimate, in_unit, length_unit, number, percent, place, position, pressure_estimate,
+    estimate, in_unit, length_unit, number, peak, percent, place, position, pressure_estimate,
     pressure_unit,
 };
 use super::lines::{Lines, NAME_WIDTH, Table};
@@ -246,15 +246,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
         out.row("  on the centreline", at(estimate(&line.estimate()), line));
     }
     mixed::write_lambda(out, solution);
-    let p = &s.pressure_maximum;
-    out.row("largest pressure", at(pressure_estimate(p.estimate()), p));
-    match &s.spike {
-        Some(spike) => out.row(
-            "pressure spike",
-            at(pressure_estimate(spike.estimate()), spike),
-        ),
-        None => out.row("pressure spike", "none on the centreline"),
-    }
+    write_pressures(out, solution);
     out.row(
         "outlet boundary (centreline)",
         position(s.outlet_position, solution.hertz.half_width),
@@ -266,6 +258,24 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
     out.row("mass balance error", percent_or_power(s.film_balance_error));
     out.row("load balance error", percent_or_power(s.load_balance_error));
     out.row("left out by the model", words(&solution.left_out));
+}
+
+/// The largest pressure, that of the smooth hill in the middle where it is another, and those of ridge and spike.
+fn write_pressures(out: &mut Lines, solution: &Solution) {
+    let s = &solution.summary;
+    let mut row = |name: &str, at: &Located| out.row(name, beside(&peak(at), &place(solution, at)));
+    row("largest pressure", &s.pressure_maximum);
+    let central = &s.pressure_central;
+    if !s.pressure_maximum.resolved || s.pressure_maximum.estimate() != central.estimate() {
+        row("  smooth maximum, in the middle", central);
+    }
+    if let Some(ridge) = &s.pressure_ridge {
+        row("  ridge before the outlet", ridge);
+    }
+    match &s.spike {
+        Some(spike) => row("pressure spike (centreline)", spike),
+        None => out.row("pressure spike", "none on the centreline"),
+    }
 }
 
 /// A figure and what stands beside it.
@@ -303,7 +313,7 @@ fn write_roller(out: &mut Lines, solution: &Solution) {
     let Some(roller) = &solution.roller else {
         return;
     };
-    let row = |p: &Located| beside(&pressure_estimate(p.estimate()), &place(solution, p));
+    let row = |p: &Located| beside(&peak(p), &place(solution, p));
     if solution.shape.symmetry == Symmetry::Half {
         out.row(
             "largest pressure near the ends",

@@ -68,6 +68,15 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     }
     if let Some(sensitivities) = &solution.sensitivities {
         document["sensitivities"] = serde_json::to_value(sensitivities)?;
+        let per_kelvin: serde_json::Map<String, Value> = (sensitivities.figures.iter())
+            .map(|figure| {
+                let by = sensitivities.per_kelvin(figure).into_iter();
+                let by: serde_json::Map<String, Value> =
+                    by.map(|(key, by)| (key.to_owned(), by.into())).collect();
+                (figure.figure.name().to_owned(), by.into())
+            })
+            .collect();
+        document["sensitivities_per_kelvin"] = per_kelvin.into();
         document["sensitivities_by"] = match sensitivities.by_adjoint {
             true => "adjoint".into(),
             false => "differences of solves".into(),

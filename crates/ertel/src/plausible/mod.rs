@@ -211,9 +211,11 @@ mod tests {
             let lowest = Located {
                 value,
                 error: None,
+                resolved: true,
                 x,
                 y: 0.0,
                 place_error: None,
+                place_resolved: true,
             };
             undershoot(&lowest, 313.0, rise, 1e-4).map(|w| w.text)
         };

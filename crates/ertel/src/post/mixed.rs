@@ -7,7 +7,8 @@ use crate::mixed::{
 };
 use crate::output::digits;
 use crate::solution::{
-    AsperityFigures, ElementFields, Estimate, MixedFriction, MixedLubrication, Summary, Traction,
+    AsperityFigures, ElementFields, Estimate, MixedFriction, MixedLubrication, ROUNDING, Summary,
+    Traction,
 };
 use crate::warning::{Warning, WarningKind};
 
@@ -62,6 +63,17 @@ pub fn mixed_lubrication(
                 let off = bounds.map(|load| (load - found.load).abs());
                 off[0].max(off[1])
             }),
+        };
+        // Tails of the distribution of heights that carry nothing.
+        let load = match load.value < ROUNDING * surfaces.load {
+            true => Estimate {
+                value: 0.0,
+                error: load
+                    .error
+                    .filter(|e| *e >= ROUNDING * surfaces.load)
+                    .or(Some(0.0)),
+            },
+            false => load,
         };
         let share = Estimate {
             value: load.value / surfaces.load,

@@ -29,6 +29,8 @@ pub fn summarise(
         film_minimum_at: measured.located(Figure::FilmMinimum),
         film_centreline_minimum: measured.located(Figure::FilmCentrelineMinimum),
         pressure_maximum: measured.located(Figure::PressureMaximum),
+        pressure_central: measured.located(Figure::PressureCentral),
+        pressure_ridge: measured.find_located(Figure::PressureRidge),
         spike: measured.find_located(Figure::Spike),
         outlet_position: measured.estimate(Figure::OutletPosition),
         pressure_minimum: p_min * scales.pressure,

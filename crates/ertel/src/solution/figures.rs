@@ -43,6 +43,10 @@ figures! {
     FilmCentrelineMinimum, "film_centreline_minimum", "m";
     /// Largest pressure.
     PressureMaximum, "pressure_maximum", "Pa";
+    /// Top of the smooth hill of the pressure on which the centre of the contact lies.
+    PressureCentral, "pressure_central", "Pa";
+    /// Largest pressure of the ridge before the outlet of a point contact, or of another hill beside the central one.
+    PressureRidge, "pressure_ridge", "Pa";
     /// Largest pressure over the quarter of a roller at its end y < 0.
     EdgePressureLeft, "edge_pressure_left", "Pa";
     /// The same at its end y > 0.
@@ -117,6 +121,8 @@ impl Figure {
             Figure::FilmMinimum
                 | Figure::FilmCentrelineMinimum
                 | Figure::PressureMaximum
+                | Figure::PressureCentral
+                | Figure::PressureRidge
                 | Figure::Spike
                 | Figure::EdgePressureLeft
                 | Figure::EdgePressureRight
@@ -125,6 +131,99 @@ impl Figure {
                 | Figure::Body1TemperatureMaximum
                 | Figure::Body2TemperatureMaximum
         )
+    }
+}
+
+/// Share of a figure, of its size, that its error bar may reach for the figure to be told as a number.
+pub(super) const WIDEST: f64 = 0.5;
+
+/// The same of a largest pressure: a mesh that does not draw a peak cuts it off, and its value is no more than a lower bound.
+const WIDEST_OF_PEAK: f64 = 0.1;
+
+/// Widest bar of a place, over the half-width of the contact.
+const WIDEST_OF_PLACE: f64 = 0.25;
+
+impl Figure {
+    /// Whether it is a largest pressure, which a mesh too coarse for its peak cuts off.
+    pub fn is_peak(self) -> bool {
+        matches!(
+            self,
+            Figure::PressureMaximum
+                | Figure::PressureCentral
+                | Figure::PressureRidge
+                | Figure::Spike
+                | Figure::EdgePressureLeft
+                | Figure::EdgePressureRight
+        )
+    }
+
+    /// Widest error bar with which it is told as a number, over its size.
+    pub fn widest_bar(self) -> f64 {
+        match self.is_peak() {
+            true => WIDEST_OF_PEAK,
+            false => WIDEST,
+        }
+    }
+}
+
+/// Sizes of a contact beside which its figures vanish.
+#[derive(Clone, Copy, Debug)]
+pub struct Sizes {
+    /// Load, N or N/m.
+    pub load: f64,
+    /// Half-width, m.
+    pub length: f64,
+    /// Hertz pressure, Pa.
+    pub pressure: f64,
+    /// Entrainment speed, m/s.
+    pub speed: f64,
+}
+
+/// Share of the sizes of a contact below which a figure is rounding, and told as zero.
+pub const ROUNDING: f64 = 1e-9;
+
+impl Figure {
+    /// Below what a figure is zero, SI.
+    pub fn zero_below(self, sizes: &Sizes) -> f64 {
+        let size = match self {
+            Figure::FilmCentral
+            | Figure::FilmMinimum
+            | Figure::FilmCentrelineMinimum
+            | Figure::FilmTemperatureMaximum
+            | Figure::FilmTemperatureLowest
+            | Figure::FilmTemperatureMean
+            | Figure::Body1TemperatureMaximum
+            | Figure::Body1TemperatureMean
+            | Figure::Body2TemperatureMaximum
+            | Figure::Body2TemperatureMean => 0.0,
+            Figure::PressureMaximum
+            | Figure::PressureCentral
+            | Figure::PressureRidge
+            | Figure::EdgePressureLeft
+            | Figure::EdgePressureRight
+            | Figure::Spike
+            | Figure::ShearStressMaximum => sizes.pressure,
+            Figure::RollerMoment | Figure::TractionMoment => sizes.load * sizes.length,
+            Figure::LoadPosition | Figure::OutletPosition | Figure::MeniscusPosition => {
+                sizes.length
+            }
+            Figure::TractionForce | Figure::TractionForceAcross => sizes.load,
+            Figure::FrictionPower
+            | Figure::HeatShear
+            | Figure::HeatCompression
+            | Figure::HeatToBody1
+            | Figure::HeatToBody2
+            | Figure::HeatByFilm => sizes.load * sizes.speed.abs(),
+            Figure::TractionCoefficient
+            | Figure::TractionCoefficientBody1
+            | Figure::TractionCoefficientBody2
+            | Figure::TractionCoefficientAcross
+            | Figure::TractionCoefficientAcrossBody1
+            | Figure::TractionCoefficientAcrossBody2
+            | Figure::BeyondFirstLimit
+            | Figure::BeyondSecondLimit => 1.0,
+        };
+        ROUNDING * size
     }
 }
 
@@ -165,6 +264,8 @@ pub struct Measured {
     pub figures: Figures,
     /// The bars that could be told.
     pub bars: Bars,
+    /// Half-width of the contact, m, beside which places are told or not.
+    pub half_width: f64,
 }
 
 impl<T> Default for PerFigure<T> {
@@ -237,6 +338,30 @@ impl Serialize for Figures {
 }
 
 impl Measured {
+    /// The same with zeros where figures and bars are rounding.
+    pub fn without_rounding(mut self, sizes: &Sizes) -> Measured {
+        for figure in Figure::ALL {
+            let Some(reading) = self.figures.get(figure) else {
+                continue;
+            };
+            let below = figure.zero_below(sizes);
+            if reading.value.abs() >= below {
+                continue;
+            }
+            self.figures.set(
+                figure,
+                Reading {
+                    value: 0.0,
+                    ..reading
+                },
+            );
+            if let Some(bar) = self.bars.get(figure).filter(|bar| bar.value < below) {
+                self.bars.set(figure, Bar { value: 0.0, ..bar });
+            }
+        }
+        self
+    }
+
     /// A figure with its bar, if there is one.
     pub fn find(&self, figure: Figure) -> Option<Estimate> {
         Some(self.find_located(figure)?.estimate())
@@ -247,17 +372,33 @@ impl Measured {
         self.located(figure).estimate()
     }
 
+    /// Whether its bar, if it has one, is narrow enough for it to be told as a number.
+    pub fn is_resolved(&self, figure: Figure) -> bool {
+        let pair = self.figures.get(figure).zip(self.bars.get(figure));
+        pair.is_none_or(|(reading, bar)| {
+            // Of temperatures the rise, of at least one kelvin.
+            let size = reading.size.max(match figure.unit() {
+                "K" => LEAST_RISE,
+                _ => reading.value.abs(),
+            });
+            bar.value <= figure.widest_bar() * size
+        })
+    }
+
     /// A figure with its bar and its place, if there is one.
     pub fn find_located(&self, figure: Figure) -> Option<Located> {
         let reading = self.figures.get(figure)?;
         let bar = self.bars.get(figure);
         let [x, y] = reading.place.unwrap_or_default();
+        let place_error = bar.and_then(|bar| bar.place);
         Some(Located {
             value: reading.value,
             error: bar.map(|bar| bar.value),
+            resolved: self.is_resolved(figure),
             x,
             y,
-            place_error: bar.and_then(|bar| bar.place),
+            place_error,
+            place_resolved: place_error.is_none_or(|e| e <= WIDEST_OF_PLACE * self.half_width),
         })
     }
 
@@ -266,16 +407,85 @@ impl Measured {
         self.find_located(figure).unwrap_or(Located {
             value: f64::NAN,
             error: None,
+            resolved: true,
             x: f64::NAN,
             y: f64::NAN,
             place_error: None,
+            place_resolved: true,
         })
     }
 }
 
+/// Rise of temperature that counts, K.
+const LEAST_RISE: f64 = 1.0;
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// By hand, of 100 N at 1 m/s on 0.1 mm: a coefficient of 3e-10 and a power of 9e-8 W are rounding, one of 3e-9 and 1e-3 W are not; a bar
+    /// that is more than that stays.
+    #[test]
+    fn rounding_is_zero() {
+        let sizes = Sizes {
+            load: 100.0,
+            length: 1e-4,
+            pressure: 1e9,
+            speed: 1.0,
+        };
+        let told = |figure, value: f64, bar: f64| {
+            let mut measured = Measured::default();
+            measured.figures.note(figure, Reading::new(value));
+            measured.bars.set(
+                figure,
+                Bar {
+                    value: bar,
+                    place: None,
+                },
+            );
+            let found = measured.without_rounding(&sizes).estimate(figure);
+            (found.value, found.error.unwrap())
+        };
+        assert_eq!(told(Figure::TractionCoefficient, 3e-10, 1e-11), (0.0, 0.0));
+        assert_eq!(
+            told(Figure::TractionCoefficient, -3e-9, 1e-11),
+            (-3e-9, 1e-11)
+        );
+        assert_eq!(told(Figure::TractionCoefficient, 3e-10, 0.01), (0.0, 0.01));
+        assert_eq!(told(Figure::FrictionPower, 9e-8, 1e-9), (0.0, 0.0));
+        assert_eq!(told(Figure::FrictionPower, 1e-3, 1e-9), (1e-3, 1e-9));
+        assert_eq!(told(Figure::FilmCentral, 1e-13, 1e-15), (1e-13, 1e-15));
+    }
+
+    /// A bar of half of a figure leaves a number, one of more does not; a peak is a number with a tenth, and a temperature by its rise.
+    #[test]
+    fn bars_say_what_is_resolved() {
+        let resolved = |figure, reading: Reading, bar: f64| {
+            let mut measured = Measured::default();
+            measured.figures.note(figure, reading);
+            measured.bars.set(
+                figure,
+                Bar {
+                    value: bar,
+                    place: None,
+                },
+            );
+            measured.is_resolved(figure)
+        };
+        let film = Reading::new(2e-7);
+        assert!(resolved(Figure::FilmMinimum, film, 0.9e-7));
+        assert!(!resolved(Figure::FilmMinimum, film, 1.1e-7));
+        let peak = Reading::new(1e9);
+        assert!(resolved(Figure::PressureMaximum, peak, 0.9e8));
+        assert!(!resolved(Figure::PressureMaximum, peak, 3.4e8));
+        let hot = |value: f64| Reading {
+            size: value - 300.0,
+            ..Reading::new(value)
+        };
+        assert!(resolved(Figure::FilmTemperatureMaximum, hot(340.0), 15.0));
+        assert!(!resolved(Figure::FilmTemperatureMaximum, hot(340.0), 25.0));
+        assert!(resolved(Figure::FilmTemperatureMaximum, hot(300.1), 0.4));
+    }
 
     #[test]
     fn figures_are_written_by_name_with_their_places() {

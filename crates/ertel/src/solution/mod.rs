@@ -14,6 +14,7 @@ mod uncertainty;
 mod unresolved;
 
 use serde::Serialize;
+use serde::ser::{SerializeMap, Serializer};
 
 use crate::contact::{Groups, Hertz, Scales, Shape};
 use crate::solve::sequence::Role;
@@ -23,7 +24,8 @@ pub use contact_fields::{ContactFields, GridField};
 pub(crate) use contact_fields::{mirror, near_zero};
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use field::Field;
-pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, Reading};
+use figures::WIDEST;
+pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, ROUNDING, Reading, Sizes};
 pub use left_out::{Neglected, NeglectedHeat};
 pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
 pub use roller::RollerFigures;
@@ -34,10 +36,10 @@ pub use thermal::{
     ThermalReduction,
 };
 pub use uncertainty::{FigureUncertainty, Uncertainties};
-pub use unresolved::Unresolved;
+pub use unresolved::{Asked, Unresolved, Why};
 
-/// A figure with its discretisation error bar.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+/// A figure with its discretisation error bar. Written with `resolved`: false where the bar is wider than half of the value.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
     /// The value on the finest mesh.
     pub value: f64,
@@ -45,7 +47,22 @@ pub struct Estimate {
     pub error: Option<f64>,
 }
 
+impl Serialize for Estimate {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(3))?;
+        map.serialize_entry("value", &self.value)?;
+        map.serialize_entry("error", &self.error)?;
+        map.serialize_entry("resolved", &self.error.map(|_| self.is_resolved()))?;
+        map.end()
+    }
+}
+
 impl Estimate {
+    /// Whether its bar, if it has one, is not wider than half of its value.
+    pub fn is_resolved(&self) -> bool {
+        (self.error).is_none_or(|error| error <= WIDEST * self.value.abs())
+    }
+
     /// with/without of two solutions, each of which errs on its own.
     pub fn ratio(with: Estimate, without: Estimate) -> Estimate {
         let ratio = with.value / without.value;
@@ -75,12 +92,17 @@ pub struct Located {
     pub value: f64,
     /// Half-width of the error bar, same unit; `None` as in [`Estimate`], and where no coarser mesh has the figure.
     pub error: Option<f64>,
+    /// Whether the bar, if there is one, is narrow enough for a number: up to half of the value (of a temperature, of its rise), and up
+    /// to a tenth of a largest pressure, whose value is a lower bound otherwise.
+    pub resolved: bool,
     /// Position along the motion, m.
     pub x: f64,
     /// Position across it, m (0 for line contacts; reported at y ≤ 0, its mirror image has it too).
     pub y: f64,
     /// Half-width of the error bar of the place, m; `None` likewise.
     pub place_error: Option<f64>,
+    /// Whether that is at most a quarter of the contact's half-width.
+    pub place_resolved: bool,
 }
 
 impl Located {
@@ -104,8 +126,13 @@ pub struct Summary {
     pub film_minimum_at: Located,
     /// Smallest film thickness on the centreline y = 0, m.
     pub film_centreline_minimum: Located,
-    /// Largest pressure, Pa.
+    /// Largest pressure, Pa; a lower bound where a ridge that the mesh does not resolve may exceed it.
     pub pressure_maximum: Located,
+    /// Top of the smooth hill of the pressure on which the centre of the contact lies, Pa.
+    pub pressure_central: Located,
+    /// Largest pressure of the ridge before the outlet of a point contact, Pa; `None` without one, and in line contacts, whose ridge is the
+    /// spike.
+    pub pressure_ridge: Option<Located>,
     /// Pressure spike near the outlet on the centreline, Pa; `None` when the profile has none.
     pub spike: Option<Located>,
     /// Where the film breaks on the centreline, m.
@@ -209,7 +236,11 @@ pub struct ErrorEstimate {
     pub pressure: f64,
     /// Root-mean-square error of the pressure in the cells around its largest value, Pa.
     pub largest: f64,
-    /// The same around the spike on the centreline, Pa; zero without one.
+    /// The same around the top of the central hill, Pa.
+    pub central_pressure: f64,
+    /// By how much the ridge may be higher, Pa; zero without one.
+    pub ridge_pressure: f64,
+    /// Root-mean-square error around the spike on the centreline, Pa; zero without one.
     pub spike: f64,
     /// The same around the edge pressures at y < 0 and y > 0 of a roller, Pa; zero without them.
     #[serde(skip_serializing_if = "are_zero")]
@@ -579,4 +610,21 @@ pub struct Solution {
     pub unresolved: Vec<Unresolved>,
     /// What the user should know: ranges left, films below a nanometre, contact area too small.
     pub warnings: Vec<Warning>,
+}
+
+impl Solution {
+    /// Whether the mesh resolves one of the figures that have sensitivities; others count as resolved.
+    pub fn resolves(&self, figure: Figure) -> bool {
+        match figure {
+            Figure::FilmCentral => self.summary.film_central.is_resolved(),
+            Figure::FilmMinimum => self.summary.film_minimum.is_resolved(),
+            Figure::PressureMaximum => self.summary.pressure_maximum.resolved,
+            Figure::PressureCentral => self.summary.pressure_central.resolved,
+            Figure::TractionCoefficient => self.traction.size().is_resolved(),
+            Figure::FilmTemperatureMaximum => {
+                (self.thermal.as_ref()).is_none_or(|thermal| thermal.film_maximum.resolved)
+            }
+            _ => true,
+        }
+    }
 }

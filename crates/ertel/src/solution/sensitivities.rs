@@ -66,6 +66,24 @@ impl Sensitivities {
         sorted.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
         sorted
     }
+
+    /// d ln(figure)/d(input) per kelvin with the key of each input that is a temperature.
+    pub fn per_kelvin(&self, figure: &FigureSensitivity) -> Vec<(&str, f64)> {
+        if figure.value == 0.0 {
+            return Vec::new();
+        }
+        (self.inputs.iter().zip(&figure.derivatives))
+            .filter(|(input, _)| input.is_temperature())
+            .map(|(input, by)| (input.key.as_str(), by / figure.value))
+            .collect()
+    }
+}
+
+impl SensitivityInput {
+    /// Whether it is a temperature, of which effects are told per kelvin: per cent of one mean nothing.
+    pub fn is_temperature(&self) -> bool {
+        self.unit == "K"
+    }
 }
 
 /// For each figure a map from the key of an input to d ln(figure)/d ln(input).

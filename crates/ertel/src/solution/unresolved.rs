@@ -1,65 +1,117 @@
-//! Figures that a mesh does not resolve.
+//! What a solve does not tell although it was asked for.
 
 use serde::Serialize;
 
-use super::{Estimate, Figure, Summary, Thermal, Traction};
+use super::{Estimate, Figure, Solution};
 
-/// A figure that the case is solved for, with an error bar wider than half of it.
+/// A figure that the case is solved for and that the result does not tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unresolved {
     /// Which.
     pub figure: Figure,
-    /// Its value, SI; of a temperature the rise.
+    /// Its value, SI; of a temperature the rise, of an open balance the share of the heat that is missing.
     pub estimate: Estimate,
+    /// Why not.
+    pub why: Why,
+}
+
+/// Why a figure is not told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// Its error bar is wider than half of it.
+    WideBar,
+    /// An error bar was asked for, and none could be computed.
+    NoBar,
+    /// A film thicker than the bodies' radius: there is no such contact.
+    BeyondBodies,
+    /// Bodies and film do not carry off the heat that is made.
+    OpenBalance,
 }
 
 impl Serialize for Unresolved {
     /// As the figure's name.
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.figure.name())
+        serializer.serialize_str(self.name())
     }
 }
-
-/// Share of a figure that its error bar may reach.
-const WIDEST: f64 = 0.5;
 
 /// Rise of temperature that counts, K.
 const LEAST_RISE: f64 = 1.0;
 
+/// Share of the heat made that bodies and film may carry off too little or too much for temperatures and heat to be told.
+const OPEN_BALANCE: f64 = 0.2;
+
+/// What was asked of a solution.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked {
+    /// Whether error bars.
+    pub bars: bool,
+    /// Whether the surfaces slide, and have traction that counts.
+    pub slides: bool,
+    /// Radius of curvature of the contact, m, that a film is not thicker than.
+    pub radius: f64,
+}
+
 impl Unresolved {
-    /// Those of a solution: films, traction where the surfaces slide, the largest rise of the film's temperature.
-    pub fn all(
-        summary: &Summary,
-        traction: &Traction,
-        slides: bool,
-        thermal: Option<&Thermal>,
-    ) -> Vec<Unresolved> {
+    /// Those of a solution: films, traction where the surfaces slide, the largest rise of the film's temperature, and the heat balance.
+    pub fn all(solution: &Solution, asked: Asked) -> Vec<Unresolved> {
+        let (summary, thermal) = (&solution.summary, solution.thermal.as_ref());
         let films = [
             (Figure::FilmCentral, summary.film_central),
             (Figure::FilmMinimum, summary.film_minimum),
         ];
-        let traction = slides.then_some((Figure::TractionCoefficient, traction.size()));
+        let traction =
+            (asked.slides).then_some((Figure::TractionCoefficient, solution.traction.size()));
         let rise = thermal.map(|t| Estimate {
             value: t.film_maximum.value - t.inlet_temperature,
             error: t.film_maximum.error,
         });
         let rise = rise.filter(|rise| rise.value > LEAST_RISE);
-        (films.into_iter())
-            .chain(traction)
+        let why = |figure: Figure, e: &Estimate| match e.error {
+            None if asked.bars => Some(Why::NoBar),
+            _ if !e.is_resolved() => Some(Why::WideBar),
+            _ if figure == Figure::FilmCentral && e.value > asked.radius => Some(Why::BeyondBodies),
+            _ => None,
+        };
+        let figures = (films.into_iter().chain(traction))
             .chain(rise.map(|rise| (Figure::FilmTemperatureMaximum, rise)))
-            .filter(|(_, e)| e.error.is_some_and(|error| error > WIDEST * e.value.abs()))
-            .map(|(figure, estimate)| Unresolved { figure, estimate })
-            .collect()
+            .filter_map(|(figure, estimate)| {
+                let why = why(figure, &estimate)?;
+                Some(Unresolved {
+                    figure,
+                    estimate,
+                    why,
+                })
+            });
+        let open = thermal.map_or(0.0, |thermal| thermal.balance.error.abs());
+        let balance = (open > OPEN_BALANCE || open.is_nan()).then_some(Unresolved {
+            figure: Figure::HeatByFilm,
+            estimate: Estimate {
+                value: open,
+                error: None,
+            },
+            why: Why::OpenBalance,
+        });
+        figures.chain(balance).collect()
+    }
+
+    /// Name in results.
+    pub fn name(&self) -> &'static str {
+        match self.why {
+            Why::OpenBalance => "heat_balance_error",
+            _ => self.figure.name(),
+        }
     }
 
     /// `the minimum film thickness`.
     pub fn words(&self) -> &'static str {
-        match self.figure {
-            Figure::FilmCentral => "the central film thickness",
-            Figure::FilmMinimum => "the minimum film thickness",
-            Figure::TractionCoefficient => "the traction coefficient",
-            Figure::FilmTemperatureMaximum => "the largest rise of the film's temperature",
-            other => other.name(),
+        match (self.figure, self.why) {
+            (_, Why::OpenBalance) => "the heat balance",
+            (Figure::FilmCentral, _) => "the central film thickness",
+            (Figure::FilmMinimum, _) => "the minimum film thickness",
+            (Figure::TractionCoefficient, _) => "the traction coefficient",
+            (Figure::FilmTemperatureMaximum, _) => "the largest rise of the film's temperature",
+            (other, _) => other.name(),
         }
     }
 }

@@ -15,6 +15,9 @@ const SHARE_OF_FILM_BAR: f64 = 1.0;
 /// The same over the root-mean-square error of the pressure, for what is integrated over the contact.
 const SHARE_OF_PRESSURE: f64 = 0.1;
 
+/// The same for the largest pressure in the middle of the contact: what a ridge lacks of the load, the rest of the contact carries.
+const SHARE_OF_PRESSURE_IN_MIDDLE: f64 = 0.02;
+
 /// The same for the place where the film breaks off, behind a ridge.
 const SHARE_OF_PRESSURE_AT_OUTLET: f64 = 0.5;
 
@@ -131,16 +134,22 @@ fn is_film(figure: Figure) -> bool {
 /// What the errors of films (relative) and pressure on a mesh come to in a figure.
 fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
     let size = |figure| level.figures.get(figure).map_or(0.0, |f: Reading| f.size);
+    let value = |figure| level.figures.value(figure).map_or(0.0, f64::abs);
     let estimate = level.estimate.unwrap_or_default();
     let local = |figure, error: f64| (film * size(figure)).hypot(SHARE_OF_LOCAL * error);
     let largest = local(Figure::PressureMaximum, estimate.largest);
     match figure {
         Figure::PressureMaximum => largest,
-        Figure::Spike => local(Figure::Spike, estimate.spike),
+        Figure::PressureCentral => {
+            local(figure, estimate.central_pressure)
+                + SHARE_OF_PRESSURE_IN_MIDDLE * estimate.pressure * value(figure)
+        }
+        Figure::PressureRidge => local(figure, estimate.ridge_pressure),
+        Figure::Spike => local(figure, estimate.spike),
         Figure::EdgePressureLeft => local(figure, estimate.ends[0]),
         Figure::EdgePressureRight => local(figure, estimate.ends[1]),
         Figure::ShearStressMaximum => {
-            let relative = largest / size(Figure::PressureMaximum);
+            let relative = largest / value(Figure::PressureMaximum);
             SHARE_OF_PRESSURE_MAXIMUM * relative * size(figure)
                 + SHARE_OF_SLOPE * estimate.shear_stress
         }
@@ -175,9 +184,22 @@ fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
                     Figure::HeatCompression => SHARE_OF_CUT_COMPRESSION * size(figure),
                     _ => 0.0,
                 };
-            (film + SHARE_OF_PRESSURE * estimate.pressure) * size(figure) + cut
+            let open = match figure {
+                Figure::HeatToBody1 | Figure::HeatToBody2 | Figure::HeatByFilm => open_heat(level),
+                _ => 0.0,
+            };
+            (film + SHARE_OF_PRESSURE * estimate.pressure) * size(figure) + cut + open
         }
     }
+}
+
+/// Heat that is made and not carried off, or carried off and not made: W, or W/m. Each of those who carry it may err by all of it.
+fn open_heat(level: &LevelStats) -> f64 {
+    let value = |figure| level.figures.value(figure).unwrap_or(0.0);
+    let made = value(Figure::HeatShear) + value(Figure::HeatCompression);
+    let carried =
+        value(Figure::HeatToBody1) + value(Figure::HeatToBody2) + value(Figure::HeatByFilm);
+    (made - carried).abs()
 }
 
 /// What the elements of the temperatures add to that, K: it needs no other mesh to be known.

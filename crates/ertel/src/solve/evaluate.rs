@@ -329,7 +329,26 @@ pub fn largest_pressure(d: &Discretisation, state: &State) -> (f64, [f64; 2]) {
     largest_pressure_where(d, state, |_| true)
 }
 
-/// The same over the places that `counts`; minus infinity where none does.
+/// Largest pressure in each element, on the same lattice, and where it is.
+pub fn largest_of_elements(d: &Discretisation, state: &State) -> Vec<(f64, [f64; 2])> {
+    let lattice = Lattice::new(&d.pressure.element, 8);
+    (0..d.contact.n_elements())
+        .map(|c| {
+            let nodes = d.pressure.nodes_of(c);
+            let mut best = (f64::NEG_INFINITY, [0.0; 3]);
+            for (xi, basis) in lattice.basis() {
+                let values = nodes.iter().map(|n| state.pressure[*n as usize]);
+                let p = basis.iter().zip(values).map(|(b, v)| b * v).sum();
+                if p > best.0 {
+                    best = (p, *xi);
+                }
+            }
+            (best.0, d.contact.point(c, best.1))
+        })
+        .collect()
+}
+
+/// Largest pressure over the places that `counts`; minus infinity where none does.
 pub fn largest_pressure_where(
     d: &Discretisation,
     state: &State,

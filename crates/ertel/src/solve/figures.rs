@@ -6,13 +6,14 @@ use super::discretisation::Discretisation;
 use super::evaluate::{central_film, largest_pressure, largest_pressure_where, minimum_film};
 use super::heat::balance::heat_balance;
 use super::heat::figures::{Extremes, zone_means};
+use super::peaks::peaks;
 use super::profile::{PER_EDGE, Profile};
 use super::sequence::{Problem, StageSolution};
 use super::shear::{friction, is_askew};
 use super::system::State;
 use crate::contact::Symmetry;
 use crate::film::FilmFluid;
-use crate::solution::{Figure, Figures, LevelStats, Measured, Reading};
+use crate::solution::{Figure, Figures, LevelStats, Measured, Reading, Sizes};
 
 /// Which figures are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +46,23 @@ pub fn figures(
         return figures;
     }
     note_roller(&mut figures, problem, d, state);
+    let roller = problem.shape.zone.roller.as_ref();
+    let quarter = roller.map(|roller| 0.5 * roller.half_length());
+    let inner = |[_, y]: [f64; 2]| quarter.is_none_or(|quarter| y.abs() < quarter);
+    if let Some(peaks) = peaks(d, state, inner) {
+        let (p, place) = peaks.central;
+        let central = Reading {
+            size: scales.pressure * share_of_film(p, h_c / scales.film),
+            ..at(scales.pressure * p, place)
+        };
+        figures.note(Figure::PressureCentral, central);
+        if p >= p_max {
+            figures.note(Figure::PressureMaximum, central);
+        }
+        if let Some((p, place)) = peaks.other.filter(|_| problem.shape.kind.is_point()) {
+            figures.note(Figure::PressureRidge, at(scales.pressure * p, place));
+        }
+    }
     let profile = Profile::new(d, state, PER_EDGE);
     let (h_line, x_line) = profile.film_minimum();
     let thinnest = at(scales.film * h_line, [x_line, 0.0]);
@@ -63,6 +81,12 @@ pub fn figures(
     note_friction(&mut figures, problem, fluid, d, state);
     note_heat(&mut figures, problem, fluid, d, state);
     figures
+}
+
+/// What of the largest pressure in the middle, in p_h, goes with the film: a heavily loaded contact differs from the dry one by about its film
+/// thickness in units of the approach, `film`.
+fn share_of_film(pressure: f64, film: f64) -> f64 {
+    (pressure - 1.0).abs().max(film.abs()).min(pressure.abs())
 }
 
 /// Pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
@@ -236,10 +260,21 @@ pub fn measure(problem: &Problem, solution: &StageSolution, levels: &[LevelStats
         &solution.stage.sizes,
     );
     let films = error_bars(levels, grading).map(|b| b.bars);
-    Measured {
+    let scales = &problem.scales;
+    let sizes = Sizes {
+        load: scales.load * scales.pressure * scales.area(&problem.shape),
+        length: scales.length,
+        pressure: scales.pressure,
+        // λ = 12 u μ/(p_h a)·(a/h)², h = a²/R
+        speed: scales.lambda * scales.pressure * scales.film.powi(2)
+            / (12.0 * scales.viscosity * scales.length),
+    };
+    let measured = Measured {
         figures: figures(problem, &problem.fluid, d, state, Extent::All),
         bars: bars(levels, films).unwrap_or_default(),
-    }
+        half_width: problem.scales.length,
+    };
+    measured.without_rounding(&sizes)
 }
 
 #[cfg(test)]

@@ -26,11 +26,11 @@ use super::minima::rival_minimum;
 use super::neighbours::Neighbours;
 use super::newton::FilmModel;
 use super::preconditioner::{NearStiffness, Preconditioner};
-use super::ridge::cut_off;
+use super::ridge::{cut_off, own_shares};
 use super::system::{State, System};
 use crate::contact::{Gap, Inlet};
 use crate::film::cross_film::CrossFilm;
-use crate::solution::{BeyondEdges, ErrorEstimate, TemperatureErrors};
+use crate::solution::{BeyondEdges, ErrorEstimate, Figure, Figures, TemperatureErrors};
 
 /// Estimated shares of the error in each element, relative to the film.
 #[derive(Default)]
@@ -53,8 +53,8 @@ pub struct Indicator {
     pub(super) local: Vec<f64>,
     /// What a ridge may be higher in each element than the diffusion there leaves it, in p_h.
     pub(super) cut_off: Vec<f64>,
-    /// By how much such a ridge may exceed the largest pressure, in p_h.
-    pub(super) exceeds: f64,
+    /// How high such a ridge may be, in p_h; zero without one.
+    pub(super) ridge_height: f64,
     /// Adjoints of the two films.
     pub(super) adjoints: Vec<Adjoint>,
 }
@@ -67,16 +67,23 @@ impl Indicator {
         [central, minimum.max(rival)]
     }
 
-    /// Estimated errors, those of the pressure around a place (in half-widths) in units of `scale`, Pa.
+    /// Estimated errors, those of the pressure around the places of `figures` in units of `scale`, Pa, `length` being the half-width in m.
     pub fn estimate(
         &self,
         d: &Discretisation,
-        places: [Option<[f64; 2]>; 4],
-        scale: f64,
+        figures: &Figures,
+        [scale, length]: [f64; 2],
     ) -> ErrorEstimate {
-        let around = |place: Option<[f64; 2]>| place.map_or(0.0, |p| scale * self.around(d, p));
-        let [largest, spike, left, right] = places.map(around);
-        let largest = largest.max(scale * self.exceeds);
+        let around = |figure: Figure| {
+            let place = figures.get(figure).and_then(|reading| reading.place);
+            place.map_or(0.0, |p| scale * self.around(d, p.map(|x| x / length)))
+        };
+        // Where a ridge may come up to.
+        let above = |figure: Figure| {
+            let value = figures.value(figure);
+            value.map_or(0.0, |p| (scale * self.ridge_height - p).max(0.0))
+        };
+        let exceeding = |figure: Figure| around(figure).max(above(figure));
         let totals = self.totals();
         ErrorEstimate {
             films: [0, 1].map(|j: usize| totals[j] - RIDGE_SHARE * self.ridge[j]),
@@ -84,9 +91,14 @@ impl Indicator {
             edges: self.edges,
             unresolved: UNRESOLVED[d.contact.surface.dim - 1] * self.pressure_error(),
             pressure: self.pressure_error(),
-            largest,
-            spike,
-            ends: [left, right],
+            largest: exceeding(Figure::PressureMaximum),
+            central_pressure: around(Figure::PressureCentral),
+            ridge_pressure: match figures.get(Figure::PressureRidge) {
+                Some(_) => exceeding(Figure::PressureRidge),
+                None => 0.0,
+            },
+            spike: around(Figure::Spike),
+            ends: [Figure::EdgePressureLeft, Figure::EdgePressureRight].map(around),
             shear_stress: 0.0,
             beyond_edges: BeyondEdges::default(),
             temperatures: TemperatureErrors::default(),
@@ -255,9 +267,14 @@ pub fn indicator(
     let local: Vec<f64> = (squares.iter().zip(&d.contact.maps))
         .map(|(s, map)| (s / (map.determinant * reference)).sqrt())
         .collect();
-    let (cut_off, exceeds) = match model.constants.ridge_diffusion > 0.0 {
-        true => cut_off(&d.pressure, |c| d.share_at_ridge(c), &state.pressure),
-        false => (vec![0.0; local.len()], 0.0),
+    let (cut_off, ridge_height) = match (model.constants.ridge_diffusion > 0.0, surface.dim) {
+        (true, _) => cut_off(&d.pressure, |c| d.share_at_ridge(c), &state.pressure),
+        (false, 2) => {
+            let shares = own_shares(&unresolved, &neighbours);
+            cut_off(&d.pressure, |c| shares[c], &state.pressure)
+        }
+        // The spikes of lines are what their cells make of them.
+        (false, _) => (vec![0.0; local.len()], 0.0),
     };
     // An error e of the wave number κ, in its slope: κe.
     let slope = |c: usize| 0.5 * wave(&d.pressure) / d.contact.sizes[c] * local[c];
@@ -272,7 +289,7 @@ pub fn indicator(
         shear_stress,
         local,
         cut_off,
-        exceeds,
+        ridge_height,
         edges: [0, 1]
             .map(|j: usize| edge_error(d, model, state, &system, &adjoint[j].film) / magnitudes[j]),
         pressure: squares.iter().map(|s| s / zone).collect(),

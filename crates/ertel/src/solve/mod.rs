@@ -16,6 +16,7 @@ mod minima;
 pub mod monolithic;
 mod neighbours;
 pub mod newton;
+mod peaks;
 pub mod preconditioner;
 pub mod profile;
 mod ridge;

@@ -7,7 +7,7 @@
 //! error of the mesh is left alone. Partial derivatives by θ are central differences of residuals and figures at the fields of the solution;
 //! no equation is solved for them. Where an input changes the shape of the contact in half-widths (axis ratio of an ellipse, length of a
 //! roller), mesh and elastic response are made anew on either side, and derivatives are good to about 1e-4 of the largest (ellipses) or
-//! 1e-3 (rollers; their largest pressure to 1 %). Isothermal films only: the adjoint of the heat is not at hand.
+//! 1e-3 (rollers; their pressure to 1 %). Isothermal films only: the adjoint of the heat is not at hand.
 
 use std::sync::Arc;
 
@@ -15,8 +15,9 @@ use super::SolveError;
 use super::adjoint::{Adjoint, Exactness, Functional, RoughAdjoints, adjoints};
 use super::discretisation::{ContactSurface, Discretisation, Means};
 use super::element::Metric;
-use super::evaluate::{fields_in, largest_pressure, minimum_film};
+use super::evaluate::{fields_in, minimum_film};
 use super::newton::FilmModel;
+use super::peaks::peaks;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::sequence::{Problem, StageSolution};
 use super::shear::friction;
@@ -45,11 +46,11 @@ const EXACTNESS: [Exactness; 3] = [
     },
 ];
 
-/// Figures that have sensitivities.
+/// Figures that have sensitivities; of the pressure its smooth maximum: at a ridge, derivatives are those of the mesh.
 pub const FIGURES: [Figure; 4] = [
     Figure::FilmCentral,
     Figure::FilmMinimum,
-    Figure::PressureMaximum,
+    Figure::PressureCentral,
     Figure::TractionCoefficient,
 ];
 
@@ -92,7 +93,8 @@ pub struct Sides {
 }
 
 impl<'a> Sensitivity<'a> {
-    /// Solves for the adjoints of an isothermal solution, from rough ones if there are any; traction has one only where surfaces slide.
+    /// Solves for the adjoints of those of [`FIGURES`] that are `wanted` of an isothermal solution, from rough ones if there are any; traction
+    /// has one only where surfaces slide.
     ///
     /// # Errors
     /// When the Krylov iterations run out.
@@ -103,6 +105,7 @@ impl<'a> Sensitivity<'a> {
         problem: &'a Problem,
         solution: &'a StageSolution,
         rough: Option<RoughAdjoints>,
+        wanted: impl Fn(Figure) -> bool,
     ) -> Result<Sensitivity<'a>, SolveError> {
         assert!(problem.heat.is_none(), "isothermal films only");
         let (d, state) = (&solution.discretisation, &solution.state);
@@ -113,15 +116,21 @@ impl<'a> Sensitivity<'a> {
         let system = System::assemble(d, &model.fluid, &model.constants, state, None);
         let (kept, films) = rough.map_or((None, Vec::new()), |r| (r.preconditioner, r.films));
         let (_, thinnest) = minimum_film(d, state);
-        let (_, largest) = largest_pressure(d, state);
+        let (_, top) = peaks(d, state, |_| true).map_or((0.0, [0.0; 2]), |peaks| peaks.central);
         let mut figures = FIGURES.to_vec();
         figures.retain(|f| *f != Figure::TractionCoefficient || problem.fluid.slides());
+        figures.retain(|f| wanted(*f));
+        // Rough adjoints are those of both films.
+        let films = match figures.starts_with(&FIGURES[..2]) {
+            true => films,
+            false => Vec::new(),
+        };
         let flows = flows(d, state, &model.fluid);
         let functionals: Vec<Functional> = (figures.iter())
             .map(|figure| match figure {
                 Figure::FilmCentral => Functional::film_at(d, [0.0; 2]),
                 Figure::FilmMinimum => Functional::film_at(d, thinnest),
-                Figure::PressureMaximum => Functional::pressure_at(d, largest),
+                Figure::PressureCentral => Functional::pressure_at(d, top),
                 _ => traction(d, &flows, &model.fluid, &problem.scales),
             })
             .collect();
@@ -147,7 +156,7 @@ impl<'a> Sensitivity<'a> {
             problem,
             goals,
             flows,
-            places: [[0.0; 2], thinnest, largest].map(find),
+            places: [[0.0; 2], thinnest, top].map(find),
         })
     }
 
@@ -301,7 +310,7 @@ impl<'a> Sensitivity<'a> {
         let scales = &self.problem.scales;
         match figure {
             Figure::FilmCentral | Figure::FilmMinimum => scales.film,
-            Figure::PressureMaximum => scales.pressure,
+            Figure::PressureCentral => scales.pressure,
             _ => 1.0,
         }
     }
@@ -311,12 +320,12 @@ impl<'a> Sensitivity<'a> {
         let at = |place: Option<(usize, [f64; 3])>| {
             place.map(|(cell, xi)| fields_in(d, state, cell, xi))
         };
-        let [centre, thinnest, largest] = self.places;
+        let [centre, thinnest, top] = self.places;
         let film = |place| scales.film * at(place).map_or(f64::NAN, |f| f.film);
         match figure {
             Figure::FilmCentral => film(centre),
             Figure::FilmMinimum => film(thinnest),
-            _ => scales.pressure * at(largest).map_or(f64::NAN, |f| f.pressure),
+            _ => scales.pressure * at(top).map_or(f64::NAN, |f| f.pressure),
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::super::figure::in_unit;
+use super::super::figure::{in_unit, with_bar};
 use super::super::plot::film_unit;
 use super::super::report::digits;
 use super::super::study::words;
@@ -89,7 +89,7 @@ fn write_rows(text: &mut String, comparison: &Comparison, figure: Figure) {
             value: compared.measured.value,
             error: compared.measured.uncertainty,
         };
-        cells.push(in_unit(measured, factor, ""));
+        cells.push(with_bar(measured, factor, ""));
         match compared.computed {
             Some(computed) => cells.extend([
                 in_unit(computed, factor, ""),

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::CaseEcho;
-use super::super::figure::{estimate, number, pressure_estimate, temperature};
+use super::super::figure::{estimate, number, peak, temperature};
 use super::super::mixed::share;
 use super::super::report::digits;
 use crate::solution::MixedLubrication;
@@ -64,7 +64,7 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
         (is_rough, "lambda ratio"),
         (has_asperities, "load on asperities"),
         (has_friction, "friction coefficient of both"),
-        (true, "largest pressure"),
+        (true, "smooth pressure maximum"),
         (slides, "traction coefficient"),
         (is_hot, "largest film temperature"),
         (true, "Newton"),
@@ -94,7 +94,7 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
                     mixed.map_or_else(none, |m| number(m.lambda_minimum)),
                     asperities.map_or_else(none, |a| share(a.asperity_load_share)),
                     friction.map_or_else(none, |f| number(f.friction_total)),
-                    pressure_estimate(s.summary.pressure_maximum.estimate()),
+                    peak(&s.summary.pressure_central),
                     number(s.traction.size()),
                     (s.thermal.as_ref())
                         .map_or_else(none, |t| temperature(t.film_maximum.estimate(), None)),

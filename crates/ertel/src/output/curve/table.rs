@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 use crate::case::study::header;
 use crate::contact::ContactKind;
 use crate::output::text_field;
-use crate::solution::{Estimate, MixedLubrication, Thermal};
+use crate::solution::{Estimate, Located, MixedLubrication, Thermal, Unresolved};
 use crate::study::{CurveSolution, Outcome, PointSolution};
 
 /// A column of the table, and beside it that of its error bar if it has one.
@@ -20,6 +20,8 @@ pub struct Column {
     error: Option<fn(&PointSolution) -> Cell>,
     /// Whether a line contact has it per metre of its length, which the unit then says.
     per_length: bool,
+    /// Whether the error bar in a line is narrow enough for a number.
+    resolved: fn(&PointSolution) -> bool,
 }
 
 impl Column {
@@ -34,6 +36,7 @@ impl Column {
             value,
             error: None,
             per_length: false,
+            resolved: |_| true,
         }
     }
 
@@ -42,6 +45,10 @@ impl Column {
             error: Some(error),
             ..self
         }
+    }
+
+    const fn resolved_if(self, resolved: fn(&PointSolution) -> bool) -> Column {
+        Column { resolved, ..self }
     }
 
     const fn per_length(self) -> Column {
@@ -126,11 +133,42 @@ macro_rules! figure {
 /// Figure of a point with its error bar, empty where there is none.
 macro_rules! estimate {
     ($name:literal, $unit:literal, $point:ident => $value:expr) => {
-        Column::new($name, $unit, |$point| $value.into()).with_error(|$point| {
-            let estimate: Option<Estimate> = $value;
-            estimate.and_then(|e| e.error).into()
+        Column::new($name, $unit, |$point| $value.into())
+            .with_error(|$point| {
+                let estimate: Option<Estimate> = $value;
+                estimate.and_then(|e| e.error).into()
+            })
+            .resolved_if(|$point| {
+                let estimate: Option<Estimate> = $value;
+                estimate.is_none_or(|e| e.is_resolved())
+            })
+    };
+}
+
+/// The same of a figure at a place, which knows itself whether it is resolved.
+macro_rules! located {
+    ($name:literal, $unit:literal, $point:ident => $value:expr) => {
+        Column::new($name, $unit, |$point| {
+            let at: Option<Located> = $value;
+            at.map(|at| at.value).into()
+        })
+        .with_error(|$point| {
+            let at: Option<Located> = $value;
+            at.and_then(|at| at.error).into()
+        })
+        .resolved_if(|$point| {
+            let at: Option<Located> = $value;
+            at.is_none_or(|at| at.resolved)
         })
     };
+}
+
+/// Names of the figures of a point whose error bars are too wide for a number: largest pressures are lower bounds then.
+fn uncertain_figures(point: &PointSolution) -> Cell {
+    let names = (COLUMNS.iter())
+        .filter(|column| !(column.resolved)(point))
+        .map(|column| column.name);
+    Cell::Text(names.collect::<Vec<_>>().join(" "))
 }
 
 /// Temperatures of a point.
@@ -150,7 +188,10 @@ pub const COLUMNS: &[Column] = &[
     }),
     estimate!("film_central", "m", p => p.outcome.solution().map(|s| s.summary.film_central)),
     estimate!("film_minimum", "m", p => p.outcome.solution().map(|s| s.summary.film_minimum)),
-    estimate!("pressure_maximum", "Pa", p => p.outcome.solution().map(|s| s.summary.pressure_maximum.estimate())),
+    located!("pressure_maximum", "Pa", p => p.outcome.solution().map(|s| s.summary.pressure_maximum)),
+    located!("pressure_central", "Pa", p => p.outcome.solution().map(|s| s.summary.pressure_central)),
+    located!("pressure_ridge", "Pa", p => p.outcome.solution().and_then(|s| s.summary.pressure_ridge)),
+    located!("pressure_spike", "Pa", p => p.outcome.solution().and_then(|s| s.summary.spike)),
     figure!("hertz_pressure", "Pa", s => s.hertz.pressure),
     estimate!("traction_coefficient", "", p => p.outcome.solution().map(|s| s.traction.coefficient)),
     estimate!("traction_coefficient_body_1", "", p => p.outcome.solution().map(|s| s.traction.coefficient_body_1)),
@@ -165,11 +206,11 @@ pub const COLUMNS: &[Column] = &[
     estimate!("newtonian_film_central", "m", p => p.newtonian_solution().map(|s| s.summary.film_central)),
     estimate!("newtonian_film_minimum", "m", p => p.newtonian_solution().map(|s| s.summary.film_minimum)),
     estimate!("newtonian_traction_coefficient", "", p => p.newtonian_solution().map(|s| s.traction.coefficient)),
-    estimate!("film_temperature_maximum", "K", p => thermal(p).map(|t| t.film_maximum.estimate())),
+    located!("film_temperature_maximum", "K", p => thermal(p).map(|t| t.film_maximum)),
     estimate!("film_temperature_mean", "K", p => thermal(p).map(|t| t.film_mean)),
-    estimate!("body_1_temperature_maximum", "K", p => thermal(p).map(|t| t.body_1_maximum.estimate())),
+    located!("body_1_temperature_maximum", "K", p => thermal(p).map(|t| t.body_1_maximum)),
     estimate!("body_1_temperature_mean", "K", p => thermal(p).map(|t| t.body_1_mean)),
-    estimate!("body_2_temperature_maximum", "K", p => thermal(p).map(|t| t.body_2_maximum.estimate())),
+    located!("body_2_temperature_maximum", "K", p => thermal(p).map(|t| t.body_2_maximum)),
     estimate!("body_2_temperature_mean", "K", p => thermal(p).map(|t| t.body_2_mean)),
     estimate!("heat_shear", "W", p => thermal(p).map(|t| t.balance.shear)).per_length(),
     estimate!("heat_to_body_1", "W", p => thermal(p).map(|t| t.balance.to_body_1)).per_length(),
@@ -210,11 +251,12 @@ pub const COLUMNS: &[Column] = &[
     }),
     Column::new("unresolved", "", |point| match point.outcome.solution() {
         Some(s) => {
-            let names: Vec<&str> = s.unresolved.iter().map(|u| u.figure.name()).collect();
+            let names: Vec<&str> = s.unresolved.iter().map(Unresolved::name).collect();
             Cell::Text(names.join(" "))
         }
         None => Cell::Empty,
     }),
+    Column::new("uncertain_figures", "", uncertain_figures),
     Column::new("seconds", "", |point| Cell::Number(point.seconds)),
     Column::new("reason", "", |point| {
         let reason = |outcome: &Option<Outcome>, name: &str| {

@@ -104,7 +104,7 @@ fn figures(solution: &Solution) -> Vec<Value> {
         });
         json!({
             "name": name, "words": words, "symbol": symbol, "unit": unit,
-            "value": e.value, "error": e.error, "uncertainty": uncertainty,
+            "value": e.value, "error": e.error, "resolved": e.is_resolved(), "uncertainty": uncertainty,
         })
     };
     let located = |name: &str, words: &str, symbol: &str, unit: &str, at: &Located| {
@@ -112,6 +112,14 @@ fn figures(solution: &Solution) -> Vec<Value> {
         figure["x"] = at.x.into();
         figure["y"] = at.y.into();
         figure["place_error"] = at.place_error.into();
+        figure["resolved"] = at.resolved.into();
+        figure["place_resolved"] = at.place_resolved.into();
+        figure
+    };
+    // No more than a lower bound where its peak is not drawn.
+    let peak = |name: &str, words: &str, symbol: &str, at: &Located| {
+        let mut figure = located(name, words, symbol, "Pa", at);
+        figure["is_peak"] = true.into();
         figure
     };
     let mut figures = vec![
@@ -130,10 +138,16 @@ fn figures(solution: &Solution) -> Vec<Value> {
             &s.film_minimum_at,
         ),
         located(
+            "pressure_central",
+            "smooth pressure maximum",
+            "p_c",
+            "Pa",
+            &s.pressure_central,
+        ),
+        peak(
             "pressure_maximum",
             "largest pressure",
             "p_max",
-            "Pa",
             &s.pressure_maximum,
         ),
         plain(

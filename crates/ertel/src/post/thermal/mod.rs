@@ -3,6 +3,7 @@
 //! - `cross_film`: profiles across the film;
 //! - `field`: temperature of the whole film and of both bodies.
 
+pub mod at_rest;
 mod cross_film;
 mod field;
 

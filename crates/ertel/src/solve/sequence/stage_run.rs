@@ -4,7 +4,7 @@ use ertel_fem::platform::Instant;
 
 use super::{Problem, Role, Stage};
 use crate::contact::ContactKind;
-use crate::solution::{Figure, LevelStats};
+use crate::solution::LevelStats;
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::figures::{Extent, figures};
@@ -316,14 +316,8 @@ impl<'a> StageRun<'a> {
             let place = stats.figures.get(figure)?.place?;
             Some(place.map(|x| x / problem.scales.length))
         };
-        let places = [
-            Figure::PressureMaximum,
-            Figure::Spike,
-            Figure::EdgePressureLeft,
-            Figure::EdgePressureRight,
-        ]
-        .map(place);
-        stats.estimate = indicator.map(|i| i.estimate(d, places, problem.scales.pressure));
+        let units = [problem.scales.pressure, problem.scales.length];
+        stats.estimate = indicator.map(|i| i.estimate(d, &stats.figures, units));
         if let (Some(estimate), Some(i)) = (&mut stats.estimate, indicator) {
             let unit = problem.fluid.stress_scale();
             estimate.shear_stress = unit * i.shear_stress;

@@ -9,7 +9,7 @@ use crate::study::journal::Record;
 const FIGURES: [(&str, &str); 5] = [
     ("film_central", "film_central_m"),
     ("film_minimum", "film_minimum_m"),
-    ("pressure_maximum", "pressure_maximum_Pa"),
+    ("pressure_central", "pressure_central_Pa"),
     ("traction_coefficient", "traction_coefficient"),
     ("film_temperature_maximum", "film_temperature_maximum_K"),
 ];

@@ -35,7 +35,7 @@ function showCards(results) {
   for (const figure of first.figures) {
     const more = [];
     if (figure.uncertainty != null) more.push(`inputs: ± ${digits(100 * figure.uncertainty / Math.abs(figure.value), 2)} % (95 %)`);
-    if (results.length === 1 && figure.x != null && figure.place_error !== undefined) {
+    if (results.length === 1 && figure.x != null && figure.place_error !== undefined && figure.place_resolved !== false) {
       more.push(placeText(first, figure));
     }
     const own = results.map((r) => r.figures.find((f) => f.name === figure.name));
@@ -53,10 +53,10 @@ function showCards(results) {
 }
 
 function figuresCsv(results) {
-  const head = ["figure", "unit", ...results.flatMap((r, i) => { const n = results.length > 1 ? `_${i + 1}` : ""; return [`value${n}`, `error${n}`, `x_m${n}`, `y_m${n}`]; })];
+  const head = ["figure", "unit", ...results.flatMap((r, i) => { const n = results.length > 1 ? `_${i + 1}` : ""; return [`value${n}`, `error${n}`, `resolved${n}`, `x_m${n}`, `y_m${n}`]; })];
   const rows = results[0].figures.map((f) => [f.name, f.unit, ...results.flatMap((r) => {
     const own = r.figures.find((g) => g.name === f.name) ?? {};
-    return [own.value, own.error, own.x, own.y].map((v) => v ?? "");
+    return [own.value, own.error, own.resolved, own.x, own.y].map((v) => v ?? "");
   })]);
   return [head, ...rows].map((r) => r.join(",")).join("\n") + "\n";
 }

@@ -15,10 +15,10 @@ function parseCsv(text) {
 }
 
 const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_Pa_s", "Pa.s"], ["_per_s", "1/s"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"]];
-const PLAIN = ["film_central_m", "film_minimum_m", "pressure_maximum_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "converged"];
+const PLAIN = ["film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "converged"];
 
 const WORDS = {
-  film_central: "central film", film_minimum: "minimum film", pressure_maximum: "largest pressure", hertz_pressure: "Hertz pressure",
+  film_central: "central film", film_minimum: "minimum film", pressure_maximum: "largest pressure", pressure_central: "smooth pressure maximum", hertz_pressure: "Hertz pressure",
   friction_total: "friction coefficient", lambda_minimum: "lambda ratio", film_temperature_maximum: "largest film temperature",
   shear_stress_maximum: "largest shear stress",
 };
@@ -27,7 +27,7 @@ function describeColumn(title) {
   const last = title.split(".").pop();
   const found = SUFFIXES.find(([suffix]) => last.endsWith(suffix));
   const name = found ? last.slice(0, -found[0].length) : last;
-  return { title, unit: found ? found[1] : "", words: WORDS[name] ?? name.replaceAll("_", " "), isError: name.endsWith("_error") };
+  return { title, name, unit: found ? found[1] : "", words: WORDS[name] ?? name.replaceAll("_", " "), isError: name.endsWith("_error") };
 }
 
 // Several tables as one, whose first column after the number of the point says which result a point is of. Columns are joined by
@@ -88,7 +88,7 @@ class TableView {
     const find = (names) => names.map((n) => this.columns.findIndex((c) => c.title === n && c.isNumber)).find((i) => i >= 0) ?? numeric[0][1];
     fill("table-y1", [["Central and minimum film", "films"], ...named], this.columns.some((c) => c.title === "film_central_m" && c.isNumber) ? "films" : numeric[0][1]);
     const slides = this.columns.find((c) => c.title === "traction_coefficient")?.numbers.some((v) => Math.abs(v) > 1e-9);
-    fill("table-y2", [["Central and minimum film", "films"], ...named], find(slides ? ["friction_total", "traction_coefficient"] : ["pressure_maximum_Pa"]));
+    fill("table-y2", [["Central and minimum film", "films"], ...named], find(slides ? ["friction_total", "traction_coefficient"] : ["pressure_central_Pa", "pressure_maximum_Pa"]));
     const positive = this.columns[x].numbers.filter((v) => v > 0);
     const box = document.getElementById("table-log");
     box.checked = positive.length > 2 && positive.length === this.rows.length && Math.max(...positive) > 8 * Math.min(...positive);
@@ -104,6 +104,8 @@ class TableView {
   cell(column, row) {
     const text = row.cells[this.columns.indexOf(column)];
     if (!column.isNumber || text === "" || column.title === "point") return text;
+    const uncertain = this.columns.findIndex((c) => c.title === "uncertain_figures");
+    if (uncertain >= 0 && column.name !== "" && row.cells[uncertain].split(" ").includes(column.name) && !document.getElementById("all-columns").checked) return "not resolved";
     const value = column.shown.show(Number(text));
     // What was varied is known exactly.
     if (this.columns.indexOf(column) <= this.nAxes) return String(Number(value.toPrecision(6)));

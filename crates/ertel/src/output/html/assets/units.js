@@ -45,6 +45,8 @@ function withBar(value, error, unit) {
 function figureText(figure) {
   const unit = unitOf(figure.unit, Math.abs(figure.value));
   const error = figure.error == null ? null : figure.error * unit.factor;
+  // A bar too wide for a number: a peak that the mesh cuts off is a lower bound.
+  if (figure.resolved === false) return figure.is_peak ? `at least ${digits(unit.show(figure.value), 3)} ${unit.name}, not resolved` : "not resolved";
   return withBar(unit.show(figure.value), error, unit.name);
 }
 
