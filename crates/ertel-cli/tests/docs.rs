@@ -185,3 +185,31 @@ fn every_command_of_the_guides_runs() {
         }
     }
 }
+
+/// A block of a page that shows a part of what a command prints, after the command's own line.
+const PRINTED: [(&str, &str); 1] = [("guide/uncertainty.md", "ertel solve cases/roller.toml")];
+
+#[test]
+fn what_the_docs_print_is_what_the_program_prints() {
+    let root = root();
+    for (page, command) in PRINTED {
+        let text = fs::read_to_string(root.join("docs").join(page)).unwrap();
+        let after = text.split_once(&format!("    {command}\n")).unwrap().1;
+        let block = after.split_once("```text\n").unwrap().1;
+        let block = block.split_once("```").unwrap().0;
+        let folder = tempfile::tempdir().unwrap();
+        copy(&root.join("cases"), &folder.path().join("cases"));
+        let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
+            .args(words(command).into_iter().skip(1))
+            .current_dir(folder.path())
+            .output()
+            .unwrap();
+        let printed = String::from_utf8_lossy(&output.stdout);
+        for line in block.lines() {
+            assert!(
+                printed.lines().any(|l| l == line),
+                "{page} shows\n{line}\nwhich is not in\n{printed}"
+            );
+        }
+    }
+}

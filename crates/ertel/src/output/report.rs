@@ -263,7 +263,14 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
 /// The largest pressure, that of the smooth hill in the middle where it is another, and those of ridge and spike.
 fn write_pressures(out: &mut Lines, solution: &Solution) {
     let s = &solution.summary;
-    let mut row = |name: &str, at: &Located| out.row(name, beside(&peak(at), &place(solution, at)));
+    let mut row = |name: &str, at: &Located| {
+        // Where a higher one may stand elsewhere, the place says nothing.
+        let place = match at.resolved || at.place_resolved {
+            true => place(solution, at),
+            false => String::new(),
+        };
+        out.row(name, beside(&peak(at), &place));
+    };
     row("largest pressure", &s.pressure_maximum);
     let central = &s.pressure_central;
     if !s.pressure_maximum.resolved || s.pressure_maximum.estimate() != central.estimate() {
@@ -498,7 +505,9 @@ pub(super) fn power(value: f64) -> String {
 }
 
 pub(super) fn percent_or_power(share: f64) -> String {
-    if share.abs() < 1e-4 {
+    if share == 0.0 {
+        "0".to_owned()
+    } else if share.abs() < 1e-4 {
         power(share)
     } else {
         format!("{} %", digits(100.0 * share, 3))

@@ -391,14 +391,17 @@ impl Measured {
         let bar = self.bars.get(figure);
         let [x, y] = reading.place.unwrap_or_default();
         let place_error = bar.and_then(|bar| bar.place);
+        let resolved = self.is_resolved(figure);
+        let near = place_error.is_none_or(|e| e <= WIDEST_OF_PLACE * self.half_width);
         Some(Located {
             value: reading.value,
             error: bar.map(|bar| bar.value),
-            resolved: self.is_resolved(figure),
+            resolved,
             x,
             y,
             place_error,
-            place_resolved: place_error.is_none_or(|e| e <= WIDEST_OF_PLACE * self.half_width),
+            // A higher one may stand elsewhere.
+            place_resolved: near && (resolved || figure != Figure::PressureMaximum),
         })
     }
 

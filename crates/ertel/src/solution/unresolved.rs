@@ -83,16 +83,20 @@ impl Unresolved {
                     why,
                 })
             });
-        let open = thermal.map_or(0.0, |thermal| thermal.balance.error.abs());
-        let balance = (open > OPEN_BALANCE || open.is_nan()).then_some(Unresolved {
+        let balance = thermal.and_then(|thermal| Unresolved::open_balance(thermal.balance.error));
+        figures.chain(balance).collect()
+    }
+
+    /// A heat balance of which a share `error` of the heat is missing, if that is too much.
+    fn open_balance(error: f64) -> Option<Unresolved> {
+        (error.abs() > OPEN_BALANCE || error.is_nan()).then_some(Unresolved {
             figure: Figure::HeatByFilm,
             estimate: Estimate {
-                value: open,
+                value: error.abs(),
                 error: None,
             },
             why: Why::OpenBalance,
-        });
-        figures.chain(balance).collect()
+        })
     }
 
     /// Name in results.
@@ -113,5 +117,22 @@ impl Unresolved {
             (Figure::FilmTemperatureMaximum, _) => "the largest rise of the film's temperature",
             (other, _) => other.name(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Bodies and film that carry off 21 times more than is made, or 30 % less, have no temperatures; 3 % are told by a warning.
+    #[test]
+    fn an_open_heat_balance_is_no_result() {
+        for error in [-20.96, 0.3, f64::NAN] {
+            let found = Unresolved::open_balance(error).unwrap();
+            assert_eq!(found.name(), "heat_balance_error");
+            assert_eq!(found.words(), "the heat balance");
+        }
+        assert_eq!(Unresolved::open_balance(0.03), None);
+        assert_eq!(Unresolved::open_balance(-0.03), None);
     }
 }

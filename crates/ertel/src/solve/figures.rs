@@ -214,30 +214,46 @@ fn note_heat(
         return;
     };
     let scales = &problem.scales;
-    let mut temperature = |figure, value: f64, place: Option<[f64; 2]>| {
+    let mut temperature = |figure, value: f64, place: [f64; 2]| {
         let reading = Reading {
             value,
             size: (value - heat.heat.inlet_temperature).abs(),
-            place: place.map(|place| place.map(|x| x * scales.length)),
+            place: Some(place.map(|x| x * scales.length)),
         };
         figures.note(figure, reading);
     };
     let extremes = Extremes::new(space, state);
+    let (hottest, _) = extremes.film_maximum;
     for (figure, (value, place)) in [
         (Figure::FilmTemperatureMaximum, extremes.film_maximum),
         (Figure::FilmTemperatureLowest, extremes.film_lowest),
         (Figure::Body1TemperatureMaximum, extremes.walls[0]),
         (Figure::Body2TemperatureMaximum, extremes.walls[1]),
     ] {
-        temperature(figure, value, Some(place));
+        temperature(figure, value, place);
     }
+    // What cools behind the contact errs by what heats in it.
+    if let Some(lowest) = figures.get(Figure::FilmTemperatureLowest) {
+        let size = lowest
+            .size
+            .max((hottest - heat.heat.inlet_temperature).abs());
+        figures.note(Figure::FilmTemperatureLowest, Reading { size, ..lowest });
+    }
+    let mut temperature = |figure, value: f64| {
+        let size = (value - heat.heat.inlet_temperature).abs();
+        let reading = Reading {
+            size,
+            ..Reading::new(value)
+        };
+        figures.note(figure, reading);
+    };
     let means = [
         Figure::FilmTemperatureMean,
         Figure::Body1TemperatureMean,
         Figure::Body2TemperatureMean,
     ];
     for (figure, value) in means.into_iter().zip(zone_means(d, state, space)) {
-        temperature(figure, value, None);
+        temperature(figure, value);
     }
     let balance = heat_balance(d, state, fluid, &heat.heat, scales);
     for (figure, value) in [
