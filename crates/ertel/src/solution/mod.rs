@@ -247,6 +247,8 @@ pub struct ErrorEstimate {
     pub ends: [f64; 2],
     /// Error of the largest shear stress from the slopes of the pressure, Pa.
     pub shear_stress: f64,
+    /// Share of the Hertz zone that its boundary is uncertain by for the points at which the film is evaluated.
+    pub share_of_point: f64,
     /// What rolling drags along beyond the edges of the contact area.
     pub beyond_edges: BeyondEdges,
     /// Errors of the temperatures; zero where there are none, and where they are not of linear elements.

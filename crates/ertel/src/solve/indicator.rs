@@ -100,6 +100,7 @@ impl Indicator {
             spike: around(Figure::Spike),
             ends: [Figure::EdgePressureLeft, Figure::EdgePressureRight].map(around),
             shear_stress: 0.0,
+            share_of_point: share_of_point(d),
             beyond_edges: BeyondEdges::default(),
             temperatures: TemperatureErrors::default(),
         }
@@ -129,6 +130,25 @@ impl Indicator {
     /// Estimated root-mean-square error of the pressure over the dry contact, in p_h.
     pub fn pressure_error(&self) -> f64 {
         self.pressure.iter().sum::<f64>().sqrt()
+    }
+}
+
+/// What a share of the Hertz zone is uncertain by because it counts points: the largest of them on a line; in an area errors of the many points at the
+/// boundary mostly cancel, w√N with N = 1/√w of them.
+fn share_of_point(d: &Discretisation) -> f64 {
+    let weight = d.rule.weights.iter().copied().fold(0.0, f64::max);
+    let centre = match d.contact.surface.dim {
+        1 => [0.5, 0.0, 0.0],
+        _ => [1.0 / 3.0, 1.0 / 3.0, 0.0],
+    };
+    let zone = &d.contact.shape.zone;
+    let largest = (d.contact.maps.iter().enumerate())
+        .filter(|(c, _)| zone.contains(d.contact.point(*c, centre)))
+        .fold(0.0_f64, |most, (_, map)| most.max(weight * map.determinant));
+    let share = (largest / d.contact.shape.zone_area()).min(1.0);
+    match d.contact.surface.dim {
+        1 => share,
+        _ => share.powf(0.75),
     }
 }
 
