@@ -314,9 +314,11 @@ mod tests {
         let nowhere = crate::solution::Located {
             value: central,
             error: Some(0.02 * central),
+            resolved: true,
             x: 0.0,
             y: 0.0,
             place_error: None,
+            place_resolved: true,
         };
         let summary = Summary {
             film_central: Estimate {
@@ -327,6 +329,8 @@ mod tests {
             film_minimum_at: nowhere,
             film_centreline_minimum: nowhere,
             pressure_maximum: nowhere,
+            pressure_central: nowhere,
+            pressure_ridge: None,
             spike: None,
             outlet_position: exact(0.0),
             pressure_minimum: 0.0,
