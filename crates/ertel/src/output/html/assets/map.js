@@ -270,6 +270,7 @@ class FieldMap {
       ctx.moveTo(x + w, y); ctx.lineTo(x + w + 4, y);
       ctx.fillText(ticks.labels[i], x + w + 7, y);
     });
+    this.figure.dataset.frame = JSON.stringify([left, top, width, height].map((v) => Math.round(v * this.ratio)));
     this.figure.dataset.axes = JSON.stringify([...this.axes, { low, high, ...ticks }]);
     ctx.stroke();
     ctx.textBaseline = "bottom";

@@ -83,7 +83,8 @@ class TableView {
     };
     const named = numeric.map(([c, i]) => [capital(c.words), i]);
     fill("table-x", named, x);
-    const by = axes.filter((c) => c !== x && distinct(c) > 1 && distinct(c) <= 12);
+    // A curve has at least two points.
+    const by = axes.filter((c) => c !== x && distinct(c) > 1 && distinct(c) <= 12 && 2 * distinct(c) <= this.rows.length);
     fill("table-by", [["one curve", ""], ...by.map((c) => [this.columns[c].words, c])], by[0] ?? "");
     const find = (names) => names.map((n) => this.columns.findIndex((c) => c.title === n && c.isNumber)).find((i) => i >= 0) ?? numeric[0][1];
     fill("table-y1", [["Central and minimum film", "films"], ...named], this.columns.some((c) => c.title === "film_central_m" && c.isNumber) ? "films" : numeric[0][1]);
@@ -165,6 +166,8 @@ class TableView {
     const by = chosen("table-by") === "" ? null : Number(chosen("table-by"));
     const log = document.getElementById("table-log").checked;
     const groups = by == null ? [null] : [...new Set(this.rows.map((r) => r.cells[by]))];
+    // Points that differ in more than what is drawn, such as random samples, are not joined by lines.
+    const varied = this.columns.filter((c, i) => i >= 1 && i <= this.nAxes && i !== by && c !== x && new Set(this.rows.map((r) => r.cells[i])).size > 1);
     const label = (c) => `${capital(c.words)}${c.shown.name ? ` (${c.shown.name})` : ""}`;
     const order = [...this.rows].sort((p, q) => x.numbers[p.i] - x.numbers[q.i]).filter((r) => Number.isFinite(x.numbers[r.i]));
     const xLog = log && order.every((r) => x.numbers[r.i] > 0);
@@ -180,7 +183,7 @@ class TableView {
         const name = c.words;
         series.push({
           label: [names.length > 1 || g === null ? name : "", group].filter(Boolean).join(", "),
-          unit: unit.name, data: of(c.numbers, unit.show), errors, points: true, ink: groups.length > 1 ? k : n, dash: n ? [6, 4] : undefined,
+          unit: unit.name, data: of(c.numbers, unit.show), errors, points: true, line: varied.length === 0, ink: groups.length > 1 ? k : n, dash: n ? [6, 4] : undefined,
         });
       }));
       const values = series.flatMap((s) => s.data.filter(Number.isFinite));
