@@ -77,7 +77,9 @@ describe("shipped cases", () => {
     const first = table.findIndex((line) => !line.startsWith("#"));
     writeFileSync(join(cases, "few.csv"), [...table.slice(0, first + 3), table.filter((line) => line).pop()].join("\n") + "\n");
     const output = join(folder, "comparison");
-    run("compare", join(cases, "measured-films.toml"), join(cases, "few.csv"), "--output", output, "--quiet", "--accept-unresolved");
+    const coarse = '\n[mesh]\ntarget_error = "10 %"\npressure_error = "20 %"\n';
+    writeFileSync(join(cases, "coarse-films.toml"), readFileSync(join(cases, "measured-films.toml"), "utf8") + coarse);
+    run("compare", join(cases, "coarse-films.toml"), join(cases, "few.csv"), "--output", output, "--quiet", "--accept-unresolved");
     const points = readdirSync(output, { recursive: true }).find((f) => basename(f) === "report.html");
     assert.ok(points && existsSync(join(output, points)), "a comparison has a page");
     await look("comparison", join(output, points), { charts: 2, maps: 0 }, { scattered: true });
