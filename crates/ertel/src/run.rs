@@ -274,7 +274,14 @@ fn describe(
     let summary = post::summary::summarise(finest, &measured, &model, &scales);
     let thermal = (case.thermal())
         .and_then(|params| post::thermal::thermal(finest, problem, levels, &measured, params));
+    let (checks, summed_to) =
+        post::checks::checks(problem, finest, &summary, thermal.as_ref());
     let mut warnings = case.warnings.clone();
+    warnings.extend(post::checks::warning(
+        &problem.shape,
+        &extents,
+        scales.length,
+    ));
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {
         let text = format!(
@@ -363,6 +370,8 @@ fn describe(
         roller: RollerFigures::of(&measured),
         mixed,
         traction,
+        summed_to,
+        checks,
         film_reduction,
         sensitivities: None,
         uncertainty: None,

@@ -19,6 +19,8 @@ pub enum WarningKind {
     OppositeMotion,
     /// A contact too wide for the parabola of Hertz theory.
     WideContact,
+    /// A contact area that reaches beyond the bodies.
+    WideArea,
     /// Pressures beyond the lubricant's data.
     PressureRange,
     /// A temperature that was changed, of which the laws of the lubricant know nothing.

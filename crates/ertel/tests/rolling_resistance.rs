@@ -29,6 +29,13 @@ fn films_resist_rolling_as_published() {
         let force = 0.5 * (t.coefficient_body_2.value - t.coefficient_body_1.value) * load;
         println!("{kind:?} M {}: {force} {published}", s.groups.moes_load);
         assert_relative_eq!(force, published, max_relative = 0.05);
+        // The surfaces drag the film in at u_m against this force of each; the bar holds what the dissipation lacks of it.
+        let power = s.traction.friction_power;
+        let speed = case.motion.entrainment_speed;
+        assert_relative_eq!(power.value, 2.0 * force * speed, max_relative = 1e-6);
+        let lacking = (s.checks.power.value - s.checks.power.other).abs();
+        assert!(power.error.unwrap() >= lacking);
+        assert!(s.checks.rolling.error.abs() < 1e-3, "{:?}", s.checks);
     }
 }
 

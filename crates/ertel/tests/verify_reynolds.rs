@@ -182,6 +182,7 @@ fn shape(kind: ContactKind) -> Shape {
             },
             symmetry: Symmetry::Full,
             inlet: Inlet::Flooded,
+            ends: [f64::INFINITY; 2],
         },
     }
 }

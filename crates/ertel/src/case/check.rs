@@ -180,6 +180,18 @@ pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
             ratio.abs(),
             text,
         ));
+    } else if case.motion.sliding_at_centre() > 2.0 {
+        // u_1·u_2 = u_m² (1 − (S² + S_⊥²)/4) < 0
+        let (size, across) = (
+            case.motion.sliding_at_centre(),
+            case.motion.slide_to_roll_ratio_across,
+        );
+        let text = format!(
+            "the slide-to-roll ratio across the motion is {across}, and that of both components together {} is beyond 2: the surfaces move \
+             in opposite directions",
+            digits(size, 6)
+        );
+        warnings.push(Warning::beyond(WarningKind::OppositeMotion, size, text));
     }
     let share_y = (hertz.half_width_y).map_or(0.0, |b| b / case.contact.radius_y);
     let share = (hertz.half_width / case.contact.radius).max(share_y);

@@ -6,7 +6,7 @@ use ertel_rheology::input::{Bounds, InputError, Table};
 use ertel_rheology::quantity::Dimension;
 
 use super::bodies::Shapes;
-use crate::contact::curvature::gap_between;
+use crate::contact::curvature::{along, gap_between};
 use crate::contact::{Contact, ContactKind, Hertz};
 
 /// Radii from asperities to rolls, m: beyond these a unit was mistaken.
@@ -122,11 +122,14 @@ fn read_ellipse(table: &mut Table<'_>, shapes: Option<&Shapes>) -> Result<Contac
             .with_help("a contact so wide is a line contact: kind = \"line\" with the load per length"));
     }
     let angle = table.optional_quantity("entrainment_angle", Dimension::ANGLE, ANGLE)?;
-    Ok(Contact::elliptical(
-        radii,
-        0.0,
-        angle.unwrap_or(0.0) - direction,
-    ))
+    let contact = Contact::elliptical(radii, 0.0, angle.unwrap_or(0.0) - direction);
+    Ok(match shapes {
+        None => contact,
+        Some(shapes) => contact.between([
+            along(shapes.curvatures[0], direction),
+            along(shapes.curvatures[1], direction - shapes.angle),
+        ]),
+    })
 }
 
 /// Reduced radii of two bodies, m, and the angle of the first principal direction to the x axis of body 1, rad.

@@ -129,3 +129,18 @@ fn what_cannot_be() {
         .to_string();
     assert!(message.contains("across the entrainment"), "{message}");
 }
+
+/// u_1·u_2 = u_m² (1 − (S² + S_⊥²)/4): opposite at 50 across, and at 1.5 and 1.5 together, not at 1.4 and 1.4.
+#[test]
+fn opposite_motion_across_is_told() {
+    let told = |along: f64, across: f64| {
+        let motion = format!(
+            "entrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = {along}\nslide_to_roll_ratio_across = {across}"
+        );
+        let case = read(CYLINDER, &motion).unwrap();
+        let mut kinds = case.warnings.iter().map(|w| w.kind);
+        kinds.any(|kind| kind == crate::warning::WarningKind::OppositeMotion)
+    };
+    assert!(told(0.0, 50.0) && told(1.5, 1.5) && told(-2.5, 0.0));
+    assert!(!told(1.4, 1.4) && !told(0.0, -1.9));
+}

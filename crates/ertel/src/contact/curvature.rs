@@ -35,6 +35,11 @@ pub fn curvature_along(body: Curvatures, angle: f64) -> f64 {
     body[0] * c * c + body[1] * s * s
 }
 
+/// The same along both of two perpendicular directions, the first at `angle` (rad).
+pub fn along(body: Curvatures, angle: f64) -> Curvatures {
+    [0.0, std::f64::consts::FRAC_PI_2].map(|quarter| curvature_along(body, angle + quarter))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

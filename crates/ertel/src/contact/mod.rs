@@ -15,6 +15,7 @@ pub mod starvation;
 pub mod turn;
 pub mod zone;
 
+pub use curvature::Curvatures;
 pub use equivalent::EquivalentBody;
 pub use gap::Gap;
 pub use groups::Groups;
@@ -93,6 +94,10 @@ pub struct Contact {
     /// Length, relief and misalignment of a roller; `None` of all others.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roller: Option<Box<Roller>>,
+    /// Curvatures of body 1 and body 2 themselves in the planes of x and y, 1/m: positive convex, negative concave, zero flat; `None` where
+    /// only reduced radii are known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub body_curvatures: Option<[Curvatures; 2]>,
 }
 
 /// Whether a number has no place in a file.
@@ -110,6 +115,7 @@ impl Contact {
             load,
             entrainment_angle: 0.0,
             roller: None,
+            body_curvatures: None,
         }
     }
 
@@ -122,6 +128,7 @@ impl Contact {
             load,
             entrainment_angle: 0.0,
             roller: None,
+            body_curvatures: None,
         }
     }
 
@@ -134,6 +141,7 @@ impl Contact {
             load,
             entrainment_angle,
             roller: None,
+            body_curvatures: None,
         }
     }
 
@@ -144,6 +152,26 @@ impl Contact {
             roller: Some(Box::new(roller)),
             ..Contact::line(radius, load)
         }
+    }
+
+    /// The same with the curvatures of both bodies in the planes of x and y, 1/m.
+    #[must_use]
+    pub fn between(self, bodies: [Curvatures; 2]) -> Contact {
+        Contact {
+            body_curvatures: Some(bodies),
+            ..self
+        }
+    }
+
+    /// How far from the centre the bodies face each other in the planes of x and y, m: no body is wider than its radius of curvature, convex
+    /// or concave. Where these are not known, the reduced radii, which two convex bodies exceed.
+    pub fn ends(&self) -> [f64; 2] {
+        let reduced = [self.radius, self.radius_y];
+        let Some([one, two]) = self.body_curvatures else {
+            return reduced;
+        };
+        // Lines and rollers are flat in the plane of y.
+        [0, 1].map(|i| one[i].abs().max(two[i].abs()).recip())
     }
 
     /// Load per length of a cylinder, N/m: w, or F/l of a roller; the load itself of other contacts.
@@ -185,15 +213,21 @@ impl Contact {
     pub fn along_motion(&self) -> Contact {
         let quarters = (self.entrainment_angle / FRAC_PI_2).round();
         let angle = self.entrainment_angle - quarters * FRAC_PI_2;
-        let [radius, radius_y] = match quarters as i64 % 2 {
-            0 => [self.radius, self.radius_y],
-            _ => [self.radius_y, self.radius],
+        let turned = quarters as i64 % 2 != 0;
+        let [radius, radius_y] = match turned {
+            false => [self.radius, self.radius_y],
+            true => [self.radius_y, self.radius],
         };
+        let body_curvatures = (self.body_curvatures).map(|bodies| match turned {
+            false => bodies,
+            true => bodies.map(|[x, y]| [y, x]),
+        });
         Contact {
             radius,
             radius_y,
             // A quarter turn in binary digits is not quite one.
             entrainment_angle: if angle.abs() < 1e-14 { 0.0 } else { angle },
+            body_curvatures,
             ..self.clone()
         }
     }

@@ -38,6 +38,8 @@ pub struct Shape {
     pub symmetry: Symmetry,
     /// How much oil reaches it.
     pub inlet: Inlet,
+    /// How far the bodies face each other along the principal directions, in half-widths; infinite where they do not end.
+    pub ends: [f64; 2],
 }
 
 impl Shape {
@@ -56,6 +58,7 @@ impl Shape {
         },
         symmetry: Symmetry::Full,
         inlet: Inlet::Flooded,
+        ends: [f64::INFINITY; 2],
     };
 
     /// A ball.
@@ -73,6 +76,7 @@ impl Shape {
         },
         symmetry: Symmetry::Half,
         inlet: Inlet::Flooded,
+        ends: [f64::INFINITY; 2],
     };
 
     /// Of a roller of the reduced radius R (m) whose line contact has the half-width b (m).
@@ -101,7 +105,7 @@ impl Shape {
                 true => Symmetry::Half,
                 false => Symmetry::Full,
             },
-            inlet: Inlet::Flooded,
+            ..Shape::LINE
         }
     }
 
@@ -132,9 +136,11 @@ impl Shape {
                     true => Symmetry::Half,
                     false => Symmetry::Full,
                 },
-                inlet: Inlet::Flooded,
+                ..Shape::LINE
             },
         };
+        let ends = contact.ends().map(|end| end / hertz.half_width);
+        let shape = Shape { ends, ..shape };
         match motion.is_straight() {
             true => shape,
             false => Shape {

@@ -88,6 +88,11 @@ fn figures(solution: &Solution) -> impl Iterator<Item = (String, f64)> {
         ("film balance error", s.film_balance_error),
         ("load balance error", s.load_balance_error),
         ("rigid separation", s.rigid_separation),
+        ("work of the surfaces", solution.checks.power.value),
+        ("dissipation", solution.checks.power.other),
+        ("rolling resistance", solution.checks.rolling.value),
+        ("load offset", solution.checks.rolling.other),
+        ("end of the bodies", solution.summed_to.body_end_x),
     ];
     let t = &solution.traction;
     let mut estimates = vec![

@@ -233,6 +233,18 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         thermal: None,
         sensitivities: None,
         uncertainty: None,
+        summed_to: SummedTo {
+            body_end_x: contact.radius,
+            body_end_y: (kind != ContactKind::Line).then_some(contact.radius_y),
+            ends_with_bodies: false,
+        },
+        checks: Checks {
+            power: Balance::of(1.251, 1.25),
+            rolling: Balance::of(2.5e-4, 2.5e-4),
+            load: 3e-12,
+            mass: 2e-4,
+            heat: None,
+        },
         film_reduction: Some(FilmReduction {
             central: bar(0.31),
             minimum: bar(0.28),

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::figure::{in_unit, number, percent, place, temperature};
 use super::lines::Lines;
-use super::report::{beside, percent_or_power, power};
+use super::report::{beside, power};
 use super::{HeatEcho, ThermalEcho, digits};
 use crate::output::BODIES;
 use crate::solution::{CrossProfile, Estimate, Located, Solution, Thermal};
@@ -88,7 +88,6 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Ther
         };
         out.row(&name, beside(&watts(heat), &share));
     }
-    out.row("heat balance error", percent_or_power(b.error));
     if let Some(r) = &thermal.reduction {
         let mut text = format!(
             "h_c {}, h_min {}",

@@ -11,7 +11,7 @@ use super::lines::{Lines, NAME_WIDTH, Table};
 use super::{CaseEcho, heat, inputs, mixed};
 use crate::contact::{ContactKind, Groups, Hertz, Supply, Symmetry};
 use crate::plausible::left_out::words;
-use crate::solution::{Estimate, FormulaFilm, Located, Solution, Timings};
+use crate::solution::{Balance, Estimate, FormulaFilm, Located, Solution, Timings};
 
 /// Width of the column of values that have something beside them.
 const VALUE_WIDTH: usize = 26;
@@ -33,6 +33,7 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
     if let Some(thermal) = &solution.thermal {
         heat::write_results(&mut out, solution, thermal);
     }
+    write_checks(&mut out, solution);
     inputs::write(&mut out, solution);
     write_formulas(&mut out, solution);
     write_effort(&mut out, solution);
@@ -255,8 +256,6 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
     write_roller(out, solution);
     write_traction(out, solution);
     mixed::write_asperities(out, solution);
-    out.row("mass balance error", percent_or_power(s.film_balance_error));
-    out.row("load balance error", percent_or_power(s.load_balance_error));
     out.row("left out by the model", words(&solution.left_out));
 }
 
@@ -282,6 +281,33 @@ fn write_pressures(out: &mut Lines, solution: &Solution) {
     match &s.spike {
         Some(spike) => row("pressure spike (centreline)", spike),
         None => out.row("pressure spike", "none on the centreline"),
+    }
+}
+
+/// Balances that the solution should keep.
+fn write_checks(out: &mut Lines, solution: &Solution) {
+    let (c, is_point) = (&solution.checks, solution.shape.kind.is_point());
+    let unit = if is_point { "W" } else { "W/m" };
+    out.heading("Checks of the solution (each an error of its own)");
+    let balance = |b: &Balance, what: &str| {
+        beside(
+            &percent_or_power(b.error),
+            &format!("{} {what} {}", digits(b.value, 4), digits(b.other, 4)),
+        )
+    };
+    let becomes = match solution.thermal {
+        None => format!("{unit} of the surfaces, dissipated"),
+        Some(_) => format!("{unit} of the surfaces, heat of shear and compression"),
+    };
+    out.row("power balance error", balance(&c.power, &becomes));
+    out.row(
+        "rolling resistance balance error",
+        balance(&c.rolling, "by the shear at the walls, by the offset of the load"),
+    );
+    out.row("load balance error", percent_or_power(c.load));
+    out.row("mass balance error", percent_or_power(c.mass));
+    if let Some(heat) = c.heat {
+        out.row("heat balance error", percent_or_power(heat));
     }
 }
 
@@ -389,6 +415,17 @@ fn write_traction(out: &mut Lines, solution: &Solution) {
         );
     }
     out.row("friction power", in_unit(t.friction_power, 1.0, power));
+    let summed = &solution.summed_to;
+    if summed.ends_with_bodies {
+        let ends = match summed.body_end_y {
+            Some(y) if y != summed.body_end_x => {
+                format!("x ±{}, y ±{}", length(summed.body_end_x), length(y))
+            }
+            Some(_) => format!("{} from the centre", length(summed.body_end_x)),
+            None => format!("x ±{}", length(summed.body_end_x)),
+        };
+        out.row("  these are summed to", format!("{ends}, where the bodies end"));
+    }
     out.row(
         "largest shear stress",
         pressure_estimate(t.shear_stress_maximum),

@@ -41,6 +41,8 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "kind": solution.shape.kind,
         "summary": s,
         "traction": solution.traction,
+        "summed_to": solution.summed_to,
+        "checks": solution.checks,
         "film_reduction": solution.film_reduction,
         "hertz": solution.hertz,
         "reduced_modulus": solution.reduced_modulus,
@@ -116,6 +118,8 @@ pub(super) fn units() -> Value {
                 "film_central_flooded",
                 "film_minimum_flooded",
                 "length",
+                "body_end_x",
+                "body_end_y",
             ],
         ),
         (

@@ -1,11 +1,11 @@
 //! Mass balance of the film between its inlet and its centre.
 
 use crate::contact::Symmetry;
-use crate::film::cross_film::CrossFilm;
 use crate::solve::evaluate::fields_at;
+use crate::solve::flux::mass_flux;
 use crate::solve::newton::FilmModel;
 use crate::solve::sequence::StageSolution;
-use crate::solve::system::System;
+use crate::solve::system::{FilmConstants, System};
 
 /// Relative mass balance upstream of the section along the second axis of the Hertz zone, X = 0 where the motion is along the first:
 /// (inflow − side leakage − flow through the section)/inflow.
@@ -41,16 +41,12 @@ pub fn film_balance_error(solution: &StageSolution, model: &FilmModel) -> f64 {
         let Some(f) = fields_at(d, state, at) else {
             return f64::NAN;
         };
-        let fluid = model.fluid.local(f.pressure, f.temperature.as_ref());
-        let (rho, mu) = (fluid.point().density[0], fluid.point().viscosity[0]);
-        let (g, omega) = fluid.demands(f.place, f.pressure_gradient, f.film);
-        let flow = fluid.flow(g, omega, &mut CrossFilm::default()).flow;
-        let factor = 12.0 * rho * f.film.powi(2) / (mu * model.constants.lambda);
-        let [u, v] = model.constants.entrainment.at(at);
-        let [along, across] = [
-            rho * (f.film - f.missing) * u - factor * flow[0],
-            rho * (f.film - f.missing) * v - factor * flow[1],
-        ];
+        let FilmConstants {
+            lambda,
+            entrainment,
+            ..
+        } = &model.constants;
+        let [along, across] = mass_flux(&model.fluid, *lambda, entrainment, &f);
         let stretch = match &zone.roller {
             None => 1.0,
             Some(roller) => roller.stretch(roller.place(y)),

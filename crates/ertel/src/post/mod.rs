@@ -1,6 +1,7 @@
 //! Figures and fields from a converged state.
 
 pub mod balance;
+pub mod checks;
 pub mod elements;
 pub mod fields;
 pub mod limits;

@@ -79,7 +79,7 @@ figures! {
     TractionForceAcross, "traction_force_across", "";
     /// Moment of the traction at mid-film about the contact normal.
     TractionMoment, "traction_moment", "N m";
-    /// Heat of friction in the film: W, or W/m.
+    /// Work of the surfaces on the film: W, or W/m.
     FrictionPower, "friction_power", "";
     /// Largest shear stress anywhere in the film.
     ShearStressMaximum, "shear_stress_maximum", "Pa";
@@ -246,6 +246,10 @@ pub struct Reading {
     pub size: f64,
     /// Where it is, m.
     pub place: Option<[f64; 2]>,
+    /// What it changes by where the sum that it is ends nearer to the centre, to be added to its error bar.
+    pub cut: f64,
+    /// What an identity says that it errs by, which its error bar must cover.
+    pub misfit: f64,
 }
 
 /// Half-widths of the error bar of a figure, SI.
@@ -293,6 +297,16 @@ impl Reading {
             value,
             size: value.abs(),
             place: None,
+            cut: 0.0,
+            misfit: 0.0,
+        }
+    }
+
+    /// A figure of a temperature: errors are relative to its rise, K.
+    pub fn of_rise(value: f64, rise: f64) -> Reading {
+        Reading {
+            size: rise.abs(),
+            ..Reading::new(value)
         }
     }
 

@@ -1,5 +1,6 @@
 //! What a solve returns: plain data in SI, ready for output.
 
+mod checks;
 mod contact_fields;
 mod elements;
 mod field;
@@ -20,6 +21,7 @@ use crate::contact::{Groups, Hertz, Scales, Shape};
 use crate::solve::sequence::Role;
 use crate::warning::Warning;
 
+pub use checks::{Balance, Checks, SummedTo};
 pub use contact_fields::{ContactFields, GridField};
 pub(crate) use contact_fields::{mirror, near_zero};
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
@@ -384,7 +386,7 @@ pub struct Traction {
     /// and not of line contacts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<Estimate>,
-    /// Heat of friction in the film: W (circular), W/m (line).
+    /// Friction power, the work of the surfaces on the film: W (circular), W/m (line).
     pub friction_power: Estimate,
     /// Largest shear stress anywhere in the film, Pa.
     pub shear_stress_maximum: Estimate,
@@ -583,6 +585,10 @@ pub struct Solution {
     pub mixed: Option<MixedLubrication>,
     /// Traction and friction.
     pub traction: Traction,
+    /// Where they are summed.
+    pub summed_to: SummedTo,
+    /// Balances that the solution should keep.
+    pub checks: Checks,
     /// Effect of shear thinning on the film; `None` for Newtonian fluids, or where the film of the
     /// Newtonian fluid was not found.
     pub film_reduction: Option<FilmReduction>,

@@ -152,51 +152,65 @@ fn note_friction(
     d: &Discretisation,
     state: &State,
 ) {
-    let f = friction(d, state, fluid, &problem.scales);
+    let sums = friction(problem, fluid, d, state);
+    let (f, near) = (&sums.here, &sums.shorter);
     let [mid, plane, ball] = f.coefficients;
+    let [near_mid, near_plane, near_ball] = near.coefficients;
+    let wall = sums.wall_misfit().abs();
     let (shape, askew) = (&d.contact.shape, is_askew(&d.contact.shape, fluid));
     // Where both components count, one that happens to vanish is as uncertain as the whole.
-    let component = |vector: [f64; 2], i: usize| Reading {
+    let component = |vector: [f64; 2], near: [f64; 2], i: usize| Reading {
         size: match askew {
             true => vector[0].hypot(vector[1]),
             false => vector[i].abs(),
         },
+        cut: (vector[i] - near[i]).abs(),
         ..Reading::new(vector[i])
     };
-    for (figure, vector) in [
-        (Figure::TractionCoefficient, mid),
-        (Figure::TractionCoefficientBody1, plane),
-        (Figure::TractionCoefficientBody2, ball),
-        (Figure::TractionForce, f.force),
+    for (figure, vector, near, misfit) in [
+        (Figure::TractionCoefficient, mid, near_mid, 0.0),
+        (Figure::TractionCoefficientBody1, plane, near_plane, wall),
+        (Figure::TractionCoefficientBody2, ball, near_ball, wall),
+        (Figure::TractionForce, f.force, near.force, 0.0),
     ] {
-        figures.note(figure, component(vector, 0));
+        let reading = Reading {
+            misfit,
+            ..component(vector, near, 0)
+        };
+        figures.note(figure, reading);
     }
-    for (figure, value) in [
-        (Figure::FrictionPower, f.power),
-        (Figure::ShearStressMaximum, f.stress_maximum),
-    ] {
-        figures.note(figure, Reading::new(value));
-    }
+    let power = Reading {
+        cut: (f.work - near.work).abs(),
+        // Films that heat up expand: their balance is that of the heat.
+        misfit: match d.heat {
+            None => sums.power_misfit().abs(),
+            Some(_) => 0.0,
+        },
+        ..Reading::new(f.work)
+    };
+    figures.note(Figure::FrictionPower, power);
+    figures.note(Figure::ShearStressMaximum, Reading::new(f.stress_maximum));
     if askew {
-        for (figure, vector) in [
-            (Figure::TractionCoefficientAcross, mid),
-            (Figure::TractionCoefficientAcrossBody1, plane),
-            (Figure::TractionCoefficientAcrossBody2, ball),
-            (Figure::TractionForceAcross, f.force),
+        for (figure, vector, near) in [
+            (Figure::TractionCoefficientAcross, mid, near_mid),
+            (Figure::TractionCoefficientAcrossBody1, plane, near_plane),
+            (Figure::TractionCoefficientAcrossBody2, ball, near_ball),
+            (Figure::TractionForceAcross, f.force, near.force),
         ] {
-            figures.note(figure, component(vector, 1));
+            figures.note(figure, component(vector, near, 1));
         }
     }
     if askew && shape.kind.is_point() {
         let [moment, size] = f.moment;
         let moment = Reading {
             size,
+            cut: (moment - near.moment[0]).abs(),
             ..Reading::new(moment)
         };
         figures.note(Figure::TractionMoment, moment);
     }
     let limits = [Figure::BeyondFirstLimit, Figure::BeyondSecondLimit];
-    for (figure, share) in limits.into_iter().zip(f.beyond) {
+    for (figure, share) in limits.into_iter().zip(sums.whole.beyond) {
         if let Some(share) = share {
             figures.note(figure, Reading::new(share));
         }
@@ -216,9 +230,8 @@ fn note_heat(
     let scales = &problem.scales;
     let mut temperature = |figure, value: f64, place: [f64; 2]| {
         let reading = Reading {
-            value,
-            size: (value - heat.heat.inlet_temperature).abs(),
             place: Some(place.map(|x| x * scales.length)),
+            ..Reading::of_rise(value, value - heat.heat.inlet_temperature)
         };
         figures.note(figure, reading);
     };

@@ -19,6 +19,7 @@ use super::evaluate::{fields_in, minimum_film};
 use super::newton::FilmModel;
 use super::peaks::peaks;
 use super::preconditioner::{NearStiffness, Preconditioner};
+use super::region::{Elements, Region};
 use super::sequence::{Problem, StageSolution};
 use super::shear::friction;
 use super::system::{FilmConstants, State, System};
@@ -171,7 +172,8 @@ impl<'a> Sensitivity<'a> {
         let scales = &self.problem.scales;
         match figure {
             Figure::TractionCoefficient => {
-                friction(d, state, &self.problem.fluid, scales).coefficients[0][0]
+                let sums = friction(self.problem, &self.problem.fluid, d, state);
+                sums.here.coefficients[0][0]
             }
             figure => self.figure(figure, d, state, scales),
         }
@@ -341,7 +343,7 @@ fn flows(d: &Discretisation, state: &State, fluid: &FilmFluid) -> Vec<PointFlow>
 /// What the traction coefficient along the motion depends on:
 ///
 /// ```text
-///   f = S/load ∫θ τ_x dA,   τ = τ(G, Ω, P),  G = H∇P,  Ω = σμ̄/H,  θ = 1 − F(P, H)/H
+///   f = S/load ∫θ τ_x dA as far as the bodies reach,   τ = τ(G, Ω, P),  G = H∇P,  Ω = σμ̄/H,  θ = 1 − F(P, H)/H
 /// ```
 fn traction(
     d: &Discretisation,
@@ -353,7 +355,9 @@ fn traction(
     let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
     let mut functional = Functional::zero(d);
     let layer = d.contact.shape.inlet.layer();
+    let (elements, region) = (Elements::new(d), Region::of(&d.contact.shape));
     for (c, flows) in flows.chunks_exact(d.rule.len()).enumerate() {
+        let share = elements.share(&region, c);
         let map = &d.contact.maps[c];
         let metric = Metric::new(map);
         let length = filling_length(d.contact.sizes[c], d.pressure.element.order());
@@ -372,7 +376,7 @@ fn traction(
                 by_pressure = filling * by_pressure - tau * lack.by_pressure / f.film;
                 by_film = filling * by_film - tau * (lack.by_film - lack.film / f.film) / f.film;
             }
-            let area = unit * weight * map.determinant;
+            let area = unit * weight * map.determinant * share.at(q);
             let by_slopes = [by_gx, by_gy].map(|by| filling * by * f.film);
             let table = &d.pressure_table;
             for (j, node) in d.pressure.nodes_of(c).iter().enumerate() {

@@ -4,7 +4,14 @@
 //!   τ_z at mid-film and at both walls: S τ, S(τ ∓ G/2),  S = a p_h/R, τ and G of the closure; along and across the motion
 //!   traction coefficients = ∫τ_zx dA / load, ∫τ_zy dA / load      (Habchi 2008, eq. 4.15)
 //!   moment about the contact normal = ∫x τ_zy − y τ_zx dA         of the stress at mid-film
-//!   friction power = ∫∫ τ·γ̇ dz dA = ∫ h S²/μ₁ ∫t·tf ds dA
+//!   work of the surfaces = ∫ u_2·τ_2 − u_1·τ_1 dA = ∫ Δu·τ + h ū·∇p dA         friction power
+//!   dissipation = ∫∫ τ·γ̇ dz dA = ∫ h S²/μ₁ ∫t·tf ds dA
+//! ```
+//! All of these end where the bodies end ([`super::region`]). Two identities bound their errors:
+//!
+//! ```text
+//!   work = dissipation + ∮ g m·n dl,  g = ∫dp/ρ         ∇·m = 0 of the mass flow m; round the end of the sum, where p is not zero
+//!   ∫ h ∂p/∂x dA = −∫ p ∂h_0/∂x dA                      round all of the film: a half-space presses itself nowhere, ∫ p ∂δ/∂x dA = 0
 //! ```
 
 use std::f64::consts::PI;
@@ -12,10 +19,13 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use super::discretisation::{Discretisation, Extents};
-use super::evaluate::{PointFields, fields_at_quadrature};
+use super::evaluate::{PointFields, fields_at, fields_at_quadrature};
+use super::flux::mass_flux;
 use super::indicator::far_field;
+use super::region::{Elements, Region, Share};
+use super::sequence::Problem;
 use super::system::State;
-use crate::contact::{ContactKind, Scales, Shape, Symmetry};
+use crate::contact::{ContactKind, Planar, Scales, Shape, Symmetry};
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::BeyondEdges;
@@ -29,6 +39,8 @@ pub struct PointShear {
     pub equivalent: [f64; 3],
     /// Generalized viscosity at mid-film, Pa·s.
     pub viscosity: f64,
+    /// Stress at the ball less that at the plane, h∇p, Pa.
+    pub difference: [f64; 2],
     /// Heat of friction per area, W/m².
     pub power: f64,
 }
@@ -66,6 +78,7 @@ impl<'a> Shear<'a> {
             stress: stresses,
             equivalent: stresses.map(|t| t[0].hypot(t[1])),
             viscosity: viscosity / fluid.relative_fluidity(0.0, squared),
+            difference: g.map(|g| scale * g),
             power: f.film * self.scales.film * scale * scale / viscosity * film.work,
         }
     }
@@ -80,8 +93,12 @@ pub struct Friction {
     pub force: [f64; 2],
     /// Moment of the traction at mid-film about the contact normal, N m, and the sum of the sizes of its parts.
     pub moment: [f64; 2],
-    /// Heat of friction, W or W/m.
-    pub power: f64,
+    /// Work of the surfaces on the film, W or W/m.
+    pub work: f64,
+    /// What shear dissipates, W or W/m.
+    pub dissipation: f64,
+    /// Traction coefficient at the ball less that at the plane, along the motion.
+    pub rolling: f64,
     /// Largest shear stress anywhere in the film, Pa.
     pub stress_maximum: f64,
     /// Shares of the Hertz zone where the stress is beyond each Newtonian limit of the fluid; `None` where it has
@@ -89,11 +106,44 @@ pub struct Friction {
     pub beyond: [Option<f64>; 2],
 }
 
+/// The same over parts of the contact area, and what they should be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frictions {
+    /// As far as the bodies reach.
+    pub here: Friction,
+    /// Over a shorter distance: what lies between tells how much the end counts. The same again where the contact area ends before the
+    /// bodies do.
+    pub shorter: Friction,
+    /// Over all of the contact area.
+    pub whole: Friction,
+    /// Whether the bodies end on the contact area.
+    pub is_cut: bool,
+    /// Work that flows out with the pressure where the bodies end, W or W/m; of isothermal films.
+    pub through_end: f64,
+    /// −∫p ∂h_0/∂x dA over the load, which `whole.rolling` should be.
+    pub offset: f64,
+}
+
+impl Frictions {
+    /// Work of the surfaces less all that becomes of it, W or W/m; of isothermal films.
+    pub fn power_misfit(&self) -> f64 {
+        self.here.work - self.here.dissipation - self.through_end
+    }
+
+    /// Error of the traction coefficient at either wall, by the load's own position.
+    pub fn wall_misfit(&self) -> f64 {
+        0.5 * (self.whole.rolling - self.offset)
+    }
+}
+
 /// The sums that they are made of, over some elements.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sums {
     force: [[f64; 2]; 3],
     moment: [f64; 2],
+    work: f64,
+    rolling: f64,
+    offset: f64,
     power: f64,
     stress_maximum: f64,
     zone: f64,
@@ -106,6 +156,9 @@ impl Sums {
             force: [0, 1, 2]
                 .map(|k: usize| [0, 1].map(|i: usize| self.force[k][i] + other.force[k][i])),
             moment: [0, 1].map(|k: usize| self.moment[k] + other.moment[k]),
+            work: self.work + other.work,
+            rolling: self.rolling + other.rolling,
+            offset: self.offset + other.offset,
             power: self.power + other.power,
             stress_maximum: self.stress_maximum.max(other.stress_maximum),
             zone: self.zone + other.zone,
@@ -121,63 +174,185 @@ pub fn is_askew(shape: &Shape, fluid: &FilmFluid) -> bool {
     halves_differ || !fluid.slide().is_along_x()
 }
 
-/// Traction and friction of a state.
-pub fn friction(d: &Discretisation, state: &State, fluid: &FilmFluid, scales: &Scales) -> Friction {
-    let constant = fluid.newtonian_limits(0.0);
-    let of_element = |shear: &mut Shear, c: usize| {
-        let mut sums = Sums::default();
-        for (q, weight) in d.rule.weights.iter().enumerate() {
-            let ([x, y, _], f) = fields_at_quadrature(d, state, c, q);
-            // Oil that does not fill the gap shears on the share of the area that it wets.
-            let area = weight * d.contact.maps[c].determinant * f.filling();
-            let s = shear.at(&f);
-            for (sum, stress) in sums
-                .force
-                .iter_mut()
-                .flatten()
-                .zip(s.stress.into_iter().flatten())
-            {
-                *sum += area * stress;
-            }
-            let turning = x * s.stress[0][1] - y * s.stress[0][0];
-            sums.moment[0] += area * turning;
-            sums.moment[1] += area * turning.abs();
-            sums.power += area * s.power;
-            let largest = s.equivalent.into_iter().fold(0.0, f64::max);
-            sums.stress_maximum = sums.stress_maximum.max(largest);
-            if d.contact.shape.zone.contains([x, y]) {
-                sums.zone += area;
-                let limits = if fluid.limits_depend_on_pressure() {
-                    fluid.newtonian_limits(f.pressure)
-                } else {
-                    constant
-                };
-                for (sum, limit) in sums.beyond.iter_mut().zip(limits) {
-                    if limit.is_some_and(|l| largest > l) {
-                        *sum += area;
-                    }
-                }
+/// What a point adds to the sums.
+struct Point<'a> {
+    place: [f64; 2],
+    fields: &'a PointFields,
+    shear: &'a PointShear,
+    /// Work of the surfaces there, W/m².
+    work: f64,
+    /// P ∂G/∂X.
+    offset: f64,
+    /// Stresses that its largest one is compared with, where it lies in the Hertz zone.
+    limits: Option<[Option<f64>; 2]>,
+}
+
+impl Sums {
+    /// Adds a point that stands for an area, whose gap may not be full.
+    fn add(&mut self, area: f64, point: &Point) {
+        if area == 0.0 {
+            return;
+        }
+        let s = point.shear;
+        self.offset += area * point.offset;
+        // Oil that does not fill the gap shears on the share of the area that it wets.
+        let area = area * point.fields.filling();
+        let sums = self.force.iter_mut().flatten();
+        for (sum, stress) in sums.zip(s.stress.into_iter().flatten()) {
+            *sum += area * stress;
+        }
+        let [x, y] = point.place;
+        let turning = x * s.stress[0][1] - y * s.stress[0][0];
+        self.moment[0] += area * turning;
+        self.moment[1] += area * turning.abs();
+        self.work += area * point.work;
+        self.rolling += area * s.difference[0];
+        self.power += area * s.power;
+        let largest = s.equivalent.into_iter().fold(0.0, f64::max);
+        self.stress_maximum = self.stress_maximum.max(largest);
+        let Some(limits) = point.limits else {
+            return;
+        };
+        self.zone += area;
+        for (sum, limit) in self.beyond.iter_mut().zip(limits) {
+            if limit.is_some_and(|l| largest > l) {
+                *sum += area;
             }
         }
-        sums
+    }
+}
+
+/// Traction and friction of a state.
+pub fn friction(
+    problem: &Problem,
+    fluid: &FilmFluid,
+    d: &Discretisation,
+    state: &State,
+) -> Frictions {
+    let (scales, shape) = (&problem.scales, &problem.shape);
+    let entrainment = problem.entrainment();
+    let speed = scales.entrainment_speed();
+    // Δu = σ a p_h/R h/μ in the units of Ω.
+    let sliding = fluid.stress_scale() * scales.film / scales.viscosity;
+    let constant = fluid.newtonian_limits(0.0);
+    let region = Region::of(shape);
+    let shorter = region.shorter(shape);
+    let elements = Elements::new(d);
+    let of_element = |shear: &mut Shear, c: usize| {
+        let mut sums = [Sums::default(); 3];
+        let shares = [
+            elements.share(&region, c),
+            elements.share(&shorter, c),
+            Share::All,
+        ];
+        for (q, weight) in d.rule.weights.iter().enumerate() {
+            let ([x, y, _], fields) = fields_at_quadrature(d, state, c, q);
+            let area = weight * d.contact.maps[c].determinant;
+            let s = shear.at(&fields);
+            let slide = fluid.slide().at([x, y]).map(|s| sliding * s);
+            let mean = entrainment.at([x, y]).map(|u| speed * u);
+            let work = |i: usize| slide[i] * s.stress[0][i] + mean[i] * s.difference[i];
+            let in_zone = d.contact.shape.zone.contains([x, y]);
+            let point = Point {
+                place: [x, y],
+                work: work(0) + work(1),
+                offset: fields.pressure * shape.gap.gradient([x, y])[0],
+                limits: in_zone.then(|| match fluid.limits_depend_on_pressure() {
+                    true => fluid.newtonian_limits(fields.pressure),
+                    false => constant,
+                }),
+                fields: &fields,
+                shear: &s,
+            };
+            for (sums, share) in sums.iter_mut().zip(&shares) {
+                sums.add(area * share.at(q), &point);
+            }
+        }
+        (sums, shares[0] != Share::All)
     };
     // Added up in order: the sums do not depend on the threads.
-    let elements: Vec<Sums> = (0..d.contact.n_elements())
+    let found: Vec<([Sums; 3], bool)> = (0..d.contact.n_elements())
         .into_par_iter()
         .with_min_len(BATCH)
         .map_init(|| Shear::new(fluid, scales), of_element)
         .collect();
-    let sums = elements.into_iter().fold(Sums::default(), Sums::and);
-    let area = scales.area(&d.contact.shape);
+    let is_cut = found.iter().any(|(_, cut)| *cut);
+    let mut sums = [Sums::default(); 3];
+    for (of_element, _) in &found {
+        sums = [0, 1, 2].map(|k: usize| sums[k].and(of_element[k]));
+    }
+    let area = scales.area(shape);
     let load = scales.load * scales.pressure;
-    Friction {
+    let of = |sums: &Sums| Friction {
         coefficients: sums.force.map(|force| force.map(|force| force / load)),
         force: sums.force[0].map(|force| force * area),
         moment: sums.moment.map(|moment| moment * area * scales.length),
-        power: sums.power * area,
+        work: sums.work * area,
+        dissipation: sums.power * area,
+        rolling: sums.rolling / load,
         stress_maximum: sums.stress_maximum,
         beyond: [0, 1].map(|k: usize| constant[k].map(|_| sums.beyond[k] / sums.zone)),
+    };
+    let [here, shorter, whole] = &sums;
+    let through_end = match is_cut {
+        true => through_end(problem, fluid, (d, state), &region, &entrainment),
+        false => 0.0,
+    };
+    Frictions {
+        here: of(here),
+        shorter: of(if is_cut { shorter } else { here }),
+        whole: of(whole),
+        is_cut,
+        through_end: through_end * scales.pressure * speed * scales.film / scales.length * area,
+        offset: -whole.offset * fluid.stress_scale() / load,
     }
+}
+
+/// Places round the end of a sum.
+const END_POINTS: usize = 720;
+
+/// ∮ g m·n dl, g = ∫dP/ρ̄, round the end of a region over the part that is solved; beyond the contact area there is no pressure.
+fn through_end(
+    problem: &Problem,
+    fluid: &FilmFluid,
+    (d, state): (&Discretisation, &State),
+    region: &Region,
+    entrainment: &Planar,
+) -> f64 {
+    let through = |place: [f64; 2], normal: [f64; 2]| {
+        let Some(f) = fields_at(d, state, place) else {
+            return 0.0;
+        };
+        let volume = |p: f64| 1.0 / fluid.local(p, f.temperature.as_ref()).point().density[0];
+        let p = f.pressure;
+        let g = p / 6.0 * (volume(0.0) + 4.0 * volume(0.5 * p) + volume(p));
+        let flux = mass_flux(fluid, problem.scales.lambda, entrainment, &f);
+        g * (flux[0] * normal[0] + flux[1] * normal[1])
+    };
+    let middles = (0..END_POINTS).map(|i| (i as f64 + 0.5) / END_POINTS as f64);
+    let whole = problem.shape.symmetry == Symmetry::Full;
+    if d.contact.surface.dim == 1 {
+        let end = region.along();
+        return through([-end, 0.0], [-1.0, 0.0]) + through([end, 0.0], [1.0, 0.0]);
+    }
+    if region.end_at(0.0).is_some() {
+        let angle = if whole { 2.0 * PI } else { PI };
+        let step = angle / END_POINTS as f64;
+        return middles
+            .filter_map(|t| region.end_at((t - 1.0) * angle))
+            .map(|(place, normal)| step * through(place, normal))
+            .sum();
+    }
+    // Along a roller, whose film ends with it.
+    let half = (problem.shape.zone.roller.as_ref()).map_or(0.0, |roller| roller.half_length());
+    let length = if whole { 2.0 * half } else { half };
+    let end = region.along();
+    middles
+        .map(|t| t * length - half)
+        .map(|y| through([-end, y], [-1.0, 0.0]) + through([end, y], [1.0, 0.0]))
+        .sum::<f64>()
+        * length
+        / END_POINTS as f64
 }
 
 /// What rolling drags along between the edges r_0 of the contact area and the distance r_1 to which it would go without being set by hand, where the
@@ -197,6 +372,11 @@ pub fn beyond_edges(
     scales: &Scales,
 ) -> BeyondEdges {
     let edge = extents.inlet.abs();
+    // Nothing is dragged along beyond the bodies.
+    let reach = [
+        reach[0].min(shape.ends[0]),
+        reach[1].min(shape.ends[1] / shape.zone.axis_ratio),
+    ];
     let further = match shape.kind {
         ContactKind::Circular | ContactKind::Elliptical => {
             (reach[0] / edge).max(reach[1] / extents.side)
@@ -222,9 +402,7 @@ pub fn beyond_edges(
                 3.0 * (1.0 - 1.0 / further) / edge * length / shape.symmetry.multiplicity()
             }
         };
-    let radius = scales.length * scales.length / scales.film;
-    let speed = scales.lambda * scales.length.powi(3) * scales.pressure
-        / (12.0 * scales.viscosity * radius * radius);
+    let speed = scales.entrainment_speed();
     BeyondEdges {
         traction: drag * stress_scale / (scales.load * scales.pressure),
         // Of both walls, at the mean speed.
@@ -286,6 +464,7 @@ mod tests {
             },
             symmetry: Symmetry::Full,
             inlet: Inlet::Flooded,
+            ends: [f64::INFINITY; 2],
         };
         for (r, width) in radii {
             for k in 0..64 {

@@ -13,6 +13,7 @@ use rayon::prelude::*;
 
 use super::discretisation::Discretisation;
 use super::element::Metric;
+use super::region::{Elements, Region, Share};
 use super::system::{FilmConstants, State};
 use crate::contact::{OilLayer, Planar};
 use crate::film::cross_film::CrossFilm;
@@ -103,6 +104,7 @@ pub fn weighted_sums(
     let n_sums = weights.len() + 1;
     let n_lists = 1 + plan.variants.len() + plan.other_laws.len();
     let batches = d.contact.n_elements().div_ceil(BATCH);
+    let (elements, region) = (Elements::new(d), Region::of(&d.contact.shape));
     // Added up in order: the sums do not depend on the threads.
     let sums: Vec<Vec<f64>> = (0..batches)
         .into_par_iter()
@@ -110,7 +112,8 @@ pub fn weighted_sums(
             let mut sums = vec![0.0; n_sums * n_lists];
             let last = (BATCH * (batch + 1)).min(d.contact.n_elements());
             for c in BATCH * batch..last {
-                let points = Points::new(d, state, weights, c);
+                let points = Points::new(d, state, weights, c)
+                    .summed_over(&elements.share(&region, c));
                 let flows = flows.get(c * d.rule.len()..(c + 1) * d.rule.len());
                 points.add(d, &plan, (own, flows.unwrap_or_default()), rule, &mut sums);
             }
@@ -276,7 +279,7 @@ impl<'a> Plan<'a> {
 struct Points {
     element: usize,
     fields: Vec<([f64; 2], PointState<f64>)>,
-    /// Weights of the points.
+    /// Weights of the points in the traction.
     areas: Vec<f64>,
     /// Point by point, the values of each list of weights, with the weight of the point.
     tests: Vec<[f64; N_TEST]>,
@@ -355,6 +358,14 @@ impl Points {
             tests,
             n_weights: weights.len(),
         }
+    }
+
+    /// With the traction as far as the bodies reach.
+    fn summed_over(mut self, share: &Share) -> Points {
+        for (q, area) in self.areas.iter_mut().enumerate() {
+            *area *= share.at(q);
+        }
+        self
     }
 
     /// Adds this element's share of the sums.

@@ -34,7 +34,10 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         ring.radius_of_rolling(diameter, gamma),
         diameter / (2.0 - 1.0 / curvature),
     ];
-    let mut contact = Contact::elliptical(radii, 0.0, 0.0);
+    let ball = 2.0 / diameter;
+    let ring_along = radii[0].recip() - ball;
+    let mut contact = Contact::elliptical(radii, 0.0, 0.0)
+        .between([[ring_along, radii[1].recip() - ball], [ball, ball]]);
     super::check_radii(table, &contact)?;
     contact.load = point_load(table, "ball_load", &contact, reduced_modulus)?;
     let mut rows = Rows::default();

@@ -20,7 +20,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         }
         true => required_length(table, "ball_radius")?,
     };
-    let mut contact = Contact::circular(radius, 0.0);
+    let mut contact = Contact::circular(radius, 0.0).between([[0.0; 2], [radius.recip(); 2]]);
     super::check_radii(table, &contact)?;
     contact.load = point_load(table, "load", &contact, reduced_modulus)?;
     let motion = read_motion(table, "disc_speed")?;

@@ -43,7 +43,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
             )
             .with_help("a flat tappet touches a cam where it is convex"));
     }
-    let mut contact = Contact::line(radius, 0.0);
+    let mut contact = Contact::line(radius, 0.0).between([[0.0; 2], [radius.recip(), 0.0]]);
     super::check_radii(table, &contact)?;
     let width = required_length(table, "width")?;
     contact.load = line_load(table, "load", width, &contact, reduced_modulus)?;

@@ -22,13 +22,17 @@ pub(super) fn read(
     let length = required_length(table, "roller_length")?;
     // Cylindrical rollers have the contact angle 0.
     let gamma = gamma(table, "roller_diameter", diameter, pitch_diameter, 0.0)?;
-    let mut contact = Contact::line(ring.radius_of_rolling(diameter, gamma), 0.0);
+    let radius = ring.radius_of_rolling(diameter, gamma);
+    let own = 2.0 / diameter;
+    let bodies = [[radius.recip() - own, 0.0], [own, 0.0]];
+    let mut contact = Contact::line(radius, 0.0).between(bodies);
     super::check_radii(table, &contact)?;
     let line_load = line_load(table, "roller_load", length, &contact, reduced_modulus)?;
     contact.load = line_load;
     if table.contains("profile") {
         let roller = read_roller(table, (contact.radius, length), reduced_modulus, folder)?;
-        contact = Contact::of_roller(contact.radius, line_load * length, roller);
+        contact =
+            Contact::of_roller(contact.radius, line_load * length, roller).between(bodies);
     }
     let mut rows = Rows::default();
     rows.text(

@@ -260,10 +260,8 @@ impl StageSolver for MeshSolver<'_> {
         // What is measured only, or refined further, need not be exact.
         let last = stage.role == Role::Final;
         let measured = matches!(stage.role, Role::Estimate | Role::Final);
-        let rough = matches!(
-            stage.role,
-            Role::Estimate | Role::Comparison | Role::Isothermal
-        ) || last && problem.adapt.is_some();
+        // What the solution is compared with is not measured, and its own error would count as the effect.
+        let rough = stage.role == Role::Estimate || last && problem.adapt.is_some();
         let finish = if rough { Finish::Rough } else { Finish::Exact };
         let mut outcome = run.solve(finish, &mut state, &mut effort, observer);
         if !matches!(outcome, Err(SolveError::Interrupted)) {

@@ -26,7 +26,7 @@ use super::heat::coupling::{CouplingParams, CouplingStats};
 use super::newton::{NewtonParams, Reached};
 use super::sizes::{LevelSizes, expected_unknowns};
 use super::system::State;
-use crate::contact::{Scales, Shape};
+use crate::contact::{Planar, Scales, Shape};
 use crate::elastic::cache::OperatorCache;
 use crate::elastic::{BodyModel, Elasticity};
 use crate::film::FilmFluid;
@@ -73,6 +73,14 @@ pub struct Problem {
     pub adapt: Option<AdaptParams>,
     /// Heat of film and bodies, where it counts.
     pub heat: Option<HeatProblem>,
+}
+
+impl Problem {
+    /// ū, the mean velocity of the surfaces over the entrainment speed.
+    pub fn entrainment(&self) -> Planar {
+        let first = self.stages.first();
+        first.map_or(Planar::along_x(1.0), |stage| stage.constants.entrainment)
+    }
 }
 
 /// The thermal side of a problem.

@@ -1,0 +1,94 @@
+//! Balances that a solution should keep, and where its sums end.
+
+use crate::contact::Shape;
+use crate::solution::{Balance, Checks, SummedTo, Summary, Thermal};
+use crate::solve::discretisation::Extents;
+use crate::solve::sequence::{Problem, StageSolution};
+use crate::solve::shear::friction;
+use crate::warning::{Warning, WarningKind};
+
+/// The balances of a solution, and where its shear is summed.
+pub fn checks(
+    problem: &Problem,
+    solution: &StageSolution,
+    summary: &Summary,
+    thermal: Option<&Thermal>,
+) -> (Checks, SummedTo) {
+    let (d, state) = (&solution.discretisation, &solution.state);
+    let f = friction(problem, &problem.fluid, d, state);
+    let power = match thermal {
+        None => Balance::of(f.here.work, f.here.dissipation + f.through_end),
+        Some(thermal) => {
+            let made = thermal.balance.shear.value + thermal.balance.compression.value;
+            Balance::of(f.whole.work, made)
+        }
+    };
+    let checks = Checks {
+        power,
+        rolling: Balance::of(f.whole.rolling, f.offset),
+        load: summary.load_balance_error,
+        mass: summary.film_balance_error,
+        heat: thermal.map(|thermal| thermal.balance.error),
+    };
+    let [x, y] = problem.shape.ends.map(|end| end * problem.scales.length);
+    let summed = SummedTo {
+        body_end_x: x,
+        body_end_y: Some(y).filter(|y| y.is_finite()),
+        ends_with_bodies: f.is_cut,
+    };
+    (checks, summed)
+}
+
+/// Says so where the contact area reaches farther than the bodies; `half_width` a in m.
+pub fn warning(shape: &Shape, e: &Extents, half_width: f64) -> Option<Warning> {
+    let along = e.inlet.abs().max(e.outlet) / shape.ends[0];
+    let across = match shape.kind.is_point() {
+        true => e.side * shape.zone.axis_ratio / shape.ends[1],
+        false => 0.0,
+    };
+    let excess = along.max(across);
+    if excess <= 1.0 {
+        return None;
+    }
+    let mm = |half_widths: f64| 1e3 * half_widths * half_width;
+    let (name, key, end, share) = match along >= across {
+        true => ("inlet", "inlet", shape.ends[0], along),
+        false => ("side", "side", shape.ends[1], across),
+    };
+    let text = format!(
+        "the contact area reaches {:.3} mm from the centre at its {name}, {share:.1} times as far as the bodies, which end {:.3} mm from the \
+         centre: thick films build up far away. The film is that of parabolas with oil between them all the way; traction, moment and \
+         friction power are summed as far as the bodies reach, and their error bars hold what the outer half of that adds ([mesh] {key} sets \
+         the edge)",
+        mm(share * end),
+        mm(end),
+    );
+    Some(Warning::beyond(WarningKind::WideArea, excess, text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A side at 25 half-widths where the ball ends at 10, and an inlet at 8; then a ball that ends at 30.
+    #[test]
+    fn areas_beyond_the_bodies_are_told() {
+        let extents = Extents {
+            inlet: -8.0,
+            outlet: 2.0,
+            side: 25.0,
+            body_width: 60.0,
+            body_depth: 60.0,
+        };
+        let ball = |end: f64| Shape {
+            ends: [end; 2],
+            ..Shape::CIRCULAR
+        };
+        let told = warning(&ball(10.0), &extents, 1e-3).unwrap();
+        assert_eq!(told.kind, WarningKind::WideArea);
+        for words in ["25.000 mm", "its side", "2.5 times", "end 10.000 mm", "[mesh] side"] {
+            assert!(told.contains(words), "{words}: {told}");
+        }
+        assert_eq!(warning(&ball(30.0), &extents, 1e-3), None);
+    }
+}
