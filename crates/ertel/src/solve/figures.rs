@@ -269,6 +269,11 @@ fn note_heat(
         temperature(figure, value);
     }
     let balance = heat_balance(d, state, fluid, &heat.heat, scales);
+    // What the surfaces put in, becomes heat, in shear or as the lubricant is compressed.
+    if let Some(power) = figures.get(Figure::FrictionPower) {
+        let misfit = (power.value - balance.shear - balance.compression).abs();
+        figures.note(Figure::FrictionPower, Reading { misfit, ..power });
+    }
     for (figure, value) in [
         (Figure::HeatShear, balance.shear),
         (Figure::HeatCompression, balance.compression),
