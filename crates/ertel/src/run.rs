@@ -274,8 +274,7 @@ fn describe(
     let summary = post::summary::summarise(finest, &measured, &model, &scales);
     let thermal = (case.thermal())
         .and_then(|params| post::thermal::thermal(finest, problem, levels, &measured, params));
-    let (checks, summed_to) =
-        post::checks::checks(problem, finest, &summary, thermal.as_ref());
+    let (checks, summed_to) = post::checks::checks(problem, finest, &summary, thermal.as_ref());
     let mut warnings = case.warnings.clone();
     warnings.extend(post::checks::warning(
         &problem.shape,

@@ -53,7 +53,8 @@ impl Scales {
     /// Entrainment speed u_m, m/s.
     pub fn entrainment_speed(&self) -> f64 {
         let radius = self.length * self.length / self.film;
-        self.lambda * self.length.powi(3) * self.pressure / (12.0 * self.viscosity * radius * radius)
+        self.lambda * self.length.powi(3) * self.pressure
+            / (12.0 * self.viscosity * radius * radius)
     }
 
     /// By which an integral over the part of the contact area that is solved, in half-widths squared or half-widths,

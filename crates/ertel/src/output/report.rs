@@ -302,7 +302,10 @@ fn write_checks(out: &mut Lines, solution: &Solution) {
     out.row("power balance error", balance(&c.power, &becomes));
     out.row(
         "rolling resistance balance error",
-        balance(&c.rolling, "by the shear at the walls, by the offset of the load"),
+        balance(
+            &c.rolling,
+            "by the shear at the walls, by the offset of the load",
+        ),
     );
     out.row("load balance error", percent_or_power(c.load));
     out.row("mass balance error", percent_or_power(c.mass));
@@ -424,7 +427,10 @@ fn write_traction(out: &mut Lines, solution: &Solution) {
             Some(_) => format!("{} from the centre", length(summed.body_end_x)),
             None => format!("x ±{}", length(summed.body_end_x)),
         };
-        out.row("  these are summed to", format!("{ends}, where the bodies end"));
+        out.row(
+            "  these are summed to",
+            format!("{ends}, where the bodies end"),
+        );
     }
     out.row(
         "largest shear stress",

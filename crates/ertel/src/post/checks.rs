@@ -1,7 +1,7 @@
 //! Balances that a solution should keep, and where its sums end.
 
 use crate::contact::Shape;
-use crate::solution::{Balance, Checks, SummedTo, Summary, Thermal};
+use crate::solution::{Balance, Checks, Summary, SummedTo, Thermal};
 use crate::solve::discretisation::Extents;
 use crate::solve::sequence::{Problem, StageSolution};
 use crate::solve::shear::friction;
@@ -86,7 +86,13 @@ mod tests {
         };
         let told = warning(&ball(10.0), &extents, 1e-3).unwrap();
         assert_eq!(told.kind, WarningKind::WideArea);
-        for words in ["25.000 mm", "its side", "2.5 times", "end 10.000 mm", "[mesh] side"] {
+        for words in [
+            "25.000 mm",
+            "its side",
+            "2.5 times",
+            "end 10.000 mm",
+            "[mesh] side",
+        ] {
             assert!(told.contains(words), "{words}: {told}");
         }
         assert_eq!(warning(&ball(30.0), &extents, 1e-3), None);

@@ -277,8 +277,8 @@ impl Basis {
                     .map(|c| c[1][0].hypot(c[1][1]) - 1.0)
                     .collect();
                 let share = share_inside(&outside) * size;
-                let centre = [0, 1]
-                    .map(|i: usize| corners.iter().map(|c| c[0][i]).sum::<f64>() / n as f64);
+                let centre =
+                    [0, 1].map(|i: usize| corners.iter().map(|c| c[0][i]).sum::<f64>() / n as f64);
                 for (sum, m) in moments.iter_mut().zip(monomials(self.dim, centre)) {
                     *sum += share * m;
                 }

@@ -88,7 +88,8 @@ impl Film {
 /// They end where the bodies do, though the film goes on.
 #[test]
 fn a_paraboloid_that_spins() {
-    let motion = "slide_to_roll_ratio = 0.1\nbody_1_spin = \"-400 rad/s\"\nbody_2_spin = \"500 rad/s\"";
+    let motion =
+        "slide_to_roll_ratio = 0.1\nbody_1_spin = \"-400 rad/s\"\nbody_2_spin = \"500 rad/s\"";
     let case = case("circular", motion, MESH);
     let (h, end) = (0.5, 3.0);
     let film = Film::new(&case, [end; 2], h, |_| 0.0);
@@ -222,7 +223,9 @@ fn shares_beyond_the_limit_reckon_with_the_walls() {
     let fluid = problem(&case).fluid;
     let limit = fluid.newtonian_limits(0.0)[0].unwrap();
     let slope = 2.0 * limit / (0.75 * fluid.stress_scale());
-    let film = Film::new(&case, [3.0; 2], 0.5, |[x, _]| 0.1 * slope * (10.0 + 10.0 * x).max(-40.0));
+    let film = Film::new(&case, [3.0; 2], 0.5, |[x, _]| {
+        0.1 * slope * (10.0 + 10.0 * x).max(-40.0)
+    });
     let [first, _] = film.sums().here.beyond;
     assert_relative_eq!(first.unwrap(), 0.5, epsilon = 0.03);
 }
@@ -233,7 +236,11 @@ fn shares_beyond_the_limit_reckon_with_the_walls() {
 fn power_balances_up_to_the_end_of_the_bodies() {
     use super::Silent;
     use super::sequence::solve_stages;
-    let mut case = case("line", "slide_to_roll_ratio = 0.02", "[mesh]\npreset = \"coarse\"");
+    let mut case = case(
+        "line",
+        "slide_to_roll_ratio = 0.02",
+        "[mesh]\npreset = \"coarse\"",
+    );
     case.mesh.target_error = None;
     let mut problem = problem(&case);
     let (solution, _) = solve_stages(&problem, &mut Silent).unwrap();
@@ -247,10 +254,18 @@ fn power_balances_up_to_the_end_of_the_bodies() {
     // Both miss the same part, which the mesh dissipates inside.
     let missed = (cut.power_misfit() - whole.power_misfit()).abs();
     assert!(missed < 2e-3 * size, "{missed} of {size}");
-    assert!(cut.through_end.abs() > 20.0 * missed, "{} {missed}", cut.through_end);
+    assert!(
+        cut.through_end.abs() > 20.0 * missed,
+        "{} {missed}",
+        cut.through_end
+    );
     // P = F_2 u_2 − F_1 u_1
     let [_, one, two] = whole.here.coefficients.map(|c| 5e4 * c[0]);
-    assert_relative_eq!(whole.here.work, 1.01 * two - 0.99 * one, max_relative = 1e-9);
+    assert_relative_eq!(
+        whole.here.work,
+        1.01 * two - 0.99 * one,
+        max_relative = 1e-9
+    );
     assert_relative_eq!(whole.whole.rolling, whole.offset, max_relative = 1e-3);
 }
 

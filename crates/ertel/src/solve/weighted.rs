@@ -112,8 +112,8 @@ pub fn weighted_sums(
             let mut sums = vec![0.0; n_sums * n_lists];
             let last = (BATCH * (batch + 1)).min(d.contact.n_elements());
             for c in BATCH * batch..last {
-                let points = Points::new(d, state, weights, c)
-                    .summed_over(&elements.share(&region, c));
+                let points =
+                    Points::new(d, state, weights, c).summed_over(&elements.share(&region, c));
                 let flows = flows.get(c * d.rule.len()..(c + 1) * d.rule.len());
                 points.add(d, &plan, (own, flows.unwrap_or_default()), rule, &mut sums);
             }

@@ -113,8 +113,7 @@ pub(super) fn read(table: &mut Table<'_>, kind: Teeth) -> Result<Machine, InputE
     let flanks = pair.flank_radii(position);
     let radius = pair.reduced_radius(flanks);
     let across = pair.base_helix_angle.cos();
-    let mut contact =
-        Contact::line(radius, 0.0).between(flanks.map(|flank| [across / flank, 0.0]));
+    let mut contact = Contact::line(radius, 0.0).between(flanks.map(|flank| [across / flank, 0.0]));
     super::check_radii(table, &contact)?;
 
     let width = required_length(table, "face_width")?;
