@@ -31,8 +31,7 @@ pub(super) fn read(
     contact.load = line_load;
     if table.contains("profile") {
         let roller = read_roller(table, (contact.radius, length), reduced_modulus, folder)?;
-        contact =
-            Contact::of_roller(contact.radius, line_load * length, roller).between(bodies);
+        contact = Contact::of_roller(contact.radius, line_load * length, roller).between(bodies);
     }
     let mut rows = Rows::default();
     rows.text(
