@@ -381,7 +381,8 @@ fn describe(
     };
     let asked = Asked {
         bars: case.solver.error_estimate,
-        slides: case.motion.slides(),
+        // The forces of spin alone cancel.
+        slides: case.motion.sliding_at_centre() > 0.0,
         radius: case.contact.radius,
     };
     solution.unresolved = Unresolved::all(&solution, asked);
