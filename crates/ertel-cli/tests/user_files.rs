@@ -283,7 +283,7 @@ fn all_tables_take_the_same_spellings() {
         let error = stderr(&output);
         assert_eq!(output.status.code(), Some(2), "{command:?}");
         assert!(
-            error.contains("t.csv:1:4: there is a second column `viscosity`"),
+            error.contains("t.csv:1:4: `viscosity [Pa.s]` is a second column `viscosity`"),
             "{error}"
         );
     }

@@ -210,6 +210,24 @@ impl Document {
         Ok(())
     }
 
+    /// Takes the key at a path out, with its value; nothing happens where there is none.
+    pub fn remove(&mut self, path: &str) {
+        let (tables, key) = path.rsplit_once('.').unwrap_or(("", path));
+        let mut table = &mut self.root;
+        for name in tables.split('.').filter(|name| !name.is_empty()) {
+            let Value::Table(entries) = &mut table.value else {
+                return;
+            };
+            match entries.iter_mut().find(|entry| entry.key == name) {
+                Some(entry) => table = &mut entry.node,
+                None => return,
+            }
+        }
+        if let Value::Table(entries) = &mut table.value {
+            entries.retain(|entry| entry.key != key);
+        }
+    }
+
     /// The top-level table.
     #[must_use]
     pub fn root(&self) -> Table<'_> {

@@ -82,23 +82,22 @@ impl Operating {
             });
         };
         let has = |key: &str| machine.node.entry(key).is_some();
+        // Two speeds of surfaces are replaced: `speeds`.
+        let is_disc = has("entrainment_speed") || (has("ball_speed") && has("disc_speed"));
         let (own, others): (&[&'static str], &[&str]) = match self {
             Operating::Temperature => return Ok(temperature_key(case)),
+            Operating::Speed if is_disc => return Ok("machine.entrainment_speed"),
+            Operating::Sliding if is_disc => return Ok("machine.slide_to_roll_ratio"),
             Operating::Speed => (
-                &["machine.entrainment_speed"],
+                &[],
                 &[
                     "inner_ring_speed",
                     "outer_ring_speed",
                     "pinion_speed",
                     "cam_speed",
-                    "ball_speed",
-                    "disc_speed",
                 ],
             ),
-            Operating::Sliding => (
-                &["machine.slide_to_roll_ratio"],
-                &["ball_speed", "disc_speed"],
-            ),
+            Operating::Sliding => (&[], &[]),
             Operating::Load => (
                 &["machine.load", "machine.ball_load", "machine.roller_load"],
                 &["pinion_torque"],

@@ -10,6 +10,7 @@
 mod columns;
 mod comparison;
 mod rig;
+mod speeds;
 mod statistics;
 mod table;
 mod turned;
@@ -166,10 +167,11 @@ impl Measured {
             ..params.clone()
         };
         let file = path.display().to_string();
-        let content = match rig::is_export(&text) {
+        let mut content = match rig::is_export(&text) {
             true => rig::read(&case, &file, &text, params)?,
             false => table::read(&case, &file, &text, params)?,
         };
+        let replaced = speeds::replace(&case, &mut content);
         let Content {
             columns,
             rows,
@@ -177,7 +179,7 @@ impl Measured {
         } = content;
         // Most rows of a rig repeat others: each case is read once.
         let (columns, written) = distinct_rows(columns);
-        let mut study = Study::of_points(base, path, &text, columns)?;
+        let mut study = Study::of_points(base, &replaced, path, &text, columns)?;
         let same = distinct(&mut study);
         let point_of_row = written.into_iter().map(|point| same[point]);
         let row = |((line, figures), point): ((usize, _), usize)| MeasuredRow {

@@ -278,3 +278,35 @@ fn machines_are_compared() {
         assert!(error.contains(words), "{error}");
     }
 }
+
+/// By hand: u = 1 m/s and a ratio of 0.2 are speeds of 1.1 and 0.9 m/s.
+#[test]
+fn speeds_of_both_surfaces_are_replaced() {
+    let disc = "[machine]\nkind = \"ball-on-disc\"\nball_diameter = \"19.05 mm\"\nload = \"30 N\"\nball_speed = \"1.1 m/s\"\n\
+                disc_speed = \"0.9 m/s\"\n";
+    let speeds = "body_1_speed = \"0.9 m/s\"\nbody_2_speed = \"1.1 m/s\"\n";
+    let motion = CONTACT.replace(
+        "entrainment_speed = \"3 m/s\"\nslide_to_roll_ratio = 0.0\n",
+        speeds,
+    );
+    for case in [disc, &motion] {
+        for (table, ratios) in [
+            ("u [m/s],h_c [nm]\n0.5,120\n1,300\n", [0.2, 0.2]),
+            ("u [m/s],srr,h_c [nm]\n0.5,0,120\n1,0.5,300\n", [0.0, 0.5]),
+        ] {
+            let measured = read_case(case, table.as_bytes(), &ReadParams::default());
+            let measured = measured.unwrap_or_else(|error| panic!("{case}{error}"));
+            check(table, &measured, Figure::FilmCentral, [120e-9, 300e-9]);
+            for (point, ratio) in measured.study.points.iter().zip(ratios) {
+                assert!(
+                    (point.case.motion.slide_to_roll_ratio - ratio).abs() < 1e-9,
+                    "{table}"
+                );
+            }
+        }
+        let table = b"srr [%],traction\n0,0\n10,0.05\n";
+        let measured = read_case(case, table, &ReadParams::default()).unwrap();
+        let motion = measured.study.points[1].case.motion;
+        assert!(near(motion.entrainment_speed, 1.0) && near(motion.slide_to_roll_ratio, 0.1));
+    }
+}

@@ -37,8 +37,8 @@ impl PointColumn {
 }
 
 impl Study {
-    /// A study of the case in the file `base`, whose points stand side by side in `columns`; these come from the file `path`
-    /// with this text, to which errors point.
+    /// A study of the case in the file `base` without the keys `replaced`, whose points stand side by side in `columns`; these
+    /// come from the file `path` with this text, to which errors point.
     ///
     /// # Errors
     ///
@@ -46,12 +46,14 @@ impl Study {
     /// that comes of a point; columns of different lengths, or none.
     pub fn of_points(
         base: &Path,
+        replaced: &[&str],
         path: &Path,
         text: &str,
         columns: Vec<PointColumn>,
     ) -> Result<Study, InputError> {
         let file = path.display().to_string();
-        let case = Document::read(base)?;
+        let mut case = Document::read(base)?;
+        replaced.iter().for_each(|key| case.remove(key));
         if let Some(curve) = case.tree().entry("curve") {
             let message =
                 format!("the points come from {file}, but the case has a [curve] of its own");
