@@ -285,7 +285,7 @@ impl Case {
         }
         case.origin = Some(Arc::new(Origin::new(document, folder, inputs)?));
         let mut unusual = usual::warnings(case.inputs(), document);
-        unusual.extend(usual::of_lubricant(&case, &unusual));
+        unusual.extend(usual::of_data(&case, &unusual));
         case.warnings.extend(unusual);
         let uncertain: Vec<&str> = (case.inputs().iter())
             .filter(|input| {

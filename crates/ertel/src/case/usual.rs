@@ -51,46 +51,84 @@ fn question(row: &Usual, what: &str, written: &str, value: f64) -> Option<(f64, 
     Some((excess, text))
 }
 
-/// Questions about the lubricant at ambient pressure, wherever its data stand: in a table, in own data. What is typed in the case has
-/// been `asked` about already.
-pub(super) fn of_lubricant(case: &Case, asked: &[Warning]) -> Vec<Warning> {
-    if asked.iter().any(|w| w.text.starts_with("lubricant.")) {
-        return Vec::new();
+/// Questions about lubricant and bodies at ambient pressure, wherever their data stand: in a table, in own data. What is typed in the
+/// case has been `asked` about already.
+pub(super) fn of_data(case: &Case, asked: &[Warning]) -> Vec<Warning> {
+    let is_asked = |head: &str| asked.iter().any(|w| w.text.starts_with(head));
+    let mut questions = Vec::new();
+    let kelvin = case.lubricant.temperature;
+    let at = format!("{} degC", digits(kelvin - 273.15, 4));
+    if !is_asked("lubricant.") {
+        let lubricant = &case.lubricant;
+        let heat_capacity = lubricant.heat_capacity.as_ref();
+        let properties = [
+            (
+                "viscosity",
+                ("mu_0", Dimension::VISCOSITY),
+                Some(lubricant.ambient_viscosity()),
+            ),
+            (
+                "density",
+                ("rho_0", Dimension::DENSITY),
+                Some(lubricant.ambient_density()),
+            ),
+            (
+                "thermal conductivity",
+                (
+                    "lubricant.thermal_conductivity",
+                    Dimension::THERMAL_CONDUCTIVITY,
+                ),
+                lubricant.ambient_conductivity(),
+            ),
+            (
+                "heat capacity",
+                ("heat_capacity", Dimension::SPECIFIC_HEAT),
+                heat_capacity.map(|law| law.heat_capacity(0.0, kelvin)),
+            ),
+        ];
+        questions.extend(properties.into_iter().filter_map(|(name, key, value)| {
+            let what = format!("the lubricant's {name} at ambient pressure and {at}");
+            question_of(&what, key, value?)
+        }));
     }
-    let lubricant = &case.lubricant;
-    let heat_capacity = lubricant.heat_capacity.as_ref();
-    let heat_capacity = heat_capacity.map(|law| law.heat_capacity(0.0, lubricant.temperature));
-    let properties = [
-        (
-            "viscosity",
-            Some(lubricant.ambient_viscosity()),
-            Dimension::VISCOSITY,
-        ),
-        (
-            "density",
-            Some(lubricant.ambient_density()),
-            Dimension::DENSITY,
-        ),
-        (
-            "thermal conductivity",
-            lubricant.ambient_conductivity(),
-            Dimension::THERMAL_CONDUCTIVITY,
-        ),
-        ("heat capacity", heat_capacity, Dimension::SPECIFIC_HEAT),
-    ];
-    let asked = properties
-        .into_iter()
-        .filter_map(|(name, value, dimension)| {
-            let at = digits(lubricant.temperature - 273.15, 4);
-            let what = format!("the lubricant's {name} at ambient pressure and {at} degC");
-            question_of_state(&what, value?, dimension)
-        });
-    asked
-        .map(|q| Warning::beyond(WarningKind::UnusualInput, q.excess, q.text))
-        .collect()
+    for body in [&case.plane, &case.ball] {
+        if body.in_database || is_asked("bodies.") {
+            continue;
+        }
+        let conductivity = body.thermal_conductivity.as_ref();
+        let heat_capacity = body.heat_capacity.as_ref();
+        let properties = [
+            (
+                "Young's modulus",
+                ("youngs_modulus", Dimension::PRESSURE),
+                Some(body.elasticity.youngs_modulus),
+            ),
+            (
+                "density",
+                ("plane.density", Dimension::DENSITY),
+                body.density,
+            ),
+            (
+                "thermal conductivity",
+                ("thermal_conductivity", Dimension::THERMAL_CONDUCTIVITY),
+                conductivity.map(|law| law.conductivity(0.0, kelvin)),
+            ),
+            (
+                "heat capacity",
+                ("heat_capacity", Dimension::SPECIFIC_HEAT),
+                heat_capacity.map(|law| law.heat_capacity(0.0, kelvin)),
+            ),
+        ];
+        questions.extend(properties.into_iter().filter_map(|(name, key, value)| {
+            question_of(&format!("{name} of {} at {at}", body.name), key, value?)
+        }));
+    }
+    questions.dedup_by(|a, b| a.text == b.text);
+    let warning = |q: Question| Warning::beyond(WarningKind::UnusualInput, q.excess, q.text);
+    questions.into_iter().map(warning).collect()
 }
 
-/// A question about a value of a lubricant.
+/// A question about a value that is not typed in a case.
 pub(crate) struct Question {
     /// How far beyond what is usual the value is, as a factor.
     pub excess: f64,
@@ -100,14 +138,17 @@ pub(crate) struct Question {
 
 /// Asks about a property of a lubricant at ambient pressure (SI), which `what` names, as about one that is typed in a case.
 pub(crate) fn question_of_state(what: &str, value: f64, dimension: Dimension) -> Option<Question> {
-    let keys = [
-        "mu_0",
-        "rho_0",
-        "lubricant.thermal_conductivity",
-        "heat_capacity",
-    ];
-    let mut rows = keys.iter().filter_map(|key| usual_of(key, dimension));
-    let row = rows.find(|row| row.is_questioned)?;
+    let key = match dimension {
+        Dimension::VISCOSITY => "mu_0",
+        Dimension::DENSITY => "rho_0",
+        _ => return None,
+    };
+    question_of(what, (key, dimension), value)
+}
+
+/// Asks about a value (SI) as about that of a key.
+fn question_of(what: &str, (key, dimension): (&str, Dimension), value: f64) -> Option<Question> {
+    let row = usual_of(key, dimension).filter(|row| row.is_questioned)?;
     let written = shown(value / row.factor, row.unit);
     let (excess, text) = question(row, what, &written, value)?;
     Some(Question { excess, text })
@@ -210,6 +251,31 @@ mod tests {
         assert!(
             text.contains("viscosity at ambient pressure and 40 degC")
                 && text.contains("is 40 mPa.s meant?"),
+            "{text}"
+        );
+    }
+
+    /// A solid in a file of its own, with its density in the wrong unit.
+    #[test]
+    fn own_bodies_are_asked_about() {
+        let folder = tempfile::tempdir().unwrap();
+        let told = |density: &str| {
+            let solid = format!(
+                "title = \"Mine\"\nsource = \"me\"\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\ndensity = \"{density}\"\n"
+            );
+            std::fs::write(folder.path().join("mine.toml"), solid).unwrap();
+            let text = CASE.replace("ball = \"steel\"", "ball = \"mine.toml\"");
+            let case = Case::from_text("case.toml", &text, folder.path()).unwrap();
+            let unusual =
+                (case.warnings.into_iter()).filter(|w| w.kind == WarningKind::UnusualInput);
+            unusual.map(|w| w.text).collect::<Vec<_>>()
+        };
+        assert_eq!(told("7850 kg/m^3"), Vec::<String>::new());
+        let [text] = &told("7.85 kg/m^3")[..] else {
+            panic!()
+        };
+        assert!(
+            text.contains("density of") && text.contains("is 7850 kg/m^3 meant?"),
             "{text}"
         );
     }
