@@ -262,8 +262,10 @@ fn rollers_scale() {
     scales_with_size_and_stress(&format!("{contact}{}", scalable()), &lengths, 1e-3, 1e-2);
 }
 
-/// A crown that carries no load near its ends knows nothing of the length beyond: no figure changes with it, though all is told in
-/// half-widths of a line contact of that length, whose load then is another.
+/// A crown that carries no load near its ends knows nothing of the length beyond: the films do not change with it, though all is told in
+/// half-widths of a line contact of that length, in which load and pressures over the drawn-out mesh change by 1.5 per cent for one. By the
+/// load the films change by 0.07 and 0.09, so that a load integral that stays behind would be seen; the largest pressure and the traction,
+/// which goes with its exponential, are not told to that on this mesh.
 #[test]
 fn a_roller_does_not_feel_length_that_carries_nothing() {
     let contact = "[contact]\nkind = \"roller\"\nradius = \"10 mm\"\nload = \"40 N\"\nlength = \"2 mm\"\n\
@@ -279,7 +281,8 @@ fn a_roller_does_not_feel_length_that_carries_nothing() {
         let by = |key: &str| found.iter().find(|(k, _)| *k == key).unwrap().1;
         let (length, load) = (by("contact.length"), by("contact.load"));
         println!("{} {length} {load}", figure.figure.name());
-        if figure.figure != Figure::PressureMaximum {
+        if matches!(figure.figure, Figure::FilmCentral | Figure::FilmMinimum) {
+            assert!(load < -0.05, "{load}");
             assert!(length.abs() < 1e-2, "{length}");
         }
     }
