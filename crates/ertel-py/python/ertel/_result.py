@@ -95,6 +95,8 @@ def _grid(n_points: int, extent: tuple[float, float, float, float]) -> tuple[int
         raise CaseError(f"n_points = {n_points!r}: a whole number") from None
     if n < 2:
         raise CaseError("n_points: two at least")
+    if n > _MOST_GRID_POINTS:
+        raise CaseError(f"n_points: at most {_MOST_GRID_POINTS}")
     try:
         x_low, x_high, y_low, y_high = (float(limit) for limit in extent)
     except (TypeError, ValueError, OverflowError):

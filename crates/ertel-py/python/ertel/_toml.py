@@ -60,6 +60,8 @@ def _string(value: str) -> str:
 
 def _value(path: list[str], value: Any, depth: int) -> str:
     _check_depth(path, depth)
+    if isinstance(value, type):
+        raise _no_value(path, value)
     if isinstance(value, str):
         return _string(value)
     if hasattr(value, "magnitude") and hasattr(value, "units"):
