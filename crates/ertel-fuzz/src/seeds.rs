@@ -137,8 +137,11 @@ impl Seeds {
         }
         // What is refused as it is says less about what comes behind.
         let bad = rng.u8(0..5) == 0;
-        let is_own = |i: &&Seed| i.input.target == target && (bad || !i.is_bad);
-        let own: Vec<&Seed> = self.seeds.iter().filter(is_own).collect();
+        let of_target = self.seeds.iter().filter(|i| i.input.target == target);
+        let (bad_ones, mut own): (Vec<&Seed>, Vec<&Seed>) = of_target.partition(|i| i.is_bad);
+        if bad || own.is_empty() {
+            own.extend(bad_ones);
+        }
         let mut input = own[rng.usize(0..own.len())].input.clone();
         crate::mutate::damage(&mut input, &mut rng, &self.words);
         input

@@ -16,10 +16,13 @@ pub fn run(folder: &Path) -> Result<Verdict, Defect> {
         entries.map(|entry| entry.file_name()).collect()
     };
     let before = names();
-    let mut verdict = Verdict::Taken;
+    let mut verdict = Verdict::Refused;
     for found in [check_target(folder), check_comparison_folder(folder)] {
-        if let Err(error) = found {
-            verdict = check_text(&ertel_rheology::input::escaped(&error.to_string()))?;
+        match found {
+            Ok(()) => verdict = Verdict::Taken,
+            Err(error) => {
+                check_text(&ertel_rheology::input::escaped(&error.to_string()))?;
+            }
         }
     }
     match names() == before {
