@@ -2,7 +2,9 @@
 
 use super::report::digits;
 use crate::contact::{ContactKind, Symmetry};
-use crate::solution::{Estimate, Figure, Located, Solution, Unresolved, Why};
+use crate::solution::{
+    Estimate, Figure, LEAST_RISE, Located, Solution, Unresolved, WIDEST, WIDEST_OF_PLACE, Why,
+};
 
 /// Most significant digits of a figure, however narrow its bar.
 const MOST_DIGITS: i32 = 6;
@@ -12,9 +14,6 @@ const DIGITS: usize = 4;
 
 /// Decimals of a temperature in K, at the most.
 const KELVIN_DECIMALS: i32 = 2;
-
-/// Rise of temperature beside which a bar counts, K, at the least.
-const LEAST_RISE: f64 = 1.0;
 
 /// Decimals of a place in half-widths, at the most.
 const PLACE_DECIMALS: i32 = 3;
@@ -84,7 +83,13 @@ const DIGITS_OF_BOUNDS: usize = 2;
 /// What a figure lies between whose bar is too wide for a number.
 fn range(e: Estimate, factor: f64, unit: &str) -> String {
     let (value, error) = (factor * e.value, factor * e.error.unwrap_or(0.0));
-    let bound = |v: f64| digits(v, DIGITS_OF_BOUNDS);
+    let bound = |v: f64| {
+        if v == 0.0 {
+            return "0".to_owned();
+        }
+        let step = 10f64.powi(exponent(v) + 1 - DIGITS_OF_BOUNDS as i32);
+        digits((v / step).round() * step, DIGITS_OF_BOUNDS)
+    };
     let range = match error < value.abs() {
         true => format!(
             "between {} and {}",
@@ -141,7 +146,7 @@ pub fn percent(e: Estimate) -> String {
 /// A temperature with its rise above that of the inlet, both in K.
 pub fn temperature(e: Estimate, inlet: Option<f64>) -> String {
     let rise = inlet.map_or(e.value, |inlet| (e.value - inlet).abs().max(LEAST_RISE));
-    if e.error.is_some_and(|error| error > 0.5 * rise) {
+    if e.error.is_some_and(|error| error > WIDEST * rise) {
         return not_resolved_temperature(e);
     }
     let error = e.error.filter(|error| *error > 0.0);
@@ -223,9 +228,6 @@ pub fn unresolved(u: &Unresolved) -> String {
 fn largest(e: &Estimate) -> f64 {
     e.value.abs().max(e.error.unwrap_or(0.0))
 }
-
-/// Error bar of a place, in half-widths, beyond which it is not told.
-const WIDEST_OF_PLACE: f64 = 0.25;
 
 /// A position along the motion, in half-widths.
 pub fn position(e: Estimate, half_width: f64) -> String {

@@ -135,13 +135,13 @@ impl Figure {
 }
 
 /// Share of a figure, of its size, that its error bar may reach for the figure to be told as a number.
-pub(super) const WIDEST: f64 = 0.5;
+pub const WIDEST: f64 = 0.5;
 
 /// The same of a largest pressure: a mesh that does not draw a peak cuts it off, and its value is no more than a lower bound.
 const WIDEST_OF_PEAK: f64 = 0.1;
 
 /// Widest bar of a place, over the half-width of the contact.
-const WIDEST_OF_PLACE: f64 = 0.25;
+pub const WIDEST_OF_PLACE: f64 = 0.25;
 
 impl Figure {
     /// Whether it is a largest pressure, which a mesh too coarse for its peak cuts off.
@@ -434,7 +434,7 @@ impl Measured {
 }
 
 /// Rise of temperature that counts, K.
-const LEAST_RISE: f64 = 1.0;
+pub const LEAST_RISE: f64 = 1.0;
 
 #[cfg(test)]
 mod tests {

@@ -26,8 +26,10 @@ pub use contact_fields::{ContactFields, GridField};
 pub(crate) use contact_fields::{mirror, near_zero};
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use field::Field;
-use figures::WIDEST;
-pub use figures::{Bar, Bars, Figure, Figures, Measured, PerFigure, ROUNDING, Reading, Sizes};
+pub use figures::{
+    Bar, Bars, Figure, Figures, LEAST_RISE, Measured, PerFigure, ROUNDING, Reading, Sizes, WIDEST,
+    WIDEST_OF_PLACE,
+};
 pub use left_out::{Neglected, NeglectedHeat};
 pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
 pub use roller::RollerFigures;

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Estimate, Figure, Solution};
+use super::{Estimate, Figure, LEAST_RISE, Solution};
 
 /// A figure that the case is solved for and that the result does not tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,9 +34,6 @@ impl Serialize for Unresolved {
         serializer.serialize_str(self.name())
     }
 }
-
-/// Rise of temperature that counts, K.
-const LEAST_RISE: f64 = 1.0;
 
 /// Share of the heat made that bodies and film may carry off too little or too much for temperatures and heat to be told.
 const OPEN_BALANCE: f64 = 0.2;
