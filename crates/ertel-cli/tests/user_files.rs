@@ -175,8 +175,8 @@ fn data_at_fault_are_no_fit() {
         (
             "density",
             "tait",
-            format!("{head}0,350,nan\n"),
-            "5:3: density",
+            format!("{head}0,nan,840\n"),
+            "5:2: temperature",
         ),
         (
             "viscosity",
@@ -188,7 +188,7 @@ fn data_at_fault_are_no_fit() {
             "viscosity",
             "barus",
             "pressure_MPa,temperature_K,viscosity_cP,viscosity_Pa_s\n".into(),
-            "1:4: there is a second",
+            "1:4: `viscosity_Pa_s` is a second",
         ),
         ("film", "", format!("{film}inf,5\n"), "5:1: film central"),
         (
@@ -197,7 +197,12 @@ fn data_at_fault_are_no_fit() {
             format!("{film}1e-7,1e300\n"),
             "5:2: entrainment speed",
         ),
-        ("film", "", format!("{film}NaN,5\n"), "5:1: film central"),
+        (
+            "film",
+            "",
+            format!("{film}1e-7,NaN\n"),
+            "5:2: entrainment speed",
+        ),
     ] {
         std::fs::write(folder.join("d.csv"), &text).unwrap();
         let mut command = vec!["fit", kind, "d.csv"];
