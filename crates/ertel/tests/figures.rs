@@ -122,7 +122,7 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
 }
 
 /// Ball on disc, M = 199, L = 10, whose ridge reaches 1.10 to 1.15 GPa (52,900 pressures, and 54,837 along the ridge), above the 1.0112 GPa of
-/// the middle that every mesh finds. However the mesh is refined, the middle is told to 0.1 %, and the largest pressure is a lower bound that the ridge
+/// the middle that every mesh finds. However the mesh is refined, the middle is told to 1 %, and the largest pressure is a lower bound that the ridge
 /// may exceed; neither has it a sensitivity, nor a bar that leaves the ridge out.
 #[test]
 fn the_middle_is_told_and_the_ridge_is_a_lower_bound() {
@@ -134,7 +134,7 @@ fn the_middle_is_told_and_the_ridge_is_a_lower_bound() {
         let s = &solution.summary;
         let middle = s.pressure_central;
         assert!(middle.resolved, "{middle:?}");
-        assert!(middle.error.unwrap() < 1e-3 * middle.value, "{middle:?}");
+        assert!(middle.error.unwrap() < 0.01 * middle.value, "{middle:?}");
         assert!((middle.value - 1.0112e9).abs() < 0.001e9, "{middle:?}");
         let largest = s.pressure_maximum;
         assert!(!largest.resolved, "{largest:?}");
