@@ -280,6 +280,7 @@ fn describe(
         &problem.shape,
         &extents,
         scales.length,
+        &measured.figures,
     ));
     let order = finest.discretisation.pressure.element.order();
     if order < case.mesh.pressure_order {

@@ -21,6 +21,8 @@ pub enum WarningKind {
     WideContact,
     /// A contact area that reaches beyond the bodies.
     WideArea,
+    /// The same where friction hardly feels what lies so far away.
+    WideAreaUnfelt,
     /// Pressures beyond the lubricant's data.
     PressureRange,
     /// A temperature that was changed, of which the laws of the lubricant know nothing.
@@ -80,7 +82,10 @@ pub enum WarningKind {
 impl WarningKind {
     /// Whether it is worth knowing, but no reason to doubt a result: told quietly.
     pub fn is_note(self) -> bool {
-        matches!(self, WarningKind::LawRange | WarningKind::RollingStress)
+        matches!(
+            self,
+            WarningKind::LawRange | WarningKind::RollingStress | WarningKind::WideAreaUnfelt
+        )
     }
 }
 

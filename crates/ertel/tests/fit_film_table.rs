@@ -92,10 +92,10 @@ fn films_over_speed_need_speed_alone() {
     for (form, text, column) in [
         (
             FilmForm::Speed,
-            csv.replace("speed", "v"),
+            csv.replace("speed", "column_1"),
             "entrainment_speed",
         ),
-        (form, csv.replace("load", "f"), "load"),
+        (form, csv.replace("load", "column_3"), "load"),
         (FilmForm::Moes, csv.to_owned(), "moes_load"),
         (
             FilmForm::HamrockDowson(ContactKind::Circular),

@@ -6,7 +6,7 @@ use std::path::Path;
 use ertel::case::Case;
 use ertel::params::SensitivityDemand;
 use ertel::run::{Session, Start};
-use ertel::solution::{Figure, Solution};
+use ertel::solution::{Figure, Sensitivities, Solution};
 use ertel::solve::Silent;
 use ertel_rheology::input::Document;
 
@@ -35,13 +35,26 @@ fn value(solution: &Solution, figure: Figure) -> f64 {
     }
 }
 
+/// All inputs have derivatives, but for the temperature of laws without one.
+fn expect_inputs(found: &Sensitivities, n_inputs: usize) {
+    let (n, left_out) = (found.inputs.len(), &found.left_out);
+    assert_eq!(n + left_out.len(), n_inputs, "{found:#?}");
+    for input in left_out {
+        assert_eq!(input.key, "lubricant.temperature");
+        assert!(
+            input.reason.contains("depends on temperature"),
+            "{}",
+            input.reason
+        );
+    }
+}
+
 /// All inputs at once, each with a weight of its own: two pairs of solves in place of one for each input, where solves take long.
 fn along_directions(text: &str, n_inputs: usize, tolerance: f64) {
     let base = case(&format!("{text}\n[output]\nsensitivities = true\n"));
     let (solution, start) = solved(&base, None);
     let sensitivities = solution.sensitivities.as_ref().unwrap();
-    assert_eq!(sensitivities.left_out, []);
-    assert_eq!(sensitivities.inputs.len(), n_inputs, "{sensitivities:#?}");
+    expect_inputs(sensitivities, n_inputs);
     for ratio in [0.618_034, 0.414_214] {
         // Weights between −1 and 1 that no sum of derivatives knows.
         let weight = |i: usize| 2.0 * ((i + 1) as f64 * ratio).fract() - 1.0;
@@ -78,8 +91,7 @@ fn against_differences(text: &str, n_inputs: usize, n_figures: usize) {
     let base = case(&format!("{text}\n[output]\nsensitivities = true\n"));
     let (solution, start) = solved(&base, None);
     let sensitivities = solution.sensitivities.as_ref().unwrap();
-    assert_eq!(sensitivities.left_out, []);
-    assert_eq!(sensitivities.inputs.len(), n_inputs, "{sensitivities:#?}");
+    expect_inputs(sensitivities, n_inputs);
     assert_eq!(sensitivities.figures.len(), n_figures);
     let mut differences = Vec::new();
     for input in &sensitivities.inputs {
@@ -205,7 +217,7 @@ fn scales_with_size_and_stress(text: &str, lengths: &[&str], tolerance: f64, of_
             let found = found.iter().find(|(k, _)| *k == key);
             found.unwrap_or_else(|| panic!("no {key}")).1
         };
-        // A largest pressure is read at a point of a mesh that moves.
+        // A smooth maximum is read at a point of a mesh that moves.
         let tolerance = match figure.figure {
             Figure::PressureCentral => of_pressure,
             _ => tolerance,
@@ -223,7 +235,7 @@ fn scales_with_size_and_stress(text: &str, lengths: &[&str], tolerance: f64, of_
             + by("contact.load")
             + by("lubricant.viscosity.mu_0")
             - by("lubricant.viscosity.alpha");
-        let expected = if figure.figure == Figure::PressureMaximum {
+        let expected = if figure.figure == Figure::PressureCentral {
             1.0
         } else {
             0.0
@@ -247,7 +259,7 @@ fn scalable() -> String {
 fn ellipses_scale() {
     let contact = "[contact]\nkind = \"elliptical\"\nradius_x = \"16 mm\"\nradius_y = \"40 mm\"\nload = \"100 N\"\n";
     let lengths = ["contact.radius_x", "contact.radius_y"];
-    scales_with_size_and_stress(&format!("{contact}{}", scalable()), &lengths, 1e-4, 1e-4);
+    scales_with_size_and_stress(&format!("{contact}{}", scalable()), &lengths, 1e-4, 3e-4);
 }
 
 #[test]

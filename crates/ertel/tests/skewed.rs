@@ -1,5 +1,7 @@
 //! Sliding askew and spin: against straight motion, closed forms of the Newtonian film, mirror images and the balance of energy.
 
+use std::f64::consts::PI;
+
 use crate::common;
 
 use approx::assert_relative_eq;
@@ -61,7 +63,13 @@ fn sliding_across_a_ball_is_sliding_along_it() {
 }
 
 /// A Newtonian film of one temperature does not feel the sliding: τ = ηΔu/h at mid-film. The components are as those of the sliding, and
-/// spin about the centre makes the moment M = ∫ η/h ω r² dA, here summed over the triangles of the result.
+/// spin about the centre makes the moment M = ∫ η/h ω r² dA up to the radius of the ball. By hand for the paraboloid h_0 + r²/2R and oil of
+/// the viscosity η_0,
+///
+/// ```text
+///   M = 2π η_0 ω R (R² − 2R h_0 ln(1 + R/2h_0)),
+/// ```
+/// and the difference between η/h and η_0/(h_0 + r²/2R) summed over the triangles of the result.
 #[test]
 fn newtonian_film_pulls_as_it_slides() {
     let mut case = contact(false);
@@ -82,22 +90,25 @@ fn newtonian_film_pulls_as_it_slides() {
     case.motion.slide_to_roll_ratio_across = 0.0;
     let s = solved(&case);
     let field = &s.surface;
-    let (mut moment, mut force) = (0.0, 0.0);
+    let (radius, h_0) = (case.contact.radius, s.summary.film_central.value);
+    let eta_0 = case.lubricant.ambient_viscosity();
+    let logarithm = (0.5 * radius / h_0).ln_1p();
+    let mut moment = 2.0 * PI * eta_0 * spin * radius * radius * (radius - 2.0 * h_0 * logarithm);
     for cell in &field.cells {
         let [a, b, c] = cell.map(|v| field.points[v as usize]);
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])).abs();
         for v in cell.map(|v| v as usize) {
             let [x, y] = field.points[v];
-            let stress = field.viscosity[v] * spin / field.film_thickness[v];
-            moment += area / 3.0 * stress * (x * x + y * y);
-            force -= area / 3.0 * stress * y;
+            let squared = x * x + y * y;
+            if squared < radius * radius {
+                let more = field.viscosity[v] / field.film_thickness[v]
+                    - eta_0 / (h_0 + 0.5 * squared / radius);
+                moment += area / 3.0 * more * spin * squared;
+            }
         }
     }
     let found = s.traction.moment.unwrap();
-    println!(
-        "{} {moment} {} {force}",
-        found.value, s.traction.force.value
-    );
+    println!("{} {moment}", found.value);
     assert_relative_eq!(found.value, moment, max_relative = 1e-2);
 }
 
@@ -128,10 +139,12 @@ fn mirrored_motion_mirrors_the_contact() {
             s.summary.film_minimum_at.y,
         )
     });
-    for (a, b) in [(a.0, b.0), (a.1, b.1)] {
+    // The bar of a moment by spin holds what the outer half of the ball adds.
+    for (a, b, least) in [(a.0, b.0, 5.0), (a.1, b.1, 1.0)] {
         let bar = a.error.unwrap() + b.error.unwrap();
         assert!(
-            (a.value + b.value).abs() <= bar && a.value.abs() > 5.0 * bar,
+            (a.value + b.value).abs() <= bar.min(0.01 * a.value.abs())
+                && a.value.abs() > least * bar,
             "{a:?} {b:?}"
         );
     }

@@ -92,7 +92,8 @@ pub(super) fn of_data(case: &Case, asked: &[Warning]) -> Vec<Warning> {
         }));
     }
     for body in [&case.plane, &case.ball] {
-        if body.in_database || is_asked("bodies.") {
+        let has_source = ertel_rheology::database::solid_names().contains(&body.name.as_str());
+        if has_source || is_asked("bodies.") {
             continue;
         }
         let conductivity = body.thermal_conductivity.as_ref();

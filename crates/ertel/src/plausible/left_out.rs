@@ -107,15 +107,15 @@ pub fn words(left_out: &Neglected) -> String {
     if let Some(heat) = &left_out.heat {
         let film = match (heat.film_factor, heat.film_factor_missing) {
             (Some(factor), _) => format!(
-                "of the inlet thins the film by about {} %",
+                "that of the inlet thins the film by about {} %",
                 digits(100.0 * (1.0 - factor), 2)
             ),
-            (None, Some(reason)) => format!("effect on the film not known, {reason}"),
+            (None, Some(reason)) => format!("effect on the film not known: {reason}"),
             (None, None) => "effect on the film beyond the formula".to_owned(),
         };
         let rise = match heat.temperature_rise > 0.0 {
             true => format!(
-                ", of friction warms it by {} {} K",
+                "; friction warms the film by {} {} K",
                 about(heat),
                 digits(heat.temperature_rise, 2)
             ),
@@ -183,7 +183,7 @@ mod tests {
         };
         assert_eq!(
             words(&known),
-            "heat (of the inlet thins the film by about 3 %, of friction warms it by about 2 K); inertia (below 0.01 % of viscous \
+            "heat (that of the inlet thins the film by about 3 %; friction warms the film by about 2 K); inertia (below 0.01 % of viscous \
              forces); plasticity (p_h is 0.24 of what the bodies bear); roughness (none given)"
         );
     }

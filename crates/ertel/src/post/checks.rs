@@ -1,7 +1,7 @@
 //! Balances that a solution should keep, and where its sums end.
 
 use crate::contact::Shape;
-use crate::solution::{Balance, Checks, Summary, SummedTo, Thermal};
+use crate::solution::{Balance, Checks, Figure, Figures, Summary, SummedTo, Thermal};
 use crate::solve::discretisation::Extents;
 use crate::solve::sequence::{Problem, StageSolution};
 use crate::solve::shear::friction;
@@ -39,8 +39,21 @@ pub fn checks(
     (checks, summed)
 }
 
+/// Share of the friction power or of the moment that the outer half of the bodies may add for the end of the sum to be a note: most contacts of
+/// lines and fast balls reach beyond their radius, and little of their friction comes from there.
+const FELT: f64 = 0.01;
+
+/// Share of friction power and moment that the outer half of the bodies adds, the larger one.
+fn far_share(figures: &Figures) -> f64 {
+    [Figure::FrictionPower, Figure::TractionMoment]
+        .into_iter()
+        .filter_map(|figure| figures.get(figure))
+        .map(|reading| reading.cut / reading.size)
+        .fold(0.0, f64::max)
+}
+
 /// Says so where the contact area reaches farther than the bodies; `half_width` a in m.
-pub fn warning(shape: &Shape, e: &Extents, half_width: f64) -> Option<Warning> {
+pub fn warning(shape: &Shape, e: &Extents, half_width: f64, figures: &Figures) -> Option<Warning> {
     let along = e.inlet.abs().max(e.outlet) / shape.ends[0];
     let across = match shape.kind.is_point() {
         true => e.side * shape.zone.axis_ratio / shape.ends[1],
@@ -63,14 +76,20 @@ pub fn warning(shape: &Shape, e: &Extents, half_width: f64) -> Option<Warning> {
         mm(share * end),
         mm(end),
     );
-    Some(Warning::beyond(WarningKind::WideArea, excess, text))
+    let kind = match far_share(figures) > FELT {
+        true => WarningKind::WideArea,
+        false => WarningKind::WideAreaUnfelt,
+    };
+    Some(Warning::beyond(kind, excess, text))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::solution::Reading;
 
-    /// A side at 25 half-widths where the ball ends at 10, and an inlet at 8; then a ball that ends at 30.
+    /// A side at 25 half-widths where the ball ends at 10, and an inlet at 8; then a ball that ends at 30. A tenth of the friction from the outer
+    /// half is a warning, a thousandth a note.
     #[test]
     fn areas_beyond_the_bodies_are_told() {
         let extents = Extents {
@@ -84,7 +103,18 @@ mod tests {
             ends: [end; 2],
             ..Shape::CIRCULAR
         };
-        let told = warning(&ball(10.0), &extents, 1e-3).unwrap();
+        let figures = |cut: f64| {
+            let mut figures = Figures::default();
+            let power = Reading {
+                cut,
+                ..Reading::new(2.0)
+            };
+            figures.note(Figure::FrictionPower, power);
+            figures
+        };
+        let told = |cut| warning(&ball(10.0), &extents, 1e-3, &figures(cut)).unwrap();
+        assert_eq!(told(0.002).kind, WarningKind::WideAreaUnfelt);
+        let told = told(0.2);
         assert_eq!(told.kind, WarningKind::WideArea);
         for words in [
             "25.000 mm",
@@ -95,6 +125,6 @@ mod tests {
         ] {
             assert!(told.contains(words), "{words}: {told}");
         }
-        assert_eq!(warning(&ball(30.0), &extents, 1e-3), None);
+        assert_eq!(warning(&ball(30.0), &extents, 1e-3, &figures(0.2)), None);
     }
 }

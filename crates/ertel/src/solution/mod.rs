@@ -136,6 +136,7 @@ pub struct Summary {
     pub pressure_central: Located,
     /// Largest pressure of the ridge before the outlet of a point contact, Pa; `None` without one, and in line contacts, whose ridge is the
     /// spike.
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_ridge: Option<Located>,
     /// Pressure spike near the outlet on the centreline, Pa; `None` when the profile has none.
     pub spike: Option<Located>,

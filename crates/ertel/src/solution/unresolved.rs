@@ -38,6 +38,9 @@ impl Serialize for Unresolved {
 /// Share of the heat made that bodies and film may carry off too little or too much for temperatures and heat to be told.
 const OPEN_BALANCE: f64 = 0.2;
 
+/// Traction coefficient that counts: no rig tells less, and what slides by 1e-5 of its speed has none to speak of.
+const LEAST_TRACTION: f64 = 1e-4;
+
 /// What was asked of a solution.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
@@ -59,6 +62,7 @@ impl Unresolved {
         ];
         let traction =
             (asked.slides).then_some((Figure::TractionCoefficient, solution.traction.size()));
+        let traction = traction.filter(|(_, f)| f.error.is_none_or(|error| error > LEAST_TRACTION));
         let rise = thermal.map(|t| Estimate {
             value: t.film_maximum.value - t.inlet_temperature,
             error: t.film_maximum.error,

@@ -206,6 +206,26 @@ fn monomials(dim: usize, [s, t]: [f64; 2]) -> [f64; N] {
     }
 }
 
+/// The middle of an edge.
+fn middle(a: &Corner, b: &Corner) -> Corner {
+    [0, 1].map(|k: usize| [0, 1].map(|i: usize| 0.5 * (a[k][i] + b[k][i])))
+}
+
+/// Adds the monomials at a point with a weight.
+fn add_at(dim: usize, at: [f64; 2], weight: f64, moments: &mut [f64; N]) {
+    for (sum, m) in moments.iter_mut().zip(monomials(dim, at)) {
+        *sum += weight * m;
+    }
+}
+
+/// Adds the integrals of the monomials over a line of a size by Simpson's rule, exact for the second order.
+fn add_simpson(dim: usize, line: &[Corner; 2], size: f64, moments: &mut [f64; N]) {
+    let [a, b] = line;
+    add_at(dim, a[0], size / 6.0, moments);
+    add_at(dim, middle(a, b)[0], size * (2.0 / 3.0), moments);
+    add_at(dim, b[0], size / 6.0, moments);
+}
+
 fn dot(a: &[f64; N], b: &[f64; N]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
@@ -249,27 +269,18 @@ impl Basis {
     /// Adds the integrals of the monomials over the inside of a part of a size.
     fn add(&self, corners: &[Corner], size: f64, halvings: usize, moments: &mut [f64; N]) {
         let place = place(corners);
-        let middle = |a: &Corner, b: &Corner| -> Corner {
-            [0, 1].map(|k: usize| [0, 1].map(|i: usize| 0.5 * (a[k][i] + b[k][i])))
-        };
         let n = corners.len();
         match place {
             Place::Outside => {}
             Place::Inside => {
                 // Exact for the second order: Simpson's rule, or the middles of the edges.
-                let mut take = |at: [f64; 2], weight: f64| {
-                    for (sum, m) in moments.iter_mut().zip(monomials(self.dim, at)) {
-                        *sum += weight * size * m;
-                    }
-                };
                 if n == 2 {
-                    take(corners[0][0], 1.0 / 6.0);
-                    take(corners[1][0], 1.0 / 6.0);
-                    take(middle(&corners[0], &corners[1])[0], 2.0 / 3.0);
+                    add_simpson(self.dim, &[corners[0], corners[1]], size, moments);
                     return;
                 }
                 for k in 0..n {
-                    take(middle(&corners[k], &corners[(k + 1) % n])[0], 1.0 / 3.0);
+                    let at = middle(&corners[k], &corners[(k + 1) % n])[0];
+                    add_at(self.dim, at, size / 3.0, moments);
                 }
             }
             Place::Cut if halvings == 0 => {
@@ -277,11 +288,20 @@ impl Basis {
                     .map(|c| c[1][0].hypot(c[1][1]) - 1.0)
                     .collect();
                 let share = share_inside(&outside) * size;
+                if let ([a, b], [at_a, at_b]) = (corners, &outside[..])
+                    && (*at_a <= 0.0) != (*at_b <= 0.0)
+                {
+                    // Up to where the line ends.
+                    let end =
+                        |k: usize, i: usize| a[k][i] + at_a / (at_a - at_b) * (b[k][i] - a[k][i]);
+                    let end = [0, 1].map(|k: usize| [0, 1].map(|i: usize| end(k, i)));
+                    let inner = [if *at_a <= 0.0 { *a } else { *b }, end];
+                    add_simpson(self.dim, &inner, share, moments);
+                    return;
+                }
                 let centre =
                     [0, 1].map(|i: usize| corners.iter().map(|c| c[0][i]).sum::<f64>() / n as f64);
-                for (sum, m) in moments.iter_mut().zip(monomials(self.dim, centre)) {
-                    *sum += share * m;
-                }
+                add_at(self.dim, centre, share, moments);
             }
             Place::Cut if n == 2 => {
                 let [a, b] = [corners[0], corners[1]];

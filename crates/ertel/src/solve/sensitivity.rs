@@ -260,7 +260,8 @@ impl<'a> Sensitivity<'a> {
                         let scales = &problem.scales;
                         let figure = match goal.figure {
                             Figure::TractionCoefficient => {
-                                let force = problem.fluid.stress_scale() * sums.traction;
+                                let traction = sums.traction + moved_end(d, flows, problem);
+                                let force = problem.fluid.stress_scale() * traction;
                                 force / (scales.load * scales.pressure)
                             }
                             figure => self.figure(figure, d, state, scales),
@@ -338,6 +339,33 @@ fn flows(d: &Discretisation, state: &State, fluid: &FilmFluid) -> Vec<PointFlow>
         true => point_flows(d, state, fluid),
         false => Vec::new(),
     }
+}
+
+/// ∫θ τ_x dA over what lies between the end of the bodies of a problem and that of the mesh, which differ where the contact is another part of
+/// the radius.
+fn moved_end(d: &Discretisation, flows: &[PointFlow], problem: &Problem) -> f64 {
+    let [from, to] = [&d.contact.shape, &problem.shape].map(Region::of);
+    if from == to {
+        return 0.0;
+    }
+    let elements = Elements::new(d);
+    let layer = d.contact.shape.inlet.layer();
+    let mut sum = 0.0;
+    for (c, flows) in flows.chunks_exact(d.rule.len()).enumerate() {
+        let [before, after] = [&from, &to].map(|region| elements.share(region, c));
+        if before == after {
+            continue;
+        }
+        let length = filling_length(d.contact.sizes[c], d.pressure.element.order());
+        for (q, (weight, flow)) in d.rule.weights.iter().zip(flows).enumerate() {
+            let f = &flow.state;
+            let lack = layer.and_then(|layer| missing(layer, f.pressure, f.film, length));
+            let filling = 1.0 - lack.map_or(0.0, |lack| lack.film / f.film);
+            let area = weight * d.contact.maps[c].determinant * (after.at(q) - before.at(q));
+            sum += area * filling * flow.closure.mid_stress[0];
+        }
+    }
+    sum
 }
 
 /// What the traction coefficient along the motion depends on:

@@ -352,7 +352,7 @@ mod tests {
             ("cSt", "cSt"),
             ("mm²/s", "mm²/s"),
             ("Prozent", "%"),
-            ("mm/sec", "mm/s"),
+            ("mm/sec", "mm/sec"),
             ("F", "degF"),
             ("mPa·s", "mPa·s"),
             ("mPa*s", "mPa*s"),
