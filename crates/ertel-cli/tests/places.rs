@@ -132,7 +132,7 @@ impl State {
             State::Full => symlink("/dev/full", path).unwrap(),
             State::Unreadable => {
                 fs::write(path, content).unwrap();
-                fs::set_permissions(path, fs::Permissions::from_mode(0)).unwrap();
+                fs::set_permissions(path, fs::Permissions::from_mode(0o000)).unwrap();
             }
             State::Loop => symlink(path.file_name().unwrap(), path).unwrap(),
             State::ToNothing => symlink("nothing/there", path).unwrap(),

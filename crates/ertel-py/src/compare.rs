@@ -8,6 +8,7 @@ use ertel::output::{comparison_report, write_comparison};
 use ertel::params::PictureFormats;
 use ertel::run::Session;
 use ertel::study::{SweepParams, finished_points, sweep as run_sweep};
+use ertel_rheology::input::csv::CsvParams;
 use pyo3::prelude::*;
 
 use crate::errors;
@@ -32,7 +33,10 @@ pub fn compare(
         return Err(errors::CaseError::new_err("jobs = 0: one at least"));
     }
     let params = ReadParams {
-        ignored,
+        table: CsvParams {
+            ignored,
+            ..CsvParams::default()
+        },
         ..ReadParams::default()
     };
     let measured = detached(py, || Measured::read(&case, &measured, &params))?;

@@ -63,13 +63,13 @@ fn sliding_across_a_ball_is_sliding_along_it() {
 }
 
 /// A Newtonian film of one temperature does not feel the sliding: τ = ηΔu/h at mid-film. The components are as those of the sliding, and
-/// spin about the centre makes the moment M = ∫ η/h ω r² dA up to the radius of the ball. By hand for the paraboloid h_0 + r²/2R and oil of
-/// the viscosity η_0,
+/// spin about the centre makes the moment M = ∫ η/h ω r² dA up to the radius of the ball and the outlet edge x_o. By hand for the paraboloid
+/// r²/2R and oil of the viscosity η_0,
 ///
 /// ```text
-///   M = 2π η_0 ω R (R² − 2R h_0 ln(1 + R/2h_0)),
+///   M = 2 η_0 ω R A,      A = R² (π/2 + asin c + c √(1 − c²)),   c = x_o/R,
 /// ```
-/// and the difference between η/h and η_0/(h_0 + r²/2R) summed over the triangles of the result.
+/// and the difference between η/h and 2η_0 R/r² summed over the triangles of the result.
 #[test]
 fn newtonian_film_pulls_as_it_slides() {
     let mut case = contact(false);
@@ -90,10 +90,10 @@ fn newtonian_film_pulls_as_it_slides() {
     case.motion.slide_to_roll_ratio_across = 0.0;
     let s = solved(&case);
     let field = &s.surface;
-    let (radius, h_0) = (case.contact.radius, s.summary.film_central.value);
-    let eta_0 = case.lubricant.ambient_viscosity();
-    let logarithm = (0.5 * radius / h_0).ln_1p();
-    let mut moment = 2.0 * PI * eta_0 * spin * radius * radius * (radius - 2.0 * h_0 * logarithm);
+    let (radius, eta_0) = (case.contact.radius, case.lubricant.ambient_viscosity());
+    let c = s.extents[1] * s.scales.length / radius;
+    let area = radius * radius * (0.5 * PI + c.asin() + c * (1.0 - c * c).sqrt());
+    let mut moment = 2.0 * eta_0 * spin * radius * area;
     for cell in &field.cells {
         let [a, b, c] = cell.map(|v| field.points[v as usize]);
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])).abs();
@@ -101,9 +101,8 @@ fn newtonian_film_pulls_as_it_slides() {
             let [x, y] = field.points[v];
             let squared = x * x + y * y;
             if squared < radius * radius {
-                let more = field.viscosity[v] / field.film_thickness[v]
-                    - eta_0 / (h_0 + 0.5 * squared / radius);
-                moment += area / 3.0 * more * spin * squared;
+                let more = field.viscosity[v] / field.film_thickness[v] * squared;
+                moment += area / 3.0 * spin * (more - 2.0 * eta_0 * radius);
             }
         }
     }

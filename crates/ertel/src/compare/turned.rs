@@ -35,7 +35,7 @@ impl Rows {
     pub(super) fn of(case: &Document) -> Self {
         let has = |path: &&str| case.tree().entry(path).is_some();
         Self {
-            can_turn: !SPIN.iter().any(|path| has(&path)),
+            can_turn: !SPIN.iter().any(has),
             turned: Vec::new(),
             left_out: Vec::new(),
             at_rest: Vec::new(),

@@ -397,7 +397,7 @@ mod tests {
         assert_eq!(told(e(245e-9, 0.8e-9), asked), "");
         assert_eq!(
             told(e(245e-9, 150e-9), asked),
-            "the central film thickness (between 95 and 395 nm)"
+            "the central film thickness (between 95 and 400 nm)"
         );
         let without = Estimate {
             value: 245e-9,

@@ -41,7 +41,7 @@ pub fn checks(
 
 /// Share of the friction power or of the moment that the outer half of the bodies may add for the end of the sum to be a note: most contacts of
 /// lines and fast balls reach beyond their radius, and little of their friction comes from there.
-const FELT: f64 = 0.01;
+const FELT: f64 = 0.05;
 
 /// Share of friction power and moment that the outer half of the bodies adds, the larger one.
 fn far_share(figures: &Figures) -> f64 {

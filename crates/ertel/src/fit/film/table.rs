@@ -38,6 +38,7 @@ enum Radius {
 }
 
 /// Where the variables of a form come from.
+#[expect(clippy::large_enum_variant, reason = "a table has one")]
 enum Source {
     /// Moes' M and L, U and R.
     Groups {

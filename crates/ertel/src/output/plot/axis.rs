@@ -169,7 +169,7 @@ impl Axis {
                 let (low, high) = self.decades();
                 let inner: &[f64] = match high - low {
                     ..=6 => &[2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
-                    ..=60 => &[1.0],
+                    7..=60 => &[1.0],
                     _ => &[],
                 };
                 self.within_decades(inner).collect()
