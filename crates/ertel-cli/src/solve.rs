@@ -51,7 +51,8 @@ fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     let jobs = cases::read(arguments, events)?;
     for Job { given, .. } in &jobs {
         if arguments.check || arguments.quiet {
-            warn(&input_warnings(&given.case));
+            let told = input_warnings(&given.case);
+            warn((told.iter()).filter(|warning| arguments.check || !warning.kind.is_note()));
         }
     }
     if arguments.check {
@@ -159,7 +160,8 @@ fn solve(
         );
         Ok(())
     } else if arguments.quiet {
-        warn(solution.warnings.iter().filter(known));
+        let known = solution.warnings.iter().filter(known);
+        warn(known.filter(|warning| !warning.kind.is_note()));
         Ok(())
     } else {
         let text = output::report(&echo, &solution, Some(folder));

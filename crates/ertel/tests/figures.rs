@@ -127,7 +127,10 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
 #[test]
 fn the_middle_is_told_and_the_ridge_is_a_lower_bound() {
     for refine_for in ["films", "fields"] {
-        let text = format!("{BALL_ON_DISC}target_error = \"2 %\"\nrefine_for = \"{refine_for}\"\n");
+        let text = format!(
+            "{BALL_ON_DISC}target_error = \"2 %\"\nrefine_for = \"{refine_for}\"\n\
+             [output]\nsensitivities = true\n"
+        );
         let document = Document::parse("case.toml", text).unwrap();
         let case = Case::from_document(&document, Path::new("")).unwrap();
         let solution = solve(&case, &mut Silent).unwrap();
