@@ -366,8 +366,8 @@ def test_comparisons(cases: Path, tmp_path: Path) -> None:
     table = ertel.compare(cases / "measured-films.toml", measured, tmp_path / "out")
     assert len(table) == 2 and "bias" in table.attrs["report"]
     computed, known = table["film_central_computed_m"], table["film_central_measured_m"]
-    # The table of the guide: 28 to 32 % too thin with the oil that is assumed.
-    assert ((computed / known - 1.0).between(-0.33, -0.27)).all()
+    # The table of the guide: 13 to 18 % too thin at these speeds with the oil that is assumed.
+    assert ((computed / known - 1.0).between(-0.19, -0.12)).all()
     measured.write_text("speed,film_central [nm]\n1,100\n")
     with pytest.raises(ertel.CaseError, match="measured.csv"):
         ertel.compare(cases / "measured-films.toml", measured, tmp_path / "out2")
