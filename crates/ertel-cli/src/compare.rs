@@ -80,7 +80,11 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
         }
     };
     // How the points ended matters more than a report that could not be shown.
-    ended(&summary, &folder, arguments.accept_unresolved).and(shown)
+    let unresolved = match arguments.accept_unresolved {
+        true => 0,
+        false => comparison.n_unresolved(),
+    };
+    ended(&summary, &folder, unresolved).and(shown)
 }
 
 /// Where the comparison goes: the command line, or `results/<case>-<table>`.
@@ -128,7 +132,7 @@ fn check(measured: &Measured) -> Result<(), Failure> {
 }
 
 /// Exit code 3 where a point is left out or not resolved.
-fn ended(summary: &SweepSummary, folder: &Path, accept_unresolved: bool) -> Result<(), Failure> {
+fn ended(summary: &SweepSummary, folder: &Path, n_unresolved: usize) -> Result<(), Failure> {
     let table = folder.join("comparison.csv");
     if !summary.failures.is_empty() {
         return Err(Failure::NotConverged(format!(
@@ -138,9 +142,9 @@ fn ended(summary: &SweepSummary, folder: &Path, accept_unresolved: bool) -> Resu
             table.display()
         )));
     }
-    match summary.n_unresolved {
-        n if n > 0 && !accept_unresolved => Err(points_not_resolved(n, summary.n_points, &table)),
-        _ => Ok(()),
+    match n_unresolved {
+        0 => Ok(()),
+        n => Err(points_not_resolved(n, summary.n_points, &table)),
     }
 }
 

@@ -88,7 +88,21 @@ impl Compared {
     }
 }
 
+/// Names of figures that are not resolved, without the traction where none was measured: films do not depend on it.
+fn that_counts(names: &str, traction_was_measured: bool) -> String {
+    let counts = |name: &&str| traction_was_measured || *name != "traction_coefficient";
+    let names: Vec<&str> = names.split_whitespace().filter(counts).collect();
+    names.join(" ")
+}
+
 impl Comparison {
+    /// How many points have figures that are not resolved and that the comparison needs.
+    pub fn n_unresolved(&self) -> usize {
+        let is_open = |row: &&ComparedRow| matches!(&row.outcome, Outcome::Solved { unresolved } if !unresolved.is_empty());
+        let points = self.rows.iter().filter(is_open).map(|row| row.point);
+        points.collect::<std::collections::BTreeSet<_>>().len()
+    }
+
     /// The rows of a table beside the records of its points, as `study::finished_points` has them.
     pub fn new(measured: &Measured, records: &[Option<Record>]) -> Self {
         let study = &measured.study;
@@ -102,7 +116,10 @@ impl Comparison {
                     None => Outcome::Open,
                     Some(record) if !record.converged => Outcome::Failed(record.reason.clone()),
                     Some(record) => Outcome::Solved {
-                        unresolved: record.field("unresolved").unwrap_or_default().to_owned(),
+                        unresolved: that_counts(
+                            record.field("unresolved").unwrap_or_default(),
+                            row.figures[Figure::Traction as usize].is_some(),
+                        ),
                     },
                 },
                 figures: Figure::ALL.map(|figure| {
