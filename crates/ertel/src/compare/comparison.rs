@@ -174,3 +174,17 @@ fn estimate(record: &Record, figure: Figure) -> Option<Estimate> {
         error: number(format!("{}_error{unit}", figure.name())),
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A traction that nobody measured leaves a comparison of films as it is; films always count.
+    #[test]
+    fn a_traction_counts_where_it_was_measured() {
+        let names = "film_minimum traction_coefficient";
+        assert_eq!(that_counts(names, false), "film_minimum");
+        assert_eq!(that_counts(names, true), names);
+        assert_eq!(that_counts("traction_coefficient", false), "");
+    }
+}

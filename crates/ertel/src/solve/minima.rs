@@ -66,7 +66,7 @@ fn second_minimum(values: &[f64], neighbours: &[Vec<u32>], ridge: f64) -> Option
 }
 
 /// Where an element leads to in the end; shortens the way.
-fn root(towards: &mut [usize], mut c: usize) -> usize {
+pub(super) fn root(towards: &mut [usize], mut c: usize) -> usize {
     while towards[c] != c {
         towards[c] = towards[towards[c]];
         c = towards[c];

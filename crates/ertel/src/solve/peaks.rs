@@ -5,6 +5,7 @@
 
 use super::discretisation::Discretisation;
 use super::evaluate::largest_of_elements;
+use super::minima::root;
 use super::neighbours::Neighbours;
 use super::system::State;
 
@@ -93,15 +94,6 @@ fn hills(values: &[f64], neighbours: &[Vec<u32>], centre: usize) -> Hills {
         central: central.unwrap_or(highest),
         others,
     }
-}
-
-/// Where an element leads to in the end; shortens the way.
-fn root(towards: &mut [usize], mut c: usize) -> usize {
-    while towards[c] != c {
-        towards[c] = towards[towards[c]];
-        c = towards[c];
-    }
-    c
 }
 
 #[cfg(test)]
