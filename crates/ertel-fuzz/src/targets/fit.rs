@@ -2,7 +2,7 @@
 
 use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property};
 
-use super::{Verdict, check_text};
+use super::{Verdict, check_text, n_lines};
 use crate::finding::Defect;
 use crate::input::{Input, Target};
 
@@ -93,7 +93,7 @@ fn films(text: &str) -> Result<Verdict, Defect> {
 }
 
 fn check_csv(error: &fit::DataError, text: &str) -> Result<Verdict, Defect> {
-    if error.line == 0 || error.line > 1 + text.matches('\n').count() || error.column == 0 {
+    if error.line == 0 || error.line > n_lines(text.as_bytes()) || error.column == 0 {
         return Err(Defect::wrong(
             "an error beside its table",
             error.to_string(),

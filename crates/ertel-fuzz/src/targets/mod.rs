@@ -68,7 +68,7 @@ fn check_place(error: &InputError, folder: &Path) -> Result<Verdict, Defect> {
     let name = file.file_name().unwrap_or_default();
     if let Some(line) = error.line()
         && let Ok(content) = std::fs::read(folder.join(name))
-        && line > 1 + content.iter().filter(|b| **b == b'\n').count()
+        && line > n_lines(&content)
     {
         return Err(Defect::wrong("an error behind the end of its file", text));
     }
@@ -76,6 +76,14 @@ fn check_place(error: &InputError, folder: &Path) -> Result<Verdict, Defect> {
         return Err(Defect::wrong("an error without file", text));
     }
     check_text(&text)
+}
+
+/// Lines of a file, ended by a line feed, a carriage return or both.
+fn n_lines(content: &[u8]) -> usize {
+    let feeds = content.iter().filter(|b| **b == b'\n').count();
+    let returns = content.iter().filter(|b| **b == b'\r').count();
+    let both = content.windows(2).filter(|two| two == b"\r\n").count();
+    1 + feeds + returns - both
 }
 
 /// Whether the text of an error can be shown: it says something, not too much, and no terminal obeys it.

@@ -33,7 +33,12 @@ fn answered(answer: &Value) -> Result<Verdict, Defect> {
         (Some(false), error) => {
             let text = match error {
                 Value::String(text) => text.clone(),
-                error => error["message"].as_str().unwrap_or_default().to_owned(),
+                // Of a case file the message alone; of what the solver refuses, the text.
+                error => [&error["message"], &error["text"]]
+                    .iter()
+                    .find_map(|text| text.as_str())
+                    .unwrap_or_default()
+                    .to_owned(),
             };
             check_text(&ertel_rheology::input::escaped(&text))
         }

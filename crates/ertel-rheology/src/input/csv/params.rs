@@ -241,8 +241,9 @@ impl Vocabulary<'_> {
     /// The quantity that a title names, with a unit or without.
     pub(super) fn own_of_title(&self, title: &str) -> Option<&'static str> {
         readings(title).into_iter().find_map(|reading| {
+            let own = self.own(&reading.name)?;
             let is_unit = reading.unit.is_empty() || unit_of(&reading.unit).is_some();
-            is_unit.then(|| self.own(&reading.name)).flatten()
+            is_unit.then_some(own)
         })
     }
 

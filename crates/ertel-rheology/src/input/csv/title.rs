@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use super::names::{self, Match};
+use super::number::is_number;
 use crate::quantity::{Dimension, Unit};
 
 /// What pressures are counted from.
@@ -23,6 +24,9 @@ pub(super) struct NamedUnit {
     pub zero: Option<Zero>,
 }
 
+/// Bytes of a title from which no unit is looked for in it: the ways of reading it grow with the square of its length.
+const LONGEST_TITLE: usize = 300;
+
 /// One way of reading a title.
 #[derive(Clone, Debug)]
 pub(super) struct Reading<'a> {
@@ -39,6 +43,9 @@ pub(super) struct Reading<'a> {
 pub(super) fn readings(title: &str) -> Vec<Reading<'_>> {
     let title = title.trim();
     let mut found: Vec<Reading<'_>> = Vec::new();
+    if is_number(title) {
+        return found;
+    }
     let mut add = |name: Cow<'_, str>, unit: &str, is_exact: bool| {
         let name: Cow<'_, str> = Cow::Owned(name.trim().to_owned());
         if !name.is_empty() {
@@ -49,6 +56,10 @@ pub(super) fn readings(title: &str) -> Vec<Reading<'_>> {
             });
         }
     };
+    if title.len() > LONGEST_TITLE {
+        add(Cow::Borrowed(title), "", true);
+        return found;
+    }
     for (open, close) in brackets(title) {
         let inner = &title[open + 1..close];
         let after = title.get(close + 1..).unwrap_or_default();
@@ -236,9 +247,12 @@ impl Title {
     /// The ways in which a title is one of the quantity that the program calls `own`.
     pub(super) fn all(title: &str, own: &str) -> Vec<Self> {
         let of = |reading: Reading<'_>| {
+            // The name first: most columns are others, and units that are not known take long to look up.
+            let folded = names::fold(&reading.name);
+            let plain = || names::matches(&folded, "pressure").filter(|_| own == "absolute pressure");
+            names::matches(&folded, own).or_else(plain)?;
             let unit = unit_of(&reading.unit);
             let zero = unit.as_ref().and_then(|unit| unit.zero);
-            let folded = names::fold(&reading.name);
             let name = match (own, zero) {
                 ("pressure", Some(Zero::Vacuum)) => None,
                 ("absolute pressure", Some(Zero::Vacuum)) => {
@@ -337,6 +351,13 @@ mod tests {
         }
         let absolute = Title::all("p [psia]", "absolute pressure");
         assert!(absolute[0].unit_of(Dimension::PRESSURE).is_some());
+    }
+
+    #[test]
+    fn long_titles_and_numbers_are_read_at_once() {
+        let long = format!("pressure [MPa]{}", " - a".repeat(100));
+        assert_eq!(readings(&long).len(), 1);
+        assert!(readings("-1.5e-7").is_empty());
     }
 
     #[test]
