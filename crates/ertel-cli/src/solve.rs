@@ -389,6 +389,7 @@ impl From<SolveError> for Failure {
             SolveError::NotConverged { .. }
             | SolveError::EndCarries { .. }
             | SolveError::NotCoupled { .. }
+            | SolveError::Thinned { .. }
             | SolveError::AllFailed { .. }
             | SolveError::Heat(_)
             | SolveError::Krylov(_)

@@ -115,6 +115,18 @@ pub enum SolveError {
         /// What was tried then: the quantities that were brought to those of the case step by step.
         tried: Vec<&'static str>,
     },
+    /// The solve failed where stress thins the fluid in the inlet far more than it does with oils.
+    #[error(
+        "{error}; [lubricant.shear_thinning] leaves about {:.2} % of the Newtonian film, by formula: shear stresses in the inlet lie far \
+         above those from which it thins",
+        100.0 * share
+    )]
+    Thinned {
+        /// What failed.
+        error: Box<SolveError>,
+        /// Film over that of the Newtonian fluid, about.
+        share: f64,
+    },
     /// Heat lacks data.
     #[error("{0}; {help}", help = .0.advice())]
     MissingHeatData(#[from] crate::case::MissingHeatData),
@@ -177,6 +189,10 @@ impl SolveError {
             ),
             SolveError::TooThin { help, .. } => Some(help),
             SolveError::AllFailed { first, .. } => first.advice(),
+            SolveError::Thinned { .. } => Some(
+                "a look at the constants of [lubricant.shear_thinning] and their units (stresses of oils are 1 to 20 MPa; a second \
+                 plateau mu_2 keeps blended oils from thinning without end), or less load or sliding to begin with",
+            ),
             SolveError::MissingHeatData(_)
             | SolveError::Discretisation(_)
             | SolveError::Interrupted => None,
@@ -239,6 +255,17 @@ mod tests {
             change: 0.1,
             contraction,
         }
+    }
+
+    #[test]
+    fn thinning_is_named_where_it_is_far_from_that_of_oils() {
+        let thinned = SolveError::Thinned {
+            error: Box::new(stopped(Stopped::Circling)),
+            share: 0.0285,
+        };
+        assert!(thinned.to_string().contains("2.85 % of the Newtonian film"));
+        assert!(thinned.advice().is_some_and(|text| text.contains("mu_2")));
+        assert_ne!(thinned.advice(), stopped(Stopped::Circling).advice());
     }
 
     /// Each kind of failure has advice of its own that names what can be changed in it; only circles of Newton's method ask for a finer

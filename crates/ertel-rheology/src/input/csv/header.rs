@@ -1,5 +1,7 @@
 //! Which line names the columns: lines of an instrument may come before it, a line of units behind it.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
 use std::ops::Range;
 
 use super::number::{is_missing, is_number};
@@ -64,8 +66,18 @@ pub(super) fn find(
         Some((separator, _)) => vec![separator],
         None => Separator::ALL.to_vec(),
     };
-    let is_known =
-        |cell: &str| vocabulary.knows(cell) || params.columns.iter().any(|map| map.title == cell);
+    // Looked up once: lines that may be the header are often alike.
+    let known: RefCell<HashMap<String, bool>> = RefCell::default();
+    let is_known = |cell: &str| {
+        let mut known = known.borrow_mut();
+        if let Some(is_known) = known.get(cell) {
+            return *is_known;
+        }
+        let is_told = params.columns.iter().any(|map| map.title == cell);
+        let is_known = is_told || vocabulary.knows(cell);
+        known.insert(cell.to_owned(), is_known);
+        is_known
+    };
     let mut best: Vec<Candidate> = Vec::new();
     for separator in &separators {
         // Titles of several words are known by parts of them, too: blanks separate only where nothing else does.

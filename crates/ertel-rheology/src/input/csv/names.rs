@@ -316,7 +316,10 @@ pub(super) fn matches(folded: &str, own: &str) -> Option<Match> {
             .find_map(|end| folded.strip_suffix(end))?;
         return matches(head, of);
     }
-    if folded == fold(own) {
+    let is_folded = own
+        .bytes()
+        .all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b' ');
+    if folded == own || (!is_folded && folded == fold(own)) {
         return Some(Match::Name);
     }
     let names = NAMES.iter().find(|names| names.own == own)?;

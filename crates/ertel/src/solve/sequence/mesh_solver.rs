@@ -27,7 +27,7 @@ pub fn solve_stages(
     observer: &mut dyn Observer,
 ) -> Result<(StageSolution, Vec<LevelStats>), SolveError> {
     let driver = Driver::new(Outline::of(problem), MeshSolver::new(problem, 0));
-    solution_of(driver, observer)
+    solution_of(driver, observer).map_err(|error| problem.explained(error))
 }
 
 /// One stage that starts from a solution on its mesh, and refinements after it.

@@ -130,6 +130,22 @@ const MOST_UNKNOWNS: [f64; 2] = [1e6, 4e4];
 const THIN_RIM: f64 = 0.2;
 
 impl Problem {
+    /// An error with what is known of its reason: stress that thins the fluid far more than it does oils.
+    fn explained(&self, error: SolveError) -> SolveError {
+        let share = self.mesh_film / self.start_film;
+        let is_failure = matches!(
+            error,
+            SolveError::NotConverged { .. } | SolveError::AllFailed { .. }
+        );
+        match is_failure && share < 1.0 {
+            true => SolveError::Thinned {
+                error: Box::new(error),
+                share,
+            },
+            false => error,
+        }
+    }
+
     /// Refuses what no mesh that is allowed resolves, before any work.
     ///
     /// # Errors
