@@ -8,7 +8,7 @@ use ertel::output::{comparison_report, write_comparison};
 use ertel::params::PictureFormats;
 use ertel::run::Session;
 use ertel::study::{SweepParams, finished_points, sweep as run_sweep};
-use ertel_rheology::input::csv::CsvParams;
+use ertel_rheology::input::csv::{ColumnMap, CsvParams, Decimal};
 use pyo3::prelude::*;
 
 use crate::errors;
@@ -19,23 +19,39 @@ use crate::study::{Messages, described};
 /// Solves a case at the points of a table of measurements in `folder`; returns the report and a summary of the study as JSON. The table is
 /// `comparison.csv` there.
 #[pyfunction]
-#[pyo3(signature = (case, measured, folder, *, ignored, jobs=None, progress=None))]
+#[pyo3(signature = (case, measured, folder, *, ignored, columns, decimal=None, jobs=None, progress=None))]
+#[allow(clippy::too_many_arguments)]
 pub fn compare(
     py: Python<'_>,
     case: PathBuf,
     measured: PathBuf,
     folder: PathBuf,
     ignored: Vec<String>,
+    columns: Vec<(String, String)>,
+    decimal: Option<String>,
     jobs: Option<usize>,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<(String, String)> {
     if jobs == Some(0) {
         return Err(errors::CaseError::new_err("jobs = 0: one at least"));
     }
+    let decimal = match decimal.as_deref() {
+        None => None,
+        Some("point") => Some(Decimal::Point),
+        Some("comma") => Some(Decimal::Comma),
+        Some(other) => {
+            let text = format!("decimal = {other:?}: \"point\" or \"comma\"");
+            return Err(errors::CaseError::new_err(text));
+        }
+    };
+    let columns = (columns.into_iter())
+        .map(|(name, title)| ColumnMap { name, title })
+        .collect();
     let params = ReadParams {
         table: CsvParams {
+            columns,
             ignored,
-            ..CsvParams::default()
+            decimal,
         },
         ..ReadParams::default()
     };

@@ -372,6 +372,17 @@ def test_comparisons(cases: Path, tmp_path: Path) -> None:
     with pytest.raises(ertel.CaseError, match="measured.csv"):
         ertel.compare(cases / "measured-films.toml", measured, tmp_path / "out2")
     assert not (tmp_path / "out2").exists()
+    # The same rows under titles that say nothing, with a decimal comma: the figures are the same.
+    rows = ["a;b;c;d;e;f", *(line.replace(",", ";").replace(".", ",") for line in lines[1:3])]
+    measured.write_text("\n".join(rows) + "\n")
+    columns = {"entrainment speed": "a:mm/s", "load": "b:N", "temperature": "c:degC", "slide to roll ratio": "d:%", "film central": "e:nm"}
+    told = ertel.compare(cases / "measured-films.toml", measured, tmp_path / "told", columns=columns, decimal="comma")
+    assert told["film_central_measured_m"].tolist() == pytest.approx(known.tolist())
+    assert told["film_central_computed_m"].tolist() == pytest.approx(computed.tolist(), rel=1e-6)
+    with pytest.raises(ertel.CaseError, match="comma"):
+        ertel.compare(cases / "measured-films.toml", measured, tmp_path / "out3", columns=columns, decimal="dot")  # type: ignore[arg-type]
+    with pytest.raises(ertel.CaseError, match="no column"):
+        ertel.compare(cases / "measured-films.toml", measured, tmp_path / "out3", columns={"film central": "c"})
 
 
 def test_import_is_quick() -> None:

@@ -300,6 +300,26 @@ fn modified_wlf_beyond_the_glass_transition() {
             last = next;
         }
     }
+    // A glass at ambient pressure already, where 1 + B₂p of the limit is below zero: finite, above μ_g and growing.
+    let glass = ModifiedWlf::new(ModifiedWlf {
+        glass_viscosity: 1e12,
+        glass_temperature: 347.01,
+        a_1: 19.17,
+        a_2: 4.07e-9,
+        b_1: 0.23,
+        b_2: 24.9e-9,
+        c_1: 16.04,
+        c_2: 18.18,
+    })
+    .unwrap();
+    let limit = glass.limiting_pressure(333.0);
+    assert!(1.0 + limit * glass.b_2 < 0.0);
+    let mut last = f64::NEG_INFINITY;
+    for pressure in [0.0, 1e5, 5e8, 2e9] {
+        let next: f64 = glass.ln_viscosity(pressure, 333.0);
+        assert!(next.is_finite() && next > last && next > 1e12_f64.ln());
+        last = next;
+    }
     // 5P4E at 40 °C: T_g = T at (exp(68.2/134.2) - 1)/1.929 = 0.3433338 GPa.
     let ViscosityLaw::ModifiedWlf(wlf) = polyphenyl_ether() else {
         unreachable!()

@@ -102,6 +102,8 @@ def compare(
     folder: PathLike[str],
     *,
     ignored: list[str],
+    columns: list[tuple[str, str]],
+    decimal: str | None = None,
     jobs: int | None = None,
     progress: Callable[[str], None] | None = None,
 ) -> tuple[str, str]: ...

@@ -8,7 +8,7 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from . import _ertel, _toml
 from ._case import Progress, _listener
@@ -116,6 +116,8 @@ def compare(
     folder: str | os.PathLike[str] | None = None,
     *,
     ignore: Sequence[str] = (),
+    columns: Mapping[str, str] | None = None,
+    decimal: Literal["point", "comma"] | None = None,
     jobs: int | None = None,
     progress: Progress = None,
 ) -> pd.DataFrame:
@@ -129,6 +131,11 @@ def compare(
         Where table, picture and report go; ``results/<case>-<table>`` by default. The same call goes on where a former one was stopped.
     ignore : sequence of str
         Columns of the table that are not looked at.
+    columns : mapping of str to str, optional
+        Columns by quantity where their titles do not say it: ``{"film": "Film (nm)"}``, with a unit ``{"film": "Film:nm"}``, by number
+        ``{"film": "#3"}``.
+    decimal : {"point", "comma"}, optional
+        The decimal mark; by default that of the cells.
     jobs, progress : optional
         As in :func:`sweep`.
 
@@ -143,7 +150,14 @@ def compare(
     case, measured = Path(case), Path(measured)
     target = Path("results") / f"{case.stem}-{measured.stem}" if folder is None else Path(folder)
     report, text = _ertel.compare(
-        case, measured, target, ignored=list(ignore), jobs=jobs, progress=_listener(progress)
+        case,
+        measured,
+        target,
+        ignored=list(ignore),
+        columns=list((columns or {}).items()),
+        decimal=decimal,
+        jobs=jobs,
+        progress=_listener(progress),
     )
     rows = pd.read_csv(target / "comparison.csv")
     rows.attrs.update(report=report, summary=asdict(StudySummary._read(text)))

@@ -77,7 +77,12 @@ impl ModifiedWlf {
 
         let above_glass =
             -(p * self.a_2).ln_1p() * self.a_1 + (temperature - self.glass_temperature); // T - T_g
-        let f = -(p * self.b_2).ln_1p() * self.b_1 + 1.0;
+        // Of a glass at ambient pressure p is below zero, where the logarithm may have no value: its tangent at zero has.
+        let expansion = match limit.re() < 0.0 {
+            true => p * self.b_2,
+            false => (p * self.b_2).ln_1p(),
+        };
+        let f = -expansion * self.b_1 + 1.0;
         let x = above_glass * f;
         let ln_mu = -x / (x + self.c_2) * (self.c_1 * LN_10) + self.glass_viscosity.ln();
         if pressure.re() < limit.re() {
@@ -85,7 +90,10 @@ impl ModifiedWlf {
         }
         // Here x = 0, and d ln μ/dp = -ln 10 (C₁/C₂) dx/dp with dx/dp = -T_g' F + (T - T_g) F'.
         let glass_slope = (p * self.a_2 + 1.0).recip() * (self.a_1 * self.a_2);
-        let f_slope = (p * self.b_2 + 1.0).recip() * (self.b_1 * self.b_2);
+        let f_slope = match limit.re() < 0.0 {
+            true => D::from(self.b_1 * self.b_2),
+            false => (p * self.b_2 + 1.0).recip() * (self.b_1 * self.b_2),
+        };
         let slope = (glass_slope * f + above_glass * f_slope) * (LN_10 * self.c_1 / self.c_2);
         slope * (pressure - limit) + ln_mu
     }

@@ -267,14 +267,16 @@ fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f
             low = tau;
         }
         let next = tau * (-step).exp();
+        if step.abs() < 1e-3 {
+            // Before the bracket: a step of round-off ends on its end, and half of that would be far off.
+            tau = next;
+            break;
+        }
         tau = match next > low && next < high {
             true => next,
             false if high.is_finite() => 0.5 * (low + high),
             false => next,
         };
-        if step.abs() < 1e-3 {
-            break;
-        }
     }
     tau.copysign(slide)
 }

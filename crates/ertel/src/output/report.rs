@@ -273,7 +273,7 @@ fn write_pressures(out: &mut Lines, solution: &Solution) {
     row("largest pressure", &s.pressure_maximum);
     let central = &s.pressure_central;
     if !s.pressure_maximum.resolved || s.pressure_maximum.value != central.value {
-        row("  smooth maximum, in the middle", central);
+        row("  smooth maximum in the middle", central);
     }
     if let Some(ridge) = &s.pressure_ridge {
         row("  ridge before the outlet", ridge);

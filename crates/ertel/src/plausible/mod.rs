@@ -178,8 +178,8 @@ fn open_balance(solution: &Solution) -> Option<Warning> {
     }
     let share = digits(100.0 * error.abs(), 2);
     let text = format!(
-        "bodies and film carry off {share} % {} heat than is made: the mesh does not resolve the temperature, mostly where skins are thin \
-         at the inlet edge; what each of them carries off is as uncertain",
+        "bodies and film carry off {share} % {} heat than is made: the mesh does not resolve the thermal boundary layer, mostly at \
+         the inlet edge; the heat carried off by each of them is as uncertain",
         if error < 0.0 { "more" } else { "less" }
     );
     Some(Warning::beyond(WarningKind::HeatBalance, error.abs(), text))

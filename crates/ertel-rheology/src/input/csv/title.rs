@@ -249,7 +249,8 @@ impl Title {
         let of = |reading: Reading<'_>| {
             // The name first: most columns are others, and units that are not known take long to look up.
             let folded = names::fold(&reading.name);
-            let plain = || names::matches(&folded, "pressure").filter(|_| own == "absolute pressure");
+            let plain =
+                || names::matches(&folded, "pressure").filter(|_| own == "absolute pressure");
             names::matches(&folded, own).or_else(plain)?;
             let unit = unit_of(&reading.unit);
             let zero = unit.as_ref().and_then(|unit| unit.zero);

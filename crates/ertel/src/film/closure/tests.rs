@@ -507,3 +507,29 @@ fn straight_films_leave_out_what_they_do_not_need() {
         assert_eq!(straight.curvatures, all.curvatures);
     }
 }
+
+/// Eyring's stress where pressure has made a glass of the oil: τ = τ₀ asinh(Ω/τ₀) of 27.9 within a step of round-off of the start, and
+/// the walls nearly without pressure. From half of that Newton's method does not come back within its iterations.
+#[test]
+fn eyring_of_a_glass() {
+    let law = |stress| {
+        let law = ShearLaw::ReeEyring(ReeEyring {
+            eyring_stress: stress * 1e6,
+        });
+        ShearThinning::of(law)
+    };
+    for (stress, slide) in [
+        (0.411_301_426_811_788_96, 9.785_640_781_832_169e28),
+        (0.411_301_426_811_788_96, 7.966_038_956_824_404e26),
+        (0.411_301_426_811_788_96, 4.229e21),
+        (0.1, 1e60),
+        (2.0, 1e3),
+    ] {
+        let thinning = Thinning::new(&law(stress));
+        let point = thinning.at(1.0, 1e6, 1e9);
+        let mut rule = CrossFilm::default();
+        let [tau, _] = mid_stress(&point, [-1e-4, 0.0], [slide, 0.0], &mut rule);
+        let exact = stress * (slide / stress).asinh();
+        assert_relative_eq!(tau, exact, max_relative = 1e-6);
+    }
+}
