@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, Parser, Subcommand};
-use ertel_rheology::input::csv::{ColumnMap, CsvParams, Decimal};
+use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
 
 use crate::colour::When;
 use crate::init::InitArgs;

@@ -134,9 +134,9 @@ impl Checked {
     fn time(&self) -> String {
         let time = match self.cpu_seconds {
             s if s < 1.0 => "a second".to_owned(),
-            s if s < 100.0 => format!("{} s", output::digits(s, 1)),
-            s if s < 6000.0 => format!("{} min", output::digits(s / 60.0, 2)),
-            s => format!("{} h", output::digits(s / 3600.0, 2)),
+            s if s < 100.0 => format!("{} s", ertel::words::digits(s, 1)),
+            s if s < 6000.0 => format!("{} min", ertel::words::digits(s / 60.0, 2)),
+            s => format!("{} h", ertel::words::digits(s / 3600.0, 2)),
         };
         format!(
             "{time} of one core (an order of magnitude; very thin films and high pressures take tens of times as long)"
@@ -185,10 +185,10 @@ pub fn tell(job: &Job, session: &Session) -> Result<(), Failure> {
     print::stderr(&format!(
         "{}; Hertz pressure {}, half-width {}; central film by {} {}",
         found.points(case) + if found.n_points == 1 { " contact" } else { "" },
-        output::pressure(found.estimate.hertz.pressure),
-        output::length(found.estimate.hertz.half_width),
+        ertel::words::pressure(found.estimate.hertz.pressure),
+        ertel::words::length(found.estimate.hertz.half_width),
         film.central_formula,
-        output::length(film.central),
+        ertel::words::length(film.central),
     ));
     print::stderr(&format!("time, about: {}", found.time()));
     print::stderr(match &session.cache {

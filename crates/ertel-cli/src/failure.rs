@@ -3,9 +3,9 @@
 use std::process::ExitCode;
 
 use ertel::output::OutputError;
+use ertel_input::InputError;
+use ertel_input::quantity::QuantityError;
 use ertel_rheology::database::DatabaseError;
-use ertel_rheology::input::InputError;
-use ertel_rheology::quantity::QuantityError;
 
 /// A command that did not succeed.
 #[derive(Debug, thiserror::Error)]

@@ -5,13 +5,14 @@ mod film;
 
 use std::path::{Path, PathBuf};
 
+use ertel::files::write_whole;
 use ertel::fit::{self, Data, Fit, FittedLaw, Heading, LawName, Params, Property, Residual};
-use ertel::output::{digits, pressure, write_whole};
+use ertel::words::{digits, pressure};
+use ertel_input::Document;
+use ertel_input::file::read_table;
+use ertel_input::quantity::{self, Dimension, Unit};
 use ertel_rheology::database::Kind;
 use ertel_rheology::density::TaitVolume;
-use ertel_rheology::input::Document;
-use ertel_rheology::input::file::read_table;
-use ertel_rheology::quantity::{self, Dimension, Unit};
 use ertel_rheology::{DensityLaw, Files, database};
 
 use crate::args::{FitArgs, FitCommand, FitLawArgs};

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use ertel::output::plot::{ViscosityCurve, viscosity_chart};
-use ertel::output::{digits, pressure};
+use ertel::words::{digits, pressure};
+use ertel_input::quantity::{self, Dimension};
 use ertel_rheology::database::Kind;
-use ertel_rheology::quantity::{self, Dimension};
 use ertel_rheology::shear::ShearLaw;
 use ertel_rheology::{DensityLaw, Fluid, ShearThinning, database};
 

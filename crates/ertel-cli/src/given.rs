@@ -4,8 +4,8 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use ertel::case::Case;
-use ertel_rheology::input::Document;
-use ertel_rheology::input::file::LARGEST_DOCUMENT;
+use ertel_input::Document;
+use ertel_input::file::LARGEST_DOCUMENT;
 
 use crate::failure::Failure;
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ertel::output::place;
+use ertel::files::place;
 
 use crate::failure::Failure;
 

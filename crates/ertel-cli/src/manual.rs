@@ -5,8 +5,8 @@ use std::{fs, io};
 
 use clap::{Args, CommandFactory};
 use clap_complete::Shell;
-use ertel::output::write_whole;
-use ertel_rheology::input::file::{LARGEST_DOCUMENT, read_bytes};
+use ertel::files::write_whole;
+use ertel_input::file::{LARGEST_DOCUMENT, read_bytes};
 
 use crate::args::Cli;
 use crate::failure::Failure;

@@ -3,7 +3,7 @@
 
 use std::io::{self, Write};
 
-use ertel_rheology::input::escaped;
+use ertel_input::escaped;
 
 use crate::colour;
 use crate::failure::Failure;

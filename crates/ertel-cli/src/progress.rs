@@ -3,11 +3,12 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use ertel::output::{self, length};
+use ertel::output::{self};
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::{CurveObserver, PointSolution};
-use ertel_rheology::input::escaped;
+use ertel::words::length;
+use ertel_input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use serde_json::{Value, json};

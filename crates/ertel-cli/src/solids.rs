@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ertel::output::pressure;
+use ertel::words::pressure;
 use ertel_rheology::database::{self, Kind};
 
 use crate::args::{SolidsArgs, SolidsCommand};

@@ -187,7 +187,7 @@ fn films(solution: &Solution) -> String {
         solution.summary.film_central.value,
         solution.summary.film_minimum.value,
     ]
-    .map(output::length);
+    .map(ertel::words::length);
     format!("central film {central}, minimum {minimum}")
 }
 
@@ -281,7 +281,7 @@ fn write_curve(
 
 /// The last events of a curve: what to know about its points, and what holds for all.
 fn tell_curve(
-    echo: &output::CaseEcho,
+    echo: &ertel::case::CaseEcho,
     solution: &CurveSolution,
     folder: &Path,
     events: &Events,

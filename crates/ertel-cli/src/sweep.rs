@@ -6,14 +6,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use ertel::case::Study;
-use ertel::output::{digits, length};
 use ertel::run::Session;
 use ertel::study::plan::Plan;
 use ertel::study::{
     FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
     TABLE, finished_points, merge, sweep,
 };
-use ertel_rheology::input::escaped;
+use ertel::words::{digits, length};
+use ertel_input::escaped;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::args::SweepArgs;

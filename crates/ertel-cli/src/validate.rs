@@ -4,11 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use ertel::output::write_whole;
+use ertel::files::write_whole;
 use ertel::solve::Silent;
 use ertel::validate::{self, Quantity, Row, Selection, Study, StudyResult, Verdict};
 
-use ertel_rheology::input::file::{LARGEST_DOCUMENT, LARGEST_TABLE, read_text};
+use ertel_input::file::{LARGEST_DOCUMENT, LARGEST_TABLE, read_text};
 
 use crate::args::ValidateArgs;
 use crate::failure::Failure;

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use ertel::files::write_whole;
 use ertel::output::html::{self, PageError};
-use ertel::output::write_whole;
-use ertel_rheology::input::file::{FileError, LARGEST_OWN, read_text};
+use ertel_input::file::{FileError, LARGEST_OWN, read_text};
 
 use crate::args::ViewArgs;
 use crate::failure::Failure;

@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use ertel::case::Case;
-use ertel_rheology::input::Document;
-use ertel_rheology::input::tree::{Node, Value as Toml};
+use ertel_input::Document;
+use ertel_input::tree::{Node, Value as Toml};
 use serde_json::{Map, Value, json};
 
 use draft7::errors;

@@ -8,7 +8,7 @@ use ertel::output::{comparison_report, write_comparison};
 use ertel::params::PictureFormats;
 use ertel::run::Session;
 use ertel::study::{SweepParams, finished_points, sweep as run_sweep};
-use ertel_rheology::input::csv::{ColumnMap, CsvParams, Decimal};
+use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
 use pyo3::prelude::*;
 
 use crate::errors;

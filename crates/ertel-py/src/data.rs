@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property};
 use ertel::solution::Field;
+use ertel_input::file::read_table;
 use ertel_rheology::database;
-use ertel_rheology::input::file::read_table;
 use pyo3::prelude::*;
 
 use crate::errors::{self, CaseError};

@@ -3,8 +3,8 @@
 use ertel::output::OutputError as WriteError;
 use ertel::solve::{DiscretisationError, SolveError};
 use ertel::study::SweepError;
+use ertel_input::InputError;
 use ertel_rheology::database::DatabaseError;
-use ertel_rheology::input::InputError;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use ertel::case::CaseEcho;
 use ertel::case::{Case, Curve};
-use ertel::output::{self, CaseEcho};
+use ertel::output::{self};
 use ertel::params::OutputParams;
 use ertel::run::Start;
 use ertel::solution::{ContactFields, Solution};

@@ -12,7 +12,7 @@ use ertel::study::{
     Collector, Shard, SweepObserver, SweepParams, SweepProgress, SweepSummary,
     merge as merge_parts, sweep as run_sweep, sweep_part,
 };
-use ertel_rheology::input::file::{LARGEST_OWN, read_text};
+use ertel_input::file::{LARGEST_OWN, read_text};
 use pyo3::prelude::*;
 
 use crate::case::json;

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use ertel::case::Case;
-use ertel::output::digits;
 use ertel::run;
-use ertel_rheology::input::file::{FileError, LARGEST_DOCUMENT};
+use ertel::words::digits;
+use ertel_input::file::{FileError, LARGEST_DOCUMENT};
 use serde_json::{Value, json};
 
 use crate::CASE;

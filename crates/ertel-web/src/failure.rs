@@ -2,7 +2,7 @@
 
 use ertel::output::OutputError;
 use ertel::solve::{DiscretisationError, SolveError};
-use ertel_rheology::input::InputError;
+use ertel_input::InputError;
 use serde_json::{Value, json};
 
 use crate::CASE;
@@ -16,7 +16,7 @@ pub enum Failure {
     Input(#[from] InputError),
     /// The case file is too long.
     #[error("{CASE} {0}")]
-    Size(#[from] ertel_rheology::input::file::FileError),
+    Size(#[from] ertel_input::file::FileError),
     /// The case cannot be solved as it is.
     #[error("{CASE}: {0}")]
     Refused(String),

@@ -1,7 +1,7 @@
 //! The values of a case file by their key paths, for the fields of a form.
 
-use ertel_rheology::input::Document;
-use ertel_rheology::input::tree::{Node, Value as Toml};
+use ertel_input::Document;
+use ertel_input::tree::{Node, Value as Toml};
 use serde_json::{Map, Value, json};
 
 use crate::CASE;

@@ -1,9 +1,9 @@
 //! The solver's progress as messages.
 
-use ertel::output::length;
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::CurveObserver;
+use ertel::words::length;
 use serde_json::{Value, json};
 
 /// Hands on what the solver does. It cannot be stopped: a page ends the worker that it runs in.

@@ -14,7 +14,7 @@ use ertel::solution::{Figure, Measured};
 use ertel::solve::Silent;
 use ertel::solve::figures::measure;
 use ertel::solve::sequence::solve_stages;
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 #[derive(Parser)]
 struct Args {

@@ -19,7 +19,7 @@ use ertel::run::{Session, solve};
 use ertel::solution::{Estimate, Solution, Timings};
 use ertel::solve::Silent;
 use ertel::study::solve_curve;
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 /// What contacts cost.
 #[derive(Parser)]

@@ -16,13 +16,14 @@ use crate::params::{
     ElasticModel, Formulation, MeshParams,
 };
 use crate::reference::{moes_line_film, nijenbanning_venner_moes_film};
+use crate::solution::Role;
 use crate::solve::adapt::AdaptParams;
 use crate::solve::discretisation::{Extents, LevelSizes};
 use crate::solve::dry::with_dry_zone;
 use crate::solve::heat::column::Column;
 use crate::solve::heat::coupling::CouplingParams;
 use crate::solve::newton::NewtonParams;
-use crate::solve::sequence::{HeatProblem, Problem, Role, Stage};
+use crate::solve::sequence::{HeatProblem, Problem, Stage};
 use crate::solve::system::FilmConstants;
 
 /// Dimensionless problem of a case.
@@ -532,7 +533,7 @@ const START_DIFFUSION: f64 = 2.0;
 mod tests {
     use std::path::Path;
 
-    use ertel_rheology::input::Document;
+    use ertel_input::Document;
 
     use super::*;
 

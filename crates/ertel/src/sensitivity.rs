@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use ertel_rheology::input::Input;
+use ertel_input::Input;
 use rayon::prelude::*;
 
 use crate::case::Case;

@@ -6,10 +6,10 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use ertel::case::Case;
 use ertel::run::solve;
+use ertel::solution::Role;
 use ertel::solution::Solution;
 use ertel::solve::Silent;
-use ertel::solve::sequence::Role;
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 fn solved(text: &str) -> Solution {
     let document = Document::parse("case.toml", text).unwrap();

@@ -12,9 +12,9 @@ use std::collections::HashSet;
 use ertel::contact::ContactKind;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::{groups, solve};
+use ertel::solution::Role;
 use ertel::solution::{LevelStats, Solution};
 use ertel::solve::Silent;
-use ertel::solve::sequence::Role;
 
 use cases::MapCase;
 

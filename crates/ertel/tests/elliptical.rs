@@ -13,11 +13,11 @@ use ertel::elastic::Accuracy;
 use ertel::params::{Formulation, MeshParams, MeshPreset};
 use ertel::problem::predicted_film;
 use ertel::run::solve;
+use ertel::solution::Role;
 use ertel::solution::{Estimate, Solution};
 use ertel::solve::Silent;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, Means};
-use ertel::solve::sequence::Role;
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 /// An ellipse of reduced radii (m) under a Hertz pressure of 0.7 GPa, with the entrainment at an angle (degrees).
 fn ellipse(radii: [f64; 2], angle: f64) -> Case {

@@ -10,10 +10,10 @@ use ertel::contact::ContactKind;
 use ertel::output::{report, result_json};
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
+use ertel::solution::Role;
 use ertel::solution::{Estimate, Figure, Located};
 use ertel::solve::Silent;
-use ertel::solve::sequence::Role;
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 #[test]
 fn every_figure_of_a_thermal_contact_has_its_bar() {

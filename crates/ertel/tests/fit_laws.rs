@@ -1,6 +1,6 @@
 //! Fits of laws: published tables, known constants from made data, coverage of the intervals.
 
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 use ertel_rheology::{Files, Fluid};
 
 use ertel::fit::*;

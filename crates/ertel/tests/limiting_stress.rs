@@ -140,7 +140,7 @@ fn a_film_that_does_not_thin_has_no_reduction() {
         [output]
         sensitivities = false
     "#;
-    let document = ertel_rheology::input::Document::parse("case.toml", text).unwrap();
+    let document = ertel_input::Document::parse("case.toml", text).unwrap();
     let case = Case::from_document(&document, std::path::Path::new("")).unwrap();
     let reduction = solved(&case).film_reduction.unwrap();
     println!("{reduction:?}");

@@ -7,7 +7,7 @@ use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
 use ertel::solve::Silent;
 use ertel::warning::WarningKind;
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 const ROLLER: &str = r#"
     [contact]

@@ -16,7 +16,7 @@ use ertel::run::solve;
 use ertel::solution::{Estimate, IterationRecord, Solution};
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
 use ertel::solve::{Observer, Silent, SolveError};
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 const RADIUS: f64 = 0.016;
 const PRESSURE: f64 = 0.7e9;

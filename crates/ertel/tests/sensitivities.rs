@@ -8,7 +8,7 @@ use ertel::params::SensitivityDemand;
 use ertel::run::{Session, Start};
 use ertel::solution::{Figure, Sensitivities, Solution};
 use ertel::solve::Silent;
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 /// Steps of the inputs, over their size.
 const STEP: f64 = 5e-5;

@@ -9,9 +9,10 @@ use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::reference::thermal::{ThermalReduction, thermal_loading};
 use ertel::run::{problem, solve};
-use ertel::solve::sequence::{Problem, Role, StageSolution, solve_stages};
+use ertel::solution::Role;
+use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 use ertel::solve::{Observer, Silent};
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 /// Keeps the changes of the rounds of the last coupling.
 #[derive(Default)]

@@ -437,7 +437,7 @@ fn heat_of_a_film_that_is_all_but_solid() {
         shear_thinning = { law = "ree-eyring", tau_0 = "6 MPa" }
         [thermal]
     "#;
-    let document = ertel_rheology::input::Document::parse("case.toml", text).unwrap();
+    let document = ertel_input::Document::parse("case.toml", text).unwrap();
     let case = Case::from_document(&document, std::path::Path::new("")).unwrap();
     let problem = problem(&case);
     let heat = problem.heat.as_ref().unwrap();

@@ -9,9 +9,10 @@ use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::params::{ElasticModel, LinearSolver};
 use ertel::run::{problem, solve};
+use ertel::solution::Role;
 use ertel::solution::{IterationRecord, Solution};
 use ertel::solve::discretisation::{ContactSurface, Means};
-use ertel::solve::sequence::{Problem, Role, StageSolution, solve_stages};
+use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 use ertel::solve::{Observer, Silent, SolveError};
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
 

@@ -10,7 +10,7 @@ use ertel::solve::Silent;
 use ertel::study::journal::Record;
 use ertel::study::plan::Plan;
 use ertel::study::{SweepParams, finished_points, solve_curve, sweep_part};
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 const ROLLER: &str = r#"
 [contact]

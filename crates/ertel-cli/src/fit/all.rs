@@ -1,7 +1,7 @@
 //! `ertel fit viscosity --law all`.
 
 use ertel::fit::{self, LawName, Property};
-use ertel::output::digits;
+use ertel::words::digits;
 
 use super::{finish, keep_inputs, params, plot_path, read};
 use crate::args::FitLawArgs;

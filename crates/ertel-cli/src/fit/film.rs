@@ -4,9 +4,9 @@ use std::slice;
 
 use ertel::contact::ContactKind;
 use ertel::fit::{self, FilmFit, FilmForm, FilmKind, Films};
-use ertel::output::{digits, length};
-use ertel_rheology::input::file::read_table;
-use ertel_rheology::quantity::{self, Dimension};
+use ertel::words::{digits, length};
+use ertel_input::file::read_table;
+use ertel_input::quantity::{self, Dimension};
 
 use crate::args::FitFilmArgs;
 use crate::failure::Failure;

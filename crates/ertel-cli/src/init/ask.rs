@@ -3,7 +3,7 @@
 use std::io::{BufRead, Read};
 
 use ertel::warning::WarningKind;
-use ertel_rheology::input::InputError;
+use ertel_input::InputError;
 
 use super::template::{COMMON, TEMPLATES, Template, named};
 use crate::failure::Failure;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use ertel::case::Case;
-use ertel_rheology::input::InputError;
+use ertel_input::InputError;
 
 use crate::failure::Failure;
 

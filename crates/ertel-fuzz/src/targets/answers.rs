@@ -43,7 +43,7 @@ pub fn run(input: &Input) -> Result<Verdict, Defect> {
             )),
         },
         Err(failure) if failure.code() == 2 => {
-            check_text(&ertel_rheology::input::escaped(&failure.to_string()))
+            check_text(&ertel_input::escaped(&failure.to_string()))
         }
         Err(failure) => Err(Defect::wrong(
             "answers are refused for no reason",

@@ -21,7 +21,7 @@ pub fn run(folder: &Path) -> Result<Verdict, Defect> {
         match found {
             Ok(()) => verdict = Verdict::Taken,
             Err(error) => {
-                check_text(&ertel_rheology::input::escaped(&error.to_string()))?;
+                check_text(&ertel_input::escaped(&error.to_string()))?;
             }
         }
     }

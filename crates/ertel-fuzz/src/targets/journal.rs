@@ -107,5 +107,5 @@ fn check_sweep(text: &str, folder: &Path) -> Result<Verdict, Defect> {
         return Err(Defect::wrong("an error without folder", text));
     }
     // The command escapes what it prints.
-    check_text(&ertel_rheology::input::escaped(text))
+    check_text(&ertel_input::escaped(text))
 }

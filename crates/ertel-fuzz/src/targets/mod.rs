@@ -16,7 +16,7 @@ mod web;
 
 use std::path::Path;
 
-use ertel_rheology::input::{InputError, escaped};
+use ertel_input::{InputError, escaped};
 
 use crate::finding::Defect;
 use crate::input::{Input, Target};

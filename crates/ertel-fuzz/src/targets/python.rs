@@ -46,7 +46,7 @@ pub fn run(input: &Input, folder: &Path) -> Result<Verdict, Defect> {
     let Ok(call) = serde_json::from_slice::<Call>(input.file(Target::Python.main_file())) else {
         return Ok(Verdict::Refused);
     };
-    let checked = |text: &str| check_text(&ertel_rheology::input::escaped(text)).map(drop);
+    let checked = |text: &str| check_text(&ertel_input::escaped(text)).map(drop);
     if let Err(error) = Case::from_text("case made in Python", &call.case, folder) {
         checked(&error.to_string())?;
     }

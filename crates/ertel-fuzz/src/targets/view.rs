@@ -34,7 +34,7 @@ pub fn run(input: &Input) -> Result<Verdict, Defect> {
     };
     let data = match page_data(page) {
         Ok(data) => data,
-        Err(error) => return check_text(&ertel_rheology::input::escaped(&error.to_string())),
+        Err(error) => return check_text(&ertel_input::escaped(&error.to_string())),
     };
     let parts = ["first", "</script>"].map(|name| (name.to_owned(), data.clone()));
     match joint_page(parts.to_vec()) {
@@ -42,6 +42,6 @@ pub fn run(input: &Input) -> Result<Verdict, Defect> {
             Ok(_) => Ok(Verdict::Taken),
             Err(error) => Err(Defect::wrong("a page that is none", error.to_string())),
         },
-        Err(error) => check_text(&ertel_rheology::input::escaped(&error.to_string())),
+        Err(error) => check_text(&ertel_input::escaped(&error.to_string())),
     }
 }

@@ -19,9 +19,7 @@ pub fn run(input: &Input) -> Result<Verdict, Defect> {
     match ertel_web::edit(case, changes) {
         // What was valid TOML stays so.
         Ok(text) => drop(answered(&ertel_web::form(&text))?),
-        Err(error) => drop(check_text(&ertel_rheology::input::escaped(
-            &error.to_string(),
-        ))?),
+        Err(error) => drop(check_text(&ertel_input::escaped(&error.to_string()))?),
     }
     Ok(checked)
 }
@@ -40,7 +38,7 @@ fn answered(answer: &Value) -> Result<Verdict, Defect> {
                     .unwrap_or_default()
                     .to_owned(),
             };
-            check_text(&ertel_rheology::input::escaped(&text))
+            check_text(&ertel_input::escaped(&text))
         }
         (None, _) => Err(Defect::wrong("an answer that is none", answer.to_string())),
     }

@@ -3,8 +3,8 @@
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::input::{InputError, Table};
 use crate::provenance::{Datum, Status};
+use ertel_input::{InputError, Table};
 
 /// What of the head of a data file must be there.
 #[derive(Clone, Copy, PartialEq, Eq)]

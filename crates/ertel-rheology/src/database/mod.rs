@@ -16,10 +16,10 @@ use std::path::Path;
 
 use thiserror::Error;
 
-use crate::input::{Document, InputError, Recorder};
 use crate::provenance::{Datum, Status};
 use crate::{Files, Fluid, Solid};
 use entry::{Entry, Head};
+use ertel_input::{Document, InputError, Recorder};
 use own::OwnFile;
 use shipped::{FLUIDS, Folder, SOLIDS, TABLES};
 

@@ -12,8 +12,8 @@ use std::sync::OnceLock;
 
 use super::{DatabaseError, is_file};
 use crate::Files;
-use crate::input::Document;
-use crate::input::file::{LARGEST_DOCUMENT, read_text};
+use ertel_input::Document;
+use ertel_input::file::{LARGEST_DOCUMENT, read_text};
 
 /// Fluids and solids of the user.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

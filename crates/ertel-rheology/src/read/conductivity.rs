@@ -9,9 +9,9 @@ use super::{
 use crate::conductivity::{
     LarssonAndersson, Linear, Scaling, ScalingConstants, Table as ConductivityTable,
 };
-use crate::input::{Bounds, InputError, Table};
-use crate::quantity::Dimension;
 use crate::{ConductivityLaw, DensityLaw};
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 const DIMENSION: Dimension = Dimension::THERMAL_CONDUCTIVITY;
 

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use approx::assert_relative_eq;
 
 use super::Files;
-use crate::input::{Document, InputError, Inputs};
 use crate::provenance::Status;
 use crate::{Fluid, ViscosityLaw};
+use ertel_input::{Document, InputError, Inputs};
 
 fn oil(sheet: &str) -> Result<Fluid, InputError> {
     let text = format!("\n[lubricant]\n{sheet}");

@@ -1,10 +1,10 @@
 //! Fluids from a table.
 
 use super::{Files, Material, data_sheet};
-use crate::input::{Bounds, InputError, Table};
 use crate::provenance::{Datum, Status, ValidityRange};
-use crate::quantity::Dimension;
 use crate::{ConductivityLaw, DensityLaw, Fluid, HeatCapacityLaw, ShearThinning, ViscosityLaw};
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 impl Fluid {
     /// Keys that [`Fluid::from_table`] and [`Fluid::override_from`] read.

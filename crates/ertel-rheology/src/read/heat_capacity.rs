@@ -10,9 +10,9 @@ use crate::heat_capacity::{
     LarssonAndersson, Linear, Scaling, ScalingConstants, Table as HeatCapacityTable,
     VolumetricConstants,
 };
-use crate::input::{Bounds, InputError, Table};
-use crate::quantity::Dimension;
 use crate::{DensityLaw, HeatCapacityLaw};
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 const DIMENSION: Dimension = Dimension::SPECIFIC_HEAT;
 

@@ -3,8 +3,8 @@
 use approx::assert_relative_eq;
 
 use super::Files;
-use crate::input::{Document, InputError};
 use crate::{DensityLaw, Fluid};
+use ertel_input::{Document, InputError};
 
 const T9: &str = "{ law = 'murnaghan', rho_0 = '872 kg/m^3', k_0r = '9.234 GPa', k_0r_prime = 10.545, \
      reference_temperature = '298 K', beta_k = '6.09e-3 1/K', beta_k_prime = '0 1/K', a_v = '7.734e-4 1/K' }";

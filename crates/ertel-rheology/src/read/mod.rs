@@ -13,11 +13,11 @@ mod viscosity;
 use std::borrow::Cow;
 use std::path::Path;
 
-use crate::input::file::read_table;
-use crate::input::{Bounds, InputError, Table};
 use crate::linear::LinearFactor;
-use crate::quantity::Dimension;
 use crate::{DensityLaw, LawError};
+use ertel_input::file::read_table;
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 /// Where the files named in a table are found.
 #[derive(Debug, Clone, Copy)]

@@ -1,10 +1,10 @@
 //! Solids from a table.
 
 use super::{Files, Material};
-use crate::input::{Bounds, InputError, Table};
 use crate::provenance::{Datum, Status};
-use crate::quantity::Dimension;
 use crate::{ConductivityLaw, HeatCapacityLaw, Solid};
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 impl Solid {
     /// Reads a solid from a table: `youngs_modulus`, `poissons_ratio`, and where given `hertz_pressure_limit`, `density`, and the laws

@@ -2,9 +2,9 @@
 
 use super::{Files, locate};
 use crate::LawError;
-use crate::input::csv::{Column, CsvError, CsvParams, CsvTable, Row, Vocabulary};
-use crate::input::{Bounds, InputError, Table};
-use crate::quantity::{self, Dimension, STANDARD_ATMOSPHERE};
+use ertel_input::csv::{Column, CsvError, CsvParams, CsvTable, Row, Vocabulary};
+use ertel_input::quantity::{self, Dimension, STANDARD_ATMOSPHERE};
+use ertel_input::{Bounds, InputError, Table};
 
 /// Data along isotherms, in SI, temperatures increasing.
 #[derive(Debug, Default)]
@@ -24,7 +24,7 @@ impl Columns {
     /// ]
     /// ```
     ///
-    /// A CSV file ([`crate::input::csv`]) has a header such as `temperature [K], pressure [MPa], viscosity [mPa.s]` and one
+    /// A CSV file ([`ertel_input::csv`]) has a header such as `temperature [K], pressure [MPa], viscosity [mPa.s]` and one
     /// state on a line; other columns are ignored, a state without a value is left out. A column `absolute pressure` is reduced by one standard atmosphere. A property of two words, `heat capacity`, is
     /// the key `heat_capacity` in a table. Where `pressures` allows, they may be left out altogether.
     pub(super) fn read(

@@ -3,9 +3,9 @@
 use approx::assert_relative_eq;
 
 use super::Files;
-use crate::input::{Document, InputError};
 use crate::provenance::Status;
 use crate::{DensityLaw, Fluid, ShearThinning, Solid, ViscosityLaw, database};
+use ertel_input::{Document, InputError};
 
 const NO_FILES: Files<'_> = Files::Embedded(&[]);
 

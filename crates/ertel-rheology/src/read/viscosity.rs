@@ -7,13 +7,13 @@ use super::{
     table::{Columns, Pressures},
 };
 use crate::density::TaitVolume;
-use crate::input::{Bounds, InputError, Table};
-use crate::quantity::Dimension;
 use crate::viscosity::{
     Barus, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
     PressureLaw, Roelands, Table as ViscosityTable, TemperatureSlope, Walther,
 };
 use crate::{DensityLaw, ViscosityLaw};
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 impl ViscosityLaw {
     /// Reads a law from a table such as `{ law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }` and refuses

@@ -11,8 +11,8 @@ use std::path::Path;
 
 use ertel::case::Case;
 use ertel::contact::{Contact, ContactKind, Hertz};
+use ertel_input::{Document, InputError};
 use ertel_rheology::database;
-use ertel_rheology::input::{Document, InputError};
 
 /// A case of the map.
 pub struct MapCase {

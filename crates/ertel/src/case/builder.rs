@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use ertel_rheology::input::InputError;
+use ertel_input::InputError;
 
 use super::Case;
 use super::study::quoted;
@@ -31,7 +31,7 @@ use super::study::quoted;
 ///
 /// let error = Case::builder().set("contact.radius", "-1 mm").build().unwrap_err();
 /// assert!(error.to_string().contains("contact.radius"));
-/// # Ok::<(), ertel_rheology::input::InputError>(())
+/// # Ok::<(), ertel_input::InputError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CaseBuilder {

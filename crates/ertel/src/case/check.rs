@@ -1,13 +1,13 @@
 //! Checks that need more than one value.
 
-use ertel_rheology::input::{Bounds, InputError, Table};
+use ertel_input::{Bounds, InputError, Table};
 
 use super::Case;
 use crate::contact::equivalent::EquivalentBody;
 use crate::contact::{Contact, ContactKind, Hertz};
-use crate::output::{digits, length, pressure};
 use crate::params::ElasticModel;
 use crate::warning::{Warning, WarningKind};
+use crate::words::{digits, length, pressure};
 
 /// Hertz pressures of lubricated contacts, Pa.
 pub(super) const HERTZ_PRESSURE: Bounds = Bounds::closed(MIN_PRESSURE, MAX_PRESSURE);

@@ -1,12 +1,12 @@
 //! The case as the output shows it.
 
+use ertel_input::tree::{Node, Value};
 use ertel_rheology::ShearThinning;
-use ertel_rheology::input::tree::{Node, Value};
 use ertel_rheology::provenance::Datum;
 use serde_json::{Map, json};
 
 use super::{Body, Case, SolidHeat};
-use crate::output::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, ThermalEcho};
+use crate::case::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, ThermalEcho};
 use crate::params::ThermalParams;
 
 impl Case {

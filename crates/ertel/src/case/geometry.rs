@@ -2,15 +2,16 @@
 
 use std::path::Path;
 
-use ertel_rheology::input::{InputError, Table};
+use ertel_input::{InputError, Table};
 
 use super::bodies::Shapes;
 use super::machine::{self, Machine};
 use super::{check, contact, motion, sections};
+use crate::case::MachineEcho;
 use crate::contact::motion::ROUNDING;
 use crate::contact::{Contact, Hertz, Motion};
-use crate::output::{MachineEcho, digits, length};
 use crate::warning::Warning;
+use crate::words::{digits, length};
 
 /// Contact and motion, and the tables that say them.
 pub(super) struct Geometry<'t> {

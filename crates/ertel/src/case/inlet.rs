@@ -1,11 +1,11 @@
 //! `[inlet]`: how much oil reaches the contact.
 
-use ertel_rheology::input::{Bounds, InputError, Table};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 use super::params::FARTHEST;
 use crate::contact::{Contact, Supply, Turn};
-use crate::output::length;
+use crate::words::length;
 
 /// Thickness of a layer, m: from single molecules to what no contact takes up.
 const LAYER: Bounds = Bounds::closed(1e-10, 1e-2);
@@ -79,7 +79,7 @@ pub(super) fn read(
 mod tests {
     use std::path::Path;
 
-    use ertel_rheology::input::Document;
+    use ertel_input::Document;
 
     use super::super::Case;
     use super::*;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::DMatrix;
 
-use ertel_rheology::input::{Correlation, Document, Input, InputError, Inputs};
+use ertel_input::{Correlation, Document, Input, InputError, Inputs};
 
 use super::Case;
 use crate::params::SensitivityDemand;

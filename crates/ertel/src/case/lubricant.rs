@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use crate::warning::{Warning, WarningKind};
-use ertel_rheology::input::{Bounds, InputError, StrOrTable, Table};
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, StrOrTable, Table};
 use ertel_rheology::provenance::{Datum, Status, TemperatureRange};
-use ertel_rheology::quantity::Dimension;
 use ertel_rheology::{
     ConductivityLaw, DensityLaw, Files, Fluid, HeatCapacityLaw, ShearThinning, ViscosityLaw,
     database,

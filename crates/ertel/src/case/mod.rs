@@ -35,6 +35,7 @@ mod builder;
 mod check;
 mod contact;
 pub mod curve;
+mod described;
 mod echo;
 mod files;
 mod geometry;
@@ -57,14 +58,13 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
+use ertel_input::csv::CsvParams;
+use ertel_input::{Document, InputError, Inputs, Table};
 use ertel_rheology::ShearThinning;
 use ertel_rheology::database::DatabaseError;
-use ertel_rheology::input::csv::CsvParams;
-use ertel_rheology::input::{Document, InputError, Inputs, Table};
 
 use crate::contact::{Contact, Hertz, Motion, Supply, reduced_modulus};
 use crate::mixed::Asperities;
-use crate::output::MachineEcho;
 use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
 };
@@ -75,6 +75,9 @@ pub use bodies::Body;
 pub use builder::{CaseBuilder, Setting};
 pub(crate) use check::mesh_of_bodies as check_mesh_of_bodies;
 pub use curve::Curve;
+pub use described::{
+    BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho,
+};
 use geometry::Geometry;
 pub use inputs::Origin;
 pub use lubricant::Lubricant;
@@ -82,7 +85,7 @@ pub(crate) use params::{read_mesh, read_solver};
 pub use study::Study;
 pub(crate) use study::read_named;
 pub(crate) use thermal::read as read_thermal;
-pub use thermal::{Heat, MissingDatum, MissingHeatData, SolidHeat};
+pub use thermal::{Heat, SolidHeat};
 pub(crate) use usual::question_of_state;
 
 /// Everything a solve needs, in SI.

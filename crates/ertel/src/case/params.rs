@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use ertel_rheology::input::{Bounds, InputError, Table};
+use ertel_input::{Bounds, InputError, Table};
 
 use crate::contact::ContactKind;
 use crate::params::SensitivityDemand;

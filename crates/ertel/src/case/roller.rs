@@ -2,17 +2,17 @@
 
 use std::path::Path;
 
-use ertel_rheology::input::csv::{CsvError, CsvTable};
-use ertel_rheology::input::file::{LARGEST_TABLE, read_text};
-use ertel_rheology::input::{Bounds, InputError, Table};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::csv::{CsvError, CsvTable};
+use ertel_input::file::{LARGEST_TABLE, read_text};
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 use super::contact::RADIUS;
 use crate::contact::roller::measured::{Trace, Treatment};
 use crate::contact::roller::{Profile, ProfileTable, ProfileTableError, Relief, Roller};
 use crate::contact::{Contact, Hertz};
-use crate::output::{digits, length};
 use crate::warning::{Warning, WarningKind};
+use crate::words::{digits, length};
 
 /// Tilts, rad, of which the film equation takes the cosine as 1.
 const TILT: Bounds = Bounds::closed(-0.1, 0.1);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_rheology::input::{Document, InputError};
+use ertel_input::{Document, InputError};
 
 use super::Case;
 use crate::contact::ContactKind;

@@ -1,12 +1,12 @@
 //! `[surface_roughness]`: rough surfaces and their asperities.
 
-use ertel_rheology::input::{Bounds, InputError, Table};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 use super::bodies::ROUGHNESS;
 use crate::mixed::Asperities;
-use crate::output::{digits, length};
 use crate::warning::{Warning, WarningKind};
+use crate::words::{digits, length};
 
 /// rms height of one body, m; one of the two may be smooth.
 const RMS_HEIGHT: Bounds = Bounds::closed(0.0, 1e-3);

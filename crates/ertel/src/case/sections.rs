@@ -1,6 +1,6 @@
 //! Sections that a case needs, and what one looks like.
 
-use ertel_rheology::input::{InputError, Table};
+use ertel_input::{InputError, Table};
 
 /// The sections, each with an example that fits a line.
 const EXAMPLES: [(&str, &str); 4] = [

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use ertel_rheology::input::tree::{Node, Value};
-use ertel_rheology::input::{Document, InputError};
+use ertel_input::tree::{Node, Value};
+use ertel_input::{Document, InputError};
 use toml_edit::{DocumentMut, Item, TableLike};
 
 use super::Case;

@@ -1,12 +1,12 @@
 //! Values far from those of such contacts: almost always a unit was mistaken.
 
-use ertel_rheology::input::tree::Value;
-use ertel_rheology::input::{Document, Input, Usual, usual_of};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::quantity::Dimension;
+use ertel_input::tree::Value;
+use ertel_input::{Document, Input, Usual, usual_of};
 
 use super::Case;
-use crate::output::digits;
 use crate::warning::{Warning, WarningKind};
+use crate::words::digits;
 
 /// How far beyond the usual range a value is doubted, as a factor.
 const FAR: f64 = 10.0;

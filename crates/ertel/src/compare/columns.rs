@@ -1,9 +1,9 @@
 //! The columns that a table of measurements may have.
 
-use ertel_rheology::input::Document;
-use ertel_rheology::input::csv::{Column, CsvError, CsvTable};
-use ertel_rheology::input::excerpt;
-use ertel_rheology::quantity::Dimension;
+use ertel_input::Document;
+use ertel_input::csv::{Column, CsvError, CsvTable};
+use ertel_input::excerpt;
+use ertel_input::quantity::Dimension;
 
 use super::{Figure, temperature_key};
 

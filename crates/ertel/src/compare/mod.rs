@@ -19,10 +19,10 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use ertel_rheology::input::csv::{CsvError, CsvParams};
-use ertel_rheology::input::file::{FileError, read_table};
-use ertel_rheology::input::tree::Value;
-use ertel_rheology::input::{Document, InputError};
+use ertel_input::csv::{CsvError, CsvParams};
+use ertel_input::file::{FileError, read_table};
+use ertel_input::tree::Value;
+use ertel_input::{Document, InputError};
 
 use crate::case::Study;
 use crate::case::study::PointColumn;

@@ -18,9 +18,9 @@
 
 use std::ops::Range;
 
-use ertel_rheology::input::Document;
-use ertel_rheology::input::csv::{Column, CsvError, CsvTable, Row, line_list};
-use ertel_rheology::quantity::Unit;
+use ertel_input::Document;
+use ertel_input::csv::{Column, CsvError, CsvTable, Row, line_list};
+use ertel_input::quantity::Unit;
 
 use super::columns::Operating;
 use super::table::impossible;

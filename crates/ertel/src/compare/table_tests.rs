@@ -1,6 +1,6 @@
 //! Tables of rigs in the ways in which people, spreadsheets and instruments write them.
 
-use ertel_rheology::input::csv::ColumnMap;
+use ertel_input::csv::ColumnMap;
 
 use super::*;
 use crate::case::Case;
@@ -139,7 +139,7 @@ fn one_table_of_tractions_in_many_spellings() {
 #[test]
 fn columns_are_told_by_the_user() {
     let told = |maps: &[&str]| ReadParams {
-        table: ertel_rheology::input::csv::CsvParams {
+        table: ertel_input::csv::CsvParams {
             columns: maps
                 .iter()
                 .map(|map| ColumnMap::parse(map).unwrap())

@@ -199,7 +199,7 @@ fn a_bad_table_is_refused_with_its_place() {
         refused(text, words);
     }
     let ignored = |name: &str| ReadParams {
-        table: ertel_rheology::input::csv::CsvParams {
+        table: ertel_input::csv::CsvParams {
             ignored: vec![name.to_owned()],
             ..Default::default()
         },

@@ -1,7 +1,7 @@
 //! Rows of a rig that ran the other way, or stood still.
 
-use ertel_rheology::input::Document;
-use ertel_rheology::input::csv::line_list;
+use ertel_input::Document;
+use ertel_input::csv::line_list;
 
 /// What becomes of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,7 +13,7 @@ use std::time::{Duration, SystemTime};
 use bytemuck::{cast_slice, cast_slice_mut};
 use ertel_fem::linear::compliance::Compliance;
 use ertel_fem::mesh::BodyMesh;
-use ertel_rheology::input::file::open;
+use ertel_input::file::open;
 use xxhash_rust::xxh3::Xxh3;
 
 use super::CondensedResponse;

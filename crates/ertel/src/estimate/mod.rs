@@ -11,7 +11,6 @@ pub use regime::{Regime, RegimeEstimate, regime};
 
 use crate::case::Case;
 use crate::contact::{ContactKind, Groups, Hertz};
-use crate::mixed::{Separation, roughness_warning};
 use crate::plausible::heat::inlet_heat;
 use crate::plausible::left_out::{self, Known};
 use crate::plausible::{smallest_radius, thick_film};
@@ -22,6 +21,7 @@ use crate::reference::thermal::ThermalReduction;
 use crate::reference::{Asymptotes, FilmFormula, film_formulas};
 use crate::run::{estimated_film, groups};
 use crate::solution::{FormulaFilm, Neglected};
+use crate::solution::{Separation, roughness_warning};
 use crate::warning::{Warning, WarningKind};
 
 /// Estimates of a case, SI.

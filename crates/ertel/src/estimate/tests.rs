@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 use super::*;
 use crate::contact::Contact;

@@ -1,10 +1,10 @@
 //! Measured states from a CSV file.
 
-use ertel_rheology::input::csv::{Column, CsvParams, CsvTable, Row, Vocabulary, line_list};
-use ertel_rheology::quantity::{Dimension, STANDARD_ATMOSPHERE};
+use ertel_input::csv::{Column, CsvParams, CsvTable, Row, Vocabulary, line_list};
+use ertel_input::quantity::{Dimension, STANDARD_ATMOSPHERE};
 
-pub use ertel_rheology::input::csv::CsvError as DataError;
-use ertel_rheology::input::{Bounds, excerpt};
+pub use ertel_input::csv::CsvError as DataError;
+use ertel_input::{Bounds, excerpt};
 
 use crate::case::question_of_state;
 
@@ -63,7 +63,7 @@ pub struct Data {
 impl Data {
     /// Reads a table of states from the text of a file.
     ///
-    /// The file is a table of [`ertel_rheology::input::csv`] whose columns have units, as `pressure_MPa, temperature_degC,
+    /// The file is a table of [`ertel_input::csv`] whose columns have units, as `pressure_MPa, temperature_degC,
     /// viscosity_mPa_s` or `Druck / bar; Temperatur / °C; dyn. Viskosität / mPas`. Absolute pressures are reduced by one standard
     /// atmosphere; a kinematic viscosity is multiplied by a density that stands beside it. Other columns are ignored; a state
     /// without a value is left out.

@@ -1,7 +1,7 @@
 //! One viscosity table in the ways in which people, spreadsheets and instruments write it, and tables that may not be guessed at.
 
-use ertel_rheology::input::csv::{ColumnMap, CsvParams, Decimal};
-use ertel_rheology::input::file::read_table;
+use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
+use ertel_input::file::read_table;
 
 use super::*;
 

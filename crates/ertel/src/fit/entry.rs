@@ -2,14 +2,14 @@
 
 use std::fmt::Write;
 
+use ertel_input::quantity::COVERAGE;
 use ertel_rheology::density::TaitVolume;
-use ertel_rheology::quantity::COVERAGE;
 use ertel_rheology::viscosity::Doolittle;
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
 use super::law::written;
 use super::{Data, Fit, FittedLaw, Residual};
-use crate::output::digits;
+use crate::words::digits;
 
 /// What stands above the numbers.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,9 @@
 //! The laws with their constants, starting values and scales.
 
+use ertel_input::quantity::{self, Dimension, Unit};
 use ertel_rheology::density::{
     BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
 };
-use ertel_rheology::quantity::{self, Dimension, Unit};
 use ertel_rheology::viscosity::{
     Barus, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
     Roelands, TemperatureSlope,
@@ -408,7 +408,7 @@ fn unknown(law: LawName, key: &str, constants: &[Constant]) -> FitError {
 pub(super) fn written(value: f64, unit: &str) -> String {
     // The units are those of the table above, which parse.
     let shown = Unit::parse(unit).map_or(value, |unit| unit.from_si(value));
-    let number = crate::output::digits(shown, 6);
+    let number = crate::words::digits(shown, 6);
     if unit.is_empty() {
         number
     } else {

@@ -33,9 +33,9 @@ pub use picture::picture;
 pub use ranking::{Ranked, Ranking, Unranked, rank};
 pub use sense::{LARGEST_RMS, nonsense};
 
+use ertel_input::quantity::QuantityError;
 use ertel_rheology::LawError;
 use ertel_rheology::density::TaitVolume;
-use ertel_rheology::quantity::QuantityError;
 
 use law::{Constant, Model};
 
@@ -388,7 +388,7 @@ fn warnings(
             warnings.push(format!(
                 "the data do not determine {}: its interval spans a factor of {}",
                 constant.key,
-                crate::output::digits(high / low, 2)
+                crate::words::digits(high / low, 2)
             ));
         }
     }

@@ -1,7 +1,7 @@
 //! What of a fitted law no lubricant does.
 
 use super::{Data, Fit, Property};
-use crate::output::digits;
+use crate::words::digits;
 
 /// Root mean square of the relative deviations above which a law does not describe the data.
 pub const LARGEST_RMS: f64 = 0.1;

@@ -17,7 +17,6 @@
 //! stays below one however thin the film.
 
 mod load;
-mod separation;
 mod statistics;
 
 use std::f64::consts::PI;
@@ -25,7 +24,6 @@ use std::f64::consts::PI;
 use serde::Serialize;
 
 pub use load::{AsperityForces, TOLERANCE, asperity_forces};
-pub use separation::{BOUNDARY_BELOW, FULL_FROM, Separation, roughness_warning};
 pub use statistics::{NOTHING_FROM, five_halves_integral};
 
 /// Share of the load on asperities from which the film of smooth surfaces is not theirs. With a tenth of the load gone from it, the film

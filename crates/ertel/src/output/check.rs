@@ -1,9 +1,10 @@
 //! What a check of a case tells.
 
-use super::CaseEcho;
 use super::lines::Lines;
-use super::report::{length, pressure, write_case};
+use super::report::write_case;
+use crate::case::CaseEcho;
 use crate::estimate::CaseEstimate;
+use crate::words::{length, pressure};
 
 /// The case as understood, its dry contact and its films by formula; what else there is to say of a solve is for the caller.
 pub fn check_report(case: &CaseEcho, estimate: &CaseEstimate) -> String {

@@ -4,14 +4,16 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use super::FORMAT_VERSION;
 use super::lines::Lines;
 use super::mixed::ASPERITY_SOURCE;
-use super::report::{digits, length, percent_or_power, power, write_case, write_contact};
+use super::report::{percent_or_power, power, write_case, write_contact};
 use super::result_json::units;
-use super::{CaseEcho, FORMAT_VERSION};
+use crate::case::CaseEcho;
 use crate::estimate::{CaseEstimate, NEGLIGIBLE_INERTIA};
 use crate::reference::biboulet_houpert::SOURCE;
 use crate::solution::FormulaFilm;
+use crate::words::{digits, length};
 
 /// Value of the key `format` of the JSON document.
 pub const ESTIMATE_FORMAT: &str = "ertel-estimate";

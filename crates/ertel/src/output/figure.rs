@@ -1,10 +1,11 @@
 //! Figures with their error bars as text.
 
-use super::report::digits;
 use crate::contact::{ContactKind, Symmetry};
 use crate::solution::{
     Estimate, Figure, LEAST_RISE, Located, Solution, Unresolved, WIDEST, WIDEST_OF_PLACE, Why,
 };
+use crate::words::digits;
+use crate::words::{length_unit, pressure_unit};
 
 /// Most significant digits of a figure, however narrow its bar.
 const MOST_DIGITS: i32 = 6;
@@ -285,26 +286,6 @@ fn coordinates(place: [f64; 2], error: Option<f64>) -> ([String; 2], Option<Stri
         place.map(|x| rounded(x, shown)),
         error.map(|error| bar(error, shown)),
     )
-}
-
-/// Factor from SI and name of a readable unit of length.
-pub(super) fn length_unit(value: f64) -> (f64, &'static str) {
-    match value.abs() {
-        v if v < 1e-6 => (1e9, "nm"),
-        v if v < 1e-3 => (1e6, "µm"),
-        v if v < 1.0 => (1e3, "mm"),
-        _ => (1.0, "m"),
-    }
-}
-
-/// The same of pressure.
-pub(super) fn pressure_unit(value: f64) -> (f64, &'static str) {
-    match value.abs() {
-        v if v < 1e3 => (1.0, "Pa"),
-        v if v < 1e6 => (1e-3, "kPa"),
-        v if v < 1e9 => (1e-6, "MPa"),
-        _ => (1e-9, "GPa"),
-    }
 }
 
 #[cfg(test)]

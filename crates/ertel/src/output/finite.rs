@@ -1,6 +1,6 @@
 //! Guard: no result with a number that is not finite leaves the program.
 
-use super::CaseEcho;
+use crate::case::CaseEcho;
 use crate::solution::{Estimate, FilmTemperatures, Located, ShearFields, Solution, Thermal};
 
 /// Name of the first number that is not finite, or `None` if all are.

@@ -3,15 +3,15 @@
 
 use serde_json::json;
 
-use super::{BodyEcho, CaseEcho, FluidEcho};
+use crate::case::{BodyEcho, CaseEcho, FluidEcho};
 use crate::contact::hertz::{deflection_profile, pressure_profile};
 use crate::contact::{
     Contact, ContactKind, Elasticity, Groups, Hertz, Motion, Scales, Shape, Supply,
 };
 use crate::params::{MeshParams, MeshPreset, SolverParams};
 use crate::reference::film_formulas;
+use crate::solution::Role;
 use crate::solution::*;
-use crate::solve::sequence::Role;
 
 pub(super) const MODULUS: f64 = 230.769_230_77e9;
 pub(super) const FILM: f64 = 245e-9;

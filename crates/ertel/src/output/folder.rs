@@ -92,7 +92,7 @@ pub fn clear_leftovers(target: &Path) {
 
 /// Where a folder is or will be, and the folder around it. A link to a former result stays; what it points to is replaced.
 fn place(asked: &Path) -> (PathBuf, PathBuf) {
-    let target = super::place::place(asked).unwrap_or_else(|_| asked.to_owned());
+    let target = crate::files::place(asked).unwrap_or_else(|_| asked.to_owned());
     let parent = match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
         _ => PathBuf::from("."),

@@ -5,9 +5,10 @@ use std::io::{self, Write};
 use super::figure::{in_unit, number, percent, place, temperature};
 use super::lines::Lines;
 use super::report::{beside, power};
-use super::{HeatEcho, ThermalEcho, digits};
+use crate::case::{HeatEcho, ThermalEcho};
 use crate::output::BODIES;
 use crate::solution::{CrossProfile, Estimate, Located, Solution, Thermal};
+use crate::words::digits;
 
 /// What carries the heat.
 pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho) {

@@ -1,8 +1,8 @@
 //! What the inputs of a case do to its figures, in the report.
 
 use super::lines::{Lines, Table};
-use super::report::digits;
 use crate::solution::{Figure, FigureSensitivity, FigureUncertainty, Sensitivities, Solution};
+use crate::words::digits;
 
 /// Widths of the columns of keys and numbers.
 const KEY_WIDTH: usize = 44;

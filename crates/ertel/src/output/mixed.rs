@@ -4,9 +4,10 @@ use std::fmt::Write;
 
 use super::figure::{in_unit, number, percent};
 use super::lines::Lines;
-use super::report::{digits, percent_or_power, pressure};
+use super::report::percent_or_power;
 use crate::mixed::Asperities;
 use crate::solution::{Estimate, Solution};
+use crate::words::{digits, pressure};
 
 /// Where the load and the friction of asperities come from.
 pub(super) const ASPERITY_SOURCE: &str = "Greenwood and Tripp 1970";

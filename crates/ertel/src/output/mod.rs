@@ -5,12 +5,9 @@
 pub mod centreline;
 mod check;
 pub mod compare;
-mod csv;
 pub mod curve;
-mod echo;
 mod estimate;
 mod figure;
-mod file;
 mod finite;
 mod folder;
 mod heat;
@@ -19,7 +16,6 @@ mod inputs;
 mod lines;
 mod mixed;
 mod monte_carlo;
-mod place;
 pub mod plot;
 mod report;
 mod result_json;
@@ -37,17 +33,12 @@ mod workplace_tests;
 
 pub use check::check_report;
 pub use compare::{comparison_report, write_comparison};
-pub(crate) use csv::{quoted, text_field};
 pub use curve::{curve_files, curve_json, curve_report, curve_table, point_json, write_curve};
-pub use echo::{BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use figure::unresolved;
-pub use file::write_whole;
-pub(crate) use file::{TEMPORARY, sync_folder};
 pub use folder::{OutputFile, clear_leftovers};
 pub use monte_carlo::{MONTE_CARLO, monte_carlo_report, write_monte_carlo};
-pub use place::place;
-pub use report::{digits, length, pressure, report};
+pub use report::report;
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
 pub use study::{study_films, study_tractions};
 pub use target::check_target;
@@ -58,6 +49,8 @@ use std::path::{Path, PathBuf};
 
 use folder::{NewFolder, Part};
 
+use crate::case::CaseEcho;
+use crate::files::write_whole;
 use crate::params::{OutputParams, PictureFormats};
 use crate::solution::Solution;
 

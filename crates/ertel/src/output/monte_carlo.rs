@@ -5,14 +5,15 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::figure::{length_unit, pressure_unit};
 use super::lines::Lines;
 use super::plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
-use super::report::digits;
-use super::{OutputError, replace_picture, write_whole};
+use super::{OutputError, replace_picture};
+use crate::files::write_whole;
 use crate::params::PictureFormats;
 use crate::solution::{Figure, Solution, Uncertainties};
 use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES};
+use crate::words::digits;
+use crate::words::{length_unit, pressure_unit};
 
 /// Name of the statistics beside the table of the samples.
 pub const MONTE_CARLO: &str = "monte-carlo.json";

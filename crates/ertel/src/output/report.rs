@@ -3,15 +3,14 @@
 use std::path::Path;
 
 use super::BODIES;
-use super::figure::{
-    estimate, in_unit, length_unit, number, peak, percent, place, position, pressure_estimate,
-    pressure_unit,
-};
+use super::figure::{estimate, in_unit, number, peak, percent, place, position, pressure_estimate};
 use super::lines::{Lines, NAME_WIDTH, Table};
-use super::{CaseEcho, heat, inputs, mixed};
+use super::{heat, inputs, mixed};
+use crate::case::CaseEcho;
 use crate::contact::{ContactKind, Groups, Hertz, Supply, Symmetry};
 use crate::plausible::left_out::words;
 use crate::solution::{Balance, Estimate, FormulaFilm, Located, Solution, Timings};
+use crate::words::{digits, length, pressure};
 
 /// Width of the column of values that have something beside them.
 const VALUE_WIDTH: usize = 26;
@@ -523,18 +522,6 @@ pub(super) fn write_effort(out: &mut Lines, solution: &Solution) {
     }
 }
 
-/// Length with a readable unit, four digits.
-pub fn length(value: f64) -> String {
-    let (factor, unit) = length_unit(value);
-    format!("{} {unit}", digits(factor * value, 4))
-}
-
-/// Pressure with a readable unit, four digits.
-pub fn pressure(value: f64) -> String {
-    let (factor, unit) = pressure_unit(value);
-    format!("{} {unit}", digits(factor * value, 4))
-}
-
 fn viscosity(value: f64) -> String {
     if value < 1.0 {
         format!("{} mPa·s", digits(1e3 * value, 4))
@@ -557,40 +544,15 @@ pub(super) fn percent_or_power(share: f64) -> String {
     }
 }
 
-/// Number with `n` significant digits, zeros at the end of the fraction left out.
-pub fn digits(value: f64, n: usize) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return format!("{value}");
-    }
-    let exponent = value.abs().log10().floor();
-    if !(-4.0..9.0).contains(&exponent) {
-        return format!("{value:.*e}", n.saturating_sub(1));
-    }
-    let decimals = (n as f64 - 1.0 - exponent).max(0.0) as usize;
-    let text = format!("{value:.decimals$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::fixture;
     use super::*;
 
     #[test]
-    fn numbers_read_well() {
-        assert_eq!(length(244.824e-9), "244.8 nm");
-        assert_eq!(length(218.279e-6), "218.3 µm");
-        assert_eq!(length(0.016), "16 mm");
-        assert_eq!(pressure(1.00212e9), "1.002 GPa");
-        assert_eq!(pressure(6.8e8), "680 MPa");
+    fn viscosities_read_well() {
         assert_eq!(viscosity(0.04), "40 mPa·s");
-        assert_eq!(digits(2e5, 6), "200000");
-        assert_eq!(digits(0.0, 4), "0");
-        assert_eq!(digits(1.23456e-11, 3), "1.23e-11");
+        assert_eq!(viscosity(4.0), "4 Pa·s");
     }
 
     /// Figures known from elsewhere: a and p_h of the case, speeds 0.8 (1 ± 0.25), the formulas'

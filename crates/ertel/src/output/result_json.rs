@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::CaseEcho;
+use crate::case::CaseEcho;
 use crate::run::NUMERICS;
 use crate::solution::{Figure, Solution};
 use crate::warning::{notes, texts};

@@ -2,14 +2,14 @@
 
 use std::collections::{HashMap, HashSet};
 
-use ertel_rheology::quantity::Unit;
+use ertel_input::quantity::Unit;
 
 use super::plot::{
     Axis, Chart, Drawing, ERROR_BARS, ErrorBars, Look, PALETTE, Series, film_unit, side_by_side,
 };
-use super::report::digits;
 use crate::study::journal::{PointKey, Record};
 use crate::study::{ISOTHERMAL, StudyEcho};
+use crate::words::digits;
 
 /// Values of an axis from which films over it are a picture.
 const FEWEST_POINTS: usize = 3;

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
-use ertel_rheology::input::file::{LARGEST_OWN, open};
+use ertel_input::file::{LARGEST_OWN, open};
 
 use super::OutputError;
 use super::curve::CURVE_FORMAT;

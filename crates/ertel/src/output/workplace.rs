@@ -16,8 +16,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
-use super::file::sync_folder;
 use super::target::{foreign, stray};
+use crate::files::sync_folder;
 
 const PREFIX: &str = ".ertel-";
 const LOCK: &str = "lock";

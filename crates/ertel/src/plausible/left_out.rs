@@ -3,9 +3,9 @@
 use super::heat::{LARGEST_RISE, SMALLEST_FACTOR, inlet_heat, rise};
 use super::inertia::{FilmReynolds, film_reynolds};
 use crate::case::Case;
-use crate::output::digits;
 use crate::solution::{Neglected, NeglectedHeat};
 use crate::warning::{Warning, WarningKind};
+use crate::words::digits;
 
 /// What is known of a contact when it is asked what its model leaves out.
 pub struct Known {

@@ -18,9 +18,9 @@ pub mod inertia;
 pub mod left_out;
 
 use crate::case::Case;
-use crate::output::{digits, length, pressure};
 use crate::solution::{Located, Solution, Traction};
 use crate::warning::{Warning, WarningKind};
+use crate::words::{digits, length, pressure};
 
 /// Traction coefficient from which friction is doubted: traction fluids, made for it, reach 0.12 or so (Habchi 2008 computes
 /// none above 0.08).

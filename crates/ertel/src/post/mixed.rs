@@ -1,16 +1,15 @@
 //! Rough surfaces over the film of smooth ones: lambda ratio, load and friction of asperities.
 
 use crate::contact::{Motion, Symmetry};
-use crate::mixed::{
-    Asperities, AsperityForces, SMALL_SHARE, Separation, TOLERANCE, asperity_forces,
-    roughness_warning,
-};
-use crate::output::digits;
+use crate::mixed::{Asperities, AsperityForces, SMALL_SHARE, TOLERANCE, asperity_forces};
+use crate::solution::Separation;
+use crate::solution::roughness_warning;
 use crate::solution::{
     AsperityFigures, ElementFields, Estimate, MixedFriction, MixedLubrication, ROUNDING, Summary,
     Traction,
 };
 use crate::warning::{Warning, WarningKind};
+use crate::words::digits;
 
 /// As [`TOLERANCE`], of the largest load share, whose integrand has kinks; three digits are enough.
 const LIMIT_TOLERANCE: f64 = 1e-5;

@@ -3,6 +3,7 @@
 use super::balance::film_balance_error;
 use super::limits::thin_film_warning;
 use crate::contact::{ContactKind, Inlet, Scales};
+use crate::solution::Role;
 use crate::solution::{
     Figure, FilmReduction, LevelStats, Measured, Summary, Traction, TractionAcross, solved,
 };
@@ -11,7 +12,7 @@ use crate::solve::bars::reduction;
 use crate::solve::evaluate::central_film;
 use crate::solve::newton::FilmModel;
 use crate::solve::profile::Profile;
-use crate::solve::sequence::{Role, StageSolution};
+use crate::solve::sequence::StageSolution;
 use crate::warning::{Warning, WarningKind};
 
 /// The figures of the finest stage.

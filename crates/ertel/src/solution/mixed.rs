@@ -2,8 +2,7 @@
 
 use serde::Serialize;
 
-use super::Estimate;
-use crate::mixed::Separation;
+use super::{Estimate, Separation};
 
 /// Film over roughness, and load and friction of the asperities: a model on the film of smooth surfaces ([`crate::mixed`]).
 #[derive(Clone, Debug, PartialEq, Serialize)]

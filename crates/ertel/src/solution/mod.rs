@@ -7,8 +7,10 @@ mod field;
 mod figures;
 mod left_out;
 mod mixed;
+mod role;
 mod roller;
 mod sensitivities;
+mod separation;
 mod starvation;
 mod thermal;
 mod uncertainty;
@@ -18,7 +20,6 @@ use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
 use crate::contact::{Groups, Hertz, Scales, Shape};
-use crate::solve::sequence::Role;
 use crate::warning::Warning;
 
 pub use checks::{Balance, Checks, SummedTo};
@@ -32,8 +33,10 @@ pub use figures::{
 };
 pub use left_out::{Neglected, NeglectedHeat};
 pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
+pub use role::Role;
 pub use roller::RollerFigures;
 pub use sensitivities::{FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
+pub use separation::{BOUNDARY_BELOW, FULL_FROM, Separation, roughness_warning};
 pub use starvation::Starvation;
 pub use thermal::{
     Coupling, CrossProfile, FilmTemperatures, HeatBalance, TemperatureField, Thermal,

@@ -1,6 +1,6 @@
 //! How much each input counts.
 
-use ertel_rheology::quantity::Uncertainty;
+use ertel_input::quantity::Uncertainty;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::Figure;

@@ -5,8 +5,8 @@
 //! ```
 //! (JCGM 100:2008, eq. 13). The half-width of the 95 % interval is 2u.
 
-use ertel_rheology::input::Correlation;
-use ertel_rheology::quantity::COVERAGE;
+use ertel_input::Correlation;
+use ertel_input::quantity::COVERAGE;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::json;
 
@@ -111,7 +111,7 @@ impl Serialize for Uncertainties {
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
-    use ertel_rheology::quantity::Uncertainty;
+    use ertel_input::quantity::Uncertainty;
 
     use super::*;
     use crate::solution::{FigureSensitivity, SensitivityInput};

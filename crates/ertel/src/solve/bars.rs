@@ -263,8 +263,8 @@ pub(super) mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+    use crate::solution::Role;
     use crate::solution::{ErrorEstimate, Figures, TemperatureErrors};
-    use crate::solve::sequence::Role;
 
     /// A converged stage on a mesh of `n` cells.
     pub fn level(n: usize, role: Role, figures: &[(Figure, Reading)]) -> LevelStats {

@@ -129,7 +129,7 @@ pub enum SolveError {
     },
     /// Heat lacks data.
     #[error("{0}; {help}", help = .0.advice())]
-    MissingHeatData(#[from] crate::case::MissingHeatData),
+    MissingHeatData(#[from] super::heat::missing::MissingHeatData),
     /// The temperatures could not be computed.
     #[error("temperatures: {0}")]
     Heat(#[from] HeatError),

@@ -316,7 +316,7 @@ mod tests {
     use std::path::Path;
     use std::sync::Arc;
 
-    use ertel_rheology::input::Document;
+    use ertel_input::Document;
 
     use super::*;
     use crate::case::Case;

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 use super::discretisation::{ContactSurface, Discretisation, Means};
 use super::region::{Elements, Region};

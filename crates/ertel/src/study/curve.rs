@@ -7,9 +7,9 @@ use super::point::{Ends, Interrupted, PointSolution, Task};
 use super::walk::Walk;
 use crate::case::Curve;
 use crate::case::curve::Quantity;
-use crate::output::digits;
 use crate::run::Session;
 use crate::solve::Observer;
+use crate::words::digits;
 
 /// Follows the points of a curve.
 pub trait CurveObserver: Observer {

@@ -10,13 +10,13 @@ use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use ertel_rheology::input::file::open;
+use ertel_input::file::open;
 use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh3::xxh3_128;
 
 use super::SweepError;
 use crate::case::Case;
-use crate::output::sync_folder;
+use crate::files::sync_folder;
 use crate::run::NUMERICS;
 use crate::warning::Warning;
 
@@ -311,7 +311,7 @@ impl Journal {
 mod tests {
     use std::path::Path;
 
-    use ertel_rheology::input::Document;
+    use ertel_input::Document;
 
     use super::*;
     use crate::warning::Warning;

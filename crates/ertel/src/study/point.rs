@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use super::CurveObserver;
 use crate::case::Case;
+use crate::case::CaseEcho;
 use crate::case::study::StudyPoint;
-use crate::output::CaseEcho;
 use crate::reference::film_formulas;
 use crate::run::{Session, Start, groups};
 use crate::solution::{

@@ -4,15 +4,15 @@ use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use ertel_rheology::input::file::{LARGEST_OWN, read_bytes};
+use ertel_input::file::{LARGEST_OWN, read_bytes};
 use serde::{Deserialize, Serialize};
 
 use super::journal::{PointKey, Record, Title};
 use super::{Outcome, PointSolution, SweepError};
 use crate::case::study::{AxisValue, Study};
 use crate::contact::ContactKind;
+use crate::files::{text_field, write_whole};
 use crate::output::curve::COLUMNS;
-use crate::output::{text_field, write_whole};
 use crate::params::PictureFormats;
 use crate::solution::Estimate;
 

@@ -1,9 +1,10 @@
 //! Pictures that set profiles of several runs beside each other.
 
 use crate::output::plot::{
-    self, Axis, Chart, Look, PALETTE, Series, Side, TemperatureScale, film_unit, side_by_side,
+    self, Axis, Chart, Look, PALETTE, Series, Side, film_unit, side_by_side,
 };
 use crate::solution::Solution;
+use crate::words::TemperatureScale;
 
 /// Run by name, and its solution if it has one.
 type Named<'a> = (String, Option<&'a Solution>);

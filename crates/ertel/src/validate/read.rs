@@ -43,9 +43,9 @@
 
 use std::path::{Path, PathBuf};
 
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, Document, InputError, Table};
 use ertel_rheology::ViscosityLaw;
-use ertel_rheology::input::{Bounds, Document, InputError, Table};
-use ertel_rheology::quantity::Dimension;
 
 use super::check::Subject;
 use super::read_picture::read_picture;

@@ -1,6 +1,6 @@
 //! Reading the pictures of a study.
 
-use ertel_rheology::input::{Bounds, InputError, Table};
+use ertel_input::{Bounds, InputError, Table};
 
 use super::profiles::Profile;
 use super::read::{formula_key, indices};
@@ -155,7 +155,7 @@ fn picture_runs(table: &mut Table<'_>, study: &Study) -> Result<Vec<usize>, Inpu
 mod tests {
     use std::path::Path;
 
-    use ertel_rheology::input::Document;
+    use ertel_input::Document;
 
     use super::*;
 

@@ -1,9 +1,9 @@
 //! Where the numbers of a data sheet come from.
 
 use crate::data_sheet::Estimate;
-use crate::input::Table;
 use crate::provenance::{Datum, Status};
-use crate::quantity::Dimension;
+use ertel_input::Table;
+use ertel_input::quantity::Dimension;
 
 /// A number that the table gives.
 pub(super) fn given(table: &Table<'_>, key: &str, value: String, unit: &str) -> Datum {

@@ -9,11 +9,11 @@ use super::{density::reference_temperature, locate};
 use crate::data_sheet::{BaseOil, WATER_AT_15};
 use crate::database::names::plain;
 use crate::density::{DowsonHigginson, ThermalExpansion};
-use crate::input::{Bounds, InputError, Table};
 use crate::provenance::{Datum, ValidityRange};
-use crate::quantity::Dimension;
 use crate::viscosity::{PressureLaw, Walther};
 use crate::{DensityLaw, ViscosityLaw};
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 /// Keys of a data sheet. `reference_temperature` is one of the fluid.
 const KEYS: [&str; 8] = [

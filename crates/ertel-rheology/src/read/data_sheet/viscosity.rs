@@ -8,10 +8,10 @@ use crate::data_sheet::{
     viscosity_at_100, viscosity_index,
 };
 use crate::database::names;
-use crate::input::{Bounds, InputError, Table};
 use crate::provenance::Datum;
-use crate::quantity::{Dimension, is_saybolt, saybolt_corrected};
 use crate::viscosity::Walther;
+use ertel_input::quantity::{Dimension, is_saybolt, saybolt_corrected};
+use ertel_input::{Bounds, InputError, Table};
 
 /// Kinematic viscosities that Walther's equation covers, m²/s, up to pitch.
 const VISCOSITIES: Bounds = Bounds::closed(0.2e-6, 1.0);

@@ -2,14 +2,14 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use ertel_rheology::input::{Bounds, InputError, Table};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 use super::bearing::{Ring, SOURCE, gamma, rolling};
 use super::spin::{self, BallInGrooves};
 use super::{Machine, Rows, point_load, required_length};
 use crate::contact::{Contact, Hertz, Motion};
-use crate::output::digits;
+use crate::words::digits;
 
 /// Contact angles, rad: from radial to thrust bearings.
 const ANGLE: Bounds = Bounds::closed(0.0, FRAC_PI_2);

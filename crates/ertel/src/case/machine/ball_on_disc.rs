@@ -1,6 +1,6 @@
 //! A ball on a flat disc, as in film and traction rigs.
 
-use ertel_rheology::input::{InputError, Table};
+use ertel_input::{InputError, Table};
 
 use super::{Machine, Rows, point_load, required_length};
 use crate::case::motion::read_motion;

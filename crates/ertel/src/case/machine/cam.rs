@@ -1,11 +1,11 @@
 //! A cam that lifts a flat tappet.
 
-use ertel_rheology::input::{Bounds, InputError, Table};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 use super::{ANGULAR_SPEED, Machine, Rows, line_load, required_length};
 use crate::contact::Contact;
-use crate::output::digits;
+use crate::words::digits;
 
 /// Lifts and their derivatives, m, as large as the radii.
 const LIFT: Bounds = Bounds::closed(0.0, 1e3);

@@ -2,14 +2,14 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use ertel_rheology::input::{Bounds, InputError, Table};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 use super::involute::Pair;
 use super::{Machine, Rows, required_length};
 use crate::contact::Contact;
-use crate::output::{digits, length};
 use crate::warning::{Warning, WarningKind};
+use crate::words::{digits, length};
 
 /// Pressure angles, rad.
 const PRESSURE_ANGLE: Bounds = Bounds::open(0.0, FRAC_PI_4);

@@ -14,14 +14,15 @@ mod spin;
 
 use std::path::Path;
 
-use ertel_rheology::input::{Bounds, InputError, Table};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::quantity::Dimension;
+use ertel_input::{Bounds, InputError, Table};
 
 use super::contact::{MOST_SLENDER, RADIUS, load_of_pressure, too_slender};
 use super::motion::{MAX_SPEED, check_entrainment};
+use crate::case::MachineEcho;
 use crate::contact::{Contact, Motion};
-use crate::output::{MachineEcho, digits, length};
 use crate::warning::Warning;
+use crate::words::{digits, length};
 
 /// Angular speeds of machines, rad/s.
 const ANGULAR_SPEED: Bounds = Bounds::closed(-1e6, 1e6);

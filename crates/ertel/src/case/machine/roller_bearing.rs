@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ertel_rheology::input::{InputError, Table};
+use ertel_input::{InputError, Table};
 
 use super::bearing::{Ring, SOURCE, gamma, rolling};
 use super::{Machine, Rows, line_load, required_length};

@@ -1,6 +1,6 @@
 //! Spin of a ball in an angular-contact bearing.
 
-use ertel_rheology::input::{InputError, Table};
+use ertel_input::{InputError, Table};
 
 use super::Rows;
 use super::bearing::Ring;

@@ -3,8 +3,8 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use ertel_rheology::input::tree::{Node, Value};
-use ertel_rheology::input::{Document, InputError};
+use ertel_input::tree::{Node, Value};
+use ertel_input::{Document, InputError};
 
 use super::axis::{Axis, Group};
 use super::points::value_of;

@@ -3,10 +3,10 @@
 use std::ops::Range;
 use std::path::Path;
 
-use ertel_rheology::input::csv::{CsvParams, CsvTable, Row, Vocabulary, key_titles};
-use ertel_rheology::input::file::read_table;
-use ertel_rheology::input::tree::{Node, Value};
-use ertel_rheology::input::{Document, InputError};
+use ertel_input::csv::{CsvParams, CsvTable, Row, Vocabulary, key_titles};
+use ertel_input::file::read_table;
+use ertel_input::tree::{Node, Value};
+use ertel_input::{Document, InputError};
 
 use super::axis::{Axis, Group};
 use super::values::{AxisValue, is_text_key};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ertel_rheology::input::{Document, InputError};
+use ertel_input::{Document, InputError};
 use tempfile::TempDir;
 
 use super::{AxisValue, Study};

@@ -1,6 +1,6 @@
 //! Values as TOML text.
 
-use ertel_rheology::input::tree::{Entry, Node, Value};
+use ertel_input::tree::{Entry, Node, Value};
 
 /// A document: scalars and arrays first, then tables.
 pub(super) fn to_toml(root: &Node) -> String {

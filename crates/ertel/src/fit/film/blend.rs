@@ -3,8 +3,8 @@
 use super::{Estimate, FilmFitError, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved};
 use crate::contact::ContactKind;
 use crate::fit::{Minimum, MinimumError, minimise};
-use crate::output::digits;
 use crate::reference::{Asymptotes, moes_line_asymptotes, nijenbanning_venner_moes_asymptotes};
+use crate::words::digits;
 
 /// Exponents s that the search starts from: published blends have 1.4 to 3.
 const STARTS: [f64; 3] = [1.0, 2.0, 4.0];

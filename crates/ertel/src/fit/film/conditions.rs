@@ -1,13 +1,13 @@
 //! What differs between the films of a table beside the variables of a form.
 
-use ertel_rheology::input::csv::{Column, CsvTable, Row};
-use ertel_rheology::input::excerpt;
-use ertel_rheology::quantity::Dimension;
+use ertel_input::csv::{Column, CsvTable, Row};
+use ertel_input::excerpt;
+use ertel_input::quantity::Dimension;
 
 use super::FilmForm;
 use crate::fit::DataError;
-use crate::output::digits;
 use crate::study::ISOTHERMAL;
+use crate::words::digits;
 
 /// Columns that a form over the speed does not know, with their words: none of them should vary.
 const CONDITIONS: [(&str, &str, Dimension); 4] = [

@@ -4,7 +4,7 @@ use super::{
     Estimate, FilmFitError, FilmState, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved,
 };
 use crate::fit::{Minimum, MinimumError, minimise};
-use crate::output::digits;
+use crate::words::digits;
 
 /// Ratio of largest to smallest value of a group below which it does not vary, as for power laws.
 const LEAST_VARIATION: f64 = 1.0 + 2e-3;

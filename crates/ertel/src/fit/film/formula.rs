@@ -1,8 +1,8 @@
 //! The fitted formula as text, LaTeX and code.
 
 use super::{FilmFit, FilmForm, FilmKind};
-use crate::output::digits;
 use crate::reference::ElasticExponents;
+use crate::words::digits;
 
 /// Significant digits of factors.
 const DIGITS: usize = 5;

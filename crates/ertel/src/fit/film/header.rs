@@ -1,7 +1,7 @@
 //! The columns of a table of films, and the numbers below them.
 
-use ertel_rheology::input::csv::{Column, CsvTable, Row};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::csv::{Column, CsvTable, Row};
+use ertel_input::quantity::Dimension;
 
 use crate::fit::DataError;
 

@@ -5,7 +5,7 @@ use super::{
     MinimumError, moved,
 };
 use crate::fit::{Minimum, minimise};
-use crate::output::digits;
+use crate::words::digits;
 
 /// Ratio of largest to smallest value of a variable below which it does not vary. In a table of four digits a number is off by
 /// up to 5e-4 of itself, a group of several by more: most of all W = M (2U)^(3/4), by (1 + 3/4) 5e-4, to either side.

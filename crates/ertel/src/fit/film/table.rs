@@ -1,7 +1,7 @@
 //! Films from a table.
 
-use ertel_rheology::input::csv::{Column, CsvError, CsvParams, CsvTable, Vocabulary};
-use ertel_rheology::quantity::Dimension;
+use ertel_input::csv::{Column, CsvError, CsvParams, CsvTable, Vocabulary};
+use ertel_input::quantity::Dimension;
 
 use super::conditions::Conditions;
 use super::geometry::Ellipses;
@@ -9,7 +9,7 @@ use super::header::{need, positive};
 use super::{FilmForm, FilmKind, FilmState};
 use crate::contact::{Contact, ContactKind};
 use crate::fit::DataError;
-use crate::output::digits;
+use crate::words::digits;
 
 /// Names of the column of the entrainment speed, as results and curves have it.
 const SPEED_NAMES: [&str; 2] = ["entrainment speed", "motion.entrainment speed"];

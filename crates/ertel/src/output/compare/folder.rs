@@ -8,8 +8,9 @@ use super::{
     COMPARISON_FORMAT, comparison_json, comparison_picture, comparison_report, comparison_table,
 };
 use crate::compare::Comparison;
+use crate::files::{TEMPORARY, write_whole};
 use crate::output::target::has_format;
-use crate::output::{OutputError, TEMPORARY, picture_files, put_picture, write_whole};
+use crate::output::{OutputError, picture_files, put_picture};
 use crate::params::PictureFormats;
 use crate::study::journal::LOCK;
 use crate::study::{POINTS, STUDY_FORMAT};

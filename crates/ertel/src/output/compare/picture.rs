@@ -5,12 +5,12 @@ use std::collections::HashSet;
 use super::super::plot::{
     Axis, AxisScale, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side,
 };
-use super::super::report::digits;
 use super::super::study::words;
 use super::report::unit_of;
 use super::settings::{n_apart, settings};
 use crate::case::study::AxisValue;
 use crate::compare::{ComparedRow, Comparison, Figure};
+use crate::words::digits;
 
 /// Ratio of the largest to the smallest value from which an axis is logarithmic.
 const LOG_FROM: f64 = 5.0;
@@ -249,7 +249,7 @@ fn label(comparison: &Comparison, row: &ComparedRow, columns: &[usize]) -> Strin
 
 #[cfg(test)]
 mod tests {
-    use ertel_rheology::quantity::Dimension;
+    use ertel_input::quantity::Dimension;
 
     use super::*;
     use crate::compare::Outcome;

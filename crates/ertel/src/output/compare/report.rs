@@ -5,11 +5,11 @@ use std::path::Path;
 
 use super::super::figure::{in_unit, with_bar};
 use super::super::plot::film_unit;
-use super::super::report::digits;
 use super::super::study::words;
 use crate::case::study::AxisValue;
 use crate::compare::{Compared, Comparison, Figure, Outcome, Statistics};
 use crate::solution::Estimate;
+use crate::words::digits;
 
 /// The rows as a table, then bias, scatter and the worst row of each figure.
 pub fn comparison_report(comparison: &Comparison, folder: Option<&Path>) -> String {

@@ -2,7 +2,7 @@
 
 use crate::case::study::AxisValue;
 use crate::compare::{Comparison, Figure, Outcome};
-use crate::output::text_field;
+use crate::files::text_field;
 
 /// The table as text, SI.
 pub fn comparison_table(comparison: &Comparison) -> String {

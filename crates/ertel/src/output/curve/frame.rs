@@ -1,10 +1,11 @@
 //! Axes of a diagram over the quantity of a curve, and points for them.
 
-use ertel_rheology::quantity::Dimension;
+use ertel_input::quantity::Dimension;
 
-use super::super::plot::{Axis, AxisScale, Chart, Marker, pressure_unit};
+use super::super::plot::{Axis, AxisScale, Chart, Marker};
 use crate::case::curve::Quantity;
 use crate::study::{CurveSolution, PointSolution};
+use crate::words::pressure_unit;
 
 /// Ratio of the largest to the smallest value from which an axis is logarithmic.
 const LOG_FROM: f64 = 5.0;

@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::super::CaseEcho;
 use super::super::result_json::{FORMAT_VERSION, units};
+use crate::case::CaseEcho;
 use crate::run::NUMERICS;
 use crate::study::{CurveSolution, Outcome, PointSolution};
 use crate::warning::texts;

@@ -18,7 +18,8 @@ use std::path::Path;
 use super::folder::{NewFolder, OutputFile, Part};
 use super::html::{REPORT_PAGE, curve_page};
 use super::plot::{Chart, Picture};
-use super::{CaseEcho, OutputError, finite, write_files, write_picture};
+use super::{OutputError, finite, write_files, write_picture};
+use crate::case::CaseEcho;
 use crate::params::OutputParams;
 use crate::study::{CurveSolution, Outcome};
 

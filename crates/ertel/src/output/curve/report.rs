@@ -3,13 +3,13 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use super::super::CaseEcho;
 use super::super::figure::{estimate, number, peak, temperature};
 use super::super::mixed::share;
-use super::super::report::digits;
+use crate::case::CaseEcho;
 use crate::solution::MixedLubrication;
 use crate::study::{CurveSolution, Outcome, PointSolution, value_text};
 use crate::warning::by_kind;
+use crate::words::digits;
 
 /// The points as a table, failures with their reasons, warnings.
 pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path>) -> String {

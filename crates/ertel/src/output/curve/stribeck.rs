@@ -1,6 +1,6 @@
 //! The Stribeck curve: friction of film and asperities over speed.
 
-use ertel_rheology::quantity::Dimension;
+use ertel_input::quantity::Dimension;
 
 use super::super::plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 use super::frame::largest;

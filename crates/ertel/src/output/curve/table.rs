@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use crate::case::study::header;
 use crate::contact::ContactKind;
-use crate::output::text_field;
+use crate::files::text_field;
 use crate::solution::{Estimate, Located, MixedLubrication, Thermal, Unresolved};
 use crate::study::{CurveSolution, Outcome, PointSolution};
 

@@ -4,8 +4,8 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
+use crate::case::CaseEcho;
 use crate::contact::{ContactKind, Symmetry};
-use crate::output::CaseEcho;
 use crate::solution::{ContactFields, Estimate, Field, Located, Solution};
 
 /// Value of the key `format` of the data.

@@ -13,11 +13,13 @@ pub use data::{DATA_FORMAT, DATA_VERSION};
 
 use super::lines::{Block, Lines};
 use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
-use super::{CaseEcho, curve_report, curve_table, heat, inputs};
+use super::{curve_report, curve_table, heat, inputs};
+use crate::case::CaseEcho;
 use crate::contact::ContactKind;
 use crate::solution::Solution;
 use crate::study::CurveSolution;
 use crate::warning::texts;
+use crate::words::{digits, pressure};
 
 /// Name of the page in a folder of results.
 pub const REPORT_PAGE: &str = "report.html";
@@ -317,9 +319,9 @@ fn subtitle(solution: &Solution) -> String {
     format!(
         "{} contact, p_h {}, M {}, L {}",
         kind,
-        super::pressure(solution.hertz.pressure),
-        super::digits(g.moes_load, 4),
-        super::digits(g.moes_material, 4),
+        pressure(solution.hertz.pressure),
+        digits(g.moes_load, 4),
+        digits(g.moes_material, 4),
     )
 }
 

@@ -11,7 +11,7 @@ use super::drawing::{Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number
 use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
 use super::sampling::Sampling;
 use crate::contact::HertzZone;
-use crate::output::length;
+use crate::words::length;
 
 /// Height of the frame of a map, px, and the bounds of its width.
 const MAP_HEIGHT: f64 = 330.0;

@@ -1,7 +1,8 @@
 //! Viscosity of a fluid under pressure.
 
-use super::super::report::digits;
-use super::{Axis, Chart, Look, Marker, PALETTE, Series, Side, pressure_unit};
+use super::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
+use crate::words::digits;
+use crate::words::pressure_unit;
 
 /// Viscosity against pressure at one temperature.
 pub struct ViscosityCurve {

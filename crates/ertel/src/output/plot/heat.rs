@@ -5,58 +5,7 @@ use super::maps::temperature_map;
 use super::{Axis, Chart, Look, PALETTE, Series, Side, Task, profile, window_x};
 use crate::output::BODIES;
 use crate::solution::{Solution, Thermal};
-
-/// Which scale temperatures are shown in; the other one stands beside it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum TemperatureScale {
-    /// K.
-    #[default]
-    Kelvin,
-    /// °C.
-    Celsius,
-}
-
-impl TemperatureScale {
-    /// The scale in which a user gave a temperature, `"40 degC"`; Kelvin of anything else.
-    pub fn of(given: &str) -> TemperatureScale {
-        let has = |unit: &str| given.contains(unit);
-        match has("degC") || has("°C") || has("℃") {
-            true => TemperatureScale::Celsius,
-            false => TemperatureScale::Kelvin,
-        }
-    }
-
-    /// A temperature in K in this scale.
-    pub fn shown(self, kelvin: f64) -> f64 {
-        match self {
-            TemperatureScale::Kelvin => kelvin,
-            TemperatureScale::Celsius => kelvin - 273.15,
-        }
-    }
-
-    pub(super) fn unit(self) -> &'static str {
-        match self {
-            TemperatureScale::Kelvin => "K",
-            TemperatureScale::Celsius => "°C",
-        }
-    }
-
-    pub(super) fn other(self) -> TemperatureScale {
-        match self {
-            TemperatureScale::Kelvin => TemperatureScale::Celsius,
-            TemperatureScale::Celsius => TemperatureScale::Kelvin,
-        }
-    }
-
-    /// Axis around temperatures in K, and that of the other scale over the same range.
-    fn axes(self, kelvin: impl Iterator<Item = f64>) -> [Axis; 2] {
-        let label = |scale: TemperatureScale| format!("Temperature *T* ({})", scale.unit());
-        let axis = Axis::linear_around(&label(self), kelvin.map(|t| self.shown(t)));
-        let shift = self.other().shown(0.0) - self.shown(0.0);
-        let other = Axis::linear(&label(self.other()), axis.low + shift, axis.high + shift);
-        [axis, other]
-    }
-}
+use crate::words::TemperatureScale;
 
 /// Every picture of the temperatures of a solution.
 pub fn heat_pictures<'a>(
@@ -116,7 +65,7 @@ pub fn temperature_chart(title: &str, solution: &Solution, scale: TemperatureSca
         .flat_map(|s| s.points.iter())
         .filter(|p| (low..=high).contains(&p[0]))
         .map(|p| p[1] - scale.shown(0.0));
-    let [y, other] = scale.axes(shown);
+    let [y, other] = axes(scale, shown);
     let mut chart = Chart::new(title, Axis::linear("*x*/*a*", low, high), y);
     chart.y_other = Some(other);
     chart.series = series;
@@ -131,7 +80,7 @@ pub fn cross_film_chart(
     scale: TemperatureScale,
 ) -> Chart {
     let values = thermal.profiles.iter().flat_map(|p| &p.temperature);
-    let [y, other] = scale.axes(values.copied());
+    let [y, other] = axes(scale, values.copied());
     let x = Axis::linear("Height over body 1 *z*/*h*", 0.0, 1.0);
     let mut chart = Chart::new(title, x, y);
     chart.y_other = Some(other);
@@ -153,6 +102,15 @@ pub fn cross_film_chart(
     chart
 }
 
+/// Axis around temperatures in K, and that of the other scale over the same range.
+fn axes(scale: TemperatureScale, kelvin: impl Iterator<Item = f64>) -> [Axis; 2] {
+    let label = |shown: TemperatureScale| format!("Temperature *T* ({})", shown.unit());
+    let axis = Axis::linear_around(&label(scale), kelvin.map(|t| scale.shown(t)));
+    let shift = scale.other().shown(0.0) - scale.shown(0.0);
+    let other = Axis::linear(&label(scale.other()), axis.low + shift, axis.high + shift);
+    [axis, other]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,7 +130,7 @@ mod tests {
     #[test]
     fn both_scales_agree_on_both_sides() {
         for scale in [TemperatureScale::Kelvin, TemperatureScale::Celsius] {
-            let [own, other] = scale.axes([313.15, 371.2].into_iter());
+            let [own, other] = axes(scale, [313.15, 371.2].into_iter());
             for kelvin in [313.15, 371.2] {
                 let at = own.position(scale.shown(kelvin));
                 let beside = other.position(scale.other().shown(kelvin));

@@ -3,9 +3,10 @@
 use super::drawing::Drawing;
 use super::field::{Bar, FieldMap, OtherScale, map_height};
 use super::sampling::{Sampling, View};
-use super::{TemperatureScale, axis, film_unit, pressure_unit};
+use super::{axis, film_unit};
 use crate::contact::Symmetry;
 use crate::solution::{Polynomials, Solution};
+use crate::words::{TemperatureScale, pressure_unit};
 
 /// Colours of a map that shall look continuous.
 const N_SHADES: usize = 64;

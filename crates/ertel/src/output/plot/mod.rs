@@ -21,12 +21,13 @@ mod sampling;
 mod simplify;
 mod svg;
 
+use crate::words::TemperatureScale;
 pub use axis::{Axis, AxisScale};
 pub use chart::{Chart, ErrorBars, Look, Marker, PALETTE, Series, Side, side_by_side};
 pub use convergence::convergence;
 pub use drawing::{Drawing, DrawingError};
 pub use fluid::{ViscosityCurve, viscosity_chart};
-pub use heat::{TemperatureScale, cross_film_chart, temperature_chart};
+pub use heat::{cross_film_chart, temperature_chart};
 pub use interferogram::Image;
 pub use maps::{film_map, pressure_map};
 pub(crate) use profile::{profile, profile_across};

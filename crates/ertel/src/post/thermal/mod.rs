@@ -12,6 +12,7 @@ use crate::contact::{Scales, Symmetry};
 use crate::film::{FilmNodes, Nodal};
 use crate::params::ThermalParams;
 use crate::post::summary::beside;
+use crate::solution::Role;
 use crate::solution::{
     Coupling, Estimate, Figure, FilmTemperatures, HeatBalance, LevelStats, Located, Measured,
     Thermal, ThermalReduction,
@@ -22,7 +23,7 @@ use crate::solve::evaluate::fields_in;
 use crate::solve::heat::balance::heat_balance;
 use crate::solve::heat::figures::walls;
 use crate::solve::heat::space::HeatSpace;
-use crate::solve::sequence::{Problem, Role, StageSolution};
+use crate::solve::sequence::{Problem, StageSolution};
 use crate::solve::system::State;
 use crate::warning::{Warning, WarningKind};
 

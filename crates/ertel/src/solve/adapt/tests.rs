@@ -1,7 +1,7 @@
 use super::*;
+use crate::solution::Role;
 use crate::solution::{ErrorEstimate, Figure, Reading};
 use crate::solve::bars::tests::level;
-use crate::solve::sequence::Role;
 
 const TARGET: f64 = 2e-3;
 const N: usize = 1000;

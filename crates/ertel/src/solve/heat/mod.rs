@@ -23,6 +23,7 @@ pub mod deviation;
 mod element;
 pub mod figures;
 mod inflow;
+pub mod missing;
 pub mod newton;
 pub mod recovery;
 mod relaxation;

@@ -89,7 +89,7 @@ impl SideRule {
 mod tests {
     use std::path::Path;
 
-    use ertel_rheology::input::Document;
+    use ertel_input::Document;
 
     use super::*;
     use crate::case::Case;

@@ -34,7 +34,7 @@ use crate::forms::energy::Heat;
 use crate::params::LinearSolver;
 
 pub use mesh_solver::solve_stages;
-pub use stage::{Role, Stage};
+pub use stage::Stage;
 pub use warm::{Start, solve_on_mesh, solve_warm};
 
 /// Everything a solve needs, dimensionless.

@@ -1,7 +1,6 @@
 //! The data of a stage: its mesh, its formulation, what it is for.
 
-use serde::Serialize;
-
+use crate::solution::Role;
 use crate::solve::discretisation::LevelSizes;
 use crate::solve::system::FilmConstants;
 
@@ -34,37 +33,6 @@ pub struct Stage {
     pub given_up_early: bool,
     /// What it is for.
     pub role: Role,
-}
-
-/// What a stage is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Role {
-    /// Only starts the next one: loose tolerance, penalty ramp, and what it reaches is good
-    /// enough even when it does not converge, as long as it is nearer than the dry contact.
-    Start,
-    /// A step of a continuation from a start to the case's own equations: loose tolerance, but the penalty in full.
-    Path,
-    /// Its figures bound the discretisation error; skipped when it does not converge.
-    Estimate,
-    /// A film to compare the solution with; likewise.
-    Comparison,
-    /// The same contact without its heat, to compare with; likewise.
-    Isothermal,
-    /// The solution.
-    Final,
-}
-
-impl Role {
-    /// Whether it only leads to other stages.
-    pub(crate) fn leads(self) -> bool {
-        matches!(self, Role::Start | Role::Path)
-    }
-
-    /// Whether it is only compared with the solution.
-    pub(crate) fn compares(self) -> bool {
-        matches!(self, Role::Comparison | Role::Isothermal)
-    }
 }
 
 impl Stage {

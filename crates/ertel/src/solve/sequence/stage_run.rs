@@ -2,9 +2,10 @@
 
 use ertel_fem::platform::Instant;
 
-use super::{Problem, Role, Stage};
+use super::{Problem, Stage};
 use crate::contact::ContactKind;
 use crate::solution::LevelStats;
+use crate::solution::Role;
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::figures::{Extent, figures};
@@ -343,7 +344,7 @@ mod tests {
     use std::path::Path;
     use std::sync::Arc;
 
-    use ertel_rheology::input::Document;
+    use ertel_input::Document;
 
     use super::*;
     use crate::case::Case;

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use super::mesh_solver::solve_from;
-use super::{Problem, Role, Stage, StageSolution};
+use super::{Problem, Stage, StageSolution};
 use crate::contact::{Inlet, hertz};
 use crate::elastic::{Accuracy, BodyModel, Elasticity, compliance};
 use crate::solution::LevelStats;
+use crate::solution::Role;
 use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::discretisation::{Discretisation, Extents};
 use crate::solve::evaluate::{central_film, minimum_film, pressure_at};

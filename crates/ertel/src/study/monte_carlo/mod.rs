@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use crate::case::Case;
 use crate::case::study::{AxisValue, MOST_POINTS, Study, StudyColumn, StudyPoint};
 use crate::params::SensitivityDemand;
-use ertel_rheology::input::Input;
+use ertel_input::Input;
 
 pub use sampling::SampleError;
 pub use statistics::{Distribution, MonteCarlo, QUANTILES};

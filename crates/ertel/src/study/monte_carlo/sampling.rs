@@ -3,8 +3,8 @@
 //! Each input has one sample in each of n intervals of equal probability; the order is random. Correlated inputs are correlated as normal
 //! variables, which are then distributed as the inputs are: exact for normal ones, a Gaussian copula for others.
 
-use ertel_rheology::input::{Correlation, Input};
-use ertel_rheology::quantity::{CUT, Uncertainty};
+use ertel_input::quantity::{CUT, Uncertainty};
+use ertel_input::{Correlation, Input};
 use nalgebra::DMatrix;
 
 use super::{MOST_SAMPLES, MonteCarloParams};
@@ -115,7 +115,7 @@ fn normal_quantile(probability: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
-    use ertel_rheology::quantity::Dimension;
+    use ertel_input::quantity::Dimension;
 
     use super::*;
 

@@ -102,7 +102,7 @@ fn clear_leftovers(folder: &Path) {
         let is_ours = entry
             .file_name()
             .to_string_lossy()
-            .starts_with(output::TEMPORARY);
+            .starts_with(crate::files::TEMPORARY);
         if is_ours && entry.file_type().is_ok_and(|kind| kind.is_file()) {
             let _ = fs::remove_file(entry.path());
         }
@@ -117,7 +117,7 @@ pub(super) fn write_results(
 ) -> Result<(), SweepError> {
     let write = |name: &str, text: String| {
         let path = folder.join(name);
-        output::write_whole(&path, text.as_bytes()).map_err(|e| SweepError::io(&path, e))
+        crate::files::write_whole(&path, text.as_bytes()).map_err(|e| SweepError::io(&path, e))
     };
     let table = echo.table(records);
     let finished =

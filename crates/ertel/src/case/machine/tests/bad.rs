@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ertel_rheology::input::Document;
+use ertel_input::Document;
 
 use super::{BALL, CAM, DISC, GEAR, REST, ROLLER, read, with};
 use crate::case::Case;

@@ -1,8 +1,9 @@
 //! What follows from the end of a stage.
 
 use super::{Attempt, Driver, StageEnd, StageSolver};
+use crate::solution::Role;
 use crate::solve::adapt::Aim;
-use crate::solve::sequence::stage::{Role, Stage};
+use crate::solve::sequence::stage::Stage;
 use crate::solve::sequence::strategies::halfway::halfway;
 use crate::solve::sequence::strategies::lower_order::quadratic;
 

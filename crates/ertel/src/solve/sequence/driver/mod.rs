@@ -15,8 +15,9 @@ use std::collections::VecDeque;
 use decision::Decision;
 pub(super) use stage_solver::{Attempt, StageEnd, StageSolver, Task};
 
-use super::stage::{Role, Stage};
+use super::stage::Stage;
 use super::strategies::{Fallback, Outline, diffusion, fallbacks};
+use crate::solution::Role;
 use crate::solve::adapt::{Aim, Refinement};
 use crate::solve::{Observer, SolveError};
 

@@ -4,7 +4,8 @@
 //! there to the case is too long. Does nothing for incompressible fluids, whose ∂ρ̄/∂P is zero.
 
 use super::Outline;
-use crate::solve::sequence::stage::{Role, Stage};
+use crate::solution::Role;
+use crate::solve::sequence::stage::Stage;
 use crate::solve::system::FilmConstants;
 
 /// Diffusion between that of a start and none.

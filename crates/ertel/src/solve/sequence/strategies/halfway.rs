@@ -1,7 +1,8 @@
 //! Half of a continuation step that was too long.
 
 use super::shear_law::SOFTNESS;
-use crate::solve::sequence::stage::{Role, Stage};
+use crate::solution::Role;
+use crate::solve::sequence::stage::Stage;
 use crate::solve::system::FilmConstants;
 
 /// Ratios of speeds, softnesses and shares of sliding that need not be halved.

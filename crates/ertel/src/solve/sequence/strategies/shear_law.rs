@@ -11,7 +11,8 @@
 
 use super::sliding::{self, goal};
 use super::{Outline, diffusion};
-use crate::solve::sequence::stage::{Role, Stage};
+use crate::solution::Role;
+use crate::solve::sequence::stage::Stage;
 
 /// Softnesses of an exponential: stress of an e-fold, over that of the law, or its root for Eyring's stress. From each to the next
 /// the shear rate of a stress beyond the limit gains as many e-folds as it had twice over.

@@ -5,7 +5,8 @@
 
 use super::lower_order::quadratic;
 use super::{Outline, diffusion};
-use crate::solve::sequence::stage::{Role, Stage};
+use crate::solution::Role;
+use crate::solve::sequence::stage::Stage;
 
 /// Shares θ of the sliding.
 pub(super) const SLIDING: [f64; 7] = [0.03, 0.1, 0.25, 0.45, 0.65, 0.85, 1.0];

@@ -4,7 +4,8 @@
 //! them before the oil has come in, and has no way back, because what has no film lets no oil pass.
 
 use super::Outline;
-use crate::solve::sequence::stage::{Role, Stage};
+use crate::solution::Role;
+use crate::solve::sequence::stage::Stage;
 use crate::solve::system::FilmConstants;
 
 /// Multiples of the case's speed.

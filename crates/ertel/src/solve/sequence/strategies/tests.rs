@@ -3,8 +3,8 @@ use super::sliding::SLIDING;
 use super::*;
 use crate::contact::Planar;
 use crate::params::{Formulation, PenaltyScaling};
+use crate::solution::Role;
 use crate::solve::discretisation::LevelSizes;
-use crate::solve::sequence::stage::Role;
 use crate::solve::system::FilmConstants;
 
 /// Start and solution of an isothermal contact in a Newtonian fluid, with pressures of some order.

@@ -3,7 +3,8 @@
 //! Cures extreme material groups: a spike of many decades of viscosity cannot be reached from the dry contact in one go.
 
 use super::Outline;
-use crate::solve::sequence::stage::{Role, Stage};
+use crate::solution::Role;
+use crate::solve::sequence::stage::Stage;
 
 /// Exponents.
 const EXPONENTS: [f64; 5] = [0.4, 0.6, 0.75, 0.88, 1.0];

@@ -1,8 +1,8 @@
 //! Errors that name the place, the key and the choices.
 
 use super::Table;
-use crate::input::InputError;
-use crate::input::tree::{Entry, Node, Value};
+use crate::InputError;
+use crate::tree::{Entry, Node, Value};
 
 impl Table<'_> {
     /// Refuses the keys that nobody asked for.

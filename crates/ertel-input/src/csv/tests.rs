@@ -182,7 +182,7 @@ proptest::proptest! {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("t.csv");
         std::fs::write(&path, &bytes).unwrap();
-        if let Ok(text) = crate::input::file::read_table(&path) {
+        if let Ok(text) = crate::file::read_table(&path) {
             read_all(&text);
             read_all(&format!("p [MPa]\tT [K]\teta [cP]\n{text}"));
         }

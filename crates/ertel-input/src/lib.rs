@@ -5,8 +5,8 @@
 //! dimension, finiteness and [`Bounds`].
 //!
 //! ```
-//! use ertel_rheology::input::{Bounds, Document};
-//! use ertel_rheology::quantity::Dimension;
+//! use ertel_input::{Bounds, Document};
+//! use ertel_input::quantity::Dimension;
 //!
 //! let document = Document::parse("case.toml", "[contact]\nradius = \"16 mm\"\n")?;
 //! let mut root = document.root();
@@ -15,7 +15,7 @@
 //! contact.finish()?;
 //! root.finish()?;
 //! assert_eq!(radius, 0.016);
-//! # Ok::<(), ertel_rheology::input::InputError>(())
+//! # Ok::<(), ertel_input::InputError>(())
 //! ```
 
 mod bounds;
@@ -23,6 +23,7 @@ pub mod csv;
 mod error;
 pub mod file;
 mod inputs;
+pub mod quantity;
 mod shown;
 mod table;
 pub mod tree;

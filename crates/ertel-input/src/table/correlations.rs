@@ -1,7 +1,7 @@
 //! Reader of correlations between uncertain quantities.
 
 use super::Table;
-use crate::input::{Bounds, InputError};
+use crate::{Bounds, InputError};
 
 impl Table<'_> {
     /// Correlations of uncertain quantities of this table, and of those in it:

@@ -54,12 +54,12 @@ impl Uncertainty {
 /// As [`parse`]; an uncertainty of another dimension, one that is not positive, limits that are not in order.
 ///
 /// ```
-/// use ertel_rheology::quantity::{parse_uncertain, Dimension, Uncertainty};
+/// use ertel_input::quantity::{parse_uncertain, Dimension, Uncertainty};
 /// let (value, uncertainty) = parse_uncertain("16 mm ± 5 %", Dimension::LENGTH)?;
 /// assert_eq!(value, 0.016);
 /// assert!((uncertainty.unwrap().standard() - 0.0004).abs() < 1e-18);
 /// assert!(parse_uncertain("16 mm ± 1 N", Dimension::LENGTH).is_err());
-/// # Ok::<(), ertel_rheology::quantity::QuantityError>(())
+/// # Ok::<(), ertel_input::quantity::QuantityError>(())
 /// ```
 pub fn parse_uncertain(
     text: &str,

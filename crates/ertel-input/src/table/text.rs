@@ -1,8 +1,8 @@
 //! Readers of strings, choices and switches.
 
 use super::Table;
-use crate::input::InputError;
-use crate::input::tree::Value;
+use crate::InputError;
+use crate::tree::Value;
 
 impl<'a> Table<'a> {
     /// A string.

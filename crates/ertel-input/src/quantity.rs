@@ -107,7 +107,7 @@ pub enum QuantityError {
 /// returned is always finite.
 ///
 /// ```
-/// use ertel_rheology::quantity::{parse, Dimension};
+/// use ertel_input::quantity::{parse, Dimension};
 /// assert_eq!(parse("16 mm", Dimension::LENGTH), Ok(0.016));
 /// assert_eq!(parse("40 degC", Dimension::TEMPERATURE), Ok(313.15));
 /// assert!(parse("100 mm", Dimension::FORCE).is_err());
@@ -242,7 +242,7 @@ fn of_rotation(text: &str) -> String {
 /// anything else.
 ///
 /// ```
-/// use ertel_rheology::quantity::{parse_any, Dimension};
+/// use ertel_input::quantity::{parse_any, Dimension};
 /// assert_eq!(parse_any("16 mm"), Some((0.016, Dimension::LENGTH)));
 /// assert_eq!(parse_any("steel"), None);
 /// ```

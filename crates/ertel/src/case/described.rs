@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use super::plot::TemperatureScale;
 use crate::contact::{Contact, Elasticity, Motion, Supply};
 use crate::mixed::Asperities;
 use crate::params::{MeshParams, SolverParams, ThermalParams};
+use crate::words::TemperatureScale;
 
 /// One of the bodies.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -1,8 +1,8 @@
 //! Readers of tables within a table.
 
 use super::{StrOrTable, Table};
-use crate::input::InputError;
-use crate::input::tree::Value;
+use crate::InputError;
+use crate::tree::Value;
 
 impl<'a> Table<'a> {
     /// A table.

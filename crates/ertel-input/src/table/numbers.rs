@@ -3,9 +3,9 @@
 use std::ops::RangeInclusive;
 
 use super::Table;
-use crate::input::tree::{Node, Value};
-use crate::input::{Bounds, InputError, unit_meant};
 use crate::quantity::{self, Dimension, QuantityError, Uncertainty};
+use crate::tree::{Node, Value};
+use crate::{Bounds, InputError, unit_meant};
 
 impl Table<'_> {
     /// A number with a unit, in SI; a pure number may be written without quotes.

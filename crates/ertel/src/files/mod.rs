@@ -1,0 +1,10 @@
+//! Files on disk, whatever stands in them: written whole or not at all, at the place that a name leads to.
+
+mod csv;
+mod place;
+mod whole;
+
+pub(crate) use csv::{quoted, text_field};
+pub use place::place;
+pub use whole::write_whole;
+pub(crate) use whole::{TEMPORARY, sync_folder};

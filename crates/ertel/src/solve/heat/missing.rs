@@ -1,0 +1,75 @@
+//! Data of materials that heat needs and that are not there.
+
+use std::fmt;
+
+use thiserror::Error;
+
+/// Data without which no thermal contact can be computed.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("heat cannot be computed without {}", list(.missing))]
+pub struct MissingHeatData {
+    /// At least one.
+    pub missing: Vec<MissingDatum>,
+}
+
+/// A datum that is missing, of which material, and where it belongs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MissingDatum {
+    /// Its key, `heat_capacity`.
+    pub key: &'static str,
+    /// `lubricant`, `plane` or `ball`.
+    pub part: &'static str,
+    /// Name of the material; `None` for one that the case file gives by its constants.
+    pub material: Option<String>,
+}
+
+impl fmt::Display for MissingDatum {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the {} of the {}", self.key, self.part)?;
+        match &self.material {
+            Some(name) => write!(f, " ({name})"),
+            None => Ok(()),
+        }
+    }
+}
+
+fn list(missing: &[MissingDatum]) -> String {
+    let names: Vec<String> = missing.iter().map(ToString::to_string).collect();
+    names.join(", ")
+}
+
+impl MissingHeatData {
+    /// Where to add the data, in words.
+    pub fn advice(&self) -> String {
+        let mut places: Vec<String> = Vec::new();
+        for MissingDatum {
+            key,
+            part,
+            material,
+        } in &self.missing
+        {
+            let unit = match *key {
+                "density" => "kg/m^3",
+                "heat_capacity" => "J/(kg.K)",
+                _ => "W/(m.K)",
+            };
+            let datum = format!("{key} = \"... {unit}\"");
+            places.push(match (*part, material) {
+                ("lubricant", _) => format!("add {datum} to [lubricant]"),
+                (_, Some(name)) => {
+                    format!("add {datum} in [bodies], {part} = {{ name = \"{name}\", {datum} }}")
+                }
+                (_, None) => format!("add {datum} to `{part}` in [bodies]"),
+            });
+        }
+        let database = if self.missing.iter().any(|datum| datum.material.is_some()) {
+            ", or to the entry of the material in the database"
+        } else {
+            ""
+        };
+        format!(
+            "{}{database}; `isothermal = true` in [solver] leaves heat out",
+            places.join("; ")
+        )
+    }
+}
