@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ertel::output::plot::{ViscosityCurve, viscosity_chart};
+use ertel::output::pictures::{ViscosityCurve, viscosity_chart};
 use ertel::words::{digits, pressure};
 use ertel_input::quantity::{self, Dimension};
 use ertel_rheology::database::Kind;

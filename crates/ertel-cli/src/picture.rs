@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use ertel::output::plot::Drawing;
 use ertel::output::{OutputError, picture_format, write_drawing};
+use ertel_plot::Drawing;
 
 use crate::failure::Failure;
 

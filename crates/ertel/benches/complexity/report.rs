@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use ertel::output::plot::{Axis, Chart, Look, PALETTE, Series, side_by_side};
+use ertel_plot::{Axis, Chart, Look, PALETTE, Series, side_by_side};
 
 use crate::{Point, Sweep};
 

@@ -1,7 +1,7 @@
 //! The map in a picture: material over load group, converged or not, colour by iterations.
 
 use ertel::contact::ContactKind;
-use ertel::output::plot::{Axis, AxisScale, Chart, Look, Series, side_by_side};
+use ertel_plot::{Axis, AxisScale, Chart, Look, Series, side_by_side};
 
 use crate::cases::Family;
 use crate::record::Record;

@@ -1,8 +1,8 @@
 //! The fitted law over the data.
 
 use super::{Data, Fit, Property};
-use crate::output::plot::{Axis, Chart, Look, PALETTE, Series, Side};
 use crate::words::digits;
+use ertel_plot::{Axis, Chart, Look, PALETTE, Series, Side};
 
 /// Points of a curve.
 const N_POINTS: usize = 121;

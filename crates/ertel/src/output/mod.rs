@@ -16,7 +16,7 @@ mod inputs;
 mod lines;
 mod mixed;
 mod monte_carlo;
-pub mod plot;
+pub mod pictures;
 mod report;
 mod result_json;
 mod study;
@@ -96,7 +96,7 @@ pub enum OutputError {
     },
     /// A picture cannot be made in one of the formats.
     #[error(transparent)]
-    Drawing(#[from] plot::DrawingError),
+    Drawing(#[from] ertel_plot::DrawingError),
 }
 
 impl OutputError {
@@ -200,15 +200,15 @@ fn write_files(
         out.write_all(html::report_page(case, solution, case.solver.tolerance).as_bytes())
     })?;
     let (tolerance, scale) = (Some(case.solver.tolerance), case.temperature_scale());
-    for picture in plot::pictures_in(&case.title, solution, tolerance, scale) {
+    for picture in pictures::pictures_in(&case.title, solution, tolerance, scale) {
         write_picture(folder, &picture, params.pictures)?;
     }
     if let Some(light) = &params.interferogram {
-        let image = plot::Image::new(solution, light, case.fluid.density);
+        let image = pictures::Image::new(solution, light, case.fluid.density);
         let png = image.png()?;
         folder.file("interferogram.png", |out| out.write_all(&png))?;
         // The image alone is the PNG file; with axes it is SVG or PDF.
-        let picture = plot::Picture::new("interferogram", image.drawing(&case.title, &png));
+        let picture = pictures::Picture::new("interferogram", image.drawing(&case.title, &png));
         let formats = PictureFormats {
             png: false,
             ..params.pictures
@@ -221,7 +221,7 @@ fn write_files(
 /// A picture in the formats that are asked for.
 fn write_picture(
     folder: &Part,
-    picture: &plot::Picture,
+    picture: &pictures::Picture,
     formats: PictureFormats,
 ) -> Result<(), OutputError> {
     let write = |suffix: &str, content: &[u8]| {
@@ -246,9 +246,9 @@ pub(crate) type SuffixedFile = (&'static str, Vec<u8>);
 
 /// The files of a picture in the formats that are asked for.
 fn drawn(
-    drawing: &plot::Drawing,
+    drawing: &ertel_plot::Drawing,
     formats: PictureFormats,
-) -> Result<Vec<SuffixedFile>, plot::DrawingError> {
+) -> Result<Vec<SuffixedFile>, ertel_plot::DrawingError> {
     let svg = formats.svg.then(|| drawing.svg().into_bytes());
     let pdf = formats.pdf.then(|| drawing.pdf()).transpose()?;
     let png = formats.png.then(|| drawing.png()).transpose()?;
@@ -265,7 +265,7 @@ fn drawn(
 pub(crate) fn replace_picture(
     folder: &Path,
     name: &str,
-    drawing: Option<&plot::Drawing>,
+    drawing: Option<&ertel_plot::Drawing>,
     formats: PictureFormats,
     former: PictureFormats,
 ) -> Result<(), OutputError> {
@@ -277,7 +277,7 @@ pub(crate) fn replace_picture(
 /// # Errors
 /// [`OutputError`] of a picture that cannot be made.
 pub(crate) fn picture_files(
-    drawing: Option<&plot::Drawing>,
+    drawing: Option<&ertel_plot::Drawing>,
     formats: PictureFormats,
 ) -> Result<Vec<SuffixedFile>, OutputError> {
     Ok(drawing.map_or(Ok(Vec::new()), |drawing| drawn(drawing, formats))?)
@@ -318,7 +318,7 @@ pub(crate) fn put_picture(
 ///
 /// # Errors
 /// [`OutputError::Suffix`] for another suffix than those of [`PictureFormats::NAMES`].
-pub fn write_drawing(path: &Path, drawing: &plot::Drawing) -> Result<(), OutputError> {
+pub fn write_drawing(path: &Path, drawing: &ertel_plot::Drawing) -> Result<(), OutputError> {
     for (_, content) in drawn(drawing, picture_format(path)?)? {
         write_whole(path, &content).map_err(|e| OutputError::io(path, e))?;
     }

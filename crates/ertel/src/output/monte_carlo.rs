@@ -6,7 +6,6 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::lines::Lines;
-use super::plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 use super::{OutputError, replace_picture};
 use crate::files::write_whole;
 use crate::params::PictureFormats;
@@ -14,6 +13,7 @@ use crate::solution::{Figure, Solution, Uncertainties};
 use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES};
 use crate::words::digits;
 use crate::words::{length_unit, pressure_unit};
+use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 
 /// Name of the statistics beside the table of the samples.
 pub const MONTE_CARLO: &str = "monte-carlo.json";

@@ -4,12 +4,11 @@ use std::collections::{HashMap, HashSet};
 
 use ertel_input::quantity::Unit;
 
-use super::plot::{
-    Axis, Chart, Drawing, ERROR_BARS, ErrorBars, Look, PALETTE, Series, film_unit, side_by_side,
-};
+use super::pictures::{ERROR_BARS, film_unit};
 use crate::study::journal::{PointKey, Record};
 use crate::study::{ISOTHERMAL, StudyEcho};
 use crate::words::digits;
+use ertel_plot::{Axis, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side};
 
 /// Values of an axis from which films over it are a picture.
 const FEWEST_POINTS: usize = 3;

@@ -231,7 +231,7 @@ fn pictures_have_the_formats_that_are_asked_for() {
 #[test]
 fn pictures_are_sound() {
     for kind in [ContactKind::Line, ContactKind::Circular] {
-        let pictures = plot::pictures("T < U", &fixture::solution(kind), Some(1e-8));
+        let pictures = pictures::pictures("T < U", &fixture::solution(kind), Some(1e-8));
         assert_eq!(
             pictures.len(),
             if kind == ContactKind::Line { 2 } else { 4 }

@@ -5,11 +5,12 @@ use super::run::Outcome;
 use super::{Quantity, Study};
 use crate::contact::{ContactKind, hertz};
 use crate::output::curve;
-use crate::output::plot::{self, Axis, Chart, Look, PALETTE, Series};
+use crate::output::pictures;
 use crate::params::PenaltyScaling;
 use crate::reference::FilmFormula;
 use crate::solution::Solution;
 use crate::study::CurveSolution;
+use ertel_plot::{Axis, Chart, Look, PALETTE, Series};
 
 /// What a picture shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +32,7 @@ pub enum PictureKind {
     CrossFilm(Vec<usize>, usize),
     /// Temperatures on the centreline of these runs, likewise.
     Temperatures(Vec<usize>, usize),
-    /// Map of a field over the contact of a run, by its name among [`plot::pictures`].
+    /// Map of a field over the contact of a run, by its name among [`pictures::pictures`].
     Map(usize, &'static str),
     /// Films of the curves of these runs, dashed those without shear thinning or heat.
     FilmCurves(Vec<usize>),
@@ -103,7 +104,7 @@ impl Picture {
                 profiles::temperatures(false, &self.caption, &solved(runs), *columns)
             }
             PictureKind::Map(run, field) => {
-                let pictures = plot::pictures(&self.caption, solved(&[*run])[0].1?, None);
+                let pictures = pictures::pictures(&self.caption, solved(&[*run])[0].1?, None);
                 let map = pictures.into_iter().find(|p| p.name == *field)?;
                 Some(map.svg)
             }
@@ -125,7 +126,7 @@ impl Picture {
             | PictureKind::Temperatures(..)
             | PictureKind::Map(..) => None,
             PictureKind::Centreline(run) => match &outcomes[*run] {
-                Outcome::Solved(s) => Some(plot::centreline(&self.caption, s)),
+                Outcome::Solved(s) => Some(pictures::centreline(&self.caption, s)),
                 _ => None,
             },
             PictureKind::Deflection => self.deflection(study, outcomes, false),

@@ -1,10 +1,9 @@
 //! Pictures that set profiles of several runs beside each other.
 
-use crate::output::plot::{
-    self, Axis, Chart, Look, PALETTE, Series, Side, film_unit, side_by_side,
-};
+use crate::output::pictures::{self, film_unit};
 use crate::solution::Solution;
 use crate::words::TemperatureScale;
+use ertel_plot::{Axis, Chart, Look, PALETTE, Series, Side, side_by_side};
 
 /// Run by name, and its solution if it has one.
 type Named<'a> = (String, Option<&'a Solution>);
@@ -52,7 +51,7 @@ fn panel(name: &str, s: &Solution) -> Chart {
         },
         Series {
             label: "film".into(),
-            points: plot::profile(s, &s.elements.film_thickness, 1.0 / s.scales.film),
+            points: pictures::profile(s, &s.elements.film_thickness, 1.0 / s.scales.film),
             look: Look::Line,
             colour: PALETTE[1].into(),
             side: Side::Right,
@@ -94,12 +93,13 @@ pub(super) fn overlay(
         match profile {
             Profile::Pressure => pressure(s),
             Profile::PressureAcross => {
-                let across = plot::profile_across(s, &s.elements.pressure, 1.0 / s.scales.pressure);
+                let across =
+                    pictures::profile_across(s, &s.elements.pressure, 1.0 / s.scales.pressure);
                 across.into_iter().rev().map(|[y, p]| [-y, p]).collect()
             }
-            Profile::Film => plot::profile(s, &s.elements.film_thickness, factor),
+            Profile::Film => pictures::profile(s, &s.elements.film_thickness, factor),
             Profile::Temperature => (s.elements.temperatures.as_ref())
-                .map_or_else(Vec::new, |t| plot::profile(s, &t.mid, 1.0)),
+                .map_or_else(Vec::new, |t| pictures::profile(s, &t.mid, 1.0)),
         }
     };
     // The inlet gap would leave no room for the contact.
@@ -159,8 +159,8 @@ pub(super) fn temperatures(
         .filter_map(|(name, s)| {
             let thermal = s.as_ref()?.thermal.as_ref()?;
             let chart = match across {
-                true => plot::cross_film_chart(title, (*s)?, thermal, scale),
-                false => plot::temperature_chart(title, (*s)?, scale),
+                true => pictures::cross_film_chart(title, (*s)?, thermal, scale),
+                false => pictures::temperature_chart(title, (*s)?, scale),
             };
             Some(Chart {
                 heading: name.clone(),
@@ -183,7 +183,7 @@ pub(super) fn temperatures(
 fn pressure(s: &Solution) -> Vec<[f64; 2]> {
     // Penalties leave dust below zero where the film is broken, which would cost the axis a tick.
     let shown = |p: f64| if p.abs() < DUST { 0.0 } else { p };
-    (plot::profile(s, &s.elements.pressure, 1.0 / s.scales.pressure).into_iter())
+    (pictures::profile(s, &s.elements.pressure, 1.0 / s.scales.pressure).into_iter())
         .map(|[x, p]| [x, shown(p)])
         .collect()
 }

@@ -1,7 +1,7 @@
 //! Quantities that are compared.
 
 use super::run::{Outcome, Run};
-use crate::output::plot;
+use crate::output::pictures;
 use crate::solution::Solution;
 use crate::study::{CurveSolution, PointSolution};
 
@@ -235,7 +235,10 @@ impl Quantity {
                     Quantity::SpikePressure => f.spike.map(|p| p.value / s.scales.pressure),
                     Quantity::SidePressure => {
                         let factor = 1.0 / s.scales.pressure;
-                        mean(&plot::profile_across(s, &s.elements.pressure, factor), SIDE)
+                        mean(
+                            &pictures::profile_across(s, &s.elements.pressure, factor),
+                            SIDE,
+                        )
                     }
                     Quantity::PressureOscillation => {
                         let line = &s.centreline;

@@ -1,7 +1,7 @@
 //! The picture of a fit.
 
 use super::{FilmFit, Films};
-use crate::output::plot::{Axis, Chart, Look, PALETTE, Series, Side};
+use ertel_plot::{Axis, Chart, Look, PALETTE, Series, Side};
 
 /// Films by the formula over the films given.
 pub fn parity(fits: &[(FilmFit, Films)], title: &str) -> Chart {

@@ -2,15 +2,13 @@
 
 use std::collections::HashSet;
 
-use super::super::plot::{
-    Axis, AxisScale, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side,
-};
 use super::super::study::words;
 use super::report::unit_of;
 use super::settings::{n_apart, settings};
 use crate::case::study::AxisValue;
 use crate::compare::{ComparedRow, Comparison, Figure};
 use crate::words::digits;
+use ertel_plot::{Axis, AxisScale, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side};
 
 /// Ratio of the largest to the smallest value from which an axis is logarithmic.
 const LOG_FROM: f64 = 5.0;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::figure::{in_unit, with_bar};
-use super::super::plot::film_unit;
+use super::super::pictures::film_unit;
 use super::super::study::words;
 use crate::case::study::AxisValue;
 use crate::compare::{Compared, Comparison, Figure, Outcome, Statistics};

@@ -2,10 +2,10 @@
 
 use ertel_input::quantity::Dimension;
 
-use super::super::plot::{Axis, AxisScale, Chart, Marker};
 use crate::case::curve::Quantity;
 use crate::study::{CurveSolution, PointSolution};
 use crate::words::pressure_unit;
+use ertel_plot::{Axis, AxisScale, Chart, Marker};
 
 /// Ratio of the largest to the smallest value from which an axis is logarithmic.
 const LOG_FROM: f64 = 5.0;

@@ -17,11 +17,12 @@ use std::path::Path;
 
 use super::folder::{NewFolder, OutputFile, Part};
 use super::html::{REPORT_PAGE, curve_page};
-use super::plot::{Chart, Picture};
+use super::pictures::Picture;
 use super::{OutputError, finite, write_files, write_picture};
 use crate::case::CaseEcho;
 use crate::params::OutputParams;
 use crate::study::{CurveSolution, Outcome};
+use ertel_plot::Chart;
 
 /// Writes the results of a curve into one folder, as [`super::write`] does; `folders` adds the results of each
 /// solved point in a folder of its own, `points/01`.

@@ -1,9 +1,10 @@
 //! Film thickness and traction over the quantity of a curve.
 
-use super::super::plot::{Chart, ERROR_BARS, ErrorBars, Look, PALETTE, Series, Side, film_unit};
+use super::super::pictures::{ERROR_BARS, film_unit};
 use super::frame::{curve_chart, fit_y, largest, points_over};
 use crate::solution::{Estimate, FormulaFilm, Solution};
 use crate::study::{CurveSolution, PointSolution};
+use ertel_plot::{Chart, ErrorBars, Look, PALETTE, Series, Side};
 
 /// One of the films of a formula.
 type Film = fn(&FormulaFilm) -> Option<f64>;

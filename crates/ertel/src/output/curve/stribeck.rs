@@ -2,10 +2,10 @@
 
 use ertel_input::quantity::Dimension;
 
-use super::super::plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 use super::frame::largest;
 use crate::solution::MixedFriction;
 use crate::study::{CurveSolution, PointSolution};
+use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 
 /// Friction coefficients over the entrainment speed, logarithmic: film, asperities and both, and on the right axis the lambda ratio.
 /// `None` where the curve is not over a speed, or no point has friction of asperities. Failed points are marked.

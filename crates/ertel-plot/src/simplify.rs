@@ -2,7 +2,7 @@
 
 /// Points of a line without those closer than `tolerance` to the segment between the neighbours that are kept
 /// (Douglas and Peucker 1973). The ends stay.
-pub(super) fn simplify(points: &[[f64; 2]], tolerance: f64) -> Vec<[f64; 2]> {
+pub(crate) fn simplify(points: &[[f64; 2]], tolerance: f64) -> Vec<[f64; 2]> {
     let Some(last) = points.len().checked_sub(1) else {
         return Vec::new();
     };

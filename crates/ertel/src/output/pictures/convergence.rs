@@ -1,8 +1,8 @@
 //! Convergence: of the film over the meshes, and of Newton's method on each of them.
 
-use super::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 use crate::solution::Role;
 use crate::solution::{IterationRecord, LevelStats, Solution};
+use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 
 /// Colours of stages that stop before their equations are solved to the tolerance.
 const PALE: [&str; 2] = ["#A9CBE3", "#F0BF9C"];

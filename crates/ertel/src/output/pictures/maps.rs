@@ -1,12 +1,12 @@
 //! Maps of pressure and film thickness over the whole contact.
 
-use super::drawing::Drawing;
 use super::field::{Bar, FieldMap, OtherScale, map_height};
+use super::film_unit;
 use super::sampling::{Sampling, View};
-use super::{axis, film_unit};
 use crate::contact::Symmetry;
 use crate::solution::{Polynomials, Solution};
 use crate::words::{TemperatureScale, pressure_unit};
+use ertel_plot::drawing::Drawing;
 
 /// Colours of a map that shall look continuous.
 const N_SHADES: usize = 64;
@@ -189,7 +189,7 @@ pub fn film_map(title: &str, solution: &Solution) -> Drawing {
 
 /// Rising levels of a film map for the minimum and central film.
 fn film_levels(minimum: f64, central: f64) -> Vec<f64> {
-    let fine = axis::tick_step(0.8 * central);
+    let fine = ertel_plot::axis::tick_step(0.8 * central);
     let coarse = 5.0 * fine;
     let first = (minimum / fine).floor().max(0.0) as usize + 1;
     let last = ((FINE_UP_TO * central / coarse).ceil() * 5.0) as usize;

@@ -2,14 +2,14 @@
 
 /// A step of a path, absolute coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Step {
+pub(crate) enum Step {
     Move([f64; 2]),
     Line([f64; 2]),
     Close,
 }
 
 /// The steps of a path of the commands that pictures use: M, L, H and V, absolute and relative, and Z.
-pub(super) fn steps(d: &str) -> Vec<Step> {
+pub(crate) fn steps(d: &str) -> Vec<Step> {
     let mut steps = Vec::new();
     let (mut at, mut start) = ([0.0; 2], [0.0; 2]);
     let mut command = 'M';
@@ -66,7 +66,7 @@ fn number(text: &str) -> Option<(f64, &str)> {
 }
 
 /// The four curves of an ellipse: its start, and control points and end of each.
-pub(super) fn ellipse(
+pub(crate) fn ellipse(
     [x, y]: [f64; 2],
     [rx, ry]: [f64; 2],
     turn: f64,

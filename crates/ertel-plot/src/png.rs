@@ -16,7 +16,7 @@ const SCALE: f64 = 300.0 / 96.0;
 const PER_METRE: u32 = 11_811;
 
 /// The file of a picture.
-pub(super) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
+pub(crate) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
     let pixels = |length: f64| (SCALE * length).ceil().clamp(0.0, f64::from(u32::MAX)) as u32;
     let (width, height) = (pixels(drawing.width), pixels(drawing.height));
     let failed = || DrawingError::Size { width, height };
@@ -37,7 +37,7 @@ pub(super) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
 }
 
 /// A PNG file of pixels, row by row from the top, red, green and blue; with its resolution, dots per metre.
-pub(super) fn encode(
+pub fn encode(
     width: u32,
     height: u32,
     pixels: &[u8],

@@ -1,37 +1,23 @@
 //! Pictures as SVG: pressure and film along the contact, maps over it, convergence, fluids.
 
-mod axis;
-mod chart;
-mod contour;
 mod convergence;
-mod drawing;
 mod field;
 mod fluid;
-mod font;
-mod frame;
 mod heat;
 mod interferogram;
-mod legend;
 mod maps;
-mod path;
-mod pdf;
-mod png;
 mod profile;
 mod sampling;
-mod simplify;
-mod svg;
 
 use crate::words::TemperatureScale;
-pub use axis::{Axis, AxisScale};
-pub use chart::{Chart, ErrorBars, Look, Marker, PALETTE, Series, Side, side_by_side};
 pub use convergence::convergence;
-pub use drawing::{Drawing, DrawingError};
 pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use heat::{cross_film_chart, temperature_chart};
 pub use interferogram::Image;
 pub use maps::{film_map, pressure_map};
 pub(crate) use profile::{profile, profile_across};
 
+use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 use rayon::prelude::*;
 
 use crate::solution::Solution;

@@ -9,7 +9,7 @@ use ttf_parser::{Face, GlyphId};
 
 /// Style of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Style {
+pub(crate) enum Style {
     Regular,
     Italic,
 }
@@ -20,8 +20,8 @@ impl Style {
     /// The font file.
     pub fn file(self) -> &'static [u8] {
         match self {
-            Style::Regular => include_bytes!("../../../assets/fonts/ErtelSans-Regular.ttf"),
-            Style::Italic => include_bytes!("../../../assets/fonts/ErtelSans-Italic.ttf"),
+            Style::Regular => include_bytes!("../assets/fonts/ErtelSans-Regular.ttf"),
+            Style::Italic => include_bytes!("../assets/fonts/ErtelSans-Italic.ttf"),
         }
     }
 
@@ -45,7 +45,7 @@ impl Style {
 
 /// Text of one style, size and height.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Run {
+pub(crate) struct Run {
     pub text: String,
     pub style: Style,
     /// Font size, px.
@@ -63,7 +63,7 @@ impl Run {
 }
 
 /// A label cut into runs: `*p*` italic, `_{h}` subscript, `^{3}` superscript.
-pub(super) fn runs(text: &str, size: f64) -> Vec<Run> {
+pub(crate) fn runs(text: &str, size: f64) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut style = Style::Regular;
     let mut plain = String::new();

@@ -43,7 +43,7 @@ pub enum Look {
 }
 
 impl Look {
-    pub(super) fn has_line(self) -> bool {
+    pub(crate) fn has_line(self) -> bool {
         matches!(
             self,
             Look::Line | Look::Dashed | Look::LineAndDots | Look::LineAndRings
@@ -245,7 +245,7 @@ impl Chart {
         }
     }
 
-    pub(super) fn y_axis(&self, side: Side) -> &Axis {
+    pub(crate) fn y_axis(&self, side: Side) -> &Axis {
         match side {
             Side::Left => &self.y,
             Side::Right => self.y_right.as_ref().unwrap_or(&self.y),
@@ -373,7 +373,7 @@ impl Chart {
 }
 
 /// The mark of a series at a point, if it has one.
-pub(super) fn draw_point(drawing: &mut Drawing, [x, y]: [f64; 2], series: &Series) {
+pub(crate) fn draw_point(drawing: &mut Drawing, [x, y]: [f64; 2], series: &Series) {
     let colour = &series.colour;
     match series.look {
         Look::Circles => drawing.circle(x, y, 3.2, "white", Stroke::solid(colour, 1.3)),
@@ -389,7 +389,7 @@ pub(super) fn draw_point(drawing: &mut Drawing, [x, y]: [f64; 2], series: &Serie
     }
 }
 
-pub(super) fn line_stroke(series: &Series) -> Stroke<'_> {
+pub(crate) fn line_stroke(series: &Series) -> Stroke<'_> {
     match series.look {
         Look::Dashed => Stroke {
             colour: &series.colour,

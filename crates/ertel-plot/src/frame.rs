@@ -9,22 +9,29 @@ use super::simplify::simplify;
 
 /// Frame of a diagram inside the picture, px.
 #[derive(Clone, Copy)]
-pub(super) struct Frame {
+pub struct Frame {
+    /// Its left edge.
     pub left: f64,
+    /// Its upper edge.
     pub top: f64,
+    /// Width.
     pub width: f64,
+    /// Height.
     pub height: f64,
 }
 
 impl Frame {
+    /// Place of a value of the x axis, px.
     pub fn x(&self, axis: &Axis, value: f64) -> f64 {
         self.left + axis.position(value) * self.width
     }
 
+    /// Place of a value of a y axis, px.
     pub fn y(&self, axis: &Axis, value: f64) -> f64 {
         self.top + (1.0 - axis.position(value)) * self.height
     }
 
+    /// Its edge as a path of SVG.
     pub fn outline(&self) -> String {
         format!(
             "M{} {}h{}v{}h{}Z",
@@ -39,13 +46,14 @@ impl Frame {
 
 const TICK: f64 = 6.0;
 const MINOR_TICK: f64 = 3.0;
-pub(super) const FRAME_WIDTH: f64 = 1.0;
+/// Width of the line around a diagram, px.
+pub const FRAME_WIDTH: f64 = 1.0;
 
 /// Distance that nobody sees, px.
 const UNSEEN: f64 = 0.05;
 
 /// Path through pixel points, interrupted where one is not finite; points that make no visible difference are left out.
-pub(super) fn polyline(points: &[[f64; 2]]) -> String {
+pub fn polyline(points: &[[f64; 2]]) -> String {
     let whole = |p: &[f64; 2]| p.iter().all(|v| v.is_finite());
     (points.split(|p| !whole(p)))
         .map(|line| path(&simplify(line, UNSEEN)))
@@ -72,7 +80,7 @@ fn path(points: &[[f64; 2]]) -> String {
 }
 
 /// Ticks on the lower or upper edge of the frame, pointing inwards.
-pub(super) fn draw_x_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, top: bool) {
+pub(crate) fn draw_x_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, top: bool) {
     let (edge, inwards) = if top {
         (frame.top, 1.0)
     } else {
@@ -91,7 +99,7 @@ pub(super) fn draw_x_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, top:
 }
 
 /// Tick labels and axis label below or above the frame.
-pub(super) fn label_x_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, top: bool) {
+pub fn label_x_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, top: bool) {
     let (ticks_at, label_at) = if top {
         (frame.top - 7.0, frame.top - 29.0)
     } else {
@@ -109,7 +117,7 @@ pub(super) fn label_x_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, top
 }
 
 /// Ticks on the left or right edge of the frame, pointing inwards.
-pub(super) fn draw_y_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, side: Side) {
+pub(crate) fn draw_y_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, side: Side) {
     let (edge, inwards) = match side {
         Side::Left => (frame.left, 1.0),
         Side::Right => (frame.left + frame.width, -1.0),
@@ -127,13 +135,7 @@ pub(super) fn draw_y_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, side
 }
 
 /// Tick labels and axis label beside the frame.
-pub(super) fn label_y_axis(
-    drawing: &mut Drawing,
-    frame: Frame,
-    axis: &Axis,
-    side: Side,
-    colour: &str,
-) {
+pub fn label_y_axis(drawing: &mut Drawing, frame: Frame, axis: &Axis, side: Side, colour: &str) {
     let ticks = axis.ticks();
     let widest = ticks
         .iter()

@@ -20,7 +20,7 @@ const STEPS: i32 = 24;
 
 /// Where the legend is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Place {
+pub(crate) enum Place {
     /// Upper left corner within the frame, px.
     Inside([f64; 2]),
     /// Below the picture, in so many columns.
@@ -34,7 +34,7 @@ struct Entry<'a> {
 }
 
 /// The legend of a chart.
-pub(super) struct Legend<'a> {
+pub(crate) struct Legend<'a> {
     entries: Vec<Entry<'a>>,
     /// Width of an entry, px.
     entry: f64,
@@ -154,7 +154,7 @@ impl<'a> Legend<'a> {
 }
 
 /// Lines of everything that a legend must not cover, px; points are lines of length zero.
-pub(super) fn drawn(chart: &Chart, frame: Frame) -> Vec<[[f64; 2]; 2]> {
+pub(crate) fn drawn(chart: &Chart, frame: Frame) -> Vec<[[f64; 2]; 2]> {
     let limit = |v: f64| v.clamp(-1e4, 1e4);
     let pixel = |y: &Axis, p: &[f64; 2]| [frame.x(&chart.x, p[0]), frame.y(y, p[1])].map(limit);
     let is_there = |p: &[f64; 2]| p.iter().all(|v| v.is_finite());
@@ -185,7 +185,7 @@ pub(super) fn drawn(chart: &Chart, frame: Frame) -> Vec<[[f64; 2]; 2]> {
 }
 
 /// Whether a line has a point in a box (Liang and Barsky 1984).
-pub(super) fn crosses([a, b]: &[[f64; 2]; 2], from: [f64; 2], to: [f64; 2]) -> bool {
+pub(crate) fn crosses([a, b]: &[[f64; 2]; 2], from: [f64; 2], to: [f64; 2]) -> bool {
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
     for k in 0..2 {
         let along = b[k] - a[k];

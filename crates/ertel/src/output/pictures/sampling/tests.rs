@@ -3,10 +3,10 @@
 use ertel_fem::mesh::{SurfaceParams, surface_mesh};
 use ertel_fem::space::Space;
 
-use super::super::contour::Triangulation;
 use super::*;
 use crate::contact::Symmetry;
 use crate::solve::heat::recovery::{self, Recovery};
+use ertel_plot::contour::Triangulation;
 
 /// Size of a pixel: 330 px over [−1, 1].
 const PIXEL: f64 = 2.0 / 330.0;

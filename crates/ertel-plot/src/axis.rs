@@ -240,7 +240,7 @@ fn range(values: impl IntoIterator<Item = f64>) -> (f64, f64) {
 }
 
 /// Distance 1, 2 or 5 times a power of ten that gives four to eight ticks.
-pub(super) fn tick_step(span: f64) -> f64 {
+pub fn tick_step(span: f64) -> f64 {
     let rough = span / 6.0;
     let power = 10f64.powf(rough.log10().floor());
     match rough / power {
@@ -282,7 +282,7 @@ fn within_logs(value: f64) -> f64 {
 }
 
 /// Number with as many decimals as the tick distance needs.
-pub(super) fn tick_label(value: f64, step: f64) -> String {
+pub fn tick_label(value: f64, step: f64) -> String {
     let decimals = (-(step.log10() + 1e-9).floor()).max(0.0) as usize;
     let text = format!("{value:.decimals$}");
     let zero = text

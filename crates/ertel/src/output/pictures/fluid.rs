@@ -1,8 +1,8 @@
 //! Viscosity of a fluid under pressure.
 
-use super::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 use crate::words::digits;
 use crate::words::pressure_unit;
+use ertel_plot::{Axis, Chart, Look, Marker, PALETTE, Series, Side};
 
 /// Viscosity against pressure at one temperature.
 pub struct ViscosityCurve {

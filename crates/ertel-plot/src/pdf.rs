@@ -25,7 +25,7 @@ const SYSTEM: SystemInfo = SystemInfo {
 const FONTS: [&[u8]; 2] = [b"F0", b"F1"];
 
 /// The file of a picture.
-pub(super) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
+pub(crate) fn write(drawing: &Drawing) -> Result<Vec<u8>, DrawingError> {
     let mut page = Page {
         content: Content::new(),
         height: drawing.height,

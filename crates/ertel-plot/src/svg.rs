@@ -8,7 +8,7 @@ use super::font::{Style, runs};
 const FONT: &str = "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
 
 /// The file of a picture.
-pub(super) fn write(drawing: &Drawing) -> String {
+pub(crate) fn write(drawing: &Drawing) -> String {
     let mut body = String::new();
     let mut n_clips = 0;
     for element in &drawing.elements {

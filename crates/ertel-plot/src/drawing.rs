@@ -4,30 +4,36 @@ use super::font;
 use super::{pdf, png, svg};
 
 /// Font size of tick labels and legends, px.
-pub(super) const TICK_SIZE: f64 = 12.0;
+pub const TICK_SIZE: f64 = 12.0;
 /// Font size of axis labels, px.
-pub(super) const LABEL_SIZE: f64 = 13.5;
+pub const LABEL_SIZE: f64 = 13.5;
 /// Text and frame colour.
-pub(super) const INK: &str = "#1a1a1a";
+pub const INK: &str = "#1a1a1a";
 
 /// Horizontal alignment of text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Anchor {
+pub enum Anchor {
+    /// It begins at the place.
     Start,
+    /// Its middle is there.
     Middle,
+    /// It ends there.
     End,
 }
 
 /// How a path is drawn.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stroke<'a> {
+pub struct Stroke<'a> {
+    /// Colour, `#rrggbb`.
     pub colour: &'a str,
+    /// Width, px.
     pub width: f64,
     /// Lengths of dash and gap, px.
     pub dash: Option<[f64; 2]>,
 }
 
 impl<'a> Stroke<'a> {
+    /// A line without gaps.
     pub fn solid(colour: &'a str, width: f64) -> Self {
         Stroke {
             colour,
@@ -39,7 +45,7 @@ impl<'a> Stroke<'a> {
 
 /// A line as it is kept.
 #[derive(Clone, Debug)]
-pub(super) struct Line {
+pub(crate) struct Line {
     pub colour: String,
     pub width: f64,
     pub dash: Option<[f64; 2]>,
@@ -57,9 +63,12 @@ impl From<Stroke<'_>> for Line {
 
 /// An image: its pixels, row by row from the top, red, green and blue.
 #[derive(Clone, Debug)]
-pub(super) struct Raster {
+pub struct Raster {
+    /// Pixels in a row.
     pub width: usize,
+    /// Rows.
     pub height: usize,
+    /// Three bytes a pixel.
     pub pixels: Vec<u8>,
     /// The same as a PNG file in base 64.
     pub png: String,
@@ -67,7 +76,7 @@ pub(super) struct Raster {
 
 /// A part of a picture; coordinates in px, y downwards, paths in the notation of SVG.
 #[derive(Clone, Debug)]
-pub(super) enum Element {
+pub(crate) enum Element {
     /// Outline of a path.
     Stroke(String, Line),
     /// Area of a path, by the even-odd rule.
@@ -90,7 +99,7 @@ pub(super) enum Element {
 
 /// Text in label markup (`*p*` italic, `_{h}` and `^{3}` scripts), turned by `turn` degrees about its anchor.
 #[derive(Clone, Debug)]
-pub(super) struct Text {
+pub(crate) struct Text {
     pub at: [f64; 2],
     pub text: String,
     pub size: f64,
@@ -121,14 +130,15 @@ pub enum DrawingError {
 /// A picture; coordinates in px (1/96 inch), y downwards.
 #[derive(Clone, Debug)]
 pub struct Drawing {
-    pub(super) width: f64,
-    pub(super) height: f64,
-    pub(super) title: String,
-    pub(super) elements: Vec<Element>,
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+    pub(crate) title: String,
+    pub(crate) elements: Vec<Element>,
 }
 
 impl Drawing {
-    pub(super) fn new(width: f64, height: f64, title: &str) -> Drawing {
+    /// An empty picture of a size in px.
+    pub fn new(width: f64, height: f64, title: &str) -> Drawing {
         Drawing {
             width,
             height,
@@ -138,7 +148,7 @@ impl Drawing {
     }
 
     /// Outline of a path given as the `d` of SVG.
-    pub(super) fn stroke(&mut self, d: &str, stroke: Stroke) {
+    pub fn stroke(&mut self, d: &str, stroke: Stroke) {
         if !d.is_empty() {
             self.elements
                 .push(Element::Stroke(d.to_owned(), stroke.into()));
@@ -146,7 +156,7 @@ impl Drawing {
     }
 
     /// Filled path.
-    pub(super) fn fill(&mut self, d: &str, colour: &str) {
+    pub fn fill(&mut self, d: &str, colour: &str) {
         if !d.is_empty() {
             self.elements
                 .push(Element::Fill(d.to_owned(), colour.to_owned()));
@@ -154,44 +164,37 @@ impl Drawing {
     }
 
     /// Filled rectangle.
-    pub(super) fn rectangle(&mut self, x: f64, y: f64, width: f64, height: f64, colour: &str) {
+    pub fn rectangle(&mut self, x: f64, y: f64, width: f64, height: f64, colour: &str) {
         let place = [x, y, width, height];
         self.elements
             .push(Element::Rectangle(place, colour.to_owned()));
     }
 
     /// An image in a rectangle.
-    pub(super) fn image(&mut self, place: [f64; 4], raster: Raster) {
+    pub fn image(&mut self, place: [f64; 4], raster: Raster) {
         self.elements.push(Element::Image(place, Box::new(raster)));
     }
 
     /// Circle, filled and outlined.
-    pub(super) fn circle(&mut self, x: f64, y: f64, radius: f64, fill: &str, stroke: Stroke) {
+    pub(crate) fn circle(&mut self, x: f64, y: f64, radius: f64, fill: &str, stroke: Stroke) {
         let fill = fill.to_owned();
         self.elements
             .push(Element::Circle([x, y], radius, fill, stroke.into()));
     }
 
     /// The outline of an ellipse, turned by `turn` degrees.
-    pub(super) fn ellipse(&mut self, at: [f64; 2], radii: [f64; 2], turn: f64, stroke: Stroke) {
+    pub fn ellipse(&mut self, at: [f64; 2], radii: [f64; 2], turn: f64, stroke: Stroke) {
         self.elements
             .push(Element::Ellipse(at, radii, turn, stroke.into()));
     }
 
     /// Text in label markup.
-    pub(super) fn text(
-        &mut self,
-        at: [f64; 2],
-        text: &str,
-        size: f64,
-        anchor: Anchor,
-        colour: &str,
-    ) {
+    pub fn text(&mut self, at: [f64; 2], text: &str, size: f64, anchor: Anchor, colour: &str) {
         self.turned_text(at, text, size, anchor, colour, 0.0);
     }
 
     /// Text turned by `turn` degrees about its anchor.
-    pub(super) fn turned_text(
+    pub fn turned_text(
         &mut self,
         at: [f64; 2],
         text: &str,
@@ -211,12 +214,13 @@ impl Drawing {
     }
 
     /// Everything until [`Drawing::end_clip`] shows only inside the rectangle.
-    pub(super) fn begin_clip(&mut self, x: f64, y: f64, width: f64, height: f64) {
+    pub fn begin_clip(&mut self, x: f64, y: f64, width: f64, height: f64) {
         self.elements
             .push(Element::BeginClip([x, y, width, height]));
     }
 
-    pub(super) fn end_clip(&mut self) {
+    /// Ends what [`Drawing::begin_clip`] began.
+    pub fn end_clip(&mut self) {
         self.elements.push(Element::EndClip);
     }
 
@@ -243,19 +247,19 @@ impl Drawing {
 }
 
 /// At most two decimals, none where they are zero.
-pub(super) fn number(value: f64) -> String {
+pub fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0" } else { text }.to_owned()
 }
 
 /// Width of a label in px.
-pub(super) fn text_width(text: &str, size: f64) -> f64 {
+pub fn text_width(text: &str, size: f64) -> f64 {
     font::runs(text, size).iter().map(font::Run::width).sum()
 }
 
 /// A red, green and blue of `#rrggbb` or `white`.
-pub(super) fn rgb(colour: &str) -> [u8; 3] {
+pub(crate) fn rgb(colour: &str) -> [u8; 3] {
     let part = |i: usize| {
         let digits = colour.get(2 * i + 1..2 * i + 3);
         digits.and_then(|d| u8::from_str_radix(d, 16).ok())

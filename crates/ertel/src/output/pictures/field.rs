@@ -4,14 +4,16 @@ use std::fmt::Write;
 
 use rayon::prelude::*;
 
-use super::axis::{Axis, tick_label};
-use super::chart::Side;
-use super::contour::Triangulation;
-use super::drawing::{Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number, text_width};
-use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
 use super::sampling::Sampling;
 use crate::contact::HertzZone;
 use crate::words::length;
+use ertel_plot::axis::{Axis, tick_label};
+use ertel_plot::chart::Side;
+use ertel_plot::contour::Triangulation;
+use ertel_plot::drawing::{
+    Anchor, Drawing, INK, LABEL_SIZE, Stroke, TICK_SIZE, number, text_width,
+};
+use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis, polyline};
 
 /// Height of the frame of a map, px, and the bounds of its width.
 const MAP_HEIGHT: f64 = 330.0;

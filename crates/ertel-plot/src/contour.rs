@@ -12,7 +12,7 @@ enum Corner {
 
 /// The part of a triangulation where the field is at least the level.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Region {
+pub struct Region {
     /// Closed boundaries, level lines and edges of the domain together.
     pub loops: Vec<Vec<[f64; 2]>>,
     /// The level lines alone; closed ones repeat their first point.
@@ -20,7 +20,7 @@ pub(super) struct Region {
 }
 
 /// Triangles with their common boundary, for any number of levels.
-pub(super) struct Triangulation<'a> {
+pub struct Triangulation<'a> {
     points: &'a [[f64; 2]],
     /// Counter-clockwise.
     triangles: Vec<[u32; 3]>,

@@ -5,17 +5,17 @@ use base64::engine::general_purpose::STANDARD;
 use ertel_fem::element::Lagrange;
 use rayon::prelude::*;
 
-use super::axis::Axis;
-use super::chart::Side;
-use super::drawing::{Drawing, DrawingError, INK, Raster, Stroke};
 use super::field::{draw_ticks, map_height};
-use super::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
 use super::maps::window_map;
-use super::png::encode;
 use super::sampling::value;
 use crate::contact::Symmetry;
 use crate::interference::Interferometer;
 use crate::solution::Solution;
+use ertel_plot::axis::Axis;
+use ertel_plot::chart::Side;
+use ertel_plot::drawing::{Drawing, DrawingError, INK, Raster, Stroke};
+use ertel_plot::frame::{FRAME_WIDTH, Frame, label_x_axis, label_y_axis};
+use ertel_plot::png::encode;
 
 /// Pixels of the image per unit of the picture.
 const SCALE: f64 = 2.0;

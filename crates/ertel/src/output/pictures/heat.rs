@@ -2,10 +2,11 @@
 
 use super::super::heat::profile_label;
 use super::maps::temperature_map;
-use super::{Axis, Chart, Look, PALETTE, Series, Side, Task, profile, window_x};
+use super::{Task, profile, window_x};
 use crate::output::BODIES;
 use crate::solution::{Solution, Thermal};
 use crate::words::TemperatureScale;
+use ertel_plot::{Axis, Chart, Look, PALETTE, Series, Side};
 
 /// Every picture of the temperatures of a solution.
 pub fn heat_pictures<'a>(
