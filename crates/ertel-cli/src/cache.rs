@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use ertel::elastic::cache::OperatorCache;
+use ertel::operator_cache::OperatorCache;
 use etcetera::BaseStrategy;
 
 use crate::args::{CacheArgs, CacheCommand};

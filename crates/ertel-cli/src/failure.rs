@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use ertel::output::OutputError;
 use ertel_input::InputError;
-use ertel_input::quantity::QuantityError;
+use ertel_quantity::QuantityError;
 use ertel_rheology::database::DatabaseError;
 
 /// A command that did not succeed.

@@ -10,7 +10,7 @@ use ertel::fit::{self, Data, Fit, FittedLaw, Heading, LawName, Params, Property,
 use ertel::words::{digits, pressure};
 use ertel_input::Document;
 use ertel_input::file::read_table;
-use ertel_input::quantity::{self, Dimension, Unit};
+use ertel_quantity::{Dimension, Unit};
 use ertel_rheology::database::Kind;
 use ertel_rheology::density::TaitVolume;
 use ertel_rheology::{DensityLaw, Files, database};
@@ -183,7 +183,7 @@ fn params(arguments: &FitLawArgs, law: LawName) -> Result<Params, Failure> {
     let reference_temperature = arguments
         .reference_temperature
         .as_ref()
-        .map(|text| quantity::parse(text, Dimension::TEMPERATURE))
+        .map(|text| ertel_quantity::parse(text, Dimension::TEMPERATURE))
         .transpose()?;
     let equation_of_state = arguments.density.as_deref().map(volume).transpose()?;
     Ok(Params {

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use ertel::output::pictures::{ViscosityCurve, viscosity_chart};
 use ertel::words::{digits, pressure};
-use ertel_input::quantity::{self, Dimension};
+use ertel_quantity::Dimension;
 use ertel_rheology::database::Kind;
 use ertel_rheology::shear::ShearLaw;
 use ertel_rheology::{DensityLaw, Fluid, ShearThinning, database};
@@ -98,7 +98,7 @@ pub fn names(kind: Kind) -> Vec<String> {
 /// The temperature asked for, or the fluid's own, K.
 fn state_temperature(fluid: &Fluid, asked: Option<&str>) -> Result<f64, Failure> {
     if let Some(text) = asked {
-        let temperature = quantity::parse(text, Dimension::TEMPERATURE)?;
+        let temperature = ertel_quantity::parse(text, Dimension::TEMPERATURE)?;
         return if (100.0..=1000.0).contains(&temperature) {
             Ok(temperature)
         } else {

@@ -21,7 +21,7 @@ use std::ops::Range;
 
 use super::excerpt;
 use super::shown::message;
-use crate::quantity::{Dimension, Unit};
+use ertel_quantity::{Dimension, Unit};
 use header::NoHead;
 use names::Match;
 pub use number::Decimal;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
-use crate::quantity::{Dimension, Uncertainty};
+use ertel_quantity::{Correlation, Dimension, Uncertainty};
 
 /// A quantity that was read.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,15 +20,6 @@ pub struct Input {
     pub written: bool,
     /// Whether nobody gave it: it is estimated from other inputs.
     pub estimated: bool,
-}
-
-/// Correlation of two quantities with an uncertainty.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Correlation {
-    /// Their key paths.
-    pub keys: [String; 2],
-    /// Correlation coefficient, between −1 and 1.
-    pub coefficient: f64,
 }
 
 /// Quantities of a document, in the order in which they were read.

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use ertel_input::{Bounds, Document};
-//! use ertel_input::quantity::Dimension;
+//! use ertel_quantity::Dimension;
 //!
 //! let document = Document::parse("case.toml", "[contact]\nradius = \"16 mm\"\n")?;
 //! let mut root = document.root();
@@ -23,7 +23,6 @@ pub mod csv;
 mod error;
 pub mod file;
 mod inputs;
-pub mod quantity;
 mod shown;
 mod table;
 pub mod tree;
@@ -35,7 +34,7 @@ use std::sync::Arc;
 
 pub use bounds::Bounds;
 pub use error::InputError;
-pub use inputs::{Correlation, Input, Inputs, Recorder};
+pub use inputs::{Input, Inputs, Recorder};
 pub use shown::{LONGEST_EXCERPT, escaped, excerpt};
 pub use table::{StrOrTable, Table};
 pub use usual::{Usual, unit_meant, usual_of};

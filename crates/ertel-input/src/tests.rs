@@ -1,5 +1,5 @@
 use super::{Bounds, Document, InputError, StrOrTable};
-use crate::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 const CASE: &str = r#"title = "Steel ball"
 

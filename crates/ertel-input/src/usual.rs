@@ -3,7 +3,7 @@
 //! Ranges reach from miniature bearings to rolling mills, and hold for the liquids and solids in them. They serve questions about slips
 //! of units, and proposals for numbers without one; no value is refused for them.
 
-use crate::quantity::{Dimension, Unit};
+use ertel_quantity::{Dimension, Unit};
 
 /// What is usual for some keys.
 #[derive(Debug)]

@@ -18,6 +18,7 @@
 
 pub mod conductivity;
 pub mod data_sheet;
+#[cfg(feature = "read")]
 pub mod database;
 pub mod density;
 mod error;
@@ -26,6 +27,7 @@ pub mod heat_capacity;
 mod interpolation;
 mod linear;
 pub mod provenance;
+#[cfg(feature = "read")]
 mod read;
 mod scalar;
 pub mod shear;
@@ -37,6 +39,7 @@ pub use density::DensityLaw;
 pub use error::LawError;
 pub use fluid::{Fluid, FluidError};
 pub use heat_capacity::HeatCapacityLaw;
+#[cfg(feature = "read")]
 pub use read::{Files, Material};
 pub use scalar::Scalar;
 pub use shear::ShearThinning;

@@ -98,6 +98,13 @@ pub struct TemperatureRange {
 }
 
 impl TemperatureRange {
+    /// The narrowest of some ranges that `temperature`, K, leaves.
+    #[must_use]
+    pub fn left(ranges: &[TemperatureRange], temperature: f64) -> Option<&TemperatureRange> {
+        let left = ranges.iter().filter(|range| !range.contains(temperature));
+        left.min_by(|a, b| a.width().total_cmp(&b.width()))
+    }
+
     /// Whether `temperature` (K) lies inside, or within 0.01 K of the ends: a temperature rounds when it is converted.
     pub fn contains(&self, temperature: f64) -> bool {
         temperature >= self.lowest - 0.01 && temperature <= self.highest + 0.01

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 use common::{Clock, Seconds, Stopwatch};
 use ertel::case::Case;
-use ertel::elastic::cache::OperatorCache;
+use ertel::operator_cache::OperatorCache;
 use ertel::params::{LinearSolver, SensitivityDemand};
 use ertel::run::{Session, solve};
 use ertel::solution::{Estimate, Solution, Timings};

@@ -36,31 +36,26 @@
 //! | compare with measurements | [`compare`] |
 //! | write the files of the program | [`output`] |
 //!
-//! The folder `examples` has a small program for each. Modules use only those below them, `warning, contact, film → forms → solve → case → post
-//! → run → study → output`; forms never see files, solve never formats text; what still runs up stands in `tests/arrows.rs`.
+//! The folder `examples` has a small program for each. The solver is the crate `ertel_ehl`, which reads and writes no files; its modules stand here,
+//! too. Modules use only those below them, `ertel_ehl → files, case → problem → run → study → output`; what still runs up stands in
+//! `tests/arrows.rs`.
+
+pub use ertel_ehl::{
+    contact, elastic, film, forms, interference, mixed, params, post, solution, solve, warning,
+    words,
+};
 
 pub mod case;
 pub mod compare;
-pub mod contact;
-pub mod elastic;
 pub mod estimate;
 pub mod files;
-pub mod film;
 pub mod fit;
-pub mod forms;
-pub mod interference;
-pub mod mixed;
+pub mod operator_cache;
 pub mod output;
-pub mod params;
 pub mod plausible;
-pub mod post;
 pub mod problem;
 pub mod reference;
 pub mod run;
 pub mod sensitivity;
-pub mod solution;
-pub mod solve;
 pub mod study;
 pub mod validate;
-pub mod warning;
-pub mod words;

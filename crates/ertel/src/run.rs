@@ -1,10 +1,13 @@
 //! From a case to its solution.
 
+use std::sync::Arc;
+
 use ertel_fem::platform::Instant;
 
 use crate::case::Case;
 use crate::contact::{Hertz, Scales, Supply};
-use crate::elastic::cache::OperatorCache;
+use crate::elastic::store::OperatorStore;
+use crate::operator_cache::OperatorCache;
 use crate::params::SensitivityDemand;
 use crate::plausible;
 use crate::plausible::left_out::Known;
@@ -128,7 +131,10 @@ impl Session {
     ) -> Result<(Solution, Start), SolveError> {
         let clock = Instant::now();
         let mut problem = Problem {
-            cache: self.cache.clone(),
+            cache: self
+                .cache
+                .clone()
+                .map(|cache| Arc::new(cache) as Arc<dyn OperatorStore>),
             ..ready(case)?
         };
         let mut recorder = Recorder {
@@ -309,7 +315,7 @@ fn describe(
         ];
         warnings.extend(post::thermal::warnings(
             thermal,
-            &case.lubricant,
+            &case.lubricant.temperature_ranges,
             params,
             &scales,
             finest.discretisation.contact.shape.symmetry,

@@ -8,7 +8,7 @@ use std::time::{Duration, SystemTime};
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::elastic::cache::OperatorCache;
+use ertel::operator_cache::OperatorCache;
 use ertel::params::ElasticModel;
 use ertel::run::{Session, solve};
 use ertel::solution::Solution;

@@ -20,6 +20,7 @@ mod rollers;
 mod rolling_resistance;
 mod sensitivities;
 mod skewed;
+mod solver;
 mod starvation;
 mod thermal_results;
 mod validation;

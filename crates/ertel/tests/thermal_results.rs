@@ -314,7 +314,7 @@ fn temperatures_beyond_the_data_are_told() {
         }];
         warnings(
             &found,
-            &case.lubricant,
+            &case.lubricant.temperature_ranges,
             &params,
             &scales,
             Symmetry::Full,

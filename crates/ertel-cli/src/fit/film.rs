@@ -6,7 +6,7 @@ use ertel::contact::ContactKind;
 use ertel::fit::{self, FilmFit, FilmForm, FilmKind, Films};
 use ertel::words::{digits, length};
 use ertel_input::file::read_table;
-use ertel_input::quantity::{self, Dimension};
+use ertel_quantity::Dimension;
 
 use crate::args::FitFilmArgs;
 use crate::failure::Failure;
@@ -29,7 +29,7 @@ pub fn run(arguments: &FitFilmArgs) -> Result<(), Failure> {
     let radius = arguments
         .radius
         .as_ref()
-        .map(|text| quantity::parse(text, Dimension::LENGTH))
+        .map(|text| ertel_quantity::parse(text, Dimension::LENGTH))
         .transpose()?;
     if radius.is_some_and(|radius| radius <= 0.0) {
         return Err(Failure::Argument("--radius must be above zero".into()));

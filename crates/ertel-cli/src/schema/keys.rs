@@ -1,6 +1,6 @@
 //! The keys of cases and studies. `tests/schema.rs` holds them against the readers, the reference page and all shipped files.
 
-use ertel_input::quantity::Dimension as D;
+use ertel_quantity::Dimension as D;
 
 /// A key and what its value is.
 pub type Key = (&'static str, Kind);

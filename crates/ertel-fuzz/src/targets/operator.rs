@@ -6,9 +6,10 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use ertel::elastic::CondensedResponse;
-use ertel::elastic::cache::{OperatorCache, OperatorKey};
+use ertel::elastic::store::{Operator, OperatorStore};
+use ertel::operator_cache::OperatorCache;
 use ertel_fem::linear::compliance::Compliance;
-use ertel_fem::mesh::{BodyParams, body_mesh};
+use ertel_fem::mesh::{BodyMesh, BodyParams, body_mesh};
 
 use super::Verdict;
 use crate::finding::Defect;
@@ -20,9 +21,10 @@ const PAIRS: usize = 25;
 const DISPLACEMENTS: usize = 123;
 const LIMIT: u64 = 1_000_000;
 
-fn key() -> Option<OperatorKey> {
-    static KEY: OnceLock<Option<OperatorKey>> = OnceLock::new();
-    *KEY.get_or_init(|| {
+/// The body of the response.
+fn body() -> Option<&'static BodyMesh> {
+    static BODY: OnceLock<Option<BodyMesh>> = OnceLock::new();
+    let body = BODY.get_or_init(|| {
         let params = BodyParams {
             dim: 2,
             x_inlet: -4.5,
@@ -31,8 +33,19 @@ fn key() -> Option<OperatorKey> {
             width: 20.0,
             depth: 20.0,
         };
-        let body = body_mesh(&params, &|_| 2.0).ok()?;
-        Some(OperatorKey::new(&body, 2, 0.3))
+        body_mesh(&params, &|_| 2.0).ok()
+    });
+    body.as_ref()
+}
+
+/// What is kept of it.
+fn operator() -> Option<Operator<'static>> {
+    Some(Operator {
+        body: body()?,
+        elastic_order: 2,
+        poissons_ratio: 0.3,
+        n: NODES,
+        n_near: PAIRS,
     })
 }
 
@@ -62,8 +75,8 @@ fn file_name(folder: &Path) -> Option<std::path::PathBuf> {
 pub fn seed() -> io::Result<Input> {
     let folder = tempfile::tempdir()?;
     let cache = OperatorCache::new(folder.path(), LIMIT);
-    let key = key().ok_or_else(|| io::Error::other("the body has no mesh"))?;
-    cache.put(key, &response(), DISPLACEMENTS);
+    let operator = operator().ok_or_else(|| io::Error::other("the body has no mesh"))?;
+    cache.put(&operator, &response(), DISPLACEMENTS);
     let path = file_name(folder.path()).ok_or_else(|| io::Error::other("no operator was kept"))?;
     let files = vec![(Target::Operator.main_file().to_owned(), fs::read(path)?)];
     Ok(Input {
@@ -77,12 +90,12 @@ pub fn run(input: &Input, folder: &Path) -> Result<Verdict, Defect> {
     let failed = |error: io::Error| Defect::wrong("the cache fails", error.to_string());
     let place = folder.join("cache");
     let cache = OperatorCache::new(&place, LIMIT);
-    let key = key().ok_or_else(|| Defect::wrong("the cache fails", "no key"))?;
-    cache.put(key, &response(), DISPLACEMENTS);
+    let operator = operator().ok_or_else(|| Defect::wrong("the cache fails", "no mesh"))?;
+    cache.put(&operator, &response(), DISPLACEMENTS);
     let path = file_name(&place).ok_or_else(|| Defect::wrong("the cache fails", "no file"))?;
     let content = input.file(Target::Operator.main_file());
     fs::write(&path, content).map_err(failed)?;
-    let verdict = match cache.get(key, NODES, PAIRS) {
+    let verdict = match cache.get(&operator) {
         Some((found, n)) => {
             let good = response();
             let is_same =

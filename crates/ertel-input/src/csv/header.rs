@@ -8,7 +8,7 @@ use super::number::{is_missing, is_number};
 use super::split::{Record, Records, Separator, cells, is_comment};
 use super::title::{readings, unit_of};
 use super::{CsvParams, Row, Vocabulary};
-use crate::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 /// Lines among which the header is looked for.
 const SEARCHED: usize = 300;

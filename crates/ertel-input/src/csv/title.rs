@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::names::{self, Match};
 use super::number::is_number;
-use crate::quantity::{Dimension, Unit};
+use ertel_quantity::{Dimension, Unit};
 
 /// What pressures are counted from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

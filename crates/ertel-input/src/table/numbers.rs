@@ -3,9 +3,9 @@
 use std::ops::RangeInclusive;
 
 use super::Table;
-use crate::quantity::{self, Dimension, QuantityError, Uncertainty};
 use crate::tree::{Node, Value};
 use crate::{Bounds, InputError, unit_meant};
+use ertel_quantity::{Dimension, QuantityError, Uncertainty};
 
 impl Table<'_> {
     /// A number with a unit, in SI; a pure number may be written without quotes.
@@ -264,15 +264,18 @@ impl Table<'_> {
             Value::Float(value) => (bare(*value)?, None),
             // Exact for every integer a person writes.
             Value::Integer(Some(value)) => (bare(*value as f64)?, None),
-            Value::Str(text) => quantity::parse_uncertain(text, dimension).map_err(|error| {
-                let refused = self.at_node(node, key, describe(&error, key));
-                let number = match &error {
-                    QuantityError::MissingUnit { text, .. } => text.trim().parse().ok(),
-                    _ => None,
-                };
-                let proposal = number.map(|value| self.with_unit(node, key, dimension, value));
-                (error.advice().into_iter().chain(proposal)).fold(refused, InputError::with_help)
-            })?,
+            Value::Str(text) => {
+                ertel_quantity::parse_uncertain(text, dimension).map_err(|error| {
+                    let refused = self.at_node(node, key, describe(&error, key));
+                    let number = match &error {
+                        QuantityError::MissingUnit { text, .. } => text.trim().parse().ok(),
+                        _ => None,
+                    };
+                    let proposal = number.map(|value| self.with_unit(node, key, dimension, value));
+                    (error.advice().into_iter().chain(proposal))
+                        .fold(refused, InputError::with_help)
+                })?
+            }
             _ => {
                 let example = dimension.si_unit();
                 let message = if example.is_empty() {

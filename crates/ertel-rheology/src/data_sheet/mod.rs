@@ -8,7 +8,7 @@ mod viscosity_index;
 
 pub use viscosity_index::{viscosity_at_40, viscosity_at_100, viscosity_index};
 
-use ertel_input::quantity::{COVERAGE, Uncertainty};
+use ertel_quantity::{COVERAGE, Uncertainty};
 
 /// Viscosity grades of ISO 3448: kinematic viscosity at 40 degC in mm²/s, within 10 %.
 pub const ISO_VG: [f64; 20] = [

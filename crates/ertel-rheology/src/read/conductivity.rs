@@ -10,8 +10,8 @@ use crate::conductivity::{
     LarssonAndersson, Linear, Scaling, ScalingConstants, Table as ConductivityTable,
 };
 use crate::{ConductivityLaw, DensityLaw};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 const DIMENSION: Dimension = Dimension::THERMAL_CONDUCTIVITY;
 

@@ -9,8 +9,8 @@ use crate::density::{
     BulkModulusSoftening, DowsonHigginson, Murnaghan, Table as DensityTable, Tait, TaitVolume,
     ThermalExpansion,
 };
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 impl DensityLaw {
     /// Reads a law from a table such as `{ law = "dowson-higginson", rho_0 = "870 kg/m^3" }` and refuses unknown keys.

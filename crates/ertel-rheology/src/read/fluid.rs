@@ -3,8 +3,8 @@
 use super::{Files, Material, data_sheet};
 use crate::provenance::{Datum, Status, ValidityRange};
 use crate::{ConductivityLaw, DensityLaw, Fluid, HeatCapacityLaw, ShearThinning, ViscosityLaw};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 impl Fluid {
     /// Keys that [`Fluid::from_table`] and [`Fluid::override_from`] read.

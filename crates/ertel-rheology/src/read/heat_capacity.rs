@@ -11,8 +11,8 @@ use crate::heat_capacity::{
     VolumetricConstants,
 };
 use crate::{DensityLaw, HeatCapacityLaw};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 const DIMENSION: Dimension = Dimension::SPECIFIC_HEAT;
 

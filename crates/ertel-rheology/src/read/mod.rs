@@ -16,8 +16,8 @@ use std::path::Path;
 use crate::linear::LinearFactor;
 use crate::{DensityLaw, LawError};
 use ertel_input::file::read_table;
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 /// Where the files named in a table are found.
 #[derive(Debug, Clone, Copy)]

@@ -3,8 +3,8 @@
 use super::{density::reference_temperature, law_name, locate};
 use crate::shear::{Carreau, CarreauYasuda, Rabinowitsch, ReeEyring, ShearLaw, StressLimit};
 use crate::{ShearThinning, ViscosityLaw};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 impl ShearThinning {
     /// Reads a law from a table such as `{ law = "ree-eyring", tau_0 = "5 MPa" }` and refuses unknown keys.

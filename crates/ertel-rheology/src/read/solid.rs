@@ -3,8 +3,8 @@
 use super::{Files, Material};
 use crate::provenance::{Datum, Status};
 use crate::{ConductivityLaw, HeatCapacityLaw, Solid};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 impl Solid {
     /// Reads a solid from a table: `youngs_modulus`, `poissons_ratio`, and where given `hertz_pressure_limit`, `density`, and the laws

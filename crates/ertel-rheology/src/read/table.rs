@@ -3,8 +3,8 @@
 use super::{Files, locate};
 use crate::LawError;
 use ertel_input::csv::{Column, CsvError, CsvParams, CsvTable, Row, Vocabulary};
-use ertel_input::quantity::{self, Dimension, STANDARD_ATMOSPHERE};
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::{Dimension, STANDARD_ATMOSPHERE};
 
 /// Data along isotherms, in SI, temperatures increasing.
 #[derive(Debug, Default)]
@@ -58,7 +58,7 @@ impl Columns {
         let mut units = table.required_table("units")?;
         let value_unit = units.required_str(&key)?;
         let scale = |units: &Table<'_>, key: &str, unit: &str, dimension| {
-            quantity::parse(&format!("1 {unit}"), dimension)
+            ertel_quantity::parse(&format!("1 {unit}"), dimension)
                 .map_err(|error| units.error(key, error.to_string()))
         };
         let value_scale = scale(&units, &key, value_unit, dimension)?;

@@ -12,8 +12,8 @@ use crate::viscosity::{
     PressureLaw, Roelands, Table as ViscosityTable, TemperatureSlope, Walther,
 };
 use crate::{DensityLaw, ViscosityLaw};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 impl ViscosityLaw {
     /// Reads a law from a table such as `{ law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }` and refuses

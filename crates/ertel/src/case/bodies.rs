@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, StrOrTable, Table};
+use ertel_quantity::Dimension;
 use ertel_rheology::{ConductivityLaw, Files, HeatCapacityLaw, Solid, database};
 
 use crate::contact::Elasticity;

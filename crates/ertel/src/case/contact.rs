@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::bodies::Shapes;
 use crate::contact::curvature::{along, gap_between};

@@ -12,9 +12,9 @@
 
 use std::path::Path;
 
-use ertel_input::quantity::Dimension;
 use ertel_input::tree::{Node, Value};
 use ertel_input::{Bounds, Document, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::Case;
 use super::study::values::{self, AxisValue, Values};

@@ -1,7 +1,7 @@
 //! `[inlet]`: how much oil reaches the contact.
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::params::FARTHEST;
 use crate::contact::{Contact, Supply, Turn};

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use nalgebra::DMatrix;
 
-use ertel_input::{Correlation, Document, Input, InputError, Inputs};
+use ertel_input::{Document, Input, InputError, Inputs};
+use ertel_quantity::Correlation;
 
 use super::Case;
 use crate::params::SensitivityDemand;

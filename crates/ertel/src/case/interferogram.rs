@@ -1,7 +1,7 @@
 //! `[output.interferogram]`: light, oil and spacer layer of an interferogram.
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use crate::contact::ContactKind;
 use crate::interference::{CIE_RGB, Interferometer};

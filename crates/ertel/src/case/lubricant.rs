@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::warning::{Warning, WarningKind};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, StrOrTable, Table};
+use ertel_quantity::Dimension;
 use ertel_rheology::provenance::{Datum, Status, TemperatureRange};
 use ertel_rheology::{
     ConductivityLaw, DensityLaw, Files, Fluid, HeatCapacityLaw, ShearThinning, ViscosityLaw,
@@ -114,8 +114,7 @@ impl Lubricant {
 
     /// The narrowest range of the data that `temperature`, K, leaves.
     pub fn range_left(&self, temperature: f64) -> Option<&TemperatureRange> {
-        let left = (self.temperature_ranges.iter()).filter(|range| !range.contains(temperature));
-        left.min_by(|a, b| a.width().total_cmp(&b.width()))
+        TemperatureRange::left(&self.temperature_ranges, temperature)
     }
 }
 

@@ -1,7 +1,7 @@
 //! `[motion]`, and what `[machine]` shares with it.
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::bodies::name_in;
 use crate::contact::Motion;

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use ertel_input::csv::{CsvError, CsvTable};
 use ertel_input::file::{LARGEST_TABLE, read_text};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::contact::RADIUS;
 use crate::contact::roller::measured::{Trace, Treatment};

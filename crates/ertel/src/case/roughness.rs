@@ -1,7 +1,7 @@
 //! `[surface_roughness]`: rough surfaces and their asperities.
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::bodies::ROUGHNESS;
 use crate::mixed::Asperities;

@@ -1,7 +1,7 @@
 //! `[thermal]`: its presence switches heat on.
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 
 use super::lubricant::{TEMPERATURE, VISCOSITY};

@@ -1,8 +1,8 @@
 //! Values far from those of such contacts: almost always a unit was mistaken.
 
-use ertel_input::quantity::Dimension;
 use ertel_input::tree::Value;
 use ertel_input::{Document, Input, Usual, usual_of};
+use ertel_quantity::Dimension;
 
 use super::Case;
 use crate::warning::{Warning, WarningKind};

@@ -3,7 +3,7 @@
 use ertel_input::Document;
 use ertel_input::csv::{Column, CsvError, CsvTable};
 use ertel_input::excerpt;
-use ertel_input::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 use super::{Figure, temperature_key};
 

@@ -1,6 +1,6 @@
 //! Measured figures beside those of the study's points.
 
-use ertel_input::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 use super::{Figure, Measured, Measurement, Statistics};
 use crate::case::study::AxisValue;

@@ -20,7 +20,7 @@ use std::ops::Range;
 
 use ertel_input::Document;
 use ertel_input::csv::{Column, CsvError, CsvTable, Row, line_list};
-use ertel_input::quantity::Unit;
+use ertel_quantity::Unit;
 
 use super::columns::Operating;
 use super::table::impossible;

@@ -1,8 +1,8 @@
 //! Cases that give the speeds of both surfaces, beside tables of entrainment speeds and slide-to-roll ratios.
 
 use ertel_input::Document;
-use ertel_input::quantity::{Dimension, parse_uncertain};
 use ertel_input::tree::Value;
+use ertel_quantity::{Dimension, parse_uncertain};
 
 use super::{Content, column};
 

@@ -1,8 +1,8 @@
 //! Plain tables: a column for each quantity that was set, one for each figure that was measured.
 
 use ertel_input::csv::{Column, CsvError, CsvTable, Row, Vocabulary, key_titles, line_list};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Document, excerpt};
+use ertel_quantity::Dimension;
 
 use super::columns::{
     MEASURED, MeasuredColumns, OPERATING, Operating, find, names, open_name, uncertainty,

@@ -1,7 +1,7 @@
 //! Measured states from a CSV file.
 
 use ertel_input::csv::{Column, CsvParams, CsvTable, Row, Vocabulary, line_list};
-use ertel_input::quantity::{Dimension, STANDARD_ATMOSPHERE};
+use ertel_quantity::{Dimension, STANDARD_ATMOSPHERE};
 
 pub use ertel_input::csv::CsvError as DataError;
 use ertel_input::{Bounds, excerpt};

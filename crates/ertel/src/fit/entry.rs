@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use ertel_input::quantity::COVERAGE;
+use ertel_quantity::COVERAGE;
 use ertel_rheology::density::TaitVolume;
 use ertel_rheology::viscosity::Doolittle;
 use ertel_rheology::{DensityLaw, ViscosityLaw};

@@ -1,6 +1,6 @@
 //! The laws with their constants, starting values and scales.
 
-use ertel_input::quantity::{self, Dimension, Unit};
+use ertel_quantity::{Dimension, Unit};
 use ertel_rheology::density::{
     BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
 };
@@ -386,7 +386,7 @@ pub(super) fn parse_constant(law: LawName, key: &str, text: &str) -> Result<f64,
         .iter()
         .find(|c| c.key == key)
         .ok_or_else(|| unknown(law, key, &constants))?;
-    quantity::parse(text, constant.dimension).map_err(|source| FitError::Value {
+    ertel_quantity::parse(text, constant.dimension).map_err(|source| FitError::Value {
         key: key.to_owned(),
         source,
     })

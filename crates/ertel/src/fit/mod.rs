@@ -33,7 +33,7 @@ pub use picture::picture;
 pub use ranking::{Ranked, Ranking, Unranked, rank};
 pub use sense::{LARGEST_RMS, nonsense};
 
-use ertel_input::quantity::QuantityError;
+use ertel_quantity::QuantityError;
 use ertel_rheology::LawError;
 use ertel_rheology::density::TaitVolume;
 

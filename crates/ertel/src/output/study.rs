@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use ertel_input::quantity::Unit;
+use ertel_quantity::Unit;
 
 use super::pictures::{ERROR_BARS, film_unit};
 use crate::study::journal::{PointKey, Record};

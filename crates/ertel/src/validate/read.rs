@@ -43,8 +43,8 @@
 
 use std::path::{Path, PathBuf};
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, Document, InputError, Table};
+use ertel_quantity::Dimension;
 use ertel_rheology::ViscosityLaw;
 
 use super::check::Subject;

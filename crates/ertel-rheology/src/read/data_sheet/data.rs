@@ -3,7 +3,7 @@
 use crate::data_sheet::Estimate;
 use crate::provenance::{Datum, Status};
 use ertel_input::Table;
-use ertel_input::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 /// A number that the table gives.
 pub(super) fn given(table: &Table<'_>, key: &str, value: String, unit: &str) -> Datum {

@@ -12,8 +12,8 @@ use crate::density::{DowsonHigginson, ThermalExpansion};
 use crate::provenance::{Datum, ValidityRange};
 use crate::viscosity::{PressureLaw, Walther};
 use crate::{DensityLaw, ViscosityLaw};
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 /// Keys of a data sheet. `reference_temperature` is one of the fluid.
 const KEYS: [&str; 8] = [

@@ -10,8 +10,8 @@ use crate::data_sheet::{
 use crate::database::names;
 use crate::provenance::Datum;
 use crate::viscosity::Walther;
-use ertel_input::quantity::{Dimension, is_saybolt, saybolt_corrected};
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::{Dimension, is_saybolt, saybolt_corrected};
 
 /// Kinematic viscosities that Walther's equation covers, m²/s, up to pitch.
 const VISCOSITIES: Bounds = Bounds::closed(0.2e-6, 1.0);

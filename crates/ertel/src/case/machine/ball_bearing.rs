@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::bearing::{Ring, SOURCE, gamma, rolling};
 use super::spin::{self, BallInGrooves};

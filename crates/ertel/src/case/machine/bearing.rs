@@ -3,8 +3,8 @@
 //! Source: Harris and Kotzalas, Essential Concepts of Bearing Technology, 5th ed., 2007, chapters 2 (geometry) and 10
 //! (speeds), where γ is defined and the cage speed derived.
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::{ANGULAR_SPEED, Rows};
 use crate::contact::Motion;

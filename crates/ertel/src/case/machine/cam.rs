@@ -1,7 +1,7 @@
 //! A cam that lifts a flat tappet.
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::{ANGULAR_SPEED, Machine, Rows, line_load, required_length};
 use crate::contact::Contact;

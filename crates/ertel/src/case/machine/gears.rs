@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_4, PI};
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::involute::Pair;
 use super::{Machine, Rows, required_length};

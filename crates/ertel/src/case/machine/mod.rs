@@ -14,8 +14,8 @@ mod spin;
 
 use std::path::Path;
 
-use ertel_input::quantity::Dimension;
 use ertel_input::{Bounds, InputError, Table};
+use ertel_quantity::Dimension;
 
 use super::contact::{MOST_SLENDER, RADIUS, load_of_pressure, too_slender};
 use super::motion::{MAX_SPEED, check_entrainment};

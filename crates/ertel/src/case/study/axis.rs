@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use ertel_input::quantity::Unit;
 use ertel_input::tree::{Entry, Node, Value};
 use ertel_input::{Document, InputError, Table};
+use ertel_quantity::Unit;
 
 use super::MOST_POINTS;
 use super::values::{self, AxisValue, Values, header};

@@ -31,9 +31,9 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use ertel_input::quantity::Dimension;
 use ertel_input::tree::{Node, Value};
 use ertel_input::{Document, InputError, Table};
+use ertel_quantity::Dimension;
 use rayon::prelude::*;
 
 use super::Case;

@@ -3,9 +3,9 @@
 use std::collections::HashSet;
 use std::fmt;
 
-use ertel_input::quantity::{Dimension, parse_any};
 use ertel_input::tree::{Node, Value};
 use ertel_input::{InputError, Table};
+use ertel_quantity::{Dimension, parse_any};
 
 use super::text::inline;
 

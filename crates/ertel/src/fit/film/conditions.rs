@@ -2,7 +2,7 @@
 
 use ertel_input::csv::{Column, CsvTable, Row};
 use ertel_input::excerpt;
-use ertel_input::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 use super::FilmForm;
 use crate::fit::DataError;

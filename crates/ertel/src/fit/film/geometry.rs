@@ -1,7 +1,7 @@
 //! The ellipses of a table.
 
 use ertel_input::csv::{Column, CsvTable, Row};
-use ertel_input::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 use super::header::{need, positive};
 use crate::contact::Contact;

@@ -1,7 +1,7 @@
 //! The columns of a table of films, and the numbers below them.
 
 use ertel_input::csv::{Column, CsvTable, Row};
-use ertel_input::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 use crate::fit::DataError;
 

@@ -1,7 +1,7 @@
 //! Films from a table.
 
 use ertel_input::csv::{Column, CsvError, CsvParams, CsvTable, Vocabulary};
-use ertel_input::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 use super::conditions::Conditions;
 use super::geometry::Ellipses;

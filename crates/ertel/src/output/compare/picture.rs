@@ -247,7 +247,7 @@ fn label(comparison: &Comparison, row: &ComparedRow, columns: &[usize]) -> Strin
 
 #[cfg(test)]
 mod tests {
-    use ertel_input::quantity::Dimension;
+    use ertel_quantity::Dimension;
 
     use super::*;
     use crate::compare::Outcome;

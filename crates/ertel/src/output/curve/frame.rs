@@ -1,6 +1,6 @@
 //! Axes of a diagram over the quantity of a curve, and points for them.
 
-use ertel_input::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 use crate::case::curve::Quantity;
 use crate::study::{CurveSolution, PointSolution};

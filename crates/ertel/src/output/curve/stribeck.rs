@@ -1,6 +1,6 @@
 //! The Stribeck curve: friction of film and asperities over speed.
 
-use ertel_input::quantity::Dimension;
+use ertel_quantity::Dimension;
 
 use super::frame::largest;
 use crate::solution::MixedFriction;

@@ -3,8 +3,9 @@
 //! Each input has one sample in each of n intervals of equal probability; the order is random. Correlated inputs are correlated as normal
 //! variables, which are then distributed as the inputs are: exact for normal ones, a Gaussian copula for others.
 
-use ertel_input::quantity::{CUT, Uncertainty};
-use ertel_input::{Correlation, Input};
+use ertel_input::Input;
+use ertel_quantity::Correlation;
+use ertel_quantity::{CUT, Uncertainty};
 use nalgebra::DMatrix;
 
 use super::{MOST_SAMPLES, MonteCarloParams};
@@ -115,7 +116,7 @@ fn normal_quantile(probability: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
-    use ertel_input::quantity::Dimension;
+    use ertel_quantity::Dimension;
 
     use super::*;
 

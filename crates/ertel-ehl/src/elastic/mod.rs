@@ -1,0 +1,92 @@
+//! What elastic bodies answer to the film: the deflection of the contact surface.
+//!
+//! - [`HalfSpace`]: closed-form integrals and a fast summation, for homogeneous bodies (the default);
+//! - [`FiniteBodies`]: finite-element bodies condensed to their surface, as in Habchi's thesis;
+//! - [`Series`]: several of them under one load, whose deflections add up.
+//!
+//! All speak of nodal pressures and of deflections at the nodes of a [`Trace`]; none knows the film.
+
+mod finite_elements;
+mod half_space;
+mod near;
+mod series;
+pub mod store;
+mod trace;
+
+pub use ertel_fem::potential::Accuracy;
+pub use finite_elements::{
+    BodySpace, CondensedResponse, ElasticBody, FiniteBodies, FiniteBody, FiniteBodyError,
+};
+pub use half_space::HalfSpace;
+pub use near::{near_pairs, symbol_stiffness};
+pub use series::Series;
+pub use trace::Trace;
+
+/// Dimensionless elastic constants of one body: E/(R p_h/a) and ν.
+pub type BodyConstants = (f64, f64);
+
+/// Σ(1 − ν²)/E of bodies: a half-space of them answers a wave of pressure of the wave number k by 2/|k| times that.
+pub fn compliance(bodies: &[BodyConstants]) -> f64 {
+    bodies.iter().map(|(e, nu)| (1.0 - nu * nu) / e).sum()
+}
+
+/// Answers of elastic bodies, dimensionless. Values stand at the nodes of the trace's spaces, pressures at all nodes, edge included.
+pub trait SurfaceResponse: Send + Sync {
+    /// Deflection at the deflection nodes under nodal pressures.
+    fn deflect(&self, trace: &Trace, pressure: &[f64], accuracy: Accuracy) -> Vec<f64>;
+
+    /// The transpose: from weights of the deflection nodes to weights of the pressure nodes.
+    fn deflect_transposed(&self, trace: &Trace, weights: &[f64], accuracy: Accuracy) -> Vec<f64>;
+
+    /// Deflection under loads ∫p N of the deflection nodes.
+    fn respond(&self, trace: &Trace, loads: &[f64]) -> Vec<f64>;
+
+    /// Stiffness between near deflection nodes, in the order of [`near_pairs`]: what a preconditioner sees.
+    fn near_stiffness(&self) -> Vec<f64>;
+
+    /// Σ(1 − ν²)/E as short waves see it.
+    fn compliance(&self) -> f64;
+
+    /// Gives back memory of what can be made anew when it is asked for again.
+    fn release(&self) {}
+}
+
+/// Which bodies deflect, and how they are computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Elasticity {
+    /// How.
+    pub model: BodyModel,
+    /// Lagrange order of the deflection; of a half-space not below that of the pressure.
+    pub order: usize,
+    /// The bodies; none for a rigid contact.
+    pub bodies: Vec<BodyConstants>,
+}
+
+/// How bodies are computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BodyModel {
+    /// Half-spaces.
+    HalfSpace,
+    /// Finite elements.
+    FiniteElements,
+}
+
+impl Elasticity {
+    /// Half-spaces.
+    pub fn half_space(order: usize, bodies: &[BodyConstants]) -> Elasticity {
+        Elasticity {
+            model: BodyModel::HalfSpace,
+            order,
+            bodies: bodies.to_vec(),
+        }
+    }
+
+    /// Finite-element bodies.
+    pub fn finite_elements(order: usize, bodies: &[BodyConstants]) -> Elasticity {
+        Elasticity {
+            model: BodyModel::FiniteElements,
+            order,
+            bodies: bodies.to_vec(),
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! Elastohydrodynamic contacts by the full-system finite element approach: the solver alone, in numbers. It reads no files and writes none;
+//! cases, reports and pictures are those of the crate `ertel`, which hands a [`solve::sequence::Problem`] in.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`warning`], [`words`] | what a user should know, numbers in it |
+//! | [`contact`], [`params`] | geometry, scales, motion; settings |
+//! | [`film`] | the fluid in the film and its flow at a point |
+//! | [`forms`] | weak forms at a point |
+//! | [`elastic`] | elastic bodies |
+//! | [`solution`], [`mixed`] | figures and fields in SI; asperities |
+//! | [`solve`] | Newton's method, continuation, refinement, heat |
+//! | [`post`] | figures and fields from a solved stage |
+
+pub mod contact;
+pub mod elastic;
+pub mod film;
+pub mod forms;
+pub mod interference;
+pub mod mixed;
+pub mod params;
+pub mod post;
+pub mod solution;
+pub mod solve;
+pub mod warning;
+pub mod words;

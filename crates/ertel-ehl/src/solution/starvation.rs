@@ -1,0 +1,59 @@
+//! What a lack of oil does to the film, SI.
+
+use serde::Serialize;
+
+use super::{Estimate, Figure, Measured, Solution};
+use crate::contact::Supply;
+
+/// The film beside that of the same contact with more oil than it takes.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Starvation {
+    /// How much oil reaches the contact.
+    pub supply: Supply,
+    /// Central film of the flooded contact, m; `None` where that was not found.
+    pub film_central_flooded: Option<Estimate>,
+    /// Minimum film of the flooded contact, m; likewise.
+    pub film_minimum_flooded: Option<Estimate>,
+    /// Central film over that of the flooded contact: 1 is flooded.
+    pub ratio_central: Option<Estimate>,
+    /// The same of the minimum films.
+    pub ratio_minimum: Option<Estimate>,
+    /// Where the gap is full from on, on the centreline, x < 0, m; `None` where a layer of oil fills it as far as the contact area goes.
+    pub meniscus_position: Option<Estimate>,
+}
+
+impl Starvation {
+    /// Of a solution for a supply, without the flooded films; `None` where the contact is flooded by itself.
+    pub fn of(measured: &Measured, supply: &Supply) -> Option<Starvation> {
+        let meniscus_position = match supply {
+            Supply::Flooded => return None,
+            Supply::OilLayer { .. } => measured.find(Figure::MeniscusPosition),
+            Supply::Meniscus { distance } => Some(Estimate {
+                value: -distance,
+                error: Some(0.0),
+            }),
+        };
+        Some(Starvation {
+            supply: *supply,
+            film_central_flooded: None,
+            film_minimum_flooded: None,
+            ratio_central: None,
+            ratio_minimum: None,
+            meniscus_position,
+        })
+    }
+}
+
+impl Solution {
+    /// Sets the films beside those of the flooded contact.
+    pub fn beside_flooded(&mut self, flooded: &Solution) {
+        let (own, full) = (&self.summary, &flooded.summary);
+        let Some(starvation) = &mut self.starvation else {
+            return;
+        };
+        starvation.film_central_flooded = Some(full.film_central);
+        starvation.film_minimum_flooded = Some(full.film_minimum);
+        starvation.ratio_central = Some(Estimate::ratio(own.film_central, full.film_central));
+        starvation.ratio_minimum = Some(Estimate::ratio(own.film_minimum, full.film_minimum));
+    }
+}

@@ -1,0 +1,512 @@
+//! One mesh level: meshes, spaces, elastic operator and everything that Newton's method reuses.
+
+use ertel_fem::platform::Instant;
+use std::sync::Arc;
+
+use ertel_fem::assembly::CONSTRAINED;
+use ertel_fem::element::Tabulation;
+use ertel_fem::linear::{NEVER, Stop};
+use ertel_fem::locate::Locator;
+use ertel_fem::mesh::{BodyParams, SimplexMesh, SurfaceMesh, SurfaceParams, surface_mesh};
+use ertel_fem::quadrature::Quadrature;
+use ertel_fem::space::{Affine, Space};
+
+use super::heat::column::Column;
+use super::heat::space::HeatSpace;
+pub use super::sizes::LevelSizes;
+use super::sizes::size_at;
+use crate::contact::{ContactKind, HertzZone, Inlet, Shape, Symmetry};
+use crate::elastic::store::OperatorStore;
+use crate::elastic::{
+    Accuracy, BodyModel, Elasticity, FiniteBodies, FiniteBody, FiniteBodyError, HalfSpace,
+    SurfaceResponse, Trace, near_pairs,
+};
+
+/// Contact area, and the body below it, in Hertz half-widths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extents {
+    /// Inlet edge X of the contact area.
+    pub inlet: f64,
+    /// Outlet edge X.
+    pub outlet: f64,
+    /// Side edge |Y|, of ellipses in semi-axes along y.
+    pub side: f64,
+    /// Width of the body.
+    pub body_width: f64,
+    /// Depth of the body.
+    pub body_depth: f64,
+}
+
+/// Building a level failed.
+pub type DiscretisationError = FiniteBodyError;
+
+/// What the contact area is meshed with.
+#[derive(Clone)]
+enum Support {
+    /// Nothing below it.
+    Surface(Arc<SurfaceMesh>),
+    /// A body below it, with its condensed answers.
+    Body(Arc<FiniteBody>, FiniteBodies),
+}
+
+/// Mesh of the contact area with what the bodies answer there; pressure spaces of any order stand on it.
+#[derive(Clone)]
+pub struct ContactSurface {
+    /// Geometry of the contact.
+    pub shape: Shape,
+    /// Contact area and body.
+    pub extents: Extents,
+    /// The bodies.
+    pub elasticity: Elasticity,
+    support: Support,
+    /// Displacement unknowns of a finite-element body; 0 for a half-space.
+    pub n_displacement: usize,
+    /// Where elastic responses are kept, if anywhere.
+    pub cache: Option<Arc<dyn OperatorStore>>,
+    /// Whether all of this one came from there.
+    pub from_cache: bool,
+    /// Contact area.
+    pub surface: SimplexMesh,
+    /// Finds the element under a point of it.
+    pub locator: Locator,
+    /// Deflection nodes of the contact area.
+    pub deflection: Space,
+    /// What the bodies answer.
+    pub response: Arc<dyn SurfaceResponse>,
+    /// Pairs of deflection nodes whose stiffness the preconditioner sees.
+    pub near_pairs: Vec<(u32, u32)>,
+    /// Affine map of each element.
+    pub maps: Vec<Affine>,
+    /// Size h_e of each element along the motion: √(2 area) around a circle, the leg of a right isosceles triangle, or length.
+    pub sizes: Vec<f64>,
+    /// T of each element, see [`Cell`]; empty where it is the unit tensor everywhere.
+    diffusion_tensors: Vec<[f64; 3]>,
+    /// Seconds spent on the mesh and on the elastic operator.
+    pub seconds: (f64, f64),
+}
+
+/// How long an element is, and how slender.
+#[derive(Clone, Copy, Debug)]
+pub struct Cell {
+    /// h_e.
+    pub size: f64,
+    /// T by which diffusions are multiplied where it is shorter across the motion than along it, xx, xy, yy.
+    pub diffusion_tensor: Option<[f64; 3]>,
+}
+
+/// By what means elastic responses are come by.
+#[derive(Clone, Copy)]
+pub struct Means<'a> {
+    /// Where they are kept, if anywhere.
+    pub cache: Option<&'a Arc<dyn OperatorStore>>,
+    /// Whether the user wants to stop.
+    pub stop: Stop<'a>,
+}
+
+impl Default for Means<'_> {
+    fn default() -> Self {
+        Means {
+            cache: None,
+            stop: NEVER,
+        }
+    }
+}
+
+impl ContactSurface {
+    /// Meshes the contact area, and a body below it where one is asked for, and makes its elastic response.
+    ///
+    /// # Errors
+    /// When meshing or factorisation fails, or the caller wants to stop.
+    pub fn new(
+        shape: &Shape,
+        extents: &Extents,
+        sizes: &LevelSizes,
+        elasticity: &Elasticity,
+        means: Means,
+    ) -> Result<ContactSurface, DiscretisationError> {
+        let start = Instant::now();
+        let mesh = match elasticity.model {
+            BodyModel::HalfSpace => {
+                let params = SurfaceParams {
+                    dim: shape.kind.body_dimension() - 1,
+                    x: [extents.inlet, extents.outlet],
+                    y: match shape.symmetry {
+                        Symmetry::Half => [-extents.side, 0.0],
+                        Symmetry::Full => [-extents.side, extents.side],
+                    },
+                };
+                let size = |x: [f64; 2]| size_at(shape, extents, sizes, [x[0], x[1], 0.0]);
+                Mesh::Surface(Arc::new(surface_mesh(&params, &size)?))
+            }
+            BodyModel::FiniteElements => {
+                let params = body_params(shape.kind, extents);
+                let size = |x: [f64; 3]| size_at(shape, extents, sizes, x);
+                Mesh::Body(Arc::new(FiniteBody::new(&params, &size)?))
+            }
+        };
+        let seconds = start.elapsed().as_secs_f64();
+        ContactSurface::on(shape, extents, mesh, seconds, elasticity, means)
+    }
+
+    /// The same with elements halved `halvings` times in length, and others as conformity demands.
+    ///
+    /// # Errors
+    /// As [`ContactSurface::new`].
+    pub fn refined(
+        &self,
+        halvings: &[u32],
+        means: Means,
+    ) -> Result<ContactSurface, DiscretisationError> {
+        let start = Instant::now();
+        let sizes: Vec<f64> = halvings
+            .iter()
+            .enumerate()
+            .map(|(c, n)| match n {
+                0 => f64::INFINITY,
+                // a little more, for rounding
+                n => 1.001 * self.longest_unit_edge(c) / f64::from(1u32 << n),
+            })
+            .collect();
+        let mesh = match &self.support {
+            Support::Surface(surface) => Mesh::Surface(Arc::new(surface.refined(&sizes)?)),
+            Support::Body(body, _) => Mesh::Body(Arc::new(body.refined(&sizes)?)),
+        };
+        let seconds = start.elapsed().as_secs_f64();
+        ContactSurface::on(
+            &self.shape,
+            &self.extents,
+            mesh,
+            seconds,
+            &self.elasticity,
+            means,
+        )
+    }
+
+    /// The same where another amount of oil reaches the contact.
+    pub fn with_inlet(&self, inlet: Inlet) -> ContactSurface {
+        ContactSurface {
+            shape: self.shape.clone().with_inlet(inlet),
+            ..self.clone()
+        }
+    }
+
+    /// The same mesh, moved along, around a contact of another shape; `None` above finite-element bodies, whose meshes do not move.
+    pub fn reshaped(&self, shape: &Shape, means: Means) -> Option<ContactSurface> {
+        let Support::Surface(mesh) = &self.support else {
+            return None;
+        };
+        let mesh = Mesh::Surface(mesh.clone());
+        let mut shape = shape.clone();
+        if let (Some(own), Some(other)) = (&self.shape.zone.roller, &shape.zone.roller) {
+            shape.zone.roller = Some(Arc::new(own.drawn_to(other.half_length())));
+        }
+        ContactSurface::on(&shape, &self.extents, mesh, 0.0, &self.elasticity, means).ok()
+    }
+
+    /// Makes the elastic response of a mesh.
+    fn on(
+        shape: &Shape,
+        extents: &Extents,
+        mesh: Mesh,
+        mesh_seconds: f64,
+        elasticity: &Elasticity,
+        means: Means,
+    ) -> Result<ContactSurface, DiscretisationError> {
+        let start = Instant::now();
+        let surface = match &mesh {
+            Mesh::Surface(surface) => stretched(surface.mesh(), &shape.zone),
+            Mesh::Body(body) => body.surface.clone(),
+        };
+        let deflection = Space::new(&surface, elasticity.order);
+        let wide = !shape.kind.is_point();
+        let near_pairs = near_pairs(&deflection, wide);
+        let (mut n_displacement, mut from_cache) = (0, false);
+        let bodies = &elasticity.bodies;
+        let (support, response): (Support, Arc<dyn SurfaceResponse>) = match mesh {
+            Mesh::Surface(mesh) => {
+                let response = HalfSpace::new(&surface, &deflection, bodies, &near_pairs, shape);
+                (Support::Surface(mesh), Arc::new(response))
+            }
+            Mesh::Body(body) => {
+                let condensed;
+                (condensed, n_displacement, from_cache) = body.condensed(
+                    bodies,
+                    &deflection,
+                    &near_pairs,
+                    means.cache.map(AsRef::as_ref),
+                    means.stop,
+                )?;
+                (Support::Body(body, condensed.clone()), Arc::new(condensed))
+            }
+        };
+        let operator_seconds = start.elapsed().as_secs_f64();
+        let maps: Vec<Affine> = (0..surface.n_cells())
+            .map(|c| Affine::new(&surface, c))
+            .collect();
+        let along = shape.zone.stretch_along_motion();
+        let element_sizes = maps
+            .iter()
+            .enumerate()
+            .map(|(c, m)| {
+                if surface.dim == 1 {
+                    m.determinant
+                } else {
+                    // Cells are as stretched as the zone.
+                    along * (m.determinant / shape.zone.stretch(surface.centre(c))).sqrt()
+                }
+            })
+            .collect();
+        let tensors = (0..maps.len()).map(|c| shape.zone.diffusion_tensor(surface.centre(c)));
+        let diffusion_tensors = match tensors.clone().any(|t| t.is_some()) {
+            true => tensors.map(|t| t.unwrap_or([1.0, 0.0, 1.0])).collect(),
+            false => Vec::new(),
+        };
+        Ok(ContactSurface {
+            shape: shape.clone(),
+            extents: *extents,
+            elasticity: elasticity.clone(),
+            support,
+            n_displacement,
+            cache: means.cache.cloned(),
+            from_cache,
+            locator: Locator::new(&surface),
+            surface,
+            deflection,
+            response,
+            near_pairs,
+            maps,
+            sizes: element_sizes,
+            diffusion_tensors,
+            seconds: (mesh_seconds, operator_seconds),
+        })
+    }
+
+    /// Size and slenderness of an element.
+    pub fn cell(&self, element: usize) -> Cell {
+        Cell {
+            size: self.sizes[element],
+            diffusion_tensor: self.diffusion_tensors.get(element).copied(),
+        }
+    }
+
+    /// Longest edge of an element where the Hertz zone is the unit circle, as it was meshed.
+    fn longest_unit_edge(&self, element: usize) -> f64 {
+        match &self.support {
+            Support::Surface(mesh) => mesh.mesh().longest_edge(element),
+            Support::Body(..) => self.surface.longest_edge(element),
+        }
+    }
+
+    /// The finite-element body below the contact area with its condensed answers; `None` above a half-space.
+    pub fn body(&self) -> Option<(&FiniteBody, &FiniteBodies)> {
+        match &self.support {
+            Support::Surface(_) => None,
+            Support::Body(body, condensed) => Some((body, condensed)),
+        }
+    }
+
+    /// (X, Y) of reference coordinates in an element.
+    pub fn point(&self, element: usize, xi: [f64; 3]) -> [f64; 2] {
+        let v = |k: usize| self.surface.vertices[self.surface.cell(element)[k] as usize];
+        let origin = v(0);
+        [0, 1].map(|a| {
+            origin[a]
+                + (1..=self.surface.dim)
+                    .map(|k| xi[k - 1] * (v(k)[a] - origin[a]))
+                    .sum::<f64>()
+        })
+    }
+
+    /// Number of elements on the contact area.
+    pub fn n_elements(&self) -> usize {
+        self.maps.len()
+    }
+}
+
+/// A mesh before its bodies answer.
+enum Mesh {
+    Surface(Arc<SurfaceMesh>),
+    Body(Arc<FiniteBody>),
+}
+
+/// Pressure space on a contact surface, and everything that Newton's method reuses.
+#[derive(Clone)]
+pub struct Discretisation {
+    /// Mesh and elastic response.
+    pub contact: Arc<ContactSurface>,
+    /// Pressure nodes.
+    pub pressure: Space,
+    /// Pressure unknown of each node, or `CONSTRAINED` on the edge of the contact area.
+    pub pressure_dofs: Vec<u32>,
+    /// Number of pressure unknowns.
+    pub n_pressure: usize,
+    /// Quadrature rule of the film equations.
+    pub rule: Quadrature,
+    /// Pressure shape functions at its points.
+    pub pressure_table: Tabulation,
+    /// κN, the share of each pressure shape function that the deflection does not see, there.
+    pub pressure_unseen: Vec<f64>,
+    /// Deflection shape functions at its points.
+    pub deflection_table: Tabulation,
+    /// ∫N of each pressure unknown.
+    pub load: Vec<f64>,
+    /// What leads from pressures to deflections.
+    pub trace: Arc<Trace>,
+    /// Share of each element in the diffusion at a ridge of the pressure; empty: none.
+    pub at_ridge: Vec<f64>,
+    /// Temperatures, where heat counts.
+    pub heat: Option<Arc<HeatSpace>>,
+}
+
+impl Discretisation {
+    /// Share of an element in the diffusion at a ridge of the pressure.
+    pub fn share_at_ridge(&self, c: usize) -> f64 {
+        self.at_ridge.get(c).copied().unwrap_or(0.0)
+    }
+
+    /// Pressure space of the given order on a contact area.
+    pub fn new(contact: &Arc<ContactSurface>, pressure_order: usize) -> Discretisation {
+        let surface = &contact.surface;
+        let pressure = Space::new(surface, pressure_order);
+        let mut n_pressure = 0;
+        let pressure_dofs: Vec<u32> = pressure
+            .points
+            .iter()
+            .map(|p| {
+                if on_edge(&contact.shape, &contact.extents, *p) {
+                    CONSTRAINED
+                } else {
+                    n_pressure += 1;
+                    n_pressure as u32 - 1
+                }
+            })
+            .collect();
+        // ε∇P·∇W has degree 2k − 2 and H³ six more; viscosity makes it no polynomial at all.
+        let rule = Quadrature::simplex(surface.dim, 2 * pressure_order.max(2) + 2);
+        let pressure_table = pressure.element.tabulate(&rule);
+        let deflection_table = contact.deflection.element.tabulate(&rule);
+        // Of a linear pressure the deflection, linear at least, sees everything.
+        let seen = (pressure_order - 1)
+            .min(contact.deflection.element.order())
+            .max(1);
+        let pressure_unseen = pressure.element.fluctuations(seen, &rule);
+        let n = pressure_table.n_nodes;
+        let mut load = vec![0.0; n_pressure];
+        for (c, map) in contact.maps.iter().enumerate() {
+            for (q, weight) in rule.weights.iter().enumerate() {
+                let w = weight * map.determinant;
+                for (j, node) in pressure.nodes_of(c).iter().enumerate() {
+                    let v = w * pressure_table.values[q * n + j];
+                    let dof = pressure_dofs[*node as usize];
+                    if dof != CONSTRAINED {
+                        load[dof as usize] += v;
+                    }
+                }
+            }
+        }
+        let trace = Arc::new(Trace::new(surface, &pressure, &contact.deflection, &rule));
+        Discretisation {
+            contact: Arc::clone(contact),
+            trace,
+            pressure,
+            pressure_dofs,
+            n_pressure,
+            rule,
+            pressure_table,
+            pressure_unseen,
+            deflection_table,
+            load,
+            at_ridge: Vec::new(),
+            heat: None,
+        }
+    }
+
+    /// The same with temperatures of an order over the contact area, in columns of the given layers and
+    /// temperatures before they are heated.
+    pub fn with_heat(mut self, order: usize, column: Column, unheated: Vec<f64>) -> Discretisation {
+        let heat = HeatSpace::new(
+            &self.contact,
+            &self.pressure.element,
+            &self.rule,
+            order,
+            column,
+            unheated,
+        );
+        self.heat = Some(Arc::new(heat));
+        self
+    }
+
+    /// Calls `f(deflection node, pressure unknown, ∫N_δ N_P)` for every entry of M, element by element.
+    pub fn for_each_coupling(&self, mut f: impl FnMut(u32, u32, f64)) {
+        for (below, nodes, block) in self.trace.elements() {
+            for (row, node) in block.chunks_exact(nodes.len()).zip(below) {
+                for (entry, other) in row.iter().zip(nodes) {
+                    let dof = self.pressure_dofs[*other as usize];
+                    if dof != CONSTRAINED {
+                        f(*node, dof, *entry);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Deflection of the surface nodes under nodal pressures (all nodes, edge included).
+    pub fn deflect(&self, pressure: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        self.contact
+            .response
+            .deflect(&self.trace, pressure, accuracy)
+    }
+
+    /// What weights of the surface nodes' deflections come to as weights of the pressure unknowns.
+    pub fn deflect_transposed(&self, weights: &[f64], accuracy: Accuracy) -> Vec<f64> {
+        let nodes = (self.contact.response).deflect_transposed(&self.trace, weights, accuracy);
+        let mut unknowns = vec![0.0; self.n_pressure];
+        for (value, dof) in nodes.iter().zip(&self.pressure_dofs) {
+            if *dof != CONSTRAINED {
+                unknowns[*dof as usize] = *value;
+            }
+        }
+        unknowns
+    }
+
+    /// ∫P over the contact area.
+    pub fn integral(&self, pressure: &[f64]) -> f64 {
+        self.pressure_dofs
+            .iter()
+            .zip(pressure)
+            .filter(|(d, _)| **d != CONSTRAINED)
+            .map(|(d, p)| self.load[*d as usize] * p)
+            .sum()
+    }
+}
+
+fn body_params(kind: ContactKind, e: &Extents) -> BodyParams {
+    BodyParams {
+        dim: kind.body_dimension(),
+        x_inlet: e.inlet,
+        x_outlet: e.outlet,
+        y_side: e.side,
+        width: e.body_width,
+        depth: e.body_depth,
+    }
+}
+
+/// A mesh around the unit circle drawn out to one around the Hertz zone.
+fn stretched(mesh: &SimplexMesh, zone: &HertzZone) -> SimplexMesh {
+    let mut mesh = mesh.clone();
+    for v in &mut mesh.vertices {
+        let [x, y] = zone.place([v[0], v[1]]);
+        (v[0], v[1]) = (x, y);
+    }
+    mesh
+}
+
+/// Whether a surface point lies where P = 0 is prescribed (not on the symmetry line).
+pub(super) fn on_edge(shape: &Shape, e: &Extents, p: [f64; 3]) -> bool {
+    let tiny = 1e-9 * (e.outlet - e.inlet);
+    let [x, y] = shape.zone.unit([p[0], p[1]]);
+    x < e.inlet + tiny
+        || x > e.outlet - tiny
+        || (shape.kind.is_point()
+            && (y < -e.side + tiny || (shape.symmetry == Symmetry::Full && y > e.side - tiny)))
+}

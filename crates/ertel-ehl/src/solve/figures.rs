@@ -1,0 +1,312 @@
+//! The figures of a state, read off its mesh.
+
+use super::adapt::{error_bars, grading_errors};
+use super::bars::bars;
+use super::discretisation::Discretisation;
+use super::evaluate::{central_film, largest_pressure, largest_pressure_where, minimum_film};
+use super::heat::balance::heat_balance;
+use super::heat::figures::{Extremes, zone_means};
+use super::peaks::peaks;
+use super::profile::{PER_EDGE, Profile};
+use super::sequence::{Problem, StageSolution};
+use super::shear::{friction, is_askew};
+use super::system::State;
+use crate::contact::Symmetry;
+use crate::film::FilmFluid;
+use crate::solution::{Figure, Figures, LevelStats, Measured, Reading, Sizes};
+
+/// Which figures are asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Central and minimum film and the largest pressure.
+    Films,
+    /// All of them; the traction costs about as much as an assembly.
+    All,
+}
+
+/// Figures of a state, `fluid` being the one that it is the solution for.
+pub fn figures(
+    problem: &Problem,
+    fluid: &FilmFluid,
+    d: &Discretisation,
+    state: &State,
+    extent: Extent,
+) -> Figures {
+    let scales = &problem.scales;
+    let at = |value: f64, place: [f64; 2]| Reading::new(value).at(place.map(|x| x * scales.length));
+    let mut figures = Figures::default();
+    let (h_m, place) = minimum_film(d, state);
+    let (p_max, p_place) = largest_pressure(d, state);
+    let h_c = scales.film * central_film(d, state);
+    figures.note(Figure::FilmCentral, Reading::new(h_c));
+    figures.note(Figure::FilmMinimum, at(scales.film * h_m, place));
+    let largest = at(scales.pressure * p_max, p_place);
+    figures.note(Figure::PressureMaximum, largest);
+    if extent == Extent::Films {
+        return figures;
+    }
+    note_roller(&mut figures, problem, d, state);
+    let roller = problem.shape.zone.roller.as_ref();
+    let quarter = roller.map(|roller| 0.5 * roller.half_length());
+    let inner = |[_, y]: [f64; 2]| quarter.is_none_or(|quarter| y.abs() < quarter);
+    if let Some(peaks) = peaks(d, state, inner) {
+        let (p, place) = peaks.central;
+        let central = Reading {
+            size: scales.pressure * share_of_film(p, h_c / scales.film),
+            ..at(scales.pressure * p, place)
+        };
+        figures.note(Figure::PressureCentral, central);
+        if p >= p_max {
+            figures.note(Figure::PressureMaximum, central);
+        }
+        if let Some((p, place)) = peaks.other.filter(|_| problem.shape.kind.is_point()) {
+            figures.note(Figure::PressureRidge, at(scales.pressure * p, place));
+        }
+    }
+    let profile = Profile::new(d, state, PER_EDGE);
+    let (h_line, x_line) = profile.film_minimum();
+    let thinnest = at(scales.film * h_line, [x_line, 0.0]);
+    figures.note(Figure::FilmCentrelineMinimum, thinnest);
+    if let Some((p, x)) = profile.spike() {
+        figures.note(Figure::Spike, at(scales.pressure * p, [x, 0.0]));
+    }
+    let outlet = scales.length * profile.outlet();
+    figures.note(Figure::OutletPosition, Reading::new(outlet));
+    if let Some(layer) = problem.shape.inlet.layer()
+        && let Some(x) = profile.meniscus(layer.thickness)
+    {
+        let reading = Reading::new(scales.length * x);
+        figures.note(Figure::MeniscusPosition, reading);
+    }
+    note_friction(&mut figures, problem, fluid, d, state);
+    note_heat(&mut figures, problem, fluid, d, state);
+    figures
+}
+
+/// What of the largest pressure in the middle, in p_h, goes with the film: a heavily loaded contact differs from the dry one by about its film
+/// thickness in units of the approach, `film`.
+fn share_of_film(pressure: f64, film: f64) -> f64 {
+    (pressure - 1.0).abs().max(film.abs()).min(pressure.abs())
+}
+
+/// Pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
+pub fn note_roller(figures: &mut Figures, problem: &Problem, d: &Discretisation, state: &State) {
+    let Some(roller) = &problem.shape.zone.roller else {
+        return;
+    };
+    let scales = &problem.scales;
+    let quarter = 0.5 * roller.half_length();
+    let whole = problem.shape.symmetry == Symmetry::Full;
+    let sides: [(Figure, f64); 2] = [
+        (Figure::EdgePressureLeft, -1.0),
+        (Figure::EdgePressureRight, 1.0),
+    ];
+    // Where one half is solved, it is the left one.
+    for (figure, sign) in sides.into_iter().take(if whole { 2 } else { 1 }) {
+        let (p, place) = largest_pressure_where(d, state, |[_, y]| sign * y >= quarter);
+        let place = place.map(|x| x * scales.length);
+        figures.note(figure, Reading::new(scales.pressure * p).at(place));
+    }
+    if !whole {
+        return;
+    }
+    let [force, moment, arms] = moments(d, state);
+    let unit = scales.pressure * scales.length.powi(2);
+    for (figure, scale) in [
+        (Figure::RollerMoment, unit * scales.length),
+        (Figure::LoadPosition, scales.length / force),
+    ] {
+        // A resultant in the middle is as uncertain as one elsewhere.
+        let reading = Reading {
+            size: scale * arms,
+            ..Reading::new(scale * moment)
+        };
+        figures.note(figure, reading);
+    }
+}
+
+/// ∫P, ∫P y and ∫P|y| over the part that is solved.
+fn moments(d: &Discretisation, state: &State) -> [f64; 3] {
+    let n = d.pressure_table.n_nodes;
+    let mut sums = [0.0; 3];
+    for (c, map) in d.contact.maps.iter().enumerate() {
+        let nodes = d.pressure.nodes_of(c);
+        for (q, (weight, xi)) in d.rule.weights.iter().zip(&d.rule.points).enumerate() {
+            let basis = &d.pressure_table.values[q * n..(q + 1) * n];
+            let values = basis.iter().zip(nodes);
+            let p: f64 = values.map(|(b, v)| b * state.pressure[*v as usize]).sum();
+            let [_, y] = d.contact.point(c, *xi);
+            let share = weight * map.determinant * p;
+            for (sum, arm) in sums.iter_mut().zip([1.0, y, y.abs()]) {
+                *sum += share * arm;
+            }
+        }
+    }
+    sums
+}
+
+fn note_friction(
+    figures: &mut Figures,
+    problem: &Problem,
+    fluid: &FilmFluid,
+    d: &Discretisation,
+    state: &State,
+) {
+    let sums = friction(problem, fluid, d, state);
+    let (f, near) = (&sums.here, &sums.shorter);
+    let [mid, plane, ball] = f.coefficients;
+    let [near_mid, near_plane, near_ball] = near.coefficients;
+    let wall = sums.wall_misfit().abs();
+    let (shape, askew) = (&d.contact.shape, is_askew(&d.contact.shape, fluid));
+    // Where both components count, one that happens to vanish is as uncertain as the whole.
+    let component = |vector: [f64; 2], near: [f64; 2], i: usize| Reading {
+        size: match askew {
+            true => vector[0].hypot(vector[1]),
+            false => vector[i].abs(),
+        },
+        cut: (vector[i] - near[i]).abs(),
+        ..Reading::new(vector[i])
+    };
+    for (figure, vector, near, misfit) in [
+        (Figure::TractionCoefficient, mid, near_mid, 0.0),
+        (Figure::TractionCoefficientBody1, plane, near_plane, wall),
+        (Figure::TractionCoefficientBody2, ball, near_ball, wall),
+        (Figure::TractionForce, f.force, near.force, 0.0),
+    ] {
+        let reading = Reading {
+            misfit,
+            ..component(vector, near, 0)
+        };
+        figures.note(figure, reading);
+    }
+    let power = Reading {
+        cut: (f.work - near.work).abs(),
+        // Films that heat up expand: their balance is that of the heat.
+        misfit: match d.heat {
+            None => sums.power_misfit().abs(),
+            Some(_) => 0.0,
+        },
+        ..Reading::new(f.work)
+    };
+    figures.note(Figure::FrictionPower, power);
+    figures.note(Figure::ShearStressMaximum, Reading::new(f.stress_maximum));
+    if askew {
+        for (figure, vector, near) in [
+            (Figure::TractionCoefficientAcross, mid, near_mid),
+            (Figure::TractionCoefficientAcrossBody1, plane, near_plane),
+            (Figure::TractionCoefficientAcrossBody2, ball, near_ball),
+            (Figure::TractionForceAcross, f.force, near.force),
+        ] {
+            figures.note(figure, component(vector, near, 1));
+        }
+    }
+    if askew && shape.kind.is_point() {
+        let [moment, size] = f.moment;
+        let moment = Reading {
+            size,
+            cut: (moment - near.moment[0]).abs(),
+            ..Reading::new(moment)
+        };
+        figures.note(Figure::TractionMoment, moment);
+    }
+    let limits = [Figure::BeyondFirstLimit, Figure::BeyondSecondLimit];
+    for (figure, share) in limits.into_iter().zip(sums.whole.beyond) {
+        if let Some(share) = share {
+            figures.note(figure, Reading::new(share));
+        }
+    }
+}
+
+fn note_heat(
+    figures: &mut Figures,
+    problem: &Problem,
+    fluid: &FilmFluid,
+    d: &Discretisation,
+    state: &State,
+) {
+    let (Some(space), Some(heat)) = (d.heat.as_deref(), &problem.heat) else {
+        return;
+    };
+    let scales = &problem.scales;
+    let mut temperature = |figure, value: f64, place: [f64; 2]| {
+        let reading = Reading {
+            place: Some(place.map(|x| x * scales.length)),
+            ..Reading::of_rise(value, value - heat.heat.inlet_temperature)
+        };
+        figures.note(figure, reading);
+    };
+    let extremes = Extremes::new(space, state);
+    let (hottest, _) = extremes.film_maximum;
+    for (figure, (value, place)) in [
+        (Figure::FilmTemperatureMaximum, extremes.film_maximum),
+        (Figure::FilmTemperatureLowest, extremes.film_lowest),
+        (Figure::Body1TemperatureMaximum, extremes.walls[0]),
+        (Figure::Body2TemperatureMaximum, extremes.walls[1]),
+    ] {
+        temperature(figure, value, place);
+    }
+    // What cools behind the contact errs by what heats in it.
+    if let Some(lowest) = figures.get(Figure::FilmTemperatureLowest) {
+        let size = lowest
+            .size
+            .max((hottest - heat.heat.inlet_temperature).abs());
+        figures.note(Figure::FilmTemperatureLowest, Reading { size, ..lowest });
+    }
+    let mut temperature = |figure, value: f64| {
+        let size = (value - heat.heat.inlet_temperature).abs();
+        let reading = Reading {
+            size,
+            ..Reading::new(value)
+        };
+        figures.note(figure, reading);
+    };
+    let means = [
+        Figure::FilmTemperatureMean,
+        Figure::Body1TemperatureMean,
+        Figure::Body2TemperatureMean,
+    ];
+    for (figure, value) in means.into_iter().zip(zone_means(d, state, space)) {
+        temperature(figure, value);
+    }
+    let balance = heat_balance(d, state, fluid, &heat.heat, scales);
+    // What the surfaces put in, becomes heat, in shear or as the lubricant is compressed.
+    if let Some(power) = figures.get(Figure::FrictionPower) {
+        let misfit = (power.value - balance.shear - balance.compression).abs();
+        figures.note(Figure::FrictionPower, Reading { misfit, ..power });
+    }
+    for (figure, value) in [
+        (Figure::HeatShear, balance.shear),
+        (Figure::HeatCompression, balance.compression),
+        (Figure::HeatToBody1, balance.to_body_1),
+        (Figure::HeatToBody2, balance.to_body_2),
+        (Figure::HeatByFilm, balance.by_film),
+    ] {
+        figures.note(figure, Reading::new(value));
+    }
+}
+
+/// Figures of the solution of a problem, with the error bars that its stages tell.
+pub fn measure(problem: &Problem, solution: &StageSolution, levels: &[LevelStats]) -> Measured {
+    let (d, state) = (&solution.discretisation, &solution.state);
+    let grading = grading_errors(
+        &problem.shape,
+        problem.elasticity.model,
+        &solution.stage.sizes,
+    );
+    let films = error_bars(levels, grading).map(|b| b.bars);
+    let scales = &problem.scales;
+    let sizes = Sizes {
+        load: scales.load * scales.pressure * scales.area(&problem.shape),
+        length: scales.length,
+        pressure: scales.pressure,
+        // λ = 12 u μ/(p_h a)·(a/h)², h = a²/R
+        speed: scales.lambda * scales.pressure * scales.film.powi(2)
+            / (12.0 * scales.viscosity * scales.length),
+    };
+    let measured = Measured {
+        figures: figures(problem, &problem.fluid, d, state, Extent::All),
+        bars: bars(levels, films).unwrap_or_default(),
+        half_width: problem.scales.length,
+    };
+    measured.without_rounding(&sizes)
+}

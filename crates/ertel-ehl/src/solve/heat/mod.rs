@@ -1,0 +1,33 @@
+//! Temperature of the film and of both bodies, and its coupling with the film equations.
+//!
+//! - `column`: the layers over a point of the contact area, bottom to top;
+//! - `space`: temperatures over the contact area, and what the film equations see of them;
+//! - `inflow`: temperatures that are prescribed;
+//! - `cross_flow`: the mass flow across the film;
+//! - `sides`: sides of elements, and what flows through them;
+//! - `element`: what an element adds to residual and Jacobian of the energy equation;
+//! - `system`: both as a whole;
+//! - `newton`: temperatures for given pressures and films;
+//! - `coupling`: both in turn, until neither changes;
+//! - `stopping`: when they may end;
+//! - `balance`: where heat comes from and goes to;
+//! - `figures`: temperatures in a few numbers;
+//! - `recovery`: smooth temperatures from linear elements;
+//! - `deviation`: how far the linear elements are from them.
+
+pub mod balance;
+pub mod column;
+pub mod coupling;
+mod cross_flow;
+pub mod deviation;
+mod element;
+pub mod figures;
+mod inflow;
+pub mod missing;
+pub mod newton;
+pub mod recovery;
+mod relaxation;
+pub mod sides;
+pub mod space;
+pub mod stopping;
+pub mod system;

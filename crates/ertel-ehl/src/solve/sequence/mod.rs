@@ -1,0 +1,204 @@
+//! Stage after stage from the dry contact to the solution: meshes from coarse to fine, a diffusive start before
+//! the case's own equations, continuation strategies where one fails.
+//!
+//! - `stage`: the data of one stage;
+//! - `strategies`: continuations to the case's own contact through easier ones, each on its own;
+//! - `driver`: which stage comes next, whatever solves it;
+//! - `mesh_solver`: a stage on its mesh, from the state before;
+//! - `stage_run`: Newton's method on it;
+//! - `start`: from which pressures;
+//! - `warm`: from the solution of a similar problem instead.
+
+mod driver;
+mod mesh_solver;
+mod stage;
+pub mod stage_run;
+pub mod start;
+mod strategies;
+mod warm;
+
+use std::sync::Arc;
+
+use super::SolveError;
+use super::adapt::{AdaptParams, RefinementEnd};
+use super::adjoint::RoughAdjoints;
+use super::discretisation::{Discretisation, Extents};
+use super::heat::column::Column;
+use super::heat::coupling::{CouplingParams, CouplingStats};
+use super::newton::{NewtonParams, Reached};
+use super::sizes::{LevelSizes, expected_unknowns};
+use super::system::State;
+use crate::contact::{Planar, Scales, Shape};
+use crate::elastic::store::OperatorStore;
+use crate::elastic::{BodyModel, Elasticity};
+use crate::film::FilmFluid;
+use crate::forms::energy::Heat;
+use crate::params::LinearSolver;
+
+pub use mesh_solver::solve_stages;
+pub use stage::Stage;
+pub use warm::{Start, solve_on_mesh, solve_warm};
+
+/// Everything a solve needs, dimensionless.
+pub struct Problem {
+    /// Geometry of the contact.
+    pub shape: Shape,
+    /// Contact area and body.
+    pub extents: Extents,
+    /// Distances of inlet and side, in half-widths, to which the contact area goes where they are not set by hand.
+    pub reach: [f64; 2],
+    /// Stages, coarse to fine.
+    pub stages: Vec<Stage>,
+    /// Elastic bodies.
+    pub elasticity: Elasticity,
+    /// Fluid.
+    pub fluid: FilmFluid,
+    /// Target of ∫P over the (half) contact area.
+    pub load: f64,
+    /// Central film of the start.
+    pub start_film: f64,
+    /// Central film that the meshes are made for: less than that of the start where stress thins the fluid in the inlet.
+    pub mesh_film: f64,
+    /// Scales of its variables.
+    pub scales: Scales,
+    /// Newton tolerances and limits.
+    pub newton: NewtonParams,
+    /// Condensed or monolithic.
+    pub linear: LinearSolver,
+    /// Where elastic operators are kept, if anywhere.
+    pub cache: Option<Arc<dyn OperatorStore>>,
+    /// Whether errors are estimated.
+    pub error_estimate: bool,
+    /// ρ_r of the stages that need it; 0: none does.
+    pub ridge_diffusion: f64,
+    /// Local refinement of the final stage, if an accuracy is asked for.
+    pub adapt: Option<AdaptParams>,
+    /// Heat of film and bodies, where it counts.
+    pub heat: Option<HeatProblem>,
+}
+
+impl Problem {
+    /// ū, the mean velocity of the surfaces over the entrainment speed.
+    pub fn entrainment(&self) -> Planar {
+        let first = self.stages.first();
+        first.map_or(Planar::along_x(1.0), |stage| stage.constants.entrainment)
+    }
+}
+
+/// The thermal side of a problem.
+#[derive(Clone, Debug)]
+pub struct HeatProblem {
+    /// Laws, bodies and scales.
+    pub heat: Heat,
+    /// Order of the temperature over the contact area.
+    pub surface_order: usize,
+    /// Layers over a point.
+    pub column: Column,
+    /// Coupling with the film.
+    pub coupling: CouplingParams,
+}
+
+/// What a stage came to.
+#[derive(Clone)]
+pub struct StageSolution {
+    /// The discretisation.
+    pub discretisation: Discretisation,
+    /// The state on it.
+    pub state: State,
+    /// The stage it solves.
+    pub stage: Stage,
+    /// How far Newton's method came.
+    pub reached: Reached,
+    /// Whether it came to the tolerance of the stage.
+    pub converged: bool,
+    /// Whether it came only as far as measuring the errors needs, and not to the tolerance of the case.
+    pub rough: bool,
+    /// Why its mesh is not refined further; `None` where it was to be.
+    pub refinement_end: Option<RefinementEnd>,
+    /// How its coupling with the heat went, if there is one.
+    pub coupling: Option<CouplingStats>,
+    /// What adjoints can start from, until it is taken: it is large.
+    pub adjoints: Option<Box<RoughAdjoints>>,
+}
+
+/// A refined mesh has this many times the unknowns of the first at least, where films are thin.
+const ROOM_TO_REFINE: f64 = 3.0;
+
+/// Pressure unknowns beyond which a mesh that is not refined is not begun, by half-spaces and by finite-element bodies, whose
+/// operator takes gigabytes.
+const MOST_UNKNOWNS: [f64; 2] = [1e6, 4e4];
+
+/// Cell size at the rim over that in the Hertz zone, below which a film is thin.
+const THIN_RIM: f64 = 0.2;
+
+impl Problem {
+    /// An error with what is known of its reason: stress that thins the fluid far more than it does oils.
+    fn explained(&self, error: SolveError) -> SolveError {
+        let share = self.mesh_film / self.start_film;
+        let is_failure = matches!(
+            error,
+            SolveError::NotConverged { .. } | SolveError::AllFailed { .. }
+        );
+        match is_failure && share < 1.0 {
+            true => SolveError::Thinned {
+                error: Box::new(error),
+                share,
+            },
+            false => error,
+        }
+    }
+
+    /// Refuses what no mesh that is allowed resolves, before any work.
+    ///
+    /// # Errors
+    /// [`SolveError::TooThin`].
+    pub fn check_size(&self) -> Result<(), SolveError> {
+        let (Some(first), Some(last)) = (self.stages.first(), self.stages.last()) else {
+            return Ok(());
+        };
+        let unknowns = |stage: &Stage| {
+            let order = self
+                .stages
+                .iter()
+                .map(|s| s.pressure_order)
+                .max()
+                .unwrap_or(1);
+            // Refinement brings the finer outlet side where the first mesh has none.
+            let sizes = LevelSizes {
+                outlet_rim: stage.sizes.rim,
+                ..stage.sizes
+            };
+            expected_unknowns(&self.shape, &self.extents, &sizes, order)
+        };
+        let (stage, limit, help) = match &self.adapt {
+            Some(adapt) => (
+                first,
+                adapt.max_unknowns as f64 / ROOM_TO_REFINE,
+                "a more viscous oil, a faster motion or a lower load makes the film thicker; [mesh] max_unknowns allows more",
+            ),
+            None => {
+                let model = usize::from(self.elasticity.model == BodyModel::FiniteElements);
+                let help = "a more viscous oil, a faster motion or a lower load makes the film thicker; [mesh] preset, \
+                            rim_size and the other sizes lay down larger cells";
+                (last, MOST_UNKNOWNS[model], help)
+            }
+        };
+        let n = unknowns(stage);
+        // Only where it is the rim that takes them: large areas around thick films are another matter.
+        let thin = stage.sizes.rim < THIN_RIM * stage.sizes.hertz;
+        if n <= limit || !thin {
+            return Ok(());
+        }
+        let ratio = self.mesh_film;
+        Err(SolveError::TooThin {
+            film: ratio * self.scales.film,
+            sheared: ratio < stage.constants.film_scale,
+            ratio,
+            length: stage.sizes.rim_width,
+            size: stage.sizes.rim,
+            unknowns: n,
+            limit,
+            help,
+        })
+    }
+}

@@ -1,0 +1,340 @@
+//! Newton's method on one stage.
+
+use ertel_fem::platform::Instant;
+
+use super::{Problem, Stage};
+use crate::contact::ContactKind;
+use crate::solution::LevelStats;
+use crate::solution::Role;
+use crate::solve::adjoint::RoughAdjoints;
+use crate::solve::discretisation::Discretisation;
+use crate::solve::figures::{Extent, figures};
+use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled};
+use crate::solve::heat::deviation::deviation;
+use crate::solve::indicator::{Indicator, indicator};
+use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
+use crate::solve::shear::beyond_edges;
+use crate::solve::system::{FilmConstants, State};
+use crate::solve::{Observer, SolveError};
+
+/// Shares of the full cavitation penalty in a start, where the free boundary is still
+/// far from its place.
+const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
+
+/// The same, by decades, for a stage in which Newton's method has gone round in circles: a penalty many times
+/// the usual one makes pressures below zero so small that points at the free boundary go over to the
+/// other side in each step.
+const PENALTY_CONTINUATION: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
+
+/// Update, in p_h, at which a start is good enough.
+const START_TOLERANCE: f64 = 3e-2;
+
+/// Residual at which a solution is good enough to be measured and refined.
+const ROUGH_RESIDUAL: f64 = 1e-3;
+
+/// Square of the update, in p_h, at which it is, over the error that films may have: of the error, an update leaves its square or so.
+const ROUGH_SHARE: f64 = 0.05;
+
+/// Largest such update.
+const ROUGH_UPDATE: f64 = 1e-2;
+
+/// Largest change of films in the last step, over the error that they may have. In very thin films, small updates move them much.
+const ROUGH_FILM_CHANGE: f64 = 0.3;
+
+/// Such an update in line contacts, where an iteration costs nothing, and where a case asks for no error: the meshes of a preset are
+/// compared for error bars alone, which have to hold (M = 200, L = 10: with 1e-2, the bar of h_min is 1.1e-3, and the error 1.4e-3).
+const EXACT_ENOUGH: f64 = 1e-3;
+
+/// Update and residual at which a continuation step through fluids whose shear rate grows exponentially with the stress is good
+/// enough: there small updates may leave a large residual, and the next step would start far from its solution.
+const EXPONENTIAL_TOLERANCE: f64 = 1e-2;
+
+/// Change of film and temperature from round to round at which a continuation step is good enough, and its rounds.
+const PATH_COUPLING: f64 = 0.3;
+const PATH_ROUNDS: usize = 15;
+
+/// Newton iterations that a start may take for each share of the ramp, and those without a smaller update.
+const START_ITERATIONS: usize = 30;
+const START_STAGNATION: usize = 12;
+
+/// Relative residual of a stalled start with which the rest of the ramp is not tried: that of the dry contact is
+/// about 1.4, and starts that come through in the end have got it to 0.2 and mostly far below. Nothing starts from a state with more.
+pub(super) const DIVERGENCE_LIMIT: f64 = 0.5;
+
+/// Those without a smaller update of a stage to which a continuation through easier contacts is known, and all of its; of rollers,
+/// whose thin ends come last, more.
+const EARLY_STAGNATION: usize = 8;
+const EARLY_ITERATIONS: [usize; 2] = [25, 40];
+
+/// Iterations without a smaller update from a start that was thought to be near.
+const UNDAMPED_STAGNATION: usize = 5;
+
+/// To which end Newton's method is run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Finish {
+    /// To the tolerance of the case.
+    Exact,
+    /// As exactly as measuring or refining needs.
+    Rough,
+}
+
+/// A stage on its mesh.
+pub struct StageRun<'a> {
+    problem: &'a Problem,
+    stage: Stage,
+    /// Number of the stage.
+    level: usize,
+    discretisation: &'a Discretisation,
+    newton: NewtonLevel<'a>,
+}
+
+impl<'a> StageRun<'a> {
+    /// Prepares a stage.
+    pub fn new(
+        problem: &'a Problem,
+        stage: &Stage,
+        level: usize,
+        discretisation: &'a Discretisation,
+    ) -> StageRun<'a> {
+        StageRun {
+            problem,
+            stage: *stage,
+            level,
+            discretisation,
+            newton: NewtonLevel::new(discretisation, problem.load, problem.linear),
+        }
+    }
+
+    /// Newton's method, through the penalty ramp if the stage is a start.
+    pub fn solve(
+        &self,
+        finish: Finish,
+        state: &mut State,
+        effort: &mut NewtonStats,
+        observer: &mut dyn Observer,
+    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
+        let leads = self.stage.role.leads();
+        let mut params = self.problem.newton;
+        if finish == Finish::Rough {
+            let mut update = EXACT_ENOUGH;
+            let costly = self.discretisation.contact.surface.dim > 1;
+            if let Some(adapt) = self.problem.adapt.as_ref().filter(|_| costly) {
+                update = (ROUGH_SHARE * adapt.target).sqrt().min(ROUGH_UPDATE);
+                params.film_tolerance = ROUGH_FILM_CHANGE * adapt.target;
+            }
+            params.update_tolerance = params.update_tolerance.max(update);
+            params.residual_tolerance = params.residual_tolerance.max(ROUGH_RESIDUAL);
+        }
+        if self.stage.undamped {
+            params.safe_update = f64::INFINITY;
+            params.patience = UNDAMPED_STAGNATION;
+        }
+        if self.stage.given_up_early {
+            params.patience = params.patience.min(EARLY_STAGNATION);
+            let rollers = self.problem.shape.kind == ContactKind::Roller;
+            let most = EARLY_ITERATIONS[usize::from(rollers)];
+            params.max_iterations = params.max_iterations.min(most);
+        }
+        if leads {
+            params.update_tolerance = START_TOLERANCE;
+            params.residual_tolerance = f64::INFINITY;
+            params.film_tolerance = f64::INFINITY;
+            params.max_iterations = START_ITERATIONS;
+            params.patience = START_STAGNATION;
+            params.trusted_fall = 0.0;
+        }
+        if self.stage.role == Role::Path
+            && self.problem.fluid.is_exponential()
+            && !self.stage.newtonian
+        {
+            params.update_tolerance = EXPONENTIAL_TOLERANCE;
+            params.residual_tolerance = EXPONENTIAL_TOLERANCE;
+        }
+        let ramp: &[f64] = match self.stage.role {
+            Role::Start => &PENALTY_RAMP,
+            _ => &[1.0],
+        };
+        let from = state.clone();
+        let mut outcome = Ok((Reached::default(), None));
+        for share in ramp {
+            outcome = self.run(*share, &params, state, effort, observer);
+            let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
+            let diverged = matches!(outcome, Err(SolveError::NotConverged { residual, .. }) if residual > DIVERGENCE_LIMIT);
+            if outcome.is_err() && (!(leads && stalled) || diverged) {
+                break;
+            }
+        }
+        let circling = matches!(outcome, Err(SolveError::NotConverged { .. }));
+        // Where a ridge is diffused and it still circles, the penalty is not the cause.
+        let diffused = self.stage.constants.ridge_diffusion > 0.0;
+        if !circling || leads || diffused || self.stage.undamped || self.stage.given_up_early {
+            return outcome;
+        }
+        let mut trial = from;
+        // A film that a coarse mesh does not resolve goes on thinning.
+        let led = NewtonParams {
+            film_tolerance: f64::INFINITY,
+            ..params
+        };
+        for share in PENALTY_CONTINUATION {
+            match self.run(share, &led, &mut trial, effort, observer) {
+                Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+                // Not the penalty's doing.
+                Err(_) => return outcome,
+                Ok(_) => {}
+            }
+        }
+        let gentle = self.run(1.0, &params, &mut trial, effort, observer);
+        if gentle.is_ok() {
+            *state = trial;
+        }
+        gentle
+    }
+
+    /// Newton's method with a share of the penalty, in turn with that for the temperatures where the stage is heated.
+    fn run(
+        &self,
+        penalty_share: f64,
+        params: &NewtonParams,
+        state: &mut State,
+        effort: &mut NewtonStats,
+        observer: &mut dyn Observer,
+    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
+        let label = RunLabel {
+            level: self.level,
+            penalty_share,
+            film_scale: self.problem.scales.film,
+        };
+        let model = self.model(penalty_share);
+        let Some(problem) = self.problem.heat.as_ref().filter(|_| self.stage.heated) else {
+            let reached = (self.newton).run(&model, params, &label, state, effort, observer)?;
+            return Ok((reached, None));
+        };
+        let (path, early) = (self.stage.role == Role::Path, self.stage.given_up_early);
+        let mut coupling = CouplingParams {
+            tolerance: problem.coupling.tolerance.max(params.update_tolerance),
+            given_up_early: early,
+            ..problem.coupling
+        };
+        // Where a continuation through easier contacts is known, or this is one, its steps are halved instead.
+        if early || path {
+            coupling.smallest_share = 1.0;
+        }
+        if path {
+            coupling.tolerance = coupling.tolerance.max(PATH_COUPLING);
+            coupling.by_error = false;
+            coupling.max_rounds = coupling.max_rounds.min(PATH_ROUNDS);
+        }
+        let (reached, coupling) = solve_coupled(
+            &self.newton,
+            &model,
+            &problem.heat.with_sliding(self.stage.sliding),
+            params,
+            &coupling,
+            &label,
+            state,
+            effort,
+            observer,
+        )?;
+        Ok((reached, Some(coupling)))
+    }
+
+    /// The film equations with a share of the cavitation penalty.
+    pub fn model(&self, penalty_share: f64) -> FilmModel {
+        let constants = self.stage.constants;
+        let stage = &self.stage;
+        let fluid = (self.problem.fluid)
+            .with_viscosity_exponent(stage.viscosity_exponent)
+            .with_softness(stage.softness)
+            .with_sliding(stage.sliding);
+        FilmModel {
+            fluid: if self.stage.newtonian {
+                fluid.newtonian()
+            } else {
+                fluid
+            },
+            constants: FilmConstants {
+                penalty: constants.penalty * penalty_share,
+                ..constants
+            },
+        }
+    }
+
+    /// Errors of a solution, cell by cell; `None` where they cannot be computed.
+    pub fn measure(&self, state: &State, effort: &mut NewtonStats) -> Option<Indicator> {
+        let clock = Instant::now();
+        let (near, kept) = (self.newton.near(), self.newton.take_preconditioner());
+        let model = self.model(1.0);
+        let indicator = indicator(self.discretisation, &model, state, near, kept).ok();
+        effort.seconds.estimate += clock.elapsed().as_secs_f64();
+        indicator
+    }
+
+    /// What the last solve and the estimate of its errors leave for adjoints.
+    pub fn rough_adjoints(&self, indicator: Option<Indicator>) -> RoughAdjoints {
+        RoughAdjoints {
+            preconditioner: self.newton.take_preconditioner(),
+            films: indicator.map_or_else(Vec::new, |indicator| indicator.adjoints),
+        }
+    }
+
+    /// What goes into the report.
+    pub fn stats(
+        &self,
+        converged: bool,
+        state: &State,
+        effort: &NewtonStats,
+        indicator: Option<&Indicator>,
+        clock: Instant,
+    ) -> LevelStats {
+        let (problem, d) = (self.problem, self.discretisation);
+        let contact = &d.contact;
+        // What leads to other stages has no figures that are asked for, nor has what failed.
+        let extent = match self.stage.role {
+            Role::Estimate | Role::Final | Role::Isothermal if converged => Extent::All,
+            _ => Extent::Films,
+        };
+        let mut stats = LevelStats {
+            converged,
+            n_body_cells: contact
+                .body()
+                .map_or(0, |(body, _)| body.mesh.mesh.n_cells()),
+            n_contact_elements: contact.n_elements(),
+            n_pressure_dofs: d.n_pressure,
+            n_displacement_dofs: contact.n_displacement,
+            n_contact_dofs: contact.deflection.n_nodes(),
+            operator_cached: contact.from_cache,
+            pressure_order: self.stage.pressure_order,
+            role: self.stage.role,
+            newton_iterations: effort.iterations,
+            krylov_iterations: effort.krylov_iterations,
+            factorisations: effort.factorisations,
+            figures: figures(problem, &self.model(1.0).fluid, d, state, extent),
+            estimate: None,
+            seconds: effort.seconds,
+        };
+        let place = |figure| {
+            let place = stats.figures.get(figure)?.place?;
+            Some(place.map(|x| x / problem.scales.length))
+        };
+        let units = [problem.scales.pressure, problem.scales.length];
+        stats.estimate = indicator.map(|i| i.estimate(d, &stats.figures, units));
+        if let (Some(estimate), Some(i)) = (&mut stats.estimate, indicator) {
+            let unit = problem.fluid.stress_scale();
+            estimate.shear_stress = unit * i.shear_stress;
+            estimate.beyond_edges = beyond_edges(
+                &problem.shape,
+                &problem.extents,
+                problem.reach,
+                unit,
+                &problem.scales,
+            );
+        }
+        let temperatures = d.heat.as_ref().map(|heat| deviation(d, heat, state, place));
+        if let (Some(estimate), Some(found)) = (&mut stats.estimate, temperatures) {
+            estimate.temperatures = found;
+        }
+        stats.seconds.other = clock.elapsed().as_secs_f64() - stats.seconds.known();
+        stats
+    }
+}

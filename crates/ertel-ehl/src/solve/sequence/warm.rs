@@ -1,0 +1,352 @@
+//! From the solution of one problem to that of a similar one, on its mesh.
+
+use std::sync::Arc;
+
+use super::mesh_solver::solve_from;
+use super::{Problem, Stage, StageSolution};
+use crate::contact::{Inlet, hertz};
+use crate::elastic::{Accuracy, BodyModel, Elasticity, compliance};
+use crate::solution::LevelStats;
+use crate::solution::Role;
+use crate::solve::adapt::{error_bars, grading_errors};
+use crate::solve::discretisation::{Discretisation, Extents};
+use crate::solve::evaluate::{central_film, minimum_film, pressure_at};
+use crate::solve::system::{FilmConstants, State};
+use crate::solve::{Observer, SolveError};
+
+/// A solution from which a similar problem can start, with its mesh and elastic operator.
+pub struct Start {
+    solution: StageSolution,
+    elasticity: Elasticity,
+    /// Start film of its problem: the measure by which the film of the next one is foreseen.
+    film: f64,
+    /// Largest error bar over the target, of the last solution that did not start from another.
+    miss: f64,
+    /// The same contact with more oil than it takes, where it has less.
+    flooded: Option<Box<Start>>,
+}
+
+/// Ratio by which the contact area of a mesh or its cells are changed for the sake of a later problem.
+const MOST_ROOM: f64 = 2.0;
+
+/// The same for the contact area: far from the contact cells grow with the distance, and there are few.
+const MOST_REACH: f64 = 5.0;
+
+impl Problem {
+    /// Makes the contact area large enough for other problems, too, and the cells fine enough where nothing is
+    /// refined by estimates; but not for those that ask for too much.
+    pub fn make_room_for(&mut self, others: impl Iterator<Item = Problem>) {
+        let modest = |own: f64, wanted: f64| wanted <= MOST_ROOM * own;
+        let near = |own: f64, wanted: f64| wanted <= MOST_REACH * own;
+        let (extents, stages) = (self.extents, self.stages.clone());
+        for other in others {
+            let its = &other.extents;
+            if self.shape.inlet != Inlet::Meniscus
+                && near(-extents.inlet, -its.inlet)
+                && near(extents.outlet, its.outlet)
+                && near(extents.side, its.side)
+            {
+                let own = &mut self.extents;
+                own.inlet = own.inlet.min(its.inlet);
+                own.outlet = own.outlet.max(its.outlet);
+                own.side = own.side.max(its.side);
+                own.body_width = own.body_width.max(its.body_width);
+                own.body_depth = own.body_depth.max(its.body_depth);
+            }
+            if self.adapt.is_some() || stages.len() != other.stages.len() {
+                continue;
+            }
+            for (i, own) in stages.iter().enumerate() {
+                let (own, its) = (&own.sizes, &other.stages[i].sizes);
+                if modest(its.rim, own.rim) && modest(its.hertz, own.hertz) {
+                    let sizes = &mut self.stages[i].sizes;
+                    sizes.hertz = sizes.hertz.min(its.hertz);
+                    sizes.constriction = sizes.constriction.min(its.constriction);
+                    sizes.rim = sizes.rim.min(its.rim);
+                    sizes.outlet_rim = sizes.outlet_rim.min(its.outlet_rim);
+                    sizes.rim_width = sizes.rim_width.max(its.rim_width);
+                    sizes.edge = sizes.edge.min(its.edge);
+                }
+            }
+        }
+    }
+}
+
+/// Ratio of the predicted films beyond which a start is too far away.
+const FARTHEST_FILM: f64 = 4.0;
+
+/// Ratio by which a contact area, measured from the centre, may fall short of what a problem needs.
+const SHORTEST_REACH: f64 = 0.97;
+
+/// Ratio by which it may exceed that: cells out there cost little.
+const LONGEST_REACH: f64 = 6.0;
+
+/// Ratio of cell sizes to those that a problem asks for, where nothing is refined by estimates.
+const COARSEST: f64 = 1.3;
+
+/// The same where meshes are refined until the target is reached.
+const COARSEST_REFINED: f64 = 3.0;
+
+/// And how much finer they may be: a mesh that is too fine costs time.
+const FINEST: f64 = 0.25;
+
+/// Largest error bar, in targets, that is taken where the mesh of a start cannot be refined further: a mesh of
+/// its own might do better, for several times the time.
+const LARGEST_MISS: f64 = 2.0;
+
+/// The same over what the start's own mesh came to.
+const WORSE: f64 = 1.5;
+
+/// Share of the predicted new minimum film that the rescaled start has left at the least.
+const LEAST_FILM: f64 = 0.5;
+
+impl Start {
+    /// A start from the solution of a problem and the figures of its stages.
+    pub fn new(problem: &Problem, solution: StageSolution, stats: &[LevelStats]) -> Start {
+        let miss = miss(problem, &solution, stats);
+        Start {
+            solution,
+            elasticity: problem.elasticity.clone(),
+            film: problem.start_film,
+            miss,
+            flooded: None,
+        }
+    }
+
+    /// The solution that it starts from.
+    pub fn solution(&self) -> &StageSolution {
+        &self.solution
+    }
+
+    /// The same with the start of the flooded contact beside.
+    #[must_use]
+    pub fn beside(self, flooded: Start) -> Start {
+        Start {
+            flooded: Some(Box::new(flooded)),
+            ..self
+        }
+    }
+
+    /// The start of the flooded contact.
+    pub fn flooded(&self) -> Option<&Start> {
+        self.flooded.as_deref()
+    }
+
+    /// The same for a problem that was solved from this start.
+    pub fn followed_by(
+        &self,
+        problem: &Problem,
+        solution: StageSolution,
+        stats: &[LevelStats],
+    ) -> Start {
+        Start {
+            miss: self.miss,
+            ..Start::new(problem, solution, stats)
+        }
+    }
+
+    /// Whether its mesh suits a problem: the same bodies, a contact area that is large enough, cells that
+    /// are neither too coarse nor far too fine.
+    pub fn suits(&self, problem: &Problem) -> bool {
+        let Some(wanted) = problem.stages.last() else {
+            return false;
+        };
+        let contact = &self.solution.discretisation.contact;
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
+        let (own, its) = (&self.elasticity, &problem.elasticity);
+        let bodies = own.model == its.model
+            && own.order == its.order
+            && match own.model {
+                // Half-spaces answer alike whose compliance is.
+                BodyModel::HalfSpace => close(compliance(&own.bodies), compliance(&its.bodies)),
+                BodyModel::FiniteElements => {
+                    own.bodies.len() == its.bodies.len()
+                        && (own.bodies.iter().zip(&its.bodies))
+                            .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1))
+                }
+            };
+        let film = problem.start_film / self.film;
+        let within = |ratio: f64, low: f64, high: f64| (low..=high).contains(&ratio);
+        let reach = |e: &Extents| [-e.inlet, e.outlet, e.side, e.body_width, e.body_depth];
+        let (here, there) = (reach(&contact.extents), reach(&problem.extents));
+        let coarsest = match problem.adapt {
+            Some(_) => COARSEST_REFINED,
+            None => COARSEST,
+        };
+        let (has, wants) = (&self.solution.stage.sizes, &wanted.sizes);
+        let sizes = [
+            has.hertz / wants.hertz,
+            has.constriction / wants.constriction,
+            has.rim / wants.rim,
+            has.outlet_rim / wants.outlet_rim,
+            has.edge / wants.edge,
+        ];
+        // A meniscus is where the contact area ends.
+        let ends_alike = problem.shape.inlet != Inlet::Meniscus || close(here[0], there[0]);
+        contact.shape.is_like(&problem.shape)
+            && ends_alike
+            && bodies
+            && within(film, 1.0 / FARTHEST_FILM, FARTHEST_FILM)
+            && (here.iter().zip(there)).all(|(h, t)| within(h / t, SHORTEST_REACH, LONGEST_REACH))
+            && sizes.iter().all(|s| within(*s, FINEST, coarsest))
+            && has.growth <= wants.growth
+            && has.depth_growth <= wants.depth_growth
+    }
+
+    /// The constants of a problem, with the diffusion at a ridge that its solution came with.
+    fn constants(&self, of: &FilmConstants) -> FilmConstants {
+        FilmConstants {
+            ridge_diffusion: self.solution.stage.constants.ridge_diffusion,
+            ..*of
+        }
+    }
+
+    /// Its pressures and film as they are foreseen to be in the problem.
+    fn rescaled(&self, problem: &Problem) -> StageSolution {
+        let mut start = self.solution.clone();
+        let contact = &start.discretisation.contact;
+        if contact.shape.inlet != problem.shape.inlet {
+            let contact = contact.with_inlet(problem.shape.inlet);
+            start.discretisation.contact = Arc::new(contact);
+        }
+        let d = &start.discretisation;
+        let ratio = problem.start_film / self.film;
+        let (centre, thinnest) = (
+            central_film(d, &start.state),
+            minimum_film(d, &start.state).0,
+        );
+        if ratio != 1.0 {
+            start.state.pressure = stretched(d, &start.state, ratio.powf(2.0 / 3.0));
+            start.state.deflection = d.deflect(&start.state.pressure, Accuracy::Full);
+        }
+        start.state.rigid_separation += ratio * centre - central_film(d, &start.state);
+        // Pressures that are foreseen leave less film at the rim than those to come.
+        let least = LEAST_FILM * ratio * thinnest - minimum_film(d, &start.state).0;
+        start.state.rigid_separation += least.max(0.0);
+        start
+    }
+}
+
+/// Pressures of a film whose length along the rim of the Hertz zone has grown by a factor q.
+///
+/// Near the rim pressures differ from the dry contact's over a length that goes with the power 2/3 of the film, by an
+/// amount that goes with the root of that length, P − P_H ~ √q f((r − 1)/q): the dry contact's pressure falls
+/// off, and its gap opens, like powers 1/2 and 3/2 of the distance.
+fn stretched(d: &Discretisation, state: &State, q: f64) -> Vec<f64> {
+    let points = d.pressure.points.iter().zip(&d.pressure_dofs);
+    points
+        .map(|(p, dof)| {
+            if *dof == ertel_fem::assembly::CONSTRAINED {
+                return 0.0;
+            }
+            let r = d.contact.shape.zone.radius([p[0], p[1]]);
+            // Towards the centre everything stays in place.
+            let stretch = if r < 1.0 { r / q + (1.0 - r) } else { 1.0 / q };
+            let from = 1.0 + (r - 1.0) * stretch;
+            let share = if r > 0.0 { from / r } else { 1.0 };
+            let zone = &d.contact.shape.zone;
+            let peak = zone.peak([p[0], p[1]]);
+            let excess = pressure_at(d, &state.pressure, zone.drawn_in([p[0], p[1]], share))
+                - peak * hertz::pressure_profile(from);
+            (peak * hertz::pressure_profile(r) + q.sqrt() * excess).max(0.0)
+        })
+        .collect()
+}
+
+/// Solves a problem from a start that suits it: Newton's method on the mesh of the start, with whole steps or else with
+/// damped ones, then the error estimate, and refinement where that is too large. `None` where Newton's method does not
+/// converge from there, or the mesh cannot be brought to the accuracy that its own problem had.
+///
+/// # Errors
+/// Only [`SolveError::Interrupted`].
+pub fn solve_warm(
+    problem: &Problem,
+    start: &Start,
+    observer: &mut dyn Observer,
+) -> Result<Option<(StageSolution, Vec<LevelStats>)>, SolveError> {
+    let Some(last) = problem.stages.last() else {
+        return Ok(None);
+    };
+    let allowed = LARGEST_MISS.max(WORSE * start.miss);
+    // Where whole steps fail, damped ones mostly lead there still, for less than a start from the dry contact.
+    for undamped in [true, false] {
+        let stage = Stage {
+            sizes: start.solution.stage.sizes,
+            refinements: start.solution.stage.refinements,
+            cold: false,
+            given_up_early: false,
+            undamped,
+            role: Role::Final,
+            constants: start.constants(&last.constants),
+            ..*last
+        };
+        let mut from = start.rescaled(problem);
+        // Another contact has its ridge elsewhere.
+        from.discretisation.at_ridge.clear();
+        match solve_from(problem, from, stage, observer) {
+            Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+            Err(_) => {}
+            Ok((solution, stats)) => {
+                let good = miss(problem, &solution, &stats) <= allowed;
+                return Ok(good.then_some((solution, stats)));
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// Solves a problem, which must not ask for refinement, on the mesh of a start, whatever its own mesh would be: for differences that no change of the mesh should blur. `None`
+/// where Newton's method does not converge.
+///
+/// # Errors
+/// Only [`SolveError::Interrupted`].
+pub fn solve_on_mesh(
+    problem: &Problem,
+    start: &Start,
+    observer: &mut dyn Observer,
+) -> Result<Option<StageSolution>, SolveError> {
+    if !start
+        .solution
+        .discretisation
+        .contact
+        .shape
+        .is_like(&problem.shape)
+    {
+        return Ok(None);
+    }
+    let stage = Stage {
+        constants: (problem.stages.last()).map_or(start.solution.stage.constants, |last| {
+            start.constants(&last.constants)
+        }),
+        undamped: true,
+        cold: false,
+        given_up_early: false,
+        role: Role::Final,
+        ..start.solution.stage
+    };
+    match solve_from(problem, start.rescaled(problem), stage, observer) {
+        Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+        end => Ok(end
+            .ok()
+            .map(|(solution, _)| solution)
+            .filter(|s| s.converged)),
+    }
+}
+
+/// Largest error bar over the target; zero where there is none.
+fn miss(problem: &Problem, solution: &StageSolution, stats: &[LevelStats]) -> f64 {
+    let Some(adapt) = &problem.adapt else {
+        return 0.0;
+    };
+    let grading = grading_errors(
+        &problem.shape,
+        problem.elasticity.model,
+        &solution.stage.sizes,
+    );
+    error_bars(stats, grading).map_or(f64::INFINITY, |b| {
+        // What the edges do, another mesh with them would, too.
+        b.cells
+            .iter()
+            .fold(0.0, |m: f64, bar| m.max(bar / adapt.target))
+    })
+}

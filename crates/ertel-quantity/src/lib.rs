@@ -1,0 +1,331 @@
+//! Numbers with units: `"16 mm"`, `"22 1/GPa"`, `"40 degC"` to SI, with the dimension checked.
+//!
+//! A quantity is a number followed by a unit expression. Units multiply with `.`, `*` or a space, divide
+//! with `/` and take integer powers (`m^3`, `m3`, `m³`, `GPa^-1`). A product after a slash needs
+//! parentheses, `J/(kg.K)`, because `J/kg.K` is read both ways by people.
+//!
+//! `degC` and `degF` are offset units: alone, and where a temperature is asked for, `40 degC` is 313.15 K;
+//! where a temperature difference is asked for, or inside a compound unit, `degC` is the same as `K`.
+
+mod comma;
+mod dimension;
+mod saybolt;
+mod symbols;
+mod uncertain;
+mod unit;
+
+pub use dimension::Dimension;
+pub use saybolt::{corrected as saybolt_corrected, is_saybolt};
+pub use uncertain::{COVERAGE, CUT, Correlation, Uncertainty, parse_uncertain};
+pub use unit::{Unit, UnitError};
+
+/// Standard atmosphere (Pa), the ambient pressure that is taken off absolute ones.
+pub const STANDARD_ATMOSPHERE: f64 = 101_325.0;
+
+/// Why a text is not the quantity asked for.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum QuantityError {
+    /// The text does not start with a number.
+    #[error("`{text}` does not start with a number (write for example `16 mm` or `2.2e-8 1/Pa`)")]
+    NotANumber {
+        /// The text as given.
+        text: String,
+    },
+    /// The number is NaN, infinite or too large for a 64-bit float.
+    #[error("`{text}` is not a finite number")]
+    NotFinite {
+        /// The text as given.
+        text: String,
+    },
+    /// A comma within the number.
+    #[error(
+        "`{text}` has a comma in its number; write a decimal point: {}",
+        comma::listed(readings)
+    )]
+    Comma {
+        /// The text as given.
+        text: String,
+        /// What may be meant, as it is to be written; one or two.
+        readings: Vec<String>,
+    },
+    /// A number stands alone where a unit is needed.
+    #[error("`{text}` has no unit; {} is needed ({})", expected.name(), expected.examples())]
+    MissingUnit {
+        /// The text as given.
+        text: String,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// The unit cannot be read.
+    #[error("`{text}`: {source}")]
+    Unit {
+        /// The text as given.
+        text: String,
+        /// What is wrong with the unit.
+        source: UnitError,
+    },
+    /// The unit is known but measures something else.
+    #[error(
+        "`{text}` is {}, but {} is needed ({})",
+        found.name(), expected.name(), expected.examples()
+    )]
+    WrongDimension {
+        /// The text as given.
+        text: String,
+        /// What the text is.
+        found: Dimension,
+        /// What was asked for.
+        expected: Dimension,
+    },
+    /// The uncertainty cannot be read.
+    #[error("`{text}`: {reason}")]
+    Uncertainty {
+        /// The text as given.
+        text: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// Seconds of a Saybolt viscometer that no oil has.
+    #[error("`{text}`: Saybolt seconds begin at 32 SUS (1.8 mm^2/s); write mm^2/s")]
+    Saybolt {
+        /// The text as given.
+        text: String,
+    },
+    /// A temperature below 0 K.
+    #[error("`{text}` is below absolute zero")]
+    BelowAbsoluteZero {
+        /// The text as given.
+        text: String,
+    },
+}
+
+/// Reads `text` as a quantity of dimension `expected` and returns its value in SI.
+///
+/// # Errors
+///
+/// [`QuantityError`] if the text is no number with a unit, or the unit measures something else. The value
+/// returned is always finite.
+///
+/// ```
+/// use ertel_quantity::{parse, Dimension};
+/// assert_eq!(parse("16 mm", Dimension::LENGTH), Ok(0.016));
+/// assert_eq!(parse("40 degC", Dimension::TEMPERATURE), Ok(313.15));
+/// assert!(parse("100 mm", Dimension::FORCE).is_err());
+/// ```
+pub fn parse(text: &str, expected: Dimension) -> Result<f64, QuantityError> {
+    let trimmed = text.trim();
+    let own = || text.to_owned();
+    let (number, unit_text) = split_number(trimmed).ok_or_else(|| {
+        let unsigned = trimmed.trim_start_matches(['+', '-']).to_ascii_lowercase();
+        if unsigned.starts_with("nan") || unsigned.starts_with("inf") {
+            QuantityError::NotFinite { text: own() }
+        } else {
+            QuantityError::NotANumber { text: own() }
+        }
+    })?;
+    if let Some(readings) = comma::readings(trimmed) {
+        return Err(QuantityError::Comma {
+            text: own(),
+            readings,
+        });
+    }
+    if unit_text.is_empty() && expected != Dimension::DIMENSIONLESS {
+        return Err(QuantityError::MissingUnit {
+            text: own(),
+            expected,
+        });
+    }
+    let unit = Unit::parse_as(unit_text, expected).map_err(|source| QuantityError::Unit {
+        text: own(),
+        source,
+    })?;
+    if !unit.dimension().same_exponents(expected) {
+        return Err(QuantityError::WrongDimension {
+            text: own(),
+            found: unit.dimension(),
+            expected,
+        });
+    }
+    let value = if expected == Dimension::TEMPERATURE_DIFFERENCE {
+        unit.difference_to_si(number)
+    } else {
+        unit.to_si(number)
+    };
+    if unit.is_saybolt() && !value.is_finite() {
+        return Err(QuantityError::Saybolt { text: own() });
+    }
+    if !value.is_finite() {
+        return Err(QuantityError::NotFinite { text: own() });
+    }
+    if expected == Dimension::TEMPERATURE && value < 0.0 {
+        return Err(QuantityError::BelowAbsoluteZero { text: own() });
+    }
+    Ok(value)
+}
+
+impl QuantityError {
+    /// What to write instead, where more can be said than which units fit.
+    #[must_use]
+    pub fn advice(&self) -> Option<String> {
+        let Self::WrongDimension {
+            text,
+            found,
+            expected,
+        } = self
+        else {
+            return None;
+        };
+        let of =
+            |found_wanted, expected_wanted| *found == found_wanted && *expected == expected_wanted;
+        if of(Dimension::ANGULAR_SPEED, Dimension::SPEED) {
+            return Some(of_rotation(text));
+        }
+        if of(Dimension::SHEAR_RATE, Dimension::ANGULAR_SPEED) {
+            return Some("revolutions per minute are written \"3000 rpm\"".to_owned());
+        }
+        if *found == Dimension::SHEAR_RATE && *expected == Dimension::SPEED {
+            return Some(of_rotation(text));
+        }
+        // A mass where a force is needed, alone or in a pressure.
+        let gravity = Dimension::SPEED.per(Dimension::TIME);
+        if found.times(gravity).same_exponents(*expected) {
+            return Some("a weight is a force: write kgf for the weight of a kilogram, lbf for that of a pound".to_owned());
+        }
+        if of(Dimension::MASS, Dimension::FORCE_PER_LENGTH) {
+            return Some(
+                "a load per length is a force over a length: N/mm, kN/m, lbf/in".to_owned(),
+            );
+        }
+        if of(Dimension::VISCOSITY, Dimension::KINEMATIC_VISCOSITY) {
+            return Some(
+                "the kinematic viscosity is the dynamic one over the density, ν = μ/ρ".to_owned(),
+            );
+        }
+        if of(Dimension::DIMENSIONLESS, Dimension::KINEMATIC_VISCOSITY)
+            || of(Dimension::ANGLE, Dimension::KINEMATIC_VISCOSITY)
+        {
+            return Some(
+                "kinematic viscosities are read in mm^2/s, cSt and Saybolt seconds, \"215 SUS\""
+                    .to_owned(),
+            );
+        }
+        if of(Dimension::KINEMATIC_VISCOSITY, Dimension::VISCOSITY) {
+            return Some(
+                "the dynamic viscosity is the kinematic one times the density, μ = ν ρ; `kinematic_viscosity_40` and \
+                 `kinematic_viscosity_100` of [lubricant] take the kinematic ones of a data sheet"
+                    .to_owned(),
+            );
+        }
+        None
+    }
+}
+
+/// How to give a rotational speed where a surface speed is asked for.
+fn of_rotation(text: &str) -> String {
+    const DIAMETER: f64 = 0.02;
+    let example = match parse(text, Dimension::ANGULAR_SPEED) {
+        Ok(speed) => {
+            let surface = 0.5 * speed * DIAMETER;
+            let decimals = (3 - surface.abs().log10().floor() as i32).clamp(0, 9) as usize;
+            let surface = format!("{surface:.decimals$}");
+            format!("; with d = 20 mm, {} are \"{surface} m/s\"", text.trim())
+        }
+        Err(_) => String::new(),
+    };
+    format!(
+        "a surface of the diameter d that turns n times per minute moves at u = π d n/60{example}; bearings, gears and cams of \
+         [machine] take rpm (inner_ring_speed, pinion_speed, cam_speed)"
+    )
+}
+
+/// Reads `text` as a quantity of whatever dimension its unit has: its value in SI, and what it measures; `None` for
+/// anything else.
+///
+/// ```
+/// use ertel_quantity::{parse_any, Dimension};
+/// assert_eq!(parse_any("16 mm"), Some((0.016, Dimension::LENGTH)));
+/// assert_eq!(parse_any("steel"), None);
+/// ```
+#[must_use]
+pub fn parse_any(text: &str) -> Option<(f64, Dimension)> {
+    let (number, unit) = split_number(text.trim())?;
+    let unit = Unit::parse(unit).ok()?;
+    let value = unit.to_si(number);
+    value.is_finite().then_some((value, unit.dimension()))
+}
+
+/// Splits `"16 mm"` into 16 and `mm`; `None` if there is no number in front.
+fn split_number(text: &str) -> Option<(f64, &str)> {
+    let bytes = text.as_bytes();
+    let digits_from = |from: usize| {
+        bytes[from..]
+            .iter()
+            .take_while(|byte| byte.is_ascii_digit())
+            .count()
+    };
+    let mut end = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    let mut n_digits = digits_from(end);
+    end += n_digits;
+    if bytes.get(end) == Some(&b'.') {
+        let n_decimals = digits_from(end + 1);
+        // The point of "5.Pa" would be a product sign; a number keeps its point only before digits or at its end.
+        if n_decimals > 0 || end + 1 == bytes.len() || bytes[end + 1] == b' ' {
+            end += 1 + n_decimals;
+            n_digits += n_decimals;
+        }
+    }
+    if n_digits == 0 {
+        return None;
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let n_exponent = if end + 1 + sign <= bytes.len() {
+            digits_from(end + 1 + sign)
+        } else {
+            0
+        };
+        if n_exponent > 0 {
+            end += 1 + sign + n_exponent;
+        }
+    }
+    let number: f64 = text[..end].parse().ok()?;
+    match power_of_ten(text[end..].trim_start()) {
+        // Read as one number, so that it is rounded once.
+        Some((exponent, rest)) => {
+            let number = format!("{}e{exponent}", &text[..end]).parse().ok()?;
+            Some((number, rest.trim_start()))
+        }
+        None => Some((number, text[end..].trim_start())),
+    }
+}
+
+/// The exponent of `×10^-8`, `x 10^-8`, `·10⁻⁸`, and what follows; `None` where no power of ten stands.
+fn power_of_ten(text: &str) -> Option<(i32, &str)> {
+    let rest = text.strip_prefix(['×', 'x', '*', '·', '⋅'])?;
+    let rest = rest.trim_start().strip_prefix("10")?;
+    let (raised, rest) = match rest.strip_prefix('^') {
+        Some(rest) => (true, rest),
+        None => (false, rest),
+    };
+    let plain = |c: char| match c {
+        '⁻' | '−' => Some('-'),
+        '⁰' => Some('0'),
+        '¹' => Some('1'),
+        '²' => Some('2'),
+        '³' => Some('3'),
+        '⁴'..='⁹' => char::from_digit(c as u32 - '⁰' as u32, 10),
+        '-' | '0'..='9' if raised => Some(c),
+        _ => None,
+    };
+    let digits: String = rest.chars().map_while(plain).collect();
+    let n_bytes: usize = rest
+        .chars()
+        .take(digits.chars().count())
+        .map(char::len_utf8)
+        .sum();
+    let exponent = digits.parse::<i32>().ok()?;
+    (exponent.abs() < 400).then(|| (exponent, &rest[n_bytes..]))
+}
+
+#[cfg(test)]
+mod tests;

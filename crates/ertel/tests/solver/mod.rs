@@ -1,0 +1,6 @@
+//! Parts of the solver on problems of cases: stages, sides, sums of the shear, readings of figures.
+
+mod figures_of_points;
+mod shear;
+mod sides;
+mod stages;

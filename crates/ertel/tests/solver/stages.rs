@@ -1,0 +1,127 @@
+//! What a stage starts from and what it measures.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use ertel_input::Document;
+
+use ertel::case::Case;
+use ertel::problem::problem;
+use ertel::solve::discretisation::Discretisation;
+use ertel::solve::discretisation::{ContactSurface, Means};
+use ertel::solve::evaluate::{central_film, minimum_film};
+use ertel::solve::newton::NewtonStats;
+use ertel::solve::sequence::stage_run::{Finish, StageRun};
+use ertel::solve::sequence::start::cold_start;
+use ertel::solve::sequence::{Problem, Stage};
+use ertel::solve::system::System;
+use ertel::solve::system::{FilmConstants, State};
+
+const CASE: &str = r#"
+    [contact]
+    kind = "circular"
+    radius = "10 mm"
+    load = "20 N"
+    [bodies]
+    body_1 = "steel"
+    body_2 = "steel"
+    [motion]
+    entrainment_speed = "1 m/s"
+    slide_to_roll_ratio = 0.0
+    [lubricant]
+    temperature = "40 degC"
+    density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
+    viscosity = { law = "barus", mu_0 = "40 mPa.s", alpha = "10 1/GPa" }
+    [mesh]
+    preset = "coarse"
+"#;
+
+/// The dry contact with oil in it lacks the entrained flow and little else, in circles and along the longer axis of an ellipse ten
+/// times as long as wide: 38 times the entrained flow with a stabilisation that has no regard for how long its cells are.
+#[test]
+fn cold_starts_lack_the_entrained_flow() {
+    let slender = CASE.replace(
+        "kind = \"circular\"\n        radius = \"10 mm\"",
+        "kind = \"elliptical\"\n        radius_x = \"730 mm\"\n        radius_y = \"20 mm\"",
+    );
+    assert_ne!(slender, CASE);
+    for text in [CASE, &slender] {
+        let document = Document::parse("case.toml", text).unwrap();
+        let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+        let d = discretisation(&problem, &problem.stages[0]);
+        let run = StageRun::new(&problem, &problem.stages[0], 0, &d);
+        let (model, state) = (run.model(1.0), cold_start(&problem, &d));
+        let system = System::assemble(&d, &model.fluid, &model.constants, &state, None);
+        let residual = system.relative_residual();
+        println!("{residual}");
+        assert!((0.5..2.0).contains(&residual), "{residual}");
+    }
+}
+
+fn discretisation(problem: &Problem, stage: &Stage) -> Discretisation {
+    let contact = ContactSurface::new(
+        &problem.shape,
+        &problem.extents,
+        &stage.sizes,
+        &problem.elasticity,
+        Means::default(),
+    );
+    Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order)
+}
+
+/// What the diffusion at a ridge does to both films by the adjoints, against solves without it.
+#[test]
+fn the_diffusion_at_a_ridge_is_told() {
+    let document = Document::parse("case.toml", CASE).unwrap();
+    let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+    let mut stage = *problem.stages.last().unwrap();
+    let mut d = discretisation(&problem, &stage);
+    d.at_ridge = vec![1.0; d.contact.n_elements()];
+    stage.constants.ridge_diffusion = 0.02;
+    let solve = |stage: &Stage, state: &mut State| {
+        let (run, mut effort) = (
+            StageRun::new(&problem, stage, 0, &d),
+            NewtonStats::default(),
+        );
+        let end = run.solve(Finish::Exact, state, &mut effort, &mut ertel::solve::Silent);
+        end.unwrap();
+        let told = run.measure(state, &mut effort).unwrap().ridge;
+        ([central_film(&d, state), minimum_film(&d, state).0], told)
+    };
+    let mut state = cold_start(&problem, &d);
+    solve(&problem.stages[0], &mut state);
+    let (with, told) = solve(&stage, &mut state);
+    let plain = Stage {
+        constants: FilmConstants {
+            ridge_diffusion: 0.0,
+            ..stage.constants
+        },
+        ..stage
+    };
+    let (without, nothing) = solve(&plain, &mut state);
+    assert_eq!(nothing, [0.0; 2]);
+    let found = [0, 1].map(|j: usize| with[j] / without[j] - 1.0);
+    println!("{found:?} found, {told:?} told");
+    // In h_min, elements cancel each other.
+    let size = found[0].abs().max(found[1].abs());
+    for (found, told) in found.into_iter().zip(told) {
+        assert!(found.abs() > 1e-4 && (told - found.abs()).abs() < 0.03 * size);
+    }
+}
+
+/// A film below zero has errors as one above has: shares of negative sign would tell that there is nothing to refine.
+#[test]
+fn films_below_zero_have_errors() {
+    let document = Document::parse("case.toml", CASE).unwrap();
+    let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
+    let stage = problem.stages[0];
+    let d = discretisation(&problem, &stage);
+    let mut state = cold_start(&problem, &d);
+    let (film, _) = minimum_film(&d, &state);
+    state.rigid_separation -= 1.01 * film;
+    assert!(minimum_film(&d, &state).0 < 0.0);
+    let run = StageRun::new(&problem, &stage, 0, &d);
+    let indicator = run.measure(&state, &mut NewtonStats::default()).unwrap();
+    assert!(indicator.minimum.iter().all(|share| *share >= 0.0));
+    assert!(indicator.totals()[1] > 0.0);
+}
