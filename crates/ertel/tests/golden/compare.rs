@@ -158,29 +158,31 @@ impl Difference {
         self.changes.is_empty()
     }
 
+    /// How many values differ, and the largest change: that of a figure where one changed, for balances are rounding.
+    pub fn title(&self) -> String {
+        let largest = |of: &dyn Fn(&&Change) -> bool| {
+            (self.changes.iter().filter(of))
+                .filter_map(|change| Some((change.relative()?.abs(), change)))
+                .max_by(|a, b| a.0.total_cmp(&b.0))
+        };
+        let mut title = format!("{} of {} values", self.changes.len(), self.n_values);
+        if let Some((relative, change)) =
+            largest(&|c| c.is_of_figure()).or_else(|| largest(&|_| true))
+        {
+            let Change { section, key, .. } = change;
+            let _ = write!(title, ", at the most {relative:.1e} of [{section}] {key}");
+        }
+        title
+    }
+
     /// In words: all figures, and the first of the other values.
-    pub fn text(&self, title: &str) -> String {
+    pub fn text(&self) -> String {
         let (figures, others): (Vec<&Change>, Vec<&Change>) = self
             .changes
             .iter()
             .partition(|change| change.is_of_figure());
-        let largest = (self.changes.iter())
-            .filter_map(|change| Some((change.relative()?.abs(), change)))
-            .max_by(|a, b| a.0.total_cmp(&b.0));
-        let mut text = format!(
-            "{title}: {} of {} values",
-            self.changes.len(),
-            self.n_values
-        );
-        if let Some((relative, change)) = largest {
-            let (section, key) = (&change.section, &change.key);
-            let _ = write!(text, ", at the most by {relative:.1e} ([{section}] {key})");
-        }
-        text.push('\n');
-        for change in &figures {
-            let _ = writeln!(text, "{}", change.text());
-        }
-        for change in others.iter().take(MOST_LINES) {
+        let mut text = String::new();
+        for change in figures.iter().chain(others.iter().take(MOST_LINES)) {
             let _ = writeln!(text, "{}", change.text());
         }
         if others.len() > MOST_LINES {

@@ -32,7 +32,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
 use clap::Parser;
-use compare::{Mode, difference};
+use compare::{Difference, Mode, difference};
 use ertel::solution::Figure;
 use libtest_mimic::{Arguments, Failed, Trial};
 use machine::Machine;
@@ -61,6 +61,7 @@ struct Tally {
     exact: usize,
     within_bars: usize,
     other_machines: BTreeSet<String>,
+    differ: Vec<String>,
     written: Vec<String>,
 }
 
@@ -102,8 +103,8 @@ impl Run {
         let (one, eight) = (on(1)?, on(8)?);
         let found = difference(&one, &eight, Mode::Exact);
         if !found.is_empty() {
-            let text = found.text("one thread and eight threads differ");
-            return Err(text);
+            let title = format!("{name} differs on one thread and eight: {}", found.title());
+            return Err(self.differs(title, &found));
         }
         Ok(one)
     }
@@ -137,8 +138,20 @@ impl Run {
         let found = difference(&old, &new, mode);
         match found.is_empty() {
             true => Ok(()),
-            false => Err(found.text(&format!("{name} differs from its record"))),
+            false => {
+                let title = format!("{name} differs from its record: {}", found.title());
+                Err(self.differs(title, &found))
+            }
         }
+    }
+
+    /// The text of a failure, whose first line is kept for the end.
+    fn differs(&self, title: String, found: &Difference) -> String {
+        let text = format!("{title}\n{}", found.text());
+        if let Ok(mut tally) = self.tally.lock() {
+            tally.differ.push(title);
+        }
+        text
     }
 
     fn write(
@@ -154,7 +167,7 @@ impl Run {
                 let found = difference(old, new, Mode::Exact);
                 match found.is_empty() {
                     true => format!("{name}: written for this machine, no value changed\n"),
-                    false => found.text(&format!("{name} changed")),
+                    false => format!("{name}: {}\n{}", found.title(), found.text()),
                 }
             }
             None => format!("{name}: new, {} values\n", new.len()),
@@ -188,10 +201,17 @@ impl Run {
         let Ok(tally) = self.tally.lock() else {
             return;
         };
-        let mut changes = tally.written.clone();
-        changes.sort();
+        let sorted = |texts: &[String]| {
+            let mut texts = texts.to_vec();
+            texts.sort();
+            texts
+        };
+        let changes = sorted(&tally.written);
         for text in &changes {
             print!("{text}");
+        }
+        for title in sorted(&tally.differ) {
+            println!("{title}");
         }
         if self.update {
             println!("{} records written or removed", changes.len());

@@ -49,7 +49,7 @@ fn the_last_bit_counts() -> Result<(), String> {
     let old = sample(3e-7, 5e8, 7);
     let new = sample(3e-7_f64.next_up(), 5e8, 7);
     let found = difference(&old, &new, Mode::Exact);
-    let text = found.text("sample");
+    let text = found.text();
     let line = "[figures] film_central: 3e-7 -> 3.0000000000000004e-7, +1.8e-16 of it, +5.3e-15 of its bar";
     ensure(
         text.contains(line),
@@ -65,7 +65,7 @@ fn what_is_gone_and_what_is_new_are_told() -> Result<(), String> {
     let (old, mut new) = (sample(3e-7, 5e8, 7), Record::default());
     new.float("figures", "film_central", 3e-7);
     new.float("figures", "spike", 6e8);
-    let text = difference(&old, &new, Mode::Exact).text("sample");
+    let text = difference(&old, &new, Mode::Exact).text();
     for line in [
         "- [figures] pressure_central: 500000000.0, gone",
         "- [levels] 0 Newton iterations: 7, gone",
