@@ -340,7 +340,7 @@ pub struct FitArgs {
 /// The subcommands of `ertel fit`.
 #[derive(Debug, Subcommand)]
 pub enum FitCommand {
-    /// A viscosity law: cheng, roelands, wlf, yasutomi, doolittle, barus, mcewen, paluch, mcewen-paluch
+    /// A viscosity law: cheng, roelands, wlf, yasutomi, doolittle, barus, mcewen, paluch, mcewen-paluch, walther
     Viscosity(FitLawArgs),
     /// A density law: tait, dowson-higginson
     Density(FitLawArgs),
@@ -439,9 +439,13 @@ pub struct FitLawArgs {
     /// Confidence of the intervals
     #[arg(long, value_name = "P", default_value_t = 0.95)]
     pub confidence: f64,
-    /// Fluid of the database or entry whose Tait equation gives the volume to Doolittle's law
+    /// Fluid of the database or entry with the density: its Tait equation gives the volume to Doolittle's law; Walther's law and tables of
+    /// kinematic viscosities take any density law, or `density_15` with `base_oil`
     #[arg(long, value_name = "NAME|FILE.toml")]
     pub density: Option<String>,
+    /// How the viscosity of Walther's law grows with pressure [default: roelands]
+    #[arg(long, value_name = "LAW", value_parser = PossibleValuesParser::new(["roelands", "barus"]))]
+    pub pressure_law: Option<String>,
     /// Write the entry into this file, and the picture beside it
     #[arg(short, long, value_name = "ENTRY.toml")]
     pub output: Option<PathBuf>,

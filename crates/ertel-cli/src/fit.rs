@@ -6,14 +6,15 @@ mod film;
 use std::path::{Path, PathBuf};
 
 use ertel::files::write_whole;
-use ertel::fit::{self, Data, Fit, FittedLaw, Heading, LawName, Params, Property, Residual};
+use ertel::fit::{
+    self, Data, DensityError, Fit, FittedLaw, Heading, LawName, Params, Property, Reading, Residual,
+};
 use ertel::words::{digits, pressure};
-use ertel_input::Document;
 use ertel_input::file::read_table;
 use ertel_quantity::{Dimension, Unit};
 use ertel_rheology::database::Kind;
-use ertel_rheology::density::TaitVolume;
-use ertel_rheology::{DensityLaw, Files, database};
+use ertel_rheology::viscosity::PressureLaw;
+use ertel_rheology::{DensityLaw, database};
 
 use crate::args::{FitArgs, FitCommand, FitLawArgs};
 use crate::failure::Failure;
@@ -52,11 +53,21 @@ fn run_law(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
         })?;
     let plot = plot_path(arguments)?;
     keep_inputs(arguments, plot.as_deref())?;
-    let params = params(arguments, law)?;
-    let data = read(arguments, property)?;
+    let params = params(arguments, Some(law))?;
+    let data = read(arguments, property, &params, law == LawName::Walther)?;
     let fit = fit::fit(&data, law, &params).map_err(|error| {
         let help = match error {
-            fit::FitError::NoEquationOfState => " (--density NAME of a fluid, or FILE.toml)",
+            fit::FitError::NoEquationOfState
+            | fit::FitError::NoDensity
+            | fit::FitError::TabulatedDensity => " (--density NAME of a fluid, or FILE.toml)",
+            fit::FitError::NoPressures => {
+                " (--hold \"alpha=22 1/GPa\" --reference-temperature \"40 degC\", with the figures of the oil)"
+            }
+            fit::FitError::NoReferenceTemperature => " (--reference-temperature \"40 degC\")",
+            fit::FitError::TooFew { .. } if law == LawName::Walther => {
+                " (--hold KEY=VALUE; an oil of two viscosities needs no fit: a lubricant takes them as `kinematic_viscosity_40` and \
+                 `kinematic_viscosity_100`)"
+            }
             fit::FitError::Undetermined { .. }
             | fit::FitError::NoInterval { .. }
             | fit::FitError::TooFew { .. } => " (--hold KEY=VALUE)",
@@ -155,12 +166,23 @@ fn keep_inputs(arguments: &FitLawArgs, plot: Option<&Path>) -> Result<(), Failur
     inputs::refuse_existing(&outputs, arguments.force)
 }
 
-fn read(arguments: &FitLawArgs, property: Property) -> Result<Data, Failure> {
+/// The table; a kinematic viscosity takes the density of `params`, and where `may_be_ambient`, pressures may be missing.
+fn read(
+    arguments: &FitLawArgs,
+    property: Property,
+    params: &Params,
+    may_be_ambient: bool,
+) -> Result<Data, Failure> {
     let path = &arguments.data;
     let text = read_table(path)
         .map_err(|error| Failure::Argument(format!("{} {error}", path.display())))?;
     let file = path.display().to_string();
-    let data = Data::parse_with(&file, &text, property, &arguments.table.params(&[]))
+    let reading = Reading {
+        table: arguments.table.params(&[]),
+        density: params.density.clone(),
+        may_be_ambient,
+    };
+    let data = Data::read(&file, &text, property, &reading)
         .map_err(|error| Failure::Argument(error.to_string()))?;
     for note in &data.notes {
         print::stderr(&format!("note: {}: {note}", data.file));
@@ -168,9 +190,10 @@ fn read(arguments: &FitLawArgs, property: Property) -> Result<Data, Failure> {
     Ok(data)
 }
 
-fn params(arguments: &FitLawArgs, law: LawName) -> Result<Params, Failure> {
+/// What the user asks for; the constants to hold are those of `law`, or none.
+fn params(arguments: &FitLawArgs, law: Option<LawName>) -> Result<Params, Failure> {
     let mut held = Vec::new();
-    for text in &arguments.hold {
+    for (text, law) in arguments.hold.iter().zip(law.into_iter().cycle()) {
         let (key, value) = text.split_once('=').ok_or_else(|| {
             Failure::Argument(format!(
                 "--hold {text}: write KEY=VALUE, such as --hold \"mu_0=0.465 mPa.s\""
@@ -185,7 +208,30 @@ fn params(arguments: &FitLawArgs, law: LawName) -> Result<Params, Failure> {
         .as_ref()
         .map(|text| ertel_quantity::parse(text, Dimension::TEMPERATURE))
         .transpose()?;
-    let equation_of_state = arguments.density.as_deref().map(volume).transpose()?;
+    let density = match arguments.density.as_deref() {
+        Some(name) => Some(fit::density_of(name).map_err(|error| density_failure(name, error))?),
+        None => None,
+    };
+    let equation_of_state = match (&density, law) {
+        (Some(DensityLaw::Tait(tait)), _) => Some(tait.volume.clone()),
+        (Some(other), Some(LawName::Doolittle)) => {
+            return Err(Failure::Argument(format!(
+                "--density {}: its density law is {}, but `tait` is needed",
+                arguments.density.as_deref().unwrap_or_default(),
+                other.name()
+            )));
+        }
+        _ => None,
+    };
+    let pressure_law = PressureLaw::NAMES
+        .iter()
+        .find(|(name, _)| Some(*name) == arguments.pressure_law.as_deref())
+        .map_or(PressureLaw::Roelands, |(_, law)| *law);
+    if arguments.pressure_law.is_some() && law.is_some_and(|law| law != LawName::Walther) {
+        return Err(Failure::Argument(
+            "--pressure-law is an option of the law walther".to_owned(),
+        ));
+    }
     Ok(Params {
         held,
         freed: arguments.free.clone(),
@@ -197,31 +243,22 @@ fn params(arguments: &FitLawArgs, law: LawName) -> Result<Params, Failure> {
         },
         confidence: arguments.confidence,
         equation_of_state,
+        density,
+        pressure_law,
     })
+}
+
+fn density_failure(name: &str, error: DensityError) -> Failure {
+    match error {
+        DensityError::File(error) => error.into(),
+        DensityError::Database(error) => error.into(),
+        DensityError::None(_) => Failure::Argument(format!("--density {name}: {error}")),
+    }
 }
 
 /// The file that `--density` names, by its path or in the own data; `None` of a fluid of the database.
 fn entry_path(name: &str) -> Option<PathBuf> {
     database::own_path(Kind::Fluid, name, Path::new(""))
-}
-
-/// The Tait equation of a fluid of the database, or of an entry in a file.
-fn volume(name: &str) -> Result<TaitVolume, Failure> {
-    let density = if let Some(path) = entry_path(name) {
-        let document = Document::read(&path)?;
-        let folder = path.parent().unwrap_or(Path::new("."));
-        let table = document.root().required_table("density")?;
-        Some(DensityLaw::from_table(table, Files::Folder(folder))?)
-    } else {
-        database::fluid(name)?.density
-    };
-    match density {
-        Some(DensityLaw::Tait(tait)) => Ok(tait.volume),
-        other => Err(Failure::Argument(format!(
-            "--density {name}: its density law is {}, but `tait` is needed",
-            other.map_or("missing", |law| law.name())
-        ))),
-    }
 }
 
 fn report(fit: &Fit, data: &Data, verbose: bool) -> String {

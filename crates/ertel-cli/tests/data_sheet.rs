@@ -73,3 +73,29 @@ fn estimates_of_the_database_are_shown_as_such() {
     let list = report(&["fluids"]);
     assert!(list.lines().count() > 60, "{list}");
 }
+
+/// A second coefficient, at 100 degC: the film there is that of an oil with this one alone, the film at 40 degC stays.
+#[test]
+fn a_second_coefficient_moves_the_film_of_its_temperature() {
+    let folder = tempfile::tempdir().unwrap();
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/data-sheet-oil.toml");
+    let case = std::fs::read_to_string(shipped).unwrap();
+    let film = |celsius: u32, lines: &str| {
+        let at = format!("temperature = \"{celsius} degC\"");
+        let text = case.replace("temperature = \"40 degC\"", &at) + lines;
+        let path = folder.path().join("case.toml");
+        std::fs::write(&path, text).unwrap();
+        let json = report(&["estimate", path.to_str().unwrap(), "--json"]);
+        let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+        json["film"]["central"].as_f64().unwrap()
+    };
+    let one = "pressure_viscosity_coefficient_40 = \"22 1/GPa\"\n";
+    let two = format!("{one}pressure_viscosity_coefficient_100 = \"13 1/GPa\"\n");
+    let hot = "pressure_viscosity_coefficient_100 = \"13 1/GPa\"\n";
+    assert_eq!(film(40, one), film(40, &two));
+    let (by_two, by_hot, by_one) = (film(100, &two), film(100, hot), film(100, one));
+    assert!((by_two / by_hot - 1.0).abs() < 1e-9, "{by_two} {by_hot}");
+    // With one index the coefficient at 100 degC is 15.4 1/GPa; the film goes with α to the power of 0.4 to 0.5.
+    let ratio = by_two / by_one;
+    assert!((0.91..0.95).contains(&ratio), "{ratio}");
+}

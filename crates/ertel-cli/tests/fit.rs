@@ -360,3 +360,69 @@ fn constants_that_make_no_sense_are_told() {
         text(&output.stderr)
     );
 }
+
+/// A data sheet, as one finds it: temperatures and kinematic viscosities, without pressures; the entry goes into a case as it is.
+#[test]
+fn a_table_of_a_data_sheet_becomes_a_lubricant() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    // lg lg(ν + 0.7) = 9.417992554 - 3.684441498 lg T: 46 mm²/s at 40 degC and 6.8 at 100.
+    let table = "Temperature [°C],Kinematic viscosity [mm²/s]\n20,133.8382\n40,46.0000\n60,20.6227\n80,11.1026\n100,6.8000\n";
+    std::fs::write(place("sheet.csv"), table).unwrap();
+    let density = "density_15 = \"870 kg/m^3\"\nbase_oil = \"mineral\"\n";
+    std::fs::write(place("density.toml"), density).unwrap();
+    let (table, density, entry) = (place("sheet.csv"), place("density.toml"), place("oil.toml"));
+    let fit = |more: &[&str]| {
+        let walther = ["fit", "viscosity", &table, "--law", "walther"];
+        ertel(&[&walther[..], more].concat())
+    };
+    let hold = ["--hold", "alpha=22 1/GPa"];
+    let at = ["--reference-temperature", "40 degC"];
+    let with = ["--density", &density];
+    for (more, words) in [
+        (&[][..], "--density"),
+        (&with[..], "--hold \"alpha=22 1/GPa\""),
+        (&[with, hold].concat(), "--reference-temperature"),
+        (
+            &[&with[..], &["--hold", "alpha=-1 1/GPa"], &at].concat(),
+            "a constant that is held is not allowed",
+        ),
+    ] {
+        let output = fit(more);
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{more:?}: {message}");
+        assert!(message.contains(words), "{more:?}: {message}");
+    }
+    let output = fit(&[&with[..], &hold, &at, &["-o", &entry]].concat());
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    assert!(message.contains("all states count as measured at ambient pressure"));
+    assert!(message.contains("multiplied by the density of the law dowson-higginson"));
+    assert!(
+        text(&output.stdout).contains("22 1/GPa"),
+        "{}",
+        text(&output.stdout)
+    );
+    assert!(folder.path().join("oil.svg").exists());
+
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/data-sheet-oil.toml");
+    let case = std::fs::read_to_string(shipped).unwrap();
+    let own = "temperature = \"40 degC\"\nname = \"oil.toml\"\n";
+    let head = case.split("[lubricant]").next().unwrap();
+    std::fs::write(place("case.toml"), format!("{head}[lubricant]\n{own}")).unwrap();
+    let sheet = "temperature = \"40 degC\"\nkinematic_viscosity_40 = \"46 cSt\"\nkinematic_viscosity_100 = \"6.8 cSt\"\n\
+                 pressure_viscosity_coefficient = \"22 1/GPa\"\n";
+    let sheet = format!(
+        "{head}[lubricant]\n{sheet}{}",
+        std::fs::read_to_string(&density).unwrap()
+    );
+    std::fs::write(place("sheet.toml"), sheet).unwrap();
+    let film = |case: &str| {
+        let output = ertel(&["estimate", &place(case), "--json"]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        json["film"]["central"].as_f64().unwrap()
+    };
+    let (fitted, given) = (film("case.toml"), film("sheet.toml"));
+    assert!((fitted / given - 1.0).abs() < 1e-4, "{fitted} {given}");
+}

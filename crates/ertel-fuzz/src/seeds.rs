@@ -94,6 +94,8 @@ impl Seeds {
         }
         let films = fs::read_to_string(root.join("cases/measured-films.csv"))?;
         inputs.push(of_main(Target::Measured, films.into_bytes()));
+        let sheet = fs::read(root.join("cases/data-sheet-oil.csv"))?;
+        inputs.push(of_main(Target::FitViscosity, sheet));
         for path in files(&root.join("crates/ertel-rheology/data"), "toml")? {
             let mut input = of_main(Target::OwnData, fs::read(&path)?);
             beside(&path, &mut input)?;

@@ -340,6 +340,16 @@ impl CsvTable {
         }))
     }
 
+    /// The first column with a unit of `dimension` in its title, whatever its name.
+    #[must_use]
+    pub fn first_with_unit(&self, dimension: Dimension) -> Option<usize> {
+        let titles = self.titles.iter().enumerate();
+        let mut titles = titles.filter(|(index, _)| !self.is_ignored(*index));
+        titles
+            .find(|(_, title)| title::has_unit(title, dimension))
+            .map(|(index, _)| index)
+    }
+
     fn second(&self, name: &str, first: usize, index: usize) -> CsvError {
         let problem = format!(
             "`{}` is a second column `{name}`; the first is column {}, `{}`; tell which one to take: `--column \"{name}=#{}\"`",

@@ -2,10 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property};
+use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property, Reading};
 use ertel::solution::Field;
 use ertel_input::file::read_table;
-use ertel_rheology::database;
+use ertel_quantity::Dimension;
+use ertel_rheology::viscosity::PressureLaw;
+use ertel_rheology::{DensityLaw, database};
 use pyo3::prelude::*;
 
 use crate::errors::{self, CaseError};
@@ -67,8 +69,8 @@ pub fn table_text(path: PathBuf) -> PyResult<String> {
 /// Fits a law to the text of a CSV table; returns constants (key, SI value, unit in which it is shown, SI interval), the rms of the
 /// relative deviations, warnings, and the text of a file for the lubricant.
 #[pyfunction]
-#[pyo3(signature = (property, file, text, law, hold, title, source))]
-#[allow(clippy::type_complexity)]
+#[pyo3(signature = (property, file, text, law, hold, title, source, density, reference_temperature, pressure_law))]
+#[allow(clippy::type_complexity, clippy::too_many_arguments)]
 pub fn fit_law(
     property: &str,
     file: &str,
@@ -77,6 +79,9 @@ pub fn fit_law(
     hold: Vec<(String, String)>,
     title: &str,
     source: &str,
+    density: Option<&str>,
+    reference_temperature: Option<&str>,
+    pressure_law: &str,
 ) -> PyResult<(
     Vec<(String, f64, String, Option<[f64; 2]>)>,
     f64,
@@ -102,9 +107,34 @@ pub fn fit_law(
         .map(|(key, text)| Ok((key.clone(), fit::parse_constant(law, key, text)?)))
         .collect::<Result<Vec<_>, fit::FitError>>()
         .map_err(|e| bad(e.to_string()))?;
-    let data = Data::parse(file, text, property).map_err(|e| bad(e.to_string()))?;
+    let density = density
+        .map(|name| fit::density_of(name).map_err(|e| bad(format!("density {name}: {e}"))))
+        .transpose()?;
+    let reference_temperature = reference_temperature
+        .map(|text| {
+            ertel_quantity::parse(text, Dimension::TEMPERATURE)
+                .map_err(|e| bad(format!("reference_temperature: {e}")))
+        })
+        .transpose()?;
+    let (_, pressure_law) = (PressureLaw::NAMES.iter())
+        .find(|(name, _)| *name == pressure_law)
+        .ok_or_else(|| bad(format!("pressure_law `{pressure_law}`: roelands or barus")))?;
+    let reading = Reading {
+        density: density.clone(),
+        may_be_ambient: law == LawName::Walther,
+        ..Reading::default()
+    };
+    let data = Data::read(file, text, property, &reading).map_err(|e| bad(e.to_string()))?;
+    let equation_of_state = match &density {
+        Some(DensityLaw::Tait(tait)) => Some(tait.volume.clone()),
+        _ => None,
+    };
     let params = Params {
         held,
+        reference_temperature,
+        equation_of_state,
+        density,
+        pressure_law: *pressure_law,
         ..Params::default()
     };
     let found = fit::fit(&data, law, &params).map_err(|e| bad(format!("{file}: {e}")))?;

@@ -126,6 +126,7 @@ fn walther(pressure: PressureLaw) -> ViscosityLaw {
         density,
         alpha: 20e-9,
         reference_temperature: 313.15,
+        alpha_exponent: 0.0,
         pressure,
     };
     ViscosityLaw::Walther(Walther::new(law).unwrap())

@@ -63,6 +63,7 @@ fn walther(pressure: PressureLaw) -> Walther {
         density: expanding(),
         alpha: 20e-9,
         reference_temperature: 313.15,
+        alpha_exponent: 0.0,
         pressure,
     }
 }

@@ -12,6 +12,7 @@ mod fit_film;
 mod fit_film_ellipses;
 mod fit_film_table;
 mod fit_laws;
+mod fit_walther;
 mod limiting_stress;
 mod main_case;
 mod operator_cache;

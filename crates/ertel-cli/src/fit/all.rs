@@ -1,6 +1,6 @@
 //! `ertel fit viscosity --law all`.
 
-use ertel::fit::{self, LawName, Property};
+use ertel::fit::{self, Property};
 use ertel::words::digits;
 
 use super::{finish, keep_inputs, params, plot_path, read};
@@ -26,9 +26,8 @@ pub fn run(property: Property, arguments: &FitLawArgs) -> Result<(), Failure> {
     }
     let plot = plot_path(arguments)?;
     keep_inputs(arguments, plot.as_deref())?;
-    // Without constants to hold, these are the same for all laws.
-    let params = params(arguments, LawName::Cheng)?;
-    let data = read(arguments, property)?;
+    let params = params(arguments, None)?;
+    let data = read(arguments, property, &params, false)?;
     let ranking = fit::rank(&data, &params);
     let reasons = ranking
         .unranked

@@ -371,6 +371,14 @@ const LUBRICANT: &[Key] = &[
     ("relative_density_15", Number),
     ("base_oil", Choice(&["mineral", "PAO", "ester", "PAG"])),
     ("pressure_viscosity_coefficient", PER_PRESSURE),
+    ("pressure_viscosity_coefficient_20", PER_PRESSURE),
+    ("pressure_viscosity_coefficient_25", PER_PRESSURE),
+    ("pressure_viscosity_coefficient_30", PER_PRESSURE),
+    ("pressure_viscosity_coefficient_40", PER_PRESSURE),
+    ("pressure_viscosity_coefficient_50", PER_PRESSURE),
+    ("pressure_viscosity_coefficient_60", PER_PRESSURE),
+    ("pressure_viscosity_coefficient_80", PER_PRESSURE),
+    ("pressure_viscosity_coefficient_100", PER_PRESSURE),
     ("pressure_law", Choice(&["roelands", "barus"])),
 ];
 
@@ -486,7 +494,14 @@ const VISCOSITIES: &[(&str, &[&str])] = &[
     ("mcewen-paluch", &["mu_0", "a_0", "q", "c_f", "p_inf"]),
     (
         "walther",
-        &["a", "b", "alpha", "reference_temperature", "pressure"],
+        &[
+            "a",
+            "b",
+            "alpha",
+            "alpha_exponent",
+            "reference_temperature",
+            "pressure",
+        ],
     ),
     ("table", TABLE_OF_LAW),
 ];
@@ -495,6 +510,7 @@ const VISCOSITY_KEYS: &[Key] = &[
     ("law", Text),
     ("mu_0", VISCOSITY),
     ("alpha", PER_PRESSURE),
+    ("alpha_exponent", Number),
     // Of Cheng a temperature, of Roelands its reciprocal.
     (
         "beta",

@@ -1,6 +1,7 @@
 //! Measured states and films, fitted by every law and form.
 
-use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property};
+use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property, Reading};
+use ertel_rheology::DensityLaw;
 
 use super::{Verdict, check_text, n_lines};
 use crate::finding::Defect;
@@ -23,32 +24,60 @@ pub fn run(input: &Input) -> Result<Verdict, Defect> {
 }
 
 fn laws(text: &str, property: Property) -> Result<Verdict, Defect> {
+    // As a data sheet has them: without pressures, kinematic viscosities without densities.
+    let density = DensityLaw::constant(870.0).ok();
+    let sheet = Reading {
+        density: density.clone(),
+        may_be_ambient: true,
+        ..Reading::default()
+    };
+    if let Ok(data) = Data::read(FILE, text, property, &sheet) {
+        let held = Params {
+            held: vec![("alpha".into(), 20e-9)],
+            reference_temperature: Some(313.15),
+            density: density.clone(),
+            ..Params::default()
+        };
+        if property == Property::Viscosity {
+            fitted(&data, LawName::Walther, &held)?;
+        }
+    }
     let data = match Data::parse(FILE, text, property) {
         Ok(data) => data,
         Err(error) => return check_csv(&error, text),
+    };
+    let params = Params {
+        density,
+        ..Params::default()
     };
     for law in LawName::ALL
         .into_iter()
         .filter(|law| law.property() == property)
     {
-        match fit::fit(&data, law, &Params::default()) {
-            Ok(fit) => {
-                let heading = Heading {
-                    title: "a fluid".into(),
-                    source: FILE.into(),
-                };
-                fit::entry(&fit, &data, &heading);
-                fit::picture(&fit, &data, &heading.title).svg();
-                let (_, worst) = fit.worst();
-                if !fit.rms().is_finite() || !worst.is_finite() {
-                    let message = format!("{}: rms {}, worst {worst}", law.name(), fit.rms());
-                    return Err(Defect::wrong("a fit that is not finite", message));
-                }
-            }
-            Err(error) => drop(check_text(&error.to_string())?),
-        }
+        fitted(&data, law, &params)?;
     }
     Ok(Verdict::Taken)
+}
+
+/// One fit, with its entry and its picture.
+fn fitted(data: &Data, law: LawName, params: &Params) -> Result<(), Defect> {
+    match fit::fit(data, law, params) {
+        Ok(fit) => {
+            let heading = Heading {
+                title: "a fluid".into(),
+                source: FILE.into(),
+            };
+            fit::entry(&fit, data, &heading);
+            fit::picture(&fit, data, &heading.title).svg();
+            let (_, worst) = fit.worst();
+            if !fit.rms().is_finite() || !worst.is_finite() {
+                let message = format!("{}: rms {}, worst {worst}", law.name(), fit.rms());
+                return Err(Defect::wrong("a fit that is not finite", message));
+            }
+        }
+        Err(error) => drop(check_text(&error.to_string())?),
+    }
+    Ok(())
 }
 
 fn films(text: &str) -> Result<Verdict, Defect> {

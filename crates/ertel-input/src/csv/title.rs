@@ -288,6 +288,14 @@ impl Title {
     }
 }
 
+/// Whether a title, whatever its name, has a unit of a dimension.
+pub(super) fn has_unit(title: &str, dimension: Dimension) -> bool {
+    readings(title).iter().any(|reading| {
+        let unit = unit_of(&reading.unit);
+        unit.is_some_and(|unit| unit.unit.dimension().same_exponents(dimension))
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -216,7 +216,14 @@ class Fit:
 
 
 def fit_viscosity(
-    table: str | os.PathLike[str], law: str, *, hold: Mapping[str, str] | None = None, title: str | None = None
+    table: str | os.PathLike[str],
+    law: str,
+    *,
+    hold: Mapping[str, str] | None = None,
+    title: str | None = None,
+    density: str | os.PathLike[str] | None = None,
+    reference_temperature: str | None = None,
+    pressure_law: str = "roelands",
 ) -> Fit:
     """Fit a viscosity law to a CSV table of measured states, as ``ertel fit viscosity`` does.
 
@@ -230,8 +237,17 @@ def fit_viscosity(
         Constants that keep a value, as ``{"mu_0": "40 mPa.s"}``.
     title : str, optional
         Title of the lubricant; the name of the table by default.
+    density : str or path, optional
+        Name or file of a lubricant with the density: for ``walther``, for ``doolittle`` (a Tait equation), and for tables of
+        kinematic viscosities.
+    reference_temperature : str, optional
+        Reference temperature of the law, as ``"40 degC"``; the isotherm in the middle of the data by default. For ``walther`` with
+        a coefficient ``alpha`` that is held, the temperature at which it holds.
+    pressure_law : str, optional
+        ``roelands`` or ``barus``: how the viscosity of ``walther`` grows with pressure.
     """
-    return _fit("viscosity", Path(table), law, hold, title)
+    given = (None if density is None else os.fspath(density), reference_temperature, pressure_law)
+    return _fit("viscosity", Path(table), law, hold, title, given)
 
 
 def fit_density(
@@ -241,14 +257,21 @@ def fit_density(
     return _fit("density", Path(table), law, hold, title)
 
 
-def _fit(kind: str, path: Path, law: str, hold: Mapping[str, str] | None, title: str | None) -> Fit:
+def _fit(
+    kind: str,
+    path: Path,
+    law: str,
+    hold: Mapping[str, str] | None,
+    title: str | None,
+    given: tuple[str | None, str | None, str] = (None, None, "roelands"),
+) -> Fit:
     held = list((hold or {}).items())
     for key, value in held:
         if not isinstance(value, str):
             raise CaseError(f"hold[{key!r}] = {value!r}: write it with its unit, as \"40 mPa.s\"")
     text = _ertel.table_text(path)
     constants, rms, warnings, entry = _ertel.fit_law(
-        kind, str(path), text, law, held, title or path.stem, path.name
+        kind, str(path), text, law, held, title or path.stem, path.name, *given
     )
     return Fit(
         constants={key: value for key, value, _, _ in constants},

@@ -127,6 +127,9 @@ def fit_law(
     hold: list[tuple[str, str]],
     title: str,
     source: str,
+    density: str | None,
+    reference_temperature: str | None,
+    pressure_law: str,
 ) -> tuple[
     list[tuple[str, float, str, list[float] | None]],
     float,

@@ -87,3 +87,42 @@ fn the_estimate_is_centred_in_measured_slopes() {
     let outside = all.iter().filter(|ratio| !inside.contains(*ratio)).count();
     assert!(outside <= 2, "{outside} of 44 outside the range");
 }
+
+/// Between 30 and 100 degC: how far laws through two coefficients are from the third, measured at 60 degC (mean, rms and largest
+/// deviation of 12 oils, shares), and what one coefficient makes of 100 degC. Decision 28.
+#[test]
+fn coefficients_between_two_temperatures() {
+    let temperatures = [303.15, 333.15, 373.15_f64];
+    let share = |f: &dyn Fn(f64) -> f64| {
+        let [a, b, c] = temperatures.map(f);
+        (b - a) / (c - a)
+    };
+    let power = share(&f64::ln);
+    let linear = share(&|t| t);
+    let lg = share(&|t| (1.0 + (t - 273.15) / 135.0).ln());
+    let rms = |deviation: &dyn Fn([f64; 3], [f64; 3]) -> f64| {
+        let oils = MINERAL.iter().filter(|oil| oil[0].1.is_finite());
+        let deviations: Vec<f64> = oils
+            .map(|oil| {
+                let alpha = oil.map(|(_, alpha)| alpha);
+                let height = oil.map(|(mu, _)| (1e-3 * mu).ln() + 9.67);
+                deviation(alpha, height)
+            })
+            .collect();
+        assert_eq!(deviations.len(), 12);
+        (deviations.iter().map(|d| d * d).sum::<f64>() / 12.0).sqrt()
+    };
+    let geometric = |[a, _, c]: [f64; 3], share: f64| a * (c / a).powf(share);
+    let index = |alpha: [f64; 3], h: [f64; 3]| [0, 1, 2].map(|i| alpha[i] / h[i]);
+    let of_power = rms(&|a, h| geometric(index(a, h), power) * h[1] / a[1] - 1.0);
+    let of_roelands = rms(&|a, h| {
+        let z = index(a, h);
+        (z[0] + (z[2] - z[0]) * lg) * h[1] / a[1] - 1.0
+    });
+    let of_exponential = rms(&|a, _| geometric(a, linear) / a[1] - 1.0);
+    let of_one = rms(&|a, h| index(a, h)[0] * h[2] / a[2] - 1.0);
+    assert_relative_eq!(of_power, 0.042, epsilon = 5e-4);
+    assert_relative_eq!(of_roelands, 0.042, epsilon = 5e-4);
+    assert_relative_eq!(of_exponential, 0.055, epsilon = 5e-4);
+    assert_relative_eq!(of_one, 0.084, epsilon = 5e-4);
+}

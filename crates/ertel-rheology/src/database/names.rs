@@ -106,6 +106,20 @@ pub(crate) fn grade(text: &str) -> Option<f64> {
     ISO_VG_NAMES.contains(&grade).then_some(grade)
 }
 
+/// The kind of base oil whose name is a part of a text, such as `PAO 6`; `None` where there are several kinds, or none.
+pub(crate) fn base_oil_in(text: &str) -> Option<&'static str> {
+    let plain = plain(text);
+    let found = |kind: &&str| {
+        let words = BASE_OILS.iter().filter(|(_, oil)| oil == kind);
+        words.into_iter().any(|(word, _)| plain.contains(word))
+    };
+    let kinds = ["mineral", "PAO", "ester", "PAG"];
+    match kinds.iter().filter(|kind| found(kind)).collect::<Vec<_>>()[..] {
+        [kind] => Some(kind),
+        _ => None,
+    }
+}
+
 /// What may be meant by `name`, which is none of `choices`.
 pub(super) fn meant<'c>(kind: &str, name: &str, choices: &[&'c str]) -> Meant<'c> {
     let wanted = plain(name);

@@ -416,6 +416,179 @@ fn a_sheet_that_contradicts_itself_is_refused() {
     }
 }
 
+/// Two coefficients: the slopes by central differences are the given ones, with both laws of pressure, and fall in between.
+#[test]
+fn coefficients_at_two_temperatures() {
+    let sheet = format!(
+        "{SHEET}pressure_viscosity_coefficient_40 = '22 1/GPa'\npressure_viscosity_coefficient_100 = '13 1/GPa'\n"
+    );
+    for law in ["roelands", "barus"] {
+        let oil = oil(&format!("{sheet}pressure_law = '{law}'")).unwrap();
+        let slope = |celsius: f64| {
+            let (t, step) = (celsius + 273.15, 1e4);
+            let ln = |p: f64| oil.viscosity.ln_viscosity(p, t);
+            1e9 * (ln(step) - ln(-step)) / (2.0 * step)
+        };
+        assert_relative_eq!(slope(40.0), 22.0, max_relative = 1e-6);
+        assert_relative_eq!(slope(100.0), 13.0, max_relative = 1e-6);
+        let slopes: Vec<f64> = (-20..=200).map(|t| slope(f64::from(t))).collect();
+        assert!(slopes.is_sorted_by(|a, b| a > b), "{slopes:?}");
+        assert!(slopes.iter().all(|slope| *slope > 2.0), "{slopes:?}");
+        assert_eq!(oil.reference_temperature, Some(313.15));
+        let key = "pressure_viscosity_coefficient_100";
+        assert_eq!(datum(&oil, key), ("13", "1/GPa", false));
+    }
+    // By hand at 70 degC: Z goes with the power ln(Z₂/Z₁)/ln(373.15/313.15) of the temperature.
+    let oil = oil(&sheet).unwrap();
+    let height = |t: f64| oil.viscosity(0.0, t).ln() + 9.67;
+    let [z_1, z_2] = [(22.0, 313.15), (13.0, 373.15)].map(|(alpha, t)| alpha / height(t));
+    let power = (z_2 / z_1).ln() / (373.15f64 / 313.15).ln();
+    let z = z_1 * (343.15f64 / 313.15).powf(power);
+    assert_relative_eq!(
+        1e9 * oil.pressure_viscosity_slope(343.15),
+        z * height(343.15),
+        max_relative = 1e-9
+    );
+}
+
+/// One coefficient is the same oil by whichever key, to the bit; it holds at the temperature that its key tells.
+#[test]
+fn a_coefficient_tells_its_temperature() {
+    let by = |line: &str| oil(&format!("{SHEET}{line}")).unwrap().viscosity;
+    let at_40 = by("pressure_viscosity_coefficient = '22 1/GPa'");
+    assert_eq!(at_40, by("pressure_viscosity_coefficient_40 = '22 1/GPa'"));
+    let at_80 =
+        by("pressure_viscosity_coefficient = '18 1/GPa'\nreference_temperature = '80 degC'");
+    let named = by("pressure_viscosity_coefficient_80 = '18 1/GPa'");
+    assert_eq!(at_80, named);
+    assert_relative_eq!(
+        named.pressure_viscosity_slope(353.15),
+        18e-9,
+        max_relative = 1e-12
+    );
+}
+
+#[test]
+fn coefficients_that_no_oil_has_are_refused() {
+    let at = |celsius: u32, value: &str| {
+        format!("pressure_viscosity_coefficient_{celsius} = '{value} 1/GPa'\n")
+    };
+    for (lines, line, celsius, part) in [
+        (
+            at(40, "22") + &at(100, "30"),
+            8,
+            "_100",
+            "falls with temperature, but it is 30 1/GPa",
+        ),
+        (
+            at(100, "2") + &at(40, "22"),
+            7,
+            "_100",
+            "more steeply with temperature than that of any oil",
+        ),
+        (
+            at(40, "22") + &at(50, "15"),
+            8,
+            "_50",
+            "more steeply with temperature",
+        ),
+        (
+            at(40, "0") + &at(100, "15"),
+            7,
+            "_40",
+            "between 0 1/Pa (excluded) and",
+        ),
+        (
+            at(40, "22") + &at(100, "-15"),
+            8,
+            "_100",
+            "between 0 1/Pa (excluded) and",
+        ),
+        (
+            at(40, "22") + &at(60, "19") + &at(100, "15"),
+            9,
+            "_100",
+            "at two temperatures",
+        ),
+        (
+            at(100, "15") + "pressure_viscosity_coefficient = '22 1/GPa'",
+            7,
+            "_100",
+            "say the same thing",
+        ),
+    ] {
+        let error = oil(&format!("{SHEET}{lines}")).unwrap_err();
+        let key = format!("lubricant.pressure_viscosity_coefficient{celsius}");
+        assert_eq!(
+            (error.key(), error.line()),
+            (key.as_str(), Some(line)),
+            "{error}"
+        );
+        assert!(error.to_string().contains(part), "{error}");
+    }
+    // No oil: thinner at 100 degC than the pole of Roelands' law.
+    let thin = "kinematic_viscosity_20 = '0.6 cSt'\nkinematic_viscosity_40 = '0.25 cSt'\ndensity_15 = '500 kg/m^3'\n\
+                base_oil = 'mineral'\n";
+    let error = oil(&format!("{thin}{}{}", at(40, "5"), at(100, "4"))).unwrap_err();
+    assert!(
+        error.message().contains("the pole of Roelands' law"),
+        "{error}"
+    );
+}
+
+/// Kinds in any letters; those that there are not get the nearest, or what to give in their place.
+#[test]
+fn kinds_of_base_oil() {
+    let with = |kind: &str| oil(&SHEET.replace("'mineral'", &format!("'{kind}'")));
+    for (kind, name) in [
+        ("Mineral", "mineral"),
+        ("MINERAL OIL", "mineral"),
+        ("pag", "PAG"),
+        ("Pao", "PAO"),
+        ("polyol ester", "ester"),
+        ("API Group IV", "PAO"),
+    ] {
+        assert_eq!(datum(&with(kind).unwrap(), "base_oil").0, name);
+    }
+    let instead =
+        "leave `base_oil` out and give what it would estimate: `pressure_viscosity_coefficient`";
+    for kind in [
+        "naphthenic",
+        "Silicone",
+        "PFPE",
+        "group II",
+        "Group III",
+        "API Group V",
+        "PIB",
+    ] {
+        let error = with(kind).unwrap_err();
+        assert_eq!(error.line(), Some(6), "{error}");
+        assert!(error.message().contains(&format!("`{kind}`")), "{error}");
+        assert!(error.to_string().contains(instead), "{error}");
+    }
+    for (kind, near) in [
+        ("minerl", Some("mineral")),
+        ("PAO 6", Some("PAO")),
+        ("ester oil", Some("ester")),
+        ("mineralisch", Some("mineral")),
+        ("PAO + ester", None),
+        ("synthetic", None),
+        ("grease", None),
+        ("", None),
+    ] {
+        let error = with(kind).unwrap_err().to_string();
+        match near {
+            Some(near) => assert!(
+                error.contains(&format!("did you mean `{near}`?")),
+                "{error}"
+            ),
+            None => assert!(!error.contains("did you mean"), "{error}"),
+        }
+        assert!(error.contains("mineral, PAO, ester, PAG"), "{error}");
+        assert!(error.contains(instead), "{error}");
+    }
+}
+
 #[test]
 fn a_fluid_of_the_database_takes_no_sheet() {
     let document = Document::parse("case.toml", "iso_vg = 46").unwrap();

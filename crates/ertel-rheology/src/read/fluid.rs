@@ -24,7 +24,8 @@ impl Fluid {
     ///
     /// In place of `viscosity`, and of `density` where wanted, the keys of a data sheet: `iso_vg` or
     /// `kinematic_viscosity_40`, `kinematic_viscosity_100` or `viscosity_index`, `density_15`, `density_20` or
-    /// `relative_density_15`, `base_oil`, `pressure_viscosity_coefficient`, `pressure_law`. What they leave open is
+    /// `relative_density_15`, `base_oil`, `pressure_viscosity_coefficient` or those at one or two temperatures
+    /// (`pressure_viscosity_coefficient_40`), `pressure_law`. What they leave open is
     /// estimated ([`crate::data_sheet`]); such numbers have [`Status::Estimated`] in the provenance.
     ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the fluid is called in
@@ -96,6 +97,22 @@ impl Fluid {
             }
         }
         Ok(fluid)
+    }
+
+    /// The density that the table of a fluid gives alone: its law, or what the keys of a data sheet (`density_15` with `base_oil`)
+    /// make of it; `None` where it gives none.
+    ///
+    /// # Errors
+    ///
+    /// Whatever is wrong with the law or a value, with its line.
+    pub fn density_from_table(
+        table: &mut Table<'_>,
+        files: Files<'_>,
+    ) -> Result<Option<DensityLaw>, InputError> {
+        match read_density(table, files)? {
+            Some(law) => Ok(Some(law)),
+            None => data_sheet::density(table),
+        }
     }
 
     /// Replaces what the table gives, key by key; a law is replaced as a whole. Keys as in [`Fluid::from_table`].

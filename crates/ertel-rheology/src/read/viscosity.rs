@@ -32,7 +32,7 @@ impl ViscosityLaw {
     /// | `mcewen` | `mu_0`, `alpha`, `q` |
     /// | `paluch` | `mu_0` or `mu_inf`, `c_f`, `p_inf` |
     /// | `mcewen-paluch` | `mu_0`, `a_0`, `q`, `c_f`, `p_inf` |
-    /// | `walther` | `a`, `b`, `alpha`, `reference_temperature`; optional `pressure` (`roelands` or `barus`); needs a density law beside it |
+    /// | `walther` | `a`, `b`, `alpha`, `reference_temperature`; optional `alpha_exponent`, `pressure` (`roelands` or `barus`); needs a density law beside it |
     /// | `table` | `file`, a CSV file; or `isotherms`, `units` |
     ///
     /// # Errors
@@ -249,6 +249,9 @@ fn walther(table: &mut Table<'_>, density: Option<&DensityLaw>) -> Result<Walthe
         density,
         alpha: alpha(table)?,
         reference_temperature: reference_temperature(table)?,
+        alpha_exponent: table
+            .optional_number("alpha_exponent", Bounds::closed(-10.0, 10.0))?
+            .unwrap_or(0.0),
         pressure: table
             .optional_choice("pressure", &PressureLaw::NAMES)?
             .unwrap_or(PressureLaw::Roelands),

@@ -17,9 +17,18 @@ use crate::{DensityLaw, Scalar};
 ///
 /// Over temperature the equation of Walther and MacCoull as in ASTM D341, whose exponential term matters below 2 mm²/s;
 /// `ν` follows from `z` by the practice's approximation `ν = y - exp(-0.7487 - 3.295 y + 0.6119 y² - 0.3193 y³)`,
-/// `y = z - 0.7`. The index Z follows from the coefficient α at the reference temperature and is the same at every
-/// temperature: at others the initial slope is `Z (ln μ₀(T) + 9.67)/p₀`. Above the temperature where that would vanish
-/// (μ₀ = 63 µPa·s) pressure has no influence.
+/// `y = z - 0.7`. The index Z follows from the coefficient α at the reference temperature; at others the initial slope is
+/// `Z (ln μ₀(T) + 9.67)/p₀`. Above the temperature where that would vanish (μ₀ = 63 µPa·s) pressure has no influence.
+///
+/// Of an oil whose coefficient is known at two temperatures, Z (of Barus: α) goes with a power of the absolute temperature,
+///
+/// ```text
+/// Z(T) = Z(T_R) (T/T_R)^k        Barus:  α(T) = α(T_R) (T/T_R)^k
+/// ```
+///
+/// which is positive and monotone at every temperature. k = 0, the same index at every temperature, is Roelands' law itself. He
+/// lets Z follow `C + D lg(1 + t/135)`, t in degC, which is within 1 % of the power between 30 and 100 degC but negative
+/// somewhere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Walther {
     /// Constant A of Walther's equation (-).
@@ -32,6 +41,8 @@ pub struct Walther {
     pub alpha: f64,
     /// Reference temperature T_R at which `alpha` holds (K).
     pub reference_temperature: f64,
+    /// Exponent k of the absolute temperature in the index Z, of Barus in α (-).
+    pub alpha_exponent: f64,
     /// How the viscosity grows with pressure.
     pub pressure: PressureLaw,
 }
@@ -69,6 +80,7 @@ impl Walther {
         check.positive("b", constants.b)?;
         check.not_negative("alpha", constants.alpha)?;
         check.positive("reference_temperature", constants.reference_temperature)?;
+        check.finite("alpha_exponent", constants.alpha_exponent)?;
         let ln_mu = constants.ln_ambient(constants.reference_temperature);
         check.that(
             ln_mu > -POLE_LN_VISCOSITY && ln_mu < 30.0,
@@ -105,12 +117,39 @@ impl Walther {
             + self.density.density(D::from(0.0), temperature).ln()
     }
 
+    /// Exponent k with which the initial slope is `alpha_1` and `alpha_2` (1/Pa) at two temperatures (K), whatever `alpha` is:
+    ///
+    /// ```text
+    /// k = ln(Z₂/Z₁)/ln(T₂/T₁),   Z = α p₀/(ln μ₀(T) + 9.67);   Barus: α in place of Z
+    /// ```
+    ///
+    /// `None` where a viscosity is not above the pole of Roelands' law, or a coefficient not above zero.
+    #[must_use]
+    pub fn exponent(&self, [(t_1, alpha_1), (t_2, alpha_2)]: [(f64, f64); 2]) -> Option<f64> {
+        let index = |temperature: f64, alpha: f64| match self.pressure {
+            PressureLaw::Barus => alpha,
+            PressureLaw::Roelands => alpha / (self.ln_ambient(temperature) + POLE_LN_VISCOSITY),
+        };
+        let [z_1, z_2] = [index(t_1, alpha_1), index(t_2, alpha_2)];
+        let exponent = (z_2 / z_1).ln() / (t_2 / t_1).ln();
+        (z_1 > 0.0 && z_2 > 0.0 && exponent.is_finite()).then_some(exponent)
+    }
+
+    /// `rise` as it is at the reference temperature, at `temperature` (K).
+    #[inline]
+    fn at<D: Scalar>(&self, temperature: D, rise: D) -> D {
+        if self.alpha_exponent == 0.0 {
+            return rise;
+        }
+        rise * ((temperature / self.reference_temperature).ln() * self.alpha_exponent).exp()
+    }
+
     /// `ln μ`, μ in Pa·s, at `pressure` (Pa above ambient) and `temperature` (K).
     #[inline]
     pub fn ln_viscosity<D: Scalar>(&self, pressure: D, temperature: D) -> D {
         let ambient = self.ln_ambient(temperature);
         match self.pressure {
-            PressureLaw::Barus => ambient + pressure * self.alpha,
+            PressureLaw::Barus => ambient + self.at(temperature, pressure * self.alpha),
             PressureLaw::Roelands => {
                 let height = ambient + POLE_LN_VISCOSITY;
                 if height.re() <= 0.0 {
@@ -119,7 +158,8 @@ impl Walther {
                 let p_0 = Roelands::PRESSURE_CONSTANT;
                 let at_reference = self.ln_ambient(self.reference_temperature) + POLE_LN_VISCOSITY;
                 let index = self.alpha * p_0 / at_reference;
-                ambient + height * ((pressure / p_0).ln_1p() * index).exp_m1()
+                let exponent = self.at(temperature, (pressure / p_0).ln_1p() * index);
+                ambient + height * exponent.exp_m1()
             }
         }
     }

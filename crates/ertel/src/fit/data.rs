@@ -1,11 +1,12 @@
 //! Measured states from a CSV file.
 
-use ertel_input::csv::{Column, CsvParams, CsvTable, Row, Vocabulary, line_list};
-use ertel_quantity::{Dimension, STANDARD_ATMOSPHERE};
+use ertel_input::csv::{CsvParams, CsvTable, Vocabulary, line_list};
+use ertel_quantity::Dimension;
+use ertel_rheology::DensityLaw;
 
 pub use ertel_input::csv::CsvError as DataError;
-use ertel_input::{Bounds, excerpt};
 
+use super::header::{Header, expected};
 use crate::case::question_of_state;
 
 /// What was measured.
@@ -26,7 +27,7 @@ impl Property {
         }
     }
 
-    fn dimension(self) -> Dimension {
+    pub(super) fn dimension(self) -> Dimension {
         match self {
             Self::Viscosity => Dimension::VISCOSITY,
             Self::Density => Dimension::DENSITY,
@@ -45,6 +46,17 @@ pub struct State {
     pub value: f64,
     /// Line of the file, from 1.
     pub line: usize,
+}
+
+/// What the user tells about a table of states.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Reading {
+    /// Which column is which, and the decimal mark.
+    pub table: CsvParams,
+    /// Density of the fluid, by which a kinematic viscosity is multiplied where the table has no column of it.
+    pub density: Option<DensityLaw>,
+    /// Whether a table without a column of pressures is one at ambient pressure, as data sheets have it; otherwise it is an error.
+    pub may_be_ambient: bool,
 }
 
 /// Measured states.
@@ -86,18 +98,37 @@ impl Data {
         property: Property,
         params: &CsvParams,
     ) -> Result<Self, DataError> {
+        let reading = Reading {
+            table: params.clone(),
+            ..Reading::default()
+        };
+        Self::read(file, text, property, &reading)
+    }
+
+    /// The same with all that the user may tell.
+    ///
+    /// # Errors
+    ///
+    /// As [`Data::parse_with`].
+    pub fn read(
+        file: &str,
+        text: &str,
+        property: Property,
+        reading: &Reading,
+    ) -> Result<Self, DataError> {
         let names = [&COLUMNS[..], &[property.name()]].concat();
         let vocabulary = Vocabulary {
             names: &names,
             is_key: &|_| false,
         };
-        let table = CsvTable::parse_for(file, text, &vocabulary, params).map_err(|mut error| {
-            if error.line == 1 && error.problem.contains("empty") {
-                error.problem += &format!("; {}", expected(property));
-            }
-            error
-        })?;
-        let header = Header::of(&table, property)?;
+        let table =
+            CsvTable::parse_for(file, text, &vocabulary, &reading.table).map_err(|mut error| {
+                if error.line == 1 && error.problem.contains("empty") {
+                    error.problem += &format!("; {}", expected(property));
+                }
+                error
+            })?;
+        let header = Header::of(&table, property, reading)?;
         let mut states = Vec::new();
         let mut left_out = Vec::new();
         for row in table.rows() {
@@ -115,12 +146,13 @@ impl Data {
             let name = property.name();
             notes.push(format!("no {name} stands in {}", line_list(&left_out)));
         }
-        if let Some(column) = &header.density {
-            let title = excerpt(table.header().cell(column.index));
-            notes.push(format!(
-                "the kinematic viscosity is multiplied by the density of column `{title}`"
-            ));
+        if header.is_ambient() {
+            notes.push(
+                "there is no column `pressure`: all states count as measured at ambient pressure"
+                    .to_owned(),
+            );
         }
+        notes.extend(header.density_note(&table));
         notes.extend(question(property, &states));
         Ok(Self {
             file: file.to_owned(),
@@ -147,39 +179,6 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
     })
 }
 
-fn expected(property: Property) -> String {
-    let value = match property {
-        Property::Viscosity => "viscosity_mPa_s",
-        Property::Density => "density_kg_per_m3",
-    };
-    format!(
-        "a line names the columns with their units, such as `pressure_MPa, temperature_K, {value}` (or \
-         `absolute_pressure_MPa`); or tell where they stand, such as `--column {}=\"Title of the column:{}\"`",
-        property.name(),
-        property.dimension().si_unit()
-    )
-}
-
-/// Values beyond which no lubricant was measured; the laws' numbers leave floating point far from there.
-const TEMPERATURES: [f64; 2] = [1.0, 1e4];
-const LARGEST_PRESSURE: f64 = 1e12;
-const VISCOSITIES: [f64; 2] = [1e-9, 1e30];
-const KINEMATIC_VISCOSITIES: [f64; 2] = [1e-12, 1e27];
-const DENSITIES: [f64; 2] = [1e-6, 1e6];
-
-/// The column of a kinematic viscosity where there is none of a dynamic one.
-fn kinematic(table: &CsvTable) -> Result<Option<Column>, DataError> {
-    if table.find("viscosity", Dimension::VISCOSITY)?.is_some() {
-        return Ok(None);
-    }
-    for name in ["viscosity", "kinematic viscosity"] {
-        if let Some(column) = table.find(name, Dimension::KINEMATIC_VISCOSITY)? {
-            return Ok(Some(column));
-        }
-    }
-    Ok(None)
-}
-
 /// Columns of every table of states, by the names of the program.
 const COLUMNS: [&str; 5] = [
     "pressure",
@@ -201,134 +200,6 @@ fn question(property: Property, states: &[State]) -> Option<String> {
     });
     let worst = asked.max_by(|a, b| a.excess.total_cmp(&b.excess))?;
     Some(worst.text)
-}
-
-struct Header {
-    pressure: Column,
-    absolute: bool,
-    temperature: Column,
-    value: Column,
-    /// The density that a kinematic viscosity is multiplied by.
-    density: Option<Column>,
-    values: [f64; 2],
-}
-
-impl Header {
-    fn of(table: &CsvTable, property: Property) -> Result<Self, DataError> {
-        let find = |name, dimension| table.find_with_unit(name, dimension);
-        let need = |found: Option<Column>, name: &str| {
-            found.ok_or_else(|| {
-                let problem = format!(
-                    "there is no column `{name}`; {}; the columns are {}",
-                    expected(property),
-                    table.header().cells().join(", ")
-                );
-                table.error(table.header(), 0, problem)
-            })
-        };
-        // By its unit first: a pressure without one may be the absolute one.
-        let absolute = table.find("absolute pressure", Dimension::PRESSURE)?;
-        let gauge = match absolute {
-            Some(_) => table.find("pressure", Dimension::PRESSURE)?,
-            None => find("pressure", Dimension::PRESSURE)?,
-        };
-        let (pressure, absolute) = match (gauge, absolute) {
-            (Some(_), Some(second)) => {
-                let problem = "give `pressure` or `absolute_pressure`, not both";
-                return Err(table.error(table.header(), second.index, problem));
-            }
-            (None, Some(absolute)) => (absolute, true),
-            (None, None) => match find("absolute pressure", Dimension::PRESSURE)? {
-                Some(absolute) => (absolute, true),
-                None => (need(None, "pressure")?, false),
-            },
-            (pressure, None) => (need(pressure, "pressure")?, false),
-        };
-        let temperature = find("temperature", Dimension::TEMPERATURE)?;
-        let (value, density) = match (property, kinematic(table)?) {
-            (Property::Viscosity, Some(value)) => {
-                let density = table.find("density", Dimension::DENSITY)?;
-                if density.is_none() {
-                    let problem = format!(
-                        "the column `{}` is a kinematic viscosity; a law of the dynamic viscosity μ = ρ ν needs the density of each \
-                         state, too: add a column such as `density_kg_per_m3`",
-                        excerpt(table.header().cell(value.index))
-                    );
-                    return Err(table.error(table.header(), value.index, problem));
-                }
-                (Some(value), density)
-            }
-            (Property::Viscosity | Property::Density, _) => {
-                (find(property.name(), property.dimension())?, None)
-            }
-        };
-        Ok(Self {
-            pressure,
-            absolute,
-            temperature: need(temperature, "temperature")?,
-            value: need(value, property.name())?,
-            density,
-            values: match property {
-                Property::Viscosity => VISCOSITIES,
-                Property::Density => DENSITIES,
-            },
-        })
-    }
-
-    /// The state of a line; `None` if the value is left out.
-    fn state(&self, table: &CsvTable, row: &Row) -> Result<Option<State>, DataError> {
-        let is_missing = |column: &Column| table.is_missing(row, column.index);
-        if is_missing(&self.value) || self.density.as_ref().is_some_and(is_missing) {
-            return Ok(None);
-        }
-        let within = |column: &Column, [low, high]: [f64; 2]| {
-            let value = table.required_number(row, column)?;
-            let cell = row.cell(column.index);
-            let problem = if value <= 0.0 {
-                format!(
-                    "{}: {cell} is impossible: it must be above zero (absolute zero for a temperature)",
-                    column.name
-                )
-            } else if value < low || value > high {
-                let unit = column.unit.dimension().si_unit();
-                let range = Bounds::closed(low, high).describe(&unit);
-                format!(
-                    "{}: {cell} is far from any lubricant: it must be {range}",
-                    column.name
-                )
-            } else {
-                return Ok(value);
-            };
-            Err(table.error(row, column.index, problem))
-        };
-        let mut pressure = table.required_number(row, &self.pressure)?;
-        if self.absolute {
-            pressure -= STANDARD_ATMOSPHERE;
-        }
-        let problem = if pressure < -STANDARD_ATMOSPHERE {
-            Some("is below vacuum".to_owned())
-        } else if pressure > LARGEST_PRESSURE {
-            Some(format!("is above {LARGEST_PRESSURE:e} Pa"))
-        } else {
-            None
-        };
-        if let Some(problem) = problem {
-            let cell = row.cell(self.pressure.index);
-            let problem = format!("{}: {cell} {problem}", self.pressure.name);
-            return Err(table.error(row, self.pressure.index, problem));
-        }
-        Ok(Some(State {
-            pressure,
-            temperature: within(&self.temperature, TEMPERATURES)?,
-            value: match &self.density {
-                Some(density) => {
-                    within(density, DENSITIES)? * within(&self.value, KINEMATIC_VISCOSITIES)?
-                }
-                None => within(&self.value, self.values)?,
-            },
-            line: row.line,
-        }))
-    }
 }
 
 #[cfg(test)]

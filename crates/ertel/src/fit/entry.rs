@@ -4,11 +4,12 @@ use std::fmt::Write;
 
 use ertel_quantity::COVERAGE;
 use ertel_rheology::density::TaitVolume;
-use ertel_rheology::viscosity::Doolittle;
+use ertel_rheology::viscosity::{Doolittle, PressureLaw, Walther};
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
-use super::law::written;
-use super::{Data, Fit, FittedLaw, Residual};
+use super::law::{written, written_to};
+use super::walther::AMBIENT;
+use super::{Data, Fit, FittedConstant, FittedLaw, LawName, Residual, density};
 use crate::words::digits;
 
 /// What stands above the numbers.
@@ -23,7 +24,7 @@ pub struct Heading {
 /// TOML text of the fitted law in the format of the database: head, range, the law with its constants, and in notes the
 /// scatter and the intervals.
 ///
-/// An entry for the viscosity is complete without density; one for the density is completed by a viscosity.
+/// An entry for the viscosity is complete without density; that of Walther's law has the density that it was fitted with. One for the density is completed by a viscosity.
 pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
     let mut text = String::new();
     let mut line = |s: &str| {
@@ -60,6 +61,10 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
         let text = "The intervals are too wide, or none, for an uncertainty that contacts could reckon with.";
         line(&format!("    {},", quoted(text)));
     }
+    if is_ambient(fit, data) {
+        let text = "All states are at ambient pressure: alpha was given, and the range of pressures is not known.";
+        line(&format!("    {},", quoted(text)));
+    }
     for warning in &fit.warnings {
         line(&format!("    {},", quoted(&format!("Warning: {warning}."))));
     }
@@ -74,12 +79,14 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
     let [p_low, p_high] = data.pressure_range();
     let [t_low, t_high] = data.temperature_range();
     line("[validity]");
-    line(&format!(
-        "pressure = [\"{}\", \"{}\"]",
-        // Data taken at ambient pressure begin there
-        written(p_low.max(0.0), "MPa"),
-        written(p_high, "MPa")
-    ));
+    if !is_ambient(fit, data) {
+        line(&format!(
+            "pressure = [\"{}\", \"{}\"]",
+            // Data taken at ambient pressure begin there
+            written(p_low.max(0.0), "MPa"),
+            written(p_high, "MPa")
+        ));
+    }
     line(&format!(
         "temperature = [\"{}\", \"{}\"]",
         written(t_low, "K"),
@@ -97,10 +104,10 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
         let text = match constant.standard.filter(|_| uncertain) {
             Some(standard) => format!(
                 "\"{} ± {}\"",
-                written(constant.value, constant.unit),
+                written_to(n_digits(fit, constant), constant.value, constant.unit),
                 written(COVERAGE * standard, constant.unit)
             ),
-            None => value(constant.value, constant.unit),
+            None => value(n_digits(fit, constant), constant.value, constant.unit),
         };
         line(&format!("{} = {text}", constant.key));
     }
@@ -113,6 +120,13 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
     if let FittedLaw::Viscosity(ViscosityLaw::Doolittle(Doolittle { volume, .. })) = &fit.law {
         line(&format!("equation_of_state = {}", equation(volume)));
     }
+    let walther = match &fit.law {
+        FittedLaw::Viscosity(ViscosityLaw::Walther(law)) => Some(law),
+        _ => None,
+    };
+    if let Some(law) = walther {
+        line(&format!("pressure = \"{}\"", pressure_law(law)));
+    }
     if uncertain {
         for ([one, other], coefficient) in &fit.correlations {
             let [of, with] = [one, other].map(|i| fit.constants[*i].key);
@@ -122,7 +136,30 @@ pub fn entry(fit: &Fit, data: &Data, heading: &Heading) -> String {
             ));
         }
     }
+    if let Some(law) = walther {
+        line(&format!("\n{}", density::section(&law.density).trim_end()));
+    }
     text
+}
+
+/// Whether the states say nothing of pressure, which is then that of a coefficient that the user gives.
+fn is_ambient(fit: &Fit, data: &Data) -> bool {
+    fit.name == LawName::Walther && data.pressure_range()[1] < AMBIENT
+}
+
+/// Digits of a constant: A and B of Walther's equation are two exponents above the viscosity.
+fn n_digits(fit: &Fit, constant: &FittedConstant) -> usize {
+    match (fit.name, constant.key) {
+        (LawName::Walther, "a" | "b") => 10,
+        _ => 6,
+    }
+}
+
+/// The name of the growth with pressure.
+fn pressure_law(law: &Walther) -> &'static str {
+    let names = PressureLaw::NAMES.iter();
+    let mut own = names.filter(|(_, pressure)| *pressure == law.pressure);
+    own.next().map_or("roelands", |(name, _)| name)
 }
 
 /// Whether all intervals are so narrow that the constants keep their sign within four standard deviations: then the entry hands their
@@ -172,8 +209,8 @@ fn intervals(fit: &Fit) -> String {
     text + "."
 }
 
-fn value(value: f64, unit: &str) -> String {
-    let text = written(value, unit);
+fn value(n_digits: usize, value: f64, unit: &str) -> String {
+    let text = written_to(n_digits, value, unit);
     if unit.is_empty() {
         text
     } else {

@@ -6,11 +6,11 @@ use ertel_rheology::density::{
 };
 use ertel_rheology::viscosity::{
     Barus, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
-    Roelands, TemperatureSlope,
+    PressureLaw, Roelands, TemperatureSlope, Walther,
 };
 use ertel_rheology::{DensityLaw, LawError, ViscosityLaw};
 
-use super::{Data, FitError, Params, Property};
+use super::{Data, FitError, Params, Property, walther};
 
 /// Spread of temperatures (K) below which the data count as one isotherm: thermostats hold less.
 pub(super) const ISOTHERM: f64 = 0.5;
@@ -39,6 +39,8 @@ pub enum LawName {
     Paluch,
     /// Viscosity, one isotherm: the product of both.
     Hybrid,
+    /// Viscosity, with a density law.
+    Walther,
     /// Density.
     Tait,
     /// Density.
@@ -47,7 +49,7 @@ pub enum LawName {
 
 impl LawName {
     /// All laws.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Cheng,
         Self::Roelands,
         Self::Wlf,
@@ -57,6 +59,7 @@ impl LawName {
         Self::McEwen,
         Self::Paluch,
         Self::Hybrid,
+        Self::Walther,
         Self::Tait,
         Self::DowsonHigginson,
     ];
@@ -73,6 +76,7 @@ impl LawName {
             Self::McEwen => "mcewen",
             Self::Paluch => "paluch",
             Self::Hybrid => "mcewen-paluch",
+            Self::Walther => "walther",
             Self::Tait => "tait",
             Self::DowsonHigginson => "dowson-higginson",
         }
@@ -191,10 +195,12 @@ struct Start {
     slope: f64,
     /// Whether there is more than one temperature.
     thermal: bool,
+    /// A and B of Walther's equation.
+    walther: (f64, f64),
 }
 
 impl Start {
-    fn of(data: &Data, reference_temperature: Option<f64>) -> Self {
+    fn of(data: &Data, reference_temperature: Option<f64>, density: Option<&DensityLaw>) -> Self {
         let [low, high] = data.temperature_range();
         let nearest = |to: f64| {
             let distance = |s: &super::State| (s.temperature - to).abs();
@@ -226,6 +232,7 @@ impl Start {
             value,
             slope,
             thermal: high - low > ISOTHERM,
+            walther: walther::start(data, density),
         }
     }
 }
@@ -332,6 +339,15 @@ fn constants(law: LawName, start: &Start) -> Vec<Constant> {
             positive("p_inf", "GPa", Dimension::PRESSURE, FAR),
         ],
         LawName::Doolittle => vec![mu_0(), number("b", 4.0), number("r_0", 0.65)],
+        LawName::Walther => {
+            let (a, b) = start.walther;
+            vec![
+                any("a", "", Dimension::DIMENSIONLESS, a, 1.0),
+                number("b", b),
+                positive("alpha", "1/GPa", per_pressure, start.slope),
+                any("alpha_exponent", "", Dimension::DIMENSIONLESS, 0.0, 1.0).hold(),
+            ]
+        }
         LawName::Tait => {
             // The secant modulus over the data is about twice that at ambient pressure; exp(-β_K T_R) belongs to it.
             let k_0 = 0.5 / start.slope;
@@ -368,7 +384,8 @@ fn constants(law: LawName, start: &Start) -> Vec<Constant> {
             | LawName::Yasutomi
             | LawName::McEwen
             | LawName::Paluch
-            | LawName::Hybrid => {}
+            | LawName::Hybrid
+            | LawName::Walther => {}
         }
     }
     list
@@ -380,6 +397,7 @@ pub(super) fn parse_constant(law: LawName, key: &str, text: &str) -> Result<f64,
         value: 1.0,
         slope: 1e-9,
         thermal: true,
+        walther: walther::USUAL,
     };
     let constants = constants(law, &start);
     let constant = constants
@@ -406,9 +424,14 @@ fn unknown(law: LawName, key: &str, constants: &[Constant]) -> FitError {
 
 /// Text of a value (SI) in a unit, as a data file has it: `40 mPa.s`, or a bare number.
 pub(super) fn written(value: f64, unit: &str) -> String {
+    written_to(6, value, unit)
+}
+
+/// The same with so many significant digits.
+pub(super) fn written_to(n_digits: usize, value: f64, unit: &str) -> String {
     // The units are those of the table above, which parse.
     let shown = Unit::parse(unit).map_or(value, |unit| unit.from_si(value));
-    let number = crate::words::digits(shown, 6);
+    let number = crate::words::digits(shown, n_digits);
     if unit.is_empty() {
         number
     } else {
@@ -423,6 +446,8 @@ pub(super) struct Model {
     t_r: f64,
     thermal: bool,
     equation_of_state: Option<TaitVolume>,
+    density: Option<DensityLaw>,
+    pressure_law: PressureLaw,
 }
 
 impl Model {
@@ -435,7 +460,11 @@ impl Model {
             let thermal = volume.thermal.as_ref()?;
             (law == LawName::Doolittle).then_some(thermal.reference_temperature)
         });
-        let start = Start::of(data, params.reference_temperature.or(of_volume));
+        let start = Start::of(
+            data,
+            params.reference_temperature.or(of_volume),
+            params.density.as_ref(),
+        );
         let mut constants = constants(law, &start);
         let place = |constants: &[Constant], key: &str| {
             constants
@@ -452,19 +481,25 @@ impl Model {
             constants[i].held = true;
             constants[i].start = *value;
         }
+        if law == LawName::Walther {
+            let is_held = |key: &str| constants.iter().any(|c| c.key == key && c.held);
+            walther::check(data, params, is_held)?;
+        }
         Ok(Self {
             law,
             constants,
             t_r: start.t_r,
             thermal: start.thermal,
             equation_of_state: params.equation_of_state.clone(),
+            density: params.density.clone(),
+            pressure_law: params.pressure_law,
         })
     }
 
     /// Reference temperature (K) where the law has one.
     pub(super) fn reference_temperature(&self) -> Option<f64> {
         match self.law {
-            LawName::Cheng => Some(self.t_r),
+            LawName::Cheng | LawName::Walther => Some(self.t_r),
             LawName::Barus
             | LawName::Wlf
             | LawName::Yasutomi
@@ -555,6 +590,23 @@ impl Model {
                 })?;
                 let law = Doolittle::new(v[0], v[1], v[2], occupied, volume)?;
                 viscosity(ViscosityLaw::Doolittle(law))
+            }
+            LawName::Walther => {
+                let law = Walther::new(Walther {
+                    a: v[0],
+                    b: v[1],
+                    // `new` has seen to it that there is a density.
+                    density: self.density.clone().ok_or(LawError::NotFinite {
+                        law: "walther",
+                        key: "density",
+                        value: f64::NAN,
+                    })?,
+                    alpha: v[2],
+                    reference_temperature: t_r,
+                    alpha_exponent: v[3],
+                    pressure: self.pressure_law,
+                })?;
+                viscosity(ViscosityLaw::Walther(law))
             }
             LawName::Tait => {
                 let softening = thermal.then(|| BulkModulusSoftening {

@@ -12,15 +12,19 @@
 //! ```
 
 mod data;
+mod density;
 mod entry;
 mod film;
+mod header;
 mod law;
 mod least_squares;
 mod picture;
 mod ranking;
 mod sense;
+mod walther;
 
-pub use data::{Data, DataError, Property, State};
+pub use data::{Data, DataError, Property, Reading, State};
+pub use density::{DensityError, density_of};
 pub use entry::{Heading, entry};
 pub use film::{
     Estimate, FilmFit, FilmFitError, FilmForm, FilmKind, FilmState, Films, FormError, Given,
@@ -34,8 +38,9 @@ pub use ranking::{Ranked, Ranking, Unranked, rank};
 pub use sense::{LARGEST_RMS, nonsense};
 
 use ertel_quantity::QuantityError;
-use ertel_rheology::LawError;
 use ertel_rheology::density::TaitVolume;
+use ertel_rheology::viscosity::PressureLaw;
+use ertel_rheology::{DensityLaw, LawError};
 
 use law::{Constant, Model};
 
@@ -68,6 +73,10 @@ pub struct Params {
     pub confidence: f64,
     /// Volume for Doolittle's law.
     pub equation_of_state: Option<TaitVolume>,
+    /// Density for Walther's law.
+    pub density: Option<DensityLaw>,
+    /// How the viscosity of Walther's law grows with pressure.
+    pub pressure_law: PressureLaw,
 }
 
 impl Default for Params {
@@ -79,6 +88,8 @@ impl Default for Params {
             residual: Residual::Relative,
             confidence: 0.95,
             equation_of_state: None,
+            density: None,
+            pressure_law: PressureLaw::Roelands,
         }
     }
 }
@@ -115,6 +126,29 @@ pub enum FitError {
     /// Doolittle's law without volume.
     #[error("Doolittle's law needs the volume of the fluid: give a Tait equation of state")]
     NoEquationOfState,
+    /// Walther's law without density.
+    #[error(
+        "Walther's law of the kinematic viscosity needs the density of the fluid: give a density law"
+    )]
+    NoDensity,
+    /// Walther's law with a density that an entry cannot hold.
+    #[error(
+        "the density of the fluid is a table, which does not fit into an entry: give a formula, such as `tait` or `dowson-higginson`"
+    )]
+    TabulatedDensity,
+    /// No pressures for the coefficient of Walther's law.
+    #[error(
+        "the data have no pressures above ambient, which tell nothing of `alpha` of the law `walther`: hold it, and give the reference temperature at which it holds"
+    )]
+    NoPressures,
+    /// A coefficient is held, but not told at which temperature.
+    #[error(
+        "`alpha` of the law `walther` is held: give the reference temperature at which it holds"
+    )]
+    NoReferenceTemperature,
+    /// A constant is held at a value that the law does not allow.
+    #[error("a constant that is held is not allowed: {0}")]
+    Held(LawError),
     /// The confidence is no probability.
     #[error("the confidence {0} is not between 0 and 1")]
     Confidence(f64),
@@ -263,6 +297,12 @@ pub fn fit(data: &Data, law: LawName, params: &Params) -> Result<Fit, FitError> 
         }
         values
     };
+    let is_held = |key: &str| params.held.iter().any(|(held, _)| held == key);
+    if let Err(error) = model.build(&values(&[]))
+        && is_held(error.key())
+    {
+        return Err(FitError::Held(error));
+    }
     let measured = data.states.iter().map(|s| s.value);
     let mean = measured.sum::<f64>() / data.states.len() as f64;
     let residuals = |x: &[f64], r: &mut [f64]| {

@@ -1,13 +1,16 @@
 //! Oils by their data sheet.
 
+mod base_oil;
+mod coefficient;
 mod data;
 mod viscosity;
 
+use self::base_oil::{needs_base_oil, read_base_oil};
+use self::coefficient::COEFFICIENTS;
 use self::data::{estimated, figures, given};
 use self::viscosity::{DYNAMIC, KINEMATIC, has_dynamic, points};
 use super::{density::reference_temperature, locate};
 use crate::data_sheet::{BaseOil, WATER_AT_15};
-use crate::database::names::plain;
 use crate::density::{DowsonHigginson, ThermalExpansion};
 use crate::provenance::{Datum, ValidityRange};
 use crate::viscosity::{PressureLaw, Walther};
@@ -27,6 +30,10 @@ const KEYS: [&str; 8] = [
     "pressure_law",
 ];
 
+/// Those of the density.
+const DENSITY_KEYS: [&str; 3] = ["density_15", "density_20", "relative_density_15"];
+
+const ZERO_CELSIUS: f64 = 273.15;
 const CELSIUS_15: f64 = 288.15;
 const CELSIUS_20: f64 = 293.15;
 const CELSIUS_40: f64 = 313.15;
@@ -42,9 +49,18 @@ pub(super) struct Sheet {
 
 /// Whether the table has keys of a data sheet; the first of them.
 pub(super) fn first_key(table: &mut Table<'_>) -> Option<&'static str> {
-    let viscosities = KINEMATIC.iter().chain(&DYNAMIC).map(|(key, _)| *key);
-    let mut all = viscosities.chain(KEYS);
+    let of_temperature = KINEMATIC.iter().chain(&DYNAMIC).chain(&COEFFICIENTS);
+    let mut all = of_temperature.map(|(key, _)| *key).chain(KEYS);
     all.find(|key| table.contains(key))
+}
+
+/// The law of the density that the keys of a data sheet make; `None` where the table has none of the density.
+pub(super) fn density(table: &mut Table<'_>) -> Result<Option<DensityLaw>, InputError> {
+    if !DENSITY_KEYS.iter().any(|key| table.contains(key)) {
+        return Ok(None);
+    }
+    let base_oil = read_base_oil(table)?;
+    read_density(table, base_oil, &mut Vec::new()).map(Some)
 }
 
 /// Reads the keys of a data sheet. `density` is the law of the density where the table has one.
@@ -67,10 +83,9 @@ pub(super) fn read(
         Some(law) => law,
         None => density_law(table, density, base_oil, &mut data)?,
     };
-    let reference = if table.contains("reference_temperature") {
-        reference_temperature(table)?
-    } else {
-        CELSIUS_40
+    let reference = match table.contains("reference_temperature") {
+        true => Some(reference_temperature(table)?),
+        false => None,
     };
     let (a, b) = Walther::constants(points);
     let mut law = Walther {
@@ -78,12 +93,14 @@ pub(super) fn read(
         b,
         density: density.clone(),
         alpha: 0.0,
-        reference_temperature: reference,
+        reference_temperature: reference.unwrap_or(CELSIUS_40),
+        alpha_exponent: 0.0,
         pressure: table
             .optional_choice("pressure_law", &PressureLaw::NAMES)?
             .unwrap_or(PressureLaw::Roelands),
     };
-    law.alpha = coefficient(table, &law, base_oil, &mut data)?;
+    coefficient::read(table, &mut law, base_oil, &mut data)?;
+    let reference = reference.unwrap_or(law.reference_temperature);
     let viscosity = Walther::new(law).map_err(locate(table))?;
     Ok(Sheet {
         density,
@@ -100,50 +117,6 @@ pub(super) fn read(
     })
 }
 
-/// Kinds of oils for which no correlation with a source is known here, in small letters and digits.
-const WITHOUT_CORRELATION: [&str; 20] = [
-    "naphthenic",
-    "naphthenisch",
-    "groupii",
-    "groupiii",
-    "groupv",
-    "apigroupii",
-    "apigroupiii",
-    "gruppeii",
-    "gruppeiii",
-    "silicone",
-    "silikon",
-    "siliconeoil",
-    "silikonoel",
-    "pdms",
-    "pfpe",
-    "perfluoropolyether",
-    "waterglycol",
-    "wasserglykol",
-    "hfc",
-    "polybutene",
-];
-
-fn read_base_oil(table: &mut Table<'_>) -> Result<Option<BaseOil>, InputError> {
-    let key = "base_oil";
-    let Some(text) = table.optional_str(key)? else {
-        return Ok(None);
-    };
-    let plain = plain(text);
-    if let Some(base_oil) = BaseOil::by_other_name(&plain) {
-        return Ok(Some(base_oil));
-    }
-    if WITHOUT_CORRELATION.contains(&plain.as_str()) {
-        return Err(table
-            .error(key, format!("no correlation with a source is known here for the base oil `{text}`"))
-            .with_help(
-                "leave `base_oil` out and give what it would estimate: `pressure_viscosity_coefficient`, two viscosities or one with \
-                 `viscosity_index`, and a law of the density, such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }",
-            ));
-    }
-    table.optional_choice(key, &BaseOil::NAMES)
-}
-
 /// The law that the table has, or the one by the density of the sheet.
 fn density_law(
     table: &mut Table<'_>,
@@ -154,8 +127,7 @@ fn density_law(
     let Some(law) = law else {
         return read_density(table, base_oil, data);
     };
-    let keys = ["density_15", "density_20", "relative_density_15"];
-    match keys.into_iter().find(|key| table.contains(key)) {
+    match DENSITY_KEYS.into_iter().find(|key| table.contains(key)) {
         None => Ok(law),
         Some(key) => Err(twice(table, key, "density")),
     }
@@ -219,41 +191,6 @@ fn read_density(
     };
     let law = DowsonHigginson::new(rho_0, Some(thermal)).map_err(locate(table))?;
     Ok(DensityLaw::DowsonHigginson(law))
-}
-
-/// Pressure-viscosity coefficient (1/Pa) at the reference temperature of `law`, measured or by correlation.
-fn coefficient(
-    table: &mut Table<'_>,
-    law: &Walther,
-    base_oil: Option<BaseOil>,
-    data: &mut Vec<Datum>,
-) -> Result<f64, InputError> {
-    let key = "pressure_viscosity_coefficient";
-    let bounds = Bounds::closed(0.0, 100e-9);
-    if let Some(alpha) = table.optional_quantity(key, Dimension::INVERSE_PRESSURE, bounds)? {
-        data.push(given(table, key, figures(1e9 * alpha), "1/GPa"));
-        return Ok(alpha);
-    }
-    let Some(base_oil) = base_oil else {
-        return Err(needs_base_oil(table, key));
-    };
-    let nu: f64 = law.kinematic_viscosity(law.reference_temperature);
-    let estimate = base_oil.pressure_viscosity(nu);
-    let of_pressure = Dimension::INVERSE_PRESSURE;
-    Ok(estimated(
-        table,
-        data,
-        (key, &estimate),
-        of_pressure,
-        (1e9, "1/GPa"),
-    ))
-}
-
-fn needs_base_oil(table: &Table<'_>, key: &str) -> InputError {
-    let names = BaseOil::NAMES.map(|(name, _)| name).join(", ");
-    table.missing(key).with_help(format!(
-        "`base_oil` lets it be estimated; it is one of: {names}"
-    ))
 }
 
 fn twice(table: &Table<'_>, key: &str, other: &str) -> InputError {

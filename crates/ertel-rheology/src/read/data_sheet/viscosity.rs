@@ -1,7 +1,7 @@
 //! Viscosities of a data sheet: two of them, one with the viscosity index, or a grade.
 
 use super::data::{computed, estimated, figures, given};
-use super::{CELSIUS_40, CELSIUS_100};
+use super::{CELSIUS_40, CELSIUS_100, ZERO_CELSIUS};
 use crate::DensityLaw;
 use crate::data_sheet::{
     BaseOil, Estimate, ISO_VG, ISO_VG_NAMES, ISO_VG_TOLERANCE, Spread, viscosity_at_40,
@@ -21,7 +21,6 @@ const DYNAMIC_VISCOSITIES: Bounds = Bounds::closed(1e-4, 1e3);
 const INDICES: Bounds = Bounds::closed(-200.0, 500.0);
 /// Difference between a given and a computed index that rounding explains.
 const INDEX_TOLERANCE: f64 = 5.0;
-const ZERO_CELSIUS: f64 = 273.15;
 
 /// Keys of kinematic viscosities, with their temperatures in degC.
 pub(super) const KINEMATIC: [(&str, f64); 8] = [
