@@ -140,6 +140,10 @@ impl Column {
 /// Ends of `n` elements from 0 to `depth`, the first of size `first` at the most, each larger than the one
 /// before by the same ratio.
 fn graded(n: usize, depth: f64, first: f64) -> Vec<f64> {
+    if n == 1 {
+        // No ratio makes one element longer.
+        return vec![0.0, depth];
+    }
     let first = first.min(depth / n as f64);
     let sum = |ratio: f64| (0..n).map(|k| first * ratio.powi(k as i32)).sum::<f64>();
     let (mut low, mut high) = (1.0, 2.0);
@@ -166,6 +170,19 @@ fn graded(n: usize, depth: f64, first: f64) -> Vec<f64> {
 mod tests {
     use super::*;
     use approx::assert_relative_eq;
+
+    /// Elements fill the depth, the first no longer than asked for, each longer than the one before; one alone is as long as the depth.
+    #[test]
+    fn elements_fill_the_depth() {
+        assert_eq!(graded(1, 3.15, 0.02), [0.0, 3.15]);
+        for n in [2, 4, 64] {
+            let ends = graded(n, 3.15, 0.02);
+            assert_eq!((ends.len(), ends[n]), (n + 1, 3.15));
+            assert!(ends[1] <= 0.02 + 1e-12);
+            let sizes: Vec<f64> = ends.windows(2).map(|pair| pair[1] - pair[0]).collect();
+            assert!(sizes.windows(2).all(|pair| pair[1] > 0.999 * pair[0]));
+        }
+    }
 
     /// Each layer integrates and differentiates Z³ exactly, and walls are shared.
     #[test]
