@@ -3,15 +3,13 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use ertel_input::Document;
-
 use ertel::case::Case;
 use ertel::problem::problem;
 use ertel::solution::{Figure, Figures};
-use ertel::solve::discretisation::Discretisation;
-use ertel::solve::discretisation::{ContactSurface, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
 use ertel::solve::figures::note_roller;
 use ertel::solve::system::State;
+use ertel_input::Document;
 
 const ROLLER: &str = r#"
     [contact]

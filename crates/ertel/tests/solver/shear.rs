@@ -5,8 +5,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use ertel_input::Document;
-
 use ertel::case::Case;
 use ertel::problem::problem;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
@@ -14,6 +12,7 @@ use ertel::solve::region::{Elements, Region};
 use ertel::solve::sequence::Problem;
 use ertel::solve::shear::{Frictions, friction};
 use ertel::solve::system::State;
+use ertel_input::Document;
 
 /// A ball that turns on the spot and slides both ways; spin of both bodies, slide-to-roll ratios.
 fn case(kind: &str, motion: &str, rest: &str) -> Case {

@@ -2,13 +2,11 @@
 
 use std::path::Path;
 
-use ertel_input::Document;
-
 use ertel::case::Case;
 use ertel::problem::problem;
-use ertel::solve::discretisation::ContactSurface;
-use ertel::solve::discretisation::Means;
+use ertel::solve::discretisation::{ContactSurface, Means};
 use ertel::solve::heat::sides::{SideRule, outer_sides};
+use ertel_input::Document;
 
 const CASE: &str = r#"
     [contact]

@@ -3,19 +3,16 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use ertel_input::Document;
-
 use ertel::case::Case;
 use ertel::problem::problem;
-use ertel::solve::discretisation::Discretisation;
-use ertel::solve::discretisation::{ContactSurface, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
 use ertel::solve::evaluate::{central_film, minimum_film};
 use ertel::solve::newton::NewtonStats;
 use ertel::solve::sequence::stage_run::{Finish, StageRun};
 use ertel::solve::sequence::start::cold_start;
 use ertel::solve::sequence::{Problem, Stage};
-use ertel::solve::system::System;
-use ertel::solve::system::{FilmConstants, State};
+use ertel::solve::system::{FilmConstants, State, System};
+use ertel_input::Document;
 
 const CASE: &str = r#"
     [contact]

@@ -4,8 +4,7 @@ use ertel_fem::platform::Instant;
 
 use super::{Problem, Stage};
 use crate::contact::ContactKind;
-use crate::solution::LevelStats;
-use crate::solution::Role;
+use crate::solution::{LevelStats, Role};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::figures::{Extent, figures};

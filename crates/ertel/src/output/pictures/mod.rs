@@ -9,7 +9,6 @@ mod maps;
 mod profile;
 mod sampling;
 
-use crate::words::TemperatureScale;
 pub use convergence::convergence;
 pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use heat::{cross_film_chart, temperature_chart};
@@ -21,6 +20,7 @@ use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side
 use rayon::prelude::*;
 
 use crate::solution::Solution;
+use crate::words::TemperatureScale;
 
 /// Film thicknesses are shown in nm below this value (m), else in µm.
 const NANOMETRES_BELOW: f64 = 1e-6;
