@@ -330,6 +330,16 @@ def test_data_and_fits(root: Path, tmp_path: Path, line: dict[str, Any]) -> None
     assert float(solve(ertel.Case(folder=tmp_path, **line)).film_central) > 1e-8
     with pytest.raises(ertel.CaseError, match="roelands"):
         ertel.fit_viscosity(table, "reynolds")
+    # A data sheet without pressures.
+    sheet = root / "cases" / "data-sheet-oil.csv"
+    with pytest.raises(ertel.CaseError, match="density"):
+        ertel.fit_viscosity(sheet, "walther")
+    with pytest.raises(ertel.CaseError, match="alpha"):
+        ertel.fit_viscosity(sheet, "walther", density="iso-vg-46-mineral")
+    oil = ertel.fit_viscosity(
+        sheet, "walther", density="iso-vg-46-mineral", hold={"alpha": "22 1/GPa"}, reference_temperature="40 degC"
+    )
+    assert abs(oil.constants["a"] - 9.3247) < 0.01 and "[density]" in oil.text
 
 
 def test_fluids_by_name(tmp_path: Path) -> None:

@@ -107,13 +107,15 @@ fn viscosity_laws() -> Vec<ViscosityLaw> {
             })
             .unwrap(),
         ),
-        walther(PressureLaw::Roelands),
-        walther(PressureLaw::Barus),
+        walther(PressureLaw::Roelands, 0.0),
+        walther(PressureLaw::Barus, 0.0),
+        walther(PressureLaw::Roelands, -0.8),
+        walther(PressureLaw::Barus, -2.5),
         ViscosityLaw::Table(viscosity::Table::new(t, p, v).unwrap()),
     ]
 }
 
-fn walther(pressure: PressureLaw) -> ViscosityLaw {
+fn walther(pressure: PressureLaw, alpha_exponent: f64) -> ViscosityLaw {
     let thermal = ThermalExpansion {
         reference_temperature: 288.15,
         temperature_coefficient: 6.4e-4,
@@ -126,7 +128,7 @@ fn walther(pressure: PressureLaw) -> ViscosityLaw {
         density,
         alpha: 20e-9,
         reference_temperature: 313.15,
-        alpha_exponent: 0.0,
+        alpha_exponent,
         pressure,
     };
     ViscosityLaw::Walther(Walther::new(law).unwrap())
