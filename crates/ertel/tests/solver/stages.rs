@@ -38,8 +38,8 @@ const CASE: &str = r#"
 #[test]
 fn cold_starts_lack_the_entrained_flow() {
     let slender = CASE.replace(
-        "kind = \"circular\"\n        radius = \"10 mm\"",
-        "kind = \"elliptical\"\n        radius_x = \"730 mm\"\n        radius_y = \"20 mm\"",
+        "kind = \"circular\"\n    radius = \"10 mm\"",
+        "kind = \"elliptical\"\n    radius_x = \"730 mm\"\n    radius_y = \"20 mm\"",
     );
     assert_ne!(slender, CASE);
     for text in [CASE, &slender] {
