@@ -321,7 +321,7 @@ fn root() -> PathBuf {
 
 /// The numbers of a constant, or of the first field of this name that has a number, as the source has them.
 fn constant(file: &str, name: &str) -> Vec<f64> {
-    let text = fs::read_to_string(root().join("crates/ertel/src").join(file)).unwrap();
+    let text = fs::read_to_string(root().join("crates/ertel-ehl/src").join(file)).unwrap();
     if name.starts_with(|c: char| c.is_lowercase()) {
         let key = format!(" {name}: ");
         let fields = text.split(&key).skip(1);
