@@ -33,6 +33,17 @@ const downloads = mkdtempSync(join(tmpdir(), "ertel-downloads-"));
 const options = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run", "--disable-extensions",
   "--disable-background-networking", "--hide-scrollbars", "--remote-debugging-pipe", `--user-data-dir=${profile}`, "about:blank"];
 const chromium = spawn(CHROMIUM, options, { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+// Processes of a browser that has ended may write into its profile for a while; what stays then is no error of the page.
+const remove = async (folder) => {
+  for (let trial = 0; trial < 50; trial++) {
+    try {
+      return rmSync(folder, { recursive: true, force: true });
+    } catch {
+      await new Promise((done) => setTimeout(done, 100));
+    }
+  }
+  console.log(`${folder} could not be removed`);
+};
 const waiting = new Map();
 const problems = [];
 const foreign = [];
@@ -231,5 +242,5 @@ try {
   chromium.kill();
   await ended;
   server.close();
-  for (const folder of [profile, downloads]) rmSync(folder, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
+  for (const folder of [profile, downloads]) await remove(folder);
 }

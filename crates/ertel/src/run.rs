@@ -1,4 +1,16 @@
 //! From a case to its solution.
+//!
+//! ```
+//! # use ertel::{case::Case, run, solution::Field, solve::Silent};
+//! # let roller = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/roller.toml");
+//! let case = Case::read(roller.as_ref())?;
+//! let solution = run::solve(&case, &mut Silent)?;
+//! let fields = solution.fields();
+//! let pressure = fields.values(Field::Pressure).expect("every contact has a pressure");
+//! let largest = pressure.iter().copied().fold(0.0, f64::max);
+//! assert!((largest / solution.summary.pressure_maximum.value - 1.0).abs() < 0.01);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use std::sync::Arc;
 

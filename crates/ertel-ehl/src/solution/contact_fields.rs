@@ -4,18 +4,6 @@ use super::{Field, FilmTemperatures, Solution, SurfaceField};
 use crate::contact::{ContactKind, Shape, Symmetry};
 
 /// Fields at the points of the whole contact area, SI.
-///
-/// ```
-/// # use ertel::{case::Case, run, solution::Field, solve::Silent};
-/// # let roller = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/roller.toml");
-/// let case = Case::read(roller.as_ref())?;
-/// let solution = run::solve(&case, &mut Silent)?;
-/// let fields = solution.fields();
-/// let pressure = fields.values(Field::Pressure).expect("every contact has a pressure");
-/// let largest = pressure.iter().copied().fold(0.0, f64::max);
-/// assert!((largest / solution.summary.pressure_maximum.value - 1.0).abs() < 0.01);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ContactFields {
     /// Points, m; y = 0 in line contacts.
