@@ -1,4 +1,4 @@
-//! Where elastic responses may be kept from one solve to the next; how is the affair of who implements it.
+//! Where elastic responses may be kept from one solve to the next. The solver knows this trait alone; files are written by its users.
 
 use std::fmt;
 

@@ -268,7 +268,7 @@ fn without_pressure(law: &impl Fluidity, scales: &StressScales, slide: f64) -> f
         }
         let next = tau * (-step).exp();
         if step.abs() < 1e-3 {
-            // Before the bracket: a step of round-off ends on its end, and half of that would be far off.
+            // Taken without a look at the bracket: a step as small as rounding stays on its edge, and bisection would halve the stress.
             tau = next;
             break;
         }

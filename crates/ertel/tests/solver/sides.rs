@@ -8,24 +8,7 @@ use ertel::solve::discretisation::{ContactSurface, Means};
 use ertel::solve::heat::sides::{SideRule, outer_sides};
 use ertel_input::Document;
 
-const CASE: &str = r#"
-    [contact]
-    kind = "circular"
-    radius = "10 mm"
-    load = "20 N"
-    [bodies]
-    body_1 = "steel"
-    body_2 = "steel"
-    [motion]
-    entrainment_speed = "1 m/s"
-    slide_to_roll_ratio = 0.0
-    [lubricant]
-    temperature = "40 degC"
-    density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-    viscosity = { law = "barus", mu_0 = "40 mPa.s", alpha = "10 1/GPa" }
-    [mesh]
-    preset = "coarse"
-"#;
+use super::CASE;
 
 /// Gauss's theorem, with fields that are known on each side: through the sides round a set of elements, ∮ x n_x dl = ∮ y n_y dl = A and
 /// ∮ xy² n_x dl = ∫ y² dA, on all of half a contact and within its Hertz zone. A side that is another's, or that

@@ -14,24 +14,7 @@ use ertel::solve::sequence::{Problem, Stage};
 use ertel::solve::system::{FilmConstants, State, System};
 use ertel_input::Document;
 
-const CASE: &str = r#"
-    [contact]
-    kind = "circular"
-    radius = "10 mm"
-    load = "20 N"
-    [bodies]
-    body_1 = "steel"
-    body_2 = "steel"
-    [motion]
-    entrainment_speed = "1 m/s"
-    slide_to_roll_ratio = 0.0
-    [lubricant]
-    temperature = "40 degC"
-    density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
-    viscosity = { law = "barus", mu_0 = "40 mPa.s", alpha = "10 1/GPa" }
-    [mesh]
-    preset = "coarse"
-"#;
+use super::CASE;
 
 /// The dry contact with oil in it lacks the entrained flow and little else, in circles and along the longer axis of an ellipse ten
 /// times as long as wide: 38 times the entrained flow with a stabilisation that has no regard for how long its cells are.
