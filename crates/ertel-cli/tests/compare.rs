@@ -47,8 +47,8 @@ fn films_are_compared_with_those_of_a_sweep() {
     assert_eq!(output.status.code(), Some(0), "{progress}");
     assert!(progress.contains("3/3: point"), "{progress}");
     for words in [
-        "central film, computed against measured",
-        "minimum film, computed against measured",
+        "central film thickness, computed against measured",
+        "minimum film thickness, computed against measured",
         "of 4, within the combined uncertainty; 1 rows have no measurement uncertainty",
         "the table gives no measurement uncertainty",
         "4 of 4 rows compared, 3 points",

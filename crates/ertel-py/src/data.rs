@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use ertel::fit::{self, Data, FilmForm, FilmKind, Heading, LawName, Params, Property, Reading};
-use ertel::solution::Field;
+use ertel::solution::{Field, Figure};
 use ertel_input::file::read_table;
 use ertel_quantity::Dimension;
 use ertel_rheology::viscosity::PressureLaw;
@@ -242,4 +242,12 @@ pub fn fluid(
 #[pyfunction]
 pub fn field_names() -> Vec<(&'static str, &'static str, &'static str)> {
     Field::ALL.map(|f| (f.name(), f.unit(), f.words())).to_vec()
+}
+
+/// Name, words and symbol of every figure, in the order in which they are told; symbols of those that are shown first.
+#[pyfunction]
+pub fn figure_names() -> Vec<(&'static str, &'static str, &'static str)> {
+    Figure::ALL
+        .map(|f| (f.name(), f.words(), f.symbol()))
+        .to_vec()
 }

@@ -40,5 +40,6 @@ fn _ertel(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(data::fit_film, module)?)?;
     module.add_function(wrap_pyfunction!(data::fluid, module)?)?;
     module.add_function(wrap_pyfunction!(data::field_names, module)?)?;
+    module.add_function(wrap_pyfunction!(data::figure_names, module)?)?;
     Ok(())
 }

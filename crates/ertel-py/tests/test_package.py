@@ -148,6 +148,14 @@ def test_fields(line: dict[str, Any]) -> None:
     with pytest.raises(KeyError, match="film_thickness"):
         result.field("film")
     assert result.sensitivities["film_central"]["contact.load"] < 0.0
+    figures = result.figures()
+    assert list(figures.index) == list(result.to_dict()["figures"]), "every figure of the result"
+    assert result.figure("friction_power") == result.friction_power and result.friction_power.unit == "W/m"
+    assert float(result.film_centreline_minimum) == pytest.approx(float(result.film_minimum), rel=1e-3)
+    assert result.heat_shear is None, "there is no heat"
+    assert result.pressure_maximum.place == (figures.loc["pressure_maximum", "x"], 0.0)
+    with pytest.raises(KeyError, match="roller_moment"):
+        result.figure("moment")
     assert "h_c" in repr(result) and "<table>" in result._repr_html_()
 
 

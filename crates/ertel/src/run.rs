@@ -286,7 +286,7 @@ fn describe(
         fluid: problem.fluid.clone(),
         constants: finest.stage.constants,
     };
-    let measured = measure(problem, finest, levels);
+    let measured = measure(problem, finest, levels).with_meniscus(&case.supply);
     let traction = post::summary::traction(&measured);
     let film_reduction = post::summary::film_reduction(levels, &measured);
     let summary = post::summary::summarise(finest, &measured, &model, &scales);
@@ -386,6 +386,7 @@ fn describe(
         summary,
         starvation: Starvation::of(&measured, &case.supply),
         roller: RollerFigures::of(&measured),
+        measured,
         mixed,
         traction,
         summed_to,

@@ -31,15 +31,6 @@ const STEP_FROM_ZERO: f64 = 1e-3;
 /// Step of differences of solves, of an input without an uncertainty; with one, the step is its standard deviation.
 const STEP_OF_SOLVES: f64 = 0.01;
 
-/// Figures that differences of solves are taken of.
-const FIGURES_WITH_HEAT: [Figure; 5] = [
-    Figure::FilmCentral,
-    Figure::FilmMinimum,
-    Figure::PressureCentral,
-    Figure::TractionCoefficient,
-    Figure::FilmTemperatureMaximum,
-];
-
 /// Why an input has no derivative where values on neither side of it are allowed.
 const AT_ITS_BOUND: &str = "a case may have no value near it";
 
@@ -68,18 +59,18 @@ pub fn by_differences(
     let of = |problem: &Problem, solution: &StageSolution| -> Vec<Option<f64>> {
         let (d, state) = (&solution.discretisation, &solution.state);
         let found = figures(problem, &problem.fluid, d, state, Extent::All);
-        FIGURES_WITH_HEAT.map(|figure| found.value(figure)).to_vec()
+        Figure::TRACED.map(|figure| found.value(figure)).to_vec()
     };
     let values = of(own, start.solution());
     let present: Vec<usize> = (0..values.len())
-        .filter(|i| values[*i].is_some() && resolved(FIGURES_WITH_HEAT[*i]))
+        .filter(|i| values[*i].is_some() && resolved(Figure::TRACED[*i]))
         .collect();
     let mut sensitivities = Sensitivities {
         by_adjoint: false,
         inputs: Vec::new(),
         figures: (present.iter())
             .map(|i| FigureSensitivity {
-                figure: FIGURES_WITH_HEAT[*i],
+                figure: Figure::TRACED[*i],
                 value: values[*i].unwrap_or(f64::NAN),
                 derivatives: Vec::new(),
             })

@@ -109,7 +109,7 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
         "traction coefficient",
         "friction power",
         "largest shear stress",
-        "mean in the Hertz zone",
+        "mean film temperature",
         "heat made by shear",
         "reduction by heat",
     ] {
@@ -176,7 +176,9 @@ fn the_middle_is_told_and_the_ridge_is_a_lower_bound() {
             "{line}"
         );
         assert!(
-            result(&report, "smooth maximum").unwrap().contains("±"),
+            result(&report, "smooth pressure maximum")
+                .unwrap()
+                .contains("±"),
             "{report}"
         );
         let json = result_json(&case.echo(), &solution).unwrap();

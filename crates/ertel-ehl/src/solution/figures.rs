@@ -4,133 +4,185 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::{Estimate, Located};
 
-/// Declares the figures with their names and units, once.
+use super::figure_kinds::Extent;
+pub use super::figure_kinds::{ErrorClass, Kind, Section};
+
+/// Declares the figures, each in one row: all that the report, the page, the tables, the documents and Python tell of it.
 macro_rules! figures {
-    ($($(#[$doc:meta])* $variant:ident, $name:literal, $unit:literal;)*) => {
+    ($($(#[$doc:meta])* $variant:ident, $name:literal, $symbol:literal, $words:literal, $kind:ident, $section:ident, $class:ident, $place:ident;)*) => {
         /// A figure that carries an error bar.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub enum Figure {
             $($(#[$doc])* $variant,)*
         }
 
         impl Figure {
-            /// Every figure.
+            /// Every figure, in the order in which they are told.
             pub const ALL: [Figure; [$($name),*].len()] = [$(Figure::$variant),*];
 
-            /// Name in results.
-            pub fn name(self) -> &'static str {
+            /// Name in results, tables and Python.
+            pub const fn name(self) -> &'static str {
                 match self {
                     $(Figure::$variant => $name,)*
                 }
             }
 
-            /// SI unit; empty where it has none, or another one per length in line contacts.
-            pub fn unit(self) -> &'static str {
+            /// Symbol of those that are shown first; empty of the others.
+            pub fn symbol(self) -> &'static str {
                 match self {
-                    $(Figure::$variant => $unit,)*
+                    $(Figure::$variant => $symbol,)*
                 }
             }
+
+            /// What it is, in words.
+            pub fn words(self) -> &'static str {
+                match self {
+                    $(Figure::$variant => $words,)*
+                }
+            }
+
+            /// Which physical quantity it is: its unit, and how it is written.
+            pub fn kind(self) -> Kind {
+                match self {
+                    $(Figure::$variant => Kind::$kind,)*
+                }
+            }
+
+            /// Part of the report in which it is told.
+            pub fn section(self) -> Section {
+                match self {
+                    $(Figure::$variant => Section::$section,)*
+                }
+            }
+
+            /// By what its error bar is bounded from below.
+            pub fn error_class(self) -> ErrorClass {
+                match self {
+                    $(Figure::$variant => ErrorClass::$class,)*
+                }
+            }
+
+            /// Whether it is somewhere on the contact area; else it belongs to the whole contact, or its place is known beforehand.
+            pub fn has_place(self) -> bool {
+                match self {
+                    $(Figure::$variant => Extent::$place == Extent::Place,)*
+                }
+            }
+
         }
     };
 }
 
 figures! {
     /// Film thickness at the centre of the contact.
-    FilmCentral, "film_central", "m";
+    FilmCentral, "film_central", "h_c", "central film thickness", Length, Film, Film, Whole;
     /// Smallest film thickness.
-    FilmMinimum, "film_minimum", "m";
+    FilmMinimum, "film_minimum", "h_min", "minimum film thickness", Length, Film, Film, Place;
     /// Smallest film thickness on the centreline.
-    FilmCentrelineMinimum, "film_centreline_minimum", "m";
+    FilmCentrelineMinimum, "film_centreline_minimum", "", "minimum film on the centreline", Length, Film, FilmOnCentreline, Place;
     /// Largest pressure.
-    PressureMaximum, "pressure_maximum", "Pa";
+    PressureMaximum, "pressure_maximum", "p_max", "largest pressure", PeakPressure, Pressure, LargestPressure, Place;
     /// Top of the smooth hill of the pressure on which the centre of the contact lies.
-    PressureCentral, "pressure_central", "Pa";
+    PressureCentral, "pressure_central", "p_c", "smooth pressure maximum", PeakPressure, Pressure, CentralPressure, Place;
     /// Largest pressure of the ridge before the outlet of a point contact, or of another hill beside the central one.
-    PressureRidge, "pressure_ridge", "Pa";
+    PressureRidge, "pressure_ridge", "", "pressure ridge at the outlet", PeakPressure, Pressure, PressureRidge, Place;
     /// Largest pressure over the quarter of a roller at its end y < 0.
-    EdgePressureLeft, "edge_pressure_left", "Pa";
+    EdgePressureLeft, "edge_pressure_left", "", "largest pressure, end y < 0", PeakPressure, Roller, EdgePressureLeft, Place;
     /// The same at its end y > 0.
-    EdgePressureRight, "edge_pressure_right", "Pa";
+    EdgePressureRight, "edge_pressure_right", "", "largest pressure, end y > 0", PeakPressure, Roller, EdgePressureRight, Place;
     /// Moment of the pressure about the middle of a roller.
-    RollerMoment, "roller_moment", "N m";
+    RollerMoment, "roller_moment", "", "moment about the middle", Moment, Roller, Integral, Whole;
     /// Distance of the resultant of the pressure from the middle of a roller.
-    LoadPosition, "load_position", "m";
+    LoadPosition, "load_position", "", "resultant force at y", Offset, Roller, Integral, Whole;
     /// Pressure spike near the outlet on the centreline.
-    Spike, "spike", "Pa";
+    Spike, "pressure_spike", "", "pressure spike (centreline)", PeakPressure, Pressure, Spike, Place;
     /// Where the film breaks on the centreline.
-    OutletPosition, "outlet_position", "m";
+    OutletPosition, "outlet_position", "", "outlet boundary (centreline)", Position, Pressure, Outlet, Whole;
     /// Where the gap is full from on, on the centreline.
-    MeniscusPosition, "meniscus_position", "m";
+    MeniscusPosition, "meniscus_position", "", "fully flooded from (centreline)", Position, Supply, Meniscus, Whole;
     /// Traction coefficient from the stress at mid-film.
-    TractionCoefficient, "traction_coefficient", "";
-    /// The same from the stress at the plane.
-    TractionCoefficientBody1, "traction_coefficient_body_1", "";
-    /// The same from the stress at the ball.
-    TractionCoefficientBody2, "traction_coefficient_body_2", "";
+    TractionCoefficient, "traction_coefficient", "µ", "traction coefficient", Coefficient, Traction, Integral, Whole;
+    /// The same from the stress at the surface of body 1.
+    TractionCoefficientBody1, "traction_coefficient_body_1", "", "traction coefficient, body 1", Coefficient, Traction, WallTraction, Whole;
+    /// The same from the stress at the surface of body 2.
+    TractionCoefficientBody2, "traction_coefficient_body_2", "", "traction coefficient, body 2", Coefficient, Traction, WallTraction, Whole;
     /// Traction force at mid-film: N, or N/m.
-    TractionForce, "traction_force", "";
+    TractionForce, "traction_force", "", "traction force", Force, Traction, Integral, Whole;
     /// Traction coefficient across the motion, from the stress at mid-film.
-    TractionCoefficientAcross, "traction_coefficient_across", "";
-    /// The same from the stress at the plane.
-    TractionCoefficientAcrossBody1, "traction_coefficient_across_body_1", "";
-    /// The same from the stress at the ball.
-    TractionCoefficientAcrossBody2, "traction_coefficient_across_body_2", "";
+    TractionCoefficientAcross, "traction_coefficient_across", "", "traction across the motion", Coefficient, Traction, Integral, Whole;
+    /// The same from the stress at the surface of body 1.
+    TractionCoefficientAcrossBody1, "traction_coefficient_across_body_1", "", "traction across, body 1", Coefficient, Traction, WallTraction, Whole;
+    /// The same from the stress at the surface of body 2.
+    TractionCoefficientAcrossBody2, "traction_coefficient_across_body_2", "", "traction across, body 2", Coefficient, Traction, WallTraction, Whole;
     /// Traction force across the motion at mid-film: N, or N/m.
-    TractionForceAcross, "traction_force_across", "";
+    TractionForceAcross, "traction_force_across", "", "traction force across", Force, Traction, Integral, Whole;
     /// Moment of the traction at mid-film about the contact normal.
-    TractionMoment, "traction_moment", "N m";
+    TractionMoment, "traction_moment", "", "moment about the contact normal", Moment, Traction, Integral, Whole;
     /// Work of the surfaces on the film: W, or W/m.
-    FrictionPower, "friction_power", "";
+    FrictionPower, "friction_power", "", "friction power", Power, Traction, FrictionPower, Whole;
     /// Largest shear stress anywhere in the film.
-    ShearStressMaximum, "shear_stress_maximum", "Pa";
+    ShearStressMaximum, "shear_stress_maximum", "", "largest shear stress", Stress, Shear, ShearStress, Whole;
     /// Share of the Hertz zone where stress thins the fluid.
-    BeyondFirstLimit, "beyond_first_limit", "";
+    BeyondFirstLimit, "beyond_first_limit", "", "Hertz zone thinned by shear", Share, Shear, ShareOfZone, Whole;
     /// Share where it brings the fluid to its second plateau.
-    BeyondSecondLimit, "beyond_second_limit", "";
+    BeyondSecondLimit, "beyond_second_limit", "", "Hertz zone on the second plateau", Share, Shear, ShareOfZone, Whole;
     /// Largest temperature of the film.
-    FilmTemperatureMaximum, "film_temperature_maximum", "K";
+    FilmTemperatureMaximum, "film_temperature_maximum", "T_max", "largest film temperature", Temperature, Temperature, FilmHottest, Place;
     /// Smallest temperature of the film.
-    FilmTemperatureLowest, "film_temperature_lowest", "K";
+    FilmTemperatureLowest, "film_temperature_lowest", "", "lowest film temperature", Temperature, Temperature, FilmColdest, Place;
     /// Mean temperature of the film over the Hertz zone.
-    FilmTemperatureMean, "film_temperature_mean", "K";
-    /// Largest temperature of the plane's surface.
-    Body1TemperatureMaximum, "body_1_temperature_maximum", "K";
+    FilmTemperatureMean, "film_temperature_mean", "", "mean film temperature", Temperature, Temperature, MeanTemperature, Whole;
+    /// Largest temperature of the surface of body 1.
+    Body1TemperatureMaximum, "body_1_temperature_maximum", "", "largest temperature of body 1", Temperature, Temperature, Body1Hottest, Place;
     /// Its mean over the Hertz zone.
-    Body1TemperatureMean, "body_1_temperature_mean", "K";
-    /// Largest temperature of the ball's surface.
-    Body2TemperatureMaximum, "body_2_temperature_maximum", "K";
+    Body1TemperatureMean, "body_1_temperature_mean", "", "mean temperature of body 1", Temperature, Temperature, MeanTemperature, Whole;
+    /// Largest temperature of the surface of body 2.
+    Body2TemperatureMaximum, "body_2_temperature_maximum", "", "largest temperature of body 2", Temperature, Temperature, Body2Hottest, Place;
     /// Its mean over the Hertz zone.
-    Body2TemperatureMean, "body_2_temperature_mean", "K";
+    Body2TemperatureMean, "body_2_temperature_mean", "", "mean temperature of body 2", Temperature, Temperature, MeanTemperature, Whole;
     /// Heat made by shear: W, or W/m.
-    HeatShear, "heat_shear", "";
+    HeatShear, "heat_shear", "", "heat made by shear", Power, Heat, HeatShear, Whole;
     /// Heat made by compression, less what expansion takes: W, or W/m.
-    HeatCompression, "heat_compression", "";
-    /// Heat carried off by the plane: W, or W/m.
-    HeatToBody1, "heat_to_body_1", "";
-    /// Heat carried off by the ball: W, or W/m.
-    HeatToBody2, "heat_to_body_2", "";
+    HeatCompression, "heat_compression", "", "heat made by compression", Power, Heat, HeatCompression, Whole;
+    /// Heat carried off by body 1: W, or W/m.
+    HeatToBody1, "heat_to_body_1", "", "heat carried off by body 1", Power, Heat, HeatCarried, Whole;
+    /// Heat carried off by body 2: W, or W/m.
+    HeatToBody2, "heat_to_body_2", "", "heat carried off by body 2", Power, Heat, HeatCarried, Whole;
     /// Heat carried off by the lubricant: W, or W/m.
-    HeatByFilm, "heat_by_film", "";
+    HeatByFilm, "heat_by_film", "", "heat carried off by the film", Power, Heat, HeatCarried, Whole;
 }
 
 impl Figure {
-    /// Whether it is somewhere on the contact area.
-    pub fn has_place(self) -> bool {
-        matches!(
-            self,
-            Figure::FilmMinimum
-                | Figure::FilmCentrelineMinimum
-                | Figure::PressureMaximum
-                | Figure::PressureCentral
-                | Figure::PressureRidge
-                | Figure::Spike
-                | Figure::EdgePressureLeft
-                | Figure::EdgePressureRight
-                | Figure::FilmTemperatureMaximum
-                | Figure::FilmTemperatureLowest
-                | Figure::Body1TemperatureMaximum
-                | Figure::Body2TemperatureMaximum
-        )
+    /// Those of a section, in their order.
+    pub fn of_section(section: Section) -> impl Iterator<Item = Figure> {
+        (Figure::ALL.into_iter()).filter(move |figure| figure.section() == section)
+    }
+
+    /// Those that are traced to the inputs, by derivatives or samples; of the pressure its smooth maximum: at a ridge, derivatives are those of
+    /// the mesh.
+    pub const TRACED: [Figure; 5] = [
+        Figure::FilmCentral,
+        Figure::FilmMinimum,
+        Figure::PressureCentral,
+        Figure::TractionCoefficient,
+        Figure::FilmTemperatureMaximum,
+    ];
+
+    /// The figure with a name.
+    pub fn by_name(name: &str) -> Option<Figure> {
+        Figure::ALL.into_iter().find(|figure| figure.name() == name)
+    }
+
+    /// Its SI unit; in line contacts forces and powers are per metre of their length.
+    pub fn unit(self, is_line: bool) -> &'static str {
+        self.kind().unit(is_line)
+    }
+
+    /// Words and symbol: `central film thickness h_c`.
+    pub fn title(self) -> String {
+        format!("{} {}", self.words(), self.symbol())
+            .trim_end()
+            .to_owned()
     }
 }
 
@@ -146,15 +198,7 @@ pub const WIDEST_OF_PLACE: f64 = 0.25;
 impl Figure {
     /// Whether it is a largest pressure, which a mesh too coarse for its peak cuts off.
     pub fn is_peak(self) -> bool {
-        matches!(
-            self,
-            Figure::PressureMaximum
-                | Figure::PressureCentral
-                | Figure::PressureRidge
-                | Figure::Spike
-                | Figure::EdgePressureLeft
-                | Figure::EdgePressureRight
-        )
+        self.kind() == Kind::PeakPressure
     }
 
     /// Widest error bar with which it is told as a number, over its size.
@@ -185,43 +229,14 @@ pub const ROUNDING: f64 = 1e-9;
 impl Figure {
     /// Below what a figure is zero, SI.
     pub fn zero_below(self, sizes: &Sizes) -> f64 {
-        let size = match self {
-            Figure::FilmCentral
-            | Figure::FilmMinimum
-            | Figure::FilmCentrelineMinimum
-            | Figure::FilmTemperatureMaximum
-            | Figure::FilmTemperatureLowest
-            | Figure::FilmTemperatureMean
-            | Figure::Body1TemperatureMaximum
-            | Figure::Body1TemperatureMean
-            | Figure::Body2TemperatureMaximum
-            | Figure::Body2TemperatureMean => 0.0,
-            Figure::PressureMaximum
-            | Figure::PressureCentral
-            | Figure::PressureRidge
-            | Figure::EdgePressureLeft
-            | Figure::EdgePressureRight
-            | Figure::Spike
-            | Figure::ShearStressMaximum => sizes.pressure,
-            Figure::RollerMoment | Figure::TractionMoment => sizes.load * sizes.length,
-            Figure::LoadPosition | Figure::OutletPosition | Figure::MeniscusPosition => {
-                sizes.length
-            }
-            Figure::TractionForce | Figure::TractionForceAcross => sizes.load,
-            Figure::FrictionPower
-            | Figure::HeatShear
-            | Figure::HeatCompression
-            | Figure::HeatToBody1
-            | Figure::HeatToBody2
-            | Figure::HeatByFilm => sizes.load * sizes.speed.abs(),
-            Figure::TractionCoefficient
-            | Figure::TractionCoefficientBody1
-            | Figure::TractionCoefficientBody2
-            | Figure::TractionCoefficientAcross
-            | Figure::TractionCoefficientAcrossBody1
-            | Figure::TractionCoefficientAcrossBody2
-            | Figure::BeyondFirstLimit
-            | Figure::BeyondSecondLimit => 1.0,
+        let size = match self.kind() {
+            Kind::Length | Kind::Temperature => 0.0,
+            Kind::PeakPressure | Kind::Stress => sizes.pressure,
+            Kind::Moment => sizes.load * sizes.length,
+            Kind::Position | Kind::Offset => sizes.length,
+            Kind::Force => sizes.load,
+            Kind::Power => sizes.load * sizes.speed.abs(),
+            Kind::Coefficient | Kind::Share => 1.0,
         };
         ROUNDING * size
     }
@@ -334,6 +349,13 @@ impl Figures {
     }
 }
 
+/// As its name.
+impl Serialize for Figure {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
 /// By name, with the places beside as `<name>_at`.
 impl Serialize for Figures {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -391,8 +413,8 @@ impl Measured {
         let pair = self.figures.get(figure).zip(self.bars.get(figure));
         pair.is_none_or(|(reading, bar)| {
             // Of temperatures the rise, of at least one kelvin.
-            let size = reading.size.max(match figure.unit() {
-                "K" => LEAST_RISE,
+            let size = reading.size.max(match figure.kind() {
+                Kind::Temperature => LEAST_RISE,
                 _ => reading.value.abs(),
             });
             bar.value <= figure.widest_bar() * size
@@ -511,8 +533,7 @@ mod tests {
         figures.note(Figure::Spike, Reading::new(8e8).at([1e-4, 0.0]));
         figures.note(Figure::FrictionPower, Reading::new(f64::NAN));
         let json = serde_json::to_value(figures).unwrap();
-        let expected =
-            serde_json::json!({ "film_central": 2e-7, "spike": 8e8, "spike_at": [1e-4, 0.0] });
+        let expected = serde_json::json!({ "film_central": 2e-7, "pressure_spike": 8e8, "pressure_spike_at": [1e-4, 0.0] });
         assert_eq!(json, expected);
         for (i, figure) in Figure::ALL.into_iter().enumerate() {
             assert_eq!(figure as usize, i);

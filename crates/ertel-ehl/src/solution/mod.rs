@@ -4,6 +4,7 @@ mod checks;
 mod contact_fields;
 mod elements;
 mod field;
+mod figure_kinds;
 mod figures;
 mod left_out;
 mod mixed;
@@ -28,8 +29,8 @@ pub use contact_fields::{Mirrored, mirror, near_zero};
 pub use elements::{ElementFields, Polynomials, TemperaturePolynomials};
 pub use field::Field;
 pub use figures::{
-    Bar, Bars, Figure, Figures, LEAST_RISE, Measured, PerFigure, ROUNDING, Reading, Sizes, WIDEST,
-    WIDEST_OF_PLACE,
+    Bar, Bars, ErrorClass, Figure, Figures, Kind, LEAST_RISE, Measured, PerFigure, ROUNDING,
+    Reading, Section, Sizes, WIDEST, WIDEST_OF_PLACE,
 };
 pub use left_out::{Neglected, NeglectedHeat};
 pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
@@ -581,7 +582,9 @@ pub struct Solution {
     pub scales: Scales,
     /// Extents of the contact area in half-widths: inlet, outlet, side.
     pub extents: [f64; 3],
-    /// The figures.
+    /// Every figure with its error bar.
+    pub measured: Measured,
+    /// The figures that are asked for first.
     pub summary: Summary,
     /// What a lack of oil does to the film; `None` where there is enough by itself.
     pub starvation: Option<Starvation>,
@@ -627,18 +630,22 @@ pub struct Solution {
 }
 
 impl Solution {
-    /// Whether the mesh resolves one of the figures that have sensitivities; others count as resolved.
+    /// A figure with its error bar and its place, SI; `None` where this contact has none. Coordinates are zero of figures without a place.
+    pub fn figure(&self, figure: Figure) -> Option<Located> {
+        self.measured.find_located(figure)
+    }
+
+    /// The figures that this contact has, in the order of the registry.
+    pub fn figures(&self) -> impl Iterator<Item = (Figure, Located)> {
+        (Figure::ALL.into_iter()).filter_map(|figure| Some((figure, self.figure(figure)?)))
+    }
+
+    /// Whether the mesh resolves a figure; one that this contact does not have counts as resolved. Of the traction the size of both components
+    /// decides.
     pub fn resolves(&self, figure: Figure) -> bool {
         match figure {
-            Figure::FilmCentral => self.summary.film_central.is_resolved(),
-            Figure::FilmMinimum => self.summary.film_minimum.is_resolved(),
-            Figure::PressureMaximum => self.summary.pressure_maximum.resolved,
-            Figure::PressureCentral => self.summary.pressure_central.resolved,
             Figure::TractionCoefficient => self.traction.size().is_resolved(),
-            Figure::FilmTemperatureMaximum => {
-                (self.thermal.as_ref()).is_none_or(|thermal| thermal.film_maximum.resolved)
-            }
-            _ => true,
+            _ => self.figure(figure).is_none_or(|at| at.resolved),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Estimate, Figure, Located, Measured};
+use super::{Bar, Estimate, Figure, Located, Measured, Reading};
 
 /// Ends of a roller, and where its load stands.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -18,21 +18,46 @@ pub struct RollerFigures {
 }
 
 impl RollerFigures {
-    /// Of a solution, if it is that of a roller; where one half is solved, the other one is its mirror image.
+    /// Of a solution, if it is that of a roller.
     pub fn of(measured: &Measured) -> Option<RollerFigures> {
-        let left = measured.find_located(Figure::EdgePressureLeft)?;
-        let mirrored = Located { y: -left.y, ..left };
-        let right = measured.find_located(Figure::EdgePressureRight);
-        let nothing = Estimate {
-            value: 0.0,
-            error: Some(0.0),
-        };
-        let of = |figure| measured.find(figure).unwrap_or(nothing);
         Some(RollerFigures {
-            edge_pressure_left: left,
-            edge_pressure_right: right.unwrap_or(mirrored),
-            roller_moment: of(Figure::RollerMoment),
-            load_position: of(Figure::LoadPosition),
+            edge_pressure_left: measured.find_located(Figure::EdgePressureLeft)?,
+            edge_pressure_right: measured.find_located(Figure::EdgePressureRight)?,
+            roller_moment: measured.find(Figure::RollerMoment)?,
+            load_position: measured.find(Figure::LoadPosition)?,
         })
+    }
+}
+
+impl Measured {
+    /// Adds the figures of the other half of a roller of which one half was solved: it is the mirror image, and the load stands in the middle.
+    pub fn with_mirrored_end(mut self) -> Measured {
+        let Some(left) = self.figures.get(Figure::EdgePressureLeft) else {
+            return self;
+        };
+        let right = Reading {
+            place: left.place.map(|[x, y]| [x, -y]),
+            ..left
+        };
+        self.figures.set(Figure::EdgePressureRight, right);
+        if let Some(bar) = self.bars.get(Figure::EdgePressureLeft) {
+            self.bars.set(Figure::EdgePressureRight, bar);
+        }
+        for figure in [Figure::RollerMoment, Figure::LoadPosition] {
+            self.set_exactly(figure, 0.0);
+        }
+        self
+    }
+
+    /// Sets a figure that is known without an error, SI.
+    pub fn set_exactly(&mut self, figure: Figure, value: f64) {
+        self.figures.set(figure, Reading::new(value));
+        self.bars.set(
+            figure,
+            Bar {
+                value: 0.0,
+                place: None,
+            },
+        );
     }
 }

@@ -25,22 +25,31 @@ pub struct Starvation {
 impl Starvation {
     /// Of a solution for a supply, without the flooded films; `None` where the contact is flooded by itself.
     pub fn of(measured: &Measured, supply: &Supply) -> Option<Starvation> {
-        let meniscus_position = match supply {
+        match supply {
             Supply::Flooded => return None,
-            Supply::OilLayer { .. } => measured.find(Figure::MeniscusPosition),
-            Supply::Meniscus { distance } => Some(Estimate {
-                value: -distance,
-                error: Some(0.0),
-            }),
-        };
+            Supply::OilLayer { .. } | Supply::Meniscus { .. } => {}
+        }
         Some(Starvation {
             supply: *supply,
             film_central_flooded: None,
             film_minimum_flooded: None,
             ratio_central: None,
             ratio_minimum: None,
-            meniscus_position,
+            meniscus_position: measured.find(Figure::MeniscusPosition),
         })
+    }
+}
+
+impl Measured {
+    /// With the meniscus where the case puts it; a layer of oil has one where it fills the gap.
+    pub fn with_meniscus(mut self, supply: &Supply) -> Measured {
+        match supply {
+            Supply::Flooded | Supply::OilLayer { .. } => {}
+            Supply::Meniscus { distance } => {
+                self.set_exactly(Figure::MeniscusPosition, -distance);
+            }
+        }
+        self
     }
 }
 

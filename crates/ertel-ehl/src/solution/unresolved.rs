@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Estimate, Figure, LEAST_RISE, Solution};
+use super::{Estimate, Figure, Kind, LEAST_RISE, Solution};
 
 /// A figure that the case is solved for and that the result does not tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,14 +109,11 @@ impl Unresolved {
     }
 
     /// `the minimum film thickness`.
-    pub fn words(&self) -> &'static str {
-        match (self.figure, self.why) {
-            (_, Why::OpenBalance) => "the heat balance",
-            (Figure::FilmCentral, _) => "the central film thickness",
-            (Figure::FilmMinimum, _) => "the minimum film thickness",
-            (Figure::TractionCoefficient, _) => "the traction coefficient",
-            (Figure::FilmTemperatureMaximum, _) => "the largest rise of the film's temperature",
-            (other, _) => other.name(),
+    pub fn words(&self) -> String {
+        match (self.figure.kind(), self.why) {
+            (_, Why::OpenBalance) => "the heat balance".to_owned(),
+            (Kind::Temperature, _) => "the largest rise of the film's temperature".to_owned(),
+            _ => format!("the {}", self.figure.words()),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Error bars of all figures, from those of the films and from the meshes of a solve.
 
-use crate::solution::{Bar, Bars, Estimate, Figure, LevelStats, Measured, Reading};
+use crate::solution::{Bar, Bars, ErrorClass, Estimate, Figure, LevelStats, Measured, Reading};
 
 /// Error bar over the difference of two meshes.
 const SAFETY: f64 = 2.0;
@@ -134,68 +134,51 @@ fn is_film(figure: Figure) -> bool {
 
 /// What the errors of films (relative) and pressure on a mesh come to in a figure.
 fn least_bar(figure: Figure, level: &LevelStats, film: f64) -> f64 {
-    let size = |figure| level.figures.get(figure).map_or(0.0, |f: Reading| f.size);
     let value = |figure| level.figures.value(figure).map_or(0.0, f64::abs);
-    let estimate = level.estimate.unwrap_or_default();
-    let local = |figure, error: f64| (film * size(figure)).hypot(SHARE_OF_LOCAL * error);
-    let largest = local(Figure::PressureMaximum, estimate.largest);
-    match figure {
-        Figure::PressureMaximum => largest,
-        Figure::PressureCentral => {
-            local(figure, estimate.central_pressure)
-                + SHARE_OF_PRESSURE_IN_MIDDLE * estimate.pressure * value(figure)
+    let size_of = |figure| level.figures.get(figure).map_or(0.0, |f: Reading| f.size);
+    let size = size_of(figure);
+    let e = level.estimate.unwrap_or_default();
+    let local = |size: f64, error: f64| (film * size).hypot(SHARE_OF_LOCAL * error);
+    let integral = (film + SHARE_OF_PRESSURE * e.pressure) * size;
+    let with_slopes = film + SHARE_OF_PRESSURE_IN_FRICTION * e.pressure;
+    let beyond = e.beyond_edges;
+    match figure.error_class() {
+        ErrorClass::LargestPressure => local(size, e.largest),
+        ErrorClass::CentralPressure => {
+            local(size, e.central_pressure)
+                + SHARE_OF_PRESSURE_IN_MIDDLE * e.pressure * value(figure)
         }
-        Figure::PressureRidge => local(figure, estimate.ridge_pressure),
-        Figure::Spike => local(figure, estimate.spike),
-        Figure::EdgePressureLeft => local(figure, estimate.ends[0]),
-        Figure::EdgePressureRight => local(figure, estimate.ends[1]),
-        Figure::ShearStressMaximum => {
+        ErrorClass::PressureRidge => local(size, e.ridge_pressure),
+        ErrorClass::Spike => local(size, e.spike),
+        ErrorClass::EdgePressureLeft => local(size, e.ends[0]),
+        ErrorClass::EdgePressureRight => local(size, e.ends[1]),
+        ErrorClass::ShearStress => {
+            let largest = local(size_of(Figure::PressureMaximum), e.largest);
             let relative = largest / value(Figure::PressureMaximum);
-            SHARE_OF_PRESSURE_MAXIMUM * relative * size(figure)
-                + SHARE_OF_SLOPE * estimate.shear_stress
+            SHARE_OF_PRESSURE_MAXIMUM * relative * size + SHARE_OF_SLOPE * e.shear_stress
         }
-        Figure::FilmCentrelineMinimum => SAFETY * film * size(figure),
-        Figure::OutletPosition => {
-            (film + SHARE_OF_PRESSURE_AT_OUTLET * estimate.pressure) * size(figure)
+        ErrorClass::FilmOnCentreline => SAFETY * film * size,
+        ErrorClass::Outlet => (film + SHARE_OF_PRESSURE_AT_OUTLET * e.pressure) * size,
+        ErrorClass::Meniscus => film * size,
+        ErrorClass::WallTraction => with_slopes * size + SHARE_OF_BEYOND * beyond.traction,
+        ErrorClass::FrictionPower => with_slopes * size + SHARE_OF_BEYOND * beyond.power,
+        ErrorClass::HeatShear => {
+            (with_slopes + SHARE_OF_UNRESOLVED_IN_POWER * e.unresolved) * size
+                + SHARE_OF_BEYOND * beyond.power
         }
-        Figure::MeniscusPosition => film * size(figure),
-        Figure::TractionCoefficientBody1
-        | Figure::TractionCoefficientBody2
-        | Figure::TractionCoefficientAcrossBody1
-        | Figure::TractionCoefficientAcrossBody2
-        | Figure::FrictionPower
-        | Figure::HeatShear => {
-            let beyond = estimate.beyond_edges;
-            let (beyond, spike) = match figure {
-                Figure::FrictionPower => (beyond.power, 0.0),
-                Figure::HeatShear => (
-                    beyond.power,
-                    SHARE_OF_UNRESOLVED_IN_POWER * estimate.unresolved,
-                ),
-                _ => (beyond.traction, 0.0),
-            };
-            let integral = film + SHARE_OF_PRESSURE_IN_FRICTION * estimate.pressure + spike;
-            integral * size(figure) + SHARE_OF_BEYOND * beyond
+        ErrorClass::HeatCompression => integral + beyond.cut * (SHARE_OF_CUT_COMPRESSION * size),
+        ErrorClass::HeatCarried => {
+            let cut = beyond.cut * (SHARE_OF_CUT * size_of(Figure::HeatShear));
+            integral + cut + open_heat(level)
         }
-        _ => {
-            let cut = estimate.beyond_edges.cut
-                * match figure {
-                    Figure::HeatToBody1 | Figure::HeatToBody2 | Figure::HeatByFilm => {
-                        SHARE_OF_CUT * size(Figure::HeatShear)
-                    }
-                    Figure::HeatCompression => SHARE_OF_CUT_COMPRESSION * size(figure),
-                    _ => 0.0,
-                };
-            let points = match figure {
-                Figure::BeyondFirstLimit | Figure::BeyondSecondLimit => estimate.share_of_point,
-                _ => 0.0,
-            };
-            let open = match figure {
-                Figure::HeatToBody1 | Figure::HeatToBody2 | Figure::HeatByFilm => open_heat(level),
-                _ => 0.0,
-            };
-            (film + SHARE_OF_PRESSURE * estimate.pressure) * size(figure) + cut + open + points
-        }
+        ErrorClass::ShareOfZone => integral + e.share_of_point,
+        ErrorClass::Film
+        | ErrorClass::Integral
+        | ErrorClass::FilmHottest
+        | ErrorClass::FilmColdest
+        | ErrorClass::Body1Hottest
+        | ErrorClass::Body2Hottest
+        | ErrorClass::MeanTemperature => integral,
     }
 }
 
@@ -211,16 +194,31 @@ fn open_heat(level: &LevelStats) -> f64 {
 /// What the elements of the temperatures add to that, K: it needs no other mesh to be known.
 fn temperature_bar(figure: Figure, level: &LevelStats) -> f64 {
     let errors = level.estimate.unwrap_or_default().temperatures;
-    let [film_hot, film_cold, plane, ball] = errors.local.map(|e| SHARE_OF_LOCAL_TEMPERATURE * e);
-    match figure {
-        Figure::FilmTemperatureMaximum => film_hot,
-        Figure::FilmTemperatureLowest => film_cold,
-        Figure::Body1TemperatureMaximum => plane,
-        Figure::Body2TemperatureMaximum => ball,
-        Figure::FilmTemperatureMean
-        | Figure::Body1TemperatureMean
-        | Figure::Body2TemperatureMean => SHARE_OF_TEMPERATURE * errors.rms,
-        _ => 0.0,
+    let [film_hot, film_cold, body_1, body_2] = errors.local;
+    match figure.error_class() {
+        ErrorClass::FilmHottest => SHARE_OF_LOCAL_TEMPERATURE * film_hot,
+        ErrorClass::FilmColdest => SHARE_OF_LOCAL_TEMPERATURE * film_cold,
+        ErrorClass::Body1Hottest => SHARE_OF_LOCAL_TEMPERATURE * body_1,
+        ErrorClass::Body2Hottest => SHARE_OF_LOCAL_TEMPERATURE * body_2,
+        ErrorClass::MeanTemperature => SHARE_OF_TEMPERATURE * errors.rms,
+        ErrorClass::Film
+        | ErrorClass::FilmOnCentreline
+        | ErrorClass::LargestPressure
+        | ErrorClass::CentralPressure
+        | ErrorClass::PressureRidge
+        | ErrorClass::Spike
+        | ErrorClass::EdgePressureLeft
+        | ErrorClass::EdgePressureRight
+        | ErrorClass::ShearStress
+        | ErrorClass::Outlet
+        | ErrorClass::Meniscus
+        | ErrorClass::Integral
+        | ErrorClass::WallTraction
+        | ErrorClass::FrictionPower
+        | ErrorClass::HeatShear
+        | ErrorClass::HeatCompression
+        | ErrorClass::HeatCarried
+        | ErrorClass::ShareOfZone => 0.0,
     }
 }
 

@@ -308,5 +308,9 @@ pub fn measure(problem: &Problem, solution: &StageSolution, levels: &[LevelStats
         bars: bars(levels, films).unwrap_or_default(),
         half_width: problem.scales.length,
     };
-    measured.without_rounding(&sizes)
+    let measured = measured.without_rounding(&sizes);
+    match problem.shape.symmetry {
+        Symmetry::Half => measured.with_mirrored_end(),
+        Symmetry::Full => measured,
+    }
 }

@@ -46,6 +46,8 @@ class Quantity:
     resolved : bool
         False where the error bar is too wide for a number, more than half of it or a tenth of a largest pressure; a largest pressure
         is a lower bound then.
+    place : tuple of float or None
+        Where it is, (x, y) in m; None of figures that belong to the whole contact.
     """
 
     value: float
@@ -53,6 +55,7 @@ class Quantity:
     uncertainty: float | None = None
     unit: str = ""
     resolved: bool = True
+    place: tuple[float, float] | None = None
 
     def __float__(self) -> float:
         return self.value
@@ -79,6 +82,9 @@ class Quantity:
 
 
 _PREFIXES = ((1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "µ"), (1e-9, "n"))
+
+# Words and symbol of each figure; those with a symbol are shown first.
+_FIGURE_NAMES: dict[str, tuple[str, str]] = {name: (words, symbol) for name, words, symbol in _ertel.figure_names()}
 
 _FIELD_NAMES: dict[str, tuple[str, str]] = {name: (unit, words) for name, unit, words in _ertel.field_names()}
 
@@ -112,7 +118,8 @@ class Result:
     """The solution of a case. Numbers in SI, x along the motion, z normal to the contact, body 1 the plane.
 
     Every field of the contact is an attribute with its values at :attr:`points`: ``pressure`` (Pa), ``film_thickness`` (m),
-    ``viscosity`` (Pa.s), ``temperature_mid`` (K, with heat) and what else :attr:`field_names` lists.
+    ``viscosity`` (Pa.s), ``temperature_mid`` (K, with heat) and what else :attr:`field_names` lists. Every figure is an attribute, too
+    (``film_centreline_minimum``, ``roller_moment``, ``heat_shear``, ...), None where this contact does not have it; :meth:`figures` lists them.
     """
 
     def __init__(self, case: Case, native: _ertel.NativeSolution) -> None:
@@ -142,22 +149,22 @@ class Result:
     @property
     def film_central(self) -> Quantity:
         """Film thickness in the centre of the contact, m."""
-        return self._figure("film_central", self._document["summary"]["film_central"], "m")
+        return self._known("film_central")
 
     @property
     def film_minimum(self) -> Quantity:
         """Smallest film thickness, m."""
-        return self._figure("film_minimum", self._document["summary"]["film_minimum"], "m")
+        return self._known("film_minimum")
 
     @property
     def pressure_central(self) -> Quantity:
         """Top of the smooth hill of the pressure in the middle of the contact, Pa."""
-        return self._figure("pressure_central", self._document["summary"]["pressure_central"], "Pa")
+        return self._known("pressure_central")
 
     @property
     def pressure_maximum(self) -> Quantity:
         """Largest pressure, Pa; a lower bound where it is not ``resolved``, because a ridge may exceed it."""
-        return self._figure("pressure_maximum", self._document["summary"]["pressure_maximum"], "Pa")
+        return self._known("pressure_maximum")
 
     @property
     def hertz_pressure(self) -> float:
@@ -167,21 +174,35 @@ class Result:
     @property
     def traction_coefficient(self) -> Quantity:
         """Traction force over load; positive where body 2 is the faster one."""
-        return self._figure("traction_coefficient", self._document["traction"]["coefficient"], "")
+        return self._known("traction_coefficient")
 
     @property
     def friction_power(self) -> Quantity:
         """Heat of friction, W (W/m of line contacts)."""
-        unit = "W/m" if self.is_line else "W"
-        return self._figure("friction_power", self._document["traction"]["friction_power"], unit)
+        return self._known("friction_power")
 
     @property
     def film_temperature_maximum(self) -> Quantity | None:
         """Largest temperature of the film, K; None without heat."""
-        thermal = self._document.get("thermal")
-        if thermal is None:
+        return self.figure("film_temperature_maximum")
+
+    def figure(self, name: str) -> Quantity | None:
+        """A figure by its name in ``result.json``; None where this contact does not have it.
+
+        Raises
+        ------
+        KeyError
+            With the names that there are.
+        """
+        if name not in _FIGURE_NAMES:
+            raise KeyError(f"no figure `{name}`: there are {', '.join(_FIGURE_NAMES)}")
+        entry = self._document["figures"].get(name)
+        if entry is None:
             return None
-        return self._figure("film_temperature_maximum", thermal["film_maximum"], "K")
+        bars = (self._document.get("uncertainty") or {}).get(name)
+        bar = bars.get("half_width") if isinstance(bars, dict) else None
+        place = (entry["x"], entry["y"]) if "x" in entry else None
+        return Quantity(entry["value"], entry["error"], bar, entry["unit"], entry["resolved"] is not False, place)
 
     @property
     def sensitivities(self) -> dict[str, dict[str, float]]:
@@ -193,24 +214,15 @@ class Result:
         """Whether it is a line contact."""
         return self._document["kind"] == "line"
 
-    def _figure(self, name: str, entry: dict[str, Any], unit: str) -> Quantity:
-        bars = (self._document.get("uncertainty") or {}).get(name)
-        bar = bars.get("half_width") if isinstance(bars, dict) else None
-        return Quantity(entry["value"], entry["error"], bar, unit, entry.get("resolved") is not False)
+    def _known(self, name: str) -> Quantity:
+        found = self.figure(name)
+        if found is None:
+            raise KeyError(f"this contact has no `{name}`")
+        return found
 
     def _figures(self) -> dict[str, Quantity]:
-        figures = {
-            "film_central": self.film_central,
-            "film_minimum": self.film_minimum,
-            "pressure_central": self.pressure_central,
-            "pressure_maximum": self.pressure_maximum,
-            "traction_coefficient": self.traction_coefficient,
-            "friction_power": self.friction_power,
-        }
-        temperature = self.film_temperature_maximum
-        if temperature is not None:
-            figures["film_temperature_maximum"] = temperature
-        return figures
+        found = ((name, self.figure(name)) for name in _FIGURE_NAMES)
+        return {name: quantity for name, quantity in found if quantity is not None}
 
     # Fields
 
@@ -248,7 +260,9 @@ class Result:
             raise KeyError(f"no field `{name}`: this contact has {', '.join(fields)}")
         return fields[name]
 
-    def __getattr__(self, name: str) -> Floats:
+    def __getattr__(self, name: str) -> Any:
+        if name in _FIGURE_NAMES:
+            return self.figure(name)
         if name.startswith("_") or name not in _FIELD_NAMES:
             raise AttributeError(f"a result has no attribute `{name}`")
         try:
@@ -257,7 +271,7 @@ class Result:
             raise AttributeError(error.args[0]) from None
 
     def __dir__(self) -> list[str]:
-        return sorted({*super().__dir__(), *self.field_names})
+        return sorted({*super().__dir__(), *self.field_names, *self._document["figures"]})
 
     @property
     def centreline(self) -> dict[str, Floats]:
@@ -330,11 +344,14 @@ class Result:
         return pd.DataFrame({"x": points[:, 0], "y": points[:, 1], **fields})
 
     def figures(self) -> pd.DataFrame:
-        """The main figures: a row for each with value, error, uncertainty and unit."""
+        """Every figure that this contact has: a row for each with value, error, uncertainty, unit, place (m) and what it is, in words."""
         import pandas as pd
 
-        rows = {n: [q.value, q.error, q.uncertainty, q.unit, q.resolved] for n, q in self._figures().items()}
-        columns = ["value", "error", "uncertainty", "unit", "resolved"]
+        rows = {}
+        for name, q in self._figures().items():
+            x, y = q.place or (None, None)
+            rows[name] = [q.value, q.error, q.uncertainty, q.unit, q.resolved, x, y, _FIGURE_NAMES[name][0]]
+        columns = ["value", "error", "uncertainty", "unit", "resolved", "x", "y", "words"]
         return pd.DataFrame.from_dict(rows, orient="index", columns=columns)
 
     def to_pyvista(self) -> pv.UnstructuredGrid:
@@ -405,7 +422,10 @@ class Result:
     def _repr_html_(self) -> str:
         rows = []
         for name, quantity in self._figures().items():
-            words = html.escape(name.replace("_", " "))
+            words, symbol = _FIGURE_NAMES[name]
+            if not symbol:
+                continue
+            words = html.escape(words)
             rows.append(f"<tr><td>{words}</td><td>{html.escape(str(quantity))}</td></tr>")
         title = html.escape(self.case.title or "ertel result")
         warnings = "".join(f"<li>{html.escape(w)}</li>" for w in self.warnings)

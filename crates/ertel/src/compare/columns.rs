@@ -5,7 +5,7 @@ use ertel_input::csv::{Column, CsvError, CsvTable};
 use ertel_input::excerpt;
 use ertel_quantity::Dimension;
 
-use super::{Figure, temperature_key};
+use super::{Measurand, temperature_key};
 
 /// A quantity that a column sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,7 +122,7 @@ impl Operating {
 
 /// A measured figure and its uncertainty.
 pub(super) struct MeasuredColumns {
-    pub figure: Figure,
+    pub figure: Measurand,
     pub value: Column,
     pub uncertainty: Option<Uncertainty>,
 }

@@ -2,9 +2,10 @@
 
 use ertel_quantity::Dimension;
 
-use super::{Figure, Measured, Measurement, Statistics};
+use super::{Measurand, Measured, Measurement, Statistics};
 use crate::case::study::AxisValue;
 use crate::solution::Estimate;
+use crate::study::Column;
 use crate::study::journal::Record;
 
 /// Measurements beside the results at their points.
@@ -35,7 +36,7 @@ pub struct ComparedRow {
     pub values: Vec<AxisValue>,
     /// What became of the point.
     pub outcome: Outcome,
-    /// The figures, in the order of [`Figure::ALL`]; `None` where nothing was measured.
+    /// The figures, in the order of [`Measurand::ALL`]; `None` where nothing was measured.
     pub figures: [Option<Compared>; 3],
 }
 
@@ -118,11 +119,11 @@ impl Comparison {
                     Some(record) => Outcome::Solved {
                         unresolved: that_counts(
                             record.field("unresolved").unwrap_or_default(),
-                            row.figures[Figure::Traction as usize].is_some(),
+                            row.figures[Measurand::Traction as usize].is_some(),
                         ),
                     },
                 },
-                figures: Figure::ALL.map(|figure| {
+                figures: Measurand::ALL.map(|figure| {
                     let measured = row.figures[figure as usize]?;
                     let computed = record.and_then(|record| estimate(record, figure));
                     Some(Compared { measured, computed })
@@ -147,13 +148,13 @@ impl Comparison {
     }
 
     /// Figures that the table has.
-    pub fn figures(&self) -> impl Iterator<Item = Figure> + '_ {
-        (Figure::ALL.into_iter())
+    pub fn figures(&self) -> impl Iterator<Item = Measurand> + '_ {
+        (Measurand::ALL.into_iter())
             .filter(|f| self.rows.iter().any(|r| r.figures[*f as usize].is_some()))
     }
 
     /// How well a figure is met over all rows.
-    pub fn statistics(&self, figure: Figure) -> Statistics {
+    pub fn statistics(&self, figure: Measurand) -> Statistics {
         let figures = self.rows.iter().map(|row| row.figures[figure as usize]);
         Statistics::of(&figures.collect::<Vec<_>>())
     }
@@ -166,12 +167,13 @@ impl Comparison {
 }
 
 /// A figure of a solved point.
-fn estimate(record: &Record, figure: Figure) -> Option<Estimate> {
-    let unit = if figure.is_film() { "_m" } else { "" };
-    let number = |name: String| record.field(&name)?.parse::<f64>().ok();
+fn estimate(record: &Record, figure: Measurand) -> Option<Estimate> {
+    // Films and coefficients have the same unit in all contacts.
+    let column = Column::of(figure.figure());
+    let number = |title: String| record.field(&title)?.parse::<f64>().ok();
     Some(Estimate {
-        value: number(format!("{}{unit}", figure.name()))?,
-        error: number(format!("{}_error{unit}", figure.name())),
+        value: number(column.title(false))?,
+        error: number(column.error_title(false)?),
     })
 }
 

@@ -26,6 +26,7 @@ use ertel_input::{Document, InputError};
 
 use crate::case::Study;
 use crate::case::study::PointColumn;
+use crate::solution::{Figure, Kind};
 use crate::study::journal::PointKey;
 
 pub use comparison::{Compared, ComparedRow, Comparison, Outcome};
@@ -34,7 +35,7 @@ pub use statistics::Statistics;
 
 /// A figure that is measured and computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Figure {
+pub enum Measurand {
     /// Film thickness in the centre of the contact, m.
     FilmCentral,
     /// Smallest film thickness, m.
@@ -43,31 +44,36 @@ pub enum Figure {
     Traction,
 }
 
-impl Figure {
+impl Measurand {
     /// All, in the order of tables.
-    pub const ALL: [Figure; 3] = [Figure::FilmCentral, Figure::FilmMinimum, Figure::Traction];
+    pub const ALL: [Measurand; 3] = [
+        Measurand::FilmCentral,
+        Measurand::FilmMinimum,
+        Measurand::Traction,
+    ];
+
+    /// The computed figure that it is compared with.
+    pub fn figure(self) -> Figure {
+        match self {
+            Measurand::FilmCentral => Figure::FilmCentral,
+            Measurand::FilmMinimum => Figure::FilmMinimum,
+            Measurand::Traction => Figure::TractionCoefficient,
+        }
+    }
 
     /// Name of its columns, without the unit.
     pub fn name(self) -> &'static str {
-        match self {
-            Figure::FilmCentral => "film_central",
-            Figure::FilmMinimum => "film_minimum",
-            Figure::Traction => "traction_coefficient",
-        }
+        self.figure().name()
     }
 
     /// Its name in words.
     pub fn words(self) -> &'static str {
-        match self {
-            Figure::FilmCentral => "central film",
-            Figure::FilmMinimum => "minimum film",
-            Figure::Traction => "traction coefficient",
-        }
+        self.figure().words()
     }
 
     /// Whether it is a film thickness.
     pub fn is_film(self) -> bool {
-        self != Figure::Traction
+        self.figure().kind() == Kind::Length
     }
 }
 
@@ -87,7 +93,7 @@ pub struct MeasuredRow {
     pub line: usize,
     /// Number of the point in the study, from 0.
     pub point: usize,
-    /// What was measured, in the order of [`Figure::ALL`].
+    /// What was measured, in the order of [`Measurand::ALL`].
     pub figures: [Option<Measurement>; 3],
 }
 
@@ -197,7 +203,7 @@ impl Measured {
     }
 
     /// Whether any row has a figure.
-    pub fn has(&self, figure: Figure) -> bool {
+    pub fn has(&self, figure: Measurand) -> bool {
         let index = figure as usize;
         self.rows.iter().any(|row| row.figures[index].is_some())
     }

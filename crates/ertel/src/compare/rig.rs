@@ -25,7 +25,7 @@ use ertel_quantity::Unit;
 use super::columns::Operating;
 use super::table::impossible;
 use super::turned::{self, Turned};
-use super::{Content, Figure, Measurement, ReadParams, column};
+use super::{Content, Measurand, Measurement, ReadParams, column};
 use crate::case::study::PointColumn;
 
 /// Thermometer of a rig.
@@ -363,8 +363,8 @@ fn figures(
     let mut figures = [None; 3];
     let deviation = number(&columns.deviation)?.filter(|deviation| *deviation > 0.0);
     for (figure, own, uncertainty) in [
-        (Figure::FilmCentral, &columns.film, deviation),
-        (Figure::Traction, &columns.traction, None),
+        (Measurand::FilmCentral, &columns.film, deviation),
+        (Measurand::Traction, &columns.traction, None),
     ] {
         let Some(value) = number(own)? else { continue };
         let index = own.as_ref().map_or(0, |own| own.index);

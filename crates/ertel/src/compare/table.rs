@@ -8,7 +8,7 @@ use super::columns::{
     MEASURED, MeasuredColumns, OPERATING, Operating, find, names, open_name, uncertainty,
 };
 use super::turned::{self, Turned};
-use super::{Content, Figure, Measurement, ReadParams, column};
+use super::{Content, Measurand, Measurement, ReadParams, column};
 use crate::case::study::{PointColumn, split_title};
 
 /// Columns about a row that say nothing about its operating point, in small letters and without their unit.
@@ -101,7 +101,7 @@ pub(super) fn read(
         }
     }
     let mut measured = Vec::new();
-    for (figure, (name, bar, dimension)) in Figure::ALL.into_iter().zip(MEASURED) {
+    for (figure, (name, bar, dimension)) in Measurand::ALL.into_iter().zip(MEASURED) {
         let uncertainty = uncertainty(&table, bar, dimension, &known)?;
         known.extend(uncertainty.iter().map(|u| u.column.index));
         match (find(&table, name, &[dimension], &known)?, uncertainty) {
@@ -321,7 +321,7 @@ fn measurement(
 }
 
 /// Why a figure cannot have been measured.
-pub(super) fn impossible(figure: Figure, value: f64, cell: &str) -> Option<String> {
+pub(super) fn impossible(figure: Measurand, value: f64, cell: &str) -> Option<String> {
     let name = figure.name();
     if figure.is_film() && value <= 0.0 {
         return Some(format!(

@@ -44,7 +44,7 @@ fn near(a: f64, b: f64) -> bool {
 }
 
 /// Speeds of 0.5 and 1 m/s in all tables; each figure as it is measured there.
-fn check(name: &str, measured: &Measured, figure: Figure, values: [f64; 2]) {
+fn check(name: &str, measured: &Measured, figure: Measurand, values: [f64; 2]) {
     assert_eq!(measured.rows.len(), 2, "{name}");
     for (row, (speed, value)) in measured.rows.iter().zip([0.5, 1.0].into_iter().zip(values)) {
         let case: &Case = &measured.study.points[row.point].case;
@@ -90,7 +90,7 @@ fn one_table_of_films_in_many_spellings() {
         "speed [ft/s],film_central [nm]\n1.640419947506561679790026246719160,120\n3.28083989501312335958005249343832,300\n",
     ] {
         let measured = read(table).unwrap_or_else(|error| panic!("{table}\n{error}"));
-        check(table, &measured, Figure::FilmCentral, [120e-9, 300e-9]);
+        check(table, &measured, Measurand::FilmCentral, [120e-9, 300e-9]);
     }
     for table in [
         "speed [m/s],minimum film [nm]\n0.5,120\n1,300\n",
@@ -98,7 +98,7 @@ fn one_table_of_films_in_many_spellings() {
         "Geschwindigkeit [m/s];minimale Schmierfilmdicke h_min [nm]\n0,5;120\n1;300\n",
     ] {
         let measured = read(table).unwrap_or_else(|error| panic!("{table}\n{error}"));
-        check(table, &measured, Figure::FilmMinimum, [120e-9, 300e-9]);
+        check(table, &measured, Measurand::FilmMinimum, [120e-9, 300e-9]);
     }
 }
 
@@ -116,7 +116,7 @@ fn one_table_of_tractions_in_many_spellings() {
         "speed (m/s),load (lbf),temperature (°F),slide roll ratio (%),coefficient of friction ( - )\n0.5,4.496178874158,104,50,0.052\n1,4.496178874158,104,50,0.047\n",
     ] {
         let measured = read(table).unwrap_or_else(|error| panic!("{table}\n{error}"));
-        check(table, &measured, Figure::Traction, [0.052, 0.047]);
+        check(table, &measured, Measurand::Traction, [0.052, 0.047]);
         let case = &measured.study.points[0].case;
         assert!(
             (case.contact.load - 20.0).abs() < 1e-6,
@@ -166,7 +166,7 @@ fn columns_are_told_by_the_user() {
     ] {
         let measured = read_case(CONTACT, table.as_bytes(), &told(maps));
         let measured = measured.unwrap_or_else(|error| panic!("{table}\n{error}"));
-        check(table, &measured, Figure::FilmCentral, [120e-9, 300e-9]);
+        check(table, &measured, Measurand::FilmCentral, [120e-9, 300e-9]);
     }
     // The same in the case.
     let case = format!(
@@ -177,7 +177,7 @@ fn columns_are_told_by_the_user() {
     check(
         "in the case",
         &measured,
-        Figure::FilmCentral,
+        Measurand::FilmCentral,
         [120e-9, 300e-9],
     );
     let wrong = case.replace("ignore", "ignored");
@@ -296,7 +296,7 @@ fn speeds_of_both_surfaces_are_replaced() {
         ] {
             let measured = read_case(case, table.as_bytes(), &ReadParams::default());
             let measured = measured.unwrap_or_else(|error| panic!("{case}{error}"));
-            check(table, &measured, Figure::FilmCentral, [120e-9, 300e-9]);
+            check(table, &measured, Measurand::FilmCentral, [120e-9, 300e-9]);
             for (point, ratio) in measured.study.points.iter().zip(ratios) {
                 assert!(
                     (point.case.motion.slide_to_roll_ratio - ratio).abs() < 1e-9,

@@ -92,7 +92,7 @@ fn repeated_readings_are_one_point() {
     let points: Vec<usize> = measured.rows.iter().map(|row| row.point).collect();
     assert_eq!(points, [0, 1, 0, 0]);
     assert_eq!(measured.study.points.len(), 2);
-    assert!(measured.has(Figure::FilmMinimum) && !measured.has(Figure::FilmCentral));
+    assert!(measured.has(Measurand::FilmMinimum) && !measured.has(Measurand::FilmCentral));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::contact::{ContactKind, Symmetry};
 use crate::solution::{
-    Estimate, Figure, LEAST_RISE, Located, Solution, Unresolved, WIDEST, WIDEST_OF_PLACE, Why,
+    Estimate, Figure, Kind, LEAST_RISE, Located, Solution, Unresolved, WIDEST, WIDEST_OF_PLACE, Why,
 };
 use crate::words::digits;
 use crate::words::{length_unit, pressure_unit};
@@ -205,11 +205,7 @@ fn floored(value: f64) -> String {
 
 /// A figure that a result does not tell: `the minimum film thickness (between 0.1 and 0.7 nm)`.
 pub fn unresolved(u: &Unresolved) -> String {
-    let (factor, unit) = match u.figure {
-        Figure::FilmCentral | Figure::FilmMinimum => length_unit(largest(&u.estimate)),
-        Figure::FilmTemperatureMaximum => (1.0, "K"),
-        _ => (1.0, ""),
-    };
+    let (factor, unit) = unit_of_size(u.figure.kind(), largest(&u.estimate));
     let text = match u.why {
         Why::WideBar => range(u.estimate, factor, unit),
         Why::NoBar => "no error bar could be computed".to_owned(),
@@ -223,6 +219,31 @@ pub fn unresolved(u: &Unresolved) -> String {
         ),
     };
     format!("{} ({text})", u.words())
+}
+
+/// Factor and unit in which a figure of this size (SI) is readable; of a share in per cent.
+pub fn unit_of_size(kind: Kind, size: f64) -> (f64, &'static str) {
+    match kind {
+        Kind::Length | Kind::Position | Kind::Offset => length_unit(size),
+        Kind::PeakPressure | Kind::Stress => pressure_unit(size),
+        Kind::Share => (100.0, "%"),
+        Kind::Temperature | Kind::Coefficient | Kind::Force | Kind::Moment | Kind::Power => {
+            (1.0, kind.unit(false))
+        }
+    }
+}
+
+/// Name of an axis of a figure, its symbol in italics: `Central film thickness *h*_{c}`.
+pub fn axis_name(figure: Figure) -> String {
+    let mut name = figure.words().to_owned();
+    if let Some(first) = name.get_mut(..1) {
+        first.make_ascii_uppercase();
+    }
+    match figure.symbol().split_once('_') {
+        Some((letter, index)) => format!("{name} *{letter}*_{{{index}}}"),
+        None if figure.symbol().is_empty() => name,
+        None => format!("{name} *{}*", figure.symbol()),
+    }
 }
 
 /// The size that asks for a unit: of the value, unless that is lost in its bar.

@@ -186,7 +186,22 @@ pub(super) fn solution(kind: ContactKind) -> Solution {
         temperatures: None,
         cells: cells.clone(),
     };
+    let mut measured = Measured {
+        half_width: a,
+        ..Measured::default()
+    };
+    for (figure, value) in [(Figure::FilmCentral, FILM), (Figure::FilmMinimum, lowest)] {
+        measured.figures.set(figure, Reading::new(value));
+        measured.bars.set(
+            figure,
+            Bar {
+                value: 0.8e-9,
+                place: None,
+            },
+        );
+    }
     Solution {
+        measured,
         shape: Shape::new(&contact, &hertz, &Motion::straight(0.8, 0.5)),
         hertz,
         reduced_modulus: MODULUS,

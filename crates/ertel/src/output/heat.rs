@@ -2,12 +2,13 @@
 
 use std::io::{self, Write};
 
-use super::figure::{in_unit, number, percent, place, temperature};
+use super::figure::{number, percent};
 use super::lines::Lines;
-use super::report::{beside, power};
+use super::report::power;
+use super::results::write_section;
 use crate::case::{HeatEcho, ThermalEcho};
 use crate::output::BODIES;
-use crate::solution::{CrossProfile, Estimate, Located, Solution, Thermal};
+use crate::solution::{CrossProfile, Section, Solution, Thermal};
 use crate::words::digits;
 
 /// What carries the heat.
@@ -38,57 +39,9 @@ pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho) {
 
 /// Temperatures, heat, and what it does to film and traction.
 pub(super) fn write_results(out: &mut Lines, solution: &Solution, thermal: &Thermal) {
-    let rise = |t: Estimate| temperature(t, Some(thermal.inlet_temperature));
-    let largest = |at: &Located| beside(&rise(at.estimate()), &place(solution, at));
     out.heading("Heat");
-    out.row("largest film temperature", largest(&thermal.film_maximum));
-    if thermal.film_lowest.value < thermal.inlet_temperature - 0.005 {
-        out.row("lowest film temperature", largest(&thermal.film_lowest));
-    }
-    out.row("mean in the Hertz zone", rise(thermal.film_mean));
-    for (name, maximum, mean) in [
-        (BODIES[0], &thermal.body_1_maximum, thermal.body_1_mean),
-        (BODIES[1], &thermal.body_2_maximum, thermal.body_2_mean),
-    ] {
-        out.row(&format!("surface of {name}"), largest(maximum));
-        out.row("  mean in the Hertz zone", temperature(mean, None));
-    }
-    let unit = if solution.shape.kind.is_point() {
-        "W"
-    } else {
-        "W/m"
-    };
-    let b = &thermal.balance;
-    let watts = |heat: Estimate| {
-        // Rounding leaves dust of what the laws do not know, such as heat of compression.
-        if heat.value.abs() < 1e-9 * b.shear.value.abs() {
-            format!("0 {unit}")
-        } else {
-            in_unit(heat, 1.0, unit)
-        }
-    };
-    out.row(
-        "heat made by shear",
-        format!(
-            "{}, by compression {}",
-            watts(b.shear),
-            watts(b.compression)
-        ),
-    );
-    let carried = b.to_body_1.value + b.to_body_2.value + b.by_film.value;
-    for (name, heat) in [
-        (format!("  carried off by {}", BODIES[0]), b.to_body_1),
-        (format!("  by {}", BODIES[1]), b.to_body_2),
-        ("  by the lubricant".to_owned(), b.by_film),
-    ] {
-        // Of next to nothing, shares say nothing.
-        let share = if carried.abs() > 1e-6 * b.shear.value.abs() {
-            format!("{:.1} %", 100.0 * heat.value / carried)
-        } else {
-            String::new()
-        };
-        out.row(&name, beside(&watts(heat), &share));
-    }
+    write_section(out, solution, Section::Temperature);
+    write_section(out, solution, Section::Heat);
     if let Some(r) = &thermal.reduction {
         let mut text = format!(
             "h_c {}, h_min {}",

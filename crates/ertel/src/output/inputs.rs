@@ -1,7 +1,9 @@
 //! What the inputs of a case do to its figures, in the report.
 
 use super::lines::{Lines, Table};
-use crate::solution::{Figure, FigureSensitivity, FigureUncertainty, Sensitivities, Solution};
+use crate::solution::{
+    Figure, FigureSensitivity, FigureUncertainty, Kind, Sensitivities, Solution,
+};
 use crate::words::digits;
 
 /// Widths of the columns of keys and numbers.
@@ -16,27 +18,6 @@ const NEGLIGIBLE_SHARE: f64 = 0.01;
 
 /// Half-width of an interval, over the figure, beyond which derivatives alone tell little.
 const FAR_FROM_LINEAR: f64 = 0.2;
-
-/// Figures that have sensitivities where the mesh resolves them.
-const ASKED_FOR: [Figure; 5] = [
-    Figure::FilmCentral,
-    Figure::FilmMinimum,
-    Figure::PressureCentral,
-    Figure::TractionCoefficient,
-    Figure::FilmTemperatureMaximum,
-];
-
-/// Short name of a figure.
-fn symbol(figure: Figure) -> &'static str {
-    match figure {
-        Figure::FilmCentral => "h_c",
-        Figure::FilmMinimum => "h_min",
-        Figure::PressureCentral => "p_c",
-        Figure::TractionCoefficient => "traction",
-        Figure::FilmTemperatureMaximum => "T_max",
-        figure => figure.name(),
-    }
-}
 
 /// Sensitivities, the largest for the films first, and the uncertainty that those of the inputs come to.
 pub(super) fn write(out: &mut Lines, solution: &Solution) {
@@ -59,11 +40,11 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
         return;
     }
     let mut head = vec![String::new()];
-    let title = |figure| match figure {
-        Figure::FilmTemperatureMaximum => "T_max (K)",
-        figure => symbol(figure),
+    let title = |figure: Figure| match figure.kind() {
+        Kind::Temperature => format!("{} (K)", figure.symbol()),
+        _ => figure.symbol().to_owned(),
     };
-    head.extend(figures.iter().map(|f| title(f.figure).to_owned()));
+    head.extend(figures.iter().map(|f| title(f.figure)));
     let mut widths = vec![(NUMBER_WIDTH, 0); head.len()];
     widths[0] = (KEY_WIDTH, 0);
     let (rows, negligible) = rows(sensitivities, &figures);
@@ -82,10 +63,10 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
     for (reason, keys) in left_out(sensitivities) {
         out.line(&format!("not computed: {} ({reason})", keys.join(", ")));
     }
-    let missing: Vec<&str> = ASKED_FOR
+    let missing: Vec<&str> = Figure::TRACED
         .into_iter()
         .filter(|figure| !solution.resolves(*figure))
-        .map(symbol)
+        .map(Figure::symbol)
         .collect();
     if !missing.is_empty() {
         out.line(&format!(
@@ -111,8 +92,8 @@ fn rows<'a>(
                 true => 100.0,
                 false => input.value,
             };
-            let of = |f: &&FigureSensitivity| match f.figure {
-                Figure::FilmTemperatureMaximum => 0.01 * step * f.derivatives[i],
+            let of = |f: &&FigureSensitivity| match f.figure.kind() {
+                Kind::Temperature => 0.01 * step * f.derivatives[i],
                 _ => f.derivatives[i] * step / f.value,
             };
             (
@@ -153,9 +134,9 @@ fn write_uncertainty(out: &mut Lines, solution: &Solution) {
             .filter(|(_, share)| share.abs() >= NEGLIGIBLE_SHARE)
             .map(|(key, share)| format!("{key} {:.0} %", 100.0 * share))
             .collect();
-        let size = match (figure.figure, figure.value) {
+        let size = match (figure.figure.kind(), figure.value) {
             // Per cent of a temperature mean nothing.
-            (Figure::FilmTemperatureMaximum, _) => {
+            (Kind::Temperature, _) => {
                 format!("{} K", digits(figure.half_width, 2))
             }
             (_, 0.0) => digits(figure.half_width, 2),
@@ -165,7 +146,7 @@ fn write_uncertainty(out: &mut Lines, solution: &Solution) {
             ),
         };
         out.row(
-            symbol(figure.figure),
+            figure.figure.symbol(),
             format!("± {size:<14} {}", shares.join(", ")),
         );
     }
@@ -174,7 +155,7 @@ fn write_uncertainty(out: &mut Lines, solution: &Solution) {
         .0
         .iter()
         .filter(wide)
-        .map(|u| symbol(u.figure))
+        .map(|u| u.figure.symbol())
         .collect();
     if !far.is_empty() {
         out.line(&format!(

@@ -19,6 +19,7 @@ mod monte_carlo;
 pub mod pictures;
 mod report;
 mod result_json;
+mod results;
 mod study;
 mod target;
 pub mod vtu;

@@ -5,14 +5,14 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use super::figure::{axis_name, unit_of_size};
 use super::lines::Lines;
 use super::{OutputError, replace_picture};
 use crate::files::write_whole;
 use crate::params::PictureFormats;
-use crate::solution::{Figure, Solution, Uncertainties};
+use crate::solution::{Solution, Uncertainties};
 use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES};
 use crate::words::digits;
-use crate::words::{length_unit, pressure_unit};
 use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 
 /// Name of the statistics beside the table of the samples.
@@ -60,7 +60,7 @@ fn json(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Value {
                 .map(|(key, value)| (key.clone(), (*value).into()))
                 .collect();
         figures.insert(
-            figure.figure.to_owned(),
+            figure.figure.name().to_owned(),
             json!({
                 "mean": figure.mean,
                 "standard": figure.standard,
@@ -76,11 +76,7 @@ fn json(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Value {
 
 /// Standard deviation to first order.
 fn standard(figure: &Distribution, first_order: Option<&Uncertainties>) -> Option<f64> {
-    let found = first_order?
-        .0
-        .iter()
-        .find(|u| u.figure.name() == figure.figure)?;
-    Some(0.5 * found.half_width)
+    Some(0.5 * first_order?.get(figure.figure)?.half_width)
 }
 
 /// The table for the terminal.
@@ -99,7 +95,7 @@ pub fn monte_carlo_report(found: &MonteCarlo, solution: &Solution) -> String {
             format!(", to first order ± {}", digits(2.0 * factor * s, 3))
         });
         out.row(
-            figure.figure,
+            &figure.figure.title(),
             format!(
                 "{} to {}{unit}, median {}, ± {} (two standard deviations, each ± {:.0} %){first}",
                 value(low),
@@ -125,12 +121,7 @@ pub fn monte_carlo_report(found: &MonteCarlo, solution: &Solution) -> String {
 
 /// Factor and unit in which a figure is shown.
 fn unit(figure: &Distribution) -> (f64, String) {
-    let (factor, unit) = match figure.figure {
-        "film_central" | "film_minimum" => length_unit(figure.mean),
-        "pressure_central" => pressure_unit(figure.mean),
-        "film_temperature_maximum" => (1.0, "K"),
-        _ => (1.0, ""),
-    };
+    let (factor, unit) = unit_of_size(figure.figure.kind(), figure.mean);
     let space = if unit.is_empty() { "" } else { " " };
     (factor, format!("{space}{unit}"))
 }
@@ -143,13 +134,7 @@ fn picture(found: &MonteCarlo, solution: &Solution) -> Drawing {
 
 fn chart(figure: &Distribution, solution: &Solution) -> Chart {
     let (factor, unit) = unit(figure);
-    let name = match figure.figure {
-        "film_central" => "Central film *h*_{c}",
-        "film_minimum" => "Minimum film *h*_{min}",
-        "pressure_central" => "Smooth pressure maximum *p*_{c}",
-        "film_temperature_maximum" => "Largest temperature *T*",
-        _ => "Traction coefficient",
-    };
+    let name = axis_name(figure.figure);
     let values: Vec<f64> = figure.values.iter().map(|v| factor * v).collect();
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -174,12 +159,8 @@ fn chart(figure: &Distribution, solution: &Solution) -> Chart {
         colour: PALETTE[0].into(),
         side: Side::Left,
     }];
-    let reading = solution.uncertainty.as_ref().and_then(|u| {
-        let figure = Figure::ALL
-            .into_iter()
-            .find(|f| f.name() == figure.figure)?;
-        u.get(figure).cloned()
-    });
+    let first_order = solution.uncertainty.as_ref();
+    let reading = first_order.and_then(|u| u.get(figure.figure));
     if let Some(first) = reading.filter(|u| u.half_width > 0.0) {
         let (centre, standard) = (factor * first.value, 0.5 * factor * first.half_width);
         let normal = |x: f64| {
@@ -207,7 +188,7 @@ fn chart(figure: &Distribution, solution: &Solution) -> Chart {
         unit => (format!("{name} ({unit})"), format!("Density (1/{unit})")),
     };
     let mut chart = Chart::new(
-        name,
+        &name,
         Axis::linear_around(&label, [low, high]),
         Axis::linear_around(&per, [0.0, 1.1 * tallest]),
     );

@@ -3,13 +3,14 @@
 use std::path::Path;
 
 use super::BODIES;
-use super::figure::{estimate, in_unit, number, peak, percent, place, position, pressure_estimate};
+use super::figure::{estimate, number, percent};
 use super::lines::{Lines, NAME_WIDTH, Table};
+use super::results::write_section;
 use super::{heat, inputs, mixed};
 use crate::case::CaseEcho;
-use crate::contact::{ContactKind, Groups, Hertz, Supply, Symmetry};
+use crate::contact::{ContactKind, Groups, Hertz, Supply};
 use crate::plausible::left_out::words;
-use crate::solution::{Balance, Estimate, FormulaFilm, Located, Solution, Timings};
+use crate::solution::{Balance, Estimate, Figure, FormulaFilm, Section, Solution, Timings};
 use crate::words::{digits, length, pressure};
 
 /// Width of the column of values that have something beside them.
@@ -233,54 +234,23 @@ fn moes(groups: &Groups) -> String {
 }
 
 pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
-    let s = &solution.summary;
-    let at = |text: String, at: &Located| beside(&text, &place(solution, at));
     out.heading("Results");
-    out.row("central film thickness h_c", estimate(&s.film_central));
-    out.row(
-        "minimum film thickness h_min",
-        at(estimate(&s.film_minimum), &s.film_minimum_at),
-    );
-    if solution.shape.kind.is_point() {
-        let line = &s.film_centreline_minimum;
-        out.row("  on the centreline", at(estimate(&line.estimate()), line));
-    }
+    write_section(out, solution, Section::Film);
     mixed::write_lambda(out, solution);
-    write_pressures(out, solution);
-    out.row(
-        "outlet boundary (centreline)",
-        position(s.outlet_position, solution.hertz.half_width),
-    );
+    write_section(out, solution, Section::Pressure);
     write_starvation(out, solution);
-    write_roller(out, solution);
-    write_traction(out, solution);
+    write_section(out, solution, Section::Roller);
+    if let Some(r) = &solution.film_reduction {
+        out.row(
+            "film reduction by shear thinning",
+            format!("h_c {}, h_min {}", percent(r.central), percent(r.minimum)),
+        );
+    }
+    write_section(out, solution, Section::Traction);
+    write_ends_of_sums(out, solution);
+    write_section(out, solution, Section::Shear);
     mixed::write_asperities(out, solution);
     out.row("left out by the model", words(&solution.left_out));
-}
-
-/// The largest pressure, that of the smooth hill in the middle where it is another, and those of ridge and spike.
-fn write_pressures(out: &mut Lines, solution: &Solution) {
-    let s = &solution.summary;
-    let mut row = |name: &str, at: &Located| {
-        // Where a higher one may stand elsewhere, the place says nothing.
-        let place = match at.resolved || at.place_resolved {
-            true => place(solution, at),
-            false => String::new(),
-        };
-        out.row(name, beside(&peak(at), &place));
-    };
-    row("largest pressure", &s.pressure_maximum);
-    let central = &s.pressure_central;
-    if !s.pressure_maximum.resolved || s.pressure_maximum.value != central.value {
-        row("  smooth maximum in the middle", central);
-    }
-    if let Some(ridge) = &s.pressure_ridge {
-        row("  ridge before the outlet", ridge);
-    }
-    match &s.spike {
-        Some(spike) => row("pressure spike (centreline)", spike),
-        None => out.row("pressure spike", "none on the centreline"),
-    }
 }
 
 /// Balances that the solution should keep.
@@ -335,88 +305,17 @@ fn write_starvation(out: &mut Lines, solution: &Solution) {
         "h_min over the flooded film",
         beside(&ratio(s.ratio_minimum), &of(s.film_minimum_flooded)),
     );
-    out.row(
-        "gap is full from (centreline)",
-        match s.meniscus_position {
-            Some(x) => position(x, solution.hertz.half_width),
-            None => "the edge of the contact area on".to_owned(),
-        },
-    );
-}
-
-fn write_roller(out: &mut Lines, solution: &Solution) {
-    let Some(roller) = &solution.roller else {
-        return;
-    };
-    let row = |p: &Located| beside(&peak(p), &place(solution, p));
-    if solution.shape.symmetry == Symmetry::Half {
-        out.row(
-            "largest pressure near the ends",
-            row(&roller.edge_pressure_left),
-        );
-        return;
-    }
-    out.row(
-        "largest pressure, end y < 0",
-        row(&roller.edge_pressure_left),
-    );
-    out.row(
-        "largest pressure, end y > 0",
-        row(&roller.edge_pressure_right),
-    );
-    out.row(
-        "moment about the middle",
-        in_unit(roller.roller_moment, 1.0, "N m"),
-    );
-    out.row("load stands at y", in_unit(roller.load_position, 1e3, "mm"));
-}
-
-fn write_traction(out: &mut Lines, solution: &Solution) {
-    let t = &solution.traction;
-    if let Some(r) = &solution.film_reduction {
-        out.row(
-            "film reduction by shear thinning",
-            format!("h_c {}, h_min {}", percent(r.central), percent(r.minimum)),
-        );
-    }
-    out.row("traction coefficient", number(t.coefficient));
-    out.row(
-        "  at body 1, at body 2",
-        format!(
-            "{}, {}",
-            number(t.coefficient_body_1),
-            number(t.coefficient_body_2)
+    match s.meniscus_position {
+        Some(_) => write_section(out, solution, Section::Supply),
+        None => out.row(
+            Figure::MeniscusPosition.words(),
+            "inlet edge of the contact area",
         ),
-    );
-    let (force, power) = match solution.shape.kind.is_point() {
-        true => ("N", "W"),
-        false => ("N/m", "W/m"),
-    };
-    out.row("traction force", in_unit(t.force, 1.0, force));
-    if let Some(across) = &t.across {
-        out.row(
-            "traction across the motion",
-            beside(
-                &number(across.coefficient),
-                &in_unit(across.force, 1.0, force),
-            ),
-        );
-        out.row(
-            "  at body 1, at body 2",
-            format!(
-                "{}, {}",
-                number(across.coefficient_body_1),
-                number(across.coefficient_body_2)
-            ),
-        );
     }
-    if let Some(moment) = t.moment {
-        out.row(
-            "moment about the contact normal",
-            in_unit(moment, 1e3, "N mm"),
-        );
-    }
-    out.row("friction power", in_unit(t.friction_power, 1.0, power));
+}
+
+/// Where traction, moment and friction power are summed to, if that is where the bodies end.
+fn write_ends_of_sums(out: &mut Lines, solution: &Solution) {
     let summed = &solution.summed_to;
     if summed.ends_with_bodies {
         let ends = match summed.body_end_y {
@@ -430,17 +329,6 @@ fn write_traction(out: &mut Lines, solution: &Solution) {
             "  these are summed to",
             format!("{ends}, where the bodies end"),
         );
-    }
-    out.row(
-        "largest shear stress",
-        pressure_estimate(t.shear_stress_maximum),
-    );
-    if let Some(share) = t.beyond_first_limit {
-        let mut text = format!("{} of the Hertz zone", percent(share));
-        if let Some(second) = t.beyond_second_limit {
-            text.push_str(&format!(", on its second plateau {}", percent(second)));
-        }
-        out.row("lubricant thinned by shear", text);
     }
 }
 

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
-use crate::solution::{Figure, Solution};
+use crate::solution::{Figure, Located, Solution};
 use crate::warning::{notes, texts};
 
 /// Value of the key `format` by which a result is recognised.
@@ -39,6 +39,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "numerics_version": NUMERICS,
         "title": case.title,
         "kind": solution.shape.kind,
+        "figures": figures_json(solution),
         "summary": s,
         "traction": solution.traction,
         "summed_to": solution.summed_to,
@@ -60,7 +61,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "extents": { "inlet": inlet, "outlet": outlet, "side": side },
         "stats": serde_json::to_value(&solution.stats)?,
         "history": serde_json::to_value(&solution.history)?,
-        "units": units(),
+        "units": units(!solution.shape.kind.is_point()),
     });
     if let Some(starvation) = &solution.starvation {
         document["starvation"] = serde_json::to_value(starvation)?;
@@ -100,8 +101,30 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     Ok(document)
 }
 
+/// Every figure that the contact has, by its name: value, error bar, unit, and the place of those that have one.
+pub(super) fn figures_json(solution: &Solution) -> Value {
+    let is_line = !solution.shape.kind.is_point();
+    let entry = |(figure, at): (Figure, Located)| {
+        let mut entry = json!({
+            "value": at.value,
+            "error": at.error,
+            "resolved": at.error.map(|_| at.resolved),
+            "unit": figure.unit(is_line),
+        });
+        if figure.has_place() {
+            entry["x"] = at.x.into();
+            entry["y"] = at.y.into();
+            entry["place_error"] = at.place_error.into();
+            entry["place_resolved"] = at.place_resolved.into();
+        }
+        (figure.name().to_owned(), entry)
+    };
+    let figures: serde_json::Map<String, Value> = solution.figures().map(entry).collect();
+    figures.into()
+}
+
 /// Unit of each key that has one, wherever it occurs; all others are dimensionless.
-pub(super) fn units() -> Value {
+pub(super) fn units(is_line: bool) -> Value {
     const UNITS: [(&str, &[&str]); 12] = [
         (
             "m",
@@ -175,7 +198,8 @@ pub(super) fn units() -> Value {
     let figures = Figure::ALL.into_iter().flat_map(|figure| {
         let name = figure.name();
         let place = (figure.has_place()).then(|| (format!("{name}_at"), "m"));
-        let own = Some((name.to_owned(), figure.unit())).filter(|(_, unit)| !unit.is_empty());
+        let own =
+            Some((name.to_owned(), figure.unit(is_line))).filter(|(_, unit)| !unit.is_empty());
         own.into_iter().chain(place)
     });
     others

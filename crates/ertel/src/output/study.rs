@@ -5,8 +5,9 @@ use std::collections::{HashMap, HashSet};
 use ertel_quantity::Unit;
 
 use super::pictures::{ERROR_BARS, film_unit};
+use crate::solution::Figure;
 use crate::study::journal::{PointKey, Record};
-use crate::study::{ISOTHERMAL, StudyEcho};
+use crate::study::{Column, ISOTHERMAL, StudyEcho};
 use crate::words::digits;
 use ertel_plot::{Axis, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side};
 
@@ -23,35 +24,15 @@ const PANELS_IN_A_ROW: usize = 3;
 /// Colour of legend entries that hold for curves of all colours.
 const LEGEND_GREY: &str = "#404040";
 
-/// A figure of the points: its column, that of its error bar, its label, and its look.
-struct Figure {
-    column: &'static str,
-    error: &'static str,
-    label: &'static str,
-    look: Look,
-}
+/// A figure of the points with its look.
+type Shown = (Figure, Look);
 
-const FILMS: [Figure; 2] = [
-    Figure {
-        column: "film_central_m",
-        error: "film_central_error_m",
-        label: "central film",
-        look: Look::LineAndDots,
-    },
-    Figure {
-        column: "film_minimum_m",
-        error: "film_minimum_error_m",
-        label: "minimum film",
-        look: Look::LineAndRings,
-    },
+const FILMS: [Shown; 2] = [
+    (Figure::FilmCentral, Look::LineAndDots),
+    (Figure::FilmMinimum, Look::LineAndRings),
 ];
 
-const TRACTION: [Figure; 1] = [Figure {
-    column: "traction_coefficient",
-    error: "traction_coefficient_error",
-    label: "traction coefficient",
-    look: Look::LineAndDots,
-}];
+const TRACTION: [Shown; 1] = [(Figure::TractionCoefficient, Look::LineAndDots)];
 
 /// Central films with dots and minimum films with rings, with their error bars, over the axis with the most numbers, a colour for
 /// each combination of the others, and a panel for each value of one of them where these are more than there are colours; dashed
@@ -187,12 +168,13 @@ impl Layout {
         &self,
         study: &StudyEcho,
         records: &HashMap<PointKey, Record>,
-        figures: &[Figure],
+        figures: &[Shown],
     ) -> impl Iterator<Item = f64> {
         let all = (0..self.xs.len()).flat_map(move |i| {
-            figures
-                .iter()
-                .filter_map(move |figure| field(study, records, i, figure.column))
+            figures.iter().filter_map(move |(figure, _)| {
+                // Films and coefficients have the same unit in all contacts.
+                field(study, records, i, &Column::of(*figure).title(false))
+            })
         });
         all.collect::<Vec<f64>>().into_iter()
     }
@@ -202,7 +184,7 @@ impl Layout {
         &self,
         study: &StudyEcho,
         records: &HashMap<PointKey, Record>,
-        figures: &[Figure],
+        figures: &[Shown],
         factor: f64,
         y_label: &str,
     ) -> Option<Drawing> {
@@ -225,7 +207,7 @@ impl Layout {
         &self,
         study: &StudyEcho,
         records: &HashMap<PointKey, Record>,
-        figures: &[Figure],
+        figures: &[Shown],
         (factor, y_label): (f64, &str),
         panel: usize,
     ) -> Chart {
@@ -251,20 +233,23 @@ impl Layout {
         for curve in self.curves.iter().filter(|c| c.panel == panel) {
             let colour = (self.labels.iter().zip(PALETTE)).find(|(l, _)| **l == curve.label);
             let colour = colour.map_or(PALETTE[0], |(_, colour)| colour);
-            for (i, figure) in figures.iter().enumerate() {
+            for (i, (figure, look)) in figures.iter().enumerate() {
+                let column = Column::of(*figure);
+                let [title, error_title] = [Some(column.title(false)), column.error_title(false)]
+                    .map(Option::unwrap_or_default);
                 let colour = match single {
                     true => PALETTE[i],
                     false => colour,
                 };
-                let value = |point: usize, column| {
-                    field(study, records, point, column).map(|value| factor * value)
+                let value = |point: usize, title: &str| {
+                    field(study, records, point, title).map(|value| factor * value)
                 };
                 let mut points: Vec<[f64; 2]> = (curve.points.iter())
-                    .map(|i| [self.xs[*i], value(*i, figure.column).unwrap_or(f64::NAN)])
+                    .map(|i| [self.xs[*i], value(*i, &title).unwrap_or(f64::NAN)])
                     .collect();
                 points.sort_by(|a, b| a[0].total_cmp(&b[0]));
                 let bars = curve.points.iter().filter_map(|i| {
-                    let (h, error) = (value(*i, figure.column)?, value(*i, figure.error)?);
+                    let (h, error) = (value(*i, &title)?, value(*i, &error_title)?);
                     Some([self.xs[*i], h - error, h + error])
                 });
                 chart.error_bars.push(ErrorBars {
@@ -272,7 +257,7 @@ impl Layout {
                     colour: colour.to_owned(),
                 });
                 let label = match (curve.is_isothermal, single, i) {
-                    (false, true, _) => figure.label.to_owned(),
+                    (false, true, _) => figure.words().to_owned(),
                     (false, false, 0) => curve.label.clone(),
                     _ => String::new(),
                 };
@@ -281,7 +266,7 @@ impl Layout {
                     points,
                     look: match curve.is_isothermal {
                         true => Look::Dashed,
-                        false => figure.look,
+                        false => *look,
                     },
                     colour: colour.to_owned(),
                     ..Series::default()
@@ -295,7 +280,7 @@ impl Layout {
             ..Series::default()
         };
         if !single && figures.len() > 1 {
-            let looks = figures.iter().map(|f| entry(f.label, f.look));
+            let looks = figures.iter().map(|(f, look)| entry(f.words(), *look));
             chart.series.extend(looks);
         }
         if self.curves.iter().any(|curve| curve.is_isothermal) {

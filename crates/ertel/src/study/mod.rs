@@ -1,6 +1,7 @@
 //! Studies of more than one contact. Points are solved in the order of a plan: those of a curve one after the other, those of
 //! a study as a tree.
 
+mod columns;
 pub mod curve;
 pub mod journal;
 pub mod monte_carlo;
@@ -10,6 +11,7 @@ mod sweep;
 mod table;
 mod walk;
 
+pub use columns::{Cell, Column, columns};
 pub use curve::{CurveObserver, CurveSolution, solve_curve, value_text};
 pub use point::{Outcome, PointSolution};
 pub use sweep::{

@@ -7,14 +7,14 @@ use std::path::Path;
 use ertel_input::file::{LARGEST_OWN, read_bytes};
 use serde::{Deserialize, Serialize};
 
+use super::columns::{Column, columns};
 use super::journal::{PointKey, Record, Title};
 use super::{Outcome, PointSolution, SweepError};
 use crate::case::study::{AxisValue, Study};
 use crate::contact::ContactKind;
 use crate::files::{text_field, write_whole};
-use crate::output::curve::COLUMNS;
 use crate::params::PictureFormats;
-use crate::solution::Estimate;
+use crate::solution::{Estimate, Figure};
 
 /// Name of the table in the folder of a study.
 pub const TABLE: &str = "results.csv";
@@ -179,51 +179,35 @@ impl StudyEcho {
 /// Switch of a case that leaves heat out.
 pub(crate) const ISOTHERMAL: &str = "solver.isothermal";
 
-/// Columns of what heat takes away, as a share of what there is without it, and those that they are of, with the
-/// columns of the error bars.
-const REDUCTIONS: [[&str; 4]; 3] = [
-    [
-        "thermal_reduction_central",
-        "thermal_reduction_central_error",
-        "film_central_m",
-        "film_central_error_m",
-    ],
-    [
-        "thermal_reduction_minimum",
-        "thermal_reduction_minimum_error",
-        "film_minimum_m",
-        "film_minimum_error_m",
-    ],
-    [
-        "thermal_reduction_traction",
-        "thermal_reduction_traction_error",
-        "traction_coefficient",
-        "traction_coefficient_error",
-    ],
+/// Columns of what heat takes away, as a share of what there is without it, and the figures that they are of.
+const REDUCTIONS: [(&str, Figure); 3] = [
+    ("thermal_reduction_central", Figure::FilmCentral),
+    ("thermal_reduction_minimum", Figure::FilmMinimum),
+    ("thermal_reduction_traction", Figure::TractionCoefficient),
 ];
 
 /// `1 - with heat/without`, or its error bar, of a column that asks for it; `None` of the traction where nothing
 /// slides; nothing inside where the films or tractions have no error bars.
 fn reduction(name: &str, record: &Record, isothermal: &Record) -> Option<Option<f64>> {
-    let columns = REDUCTIONS
-        .iter()
-        .find(|columns| columns[..2].contains(&name))?;
-    let [own, _, of, error_of] = *columns;
-    let number = |record: &Record, name| record.field(name)?.parse::<f64>().ok();
-    if of == "traction_coefficient" && number(record, "slide_to_roll_ratio")? == 0.0 {
+    let own = name.strip_suffix("_error").unwrap_or(name);
+    let (_, figure) = REDUCTIONS.iter().find(|(column, _)| *column == own)?;
+    let number = |record: &Record, name: &str| record.field(name)?.parse::<f64>().ok();
+    if *figure == Figure::TractionCoefficient && number(record, "slide_to_roll_ratio")? == 0.0 {
         return None;
     }
+    // Films and coefficients have the same unit in all contacts.
+    let column = Column::of(*figure);
+    let (of, error_of) = (column.title(false), column.error_title(false)?);
     let estimate = |record| {
         Some(Estimate {
-            value: number(record, of)?,
-            error: number(record, error_of),
+            value: number(record, &of)?,
+            error: number(record, &error_of),
         })
     };
     let reduction = Estimate::reduction(estimate(record)?, estimate(isothermal)?);
-    Some(if name == own {
-        Some(reduction.value)
-    } else {
-        reduction.error
+    Some(match own == name {
+        true => Some(reduction.value),
+        false => reduction.error,
     })
 }
 
@@ -259,10 +243,9 @@ pub(super) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
             fields.push((name.to_owned(), number(value)));
         }
     }
-    let columns = COLUMNS.iter().filter(|column| belongs(column.name));
-    for (title, value) in columns.flat_map(|column| column.fields(is_line)) {
-        let value = value(point).to_string().replace(['\n', '\r'], " ");
-        fields.push((title, value));
+    let columns = columns().filter(|column| belongs(column.name));
+    for (title, cell) in columns.flat_map(|column| column.fields(point, is_line)) {
+        fields.push((title, cell.to_string().replace(['\n', '\r'], " ")));
     }
     (fields.into_iter())
         .map(|(title, value)| (title.into(), value.into()))

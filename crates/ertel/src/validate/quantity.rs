@@ -1,371 +1,317 @@
-//! Quantities that are compared.
+//! Quantities that are compared: those of the thesis in its dimensionless form, one row for each, and every figure of the registry in SI.
 
+use super::deflection::Deflection;
 use super::run::{Outcome, Run};
 use crate::output::pictures;
-use crate::solution::Solution;
+use crate::solution::{Figure, Solution};
 use crate::study::{CurveSolution, PointSolution};
 
-/// A figure of a run.
+/// How a quantity is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quantity {
+enum Format {
+    /// As a number.
+    Number,
+    /// In per cent.
+    Share,
+    /// As a count.
+    Count,
+}
+
+/// Where a quantity is found; nowhere where a run has no such figure.
+#[derive(Clone, Copy, Default)]
+struct Sources {
+    solution: Option<fn(&Solution) -> Option<f64>>,
+    curve: Option<fn(&CurveSolution) -> Option<f64>>,
+    deflection: Option<OfDeflection>,
+}
+
+/// Of a run that only deflects the bodies, and the run that differences are taken from.
+type OfDeflection = fn(&Run, &Deflection, Option<&Outcome>) -> Option<f64>;
+
+impl Sources {
+    const NONE: Sources = Sources {
+        solution: None,
+        curve: None,
+        deflection: None,
+    };
+
+    const fn solution(value: fn(&Solution) -> Option<f64>) -> Sources {
+        Sources::NONE.or_solution(value)
+    }
+
+    const fn or_solution(self, value: fn(&Solution) -> Option<f64>) -> Sources {
+        Sources {
+            solution: Some(value),
+            ..self
+        }
+    }
+
+    const fn curve(value: fn(&CurveSolution) -> Option<f64>) -> Sources {
+        Sources {
+            curve: Some(value),
+            ..Sources::NONE
+        }
+    }
+
+    const fn deflection(value: OfDeflection) -> Sources {
+        Sources {
+            deflection: Some(value),
+            ..Sources::NONE
+        }
+    }
+}
+
+/// Declares the quantities: name in `reference.toml`, name in tables, how it is written, where it is found.
+macro_rules! quantities {
+    ($($(#[$doc:meta])* $variant:ident, $key:literal, $label:literal, $format:ident, $sources:expr;)*) => {
+        /// A figure of a run.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Quantity {
+            /// A figure of the registry, SI.
+            Figure(Figure),
+            $($(#[$doc])* $variant,)*
+        }
+
+        impl Quantity {
+            /// Every quantity.
+            pub fn all() -> Vec<Quantity> {
+                let figures = Figure::ALL.map(Quantity::Figure);
+                [&[$(Quantity::$variant),*][..], &figures].concat()
+            }
+
+            /// Name in `reference.toml`.
+            pub fn key(self) -> &'static str {
+                match self {
+                    Quantity::Figure(figure) => figure.name(),
+                    $(Quantity::$variant => $key,)*
+                }
+            }
+
+            /// Name in tables.
+            pub fn label(self) -> &'static str {
+                match self {
+                    Quantity::Figure(figure) => figure.words(),
+                    $(Quantity::$variant => $label,)*
+                }
+            }
+
+            fn format(self) -> Format {
+                match self {
+                    Quantity::Figure(_) => Format::Number,
+                    $(Quantity::$variant => Format::$format,)*
+                }
+            }
+
+            fn sources(self) -> Sources {
+                match self {
+                    Quantity::Figure(_) => Sources::NONE,
+                    $(Quantity::$variant => $sources,)*
+                }
+            }
+        }
+    };
+}
+
+quantities! {
     /// H_c = h_c R/a².
-    CentralFilm,
+    CentralFilm, "central-film", "H_c", Number,
+        Sources::solution(|s| Some(s.summary.film_central.value / s.scales.film));
     /// H_m = h_m R/a², the smallest anywhere.
-    MinimumFilm,
+    MinimumFilm, "minimum-film", "H_m", Number,
+        Sources::solution(|s| Some(s.summary.film_minimum.value / s.scales.film));
     /// X at which the film breaks on the centreline.
-    Outlet,
+    Outlet, "outlet", "X_out", Number,
+        Sources::solution(|s| Some(s.summary.outlet_position.value / s.scales.length));
     /// Most negative P.
-    MinimumPressure,
+    MinimumPressure, "minimum-pressure", "min P", Number,
+        Sources::solution(|s| Some(s.summary.pressure_minimum / s.scales.pressure));
     /// Largest P.
-    MaximumPressure,
+    MaximumPressure, "maximum-pressure", "max P", Number,
+        Sources::solution(|s| Some(s.summary.pressure_maximum.value / s.scales.pressure));
     /// P at the spike near the outlet.
-    SpikePressure,
+    SpikePressure, "spike-pressure", "P of the spike", Number,
+        Sources::solution(|s| s.summary.spike.map(|p| p.value / s.scales.pressure));
     /// Mean P along X = 0 near the side of the dry contact, 0.7 < |Y| < 1.
-    SidePressure,
+    SidePressure, "side-pressure", "mean P at the side", Number, Sources::solution(side_pressure);
     /// Variation of P on the centreline, |X| ≤ 0.8, beyond that of one rise and one fall.
-    PressureOscillation,
+    PressureOscillation, "pressure-oscillation", "oscillation of P", Number, Sources::solution(pressure_oscillation);
     /// Mass balance error of the film between inlet and centre.
-    FilmBalance,
+    FilmBalance, "film-balance", "balance error", Number,
+        Sources::solution(|s| Some(s.summary.film_balance_error.abs()));
     /// Newton iterations of a cold start, all levels together.
-    NewtonIterations,
+    NewtonIterations, "newton-iterations", "Newton iterations", Count, Sources::solution(|s| {
+        let iterations = s.stats.levels.iter().map(|l| l.newton_iterations);
+        Some(iterations.sum::<usize>() as f64)
+    });
     /// Largest deviation of the deflection from Hertz theory on |X| ≤ 1, over the central one.
-    DeflectionError,
+    DeflectionError, "deflection-error", "deflection error", Share,
+        Sources::deflection(|run, d, _| Some(d.error(run.case.contact.kind)));
     /// The same without the deviation at the centre, which the rigid displacement takes up.
-    DeflectionShapeError,
+    DeflectionShapeError, "deflection-shape-error", "shape error", Share,
+        Sources::deflection(|run, d, _| Some(d.shape_error(run.case.contact.kind)));
     /// Largest difference of the deflections of two runs on |X| ≤ 1, over the central one.
-    DeflectionDifference,
+    DeflectionDifference, "deflection-difference", "deflection difference", Number,
+        Sources::deflection(|_, d, other| match other {
+            Some(Outcome::Deflected(other)) => d.difference(other),
+            _ => None,
+        });
     /// Unknowns: displacements, and pressures where they are solved for.
-    Unknowns,
+    Unknowns, "unknowns", "unknowns", Count,
+        Sources::deflection(|_, d, _| Some(d.n_displacement_dofs as f64)).or_solution(|s| {
+            let solved = s.stats.solved()?;
+            Some((solved.n_displacement_dofs + solved.n_pressure_dofs) as f64)
+        });
     /// Hertz pressure, GPa.
-    HertzPressure,
+    HertzPressure, "hertz-pressure", "p_h, GPa", Number,
+        Sources::curve(|curve| {
+            let solved = curve.points.iter().find_map(|p| p.outcome.solution());
+            Some(1e-9 * solved?.hertz.pressure)
+        })
+        .or_solution(|s| Some(1e-9 * s.hertz.pressure));
     /// M.
-    MoesLoad,
+    MoesLoad, "moes-load", "M", Number, Sources::solution(|s| Some(s.groups.moes_load));
     /// L with the initial slope of ln μ(p).
-    MoesMaterial,
+    MoesMaterial, "moes-material", "L", Number, Sources::solution(|s| Some(s.groups.moes_material));
     /// L with the reciprocal asymptotic coefficient α*.
-    MoesMaterialAsymptotic,
+    MoesMaterialAsymptotic, "moes-material-asymptotic", "L with α*", Number,
+        Sources::solution(|s| s.groups_asymptotic.map(|g| g.moes_material));
     /// Traction coefficient at mid-film.
-    Traction,
+    Traction, "traction", "traction coefficient", Number,
+        Sources::solution(|s| Some(s.traction.coefficient.value));
     /// X at the spike near the outlet.
-    SpikePosition,
+    SpikePosition, "spike-position", "X of the spike", Number,
+        Sources::solution(|s| s.summary.spike.map(|p| p.x / s.scales.length));
     /// Smallest film on the centreline over the smallest anywhere.
-    CentrelineRatio,
+    CentrelineRatio, "centreline-ratio", "h_cmin/h_min", Number,
+        Sources::solution(|s| Some(s.summary.film_centreline_minimum.value / s.summary.film_minimum.value));
     /// Largest rise of the film's temperature, K.
-    FilmRiseOfTemperature,
-    /// Mean temperature of the plane's surface less that of the ball's, over the Hertz zone, K.
-    SurfaceDifference,
+    FilmRiseOfTemperature, "film-temperature-rise", "largest film temperature rise, K", Number,
+        Sources::solution(|s| {
+            let thermal = s.thermal.as_ref()?;
+            Some(thermal.film_maximum.value - thermal.inlet_temperature)
+        });
+    /// Mean temperature of the surface of body 1 less that of body 2, over the Hertz zone, K.
+    SurfaceDifference, "surface-difference", "mean plane − mean ball, K", Number,
+        Sources::solution(|s| {
+            let thermal = s.thermal.as_ref()?;
+            Some(thermal.body_1_mean.value - thermal.body_2_mean.value)
+        });
     /// How far mid-film is colder than the mean of both walls at the most, 0.8 < X < 1.2, K; negative where it is nowhere.
-    OutletCooling,
+    OutletCooling, "outlet-cooling", "mid-film below the mean of the walls at the outlet, K", Number,
+        Sources::solution(outlet_cooling);
     /// Traction coefficient without heat, on the first mesh.
-    IsothermalTraction,
+    IsothermalTraction, "isothermal-traction", "isothermal traction coefficient", Number,
+        Sources::solution(|s| Some(s.thermal.as_ref()?.reduction?.isothermal_traction.value));
     /// Reduction of the central film by heat.
-    ThermalFilmReduction,
+    ThermalFilmReduction, "thermal-film-reduction", "film reduction by heat", Share,
+        Sources::solution(|s| Some(s.thermal.as_ref()?.reduction?.film_central.value));
     /// Heat made but not carried off, over the heat made, absolute.
-    HeatBalanceError,
+    HeatBalanceError, "heat-balance", "heat balance error", Share,
+        Sources::solution(|s| Some(s.thermal.as_ref()?.balance.error.abs()));
     /// Of a curve: smallest reduction of the central film by shear thinning.
-    LeastFilmReduction,
+    LeastFilmReduction, "least-film-reduction", "smallest film reduction", Share,
+        Sources::curve(|curve| reductions(curve)?.into_iter().reduce(f64::min));
     /// Of a curve: largest.
-    MostFilmReduction,
+    MostFilmReduction, "most-film-reduction", "largest film reduction", Share,
+        Sources::curve(|curve| largest(reductions(curve)?));
     /// Of a curve: share of the central film lost from the first point to the last.
-    FilmFall,
+    FilmFall, "film-fall", "fall of h_c, first to last point", Share, Sources::curve(|curve| {
+        let films = values_of(curve, Figure::FilmCentral)?;
+        Some(1.0 - films.last()? / films.first()?)
+    });
     /// Of a curve: largest relative rise of the central film from a point to the next; negative where it always falls.
-    FilmRise,
+    FilmRise, "film-rise", "largest rise of h_c, point to point", Share, Sources::curve(|curve| {
+        let films = values_of(curve, Figure::FilmCentral)?;
+        largest(films.windows(2).map(|w| w[1] / w[0] - 1.0).collect())
+    });
     /// Of a curve: largest traction coefficient at mid-film.
-    MostTraction,
+    MostTraction, "most-traction", "largest traction coefficient", Number,
+        Sources::curve(|curve| largest(values_of(curve, Figure::TractionCoefficient)?));
     /// Of a curve: largest ratio of the traction to that without shear thinning, where surfaces slide.
-    MostTractionRatio,
+    MostTractionRatio, "most-traction-ratio", "largest traction/Newtonian", Share,
+        Sources::curve(most_traction_ratio);
     /// Of a curve: largest relative change of the largest pressure from the first point.
-    PressureChange,
+    PressureChange, "pressure-change", "largest change of max p", Share, Sources::curve(|curve| {
+        let pressures = values_of(curve, Figure::PressureMaximum)?;
+        let first = *pressures.first()?;
+        largest(pressures.iter().map(|p| (p / first - 1.0).abs()).collect())
+    });
 }
 
 impl Quantity {
-    /// Every quantity.
-    pub const ALL: [Quantity; 34] = [
-        Quantity::CentralFilm,
-        Quantity::MinimumFilm,
-        Quantity::Outlet,
-        Quantity::MinimumPressure,
-        Quantity::MaximumPressure,
-        Quantity::SpikePressure,
-        Quantity::SidePressure,
-        Quantity::PressureOscillation,
-        Quantity::FilmBalance,
-        Quantity::NewtonIterations,
-        Quantity::DeflectionError,
-        Quantity::DeflectionShapeError,
-        Quantity::DeflectionDifference,
-        Quantity::Unknowns,
-        Quantity::HertzPressure,
-        Quantity::MoesLoad,
-        Quantity::MoesMaterial,
-        Quantity::MoesMaterialAsymptotic,
-        Quantity::Traction,
-        Quantity::SpikePosition,
-        Quantity::CentrelineRatio,
-        Quantity::FilmRiseOfTemperature,
-        Quantity::SurfaceDifference,
-        Quantity::OutletCooling,
-        Quantity::IsothermalTraction,
-        Quantity::ThermalFilmReduction,
-        Quantity::HeatBalanceError,
-        Quantity::LeastFilmReduction,
-        Quantity::MostFilmReduction,
-        Quantity::FilmFall,
-        Quantity::FilmRise,
-        Quantity::MostTraction,
-        Quantity::MostTractionRatio,
-        Quantity::PressureChange,
-    ];
-
-    /// Name in `reference.toml`.
-    pub fn key(self) -> &'static str {
-        match self {
-            Quantity::CentralFilm => "central-film",
-            Quantity::MinimumFilm => "minimum-film",
-            Quantity::Outlet => "outlet",
-            Quantity::MinimumPressure => "minimum-pressure",
-            Quantity::MaximumPressure => "maximum-pressure",
-            Quantity::SpikePressure => "spike-pressure",
-            Quantity::SidePressure => "side-pressure",
-            Quantity::PressureOscillation => "pressure-oscillation",
-            Quantity::FilmBalance => "film-balance",
-            Quantity::NewtonIterations => "newton-iterations",
-            Quantity::DeflectionError => "deflection-error",
-            Quantity::DeflectionShapeError => "deflection-shape-error",
-            Quantity::DeflectionDifference => "deflection-difference",
-            Quantity::Unknowns => "unknowns",
-            Quantity::HertzPressure => "hertz-pressure",
-            Quantity::MoesLoad => "moes-load",
-            Quantity::MoesMaterial => "moes-material",
-            Quantity::MoesMaterialAsymptotic => "moes-material-asymptotic",
-            Quantity::Traction => "traction",
-            Quantity::SpikePosition => "spike-position",
-            Quantity::CentrelineRatio => "centreline-ratio",
-            Quantity::FilmRiseOfTemperature => "film-temperature-rise",
-            Quantity::SurfaceDifference => "surface-difference",
-            Quantity::OutletCooling => "outlet-cooling",
-            Quantity::IsothermalTraction => "isothermal-traction",
-            Quantity::ThermalFilmReduction => "thermal-film-reduction",
-            Quantity::HeatBalanceError => "heat-balance",
-            Quantity::LeastFilmReduction => "least-film-reduction",
-            Quantity::MostFilmReduction => "most-film-reduction",
-            Quantity::FilmFall => "film-fall",
-            Quantity::FilmRise => "film-rise",
-            Quantity::MostTraction => "most-traction",
-            Quantity::MostTractionRatio => "most-traction-ratio",
-            Quantity::PressureChange => "pressure-change",
-        }
-    }
-
-    /// Name in tables.
-    pub fn label(self) -> &'static str {
-        match self {
-            Quantity::CentralFilm => "H_c",
-            Quantity::MinimumFilm => "H_m",
-            Quantity::Outlet => "X_out",
-            Quantity::MinimumPressure => "min P",
-            Quantity::MaximumPressure => "max P",
-            Quantity::SpikePressure => "P of the spike",
-            Quantity::SidePressure => "mean P at the side",
-            Quantity::PressureOscillation => "oscillation of P",
-            Quantity::FilmBalance => "balance error",
-            Quantity::NewtonIterations => "Newton iterations",
-            Quantity::DeflectionError => "deflection error",
-            Quantity::DeflectionShapeError => "shape error",
-            Quantity::DeflectionDifference => "deflection difference",
-            Quantity::Unknowns => "unknowns",
-            Quantity::HertzPressure => "p_h, GPa",
-            Quantity::MoesLoad => "M",
-            Quantity::MoesMaterial => "L",
-            Quantity::MoesMaterialAsymptotic => "L with α*",
-            Quantity::Traction => "traction coefficient",
-            Quantity::SpikePosition => "X of the spike",
-            Quantity::CentrelineRatio => "h_cmin/h_min",
-            Quantity::FilmRiseOfTemperature => "largest film temperature rise, K",
-            Quantity::SurfaceDifference => "mean plane − mean ball, K",
-            Quantity::OutletCooling => "mid-film below the mean of the walls at the outlet, K",
-            Quantity::IsothermalTraction => "isothermal traction coefficient",
-            Quantity::ThermalFilmReduction => "film reduction by heat",
-            Quantity::HeatBalanceError => "heat balance error",
-            Quantity::LeastFilmReduction => "smallest film reduction",
-            Quantity::MostFilmReduction => "largest film reduction",
-            Quantity::FilmFall => "fall of h_c, first to last point",
-            Quantity::FilmRise => "largest rise of h_c, point to point",
-            Quantity::MostTraction => "largest traction coefficient",
-            Quantity::MostTractionRatio => "largest traction/Newtonian",
-            Quantity::PressureChange => "largest change of max p",
-        }
-    }
-
     /// Whether it is a share, shown in per cent.
     pub fn is_share(self) -> bool {
-        matches!(
-            self,
-            Quantity::DeflectionError
-                | Quantity::DeflectionShapeError
-                | Quantity::LeastFilmReduction
-                | Quantity::ThermalFilmReduction
-                | Quantity::HeatBalanceError
-                | Quantity::MostFilmReduction
-                | Quantity::FilmFall
-                | Quantity::FilmRise
-                | Quantity::MostTractionRatio
-                | Quantity::PressureChange
-        )
+        self.format() == Format::Share
     }
 
     /// Whether it counts something.
     pub fn is_count(self) -> bool {
-        matches!(self, Quantity::NewtonIterations | Quantity::Unknowns)
+        self.format() == Format::Count
     }
 
     /// Value in the outcome of a run, `None` where it has no such figure; `other` is the run that
     /// differences are taken from.
     pub fn value(self, run: &Run, outcome: &Outcome, other: Option<&Outcome>) -> Option<f64> {
-        match outcome {
-            Outcome::Solved(s) => {
-                let f = &s.summary;
-                let last = s.stats.solved();
-                match self {
-                    Quantity::CentralFilm => Some(f.film_central.value / s.scales.film),
-                    Quantity::MinimumFilm => Some(f.film_minimum.value / s.scales.film),
-                    Quantity::Outlet => Some(f.outlet_position.value / s.scales.length),
-                    Quantity::MinimumPressure => Some(f.pressure_minimum / s.scales.pressure),
-                    Quantity::MaximumPressure => Some(f.pressure_maximum.value / s.scales.pressure),
-                    Quantity::SpikePressure => f.spike.map(|p| p.value / s.scales.pressure),
-                    Quantity::SidePressure => {
-                        let factor = 1.0 / s.scales.pressure;
-                        mean(
-                            &pictures::profile_across(s, &s.elements.pressure, factor),
-                            SIDE,
-                        )
-                    }
-                    Quantity::PressureOscillation => {
-                        let line = &s.centreline;
-                        let inner = line
-                            .x
-                            .iter()
-                            .zip(&line.pressure)
-                            .filter(|(x, _)| x.abs() <= OSCILLATION_ZONE * s.scales.length)
-                            .map(|(_, p)| p / s.scales.pressure);
-                        Some(oscillation(&inner.collect::<Vec<_>>()))
-                    }
-                    Quantity::FilmBalance => Some(f.film_balance_error.abs()),
-                    Quantity::NewtonIterations => Some(
-                        s.stats
-                            .levels
-                            .iter()
-                            .map(|l| l.newton_iterations)
-                            .sum::<usize>() as f64,
-                    ),
-                    Quantity::Unknowns => {
-                        last.map(|l| (l.n_displacement_dofs + l.n_pressure_dofs) as f64)
-                    }
-                    Quantity::HertzPressure => Some(1e-9 * s.hertz.pressure),
-                    Quantity::MoesLoad => Some(s.groups.moes_load),
-                    Quantity::MoesMaterial => Some(s.groups.moes_material),
-                    Quantity::MoesMaterialAsymptotic => {
-                        s.groups_asymptotic.map(|g| g.moes_material)
-                    }
-                    Quantity::Traction => Some(s.traction.coefficient.value),
-                    Quantity::SpikePosition => f.spike.map(|p| p.x / s.scales.length),
-                    Quantity::CentrelineRatio => {
-                        Some(f.film_centreline_minimum.value / f.film_minimum.value)
-                    }
-                    _ => self.of_heat(s),
-                }
-            }
-            Outcome::Deflected(d) => {
-                let kind = run.case.contact.kind;
-                match (self, other) {
-                    (Quantity::DeflectionError, _) => Some(d.error(kind)),
-                    (Quantity::DeflectionShapeError, _) => Some(d.shape_error(kind)),
-                    (Quantity::DeflectionDifference, Some(Outcome::Deflected(other))) => {
-                        d.difference(other)
-                    }
-                    (Quantity::Unknowns, _) => Some(d.n_displacement_dofs as f64),
-                    _ => None,
-                }
-            }
-            Outcome::Curve(curve) => self.of_curve(curve),
-            Outcome::Failed(_) | Outcome::Skipped => None,
+        let sources = self.sources();
+        match (outcome, self) {
+            (Outcome::Solved(s), Quantity::Figure(figure)) => Some(s.figure(figure)?.value),
+            (Outcome::Solved(s), _) => sources.solution?(s),
+            (Outcome::Deflected(d), _) => sources.deflection?(run, d, other),
+            (Outcome::Curve(curve), _) => sources.curve?(curve),
+            (Outcome::Failed(_) | Outcome::Skipped, _) => None,
         }
     }
 }
 
-impl Quantity {
-    /// Value of a thermal solution; `None` for another.
-    fn of_heat(self, s: &Solution) -> Option<f64> {
-        let thermal = s.thermal.as_ref()?;
-        match self {
-            Quantity::FilmRiseOfTemperature => {
-                Some(thermal.film_maximum.value - thermal.inlet_temperature)
-            }
-            Quantity::SurfaceDifference => {
-                Some(thermal.body_1_mean.value - thermal.body_2_mean.value)
-            }
-            Quantity::OutletCooling => {
-                let line = &thermal.centreline;
-                let below = |i: usize| 0.5 * (line.plane[i] + line.ball[i]) - line.mid[i];
-                (s.centreline.x.iter().enumerate())
-                    .filter(|(_, x)| OUTLET.contains(&(*x / s.scales.length)))
-                    .map(|(i, _)| below(i))
-                    .reduce(f64::max)
-            }
-            Quantity::IsothermalTraction => Some(thermal.reduction?.isothermal_traction.value),
-            Quantity::ThermalFilmReduction => Some(thermal.reduction?.film_central.value),
-            Quantity::HeatBalanceError => Some(thermal.balance.error.abs()),
-            _ => None,
-        }
-    }
+fn side_pressure(s: &Solution) -> Option<f64> {
+    let factor = 1.0 / s.scales.pressure;
+    mean(
+        &pictures::profile_across(s, &s.elements.pressure, factor),
+        SIDE,
+    )
+}
 
-    /// Value of a curve; `None` where a point that it needs has no solution.
-    fn of_curve(self, curve: &CurveSolution) -> Option<f64> {
-        /// A figure of every point that has it, `None` if one that should does not.
-        fn of_points(
-            curve: &CurveSolution,
-            figure: impl Fn(&PointSolution) -> Option<f64>,
-        ) -> Option<Vec<f64>> {
-            curve.points.iter().map(figure).collect()
-        }
-        let largest = |list: Vec<f64>| list.into_iter().reduce(f64::max);
-        let slides = |p: &&PointSolution| p.case.motion.slides();
-        let film = |p: &PointSolution| Some(p.outcome.solution()?.summary.film_central.value);
-        let pressure =
-            |p: &PointSolution| Some(p.outcome.solution()?.summary.pressure_maximum.value);
-        let traction = |p: &PointSolution| Some(p.outcome.solution()?.traction.coefficient.value);
-        let reductions = || of_points(curve, |p| Some(p.film_reduction()?.central.value));
-        match self {
-            Quantity::HertzPressure => {
-                let solved = curve.points.iter().find_map(|p| p.outcome.solution());
-                Some(1e-9 * solved?.hertz.pressure)
-            }
-            Quantity::LeastFilmReduction => reductions()?.into_iter().reduce(f64::min),
-            Quantity::MostFilmReduction => largest(reductions()?),
-            Quantity::FilmFall => {
-                let films = of_points(curve, film)?;
-                Some(1.0 - films.last()? / films.first()?)
-            }
-            Quantity::FilmRise => {
-                let films = of_points(curve, film)?;
-                largest(films.windows(2).map(|w| w[1] / w[0] - 1.0).collect())
-            }
-            Quantity::MostTraction => largest(of_points(curve, traction)?),
-            Quantity::MostTractionRatio => {
-                let ratio =
-                    |p| Some(traction(p)? / p.newtonian_solution()?.traction.coefficient.value);
-                let ratios: Option<Vec<f64>> =
-                    curve.points.iter().filter(slides).map(ratio).collect();
-                largest(ratios?)
-            }
-            Quantity::PressureChange => {
-                let pressures = of_points(curve, pressure)?;
-                let first = *pressures.first()?;
-                largest(pressures.iter().map(|p| (p / first - 1.0).abs()).collect())
-            }
-            _ => None,
-        }
-    }
+fn pressure_oscillation(s: &Solution) -> Option<f64> {
+    let line = &s.centreline;
+    let places = line.x.iter().zip(&line.pressure);
+    let inner = places
+        .filter(|(x, _)| x.abs() <= OSCILLATION_ZONE * s.scales.length)
+        .map(|(_, p)| p / s.scales.pressure);
+    Some(oscillation(&inner.collect::<Vec<_>>()))
+}
+
+fn outlet_cooling(s: &Solution) -> Option<f64> {
+    let line = &s.thermal.as_ref()?.centreline;
+    let below = |i: usize| 0.5 * (line.plane[i] + line.ball[i]) - line.mid[i];
+    (s.centreline.x.iter().enumerate())
+        .filter(|(_, x)| OUTLET.contains(&(*x / s.scales.length)))
+        .map(|(i, _)| below(i))
+        .reduce(f64::max)
+}
+
+fn largest(list: Vec<f64>) -> Option<f64> {
+    list.into_iter().reduce(f64::max)
+}
+
+/// A figure of every point, `None` where a point does not have it.
+fn values_of(curve: &CurveSolution, figure: Figure) -> Option<Vec<f64>> {
+    let value = |p: &PointSolution| Some(p.outcome.solution()?.figure(figure)?.value);
+    curve.points.iter().map(value).collect()
+}
+
+/// Reductions of the central film by shear thinning at every point.
+fn reductions(curve: &CurveSolution) -> Option<Vec<f64>> {
+    let reduction = |p: &PointSolution| Some(p.film_reduction()?.central.value);
+    curve.points.iter().map(reduction).collect()
+}
+
+fn most_traction_ratio(curve: &CurveSolution) -> Option<f64> {
+    let coefficient = |s: &Solution| s.traction.coefficient.value;
+    let sliding = curve.points.iter().filter(|p| p.case.motion.slides());
+    let ratios: Option<Vec<f64>> = sliding
+        .map(|p| Some(coefficient(p.outcome.solution()?) / coefficient(p.newtonian_solution()?)))
+        .collect();
+    largest(ratios?)
 }
 
 /// Part of the Hertz zone where a heavily loaded contact's pressure is smooth: the inlet and the

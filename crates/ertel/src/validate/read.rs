@@ -227,7 +227,10 @@ fn set_groups(case: &mut Case, m: f64, l: f64) -> Result<(), String> {
 }
 
 fn read_check(mut table: Table<'_>, study: &Study) -> Result<Check, InputError> {
-    let quantities = Quantity::ALL.map(|q| (q.key(), q));
+    let quantities = Quantity::all()
+        .into_iter()
+        .map(|q| (q.key(), q))
+        .collect::<Vec<_>>();
     let quantity = table.required_choice("quantity", &quantities)?;
     let subject = read_subject(&mut table, study)?;
     let formulas = FilmFormula::ALL.map(|f| (formula_key(f), f));

@@ -73,7 +73,10 @@ pub(super) fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Pictur
         "film-shape" => PictureKind::FilmShape(picture_run(&mut table, study)?),
         "traction-curves" => PictureKind::TractionCurves(picture_runs(&mut table, study)?),
         _ => {
-            let quantities = Quantity::ALL.map(|q| (q.key(), q));
+            let quantities = Quantity::all()
+                .into_iter()
+                .map(|q| (q.key(), q))
+                .collect::<Vec<_>>();
             PictureKind::Penalty(table.required_choice("quantity", &quantities)?)
         }
     };

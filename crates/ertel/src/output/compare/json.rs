@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use crate::case::study::AxisValue;
-use crate::compare::{ComparedRow, Comparison, Figure, Outcome};
+use crate::compare::{ComparedRow, Comparison, Measurand, Outcome};
 use crate::output::FORMAT_VERSION;
 use crate::run::NUMERICS;
 
@@ -50,7 +50,7 @@ fn row(comparison: &Comparison, row: &ComparedRow) -> Value {
         Outcome::Failed(reason) => (false, "", Some(reason.as_str())),
         Outcome::Open => (false, "", Some("not begun")),
     };
-    let figures = Figure::ALL.into_iter().filter_map(|figure| {
+    let figures = Measurand::ALL.into_iter().filter_map(|figure| {
         let compared = row.figures[figure as usize]?;
         let value = json!({
             "measured": compared.measured.value,

@@ -6,7 +6,7 @@ use super::super::study::words;
 use super::report::unit_of;
 use super::settings::{n_apart, settings};
 use crate::case::study::AxisValue;
-use crate::compare::{ComparedRow, Comparison, Figure};
+use crate::compare::{ComparedRow, Comparison, Measurand};
 use crate::words::digits;
 use ertel_plot::{Axis, AxisScale, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side};
 
@@ -21,7 +21,7 @@ const MANY: &str = "#404040";
 /// columns. `None` where no column is a number.
 pub fn comparison_picture(comparison: &Comparison) -> Option<Drawing> {
     let layout = Layout::new(comparison)?;
-    let (films, tractions): (Vec<Figure>, Vec<Figure>) =
+    let (films, tractions): (Vec<Measurand>, Vec<Measurand>) =
         comparison.figures().partition(|f| f.is_film());
     let charts: Vec<Chart> = [films, tractions]
         .into_iter()
@@ -72,7 +72,7 @@ impl Layout {
         Some(Self { x, group, labels })
     }
 
-    fn chart(&self, comparison: &Comparison, figures: &[Figure]) -> Chart {
+    fn chart(&self, comparison: &Comparison, figures: &[Measurand]) -> Chart {
         let rows = || comparison.rows.iter().zip(&self.group);
         let (factor, y_label) = match figures[0].is_film() {
             true => {
@@ -139,7 +139,7 @@ impl Layout {
         &self,
         chart: &mut Chart,
         rows: &[&ComparedRow],
-        figure: Figure,
+        figure: Measurand,
         (factor, x_of): (f64, &dyn Fn(&ComparedRow) -> f64),
         (colour, label): (&str, &str),
         is_crowded: bool,

@@ -7,7 +7,7 @@ use super::super::figure::{in_unit, with_bar};
 use super::super::pictures::film_unit;
 use super::super::study::words;
 use crate::case::study::AxisValue;
-use crate::compare::{Compared, Comparison, Figure, Outcome, Statistics};
+use crate::compare::{Compared, Comparison, Measurand, Outcome, Statistics};
 use crate::solution::Estimate;
 use crate::words::digits;
 
@@ -26,7 +26,7 @@ pub fn comparison_report(comparison: &Comparison, folder: Option<&Path>) -> Stri
     for note in &comparison.notes {
         let _ = writeln!(text, "  {note}");
     }
-    let figures: Vec<Figure> = comparison.figures().collect();
+    let figures: Vec<Measurand> = comparison.figures().collect();
     for figure in &figures {
         text.push('\n');
         write_rows(&mut text, comparison, *figure);
@@ -50,7 +50,7 @@ pub fn comparison_report(comparison: &Comparison, folder: Option<&Path>) -> Stri
 }
 
 /// Factor and unit in which a figure is shown.
-pub(super) fn unit_of(comparison: &Comparison, figure: Figure) -> (f64, &'static str) {
+pub(super) fn unit_of(comparison: &Comparison, figure: Measurand) -> (f64, &'static str) {
     if !figure.is_film() {
         return (1.0, "");
     }
@@ -62,7 +62,7 @@ pub(super) fn unit_of(comparison: &Comparison, figure: Figure) -> (f64, &'static
     film_unit(measured.fold(f64::MAX, |smallest, c| smallest.min(c.measured.value)))
 }
 
-fn write_rows(text: &mut String, comparison: &Comparison, figure: Figure) {
+fn write_rows(text: &mut String, comparison: &Comparison, figure: Measurand) {
     let (factor, unit) = unit_of(comparison, figure);
     let in_brackets = |unit: &str| match unit {
         "" => String::new(),
@@ -157,7 +157,7 @@ fn write_failures(text: &mut String, comparison: &Comparison) {
     }
 }
 
-fn write_statistics(text: &mut String, comparison: &Comparison, figure: Figure) {
+fn write_statistics(text: &mut String, comparison: &Comparison, figure: Measurand) {
     let statistics = comparison.statistics(figure);
     let Statistics {
         bias: Some(bias),
@@ -191,7 +191,7 @@ fn write_statistics(text: &mut String, comparison: &Comparison, figure: Figure) 
 }
 
 /// Rows of a figure without a solution.
-fn unsolved(comparison: &Comparison, figure: Figure) -> usize {
+fn unsolved(comparison: &Comparison, figure: Measurand) -> usize {
     let rows = comparison
         .rows
         .iter()

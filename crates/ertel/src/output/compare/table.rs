@@ -1,12 +1,12 @@
 //! `comparison.csv`: one line for each row of the measurements.
 
 use crate::case::study::AxisValue;
-use crate::compare::{Comparison, Figure, Outcome};
+use crate::compare::{Comparison, Measurand, Outcome};
 use crate::files::text_field;
 
 /// The table as text, SI.
 pub fn comparison_table(comparison: &Comparison) -> String {
-    let figures: Vec<Figure> = comparison.figures().collect();
+    let figures: Vec<Measurand> = comparison.figures().collect();
     let mut header = vec!["line".to_owned(), "point".to_owned()];
     header.extend(comparison.columns.iter().map(|title| text_field(title)));
     for figure in &figures {

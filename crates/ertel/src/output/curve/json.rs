@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::super::result_json::{FORMAT_VERSION, units};
+use super::super::result_json::{FORMAT_VERSION, figures_json, units};
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
 use crate::study::{CurveSolution, Outcome, PointSolution};
@@ -33,7 +33,7 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
         "wall_seconds": curve.wall_seconds,
         "points": points,
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
-        "units": units(),
+        "units": units((curve.points.first()).is_some_and(|p| !p.case.contact.kind.is_point())),
     }))
 }
 
@@ -56,6 +56,7 @@ pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Val
     });
     match &point.outcome {
         Outcome::Solved(s) => {
+            json["figures"] = figures_json(s);
             json["summary"] = serde_json::to_value(&s.summary)?;
             json["hertz"] = serde_json::to_value(s.hertz)?;
             json["groups"] = serde_json::to_value(s.groups)?;
@@ -88,6 +89,7 @@ fn beside(outcome: &Outcome) -> serde_json::Result<Value> {
     Ok(match outcome {
         Outcome::Solved(s) => json!({
             "converged": true,
+            "figures": figures_json(s),
             "summary": serde_json::to_value(&s.summary)?,
             "traction": serde_json::to_value(&s.traction)?,
             "warnings": texts(&s.warnings),

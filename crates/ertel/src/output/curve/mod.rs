@@ -11,7 +11,7 @@ pub use json::{CURVE_FORMAT, curve_json, point_json};
 pub use picture::{film_chart, film_shape_chart, films_chart, traction_chart, tractions_chart};
 pub use report::curve_report;
 pub use stribeck::stribeck_chart;
-pub use table::{COLUMNS, Cell, Column, curve_table};
+pub use table::curve_table;
 
 use std::path::Path;
 

@@ -2,35 +2,44 @@
 
 use super::super::pictures::{ERROR_BARS, film_unit};
 use super::frame::{curve_chart, fit_y, largest, points_over};
-use crate::solution::{Estimate, FormulaFilm, Solution};
+use crate::solution::{Estimate, Figure, FormulaFilm, Solution};
 use crate::study::{CurveSolution, PointSolution};
 use ertel_plot::{Chart, ErrorBars, Look, PALETTE, Series, Side};
 
 /// One of the films of a formula.
 type Film = fn(&FormulaFilm) -> Option<f64>;
 
-/// A figure of a solution.
-type Figure = fn(&Solution) -> Estimate;
+/// A figure of a solution; not a number where it has none.
+fn estimate(solution: &Solution, figure: Figure) -> Estimate {
+    solution.measured.estimate(figure)
+}
+
+/// The figure of a point that is solved.
+fn of_point(point: &PointSolution, figure: Figure) -> Option<Estimate> {
+    Some(estimate(point.outcome.solution()?, figure))
+}
 
 /// Central and minimum film over the quantity, beside those without shear thinning and without heat (the first of these
 /// dashed, a second one open circles) or, where the curve asks for neither, the formulas' (dashed). Failed points are marked.
 pub fn film_chart(title: &str, curve: &CurveSolution) -> Chart {
-    films_over(title, curve, &[CENTRAL, MINIMUM])
+    films_over(title, curve, &[Figure::FilmCentral, Figure::FilmMinimum])
 }
 
 /// As [`film_chart`], with the smallest film on the centreline.
 pub fn film_shape_chart(title: &str, curve: &CurveSolution) -> Chart {
-    films_over(title, curve, &[CENTRAL, CENTRELINE_MINIMUM, MINIMUM])
+    films_over(
+        title,
+        curve,
+        &[
+            Figure::FilmCentral,
+            Figure::FilmCentrelineMinimum,
+            Figure::FilmMinimum,
+        ],
+    )
 }
 
-const CENTRAL: (&str, Figure) = ("central film", |s| s.summary.film_central);
-const MINIMUM: (&str, Figure) = ("minimum film", |s| s.summary.film_minimum);
-const CENTRELINE_MINIMUM: (&str, Figure) = ("minimum on the centreline", |s| {
-    s.summary.film_centreline_minimum.estimate()
-});
-
 /// These films over the quantity, beside those of simpler contacts.
-fn films_over(title: &str, curve: &CurveSolution, values: &[(&str, Figure)]) -> Chart {
+fn films_over(title: &str, curve: &CurveSolution, figures: &[Figure]) -> Chart {
     let size = largest(
         curve
             .points
@@ -39,23 +48,23 @@ fn films_over(title: &str, curve: &CurveSolution, values: &[(&str, Figure)]) -> 
     );
     let (factor, unit) = film_unit(size);
     let mut chart = curve_chart(title, curve, &format!("Film thickness *h* ({unit})"));
-    for ((label, value), colour) in values.iter().zip(PALETTE) {
+    for (figure, colour) in figures.iter().zip(PALETTE) {
         chart.series.push(Series {
-            label: (*label).into(),
-            points: points_over(curve, |p| Some(factor * value(p.outcome.solution()?).value)),
-            look: match *label == MINIMUM.0 {
+            label: figure.words().into(),
+            points: points_over(curve, |p| Some(factor * of_point(p, *figure)?.value)),
+            look: match *figure == Figure::FilmMinimum {
                 true => Look::LineAndRings,
                 false => Look::LineAndDots,
             },
             colour: colour.into(),
             side: Side::Left,
         });
-        add_bars(&mut chart, curve, factor, *value, colour);
+        add_bars(&mut chart, curve, factor, *figure, colour);
     }
     let besides = besides_of(&[curve]);
     for beside in &besides {
-        for ((_, value), colour) in values.iter().zip(PALETTE) {
-            let value = |s: &Solution| factor * value(s).value;
+        for (figure, colour) in figures.iter().zip(PALETTE) {
+            let value = |s: &Solution| factor * estimate(s, *figure).value;
             chart.series.push(beside.unlabelled(curve, colour, value));
         }
         let entry = legend_entry(beside.look, beside.name.to_owned());
@@ -77,15 +86,15 @@ pub fn traction_chart(title: &str, curve: &CurveSolution) -> Option<Chart> {
         return None;
     }
     let mut chart = curve_chart(title, curve, "Traction coefficient");
-    let value = |s: &Solution| s.traction.coefficient.value;
+    let value = |s: &Solution| estimate(s, Figure::TractionCoefficient).value;
     add_bars(
         &mut chart,
         curve,
         1.0,
-        |s| s.traction.coefficient,
+        Figure::TractionCoefficient,
         PALETTE[0],
     );
-    let label = "traction coefficient";
+    let label = Figure::TractionCoefficient.words();
     chart.series = vec![Series {
         label: label.into(),
         points: points_over(curve, |p| p.outcome.solution().map(value)),
@@ -116,31 +125,34 @@ pub fn films_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Cha
     let beside = simpler(curves);
     // Colours tell the curves, looks what they show: both stand in the legend.
     let mut looks = vec![
-        (Look::LineAndDots, CENTRAL.0.to_owned()),
-        (Look::LineAndRings, MINIMUM.0.to_owned()),
+        (Look::LineAndDots, Figure::FilmCentral.words().to_owned()),
+        (Look::LineAndRings, Figure::FilmMinimum.words().to_owned()),
     ];
-    looks.extend(
-        beside
-            .iter()
-            .map(|b| (b.look, format!("{}, {}", CENTRAL.0, b.name))),
-    );
+    looks.extend(beside.iter().map(|b| {
+        (
+            b.look,
+            format!("{}, {}", Figure::FilmCentral.words(), b.name),
+        )
+    }));
     for ((name, curve), colour) in curves.iter().zip(PALETTE.iter().cycle()) {
         let part = |look, film: Figure| Series {
-            points: points_over(curve, |p| Some(factor * film(p.outcome.solution()?).value)),
+            points: points_over(curve, |p| Some(factor * of_point(p, film)?.value)),
             look,
             colour: (*colour).into(),
             ..Series::default()
         };
         chart.series.push(Series {
             label: (*name).to_owned(),
-            ..part(Look::LineAndDots, CENTRAL.1)
+            ..part(Look::LineAndDots, Figure::FilmCentral)
         });
-        chart.series.push(part(Look::LineAndRings, MINIMUM.1));
-        for film in [CENTRAL.1, MINIMUM.1] {
+        chart
+            .series
+            .push(part(Look::LineAndRings, Figure::FilmMinimum));
+        for film in [Figure::FilmCentral, Figure::FilmMinimum] {
             add_bars(&mut chart, curve, factor, film, colour);
         }
         if let Some(beside) = &beside {
-            let central = |s: &Solution| factor * CENTRAL.1(s).value;
+            let central = |s: &Solution| factor * estimate(s, Figure::FilmCentral).value;
             chart.series.push(beside.unlabelled(curve, colour, central));
         }
     }
@@ -175,7 +187,7 @@ const LEGEND_GREY: &str = "#404040";
 /// Traction coefficients of several curves over the same quantity, dashed those of the simpler contact, which may
 /// leave the picture. `None` without curves.
 pub fn tractions_chart(title: &str, curves: &[(&str, &CurveSolution)]) -> Option<Chart> {
-    let value = |s: &Solution| s.traction.coefficient.value;
+    let value = |s: &Solution| estimate(s, Figure::TractionCoefficient).value;
     let mut chart = curve_chart(title, curves.first()?.1, "Traction coefficient");
     let beside = simpler(curves);
     let mut simpler = Vec::new();
@@ -290,7 +302,7 @@ impl Beside {
 fn add_bars(chart: &mut Chart, curve: &CurveSolution, factor: f64, of: Figure, colour: &str) {
     let ends = |sign: f64| {
         points_over(curve, |p| {
-            let figure = of(p.outcome.solution()?);
+            let figure = of_point(p, of)?;
             Some(factor * (figure.value + sign * figure.error?))
         })
     };
@@ -329,9 +341,5 @@ fn add_formulas(chart: &mut Chart, curve: &CurveSolution, factor: f64) {
 }
 
 fn films(point: &PointSolution) -> [Option<f64>; 2] {
-    let summary = point.outcome.solution().map(|s| &s.summary);
-    [
-        summary.map(|s| s.film_central.value),
-        summary.map(|s| s.film_minimum.value),
-    ]
+    [Figure::FilmCentral, Figure::FilmMinimum].map(|film| Some(of_point(point, film)?.value))
 }

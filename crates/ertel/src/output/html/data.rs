@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::case::CaseEcho;
 use crate::contact::{ContactKind, Symmetry};
-use crate::solution::{ContactFields, Estimate, Field, Located, Solution};
+use crate::solution::{ContactFields, Field, Figure, Located, Solution};
 
 /// Value of the key `format` of the data.
 pub const DATA_FORMAT: &str = "ertel-report";
@@ -94,89 +94,34 @@ fn edge(solution: &Solution) -> Value {
     json!(scaled.collect::<Vec<_>>())
 }
 
-/// The figures that a page shows large, with the places of those that have one.
+/// Every figure, with the places of those that have one; a page shows those large that have a symbol. The film first, by which maps are scaled.
 fn figures(solution: &Solution) -> Vec<Value> {
-    let s = &solution.summary;
-    let plain = |name: &str, words: &str, symbol: &str, unit: &str, e: Estimate| {
-        let uncertainty = solution.uncertainty.as_ref().and_then(|u| {
-            let found = u.0.iter().find(|u| u.figure.name() == name)?;
-            Some(found.half_width)
+    let is_line = !solution.shape.kind.is_point();
+    let entry = |(figure, at): (Figure, Located)| {
+        let uncertainty = (solution.uncertainty.as_ref()).and_then(|u| u.get(figure));
+        let mut entry = json!({
+            "name": figure.name(), "words": figure.words(), "symbol": figure.symbol(), "unit": figure.unit(is_line),
+            "value": at.value, "error": at.error, "resolved": at.resolved,
+            "uncertainty": uncertainty.map(|u| u.half_width), "is_peak": figure.is_peak(),
         });
-        json!({
-            "name": name, "words": words, "symbol": symbol, "unit": unit,
-            "value": e.value, "error": e.error, "resolved": e.is_resolved(), "uncertainty": uncertainty,
-        })
+        if figure.has_place() {
+            entry["x"] = at.x.into();
+            entry["y"] = at.y.into();
+            entry["place_error"] = at.place_error.into();
+            entry["place_resolved"] = at.place_resolved.into();
+        }
+        entry
     };
-    let located = |name: &str, words: &str, symbol: &str, unit: &str, at: &Located| {
-        let mut figure = plain(name, words, symbol, unit, at.estimate());
-        figure["x"] = at.x.into();
-        figure["y"] = at.y.into();
-        figure["place_error"] = at.place_error.into();
-        figure["resolved"] = at.resolved.into();
-        figure["place_resolved"] = at.place_resolved.into();
-        figure
-    };
-    // No more than a lower bound where its peak is not drawn.
-    let peak = |name: &str, words: &str, symbol: &str, at: &Located| {
-        let mut figure = located(name, words, symbol, "Pa", at);
-        figure["is_peak"] = true.into();
-        figure
-    };
-    let mut figures = vec![
-        plain(
-            "film_central",
-            "central film thickness",
-            "h_c",
-            "m",
-            s.film_central,
-        ),
-        located(
-            "film_minimum",
-            "minimum film thickness",
-            "h_min",
-            "m",
-            &s.film_minimum_at,
-        ),
-        located(
-            "pressure_central",
-            "smooth pressure maximum",
-            "p_c",
-            "Pa",
-            &s.pressure_central,
-        ),
-        peak(
-            "pressure_maximum",
-            "largest pressure",
-            "p_max",
-            &s.pressure_maximum,
-        ),
-        plain(
-            "traction_coefficient",
-            "traction coefficient",
-            "µ",
-            "",
-            solution.traction.coefficient,
-        ),
-    ];
+    let mut figures: Vec<Value> = solution.figures().map(entry).collect();
+    // The centre is a place, too, though no one looks for it.
     figures[0]["x"] = 0.0.into();
     figures[0]["y"] = 0.0.into();
-    if let Some(thermal) = &solution.thermal {
-        figures.push(located(
-            "film_temperature_maximum",
-            "largest film temperature",
-            "T_max",
-            "K",
-            &thermal.film_maximum,
-        ));
-    }
     if let Some(mixed) = &solution.mixed {
-        figures.push(plain(
-            "lambda_minimum",
-            "lambda ratio",
-            "λ",
-            "",
-            mixed.lambda_minimum,
-        ));
+        let lambda = mixed.lambda_minimum;
+        figures.push(json!({
+            "name": "lambda_minimum", "words": "lambda ratio", "symbol": "λ", "unit": "",
+            "value": lambda.value, "error": lambda.error, "resolved": lambda.is_resolved(),
+        }));
     }
     figures
 }

@@ -3,16 +3,9 @@
 use serde::Serialize;
 
 use crate::case::study::Study;
+use crate::solution::Figure;
+use crate::study::columns::Column;
 use crate::study::journal::Record;
-
-/// Figures that statistics are made of, with the column of the table they stand in.
-const FIGURES: [(&str, &str); 5] = [
-    ("film_central", "film_central_m"),
-    ("film_minimum", "film_minimum_m"),
-    ("pressure_central", "pressure_central_Pa"),
-    ("traction_coefficient", "traction_coefficient"),
-    ("film_temperature_maximum", "film_temperature_maximum_K"),
-];
 
 /// Probabilities of the quantiles.
 pub const QUANTILES: [f64; 5] = [0.025, 0.25, 0.5, 0.75, 0.975];
@@ -33,8 +26,8 @@ pub struct MonteCarlo {
 /// How a figure is distributed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Distribution {
-    /// Its name.
-    pub figure: &'static str,
+    /// Which.
+    pub figure: Figure,
     /// Mean, SI.
     pub mean: f64,
     /// Standard deviation, SI.
@@ -56,9 +49,11 @@ impl MonteCarlo {
         let solved: Vec<(usize, &Record)> = (records.iter().enumerate())
             .filter_map(|(i, record)| Some((i, record.as_ref().filter(|r| r.converged)?)))
             .collect();
-        let of = |(figure, column): &(&'static str, &str)| {
+        let is_line = (study.points.first()).is_some_and(|p| !p.case.contact.kind.is_point());
+        let of = |figure: Figure| {
+            let column = Column::of(figure).title(is_line);
             let values: Vec<f64> = (solved.iter())
-                .map(|(_, record)| record.field(column)?.parse().ok())
+                .map(|(_, record)| record.field(&column)?.parse().ok())
                 .collect::<Option<_>>()?;
             let varies = values.iter().any(|value| *value != values[0]);
             let input = |k: usize| -> Vec<f64> {
@@ -92,7 +87,7 @@ impl MonteCarlo {
                 .iter()
                 .map(|column| column.key.clone())
                 .collect(),
-            figures: FIGURES.iter().filter_map(of).collect(),
+            figures: Figure::TRACED.into_iter().filter_map(of).collect(),
         }
     }
 }

@@ -32,7 +32,8 @@ function placeText({ a, data, mesh }, { x, y }) {
 function showCards(results) {
   const host = element("cards");
   const first = results[0];
-  for (const figure of first.figures) {
+  // Those with a symbol are shown large; the report below and the table to copy have all.
+  for (const figure of first.figures.filter((f) => f.symbol)) {
     const more = [];
     if (figure.uncertainty != null) more.push(`inputs: ± ${digits(100 * figure.uncertainty / Math.abs(figure.value), 2)} % (95 %)`);
     if (results.length === 1 && figure.x != null && figure.place_error !== undefined && figure.place_resolved !== false) {
