@@ -11,7 +11,7 @@ use ertel::contact::{ContactKind, hertz};
 use ertel::elastic::{Accuracy, BodyConstants, BodySpace, Elasticity, FiniteBodies};
 use ertel::forms::elasticity::lame;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
-use ertel::solve::evaluate::fields_at;
+use ertel::solve::points::fields_at;
 use ertel::solve::system::State;
 use ertel_fem::assembly::{CONSTRAINED, DofMap, NodeGraph};
 use ertel_fem::linear::NEVER;

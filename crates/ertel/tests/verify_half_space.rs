@@ -13,7 +13,7 @@ use ertel::params::{ElasticModel, MeshParams, MeshPreset};
 use ertel::run::{problem, solve};
 use ertel::solve::Silent;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
-use ertel::solve::evaluate::fields_at;
+use ertel::solve::points::fields_at;
 use ertel::solve::sequence::solve_stages;
 use ertel::solve::system::{State, System};
 

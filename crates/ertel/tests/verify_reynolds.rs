@@ -26,7 +26,7 @@ use ertel::film::FilmFluid;
 use ertel::params::Formulation;
 use ertel::run::problem;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
-use ertel::solve::evaluate::fields_in;
+use ertel::solve::points::fields_in;
 use ertel::solve::system::{FilmConstants, State, System};
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::lu::SparseLu;

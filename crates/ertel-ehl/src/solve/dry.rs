@@ -6,7 +6,7 @@ use std::sync::Arc;
 use ertel_fem::assembly::CONSTRAINED;
 
 use super::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
-use super::evaluate::pressure_at;
+use super::points::{gap_at_nodes, pressure_at};
 use crate::contact::roller::RollerZone;
 use crate::contact::{Shape, Symmetry};
 use crate::elastic::{Accuracy, Elasticity};
@@ -128,9 +128,7 @@ pub(super) fn dry_pressure(d: &Discretisation, guess: &[f64], load: f64) -> Vec<
         pressure.iter_mut().for_each(|p| *p *= factor);
     };
     scaled(&mut pressure);
-    let gap: Vec<f64> = (d.pressure.points.iter())
-        .map(|p| d.contact.shape.gap.value([p[0], p[1]]))
-        .collect();
+    let gap = gap_at_nodes(d);
     let mut direction = vec![0.0; pressure.len()];
     let (mut keep, mut last) = (0.0, 1.0);
     for _ in 0..MAX_ITERATIONS {

@@ -10,7 +10,8 @@ use crate::solution::LevelStats;
 use crate::solution::Role;
 use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::discretisation::{Discretisation, Extents};
-use crate::solve::evaluate::{central_film, minimum_film, pressure_at};
+use crate::solve::evaluate::{central_film, minimum_film};
+use crate::solve::points::pressure_at;
 use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
