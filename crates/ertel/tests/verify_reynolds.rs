@@ -173,7 +173,7 @@ fn shape(kind: ContactKind) -> Shape {
             gap: Gap {
                 curvature_ratio: CURVATURES,
                 turn,
-                along_roller: None,
+                terms: Vec::new(),
             },
             zone: HertzZone {
                 axis_ratio: RATIO,

@@ -17,7 +17,7 @@ pub mod zone;
 
 pub use curvature::Curvatures;
 pub use equivalent::EquivalentBody;
-pub use gap::Gap;
+pub use gap::{Gap, GapTerm};
 pub use groups::Groups;
 pub use hertz::Hertz;
 pub use inlet::{Inlet, OilLayer, Supply};

@@ -200,15 +200,14 @@ pub(super) fn point_state(
             *x += table.values[k] * at;
         }
     }
-    let gap = &d.contact.shape.gap;
-    let slopes = gap.gradient(place);
+    let gap = d.contact.shape.gap.at(place);
     let state = PointState {
         pressure,
         pressure_gradient: [px, py],
         pressure_unseen: unseen,
         pressure_curvature: [xx, xy, yy],
-        film: film[0] + gap.value(place),
-        film_gradient: [film[1] + slopes[0], film[2] + slopes[1]],
+        film: film[0] + gap.value,
+        film_gradient: [film[1] + gap.gradient[0], film[2] + gap.gradient[1]],
     };
     (place, state)
 }

@@ -253,7 +253,7 @@ pub fn friction(
             let in_zone = d.contact.shape.zone.contains([x, y]);
             let part = Part {
                 work: work(0) + work(1),
-                offset: fields.pressure * shape.gap.gradient([x, y])[0],
+                offset: fields.pressure * shape.gap.at([x, y]).gradient[0],
                 limits: in_zone.then(|| match fluid.limits_depend_on_pressure() {
                     true => fluid.newtonian_limits(fields.pressure),
                     false => constant,
@@ -452,7 +452,7 @@ mod tests {
             gap: Gap {
                 curvature_ratio: 0.3,
                 turn: Turn::NONE,
-                along_roller: None,
+                terms: Vec::new(),
             },
             zone: HertzZone {
                 axis_ratio: 1.7,
