@@ -20,6 +20,7 @@ use crate::common;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use common::material;
 use ertel::contact::{ContactKind, Gap, HertzZone, Inlet, Planar, Scales, Shape, Symmetry, Turn};
 use ertel::elastic::Elasticity;
 use ertel::film::FilmFluid;
@@ -289,7 +290,9 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
     let rigid = match kind {
         ContactKind::Line | ContactKind::Circular => Elasticity::finite_elements(2, &[]),
         // What it would answer does not count: the deflection is prescribed.
-        ContactKind::Elliptical | ContactKind::Roller => Elasticity::half_space(2, &[(1.0, 0.3)]),
+        ContactKind::Elliptical | ContactKind::Roller => {
+            Elasticity::half_space(2, &[material(1.0, 0.3)])
+        }
     };
     let means = Means::default();
     Arc::new(ContactSurface::new(&shape(kind), &extents, &sizes, &rigid, means).unwrap())

@@ -135,10 +135,15 @@ pub fn body(
     let mut load = vec![0.0; trace.dofs.n_dofs];
     let loads = d.trace.loads(&solution.state.pressure);
     for (f, dof) in loads.iter().zip(&trace.normal_dofs) {
-        load[*dof] = -f / elastic.modulus;
+        load[*dof] = -f / elastic.material.youngs_modulus;
     }
     trace
-        .factorise(&body.mesh, elastic.poissons_ratio, Keep::Factor, NEVER)
+        .factorise(
+            &body.mesh,
+            elastic.material.poissons_ratio,
+            Keep::Factor,
+            NEVER,
+        )
         .and_then(|k| k.solve_full(&mut load))
         .map_err(DiscretisationError::from)?;
     let space = &trace.space;

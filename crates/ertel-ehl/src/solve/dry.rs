@@ -237,7 +237,7 @@ impl Nodes {
 mod tests {
     use super::*;
     use crate::contact::roller::{Profile, Roller};
-    use crate::contact::{Contact, Hertz, Motion};
+    use crate::contact::{Contact, Hertz, Material, Motion};
     use approx::assert_relative_eq;
 
     const RADIUS: f64 = 0.01;
@@ -248,7 +248,10 @@ mod tests {
         let hertz = Hertz::new(&contact, MODULUS);
         let shape = Shape::new(&contact, &hertz, &Motion::straight(1.0, 0.0));
         // Both bodies alike, in units of p_h R/b = E'/4: E = E'(1 − ν²), so 4(1 − ν²).
-        let body = (4.0 * (1.0 - 0.3 * 0.3), 0.3);
+        let body = Material {
+            youngs_modulus: 4.0 * (1.0 - 0.3 * 0.3),
+            poissons_ratio: 0.3,
+        };
         let elasticity = Elasticity::half_space(3, &[body, body]);
         let load = shape.load();
         let dry = with_dry_zone(shape.clone(), &elasticity, load);
@@ -315,7 +318,13 @@ mod tests {
     /// What is no roller stays as it is.
     #[test]
     fn other_shapes_stay() {
-        let elasticity = Elasticity::half_space(3, &[(4.0, 0.3)]);
+        let elasticity = Elasticity::half_space(
+            3,
+            &[Material {
+                youngs_modulus: 4.0,
+                poissons_ratio: 0.3,
+            }],
+        );
         assert_eq!(
             with_dry_zone(Shape::CIRCULAR, &elasticity, 1.0),
             Shape::CIRCULAR

@@ -222,12 +222,8 @@ impl<'a> Sensitivity<'a> {
         let own = &self.problem.elasticity;
         for problem in &sides.problems {
             let finite = own.model == BodyModel::FiniteElements;
-            let bodies = own.bodies.iter().zip(&problem.elasticity.bodies);
-            if finite
-                && !bodies
-                    .clone()
-                    .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1))
-            {
+            let mut bodies = own.bodies.iter().zip(&problem.elasticity.bodies);
+            if finite && !bodies.all(|(a, b)| a.is_close(b, 1e-9)) {
                 return Some(NoDerivative::FiniteElements);
             }
             if self.problem.shape.inlet == Inlet::Meniscus

@@ -162,8 +162,7 @@ impl Start {
                 BodyModel::HalfSpace => close(compliance(&own.bodies), compliance(&its.bodies)),
                 BodyModel::FiniteElements => {
                     own.bodies.len() == its.bodies.len()
-                        && (own.bodies.iter().zip(&its.bodies))
-                            .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1))
+                        && (own.bodies.iter().zip(&its.bodies)).all(|(a, b)| a.is_close(b, 1e-9))
                 }
             };
         let film = problem.start_film / self.film;
