@@ -5,8 +5,8 @@ mod thinning;
 use crate::case::{Case, SolidHeat};
 use crate::contact::starvation::starved_film;
 use crate::contact::{
-    ContactKind, EquivalentBody, Groups, Hertz, Inlet, OilLayer, Planar, Scales, Shape, Supply,
-    hertz,
+    ContactKind, Groups, Hertz, Inlet, Material, OilLayer, Planar, Scales, Shape, Supply,
+    equivalent_body, hertz,
 };
 use crate::elastic::{BodyModel, Elasticity};
 use crate::film::FilmFluid;
@@ -92,16 +92,14 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         penalty_scaling: case.solver.penalty_scaling,
         film_scale: start_film,
     };
-    let dimensionless = |modulus: f64, ratio: f64| (modulus / scales.elastic_stress, ratio);
+    let materials = [&case.plane, &case.ball].map(|body| body.elasticity);
     let bodies = match case.elastic_model() {
-        ElasticModel::Equivalent => {
-            let body = EquivalentBody::new(case.plane.elasticity, case.ball.elasticity);
-            vec![dimensionless(body.youngs_modulus, body.poissons_ratio)]
-        }
-        ElasticModel::TwoBodies | ElasticModel::HalfSpace => [&case.plane, &case.ball]
-            .map(|b| dimensionless(b.elasticity.youngs_modulus, b.elasticity.poissons_ratio))
-            .to_vec(),
+        ElasticModel::Equivalent => vec![equivalent_body(materials[0], materials[1])],
+        ElasticModel::TwoBodies | ElasticModel::HalfSpace => materials.to_vec(),
     };
+    let bodies: Vec<Material> = (bodies.into_iter())
+        .map(|body| body.over(scales.elastic_stress))
+        .collect();
     let elasticity = match case.elastic_model() {
         ElasticModel::HalfSpace => {
             let order = case.mesh.elastic_order.unwrap_or(1);

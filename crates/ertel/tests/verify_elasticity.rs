@@ -6,12 +6,12 @@ use crate::common;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::{hertz_bodies, noise, uniform};
-use ertel::contact::{ContactKind, hertz};
-use ertel::elastic::{Accuracy, BodyConstants, BodySpace, Elasticity, FiniteBodies};
+use common::{hertz_bodies, material, noise, uniform};
+use ertel::contact::{ContactKind, Material, hertz};
+use ertel::elastic::{Accuracy, BodySpace, Elasticity, FiniteBodies};
 use ertel::forms::elasticity::lame;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
-use ertel::solve::evaluate::fields_at;
+use ertel::solve::points::fields_at;
 use ertel::solve::system::State;
 use ertel_fem::assembly::{CONSTRAINED, DofMap, NodeGraph};
 use ertel_fem::linear::NEVER;
@@ -263,7 +263,7 @@ fn block_under_uniform_pressure() {
         body_depth: 3.0,
     };
     for kind in KINDS {
-        let d = on_bodies(kind, &extents, &uniform(0.5), &[(7.0, 0.0)]);
+        let d = on_bodies(kind, &extents, &uniform(0.5), &[material(7.0, 0.0)]);
         let pressure = vec![2.0; d.pressure.n_nodes()];
         for w in d.deflect(&pressure, Accuracy::Full) {
             assert_relative_eq!(w, 2.0 * 3.0 / 7.0, max_relative = 1e-11);
@@ -298,7 +298,7 @@ fn on_bodies(
     kind: ContactKind,
     extents: &Extents,
     sizes: &LevelSizes,
-    bodies: &[BodyConstants],
+    bodies: &[Material],
 ) -> Discretisation {
     let elasticity = Elasticity::finite_elements(2, bodies);
     let contact = ContactSurface::new(
@@ -439,16 +439,21 @@ fn condensed_response_equals_full_solution() {
             }
             let mut u = f.clone();
             space
-                .factorise(&body.mesh, share.poissons_ratio, Keep::Factor, NEVER)
+                .factorise(
+                    &body.mesh,
+                    share.material.poissons_ratio,
+                    Keep::Factor,
+                    NEVER,
+                )
                 .unwrap()
                 .solve_full(&mut u)
                 .unwrap();
-            let stiffness = space.stiffness(&body.mesh, share.poissons_ratio);
+            let stiffness = space.stiffness(&body.mesh, share.material.poissons_ratio);
             for (a, b) in stiffness.multiply(&u).iter().zip(&f) {
                 assert_relative_eq!(a, b, epsilon = 1e-10);
             }
             for (s, dof) in sum.iter_mut().zip(&space.normal_dofs) {
-                *s += u[*dof] / share.modulus;
+                *s += u[*dof] / share.material.youngs_modulus;
             }
         }
         for (a, b) in bodies.deflect_loads(&load).iter().zip(&sum) {

@@ -11,7 +11,7 @@ use ertel::film::cross_film::CrossFilm;
 use ertel::film::{MOST_NODES, TemperatureProfile};
 use ertel::forms::energy::{FilmColumn, FilmPlace, Heat, film_column};
 use ertel::run::problem;
-use ertel::solve::evaluate::PointFields;
+use ertel::solve::points::PointFields;
 use ertel::solve::sequence::Problem;
 use ertel::solve::shear::Shear;
 use ertel_rheology::ConductivityLaw;
@@ -157,7 +157,7 @@ fn wall_stresses() {
             pressure: PRESSURE,
             pressure_gradient: GRADIENT,
             film: FILM,
-            temperature: heated.then_some(temperature),
+            temperature: heated.then(|| Box::new(temperature)),
             ..PointFields::default()
         };
         let found = Shear::new(&problem.fluid, &problem.scales).at(&fields);

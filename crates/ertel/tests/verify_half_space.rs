@@ -6,14 +6,14 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use common::{hertz_bodies, largest_difference, noise, uniform};
-use ertel::contact::{ContactKind, hertz};
+use common::{hertz_bodies, largest_difference, material, noise, uniform};
+use ertel::contact::{ContactKind, Material, hertz};
 use ertel::elastic::{Accuracy, Elasticity, HalfSpace, Series, SurfaceResponse};
 use ertel::params::{ElasticModel, MeshParams, MeshPreset};
 use ertel::run::{problem, solve};
 use ertel::solve::Silent;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
-use ertel::solve::evaluate::fields_at;
+use ertel::solve::points::fields_at;
 use ertel::solve::sequence::solve_stages;
 use ertel::solve::system::{State, System};
 
@@ -246,7 +246,7 @@ fn the_finite_body_grows_into_the_half_space() {
 /// Finite bodies, a half-space on their surface, and both in series.
 fn responses(contact: &ContactSurface) -> [(&'static str, Box<dyn SurfaceResponse>); 3] {
     let finite = || Box::new(contact.body().unwrap().1.clone());
-    let half_space = || Box::new(half_space_on(contact, &[(2.0, 0.25)]));
+    let half_space = || Box::new(half_space_on(contact, &[material(2.0, 0.25)]));
     [
         ("finite elements", finite()),
         ("half-space", half_space()),
@@ -257,7 +257,7 @@ fn responses(contact: &ContactSurface) -> [(&'static str, Box<dyn SurfaceRespons
     ]
 }
 
-fn half_space_on(contact: &ContactSurface, bodies: &[(f64, f64)]) -> HalfSpace {
+fn half_space_on(contact: &ContactSurface, bodies: &[Material]) -> HalfSpace {
     let (surface, space) = (&contact.surface, &contact.deflection);
     HalfSpace::new(surface, space, bodies, &contact.near_pairs, &contact.shape)
 }
@@ -327,7 +327,7 @@ fn deflections_in_series_add_up() {
     for kind in KINDS {
         let d = on_two_bodies(kind, 1);
         let p = noise(d.pressure.n_nodes(), 1);
-        let bodies = [(2.0, 0.25), (0.7, 0.4)];
+        let bodies = [material(2.0, 0.25), material(0.7, 0.4)];
         let one = half_space_on(&d.contact, &bodies);
         let part = |body| Box::new(half_space_on(&d.contact, &[body])) as Box<dyn SurfaceResponse>;
         let two = Series::new(bodies.map(part).into());

@@ -56,7 +56,7 @@ fn signs_and_film(d: &Discretisation, s: &State) -> (Vec<bool>, f64) {
     let mut film = f64::INFINITY;
     for c in 0..d.contact.n_elements() {
         for xi in &d.rule.points {
-            let f = ertel::solve::evaluate::fields_in(d, s, c, *xi);
+            let f = ertel::solve::points::fields_in(d, s, c, *xi);
             signs.push(f.pressure < 0.0);
             film = film.min(f.film);
         }

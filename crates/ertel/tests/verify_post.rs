@@ -9,9 +9,9 @@ use ertel::post::fields::{body, centreline, surface};
 use ertel::post::summary::summarise;
 use ertel::run::problem;
 use ertel::solve::Silent;
-use ertel::solve::evaluate::fields_at;
 use ertel::solve::figures::measure;
 use ertel::solve::newton::FilmModel;
+use ertel::solve::points::fields_at;
 use ertel::solve::sequence::solve_stages;
 
 /// A Newtonian circular contact between sliding surfaces, on an equivalent body.

@@ -20,13 +20,14 @@ use crate::common;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use common::material;
 use ertel::contact::{ContactKind, Gap, HertzZone, Inlet, Planar, Scales, Shape, Symmetry, Turn};
 use ertel::elastic::Elasticity;
 use ertel::film::FilmFluid;
 use ertel::params::Formulation;
 use ertel::run::problem;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
-use ertel::solve::evaluate::fields_in;
+use ertel::solve::points::fields_in;
 use ertel::solve::system::{FilmConstants, State, System};
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::linear::lu::SparseLu;
@@ -173,7 +174,7 @@ fn shape(kind: ContactKind) -> Shape {
             gap: Gap {
                 curvature_ratio: CURVATURES,
                 turn,
-                along_roller: None,
+                terms: Vec::new(),
             },
             zone: HertzZone {
                 axis_ratio: RATIO,
@@ -289,7 +290,9 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
     let rigid = match kind {
         ContactKind::Line | ContactKind::Circular => Elasticity::finite_elements(2, &[]),
         // What it would answer does not count: the deflection is prescribed.
-        ContactKind::Elliptical | ContactKind::Roller => Elasticity::half_space(2, &[(1.0, 0.3)]),
+        ContactKind::Elliptical | ContactKind::Roller => {
+            Elasticity::half_space(2, &[material(1.0, 0.3)])
+        }
     };
     let means = Means::default();
     Arc::new(ContactSurface::new(&shape(kind), &extents, &sizes, &rigid, means).unwrap())

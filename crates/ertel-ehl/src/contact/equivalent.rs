@@ -1,33 +1,20 @@
 //! One elastic body that deflects like both together.
 
-use serde::Serialize;
+use super::Material;
 
-use super::Elasticity;
-
-/// Equivalent body: its surface deflection under a pressure is the sum of both bodies'.
+/// Equivalent body of the plane and the ball: its surface deflection under a pressure is the sum of both bodies'.
 ///
 /// Solves (1+ν)/E = Σ (1+ν_i)/E_i and (1−ν²)/E = Σ (1−ν_i²)/E_i (Habchi 2008, eqs. A.6, A.7):
 /// with s = Σ (1+ν_i)/E_i and t = Σ (1−ν_i²)/E_i, 1 − ν = t/s and E = (1+ν)/s.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct EquivalentBody {
-    /// Young's modulus of the equivalent body, Pa.
-    pub youngs_modulus: f64,
-    /// Poisson's ratio of the equivalent body.
-    pub poissons_ratio: f64,
-}
-
-impl EquivalentBody {
-    /// Equivalent of the plane and the ball.
-    pub fn new(plane: Elasticity, ball: Elasticity) -> EquivalentBody {
-        let shear = |b: Elasticity| (1.0 + b.poissons_ratio) / b.youngs_modulus;
-        let normal = |b: Elasticity| (1.0 - b.poissons_ratio.powi(2)) / b.youngs_modulus;
-        let s = shear(plane) + shear(ball);
-        let t = normal(plane) + normal(ball);
-        let poissons_ratio = 1.0 - t / s;
-        EquivalentBody {
-            youngs_modulus: (1.0 + poissons_ratio) / s,
-            poissons_ratio,
-        }
+pub fn equivalent_body(plane: Material, ball: Material) -> Material {
+    let shear = |b: Material| (1.0 + b.poissons_ratio) / b.youngs_modulus;
+    let normal = |b: Material| (1.0 - b.poissons_ratio.powi(2)) / b.youngs_modulus;
+    let s = shear(plane) + shear(ball);
+    let t = normal(plane) + normal(ball);
+    let poissons_ratio = 1.0 - t / s;
+    Material {
+        youngs_modulus: (1.0 + poissons_ratio) / s,
+        poissons_ratio,
     }
 }
 
@@ -36,11 +23,11 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    const STEEL: Elasticity = Elasticity {
+    const STEEL: Material = Material {
         youngs_modulus: 210e9,
         poissons_ratio: 0.3,
     };
-    const GLASS: Elasticity = Elasticity {
+    const GLASS: Material = Material {
         youngs_modulus: 81e9,
         poissons_ratio: 0.208,
     };
@@ -48,7 +35,7 @@ mod tests {
     /// Habchi 2008, remark after eq. A.8: equal bodies give E/2 and the same ν.
     #[test]
     fn equal_bodies_halve_the_modulus() {
-        let body = EquivalentBody::new(STEEL, STEEL);
+        let body = equivalent_body(STEEL, STEEL);
         assert_relative_eq!(body.youngs_modulus, 105e9, max_relative = 1e-14);
         assert_relative_eq!(body.poissons_ratio, 0.3, max_relative = 1e-14);
     }
@@ -60,7 +47,7 @@ mod tests {
         let d = es * (1.0 + vp) + ep * (1.0 + vs);
         let e = (es * es * ep * (1.0 + vp).powi(2) + ep * ep * es * (1.0 + vs).powi(2)) / (d * d);
         let v = (es * vp * (1.0 + vp) + ep * vs * (1.0 + vs)) / d;
-        let body = EquivalentBody::new(GLASS, STEEL);
+        let body = equivalent_body(GLASS, STEEL);
         assert_relative_eq!(body.poissons_ratio, v, max_relative = 1e-13);
         assert_relative_eq!(body.youngs_modulus, e, max_relative = 1e-13);
     }

@@ -7,6 +7,7 @@ pub mod gap;
 pub mod groups;
 pub mod hertz;
 pub mod inlet;
+pub mod material;
 pub mod motion;
 pub mod roller;
 pub mod scales;
@@ -16,11 +17,12 @@ pub mod turn;
 pub mod zone;
 
 pub use curvature::Curvatures;
-pub use equivalent::EquivalentBody;
-pub use gap::Gap;
+pub use equivalent::equivalent_body;
+pub use gap::{Gap, GapTerm};
 pub use groups::Groups;
 pub use hertz::Hertz;
 pub use inlet::{Inlet, OilLayer, Supply};
+pub use material::{Material, reduced_modulus};
 pub use motion::{Motion, Planar};
 pub use roller::Roller;
 pub use scales::Scales;
@@ -240,21 +242,4 @@ impl Contact {
         let (x, y) = (1.0 / self.radius, 1.0 / self.radius_y);
         [c * c * x + s * s * y, s * s * x + c * c * y].map(f64::recip)
     }
-}
-
-/// Elastic constants of one body.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Elasticity {
-    /// Young's modulus E, Pa.
-    pub youngs_modulus: f64,
-    /// Poisson's ratio ν.
-    pub poissons_ratio: f64,
-}
-
-/// Reduced modulus of two bodies, Pa: 2/E' = (1 − ν_p²)/E_p + (1 − ν_s²)/E_s.
-///
-/// Source: Habchi 2008, eq. 2.27 (as corrected in `docs/theory`).
-pub fn reduced_modulus(plane: Elasticity, ball: Elasticity) -> f64 {
-    let compliance = |b: Elasticity| (1.0 - b.poissons_ratio * b.poissons_ratio) / b.youngs_modulus;
-    2.0 / (compliance(plane) + compliance(ball))
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::gap::RollerGap;
+use super::gap::{GapTerm, RollerGap};
 use super::roller::{RollerZone, Slices};
 use super::{Contact, ContactKind, Gap, Hertz, HertzZone, Inlet, Motion, Roller, Turn, hertz};
 
@@ -46,11 +46,7 @@ impl Shape {
     /// A cylinder.
     pub const LINE: Shape = Shape {
         kind: ContactKind::Line,
-        gap: Gap {
-            curvature_ratio: 0.0,
-            turn: Turn::NONE,
-            along_roller: None,
-        },
+        gap: Gap::paraboloid(0.0),
         zone: HertzZone {
             axis_ratio: 1.0,
             turn: Turn::NONE,
@@ -64,11 +60,7 @@ impl Shape {
     /// A ball.
     pub const CIRCULAR: Shape = Shape {
         kind: ContactKind::Circular,
-        gap: Gap {
-            curvature_ratio: 1.0,
-            turn: Turn::NONE,
-            along_roller: None,
-        },
+        gap: Gap::paraboloid(1.0),
         zone: HertzZone {
             axis_ratio: 1.0,
             turn: Turn::NONE,
@@ -83,15 +75,15 @@ impl Shape {
     fn of_roller(roller: &Roller, radius: f64, half_width: f64) -> Shape {
         let gap = RollerGap::new(roller.clone(), half_width, half_width * half_width / radius);
         let half_length = 0.5 * roller.length / half_width;
-        let slices = Slices::new(half_length, |y| gap.at(y)[0]);
+        let slices = Slices::new(half_length, |y| gap.at([0.0, y]).value);
         let kinks: Vec<f64> = (roller.profile.kinks().iter())
             .map(|y| y / half_width)
             .collect();
         Shape {
             kind: ContactKind::Roller,
             gap: Gap {
-                along_roller: Some(gap),
-                ..Shape::LINE.gap
+                terms: vec![GapTerm::Roller(gap)],
+                ..Gap::paraboloid(0.0)
             },
             zone: HertzZone {
                 roller: Some(Arc::new(RollerZone::new(
@@ -123,9 +115,8 @@ impl Shape {
             (ContactKind::Elliptical, None) => Shape {
                 kind: contact.kind,
                 gap: Gap {
-                    curvature_ratio: contact.radius / contact.radius_y,
                     turn,
-                    along_roller: None,
+                    ..Gap::paraboloid(contact.radius / contact.radius_y)
                 },
                 zone: HertzZone {
                     axis_ratio: hertz.half_width_y.map_or(1.0, |b| b / hertz.half_width),
@@ -162,7 +153,7 @@ impl Shape {
         let [c, s] = self.zone.turn.to_axes([1.0, 0.0]);
         let [d, t] = other.zone.turn.to_axes([1.0, 0.0]);
         // Rollers of other loads have other lengths in half-widths; where their dry contact lies follows from the gap.
-        self.gap.along_roller == other.gap.along_roller
+        self.gap.terms == other.gap.terms
             && self.kind == other.kind
             && self.symmetry == other.symmetry
             && self.inlet.is_like(&other.inlet)

@@ -11,7 +11,8 @@ use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
 use super::store::{Operator, OperatorStore, SMALLEST};
-use super::{Accuracy, BodyConstants, SurfaceResponse, Trace, compliance};
+use super::{Accuracy, SurfaceResponse, Trace, compliance};
+use crate::contact::Material;
 use crate::forms::elasticity::{lame, stiffness_point};
 
 /// Displacement space of the body with its constraints and its trace on the contact area.
@@ -170,15 +171,13 @@ impl CondensedResponse {
     }
 }
 
-/// One elastic body: response for unit modulus, and its dimensionless modulus.
+/// One elastic body: response for unit modulus, and its constants.
 #[derive(Clone)]
 pub struct ElasticBody {
     /// Response for E = 1; bodies of one Poisson's ratio share it.
     pub response: Arc<CondensedResponse>,
-    /// E/(R p_h/a).
-    pub modulus: f64,
-    /// Poisson's ratio.
-    pub poissons_ratio: f64,
+    /// Constants, the modulus over R p_h/a.
+    pub material: Material,
 }
 
 /// Bodies in series: the deflections under one load add up.
@@ -196,7 +195,7 @@ impl FiniteBodies {
             self.bodies
                 .iter()
                 .filter(same)
-                .map(|o| 1.0 / o.modulus)
+                .map(|o| 1.0 / o.material.youngs_modulus)
                 .sum()
         };
         self.bodies.iter().enumerate().filter_map(move |(k, b)| {
@@ -260,16 +259,14 @@ impl SurfaceResponse for FiniteBodies {
         let Some(first) = self.bodies.first() else {
             return Vec::new();
         };
-        let own = compliance(&[(first.modulus, first.poissons_ratio)]);
-        let scale = first.modulus * own / self.compliance();
+        let own = compliance(&[first.material]);
+        let scale = first.material.youngs_modulus * own / self.compliance();
         first.response.near.iter().map(move |s| s * scale).collect()
     }
 
     fn compliance(&self) -> f64 {
-        let constants: Vec<BodyConstants> = (self.bodies.iter())
-            .map(|b| (b.modulus, b.poissons_ratio))
-            .collect();
-        compliance(&constants)
+        let materials: Vec<Material> = self.bodies.iter().map(|b| b.material).collect();
+        compliance(&materials)
     }
 }
 
@@ -341,7 +338,7 @@ impl FiniteBody {
     /// When a factorisation fails, or `stop` says so.
     pub fn condensed(
         &self,
-        bodies: &[BodyConstants],
+        bodies: &[Material],
         deflection: &Space,
         near_pairs: &[(u32, u32)],
         cache: Option<&dyn OperatorStore>,
@@ -350,22 +347,19 @@ impl FiniteBody {
         let cache = cache.filter(|_| self.mesh.mesh.n_cells() > SMALLEST);
         let mut condensed = FiniteBodies { bodies: Vec::new() };
         let mut n_displacement = 0;
-        for &(modulus, poissons_ratio) in bodies {
-            let known = |b: &&ElasticBody| b.poissons_ratio == poissons_ratio;
+        for &material in bodies {
+            let ratio = material.poissons_ratio;
+            let known = |b: &&ElasticBody| b.material.poissons_ratio == ratio;
             let response = match condensed.bodies.iter().find(known) {
                 Some(b) => Arc::clone(&b.response),
                 None => {
                     let (response, n) =
-                        self.response(poissons_ratio, deflection, near_pairs, cache, stop)?;
+                        self.response(ratio, deflection, near_pairs, cache, stop)?;
                     n_displacement = n;
                     Arc::new(response)
                 }
             };
-            condensed.bodies.push(ElasticBody {
-                response,
-                modulus,
-                poissons_ratio,
-            });
+            condensed.bodies.push(ElasticBody { response, material });
         }
         let from_cache = !bodies.is_empty() && self.space.get().is_none();
         Ok((condensed, n_displacement, from_cache))

@@ -16,8 +16,8 @@ use ertel_fem::potential::{Accuracy, Potential, PotentialParams};
 use ertel_fem::space::Space;
 
 use super::near::symbol_stiffness;
-use super::{BodyConstants, SurfaceResponse, Trace, compliance};
-use crate::contact::{Shape, Symmetry};
+use super::{SurfaceResponse, Trace, compliance};
+use crate::contact::{Material, Shape, Symmetry};
 
 /// Distance, in half-widths, at which a line load deflects nothing: the depth of the finite-element body that stands for a
 /// half-space in Habchi's thesis. It shifts the separation alone.
@@ -46,7 +46,7 @@ impl HalfSpace {
     pub fn new(
         mesh: &SimplexMesh,
         space: &Space,
-        bodies: &[BodyConstants],
+        bodies: &[Material],
         pairs: &[(u32, u32)],
         shape: &Shape,
     ) -> HalfSpace {

@@ -13,6 +13,7 @@ mod series;
 pub mod store;
 mod trace;
 
+pub use crate::contact::material::compliance;
 pub use ertel_fem::potential::Accuracy;
 pub use finite_elements::{
     BodySpace, CondensedResponse, ElasticBody, FiniteBodies, FiniteBody, FiniteBodyError,
@@ -22,13 +23,7 @@ pub use near::{near_pairs, symbol_stiffness};
 pub use series::Series;
 pub use trace::Trace;
 
-/// Dimensionless elastic constants of one body: E/(R p_h/a) and ν.
-pub type BodyConstants = (f64, f64);
-
-/// Σ(1 − ν²)/E of bodies: a half-space of them answers a wave of pressure of the wave number k by 2/|k| times that.
-pub fn compliance(bodies: &[BodyConstants]) -> f64 {
-    bodies.iter().map(|(e, nu)| (1.0 - nu * nu) / e).sum()
-}
+use crate::contact::Material;
 
 /// Answers of elastic bodies, dimensionless. Values stand at the nodes of the trace's spaces, pressures at all nodes, edge included.
 pub trait SurfaceResponse: Send + Sync {
@@ -58,8 +53,8 @@ pub struct Elasticity {
     pub model: BodyModel,
     /// Lagrange order of the deflection; of a half-space not below that of the pressure.
     pub order: usize,
-    /// The bodies; none for a rigid contact.
-    pub bodies: Vec<BodyConstants>,
+    /// The bodies, moduli over R p_h/a; none for a rigid contact.
+    pub bodies: Vec<Material>,
 }
 
 /// How bodies are computed.
@@ -73,7 +68,7 @@ pub enum BodyModel {
 
 impl Elasticity {
     /// Half-spaces.
-    pub fn half_space(order: usize, bodies: &[BodyConstants]) -> Elasticity {
+    pub fn half_space(order: usize, bodies: &[Material]) -> Elasticity {
         Elasticity {
             model: BodyModel::HalfSpace,
             order,
@@ -82,7 +77,7 @@ impl Elasticity {
     }
 
     /// Finite-element bodies.
-    pub fn finite_elements(order: usize, bodies: &[BodyConstants]) -> Elasticity {
+    pub fn finite_elements(order: usize, bodies: &[Material]) -> Elasticity {
         Elasticity {
             model: BodyModel::FiniteElements,
             order,

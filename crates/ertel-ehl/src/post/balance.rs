@@ -1,9 +1,9 @@
 //! Mass balance of the film between its inlet and its centre.
 
 use crate::contact::Symmetry;
-use crate::solve::evaluate::fields_at;
 use crate::solve::flux::mass_flux;
 use crate::solve::newton::FilmModel;
+use crate::solve::points::fields_at;
 use crate::solve::sequence::StageSolution;
 use crate::solve::system::{FilmConstants, System};
 

@@ -3,6 +3,7 @@
 use crate::contact::Shape;
 use crate::solution::{Balance, Checks, Figure, Figures, Summary, SummedTo, Thermal};
 use crate::solve::discretisation::Extents;
+use crate::solve::points::PointTable;
 use crate::solve::sequence::{Problem, StageSolution};
 use crate::solve::shear::friction;
 use crate::warning::{Warning, WarningKind};
@@ -15,7 +16,8 @@ pub fn checks(
     thermal: Option<&Thermal>,
 ) -> (Checks, SummedTo) {
     let (d, state) = (&solution.discretisation, &solution.state);
-    let f = friction(problem, &problem.fluid, d, state);
+    let points = PointTable::new(d, state);
+    let f = friction(problem, &problem.fluid, (d, state), &points);
     let power = match thermal {
         None => Balance::of(f.here.work, f.here.dissipation + f.through_end),
         Some(thermal) => {

@@ -8,6 +8,7 @@ use crate::solution::{ElementFields, FilmTemperatures, Polynomials, TemperatureP
 use crate::solve::discretisation::Discretisation;
 use crate::solve::heat::recovery::{self, Recovery};
 use crate::solve::heat::space::HeatSpace;
+use crate::solve::points::film_of;
 use crate::solve::sequence::StageSolution;
 use crate::solve::system::State;
 
@@ -58,14 +59,8 @@ fn film(d: &Discretisation, state: &State, scales: &Scales) -> Polynomials {
     let mut values = Vec::with_capacity(table.len() * d.contact.n_elements());
     for cell in 0..d.contact.n_elements() {
         for basis in &table {
-            let (mut film, mut point) = (state.rigid_separation, [0.0; 3]);
-            for (value, node) in basis.iter().zip(deflection.nodes_of(cell)) {
-                film += value * state.deflection[*node as usize];
-                for (x, px) in point.iter_mut().zip(deflection.points[*node as usize]) {
-                    *x += value * px;
-                }
-            }
-            values.push(scales.film * (film + d.contact.shape.gap.value([point[0], point[1]])));
+            let (_, film) = film_of(d, state, cell, basis);
+            values.push(scales.film * film);
         }
     }
     Polynomials { order, values }

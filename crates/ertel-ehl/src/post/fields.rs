@@ -9,7 +9,7 @@ use crate::film::FilmFluid;
 use crate::post::profile::Profile;
 use crate::solution::{BodyField, Centreline, SurfaceField};
 use crate::solve::discretisation::{Discretisation, DiscretisationError};
-use crate::solve::evaluate::{PointFields, fields_in};
+use crate::solve::points::{PointFields, fields_in};
 use crate::solve::sequence::StageSolution;
 use crate::solve::system::State;
 
@@ -29,7 +29,7 @@ pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) 
     let profile = sampled(d, &solution.state);
     let mut line = Centreline::default();
     for (x, f) in profile.x.iter().zip(&profile.fields) {
-        let local = fluid.local(f.pressure, f.temperature.as_ref());
+        let local = fluid.local(f.pressure, f.temperature.as_deref());
         let properties = local.point();
         line.x.push(x * scales.length);
         line.pressure.push(f.pressure * scales.pressure);
@@ -74,7 +74,7 @@ pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> 
         }
     }
     for (p, f) in solution.state.pressure.iter().zip(&at_nodes) {
-        let local = fluid.local(*p, f.temperature.as_ref());
+        let local = fluid.local(*p, f.temperature.as_deref());
         let properties = local.point();
         field.pressure.push(p * scales.pressure);
         field
@@ -135,10 +135,15 @@ pub fn body(
     let mut load = vec![0.0; trace.dofs.n_dofs];
     let loads = d.trace.loads(&solution.state.pressure);
     for (f, dof) in loads.iter().zip(&trace.normal_dofs) {
-        load[*dof] = -f / elastic.modulus;
+        load[*dof] = -f / elastic.material.youngs_modulus;
     }
     trace
-        .factorise(&body.mesh, elastic.poissons_ratio, Keep::Factor, NEVER)
+        .factorise(
+            &body.mesh,
+            elastic.material.poissons_ratio,
+            Keep::Factor,
+            NEVER,
+        )
         .and_then(|k| k.solve_full(&mut load))
         .map_err(DiscretisationError::from)?;
     let space = &trace.space;

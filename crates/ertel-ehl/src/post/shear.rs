@@ -3,7 +3,7 @@
 use crate::contact::{Scales, Shape};
 use crate::film::FilmFluid;
 use crate::solution::ShearFields;
-use crate::solve::evaluate::PointFields;
+use crate::solve::points::PointFields;
 use crate::solve::shear::{Shear, is_askew};
 
 /// Shear at a list of points.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use ertel_fem::assembly::CONSTRAINED;
 
 use super::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
-use super::evaluate::pressure_at;
+use super::points::{gap_at_nodes, pressure_at};
 use crate::contact::roller::RollerZone;
 use crate::contact::{Shape, Symmetry};
 use crate::elastic::{Accuracy, Elasticity};
@@ -128,9 +128,7 @@ pub(super) fn dry_pressure(d: &Discretisation, guess: &[f64], load: f64) -> Vec<
         pressure.iter_mut().for_each(|p| *p *= factor);
     };
     scaled(&mut pressure);
-    let gap: Vec<f64> = (d.pressure.points.iter())
-        .map(|p| d.contact.shape.gap.value([p[0], p[1]]))
-        .collect();
+    let gap = gap_at_nodes(d);
     let mut direction = vec![0.0; pressure.len()];
     let (mut keep, mut last) = (0.0, 1.0);
     for _ in 0..MAX_ITERATIONS {
@@ -239,7 +237,7 @@ impl Nodes {
 mod tests {
     use super::*;
     use crate::contact::roller::{Profile, Roller};
-    use crate::contact::{Contact, Hertz, Motion};
+    use crate::contact::{Contact, Hertz, Material, Motion};
     use approx::assert_relative_eq;
 
     const RADIUS: f64 = 0.01;
@@ -250,7 +248,10 @@ mod tests {
         let hertz = Hertz::new(&contact, MODULUS);
         let shape = Shape::new(&contact, &hertz, &Motion::straight(1.0, 0.0));
         // Both bodies alike, in units of p_h R/b = E'/4: E = E'(1 − ν²), so 4(1 − ν²).
-        let body = (4.0 * (1.0 - 0.3 * 0.3), 0.3);
+        let body = Material {
+            youngs_modulus: 4.0 * (1.0 - 0.3 * 0.3),
+            poissons_ratio: 0.3,
+        };
         let elasticity = Elasticity::half_space(3, &[body, body]);
         let load = shape.load();
         let dry = with_dry_zone(shape.clone(), &elasticity, load);
@@ -317,7 +318,13 @@ mod tests {
     /// What is no roller stays as it is.
     #[test]
     fn other_shapes_stay() {
-        let elasticity = Elasticity::half_space(3, &[(4.0, 0.3)]);
+        let elasticity = Elasticity::half_space(
+            3,
+            &[Material {
+                youngs_modulus: 4.0,
+                poissons_ratio: 0.3,
+            }],
+        );
         assert_eq!(
             with_dry_zone(Shape::CIRCULAR, &elasticity, 1.0),
             Shape::CIRCULAR

@@ -255,8 +255,9 @@ impl<'a> Assembler<'a> {
                 std::array::from_fn(|a| dot::<M>(&w_list[a * M..(a + 1) * M], &deflections));
             let [x, y] = places.map(|x| dot::<M>(&w_list[..M], &x));
             let place = [x, y, 0.0];
-            let h = state.rigid_separation + d.contact.shape.gap.value([x, y]) + w[0];
-            let [gap_x, gap_y] = d.contact.shape.gap.gradient([x, y]);
+            let gap = d.contact.shape.gap.at([x, y]);
+            let [gap_x, gap_y] = gap.gradient;
+            let h = state.rigid_separation + gap.value + w[0];
             element.points.push(Point {
                 place,
                 state: [

@@ -7,6 +7,7 @@ use super::evaluate::{central_film, largest_pressure, largest_pressure_where, mi
 use super::heat::balance::heat_balance;
 use super::heat::figures::{Extremes, zone_means};
 use super::peaks::peaks;
+use super::points::PointTable;
 use super::profile::{PER_EDGE, Profile};
 use super::sequence::{Problem, StageSolution};
 use super::shear::{friction, is_askew};
@@ -45,7 +46,8 @@ pub fn figures(
     if extent == Extent::Films {
         return figures;
     }
-    note_roller(&mut figures, problem, d, state);
+    let points = PointTable::new(d, state);
+    note_roller(&mut figures, problem, (d, state), &points);
     let roller = problem.shape.zone.roller.as_ref();
     let quarter = roller.map(|roller| 0.5 * roller.half_length());
     let inner = |[_, y]: [f64; 2]| quarter.is_none_or(|quarter| y.abs() < quarter);
@@ -78,8 +80,8 @@ pub fn figures(
         let reading = Reading::new(scales.length * x);
         figures.note(Figure::MeniscusPosition, reading);
     }
-    note_friction(&mut figures, problem, fluid, d, state);
-    note_heat(&mut figures, problem, fluid, d, state);
+    note_friction(&mut figures, problem, fluid, (d, state), &points);
+    note_heat(&mut figures, problem, fluid, (d, state), &points);
     figures
 }
 
@@ -90,7 +92,12 @@ fn share_of_film(pressure: f64, film: f64) -> f64 {
 }
 
 /// Pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
-pub fn note_roller(figures: &mut Figures, problem: &Problem, d: &Discretisation, state: &State) {
+pub fn note_roller(
+    figures: &mut Figures,
+    problem: &Problem,
+    (d, state): (&Discretisation, &State),
+    points: &PointTable,
+) {
     let Some(roller) = &problem.shape.zone.roller else {
         return;
     };
@@ -110,7 +117,7 @@ pub fn note_roller(figures: &mut Figures, problem: &Problem, d: &Discretisation,
     if !whole {
         return;
     }
-    let [force, moment, arms] = moments(d, state);
+    let [force, moment, arms] = moments(points);
     let unit = scales.pressure * scales.length.powi(2);
     for (figure, scale) in [
         (Figure::RollerMoment, unit * scales.length),
@@ -126,20 +133,13 @@ pub fn note_roller(figures: &mut Figures, problem: &Problem, d: &Discretisation,
 }
 
 /// ∫P, ∫P y and ∫P|y| over the part that is solved.
-fn moments(d: &Discretisation, state: &State) -> [f64; 3] {
-    let n = d.pressure_table.n_nodes;
+fn moments(points: &PointTable) -> [f64; 3] {
     let mut sums = [0.0; 3];
-    for (c, map) in d.contact.maps.iter().enumerate() {
-        let nodes = d.pressure.nodes_of(c);
-        for (q, (weight, xi)) in d.rule.weights.iter().zip(&d.rule.points).enumerate() {
-            let basis = &d.pressure_table.values[q * n..(q + 1) * n];
-            let values = basis.iter().zip(nodes);
-            let p: f64 = values.map(|(b, v)| b * state.pressure[*v as usize]).sum();
-            let [_, y] = d.contact.point(c, *xi);
-            let share = weight * map.determinant * p;
-            for (sum, arm) in sums.iter_mut().zip([1.0, y, y.abs()]) {
-                *sum += share * arm;
-            }
+    for point in points.iter() {
+        let [_, y] = point.fields.place;
+        let share = point.area * point.fields.pressure;
+        for (sum, arm) in sums.iter_mut().zip([1.0, y, y.abs()]) {
+            *sum += share * arm;
         }
     }
     sums
@@ -149,10 +149,10 @@ fn note_friction(
     figures: &mut Figures,
     problem: &Problem,
     fluid: &FilmFluid,
-    d: &Discretisation,
-    state: &State,
+    (d, state): (&Discretisation, &State),
+    points: &PointTable,
 ) {
-    let sums = friction(problem, fluid, d, state);
+    let sums = friction(problem, fluid, (d, state), points);
     let (f, near) = (&sums.here, &sums.shorter);
     let [mid, plane, ball] = f.coefficients;
     let [near_mid, near_plane, near_ball] = near.coefficients;
@@ -221,8 +221,8 @@ fn note_heat(
     figures: &mut Figures,
     problem: &Problem,
     fluid: &FilmFluid,
-    d: &Discretisation,
-    state: &State,
+    (d, state): (&Discretisation, &State),
+    points: &PointTable,
 ) {
     let (Some(space), Some(heat)) = (d.heat.as_deref(), &problem.heat) else {
         return;
@@ -265,7 +265,11 @@ fn note_heat(
         Figure::Body1TemperatureMean,
         Figure::Body2TemperatureMean,
     ];
-    for (figure, value) in means.into_iter().zip(zone_means(d, state, space)) {
+    for (figure, value) in means.into_iter().zip(zone_means(
+        points,
+        &d.contact.shape.zone,
+        &space.column.film,
+    )) {
         temperature(figure, value);
     }
     let balance = heat_balance(d, state, fluid, &heat.heat, scales);

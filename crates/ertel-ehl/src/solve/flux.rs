@@ -1,6 +1,6 @@
 //! Flow of lubricant along the film.
 
-use super::evaluate::PointFields;
+use super::points::PointFields;
 use crate::contact::Planar;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
@@ -16,7 +16,7 @@ pub fn mass_flux(
     entrainment: &Planar,
     f: &PointFields,
 ) -> [f64; 2] {
-    let local = fluid.local(f.pressure, f.temperature.as_ref());
+    let local = fluid.local(f.pressure, f.temperature.as_deref());
     let (rho, mu) = (local.point().density[0], local.point().viscosity[0]);
     let (g, omega) = local.demands(f.place, f.pressure_gradient, f.film);
     let flow = local.flow(g, omega, &mut CrossFilm::default()).flow;

@@ -18,6 +18,7 @@ pub mod monolithic;
 mod neighbours;
 pub mod newton;
 mod peaks;
+pub mod points;
 pub mod preconditioner;
 pub mod profile;
 pub mod region;

@@ -31,7 +31,12 @@ impl BodyMatrices {
         let (body, condensed) = d.contact.body().expect("a finite-element body");
         let space = body.space(&d.contact.deflection);
         let matrices = (condensed.bodies.iter())
-            .map(|b| (space.stiffness(&body.mesh, b.poissons_ratio), b.modulus))
+            .map(|b| {
+                (
+                    space.stiffness(&body.mesh, b.material.poissons_ratio),
+                    b.material.youngs_modulus,
+                )
+            })
             .collect();
         BodyMatrices {
             matrices,

@@ -23,6 +23,7 @@ use crate::film::FilmFluid;
 use crate::params::LinearSolver;
 use crate::solution::{IterationRecord, Timings};
 use crate::solve::evaluate::{central_film, minimum_film};
+use crate::solve::points::films_and_changes;
 
 /// Settings of one Newton run.
 #[derive(Clone, Copy, Debug)]
@@ -411,25 +412,9 @@ impl<'a> NewtonLevel<'a> {
         params: &NewtonParams,
     ) -> f64 {
         let d = self.discretisation;
-        let m = d.deflection_table.n_nodes;
         let mut lift: f64 = 0.0;
         for c in 0..d.contact.n_elements() {
-            let nodes = d.contact.deflection.nodes_of(c);
-            for q in 0..d.rule.len() {
-                let (mut h, mut dh) = (state.rigid_separation, d_separation);
-                let mut point = [0.0; 3];
-                for (i, node) in nodes.iter().enumerate() {
-                    let basis = d.deflection_table.values[q * m + i];
-                    h += basis * state.deflection[*node as usize];
-                    dh += basis * deflection_step[*node as usize];
-                    for (x, px) in point
-                        .iter_mut()
-                        .zip(d.contact.deflection.points[*node as usize])
-                    {
-                        *x += basis * px;
-                    }
-                }
-                h += d.contact.shape.gap.value([point[0], point[1]]);
+            for (h, dh) in films_and_changes(d, state, (deflection_step, d_separation), c) {
                 // A start may lack film at a point: let the step mend it.
                 if h > 0.0 {
                     lift = lift.max(-dh - params.film_loss_limit * h);

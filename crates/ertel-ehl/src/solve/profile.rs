@@ -2,7 +2,7 @@
 
 use crate::contact::Symmetry;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::{PointFields, fields_at};
+use crate::solve::points::{PointFields, fields_at};
 use crate::solve::system::State;
 
 /// Fields along the centreline, X ascending.

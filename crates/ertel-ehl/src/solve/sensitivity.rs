@@ -15,9 +15,10 @@ use super::SolveError;
 use super::adjoint::{Adjoint, Exactness, Functional, RoughAdjoints, adjoints};
 use super::discretisation::{ContactSurface, Discretisation, Means};
 use super::element::Metric;
-use super::evaluate::{fields_in, minimum_film};
+use super::evaluate::minimum_film;
 use super::newton::FilmModel;
 use super::peaks::peaks;
+use super::points::{PointTable, fields_in};
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::region::{Elements, Region};
 use super::sequence::{Problem, StageSolution};
@@ -172,7 +173,8 @@ impl<'a> Sensitivity<'a> {
         let scales = &self.problem.scales;
         match figure {
             Figure::TractionCoefficient => {
-                let sums = friction(self.problem, &self.problem.fluid, d, state);
+                let points = PointTable::new(d, state);
+                let sums = friction(self.problem, &self.problem.fluid, (d, state), &points);
                 sums.here.coefficients[0][0]
             }
             figure => self.figure(figure, d, state, scales),
@@ -220,12 +222,8 @@ impl<'a> Sensitivity<'a> {
         let own = &self.problem.elasticity;
         for problem in &sides.problems {
             let finite = own.model == BodyModel::FiniteElements;
-            let bodies = own.bodies.iter().zip(&problem.elasticity.bodies);
-            if finite
-                && !bodies
-                    .clone()
-                    .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1))
-            {
+            let mut bodies = own.bodies.iter().zip(&problem.elasticity.bodies);
+            if finite && !bodies.all(|(a, b)| a.is_close(b, 1e-9)) {
                 return Some(NoDerivative::FiniteElements);
             }
             if self.problem.shape.inlet == Inlet::Meniscus

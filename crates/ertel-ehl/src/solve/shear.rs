@@ -19,9 +19,9 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use super::discretisation::{Discretisation, Extents};
-use super::evaluate::{PointFields, fields_at, fields_at_quadrature};
 use super::flux::mass_flux;
 use super::indicator::far_field;
+use super::points::{Point, PointFields, PointTable, fields_at};
 use super::region::{Elements, Region, Share};
 use super::sequence::Problem;
 use super::system::State;
@@ -64,7 +64,7 @@ impl<'a> Shear<'a> {
 
     /// Shear at a point.
     pub fn at(&mut self, f: &PointFields) -> PointShear {
-        let fluid = self.fluid.local(f.pressure, f.temperature.as_ref());
+        let fluid = self.fluid.local(f.pressure, f.temperature.as_deref());
         let mu = fluid.point().viscosity[0];
         let (g, omega) = fluid.demands(f.place, f.pressure_gradient, f.film);
         let film = fluid.flow(g, omega, &mut self.rule);
@@ -175,8 +175,7 @@ pub fn is_askew(shape: &Shape, fluid: &FilmFluid) -> bool {
 }
 
 /// What a point adds to the sums.
-struct Point<'a> {
-    place: [f64; 2],
+struct Part<'a> {
     fields: &'a PointFields,
     shear: &'a PointShear,
     /// Work of the surfaces there, W/m².
@@ -189,7 +188,7 @@ struct Point<'a> {
 
 impl Sums {
     /// Adds a point that stands for an area, whose gap may not be full.
-    fn add(&mut self, area: f64, point: &Point) {
+    fn add(&mut self, area: f64, point: &Part) {
         if area == 0.0 {
             return;
         }
@@ -201,7 +200,7 @@ impl Sums {
         for (sum, stress) in sums.zip(s.stress.into_iter().flatten()) {
             *sum += area * stress;
         }
-        let [x, y] = point.place;
+        let [x, y] = point.fields.place;
         let turning = x * s.stress[0][1] - y * s.stress[0][0];
         self.moment[0] += area * turning;
         self.moment[1] += area * turning.abs();
@@ -222,12 +221,12 @@ impl Sums {
     }
 }
 
-/// Traction and friction of a state.
+/// Traction and friction of a state, from its points.
 pub fn friction(
     problem: &Problem,
     fluid: &FilmFluid,
-    d: &Discretisation,
-    state: &State,
+    (d, state): (&Discretisation, &State),
+    points: &PointTable,
 ) -> Frictions {
     let (scales, shape) = (&problem.scales, &problem.shape);
     let entrainment = problem.entrainment();
@@ -245,27 +244,25 @@ pub fn friction(
             elements.share(&shorter, c),
             Share::All,
         ];
-        for (q, weight) in d.rule.weights.iter().enumerate() {
-            let ([x, y, _], fields) = fields_at_quadrature(d, state, c, q);
-            let area = weight * d.contact.maps[c].determinant;
-            let s = shear.at(&fields);
+        for (q, Point { area, fields }) in points.of_element(c).iter().enumerate() {
+            let [x, y] = fields.place;
+            let s = shear.at(fields);
             let slide = fluid.slide().at([x, y]).map(|s| sliding * s);
             let mean = entrainment.at([x, y]).map(|u| speed * u);
             let work = |i: usize| slide[i] * s.stress[0][i] + mean[i] * s.difference[i];
             let in_zone = d.contact.shape.zone.contains([x, y]);
-            let point = Point {
-                place: [x, y],
+            let part = Part {
                 work: work(0) + work(1),
-                offset: fields.pressure * shape.gap.gradient([x, y])[0],
+                offset: fields.pressure * shape.gap.at([x, y]).gradient[0],
                 limits: in_zone.then(|| match fluid.limits_depend_on_pressure() {
                     true => fluid.newtonian_limits(fields.pressure),
                     false => constant,
                 }),
-                fields: &fields,
+                fields,
                 shear: &s,
             };
             for (sums, share) in sums.iter_mut().zip(&shares) {
-                sums.add(area * share.at(q), &point);
+                sums.add(area * share.at(q), &part);
             }
         }
         (sums, shares[0] != Share::All)
@@ -323,7 +320,7 @@ fn through_end(
         let Some(f) = fields_at(d, state, place) else {
             return 0.0;
         };
-        let volume = |p: f64| 1.0 / fluid.local(p, f.temperature.as_ref()).point().density[0];
+        let volume = |p: f64| 1.0 / fluid.local(p, f.temperature.as_deref()).point().density[0];
         let p = f.pressure;
         let g = p / 6.0 * (volume(0.0) + 4.0 * volume(0.5 * p) + volume(p));
         let flux = mass_flux(fluid, problem.scales.lambda, entrainment, &f);
@@ -455,7 +452,7 @@ mod tests {
             gap: Gap {
                 curvature_ratio: 0.3,
                 turn: Turn::NONE,
-                along_roller: None,
+                terms: Vec::new(),
             },
             zone: HertzZone {
                 axis_ratio: 1.7,

@@ -13,6 +13,7 @@ use rayon::prelude::*;
 
 use super::discretisation::Discretisation;
 use super::element::Metric;
+use super::points::{point_state, pressure_sums};
 use super::region::{Elements, Region, Share};
 use super::system::{FilmConstants, State};
 use crate::contact::{OilLayer, Planar};
@@ -289,67 +290,17 @@ struct Points {
 impl Points {
     fn new(d: &Discretisation, state: &State, weights: &[&[f64]], c: usize) -> Points {
         let metric = Metric::new(&d.contact.maps[c]);
-        let (n, m) = (d.pressure_table.n_nodes, d.deflection_table.n_nodes);
-        let (nodes, below) = (d.pressure.nodes_of(c), d.contact.deflection.nodes_of(c));
         let mut fields = Vec::with_capacity(d.rule.len());
         let mut areas = Vec::with_capacity(d.rule.len());
         let mut tests = Vec::with_capacity(d.rule.len() * weights.len());
         for (q, weight) in d.rule.weights.iter().enumerate() {
-            let table = &d.pressure_table;
-            let at_nodes = |values: &[f64]| {
-                let mut sums = [0.0; 8];
-                for (j, node) in nodes.iter().enumerate() {
-                    let (k, v) = (q * n + j, values[*node as usize]);
-                    let [gx, gy] = metric.gradient(&table.gradients[k]);
-                    let [xx, xy, yy] = metric.second(&table.hessians[k]);
-                    let basis = [
-                        table.values[k],
-                        gx,
-                        gy,
-                        metric.laplacian(&table.hessians[k]),
-                        d.pressure_unseen[k],
-                        xx,
-                        xy,
-                        yy,
-                    ];
-                    sums.iter_mut().zip(basis).for_each(|(s, b)| *s += v * b);
-                }
-                sums
-            };
-            let p = at_nodes(&state.pressure);
             let area = weight * d.contact.maps[c].determinant;
             areas.push(area);
             for list in weights {
-                let z = at_nodes(list);
+                let z = pressure_sums(d, list, &metric, c, q);
                 tests.push([0, 1, 2, 3, 4].map(|k: usize| area * z[k]));
             }
-            let table = &d.deflection_table;
-            let (mut place, mut film) = ([0.0; 2], [state.rigid_separation, 0.0, 0.0]);
-            for (j, node) in below.iter().enumerate() {
-                let (k, v) = (q * m + j, state.deflection[*node as usize]);
-                let [gx, gy] = metric.gradient(&table.gradients[k]);
-                let basis = [table.values[k], gx, gy];
-                film.iter_mut().zip(basis).for_each(|(s, b)| *s += v * b);
-                for (x, at) in place
-                    .iter_mut()
-                    .zip(d.contact.deflection.points[*node as usize])
-                {
-                    *x += table.values[k] * at;
-                }
-            }
-            let gap = &d.contact.shape.gap;
-            let slopes = gap.gradient(place);
-            fields.push((
-                place,
-                PointState {
-                    pressure: p[0],
-                    pressure_gradient: [p[1], p[2]],
-                    pressure_unseen: p[4],
-                    pressure_curvature: [p[5], p[6], p[7]],
-                    film: film[0] + gap.value(place),
-                    film_gradient: [film[1] + slopes[0], film[2] + slopes[1]],
-                },
-            ));
+            fields.push(point_state(d, state, &metric, c, q));
         }
         Points {
             element: c,

@@ -107,7 +107,7 @@ fn roller(i: usize) -> MapCase {
     let speed = SPEEDS[(3 * i) % SPEEDS.len()];
     let radius = 1e-3 * RADII[(i / 3) % RADII.len()];
     let steel = database::solid("steel").expect("a solid of the database");
-    let body = ertel::contact::Elasticity {
+    let body = ertel::contact::Material {
         youngs_modulus: steel.youngs_modulus,
         poissons_ratio: steel.poissons_ratio,
     };

@@ -6,7 +6,7 @@ use ertel_input::{Bounds, InputError, StrOrTable, Table};
 use ertel_quantity::Dimension;
 use ertel_rheology::{ConductivityLaw, Files, HeatCapacityLaw, Solid, database};
 
-use crate::contact::Elasticity;
+use crate::contact::Material;
 use crate::contact::curvature::{Curvatures, curvature_along, gap_between};
 
 /// One of the two bodies.
@@ -17,7 +17,7 @@ pub struct Body {
     /// Whether that name is one of the database or a file.
     pub in_database: bool,
     /// Elastic constants.
-    pub elasticity: Elasticity,
+    pub elasticity: Material,
     /// Largest Hertz pressure that it bears without lasting damage, Pa, if known.
     pub hertz_pressure_limit: Option<f64>,
     /// Density, kg/m³, if known.
@@ -30,7 +30,7 @@ pub struct Body {
 
 impl Body {
     /// A body of which the elastic constants are known, and nothing that heat would need.
-    pub fn elastic(name: &str, elasticity: Elasticity) -> Self {
+    pub fn elastic(name: &str, elasticity: Material) -> Self {
         Self {
             name: name.to_owned(),
             in_database: false,
@@ -196,7 +196,7 @@ fn read_body(
     let body = Body {
         name: solid.name,
         in_database,
-        elasticity: Elasticity {
+        elasticity: Material {
             youngs_modulus: solid.youngs_modulus,
             poissons_ratio: solid.poissons_ratio,
         },

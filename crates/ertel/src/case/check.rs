@@ -3,8 +3,7 @@
 use ertel_input::{Bounds, InputError, Table};
 
 use super::Case;
-use crate::contact::equivalent::EquivalentBody;
-use crate::contact::{Contact, ContactKind, Hertz};
+use crate::contact::{Contact, ContactKind, Hertz, equivalent_body};
 use crate::params::ElasticModel;
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length, pressure};
@@ -83,7 +82,7 @@ pub(super) fn finite_elements_of_soft_bodies(
     if case.elastic_model() == ElasticModel::HalfSpace {
         return Ok(());
     }
-    let body = EquivalentBody::new(case.plane.elasticity, case.ball.elasticity);
+    let body = equivalent_body(case.plane.elasticity, case.ball.elasticity);
     if body.poissons_ratio <= LOCKING {
         return Ok(());
     }

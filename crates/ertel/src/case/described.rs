@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::contact::{Contact, Elasticity, Motion, Supply};
+use crate::contact::{Contact, Material, Motion, Supply};
 use crate::mixed::Asperities;
 use crate::params::{MeshParams, SolverParams, ThermalParams};
 use crate::words::TemperatureScale;
@@ -14,7 +14,7 @@ pub struct BodyEcho {
     pub name: String,
     /// Elastic constants.
     #[serde(flatten)]
-    pub elasticity: Elasticity,
+    pub elasticity: Material,
 }
 
 /// The lubricant at the temperature of the case and ambient pressure.

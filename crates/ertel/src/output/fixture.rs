@@ -6,7 +6,7 @@ use serde_json::json;
 use crate::case::{BodyEcho, CaseEcho, FluidEcho};
 use crate::contact::hertz::{deflection_profile, pressure_profile};
 use crate::contact::{
-    Contact, ContactKind, Elasticity, Groups, Hertz, Motion, Scales, Shape, Supply,
+    Contact, ContactKind, Groups, Hertz, Material, Motion, Scales, Shape, Supply,
 };
 use crate::params::{MeshParams, MeshPreset, SolverParams};
 use crate::reference::film_formulas;
@@ -15,7 +15,7 @@ use crate::solution::*;
 
 pub(super) const MODULUS: f64 = 230.769_230_77e9;
 pub(super) const FILM: f64 = 245e-9;
-const STEEL: Elasticity = Elasticity {
+const STEEL: Material = Material {
     youngs_modulus: 210e9,
     poissons_ratio: 0.3,
 };

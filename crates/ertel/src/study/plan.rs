@@ -271,7 +271,7 @@ fn features(study: &Study) -> Vec<Features> {
         let case = &point.case;
         // Without the noise of the last digits.
         let bodies: Vec<String> = (problem.elasticity.bodies.iter())
-            .map(|(modulus, ratio)| format!("{modulus:.8e} {ratio:.8e}"))
+            .map(|body| format!("{:.8e} {:.8e}", body.youngs_modulus, body.poissons_ratio))
             .collect();
         let values = point.values.iter().zip(&scales);
         let place = values.map(|(value, scale)| value.number().map_or(0.0, scale));

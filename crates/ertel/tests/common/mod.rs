@@ -7,8 +7,7 @@ use std::f64::consts::PI;
 
 use ertel::case::{Body, Case, Lubricant};
 use ertel::contact::roller::{Profile, Roller};
-use ertel::contact::{Contact, ContactKind, Elasticity, Hertz, Motion, Shape, reduced_modulus};
-use ertel::elastic::BodyConstants;
+use ertel::contact::{Contact, ContactKind, Hertz, Material, Motion, Shape, reduced_modulus};
 use ertel::params::{MeshParams, MeshPreset, OutputParams, SolverParams, ThermalParams};
 use ertel::solve::discretisation::LevelSizes;
 use ertel_rheology::density::{DowsonHigginson, ThermalExpansion};
@@ -16,13 +15,13 @@ use ertel_rheology::viscosity::Cheng;
 use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, ViscosityLaw};
 
 /// Steel.
-pub const STEEL: Elasticity = Elasticity {
+pub const STEEL: Material = Material {
     youngs_modulus: 210e9,
     poissons_ratio: 0.3,
 };
 
 /// Glass of optical rigs.
-pub const GLASS: Elasticity = Elasticity {
+pub const GLASS: Material = Material {
     youngs_modulus: 81e9,
     poissons_ratio: 0.208,
 };
@@ -85,7 +84,7 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
 /// The same case with heat: a lubricant that temperature thins and expands, and the thermal data of steel and
 /// glass after Habchi 2008, table 5.2.
 pub fn heated(mut case: Case) -> Case {
-    let body = |elasticity: Elasticity, [density, conductivity, heat_capacity]: [f64; 3]| Body {
+    let body = |elasticity: Material, [density, conductivity, heat_capacity]: [f64; 3]| Body {
         density: Some(density),
         thermal_conductivity: Some(ConductivityLaw::constant(conductivity).unwrap()),
         heat_capacity: Some(HeatCapacityLaw::constant(heat_capacity).unwrap()),
@@ -159,9 +158,17 @@ pub fn noise(n: usize, seed: u64) -> Vec<f64> {
         .collect()
 }
 
+/// A body of Young's modulus E/(R p_h/a) and Poisson's ratio.
+pub fn material(youngs_modulus: f64, poissons_ratio: f64) -> Material {
+    Material {
+        youngs_modulus,
+        poissons_ratio,
+    }
+}
+
 /// Bodies whose reduced modulus E'/(R p_h/a) is that of a contact in Hertz's scales: π (circular),
 /// 4 (line); 2/E' = Σ (1 − ν²)/E, shared equally.
-pub fn hertz_bodies(kind: ContactKind, poissons_ratios: &[f64]) -> Vec<BodyConstants> {
+pub fn hertz_bodies(kind: ContactKind, poissons_ratios: &[f64]) -> Vec<Material> {
     let reduced = match kind {
         ContactKind::Circular | ContactKind::Elliptical => PI,
         ContactKind::Line | ContactKind::Roller => 4.0,
@@ -169,7 +176,10 @@ pub fn hertz_bodies(kind: ContactKind, poissons_ratios: &[f64]) -> Vec<BodyConst
     (poissons_ratios.iter())
         .map(|nu| {
             let modulus = 0.5 * reduced * (1.0 - nu * nu) * poissons_ratios.len() as f64;
-            (modulus, *nu)
+            Material {
+                youngs_modulus: modulus,
+                poissons_ratio: *nu,
+            }
         })
         .collect()
 }

@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;
+
+use super::material;
 use ertel::elastic::Elasticity;
 use ertel::film::FilmFluid;
 use ertel::forms::energy::{Heat, Source};
@@ -43,8 +45,12 @@ pub fn rigid(
     heat: &Heat,
 ) -> (Discretisation, State) {
     let bodies = match kind {
-        ContactKind::Line | ContactKind::Circular => Elasticity::finite_elements(2, &[(1.0, 0.3)]),
-        ContactKind::Elliptical | ContactKind::Roller => Elasticity::half_space(2, &[(1.0, 0.3)]),
+        ContactKind::Line | ContactKind::Circular => {
+            Elasticity::finite_elements(2, &[material(1.0, 0.3)])
+        }
+        ContactKind::Elliptical | ContactKind::Roller => {
+            Elasticity::half_space(2, &[material(1.0, 0.3)])
+        }
     };
     let sizes = cells(size);
     let contact = ContactSurface::new(

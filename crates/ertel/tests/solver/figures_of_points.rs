@@ -8,6 +8,7 @@ use ertel::problem::problem;
 use ertel::solution::{Figure, Figures};
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
 use ertel::solve::figures::note_roller;
+use ertel::solve::points::PointTable;
 use ertel::solve::system::State;
 use ertel_input::Document;
 
@@ -56,7 +57,12 @@ fn edge_pressures_are_those_of_the_outer_quarters() {
         temperature: Vec::new(),
     };
     let mut figures = Figures::default();
-    note_roller(&mut figures, &problem, &d, &state);
+    note_roller(
+        &mut figures,
+        &problem,
+        (&d, &state),
+        &PointTable::new(&d, &state),
+    );
     let edge = figures.get(Figure::EdgePressureLeft).unwrap();
     let p = edge.size / problem.scales.pressure;
     // Read at nodes: one cell short of it at the most.

@@ -8,6 +8,7 @@ use approx::assert_relative_eq;
 use ertel::case::Case;
 use ertel::problem::problem;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
+use ertel::solve::points::PointTable;
 use ertel::solve::region::{Elements, Region};
 use ertel::solve::sequence::Problem;
 use ertel::solve::shear::{Frictions, friction};
@@ -75,7 +76,12 @@ impl Film {
     }
 
     fn sums(&self) -> Frictions {
-        friction(&self.problem, &self.problem.fluid, &self.d, &self.state)
+        friction(
+            &self.problem,
+            &self.problem.fluid,
+            (&self.d, &self.state),
+            &PointTable::new(&self.d, &self.state),
+        )
     }
 }
 
@@ -244,10 +250,20 @@ fn power_balances_up_to_the_end_of_the_bodies() {
     let mut problem = problem(&case);
     let (solution, _) = solve_stages(&problem, &mut Silent).unwrap();
     let (d, state) = (&solution.discretisation, &solution.state);
-    let whole = friction(&problem, &problem.fluid, d, state);
+    let whole = friction(
+        &problem,
+        &problem.fluid,
+        (d, state),
+        &PointTable::new(d, state),
+    );
     assert!(!whole.is_cut && whole.through_end == 0.0);
     problem.shape.ends[0] = 1.2;
-    let cut = friction(&problem, &problem.fluid, d, state);
+    let cut = friction(
+        &problem,
+        &problem.fluid,
+        (d, state),
+        &PointTable::new(d, state),
+    );
     println!("{whole:?} {cut:?}");
     let size = whole.here.work.abs();
     // Both miss the same part, which the mesh dissipates inside.

@@ -11,7 +11,7 @@ use crate::film::cross_film::CrossFilm;
 use crate::film::fluidity::Fluidity;
 use crate::solution::CrossProfile;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::fields_at;
+use crate::solve::points::fields_at;
 use crate::solve::system::State;
 
 /// Equal steps across the film.
@@ -30,8 +30,10 @@ pub(super) fn profile(
     // Where half of the contact is solved, y ≤ 0, the other one is its mirror image.
     let mirrored = d.contact.shape.symmetry == Symmetry::Half && y > 0.0;
     let fields = fields_at(d, state, [x, if mirrored { -y } else { y }])?;
-    let temperatures = fluid.nodes()?.through(&fields.temperature?.temperature);
-    let local = fluid.local(fields.pressure, fields.temperature.as_ref());
+    let temperatures = fluid
+        .nodes()?
+        .through(&fields.temperature.as_deref()?.temperature);
+    let local = fluid.local(fields.pressure, fields.temperature.as_deref());
     let law = fluid.thermal_law(fields.pressure, local.thermal()?);
     let (g, omega) = local.demands(fields.place, fields.pressure_gradient, fields.film);
     let tau = mid_stress(&law, g, omega, &mut CrossFilm::default());

@@ -4,8 +4,9 @@ use crate::contact::Scales;
 use crate::post::fields::sub_cells;
 use crate::solution::TemperatureField;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::{central_film, fields_in};
+use crate::solve::evaluate::central_film;
 use crate::solve::heat::space::HeatSpace;
+use crate::solve::points::fields_in;
 use crate::solve::system::State;
 
 /// Thickness, in half-widths, of about which the central film is drawn.

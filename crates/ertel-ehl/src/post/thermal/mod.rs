@@ -20,10 +20,10 @@ use crate::solution::{
 };
 use crate::solve::bars;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::fields_in;
 use crate::solve::heat::balance::heat_balance;
 use crate::solve::heat::figures::walls;
 use crate::solve::heat::space::HeatSpace;
+use crate::solve::points::fields_in;
 use crate::solve::sequence::{Problem, StageSolution};
 use crate::solve::system::State;
 use crate::warning::{Warning, WarningKind};

@@ -17,7 +17,7 @@ use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{FilmColumn, Heat, film_column};
 use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::{PointFields, fields_in};
+use crate::solve::points::{PointFields, fields_in};
 use crate::solve::system::State;
 
 /// Pressure over p_h above which an element belongs to the area under pressure.

@@ -1,9 +1,9 @@
 //! Temperatures of film and walls in a few numbers.
 
 use super::space::HeatSpace;
+use crate::contact::HertzZone;
 use crate::film::{FilmNodes, Nodal};
-use crate::solve::discretisation::Discretisation;
-use crate::solve::evaluate::fields_at_quadrature;
+use crate::solve::points::PointTable;
 use crate::solve::system::State;
 
 /// A temperature in K with its place in half-widths.
@@ -67,32 +67,28 @@ pub fn walls(film: &FilmNodes, values: &Nodal) -> [f64; 2] {
 
 /// Means over the Hertz zone, K: of the film, of the plane's and of the ball's surface. Where the film is so thick that no element is as small as
 /// the zone, what is nearest its centre.
-pub fn zone_means(d: &Discretisation, state: &State, space: &HeatSpace) -> [f64; 3] {
-    let film = &space.column.film;
-    let (mut sums, mut zone) = ([0.0; 3], 0.0);
+pub fn zone_means(points: &PointTable, zone: &HertzZone, film: &FilmNodes) -> [f64; 3] {
+    let (mut sums, mut total) = ([0.0; 3], 0.0);
     let (mut nearest, mut centre) = (f64::INFINITY, [f64::NAN; 3]);
-    for c in 0..d.contact.n_elements() {
-        for (q, weight) in d.rule.weights.iter().enumerate() {
-            let ([x, y, _], fields) = fields_at_quadrature(d, state, c, q);
-            let Some(profile) = fields.temperature else {
-                continue;
-            };
-            let [plane, ball] = walls(film, &profile.temperature);
-            let means = [film.mean(&profile.temperature), plane, ball];
-            if x.hypot(y) < nearest {
-                (nearest, centre) = (x.hypot(y), means);
-            }
-            if d.contact.shape.zone.contains([x, y]) {
-                let area = weight * d.contact.maps[c].determinant;
-                zone += area;
-                for (sum, t) in sums.iter_mut().zip(means) {
-                    *sum += area * t;
-                }
+    for point in points.iter() {
+        let Some(profile) = &point.fields.temperature else {
+            continue;
+        };
+        let [x, y] = point.fields.place;
+        let [plane, ball] = walls(film, &profile.temperature);
+        let means = [film.mean(&profile.temperature), plane, ball];
+        if x.hypot(y) < nearest {
+            (nearest, centre) = (x.hypot(y), means);
+        }
+        if zone.contains([x, y]) {
+            total += point.area;
+            for (sum, t) in sums.iter_mut().zip(means) {
+                *sum += point.area * t;
             }
         }
     }
-    match zone > 0.0 {
-        true => sums.map(|sum| sum / zone),
+    match total > 0.0 {
+        true => sums.map(|sum| sum / total),
         false => centre,
     }
 }

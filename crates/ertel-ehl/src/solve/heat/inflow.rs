@@ -18,7 +18,7 @@ use crate::contact::Symmetry;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{Heat, film_column};
 use crate::solve::discretisation::{ContactSurface, Discretisation};
-use crate::solve::evaluate::fields_in;
+use crate::solve::points::fields_in;
 
 /// Which temperatures are prescribed: those at the bottom of the bodies, and those with which bodies enter.
 pub(super) fn prescribed(d: &Discretisation, space: &HeatSpace, heat: &Heat) -> Vec<bool> {

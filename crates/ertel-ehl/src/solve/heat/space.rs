@@ -10,7 +10,7 @@ use super::sides::{Side, outer_sides};
 use crate::film::{MOST_NODES, TemperatureProfile};
 use crate::forms::energy::FilmPlace;
 use crate::solve::discretisation::{ContactSurface, Discretisation};
-use crate::solve::evaluate::fields_from;
+use crate::solve::points::fields_from;
 use crate::solve::system::State;
 
 /// Temperatures over the contact area: a column at each node of a surface space.
@@ -78,7 +78,7 @@ impl HeatSpace {
     /// What the energy equation sees of the film at a point of its own rule.
     pub fn film_at(&self, d: &Discretisation, state: &State, cell: usize, q: usize) -> FilmPlace {
         let [pressure, deflection] = &self.film_tables;
-        let (_, fields) = fields_from(d, state, cell, q, [pressure, deflection]);
+        let fields = fields_from(d, state, cell, q, [pressure, deflection]);
         let n = self.table.n_nodes;
         let mut temperature = [0.0; MOST_NODES];
         for (j, node) in self.surface.nodes_of(cell).iter().enumerate() {

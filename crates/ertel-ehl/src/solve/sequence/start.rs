@@ -4,7 +4,8 @@ use super::{Problem, StageSolution};
 use crate::elastic::Accuracy;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::dry::dry_pressure;
-use crate::solve::evaluate::{central_film, fields_at, minimum_film, pressure_at};
+use crate::solve::evaluate::{central_film, minimum_film};
+use crate::solve::points::{fields_at, pressure_at};
 use crate::solve::system::State;
 
 /// Hertz pressure, and H0 such that the central film is the problem's start film.

@@ -10,7 +10,8 @@ use crate::solution::LevelStats;
 use crate::solution::Role;
 use crate::solve::adapt::{error_bars, grading_errors};
 use crate::solve::discretisation::{Discretisation, Extents};
-use crate::solve::evaluate::{central_film, minimum_film, pressure_at};
+use crate::solve::evaluate::{central_film, minimum_film};
+use crate::solve::points::pressure_at;
 use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
@@ -161,8 +162,7 @@ impl Start {
                 BodyModel::HalfSpace => close(compliance(&own.bodies), compliance(&its.bodies)),
                 BodyModel::FiniteElements => {
                     own.bodies.len() == its.bodies.len()
-                        && (own.bodies.iter().zip(&its.bodies))
-                            .all(|(a, b)| close(a.0, b.0) && close(a.1, b.1))
+                        && (own.bodies.iter().zip(&its.bodies)).all(|(a, b)| a.is_close(b, 1e-9))
                 }
             };
         let film = problem.start_film / self.film;
