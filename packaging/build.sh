@@ -32,7 +32,7 @@ mkdir "$parts/$name/completions"
 cp "$parts"/ertel.{bash,zsh,fish} "$parts/$name/completions/"
 strip "$parts/$name/ertel"
 tar -C "$parts" --sort=name --owner=0 --group=0 --numeric-owner -czf "$out/$name.tar.gz" "$name"
-"$parts/$name/ertel" solve cases/ball-on-disc.toml --no-cache --quiet --output "$parts/ball-on-disc"
+"$parts/$name/ertel" solve cases/ball-on-disc.toml --quiet --output "$parts/ball-on-disc"
 test -s "$parts/ball-on-disc/result.json"
 
 # The Debian package holds the same program.

@@ -53,8 +53,6 @@ pub enum Command {
     Validate(ValidateArgs),
     /// Fit the constants of a law to measured states
     Fit(FitArgs),
-    /// Show or clear the elastic operators kept from earlier solves
-    Cache(CacheArgs),
     /// List the lubricants of the database, or show one of them
     Fluids(FluidsArgs),
     /// List the solids of the database, or show one of them
@@ -94,9 +92,6 @@ pub struct SolveArgs {
     /// Read and check the case, then stop
     #[arg(long)]
     pub check: bool,
-    /// Neither use nor keep elastic operators of other solves
-    #[arg(long)]
-    pub no_cache: bool,
     /// Solve N samples of the uncertain inputs, too, in the folder `<results>-monte-carlo`; a run that was stopped goes on there
     #[arg(long, value_name = "N")]
     pub monte_carlo: Option<usize>,
@@ -156,9 +151,6 @@ pub struct SweepArgs {
     /// Threads of each point
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: u16,
-    /// Neither use nor keep elastic operators of other solves
-    #[arg(long)]
-    pub no_cache: bool,
     /// Exit code 0 also where an error bar is wider than half of a figure
     #[arg(long)]
     pub accept_unresolved: bool,
@@ -240,9 +232,6 @@ pub struct CompareArgs {
     /// Threads of each point
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: u16,
-    /// Neither use nor keep elastic operators of other solves
-    #[arg(long)]
-    pub no_cache: bool,
     /// Exit code 0 also where an error bar is wider than half of a figure
     #[arg(long)]
     pub accept_unresolved: bool,
@@ -287,23 +276,6 @@ pub struct ViewArgs {
     /// Start no browser; print where the page is
     #[arg(long)]
     pub no_browser: bool,
-}
-
-/// `ertel cache`.
-#[derive(Debug, Args)]
-pub struct CacheArgs {
-    /// What to do.
-    #[command(subcommand)]
-    pub command: CacheCommand,
-}
-
-/// The subcommands of `ertel cache`.
-#[derive(Debug, Subcommand)]
-pub enum CacheCommand {
-    /// Show where it is and how much it holds
-    Show,
-    /// Remove all that it holds
-    Clear,
 }
 
 /// `ertel validate`.

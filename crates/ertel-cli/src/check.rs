@@ -6,7 +6,7 @@ use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::estimate::{CaseEstimate, estimate};
 use ertel::output;
-use ertel::run::{self, Session};
+use ertel::run;
 use ertel::solution::Solution;
 use ertel::study::value_text;
 use ertel::warning::WarningKind;
@@ -175,7 +175,7 @@ fn typical_cpu_seconds(case: &Case) -> f64 {
 /// # Errors
 ///
 /// None yet.
-pub fn tell(job: &Job, session: &Session) -> Result<(), Failure> {
+pub fn tell(job: &Job) -> Result<(), Failure> {
     let case = &job.given.case;
     let found = Checked::of(case);
     for file in job.given.files() {
@@ -191,10 +191,6 @@ pub fn tell(job: &Job, session: &Session) -> Result<(), Failure> {
         ertel::words::length(film.central),
     ));
     print::stderr(&format!("time, about: {}", found.time()));
-    print::stderr(match &session.cache {
-        Some(_) => "elastic operators of former solves are used and kept",
-        None => "elastic operators are neither used nor kept",
-    });
     print::stderr(&format!("results will go to {}", job.folder.display()));
     Ok(())
 }
@@ -204,18 +200,13 @@ pub fn effort(solution: &Solution, folder: &Path) -> String {
     let mut text = "\nMeshes\n".to_owned();
     for (i, level) in solution.stats.levels.iter().enumerate() {
         text += &format!(
-            "  {:>2}: {} elements, {} pressure unknowns of order {}, {} Newton and {} Krylov iterations{}\n",
+            "  {:>2}: {} elements, {} pressure unknowns of order {}, {} Newton and {} Krylov iterations\n",
             i + 1,
             level.n_contact_elements,
             level.n_pressure_dofs,
             level.pressure_order,
             level.newton_iterations,
             level.krylov_iterations,
-            if level.operator_cached {
-                ", elastic operator from the cache"
-            } else {
-                ""
-            },
         );
     }
     text += "\nFiles\n";

@@ -8,11 +8,9 @@ use ertel::output::compare::{
     write_comparison,
 };
 use ertel::params::PictureFormats;
-use ertel::run::Session;
 use ertel::study::{SweepParams, SweepSummary, finished_points, sweep};
 
 use crate::args::CompareArgs;
-use crate::cache::user_cache;
 use crate::failure::Failure;
 use crate::inputs;
 use crate::print;
@@ -40,12 +38,6 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
     if arguments.check {
         return check(&measured);
     }
-    let session = Session {
-        cache: match arguments.no_cache {
-            true => None,
-            false => user_cache()?,
-        },
-    };
     let params = SweepParams {
         jobs: arguments.jobs.map(usize::from),
         threads: Some(usize::from(arguments.threads)),
@@ -55,7 +47,7 @@ pub fn run(arguments: &CompareArgs) -> Result<(), Failure> {
     listen_for_interrupts();
     let progress = Progress::new(arguments.quiet, &CANCELLED);
     let points = folder.join(COMPARISON_STUDY);
-    let summary = sweep(&session, &measured.study, &points, &params, &progress);
+    let summary = sweep(&measured.study, &points, &params, &progress);
     drop(progress);
     let summary = summary?;
     if summary.interrupted {

@@ -5,7 +5,6 @@
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used))]
 
 mod args;
-mod cache;
 mod cases;
 mod check;
 mod colour;
@@ -50,7 +49,6 @@ fn main() -> ExitCode {
         Command::View(arguments) => view::run(&arguments),
         Command::Validate(arguments) => validate::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
-        Command::Cache(arguments) => cache::run(&arguments),
         Command::Fluids(arguments) => fluids::run(&arguments),
         Command::Solids(arguments) => solids::run(&arguments),
         Command::Init(arguments) => init::run(&arguments),

@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use ertel::case::{Case, Study};
 use ertel::output;
-use ertel::run::Session;
 use ertel::solution::Solution;
 use ertel::study::monte_carlo::{MonteCarlo, MonteCarloParams, study_of};
 use ertel::study::{SweepParams, finished_points, sweep};
@@ -68,19 +67,14 @@ pub fn samples(
 ///
 /// # Errors
 /// A folder that cannot be written, an interruption, samples that were not solved.
-pub fn run(
-    session: &Session,
-    samples: &Samples,
-    solution: &Solution,
-    arguments: &SolveArgs,
-) -> Result<(), Failure> {
+pub fn run(samples: &Samples, solution: &Solution, arguments: &SolveArgs) -> Result<(), Failure> {
     let Samples { study, folder } = samples;
     let params = SweepParams {
         threads: Some(1),
         ..SweepParams::default()
     };
     let progress = Progress::new(arguments.quiet, &CANCELLED);
-    let summary = sweep(session, study, folder, &params, &progress);
+    let summary = sweep(study, folder, &params, &progress);
     drop(progress);
     let summary = summary?;
     if summary.interrupted {

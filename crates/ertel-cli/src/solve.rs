@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use ertel::case::{Case, Curve};
 use ertel::output;
 use ertel::params::SensitivityDemand;
-use ertel::run::Session;
+use ertel::run;
 use ertel::solution::{Solution, Unresolved};
 use ertel::solve::{DiscretisationError, SolveError};
 use ertel::study::{CurveSolution, solve_curve};
@@ -14,7 +14,6 @@ use ertel::warning::{Warning, by_kind};
 use serde_json::{Value, json};
 
 use crate::args::SolveArgs;
-use crate::cache::user_cache;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::given::Given;
@@ -58,41 +57,22 @@ fn run_all(arguments: &SolveArgs, events: &Events) -> Result<(), Failure> {
     if arguments.check {
         return cases::each(&jobs, events, |job| check::run(job, arguments, events));
     }
-    let session = Session {
-        cache: match arguments.no_cache {
-            true => None,
-            false => user_cache()?,
-        },
-    };
     let read: Vec<PathBuf> = jobs.iter().flat_map(|job| job.given.files()).collect();
     for Job { folder, .. } in &jobs {
         inputs::keep_within(&read, folder)?;
-        keep_cache_apart(&session, folder)?;
         // A long solve whose results have no place to go would be in vain.
         output::clear_leftovers(folder);
         output::check_target(folder)?;
         check_writable(folder)?;
     }
     listen_for_interrupts();
-    let solve = |job: &Job| solve(job, &session, arguments, events);
+    let solve = |job: &Job| solve(job, arguments, events);
     match &jobs[..] {
         [job] => {
             events.set_case(Some(&job.given.name));
             solve(job).map(drop)
         }
         jobs => cases::solve_all(jobs, arguments, events, &solve),
-    }
-}
-
-/// A folder with files of a cache in it is no result to be replaced: the result would have no place to go.
-fn keep_cache_apart(session: &Session, folder: &Path) -> Result<(), Failure> {
-    match &session.cache {
-        Some(cache) if inputs::overlap(cache.folder(), folder) => Err(Failure::Argument(format!(
-            "the results would go to {} and elastic operators are kept in {}; choose another folder with --output, or --no-cache",
-            folder.display(),
-            cache.folder().display()
-        ))),
-        _ => Ok(()),
     }
 }
 
@@ -106,12 +86,7 @@ pub fn complete(case: &mut Case, arguments: &SolveArgs) {
 }
 
 /// Solves a case, or the points of its curve; returns the films in words.
-fn solve(
-    job: &Job,
-    session: &Session,
-    arguments: &SolveArgs,
-    events: &Events,
-) -> Result<String, Failure> {
+fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Failure> {
     let Job { given, folder } = job;
     let case = &given.case;
     let samples = monte_carlo::samples(arguments, &given.name, case, folder)?;
@@ -127,7 +102,7 @@ fn solve(
         }),
     );
     if arguments.verbose {
-        check::tell(job, session)?;
+        check::tell(job)?;
     }
     let mut progress = match (events.is_on(), arguments.verbose) {
         (true, _) => Progress::as_events(events, &CANCELLED),
@@ -135,12 +110,12 @@ fn solve(
         (false, false) => Progress::new(arguments.quiet, &CANCELLED),
     };
     if let Some(curve) = &case.curve {
-        let solution = solve_curve(session, curve, &mut progress);
+        let solution = solve_curve(curve, &mut progress);
         drop(progress);
         return write_curve(case, curve, &solution, folder, arguments, events);
     }
     events.warn(&case.warnings);
-    let solution = session.solve(case, &mut progress);
+    let solution = run::solve(case, &mut progress);
     drop(progress);
     let solution = solution?;
     WRITING.store(true, Ordering::SeqCst);
@@ -172,7 +147,7 @@ fn solve(
         print::stdout(&(text + &more))
     };
     if let Some(samples) = &samples {
-        monte_carlo::run(session, samples, &solution, arguments)?;
+        monte_carlo::run(samples, &solution, arguments)?;
     }
     match &solution.unresolved[..] {
         [] => shown,

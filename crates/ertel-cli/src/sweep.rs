@@ -6,7 +6,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use ertel::case::Study;
-use ertel::run::Session;
 use ertel::study::plan::Plan;
 use ertel::study::{
     FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
@@ -19,7 +18,6 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::args::SweepArgs;
 use serde_json::{Value, json};
 
-use crate::cache::user_cache;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::inputs;
@@ -54,12 +52,6 @@ fn run_with(arguments: &SweepArgs, events: &Events) -> Result<(), Failure> {
     if arguments.dry_run {
         return dry_run(&study, &folder, events);
     }
-    let session = Session {
-        cache: match arguments.no_cache {
-            true => None,
-            false => user_cache()?,
-        },
-    };
     let params = SweepParams {
         jobs: arguments.jobs.map(usize::from),
         threads: Some(usize::from(arguments.threads)),
@@ -89,7 +81,7 @@ fn run_with(arguments: &SweepArgs, events: &Events) -> Result<(), Failure> {
         (false, true) => Progress::in_lines(&CANCELLED),
         (false, false) => Progress::new(arguments.quiet, &CANCELLED),
     };
-    let summary = sweep(&session, &study, &folder, &params, &progress);
+    let summary = sweep(&study, &folder, &params, &progress);
     drop(progress);
     report(&summary?, &folder, arguments, events)
 }

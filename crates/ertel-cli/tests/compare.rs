@@ -26,7 +26,6 @@ fn compare(folder: &Path, arguments: &[&str]) -> Output {
         .arg("compare")
         .args(arguments)
         .current_dir(folder)
-        .env("ERTEL_CACHE", "")
         .output()
         .unwrap()
 }
@@ -62,7 +61,6 @@ fn films_are_compared_with_those_of_a_sweep() {
     let alone = Command::new(env!("CARGO_BIN_EXE_ertel"))
         .args(["solve", "alone.toml", "-q", "-o", "alone"])
         .current_dir(&folder)
-        .env("ERTEL_CACHE", "")
         .output()
         .unwrap();
     assert_eq!(alone.status.code(), Some(0));

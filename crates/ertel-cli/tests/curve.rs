@@ -25,7 +25,6 @@ fn workspace(change: impl Fn(&str) -> String, curve: &str) -> TempDir {
 fn command(folder: &TempDir, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
     command.arg("solve").args(arguments).current_dir(folder);
-    command.env("ERTEL_CACHE", "");
     command
 }
 
@@ -252,7 +251,6 @@ fn the_guide_makes_a_study_of_a_curve() {
     let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
         .args(["sweep", "film-over-speed.toml", "-q"])
         .current_dir(&folder)
-        .env("ERTEL_CACHE", "")
         .output()
         .unwrap();
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));

@@ -7,8 +7,6 @@ fn ertel(arguments: &[&str]) -> Output {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
     command.args(arguments).current_dir(folder);
-    // Tests leave the user's cache alone.
-    command.env("ERTEL_CACHE", "");
     command.output().unwrap()
 }
 

@@ -124,7 +124,7 @@ fn solve_tells_the_lambda_ratio() {
     let rough = text.replace("[bodies]", "[bodies]\nroughness = \"1 um\"");
     std::fs::write(&path, rough).unwrap();
     let output = Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(["solve", "--no-cache"])
+        .arg("solve")
         .arg(&path)
         .current_dir(folder.path())
         .output()

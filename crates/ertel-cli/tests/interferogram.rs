@@ -34,7 +34,6 @@ fn solve(folder: &Path, case: &str, more: &[&str]) -> Output {
         .args(["solve", "case.toml", "-q", "-o", "out"])
         .args(more)
         .current_dir(folder)
-        .env("ERTEL_CACHE", "")
         .output()
         .unwrap()
 }

@@ -11,10 +11,7 @@ const QUICK: &str = include_str!("good/quick.toml");
 
 fn command(folder: &TempDir, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
-    command
-        .args(arguments)
-        .current_dir(folder.path())
-        .env("ERTEL_CACHE", "");
+    command.args(arguments).current_dir(folder.path());
     for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
         command.env_remove(variable);
     }

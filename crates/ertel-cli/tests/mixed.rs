@@ -22,7 +22,7 @@ fn root() -> PathBuf {
 fn ertel(folder: &Path, arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
     command.args(arguments).current_dir(folder);
-    command.env("ERTEL_CACHE", "").output().unwrap()
+    command.output().unwrap()
 }
 
 fn text(bytes: &[u8]) -> &str {

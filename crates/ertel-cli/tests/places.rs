@@ -51,14 +51,13 @@ fn workspace() -> TempDir {
 }
 
 /// Runs the program with 4 GB of memory at most; its exit code and what it said.
-fn run(folder: &Path, arguments: &[OsString], cache: &OsStr, stdin: Stdio) -> (i32, String) {
+fn run(folder: &Path, arguments: &[OsString], stdin: Stdio) -> (i32, String) {
     let [out, err] = [".said", ".told"].map(|name| folder.join(name));
     let mut child = Command::new("sh")
         .args(["-c", "ulimit -v 4000000; exec \"$0\" \"$@\""])
         .arg(env!("CARGO_BIN_EXE_ertel"))
         .args(arguments)
         .current_dir(folder)
-        .env("ERTEL_CACHE", cache)
         .env("RAYON_NUM_THREADS", "2")
         .stdin(stdin)
         .stdout(fs::File::create(&out).unwrap())
@@ -173,11 +172,7 @@ fn belongings(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
 /// Runs a command, `{}` being the path, and looks at its end.
 fn check(folder: &Path, command: &str, path: &OsStr, what: &str) -> i32 {
     let before = belongings(folder);
-    let cache = match command.strip_prefix("CACHE ") {
-        Some(_) => path,
-        None => OsStr::new(""),
-    };
-    let words = command.strip_prefix("CACHE ").unwrap_or(command).split(' ');
+    let words = command.split(' ');
     let arguments: Vec<OsString> = words
         .map(|word| match word.split_once("{}") {
             Some((start, end)) => {
@@ -189,7 +184,7 @@ fn check(folder: &Path, command: &str, path: &OsStr, what: &str) -> i32 {
             None => OsString::from(word),
         })
         .collect();
-    let (code, said) = run(folder, &arguments, cache, Stdio::null());
+    let (code, said) = run(folder, &arguments, Stdio::null());
     let what = format!("{command}, {what}");
     assert!((0..=3).contains(&code), "{what}: exit code {code}\n{said}");
     assert!(!said.contains("panicked"), "{what}: {said}");
@@ -261,7 +256,7 @@ fn files_to_read() {
 }
 
 /// Commands that look into a folder, and the file there that is in some state.
-const FOLDERS: [(&str, &str); 12] = [
+const FOLDERS: [(&str, &str); 11] = [
     ("view --no-browser {}", "report.html"),
     ("sweep --merge merged {}", "study.json"),
     ("sweep --merge {} {}", "journal.jsonl"),
@@ -279,7 +274,6 @@ const FOLDERS: [(&str, &str); 12] = [
     ),
     ("validate --folder {}", "film/reference.toml"),
     ("--data {} fluids list", "fluids/oil.toml"),
-    ("CACHE cache clear", "00.operator"),
 ];
 
 #[test]
@@ -382,7 +376,7 @@ fn one_folder_for_two_results() {
         with("a.toml", a);
         with("b.toml", b);
         let arguments = ["solve", "a.toml", "b.toml", "-q"].map(OsString::from);
-        let (code, said) = run(root, &arguments, OsStr::new(""), Stdio::null());
+        let (code, said) = run(root, &arguments, Stdio::null());
         assert_eq!(code, 2, "{a}, {b}: {said}");
         assert!(said.contains("would go into the same folder"), "{said}");
         assert!(!root.join("new").exists() && !root.join("later").exists());
@@ -391,26 +385,21 @@ fn one_folder_for_two_results() {
     with("a.toml", "there/x");
     with("b.toml", "link/y");
     let arguments = ["solve", "a.toml", "b.toml", "-q"].map(OsString::from);
-    let (code, said) = run(root, &arguments, OsStr::new(""), Stdio::null());
+    let (code, said) = run(root, &arguments, Stdio::null());
     assert_eq!(code, 0, "{said}");
     assert!(root.join("there/x/result.json").exists() && root.join("there/y/result.json").exists());
 }
 
-/// Results go neither into the folder of the cache nor, with samples beside them, into that of these.
+/// Results do not go into the folder of the samples beside them.
 #[test]
 fn results_have_a_folder_of_their_own() {
     let folder = workspace();
     let root = folder.path();
-    let solve = ["solve", "case.toml", "-q", "-o", "kept/x"].map(OsString::from);
-    let (code, said) = run(root, &solve, OsStr::new("./kept"), Stdio::null());
-    assert_eq!(code, 2, "{said}");
-    assert!(said.contains("elastic operators are kept"), "{said}");
-    assert!(!root.join("kept").exists());
     symlink("out", root.join("out-monte-carlo")).unwrap();
     let words = "solve case.toml -q -o out --monte-carlo 2 --set";
     let mut arguments: Vec<OsString> = words.split(' ').map(OsString::from).collect();
     arguments.push("contact.load=20 kN/m ± 5 %".into());
-    let (code, said) = run(root, &arguments, OsStr::new(""), Stdio::null());
+    let (code, said) = run(root, &arguments, Stdio::null());
     assert_eq!(code, 2, "{said}");
     assert!(said.contains("both are one place"), "{said}");
     assert!(!root.join("out").exists());
@@ -432,14 +421,14 @@ fn comparisons_go_on_after_a_stop_at_any_moment() {
         }
         let command = "compare case.toml measured.csv -q -o place";
         let arguments: Vec<OsString> = command.split(' ').map(OsString::from).collect();
-        let (code, said) = run(folder.path(), &arguments, OsStr::new(""), Stdio::null());
+        let (code, said) = run(folder.path(), &arguments, Stdio::null());
         assert!(code == 0 || code == 3, "{leftovers}: {code}, {said}");
         assert!(place.join("comparison.json").exists(), "{said}");
         // Everything of it may be gone but what comes first.
         for name in ["comparison.csv", "report.txt", "comparison.svg"] {
             fs::remove_file(place.join(name)).unwrap();
         }
-        let (code, said) = run(folder.path(), &arguments, OsStr::new(""), Stdio::null());
+        let (code, said) = run(folder.path(), &arguments, Stdio::null());
         assert!(code == 0 || code == 3, "{code}, {said}");
     }
     for name in ["study/notes.txt", "study/.lock", "comparison.svg"] {
@@ -460,7 +449,7 @@ fn questions_end() {
     let arguments = ["init", "rig", "--ask"].map(OsString::from);
     for path in ["/dev/zero", "/dev/null"] {
         let input = Stdio::from(fs::File::open(path).unwrap());
-        let (code, said) = run(folder.path(), &arguments, OsStr::new(""), input);
+        let (code, said) = run(folder.path(), &arguments, input);
         assert_eq!(code, 2, "{path}: {said}");
     }
     let mut yes = Command::new("yes")
@@ -469,7 +458,7 @@ fn questions_end() {
         .spawn()
         .unwrap();
     let input = Stdio::from(yes.stdout.take().unwrap());
-    let (code, said) = run(folder.path(), &arguments, OsStr::new(""), input);
+    let (code, said) = run(folder.path(), &arguments, input);
     yes.wait().unwrap();
     assert_eq!(code, 2, "{said}");
     assert!(said.contains("100 answers to one question were wrong"));
@@ -497,7 +486,7 @@ fn a_fit_replaces_what_it_is_told_to() {
     let fit = |more: &str| {
         let command = format!("fit viscosity mine.csv --law barus {more}");
         let arguments: Vec<OsString> = command.split(' ').map(OsString::from).collect();
-        run(root, &arguments, OsStr::new(""), Stdio::null())
+        run(root, &arguments, Stdio::null())
     };
     fs::write(root.join("oil.svg"), "my drawing").unwrap();
     let (code, said) = fit("-o oil.toml");
@@ -545,7 +534,7 @@ fn checks_take_no_time() {
     ] {
         let begun = Instant::now();
         let arguments: Vec<OsString> = command.split(' ').map(OsString::from).collect();
-        let (code, said) = run(root, &arguments, OsStr::new(""), Stdio::null());
+        let (code, said) = run(root, &arguments, Stdio::null());
         assert_eq!(code, 0, "{command}: {said}");
         // Tenths of a second; a single dry contact takes tens of them.
         assert!(begun.elapsed() < Duration::from_secs(10), "{command}");

@@ -17,8 +17,6 @@ fn workspace(name: &str) -> TempDir {
 fn command(folder: &TempDir, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
     command.arg("solve").args(arguments).current_dir(folder);
-    // Tests leave the user's cache alone.
-    command.env("ERTEL_CACHE", "");
     command
 }
 
@@ -173,7 +171,6 @@ fn a_disk_that_fills_up_leaves_nothing_half_written() {
             .arg("-c")
             .arg("trap '' XFSZ; ulimit -f 32; exec \"$0\" solve quick.toml --output steel")
             .arg(env!("CARGO_BIN_EXE_ertel"))
-            .env("ERTEL_CACHE", "")
             .current_dir(folder)
             .output()
             .unwrap()
@@ -286,64 +283,6 @@ fn pictures_are_written_in_the_formats_that_are_asked_for() {
     let output = solve(&folder, &["quick.toml"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert!(!names(&results).contains(&"centreline.pdf".to_owned()));
-}
-
-/// Two processes at once fill one cache; a third finds it; `--no-cache` neither reads nor writes;
-/// `ertel cache` shows and clears it.
-#[test]
-fn processes_share_the_cache_of_elastic_operators() {
-    let cache = tempfile::tempdir().unwrap();
-    let folder = workspace("quick.toml");
-    let path = folder.path().join("quick.toml");
-    let case = std::fs::read_to_string(&path).unwrap();
-    // Only finite-element bodies are kept.
-    std::fs::write(&path, case + "[solver]\nelasticity = \"equivalent\"\n").unwrap();
-    let with = |arguments: &[&str]| {
-        let mut command = command(&folder, arguments);
-        command.env("ERTEL_CACHE", cache.path()).arg("--quiet");
-        command
-    };
-    let pair = ["a", "b"].map(|name| {
-        let mut command = with(&["quick.toml", "--output", name]);
-        command.stderr(Stdio::piped()).spawn().unwrap()
-    });
-    for process in pair {
-        let output = process.wait_with_output().unwrap();
-        assert_eq!(output.status.code(), Some(0));
-        assert!(!text(&output.stderr).contains("operator"));
-    }
-    let kept = names(cache.path());
-    assert!(!kept.is_empty() && kept.iter().all(|n| n.ends_with(".operator")));
-
-    // A damaged file is a warning, unless it is not looked at.
-    std::fs::write(cache.path().join(&kept[0]), "damaged").unwrap();
-    let quiet = with(&["quick.toml", "--no-cache"]).output().unwrap();
-    assert!(!text(&quiet.stderr).contains("operator"));
-    let warned = with(&["quick.toml"]).output().unwrap();
-    assert_eq!(warned.status.code(), Some(0));
-    assert!(text(&warned.stderr).contains("is built anew"));
-
-    let ertel = |arguments: &[&str], limit: &str| {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
-        command.args(arguments).env("ERTEL_CACHE", cache.path());
-        command.env("ERTEL_CACHE_LIMIT", limit).output().unwrap()
-    };
-    let shown = ertel(&["cache", "show"], "3 MB");
-    let line = format!("{} elastic operators", kept.len());
-    assert!(text(&shown.stdout).contains(&line) && text(&shown.stdout).contains("3.0 MB"));
-    // What others put there stays, and is told.
-    let foreign = cache.path().join("cat.operator");
-    std::fs::write(&foreign, "telephone exchange").unwrap();
-    std::fs::create_dir(cache.path().join("folder.operator")).unwrap();
-    let cleared = ertel(&["cache", "clear"], "3 MB");
-    assert_eq!(cleared.status.code(), Some(0));
-    assert!(text(&cleared.stdout).contains("2 files *.operator do not begin as those of ertel"));
-    assert_eq!(names(cache.path()), ["cat.operator", "folder.operator"]);
-    std::fs::remove_file(foreign).unwrap();
-    std::fs::remove_dir(cache.path().join("folder.operator")).unwrap();
-    with(&["quick.toml", "--no-cache"]).output().unwrap();
-    assert!(names(cache.path()).is_empty());
-    assert_eq!(ertel(&["cache", "show"], "plenty").status.code(), Some(2));
 }
 
 /// A thermal line contact, both bodies alike, rolling alone: everything is written, and both take the same heat.

@@ -37,7 +37,6 @@ fn workspace(study: &str) -> TempDir {
 fn command(folder: &TempDir, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
     command.arg("sweep").args(arguments).current_dir(folder);
-    command.env("ERTEL_CACHE", "");
     command
 }
 
@@ -116,7 +115,6 @@ values = ["0.2 m/s", "2 m/s"]
     let solve = Command::new(env!("CARGO_BIN_EXE_ertel"))
         .args(["solve", "case.toml", "-q"])
         .current_dir(&folder)
-        .env("ERTEL_CACHE", "")
         .status();
     assert!(solve.unwrap().success());
     let alone = read(&folder, "results/case/curve.csv");

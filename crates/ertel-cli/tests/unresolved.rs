@@ -43,7 +43,6 @@ fn ertel(folder: &TempDir, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_ertel"))
         .args(arguments)
         .current_dir(folder.path())
-        .env("ERTEL_CACHE", "")
         .output()
         .unwrap()
 }

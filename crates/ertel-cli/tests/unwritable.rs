@@ -74,7 +74,6 @@ fn run(redirection: &str, code_of_success: i32) {
             .arg(format!("exec \"$0\" {arguments} {redirection}"))
             .arg(env!("CARGO_BIN_EXE_ertel"))
             .current_dir(&folder)
-            .env("ERTEL_CACHE", "")
             .output()
             .unwrap();
         let expected = match code {
@@ -108,7 +107,6 @@ fn closed_pipes_stop_nothing() {
         let mut child = Command::new(env!("CARGO_BIN_EXE_ertel"))
             .args(arguments.split(' '))
             .current_dir(&folder)
-            .env("ERTEL_CACHE", "")
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()

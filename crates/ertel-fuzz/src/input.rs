@@ -28,8 +28,6 @@ pub enum Target {
     FitFilm,
     /// Measured films, a table or an export of a rig, with the case that they are compared with.
     Measured,
-    /// A file of the cache of elastic operators.
-    Operator,
     /// Journal and list of points of a sweep.
     Journal,
     /// A case file of a machine.
@@ -54,7 +52,7 @@ pub enum Target {
 
 impl Target {
     /// All of them.
-    pub const ALL: [Target; 20] = [
+    pub const ALL: [Target; 19] = [
         Target::Case,
         Target::Solve,
         Target::Study,
@@ -64,7 +62,6 @@ impl Target {
         Target::FitDensity,
         Target::FitFilm,
         Target::Measured,
-        Target::Operator,
         Target::Journal,
         Target::Machine,
         Target::Settings,
@@ -89,7 +86,6 @@ impl Target {
             Target::FitDensity => "fit-density",
             Target::FitFilm => "fit-film",
             Target::Measured => "measured",
-            Target::Operator => "operator",
             Target::Journal => "journal",
             Target::Machine => "machine",
             Target::Settings => "settings",
@@ -115,7 +111,6 @@ impl Target {
             Target::FitDensity => 40,
             Target::FitFilm => 15,
             Target::Measured => 60,
-            Target::Operator => 60,
             Target::Journal => 40,
             Target::Machine => 40,
             Target::Settings => 60,
@@ -138,7 +133,6 @@ impl Target {
             Target::Table => "table.csv",
             Target::FitViscosity | Target::FitDensity | Target::FitFilm => "data.csv",
             Target::Measured => "measured.csv",
-            Target::Operator => "operator.bin",
             Target::Journal => "journal.jsonl",
             Target::Settings => "settings.txt",
             Target::Answers => "answers.txt",

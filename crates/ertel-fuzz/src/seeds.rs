@@ -9,7 +9,7 @@ use fastrand::Rng;
 
 use crate::input::{Input, Target};
 use crate::mutate::Words;
-use crate::targets::{self, Verdict, answers, journal, operator, view};
+use crate::targets::{self, Verdict, answers, journal, view};
 
 /// Lines of a seed table, at most: long tables are slow and say no more.
 const MOST_LINES: usize = 25;
@@ -101,7 +101,6 @@ impl Seeds {
             beside(&path, &mut input)?;
             inputs.push(input);
         }
-        inputs.push(operator::seed()?);
         let journal = journal::seed()?;
         inputs.push(Input {
             target: Target::StudyList,

@@ -6,7 +6,6 @@ use ertel::compare::{Comparison, Measured, ReadParams};
 use ertel::output::compare::{COMPARISON_STUDY, check_comparison_folder};
 use ertel::output::{comparison_report, write_comparison};
 use ertel::params::PictureFormats;
-use ertel::run::Session;
 use ertel::study::{SweepParams, finished_points, sweep as run_sweep};
 use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
 use pyo3::prelude::*;
@@ -68,7 +67,7 @@ pub fn compare(
     let study = &measured.study;
     let summary = beside_python(py, progress.as_ref(), |sender, cancel| {
         let messages = Messages::new(sender, wanted, cancel);
-        run_sweep(&Session::default(), study, &points, &params, &messages)
+        run_sweep(study, &points, &params, &messages)
     })?;
     let summary = summary.map_err(errors::sweep)?;
     let records = finished_points(study, &points).map_err(errors::sweep)?;

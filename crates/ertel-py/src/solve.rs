@@ -5,7 +5,7 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use ertel::run::Session;
+use ertel::run;
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
 use ertel::study::{CurveObserver, solve_curve as run_curve};
@@ -148,7 +148,7 @@ pub fn solve(
             wanted,
             cancel,
         };
-        Session::default().solve_from(&single, start.as_deref(), &[], &mut messages)
+        run::solve_from(&single, start.as_deref(), &[], &mut messages)
     })?;
     let (solution, start) = solved.map_err(errors::solve)?;
     Ok(NativeSolution::new(&single, solution, Some(start)))
@@ -172,7 +172,7 @@ pub fn solve_curve(
             wanted,
             cancel,
         };
-        run_curve(&Session::default(), curve, &mut messages)
+        run_curve(curve, &mut messages)
     })?;
     let document = ertel::output::curve_json(&case.case.echo(), &solution);
     let document = json(&document.map_err(crate::case::unwritable)?)?;

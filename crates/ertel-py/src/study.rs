@@ -5,7 +5,6 @@ use std::sync::mpsc::Sender;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use ertel::case::Study;
-use ertel::run::Session;
 use ertel::study::journal::JOURNAL;
 use ertel::study::plan::Plan;
 use ertel::study::{
@@ -156,14 +155,7 @@ pub fn solve_part(
     let summary = beside_python(py, None, |sender, cancel| {
         let messages = Messages::new(sender, false, cancel);
         let part = (&plan, range.0..range.1);
-        sweep_part(
-            &Session::default(),
-            &study,
-            part,
-            &folder,
-            &params,
-            &messages,
-        )
+        sweep_part(&study, part, &folder, &params, &messages)
     })?;
     summary.map_err(errors::sweep)?;
     read_text(&folder.join(JOURNAL), LARGEST_OWN)
@@ -254,7 +246,7 @@ pub fn sweep(
     let wanted = progress.is_some();
     let summary = beside_python(py, progress.as_ref(), |sender, cancel| {
         let messages = Messages::new(sender, wanted, cancel);
-        run_sweep(&Session::default(), &study, &folder, &params, &messages)
+        run_sweep(&study, &folder, &params, &messages)
     })?;
     described(&summary.map_err(errors::sweep)?)
 }

@@ -5,7 +5,6 @@ use base64::engine::general_purpose::STANDARD;
 use ertel::case::Case;
 use ertel::output::{self, OutputFile};
 use ertel::params::SensitivityDemand;
-use ertel::run::Session;
 use ertel::study::solve_curve;
 use serde_json::{Value, json};
 
@@ -24,16 +23,14 @@ pub fn solve(text: &str, progress: impl FnMut(Value) + Send + Sync) -> Value {
 fn solved(text: &str, progress: impl FnMut(Value) + Send + Sync) -> Result<Value, Failure> {
     let mut case = checked(text)?;
     let mut progress = Progress::new(progress);
-    // There is nothing to keep elastic operators in.
-    let session = Session::default();
     if case.curve.is_some() {
-        return solved_curve(&case, &session, &mut progress);
+        return solved_curve(&case, &mut progress);
     }
     // As the program does for a single case.
     if case.output.sensitivities == SensitivityDemand::WhereUncertain {
         case.output.sensitivities = SensitivityDemand::WhereCheap;
     }
-    let solution = session.solve(&case, &mut progress)?;
+    let solution = ertel::run::solve(&case, &mut progress)?;
     let unresolved: Vec<String> = solution.unresolved.iter().map(output::unresolved).collect();
     let files = output::files(&case.echo(), &solution, &case.output)?;
     Ok(json!({ "files": json_of(files), "unresolved": unresolved, "failed_points": 0 }))
@@ -41,11 +38,10 @@ fn solved(text: &str, progress: impl FnMut(Value) + Send + Sync) -> Result<Value
 
 fn solved_curve(
     case: &Case,
-    session: &Session,
     progress: &mut Progress<impl FnMut(Value) + Send + Sync>,
 ) -> Result<Value, Failure> {
     let curve = case.curve.as_ref().expect("the caller looked");
-    let solution = solve_curve(session, curve, progress);
+    let solution = solve_curve(curve, progress);
     let files = output::curve_files(&case.echo(), &solution, &case.output)?;
     Ok(json!({
         "files": json_of(files),

@@ -24,7 +24,7 @@ function inFolder(text, action) {
 export function nativeResult(text) {
   return inFolder(text, (folder) => {
     const output = join(folder, "result");
-    execFileSync(PROGRAM, ["solve", "case.toml", "--quiet", "--no-cache", "--output", output], { cwd: folder, stdio: ["ignore", "ignore", "ignore"] });
+    execFileSync(PROGRAM, ["solve", "case.toml", "--quiet", "--output", output], { cwd: folder, stdio: ["ignore", "ignore", "ignore"] });
     return JSON.parse(readFileSync(join(output, "result.json"), "utf8"));
   });
 }

@@ -93,7 +93,7 @@ fn main() {
     let mut table = String::from("contact,mesh,figure,value,bar,reference,reference_bar\n");
     let mut rows = Vec::new();
     for contact in &contacts {
-        // On a thread of the pool, as a session does.
+        // On a thread of the pool, as `solve` does.
         let own = rayon::scope(|_| compare(contact));
         let covered = own.iter().filter(|r| r.off() <= 1.0).count();
         eprintln!(

@@ -13,9 +13,8 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 use common::{Clock, Seconds, Stopwatch};
 use ertel::case::Case;
-use ertel::operator_cache::OperatorCache;
 use ertel::params::{LinearSolver, SensitivityDemand};
-use ertel::run::{Session, solve};
+use ertel::run::{solve, solve_from};
 use ertel::solution::{Estimate, Solution, Timings};
 use ertel::solve::Silent;
 use ertel::study::solve_curve;
@@ -65,16 +64,15 @@ fn main() {
     }
     println!("{HEAD}");
     if !args.targets {
-        cold_and_warm("squalane-on-glass", &read("squalane-on-glass", ""), few);
-        cold_and_warm("roller", &read("roller", ""), many);
+        measure("squalane-on-glass", &read("squalane-on-glass", ""), few);
+        measure("roller", &read("roller", ""), many);
         println!();
     }
     let main_job = read("ball-on-disc", "[mesh]\ntarget_error = \"0.2 %\"\n");
-    let [cold, warm] = cold_and_warm("ball-on-disc, 0.2 %", &main_job, few);
+    let cold = measure("ball-on-disc, 0.2 %", &main_job, few);
     against("(a) main job at 0.2 %, cold", cold, 2.0);
-    against("(a) main job at 0.2 %, operator at hand", warm, 0.5);
     let line = read("roller", "[mesh]\ntarget_error = \"0.1 %\"\n");
-    let [cold, _] = cold_and_warm("roller, 0.1 %", &line, many);
+    let cold = measure("roller, 0.1 %", &line, many);
     against("(b) line contact at 0.1 %, cold", cold, 0.1);
     println!();
     monolithic_case("roller", &read("roller", "[mesh]\npreset = \"coarse\"\n"));
@@ -96,18 +94,13 @@ fn shear_thinning(runs: usize) {
     case.motion.slide_to_roll_ratio = 0.3;
     let mut newtonian = case.clone();
     newtonian.solver.newtonian = true;
-    let thinned = cold_and_warm("squalane, SRR 0.3, normal", &case, runs);
-    let plain = cold_and_warm("  Newtonian", &newtonian, runs);
-    for (state, (thinned, plain)) in ["cold", "operator at hand"]
-        .iter()
-        .zip(thinned.iter().zip(&plain))
-    {
-        println!(
-            "(e) shear-thinning/Newtonian, {state}: {:.2} wall, {:.2} CPU; at most 2",
-            thinned.wall / plain.wall,
-            thinned.cpu / plain.cpu
-        );
-    }
+    let thinned = measure("squalane, SRR 0.3, normal", &case, runs);
+    let plain = measure("  Newtonian", &newtonian, runs);
+    println!(
+        "(e) shear-thinning/Newtonian: {:.2} wall, {:.2} CPU; at most 2",
+        thinned.wall / plain.wall,
+        thinned.cpu / plain.cpu
+    );
 }
 
 /// Curves of ten points: traction of a shear-thinning oil, and film over speed.
@@ -122,19 +115,16 @@ fn curves() {
     );
 }
 
-/// A curve over its contact alone, cold, both without a cache.
+/// A curve over its contact alone from a cold start.
 fn curve(name: &str, case: &Case) {
-    let session = Session::default();
     let mut points = case.curve.clone().expect("a case with a curve");
     // The Newtonian curve beside is a second curve.
     points.newtonian = false;
     let clock = Clock::start();
-    session
-        .solve(case, &mut Silent)
-        .expect("a shipped case converges");
+    solve(case, &mut Silent).expect("a shipped case converges");
     let cold = clock.seconds();
     let clock = Clock::start();
-    let curve = solve_curve(&session, &points, &mut Silent);
+    let curve = solve_curve(&points, &mut Silent);
     let time = clock.seconds();
     let solved = || curve.points.iter().filter_map(|p| p.outcome.solution());
     println!(
@@ -182,30 +172,13 @@ fn read(name: &str, tables: &str) -> Case {
 
 const HEAD: &str = "case                          wall s   CPU s |  mesh operator assembly factors krylov other | newton krylov       U      P    ±hc  ±hmin";
 
-/// Without a cache of elastic operators, and with the operators of an earlier solve in it.
-fn cold_and_warm(name: &str, case: &Case, runs: usize) -> [Seconds; 2] {
-    let cold = measure(name, case, &Session::default(), runs);
-    let folder = tempfile::tempdir().expect("a folder for the cache");
-    let session = Session {
-        cache: Some(OperatorCache::new(folder.path(), CACHE_LIMIT)),
-    };
-    session
-        .solve(case, &mut Silent)
-        .expect("a shipped case converges");
-    let warm = measure("  operator at hand", case, &session, runs);
-    [cold, warm]
-}
-
-/// Bytes.
-const CACHE_LIMIT: u64 = 4 << 30;
-
 /// Medians of several solves, printed with the split of the last.
-fn measure(name: &str, case: &Case, session: &Session, runs: usize) -> Seconds {
+fn measure(name: &str, case: &Case, runs: usize) -> Seconds {
     let mut times = Vec::new();
     let mut last = None;
     for _ in 0..runs {
         let clock = Clock::start();
-        let solution = session.solve(case, &mut Silent);
+        let solution = solve(case, &mut Silent);
         last = Some(solution.expect("a shipped case converges"));
         times.push(clock.seconds());
     }
@@ -266,11 +239,10 @@ fn against(what: &str, time: Seconds, target: f64) {
 
 /// A whole case on a small mesh by both paths.
 fn monolithic_case(name: &str, case: &Case) {
-    let session = Session::default();
     let mut case = case.clone();
-    let condensed = measure(&format!("{name}, small"), &case, &session, 3);
+    let condensed = measure(&format!("{name}, small"), &case, 3);
     case.solver.linear = LinearSolver::Monolithic;
-    let monolithic = measure("  monolithic", &case, &session, 1);
+    let monolithic = measure("  monolithic", &case, 1);
     println!(
         "(c) {name}, small mesh, whole case: monolithic/condensed {:.1} wall, {:.1} CPU",
         monolithic.wall / condensed.wall,
@@ -310,12 +282,9 @@ fn monolithic_iteration(name: &str) {
 
 /// A contact that starts from the solution under 1 % less load, with and without sensitivities, in turn: what they add.
 fn sensitivities(runs: usize) {
-    let session = Session::default();
     for name in ["ball-on-disc", "roller", "squalane-on-glass"] {
         let case = read(name, "");
-        let (_, start) = session
-            .solve_from(&case, None, &[], &mut Silent)
-            .expect("a shipped case");
+        let (_, start) = solve_from(&case, None, &[], &mut Silent).expect("a shipped case");
         let load = case.inputs().iter().find(|i| i.key == "contact.load");
         let load = 1.01 * load.expect("a load").value;
         let next = case
@@ -328,9 +297,8 @@ fn sensitivities(runs: usize) {
                 let mut next = next.clone();
                 next.output.sensitivities = demand;
                 let clock = std::time::Instant::now();
-                let (solution, _) = session
-                    .solve_from(&next, Some(&start), &[], &mut Silent)
-                    .expect("a warm solve");
+                let (solution, _) =
+                    solve_from(&next, Some(&start), &[], &mut Silent).expect("a warm solve");
                 seconds.push(clock.elapsed().as_secs_f64());
                 assert!(solution.stats.warm);
             }

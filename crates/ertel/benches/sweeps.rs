@@ -1,6 +1,6 @@
 //! What studies cost: `cargo bench -p ertel --bench sweeps`.
 //!
-//! The shipped studies, each without a cache, and a sample of their points as single cold cases on one thread: time of the
+//! The shipped studies, and a sample of their points as single cold cases on one thread: time of the
 //! whole, of a point and of a cold case, and their ratio, all in one run on one machine. `-- --large N`: one study of N line
 //! contacts, and how time, memory and journal grow with its points.
 
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use clap::Parser;
 use clock::{Clock, Seconds};
 use ertel::case::Study;
-use ertel::run::Session;
+use ertel::run;
 use ertel::solve::Silent;
 use ertel::study::plan::Plan;
 use ertel::study::{SweepObserver, SweepParams, SweepProgress, sweep};
@@ -73,7 +73,6 @@ fn main() {
 
 /// Runs a study, then some of its points one by one.
 fn row(path: &Path, study: &Study, n_cold: usize, jobs: Option<usize>, pool: &rayon::ThreadPool) {
-    let session = Session::default();
     let folder = tempfile::tempdir().expect("a folder for the study");
     let params = SweepParams {
         jobs,
@@ -83,7 +82,7 @@ fn row(path: &Path, study: &Study, n_cold: usize, jobs: Option<usize>, pool: &ra
         retry: false,
     };
     let clock = Clock::start();
-    let summary = sweep(&session, study, folder.path(), &params, &Silent).expect("a study");
+    let summary = sweep(study, folder.path(), &params, &Silent).expect("a study");
     let whole = clock.seconds();
     let n_points = study.points.len();
     let n_cold = n_cold.min(n_points);
@@ -92,7 +91,7 @@ fn row(path: &Path, study: &Study, n_cold: usize, jobs: Option<usize>, pool: &ra
     let mut cold = Seconds::default();
     for i in sample {
         let clock = Clock::start();
-        let solution = pool.install(|| session.solve(&study.points[i].case, &mut Silent));
+        let solution = pool.install(|| run::solve(&study.points[i].case, &mut Silent));
         solution.expect("a shipped point converges");
         let time = clock.seconds();
         cold.wall += time.wall / n_cold as f64;
@@ -147,7 +146,7 @@ fn large(n_points: usize, jobs: Option<usize>) {
         threads: Some(1),
         ..SweepParams::default()
     };
-    let summary = sweep(&Session::default(), &study, &results, &params, &growth).expect("a study");
+    let summary = sweep(&study, &results, &params, &growth).expect("a study");
     growth.row(study.points.len());
     println!("\n{} failed", summary.failures.len());
 }

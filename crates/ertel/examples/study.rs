@@ -5,7 +5,6 @@
 use std::path::Path;
 
 use ertel::case::Study;
-use ertel::run::Session;
 use ertel::solve::Silent;
 use ertel::study::{SweepParams, TABLE, sweep};
 
@@ -28,13 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     )?;
     let study = Study::read(&file)?;
     let results = folder.path().join("results");
-    let summary = sweep(
-        &Session::default(),
-        &study,
-        &results,
-        &SweepParams::default(),
-        &Silent,
-    )?;
+    let summary = sweep(&study, &results, &SweepParams::default(), &Silent)?;
     let table = std::fs::read_to_string(results.join(TABLE))?;
     println!(
         "{} points, {} lines in the table",

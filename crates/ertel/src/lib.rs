@@ -28,7 +28,7 @@
 //! | to | see |
 //! |---|---|
 //! | make or read a case | [`case`] |
-//! | solve it, one after another | [`run::Session`] |
+//! | solve it from the solution of another one | [`run::solve_from`] |
 //! | read figures and fields | [`solution::Solution`], [`solution::ContactFields`] |
 //! | vary inputs over lists and ranges | [`case::Study`], [`study::sweep`] |
 //! | ask formulas | [`estimate`], [`mod@reference`] |
@@ -50,7 +50,6 @@ pub mod compare;
 pub mod estimate;
 pub mod files;
 pub mod fit;
-pub mod operator_cache;
 pub mod output;
 pub mod plausible;
 pub mod problem;

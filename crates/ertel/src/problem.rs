@@ -163,7 +163,6 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
             ..NewtonParams::default()
         },
         linear: case.solver.linear,
-        cache: None,
         error_estimate: case.solver.error_estimate,
         ridge_diffusion: ridge_diffusion(case),
         adapt: (case.mesh.target_error).map(|target| {

@@ -12,14 +12,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use std::sync::Arc;
-
 use ertel_fem::platform::Instant;
 
 use crate::case::Case;
 use crate::contact::{Hertz, Scales, Supply};
-use crate::elastic::store::OperatorStore;
-use crate::operator_cache::OperatorCache;
 use crate::params::SensitivityDemand;
 use crate::plausible;
 use crate::plausible::left_out::Known;
@@ -47,7 +43,7 @@ pub const NUMERICS: u32 = 12;
 /// Takes milliseconds.
 ///
 /// # Errors
-/// As [`Session::solve`] has them before any work.
+/// As [`solve`] has them before any work.
 pub fn check(case: &Case) -> Result<(), SolveError> {
     may_begin(case).map(drop)
 }
@@ -70,136 +66,110 @@ fn ready(case: &Case) -> Result<Problem, SolveError> {
     })
 }
 
-/// What solves share.
-#[derive(Clone, Debug, Default)]
-pub struct Session {
-    /// Where elastic operators are kept between solves; `None`: nowhere.
-    pub cache: Option<OperatorCache>,
-}
-
-impl Session {
-    /// Solves a case.
-    ///
-    /// # Errors
-    /// When no mesh level converges, the mesh cannot be built, or the observer cancels.
-    pub fn solve(&self, case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
-        let (solution, _) = self.solve_from(case, None, &[], observer)?;
-        Ok(solution)
-    }
-
-    /// Solves a case from the solution of a similar one, where that leads to its own; else from the dry contact,
-    /// on a mesh that suits those of the cases `ahead` that are similar, too. Returns with the solution what the
-    /// next case can start from.
-    ///
-    /// # Errors
-    /// As [`Session::solve`].
-    pub fn solve_from(
-        &self,
-        case: &Case,
-        start: Option<&Start>,
-        ahead: &[&Case],
-        observer: &mut dyn Observer,
-    ) -> Result<(Solution, Start), SolveError> {
-        // On a thread of the pool: from outside, each of the thousands of short parallel loops would wait for one
-        // thread to be woken before it began.
-        rayon::scope(|_| {
-            let flooded = self.solve_flooded(case, start, observer)?;
-            let (mut solution, start) = self.solve_here(case, start, ahead, observer)?;
-            let Some((full, full_start)) = flooded else {
-                return Ok((solution, start));
-            };
-            solution.beside_flooded(&full);
-            Ok((solution, start.beside(full_start)))
-        })
-    }
-
-    /// The same case with more oil than the contact takes, where it has less; `None`, too, where that does not converge.
-    fn solve_flooded(
-        &self,
-        case: &Case,
-        start: Option<&Start>,
-        observer: &mut dyn Observer,
-    ) -> Result<Option<(Solution, Start)>, SolveError> {
-        if !case.supply.is_limited() {
-            return Ok(None);
-        }
-        let flooded = Case {
-            supply: Supply::Flooded,
-            ..case.clone()
-        };
-        let start = start.and_then(Start::flooded);
-        match self.solve_here(&flooded, start, &[], observer) {
-            Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
-            end => Ok(end.ok()),
-        }
-    }
-
-    fn solve_here(
-        &self,
-        case: &Case,
-        start: Option<&Start>,
-        ahead: &[&Case],
-        observer: &mut dyn Observer,
-    ) -> Result<(Solution, Start), SolveError> {
-        let clock = Instant::now();
-        let mut problem = Problem {
-            cache: self
-                .cache
-                .clone()
-                .map(|cache| Arc::new(cache) as Arc<dyn OperatorStore>),
-            ..ready(case)?
-        };
-        let mut recorder = Recorder {
-            observer,
-            history: Vec::new(),
-        };
-        let warm = match start.filter(|start| start.suits(&problem)) {
-            Some(start) => solve_warm(&problem, start, &mut recorder)?,
-            None => None,
-        };
-        let warm_start = start.filter(|_| warm.is_some());
-        let (mut finest, levels) = match warm {
-            Some(end) => end,
-            None => {
-                recorder.history.clear();
-                // One after the other: there may be thousands.
-                let own = problem.fluid.clone();
-                problem.make_room_for(ahead.iter().map(|case| problem_beside(case, &own)));
-                solve_stages(&problem, &mut recorder)?
-            }
-        };
-        let stats = Stats {
-            warm: warm_start.is_some(),
-            levels,
-            wall_seconds: 0.0,
-            peak_memory: None,
-        };
-        let mut solution = describe(case, &problem, &finest, stats, recorder.history)?;
-        let levels = &solution.stats.levels;
-        let rough = finest.adjoints.take().map(|rough| *rough);
-        let start = match warm_start {
-            Some(start) => start.followed_by(&problem, finest, levels),
-            None => Start::new(&problem, finest, levels),
-        };
-        note_sensitivities(
-            &mut solution,
-            case,
-            &problem,
-            (&start, rough),
-            recorder.observer,
-        )?;
-        solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
-        solution.stats.peak_memory = peak_memory();
-        Ok((solution, start))
-    }
-}
-
-/// Solves a case on its own, without a cache.
+/// Solves a case.
 ///
 /// # Errors
-/// As [`Session::solve`].
+/// When no mesh level converges, the mesh cannot be built, or the observer cancels.
 pub fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
-    Session::default().solve(case, observer)
+    let (solution, _) = solve_from(case, None, &[], observer)?;
+    Ok(solution)
+}
+
+/// Solves a case from the solution of a similar one, where that leads to its own; else from the dry contact,
+/// on a mesh that suits those of the cases `ahead` that are similar, too. Returns with the solution what the
+/// next case can start from.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_from(
+    case: &Case,
+    start: Option<&Start>,
+    ahead: &[&Case],
+    observer: &mut dyn Observer,
+) -> Result<(Solution, Start), SolveError> {
+    // On a thread of the pool: from outside, each of the thousands of short parallel loops would wait for one
+    // thread to be woken before it began.
+    rayon::scope(|_| {
+        let flooded = solve_flooded(case, start, observer)?;
+        let (mut solution, start) = solve_here(case, start, ahead, observer)?;
+        let Some((full, full_start)) = flooded else {
+            return Ok((solution, start));
+        };
+        solution.beside_flooded(&full);
+        Ok((solution, start.beside(full_start)))
+    })
+}
+
+/// The same case with more oil than the contact takes, where it has less; `None`, too, where that does not converge.
+fn solve_flooded(
+    case: &Case,
+    start: Option<&Start>,
+    observer: &mut dyn Observer,
+) -> Result<Option<(Solution, Start)>, SolveError> {
+    if !case.supply.is_limited() {
+        return Ok(None);
+    }
+    let flooded = Case {
+        supply: Supply::Flooded,
+        ..case.clone()
+    };
+    let start = start.and_then(Start::flooded);
+    match solve_here(&flooded, start, &[], observer) {
+        Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+        end => Ok(end.ok()),
+    }
+}
+
+fn solve_here(
+    case: &Case,
+    start: Option<&Start>,
+    ahead: &[&Case],
+    observer: &mut dyn Observer,
+) -> Result<(Solution, Start), SolveError> {
+    let clock = Instant::now();
+    let mut problem = ready(case)?;
+    let mut recorder = Recorder {
+        observer,
+        history: Vec::new(),
+    };
+    let warm = match start.filter(|start| start.suits(&problem)) {
+        Some(start) => solve_warm(&problem, start, &mut recorder)?,
+        None => None,
+    };
+    let warm_start = start.filter(|_| warm.is_some());
+    let (mut finest, levels) = match warm {
+        Some(end) => end,
+        None => {
+            recorder.history.clear();
+            // One after the other: there may be thousands.
+            let own = problem.fluid.clone();
+            problem.make_room_for(ahead.iter().map(|case| problem_beside(case, &own)));
+            solve_stages(&problem, &mut recorder)?
+        }
+    };
+    let stats = Stats {
+        warm: warm_start.is_some(),
+        levels,
+        wall_seconds: 0.0,
+        peak_memory: None,
+    };
+    let mut solution = describe(case, &problem, &finest, stats, recorder.history)?;
+    let levels = &solution.stats.levels;
+    let rough = finest.adjoints.take().map(|rough| *rough);
+    let start = match warm_start {
+        Some(start) => start.followed_by(&problem, finest, levels),
+        None => Start::new(&problem, finest, levels),
+    };
+    note_sensitivities(
+        &mut solution,
+        case,
+        &problem,
+        (&start, rough),
+        recorder.observer,
+    )?;
+    solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
+    solution.stats.peak_memory = peak_memory();
+    Ok((solution, start))
 }
 
 /// Adds how much each input counts, where that is asked for, and what the uncertainty of the inputs comes to. A solution without is still one.
@@ -308,9 +278,6 @@ fn describe(
             case.mesh.pressure_order
         );
         warnings.push(Warning::new(WarningKind::Convergence, text));
-    }
-    if let Some(cache) = &problem.cache {
-        warnings.extend(cache.take_warnings().into_iter().map(Warning::from));
     }
     warnings.extend(post::summary::warnings(
         case.contact.kind,

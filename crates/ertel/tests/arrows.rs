@@ -20,14 +20,13 @@ const SOLVER: [&str; 12] = [
 ];
 
 /// The modules of the crate `ertel`, likewise; those of the solver are below them all.
-const CASES: [&str; 14] = [
+const CASES: [&str; 13] = [
     "files",
     "case",
     "reference",
     "problem",
     "sensitivity",
     "plausible",
-    "operator_cache",
     "run",
     "estimate",
     "study",

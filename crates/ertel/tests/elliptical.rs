@@ -16,7 +16,8 @@ use ertel::run::solve;
 use ertel::solution::Role;
 use ertel::solution::{Estimate, Solution};
 use ertel::solve::Silent;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents};
+use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 
 /// An ellipse of reduced radii (m) under a Hertz pressure of 0.7 GPa, with the entrainment at an angle (degrees).
@@ -181,7 +182,7 @@ fn hertz_pressure_closes_the_gap() {
             },
             &sizes,
             &problem.elasticity,
-            Means::default(),
+            NEVER,
         );
         let d = Discretisation::new(&Arc::new(contact.unwrap()), 2);
         let zone = &d.contact.shape.zone;

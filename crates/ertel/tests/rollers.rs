@@ -14,8 +14,9 @@ use ertel::elastic::Accuracy;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::{Estimate, IterationRecord, Solution};
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::{Observer, Silent, SolveError};
+use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 
 const RADIUS: f64 = 0.016;
@@ -98,7 +99,7 @@ fn uniform_pressure_closes_the_gap_of_lundberg() {
         &problem.extents,
         &common::uniform(0.06),
         &problem.elasticity,
-        Means::default(),
+        NEVER,
     );
     let d = Discretisation::new(&Arc::new(contact.unwrap()), 2);
     let pressure = d.pressure.points.iter();

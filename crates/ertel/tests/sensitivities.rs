@@ -5,7 +5,7 @@ use std::path::Path;
 
 use ertel::case::Case;
 use ertel::params::SensitivityDemand;
-use ertel::run::{Session, Start};
+use ertel::run::{Start, solve_from};
 use ertel::solution::{Figure, Sensitivities, Solution};
 use ertel::solve::Silent;
 use ertel_input::Document;
@@ -19,9 +19,7 @@ fn case(text: &str) -> Case {
 }
 
 fn solved(case: &Case, start: Option<&Start>) -> (Solution, Start) {
-    let (solution, next) = Session::default()
-        .solve_from(case, start, &[], &mut Silent)
-        .unwrap();
+    let (solution, next) = solve_from(case, start, &[], &mut Silent).unwrap();
     assert_eq!(solution.stats.warm, start.is_some(), "another mesh");
     (solution, next)
 }

@@ -15,7 +15,6 @@ mod fit_laws;
 mod fit_walther;
 mod limiting_stress;
 mod main_case;
-mod operator_cache;
 mod plausible;
 mod rollers;
 mod rolling_resistance;

@@ -10,7 +10,7 @@ use common::{hertz_bodies, material, noise, uniform};
 use ertel::contact::{ContactKind, Material, hertz};
 use ertel::elastic::{Accuracy, BodySpace, Elasticity, FiniteBodies};
 use ertel::forms::elasticity::lame;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
 use ertel::solve::points::fields_at;
 use ertel::solve::system::State;
 use ertel_fem::assembly::{CONSTRAINED, DofMap, NodeGraph};
@@ -301,14 +301,8 @@ fn on_bodies(
     bodies: &[Material],
 ) -> Discretisation {
     let elasticity = Elasticity::finite_elements(2, bodies);
-    let contact = ContactSurface::new(
-        &common::shape(kind),
-        extents,
-        sizes,
-        &elasticity,
-        Means::default(),
-    )
-    .unwrap();
+    let contact =
+        ContactSurface::new(&common::shape(kind), extents, sizes, &elasticity, NEVER).unwrap();
     Discretisation::new(&Arc::new(contact), 3)
 }
 

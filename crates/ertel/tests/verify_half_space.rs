@@ -12,10 +12,11 @@ use ertel::elastic::{Accuracy, Elasticity, HalfSpace, Series, SurfaceResponse};
 use ertel::params::{ElasticModel, MeshParams, MeshPreset};
 use ertel::run::{problem, solve};
 use ertel::solve::Silent;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
 use ertel::solve::points::fields_at;
 use ertel::solve::sequence::solve_stages;
 use ertel::solve::system::{State, System};
+use ertel_fem::linear::NEVER;
 
 const KINDS: [ContactKind; 2] = [ContactKind::Line, ContactKind::Circular];
 
@@ -42,7 +43,7 @@ fn discretised(
         &extents(body),
         sizes,
         elasticity,
-        Means::default(),
+        NEVER,
     );
     Discretisation::new(&Arc::new(contact.unwrap()), pressure_order)
 }

@@ -9,9 +9,10 @@ use ertel::contact::{ContactKind, Scales, hertz};
 use ertel::elastic::Accuracy;
 use ertel::params::{ElasticModel, Formulation};
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, LevelSizes, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, LevelSizes};
 use ertel::solve::system::{FilmConstants, State, System};
 use ertel_fem::assembly::CONSTRAINED;
+use ertel_fem::linear::NEVER;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning, StressLimit};
 
 const SIZES: LevelSizes = LevelSizes {
@@ -108,7 +109,7 @@ fn check(
         &problem.extents,
         &SIZES,
         &problem.elasticity,
-        Means::default(),
+        NEVER,
     )
     .expect("mesh");
     let mut d = Discretisation::new(&Arc::new(contact), order);

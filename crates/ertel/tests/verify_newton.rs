@@ -11,9 +11,10 @@ use ertel::params::{ElasticModel, LinearSolver};
 use ertel::run::{problem, solve};
 use ertel::solution::Role;
 use ertel::solution::{IterationRecord, Solution};
-use ertel::solve::discretisation::{ContactSurface, Means};
+use ertel::solve::discretisation::ContactSurface;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
 use ertel::solve::{Observer, Silent, SolveError};
+use ertel_fem::linear::NEVER;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
 
 /// A contact that a small mesh resolves: M = 90 (line), M = 20 (circular).
@@ -192,7 +193,7 @@ fn results_repeat_beside_other_solves() {
                     &other.extents,
                     &sizes,
                     &other.elasticity,
-                    Means::default(),
+                    NEVER,
                 )
                 .unwrap();
             }

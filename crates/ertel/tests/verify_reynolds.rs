@@ -26,10 +26,11 @@ use ertel::elastic::Elasticity;
 use ertel::film::FilmFluid;
 use ertel::params::Formulation;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
 use ertel::solve::points::fields_in;
 use ertel::solve::system::{FilmConstants, State, System};
 use ertel_fem::assembly::CONSTRAINED;
+use ertel_fem::linear::NEVER;
 use ertel_fem::linear::lu::SparseLu;
 use ertel_fem::quadrature::Quadrature;
 use ertel_rheology::shear::{Rabinowitsch, ShearLaw, ShearThinning};
@@ -294,8 +295,7 @@ fn mesh(kind: ContactKind, size: f64) -> Arc<ContactSurface> {
             Elasticity::half_space(2, &[material(1.0, 0.3)])
         }
     };
-    let means = Means::default();
-    Arc::new(ContactSurface::new(&shape(kind), &extents, &sizes, &rigid, means).unwrap())
+    Arc::new(ContactSurface::new(&shape(kind), &extents, &sizes, &rigid, NEVER).unwrap())
 }
 
 /// Errors of the discrete solution on one mesh: mean element size, L2 norm, H1 seminorm.

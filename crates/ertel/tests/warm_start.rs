@@ -4,7 +4,7 @@ use std::path::Path;
 
 use ertel::case::{Case, Study};
 use ertel::output::curve_table;
-use ertel::run::Session;
+use ertel::run;
 use ertel::solution::{Estimate, Solution};
 use ertel::solve::Silent;
 use ertel::study::journal::Record;
@@ -46,13 +46,12 @@ fn agrees(lines: &str) {
 
 fn agrees_in(case: &Case) {
     let curve = case.curve.as_ref().unwrap();
-    let session = Session::default();
-    let solved = solve_curve(&session, curve, &mut Silent);
+    let solved = solve_curve(curve, &mut Silent);
     assert_eq!(solved.points.len(), curve.points.len());
     for (i, (point, asked)) in solved.points.iter().zip(&curve.points).enumerate() {
         let warm = point.outcome.solution().expect("solved");
         assert_eq!(warm.stats.warm, i > 0, "point {i}");
-        let cold = session.solve(&asked.case, &mut Silent).unwrap();
+        let cold = run::solve(&asked.case, &mut Silent).unwrap();
         assert!(!cold.stats.warm);
         for (w, c) in films(warm).iter().zip(films(&cold)) {
             let bars = w.error.unwrap() + c.error.unwrap();
@@ -89,11 +88,7 @@ fn a_start_too_far_away_is_not_taken() {
     let case = case(
         "[mesh]\npreset = \"coarse\"\n[curve]\nquantity = \"motion.entrainment_speed\"\nvalues = [\"0.01 m/s\", \"1 m/s\"]",
     );
-    let solved = solve_curve(
-        &Session::default(),
-        case.curve.as_ref().unwrap(),
-        &mut Silent,
-    );
+    let solved = solve_curve(case.curve.as_ref().unwrap(), &mut Silent);
     let warm = |i: usize| solved.points[i].outcome.solution().unwrap().stats.warm;
     assert!(!warm(0) && !warm(1));
 }
@@ -118,7 +113,7 @@ fn a_curve_is_the_study_of_one_axis() {
     let key = "\"motion.entrainment_speed\"";
     let case = case(&format!("[curve]\nquantity = {key}\n{range}"));
     let curve = case.curve.as_ref().unwrap();
-    let solved = solve_curve(&Session::default(), curve, &mut Silent);
+    let solved = solve_curve(curve, &mut Silent);
     let table = curve_table(&solved);
     let rows: Vec<Vec<&str>> = table.lines().map(|l| l.split(',').collect()).collect();
     let n_points = curve.points.len();
@@ -137,7 +132,7 @@ fn a_curve_is_the_study_of_one_axis() {
             ..SweepParams::default()
         };
         let part = (plan, 0..n_points);
-        sweep_part(&Session::default(), &study, part, &target, &params, &Silent).unwrap();
+        sweep_part(&study, part, &target, &params, &Silent).unwrap();
         let finished = finished_points(&study, &target).unwrap();
         finished.into_iter().map(Option::unwrap).collect()
     };

@@ -10,7 +10,6 @@ use ertel_fem::mesh::{BodyMesh, BodyParams, MeshError, SimplexMesh, body_mesh};
 use ertel_fem::quadrature::Quadrature;
 use ertel_fem::space::{Affine, Space};
 
-use super::store::{Operator, OperatorStore, SMALLEST};
 use super::{Accuracy, SurfaceResponse, Trace, compliance};
 use crate::contact::Material;
 use crate::forms::elasticity::{lame, stiffness_point};
@@ -323,16 +322,14 @@ impl FiniteBody {
         }
     }
 
-    /// Displacement space, made when first asked for: a solve whose elastic response is in the cache never does.
-    /// `deflection` is its trace.
+    /// Displacement space, made when first asked for; `deflection` is its trace.
     pub fn space(&self, deflection: &Space) -> &BodySpace {
         (self.space).get_or_init(|| {
             BodySpace::new(&self.mesh, &self.surface, &self.body_vertices, deflection)
         })
     }
 
-    /// Condensed answers of bodies of the given constants, from the cache where it has them; with the number of displacement
-    /// unknowns, and whether all came from there.
+    /// Condensed answers of bodies of the given constants, with the number of displacement unknowns.
     ///
     /// # Errors
     /// When a factorisation fails, or `stop` says so.
@@ -341,54 +338,21 @@ impl FiniteBody {
         bodies: &[Material],
         deflection: &Space,
         near_pairs: &[(u32, u32)],
-        cache: Option<&dyn OperatorStore>,
         stop: Stop,
-    ) -> Result<(FiniteBodies, usize, bool), CholeskyError> {
-        let cache = cache.filter(|_| self.mesh.mesh.n_cells() > SMALLEST);
+    ) -> Result<(FiniteBodies, usize), CholeskyError> {
+        let space = self.space(deflection);
         let mut condensed = FiniteBodies { bodies: Vec::new() };
-        let mut n_displacement = 0;
         for &material in bodies {
             let ratio = material.poissons_ratio;
             let known = |b: &&ElasticBody| b.material.poissons_ratio == ratio;
             let response = match condensed.bodies.iter().find(known) {
                 Some(b) => Arc::clone(&b.response),
-                None => {
-                    let (response, n) =
-                        self.response(ratio, deflection, near_pairs, cache, stop)?;
-                    n_displacement = n;
-                    Arc::new(response)
-                }
+                None => Arc::new(CondensedResponse::new(
+                    space, &self.mesh, ratio, near_pairs, stop,
+                )?),
             };
             condensed.bodies.push(ElasticBody { response, material });
         }
-        let from_cache = !bodies.is_empty() && self.space.get().is_none();
-        Ok((condensed, n_displacement, from_cache))
-    }
-
-    fn response(
-        &self,
-        poissons_ratio: f64,
-        deflection: &Space,
-        near_pairs: &[(u32, u32)],
-        cache: Option<&dyn OperatorStore>,
-        stop: Stop,
-    ) -> Result<(CondensedResponse, usize), CholeskyError> {
-        let operator = Operator {
-            body: &self.mesh,
-            elastic_order: deflection.element.order(),
-            poissons_ratio,
-            n: deflection.n_nodes(),
-            n_near: near_pairs.len(),
-        };
-        if let Some(found) = cache.and_then(|cache| cache.get(&operator)) {
-            return Ok(found);
-        }
-        let space = self.space(deflection);
-        let n_displacement = space.dofs.n_dofs;
-        let response = CondensedResponse::new(space, &self.mesh, poissons_ratio, near_pairs, stop)?;
-        if let Some(cache) = cache {
-            cache.put(&operator, &response, n_displacement);
-        }
-        Ok((response, n_displacement))
+        Ok((condensed, space.dofs.n_dofs))
     }
 }

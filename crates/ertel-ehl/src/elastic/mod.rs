@@ -10,7 +10,6 @@ mod finite_elements;
 mod half_space;
 mod near;
 mod series;
-pub mod store;
 mod trace;
 
 pub use crate::contact::material::compliance;

@@ -206,8 +206,6 @@ pub struct LevelStats {
     pub n_displacement_dofs: usize,
     /// Normal displacements on the contact area.
     pub n_contact_dofs: usize,
-    /// Whether the elastic operator came from the cache.
-    pub operator_cached: bool,
     /// Lagrange order of the pressure.
     pub pressure_order: usize,
     /// What it was for.

@@ -277,7 +277,6 @@ pub(super) mod tests {
             n_pressure_dofs: n,
             n_displacement_dofs: n,
             n_contact_dofs: n,
-            operator_cached: false,
             pressure_order: 2,
             role,
             newton_iterations: 1,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::element::Tabulation;
-use ertel_fem::linear::{NEVER, Stop};
+use ertel_fem::linear::Stop;
 use ertel_fem::locate::Locator;
 use ertel_fem::mesh::{BodyParams, SimplexMesh, SurfaceMesh, SurfaceParams, surface_mesh};
 use ertel_fem::quadrature::Quadrature;
@@ -16,7 +16,6 @@ use super::heat::space::HeatSpace;
 pub use super::sizes::LevelSizes;
 use super::sizes::size_at;
 use crate::contact::{ContactKind, HertzZone, Inlet, Shape, Symmetry};
-use crate::elastic::store::OperatorStore;
 use crate::elastic::{
     Accuracy, BodyModel, Elasticity, FiniteBodies, FiniteBody, FiniteBodyError, HalfSpace,
     SurfaceResponse, Trace, near_pairs,
@@ -61,10 +60,6 @@ pub struct ContactSurface {
     support: Support,
     /// Displacement unknowns of a finite-element body; 0 for a half-space.
     pub n_displacement: usize,
-    /// Where elastic responses are kept, if anywhere.
-    pub cache: Option<Arc<dyn OperatorStore>>,
-    /// Whether all of this one came from there.
-    pub from_cache: bool,
     /// Contact area.
     pub surface: SimplexMesh,
     /// Finds the element under a point of it.
@@ -94,24 +89,6 @@ pub struct Cell {
     pub diffusion_tensor: Option<[f64; 3]>,
 }
 
-/// By what means elastic responses are come by.
-#[derive(Clone, Copy)]
-pub struct Means<'a> {
-    /// Where they are kept, if anywhere.
-    pub cache: Option<&'a Arc<dyn OperatorStore>>,
-    /// Whether the user wants to stop.
-    pub stop: Stop<'a>,
-}
-
-impl Default for Means<'_> {
-    fn default() -> Self {
-        Means {
-            cache: None,
-            stop: NEVER,
-        }
-    }
-}
-
 impl ContactSurface {
     /// Meshes the contact area, and a body below it where one is asked for, and makes its elastic response.
     ///
@@ -122,7 +99,7 @@ impl ContactSurface {
         extents: &Extents,
         sizes: &LevelSizes,
         elasticity: &Elasticity,
-        means: Means,
+        stop: Stop,
     ) -> Result<ContactSurface, DiscretisationError> {
         let start = Instant::now();
         let mesh = match elasticity.model {
@@ -145,7 +122,7 @@ impl ContactSurface {
             }
         };
         let seconds = start.elapsed().as_secs_f64();
-        ContactSurface::on(shape, extents, mesh, seconds, elasticity, means)
+        ContactSurface::on(shape, extents, mesh, seconds, elasticity, stop)
     }
 
     /// The same with elements halved `halvings` times in length, and others as conformity demands.
@@ -155,7 +132,7 @@ impl ContactSurface {
     pub fn refined(
         &self,
         halvings: &[u32],
-        means: Means,
+        stop: Stop,
     ) -> Result<ContactSurface, DiscretisationError> {
         let start = Instant::now();
         let sizes: Vec<f64> = halvings
@@ -178,7 +155,7 @@ impl ContactSurface {
             mesh,
             seconds,
             &self.elasticity,
-            means,
+            stop,
         )
     }
 
@@ -191,7 +168,7 @@ impl ContactSurface {
     }
 
     /// The same mesh, moved along, around a contact of another shape; `None` above finite-element bodies, whose meshes do not move.
-    pub fn reshaped(&self, shape: &Shape, means: Means) -> Option<ContactSurface> {
+    pub fn reshaped(&self, shape: &Shape, stop: Stop) -> Option<ContactSurface> {
         let Support::Surface(mesh) = &self.support else {
             return None;
         };
@@ -200,7 +177,7 @@ impl ContactSurface {
         if let (Some(own), Some(other)) = (&self.shape.zone.roller, &shape.zone.roller) {
             shape.zone.roller = Some(Arc::new(own.drawn_to(other.half_length())));
         }
-        ContactSurface::on(&shape, &self.extents, mesh, 0.0, &self.elasticity, means).ok()
+        ContactSurface::on(&shape, &self.extents, mesh, 0.0, &self.elasticity, stop).ok()
     }
 
     /// Makes the elastic response of a mesh.
@@ -210,7 +187,7 @@ impl ContactSurface {
         mesh: Mesh,
         mesh_seconds: f64,
         elasticity: &Elasticity,
-        means: Means,
+        stop: Stop,
     ) -> Result<ContactSurface, DiscretisationError> {
         let start = Instant::now();
         let surface = match &mesh {
@@ -220,7 +197,7 @@ impl ContactSurface {
         let deflection = Space::new(&surface, elasticity.order);
         let wide = !shape.kind.is_point();
         let near_pairs = near_pairs(&deflection, wide);
-        let (mut n_displacement, mut from_cache) = (0, false);
+        let mut n_displacement = 0;
         let bodies = &elasticity.bodies;
         let (support, response): (Support, Arc<dyn SurfaceResponse>) = match mesh {
             Mesh::Surface(mesh) => {
@@ -229,13 +206,8 @@ impl ContactSurface {
             }
             Mesh::Body(body) => {
                 let condensed;
-                (condensed, n_displacement, from_cache) = body.condensed(
-                    bodies,
-                    &deflection,
-                    &near_pairs,
-                    means.cache.map(AsRef::as_ref),
-                    means.stop,
-                )?;
+                (condensed, n_displacement) =
+                    body.condensed(bodies, &deflection, &near_pairs, stop)?;
                 (Support::Body(body, condensed.clone()), Arc::new(condensed))
             }
         };
@@ -267,8 +239,6 @@ impl ContactSurface {
             elasticity: elasticity.clone(),
             support,
             n_displacement,
-            cache: means.cache.cloned(),
-            from_cache,
             locator: Locator::new(&surface),
             surface,
             deflection,

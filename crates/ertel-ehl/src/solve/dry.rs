@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use ertel_fem::assembly::CONSTRAINED;
+use ertel_fem::linear::NEVER;
 
-use super::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
+use super::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
 use super::points::{gap_at_nodes, pressure_at};
 use crate::contact::roller::RollerZone;
 use crate::contact::{Shape, Symmetry};
@@ -82,7 +83,7 @@ impl DryLoads {
             order: ORDER,
             ..elasticity.clone()
         };
-        let surface = ContactSurface::new(shape, &extents, &SIZES, &elasticity, Means::default());
+        let surface = ContactSurface::new(shape, &extents, &SIZES, &elasticity, NEVER);
         let d = Discretisation::new(&Arc::new(surface.ok()?), ORDER);
         let guess: Vec<f64> = (d.pressure.points.iter())
             .map(|p| shape.zone.pressure([p[0], p[1]]))

@@ -163,6 +163,7 @@ mod tests {
         let fields = x
             .iter()
             .map(|x| PointFields {
+                gap: 0.0,
                 place: [*x, 0.0],
                 temperature: None,
                 pressure: 0.7 - x * x + bump * (-((x - 0.8) / 0.03).powi(2)).exp(),

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use super::SolveError;
 use super::adjoint::{Adjoint, Exactness, Functional, RoughAdjoints, adjoints};
-use super::discretisation::{ContactSurface, Discretisation, Means};
+use super::discretisation::{ContactSurface, Discretisation};
 use super::element::Metric;
 use super::evaluate::minimum_film;
 use super::newton::FilmModel;
@@ -30,6 +30,7 @@ use crate::elastic::{Accuracy, BodyModel};
 use crate::film::FilmFluid;
 use crate::forms::oil_layer::{filling_length, missing};
 use crate::solution::Figure;
+use ertel_fem::linear::NEVER;
 
 /// How exactly the adjoints are solved for: around thick films equations far away, with coefficients of many times those in the contact,
 /// leave a residual that products with rounding do not fall below, and what sensitivities are told to is a thousandth.
@@ -275,7 +276,7 @@ impl<'a> Sensitivity<'a> {
     /// The same on a mesh of the changed shape, where deflections follow from the pressures.
     fn reshaped(&self, problem: &Problem) -> Result<Vec<f64>, NoDerivative> {
         let own = &self.solution.discretisation;
-        let contact = ContactSurface::reshaped(&own.contact, &problem.shape, Means::default())
+        let contact = ContactSurface::reshaped(&own.contact, &problem.shape, NEVER)
             .ok_or(NoDerivative::Mesh)?;
         let d = Discretisation::new(&Arc::new(contact), own.pressure.element.order());
         if d.pressure.n_nodes() != own.pressure.n_nodes() || d.n_pressure != own.n_pressure {

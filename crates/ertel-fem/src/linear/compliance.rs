@@ -37,7 +37,7 @@ impl Compliance {
     /// From the lower triangle of a matrix: `lower(j)` is column j from the diagonal down.
     pub fn from_lower<'a>(n: usize, lower: impl Fn(usize) -> &'a [f64] + Sync) -> Compliance {
         let n_tiles = n.div_ceil(TILE);
-        let mut double = vec![0.0; Compliance::n_stored(n)];
+        let mut double = vec![0.0; start(n.div_ceil(TILE), 0)];
         let mut rows = Vec::with_capacity(n_tiles);
         let mut rest = &mut double[..];
         for a in 0..n_tiles {
@@ -65,27 +65,8 @@ impl Compliance {
                 }
             }
         });
-        Compliance::from_tiles(n, double)
-    }
-
-    /// From the tiles of another one of the same order.
-    ///
-    /// # Panics
-    /// When there are not [`Compliance::n_stored`] numbers in them.
-    pub fn from_tiles(n: usize, double: Vec<f64>) -> Compliance {
-        assert_eq!(double.len(), Compliance::n_stored(n));
         let single = double.par_iter().map(|v| *v as f32).collect();
         Compliance { n, double, single }
-    }
-
-    /// Tiles of the lower triangle, row by row.
-    pub fn tiles(&self) -> &[f64] {
-        &self.double
-    }
-
-    /// Numbers in the tiles of a matrix of order `n`.
-    pub fn n_stored(n: usize) -> usize {
-        start(n.div_ceil(TILE), 0)
     }
 
     /// Order of the matrix.

@@ -6,7 +6,6 @@ mod curve_result;
 mod fit;
 pub mod journal;
 mod measured;
-pub mod operator;
 mod own_data;
 mod python;
 mod settings;
@@ -44,7 +43,6 @@ pub fn run(input: &Input, folder: &Path) -> Result<Verdict, Defect> {
         Target::Study | Target::Points => study::run(folder),
         Target::FitViscosity | Target::FitDensity | Target::FitFilm => fit::run(input),
         Target::Measured => measured::run(folder),
-        Target::Operator => operator::run(input, folder),
         Target::Journal | Target::StudyList => journal::run(folder),
         Target::Settings => settings::run(input, folder),
         Target::Answers => answers::run(input),

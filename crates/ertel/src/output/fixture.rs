@@ -354,7 +354,6 @@ fn level(n: usize, newton_iterations: usize) -> LevelStats {
         n_pressure_dofs: 5 * n,
         n_displacement_dofs: 40 * n,
         n_contact_dofs: 2 * n,
-        operator_cached: false,
         pressure_order: 3,
         role: Role::Final,
         newton_iterations,

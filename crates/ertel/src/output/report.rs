@@ -393,15 +393,10 @@ pub(super) fn write_effort(out: &mut Lines, solution: &Solution) {
     let parts: Vec<String> = (parts.into_iter())
         .map(|(name, s)| format!("{name} {s:.2}"))
         .collect();
-    let cached = levels.iter().filter(|l| l.operator_cached).count();
     out.row(
         "wall time",
         format!("{} s: {}", digits(wall, 3), parts.join(", ")),
     );
-    if cached > 0 {
-        let text = format!("elastic operator of {cached} stages at hand in the cache");
-        out.row("", text);
-    }
     if let Some(bytes) = solution.stats.peak_memory {
         out.row(
             "peak memory",

@@ -7,7 +7,6 @@ use super::point::{Ends, Interrupted, PointSolution, Task};
 use super::walk::Walk;
 use crate::case::Curve;
 use crate::case::curve::Quantity;
-use crate::run::Session;
 use crate::solve::Observer;
 use crate::words::digits;
 
@@ -52,11 +51,7 @@ impl CurveSolution {
 /// solutions, where the curve asks for them, start from one another, the first one from its own point.
 ///
 /// Fields and iterations of the solutions are kept only where the curve asks for folders.
-pub fn solve_curve(
-    session: &Session,
-    curve: &Curve,
-    observer: &mut dyn CurveObserver,
-) -> CurveSolution {
+pub fn solve_curve(curve: &Curve, observer: &mut dyn CurveObserver) -> CurveSolution {
     let clock = Instant::now();
     let n_points = curve.points.len();
     let plan = Plan::chain(n_points);
@@ -73,7 +68,7 @@ pub fn solve_curve(
             beside: [curve.newtonian, curve.isothermal],
             fields: curve.folders,
         };
-        let (point, ends) = task.solve(session, from, observer)?;
+        let (point, ends) = task.solve(from, observer)?;
         observer.finished(index, &point);
         points.push(point);
         Ok::<_, Interrupted>(ends)

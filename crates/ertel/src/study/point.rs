@@ -9,7 +9,7 @@ use crate::case::Case;
 use crate::case::CaseEcho;
 use crate::case::study::StudyPoint;
 use crate::reference::film_formulas;
-use crate::run::{Session, Start, groups};
+use crate::run::{Start, groups, solve_from};
 use crate::solution::{
     Centreline, ElementFields, Estimate, FilmReduction, FilmTemperatures, FormulaFilm, Solution,
     SurfaceField, ThermalReduction,
@@ -144,7 +144,6 @@ impl Task<'_> {
     /// its own point. What fails is kept with its reason, and others start from where it started.
     pub(super) fn solve(
         &self,
-        session: &Session,
         mut ends: Ends,
         observer: &mut dyn CurveObserver,
     ) -> Result<(PointSolution, Ends), Interrupted> {
@@ -153,7 +152,7 @@ impl Task<'_> {
         let (index, n_points) = self.place;
         observer.point(index, n_points, &self.label);
         let from = ends.own.as_deref();
-        let (outcome, end) = attempt(session, case, from, &self.ahead, self.fields, observer)?;
+        let (outcome, end) = attempt(case, from, &self.ahead, self.fields, observer)?;
         ends.own = end.or(ends.own);
         let mut beside = [None, None];
         for (i, (name, simplify)) in SIMPLER.into_iter().enumerate() {
@@ -169,7 +168,7 @@ impl Task<'_> {
             let ahead: Vec<Case> = self.ahead.iter().map(|case| simpler(case)).collect();
             let ahead: Vec<&Case> = ahead.iter().collect();
             let from = ends.beside[i].as_deref().or(ends.own.as_deref());
-            let (outcome, end) = attempt(session, &simpler(case), from, &ahead, false, observer)?;
+            let (outcome, end) = attempt(&simpler(case), from, &ahead, false, observer)?;
             beside[i] = Some(outcome);
             ends.beside[i] = end.or(ends.beside[i].take());
         }
@@ -191,14 +190,13 @@ impl Task<'_> {
 
 /// What becomes of a case, and what others can start from. One that fails, in whatever way, leaves the others alone.
 fn attempt(
-    session: &Session,
     case: &Case,
     from: Option<&Start>,
     ahead: &[&Case],
     fields: bool,
     observer: &mut dyn CurveObserver,
 ) -> Result<(Outcome, Option<Arc<Start>>), Interrupted> {
-    let solve = || session.solve_from(case, from, ahead, observer);
+    let solve = || solve_from(case, from, ahead, observer);
     let failed = |reason| Ok((Outcome::Failed(reason), None));
     match catch_unwind(AssertUnwindSafe(solve)) {
         Ok(Ok((mut solution, end))) => {

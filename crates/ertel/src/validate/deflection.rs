@@ -7,9 +7,10 @@ use crate::contact::{ContactKind, hertz};
 use crate::elastic::Accuracy;
 use crate::post::profile::Profile;
 use crate::run::problem;
-use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
+use crate::solve::discretisation::{ContactSurface, Discretisation};
 use crate::solve::system::State;
 use crate::solve::{SolveError, discretisation::DiscretisationError};
+use ertel_fem::linear::NEVER;
 
 /// Dimensionless deflection δR/a² along the centreline under the Hertz pressure.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,7 +41,7 @@ pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
         &problem.extents,
         &stage.sizes,
         &problem.elasticity,
-        Means::default(),
+        NEVER,
     )
     .map_err(|e: DiscretisationError| SolveError::from(e))?;
     let contact = Arc::new(contact);

@@ -3,7 +3,7 @@
 use super::check::{Reference, Row, Verdict};
 use super::{Accept, Deflection, Quantity, Study, deflect};
 use crate::case::Case;
-use crate::run::{Session, solve};
+use crate::run::solve;
 use crate::solution::Solution;
 use crate::solve::SolveError;
 use crate::study::{CurveObserver, CurveSolution, solve_curve};
@@ -147,7 +147,7 @@ fn follow(run: &Run, observer: &mut dyn CurveObserver) -> Result<Outcome, SolveE
     let Some(curve) = &run.case.curve else {
         return Ok(Outcome::Failed("the case has no curve".to_owned()));
     };
-    let solution = solve_curve(&Session::default(), curve, observer);
+    let solution = solve_curve(curve, observer);
     if solution.is_partial() {
         return Err(SolveError::Interrupted);
     }

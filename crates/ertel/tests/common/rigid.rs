@@ -11,11 +11,12 @@ use ertel::film::FilmFluid;
 use ertel::forms::energy::{Heat, Source};
 use ertel::params::ThermalParams;
 use ertel::run::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
 use ertel::solve::heat::column::Column;
 use ertel::solve::heat::newton::{HeatNewton, HeatParams};
 use ertel::solve::sequence::Problem;
 use ertel::solve::system::State;
+use ertel_fem::linear::NEVER;
 
 /// Contact area of most of these contacts.
 pub const EXTENTS: Extents = Extents {
@@ -53,14 +54,8 @@ pub fn rigid(
         }
     };
     let sizes = cells(size);
-    let contact = ContactSurface::new(
-        &super::shape(kind),
-        extents,
-        &sizes,
-        &bodies,
-        Means::default(),
-    )
-    .expect("mesh");
+    let contact =
+        ContactSurface::new(&super::shape(kind), extents, &sizes, &bodies, NEVER).expect("mesh");
     let unheated = column.unheated(heat);
     let d = Discretisation::new(&Arc::new(contact), 2).with_heat(order, column, unheated);
     let state = State {

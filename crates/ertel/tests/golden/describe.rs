@@ -4,7 +4,7 @@ use std::path::Path;
 
 use ertel::case::Case;
 use ertel::contact::ContactKind;
-use ertel::run::{Session, solve};
+use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
 use ertel::solve::Silent;
 use ertel::study::curve::solve_curve;
@@ -28,7 +28,7 @@ pub fn record(path: &Path, machine: &Machine) -> Result<Record, String> {
     let mut curve = curve.clone();
     // Else the fields of the points are not kept.
     curve.folders = true;
-    let found = solve_curve(&Session::default(), &curve, &mut Silent);
+    let found = solve_curve(&curve, &mut Silent);
     for (i, point) in found.points.iter().enumerate() {
         let mut own = Record::default();
         match point.outcome.solution() {

@@ -6,10 +6,11 @@ use std::sync::Arc;
 use ertel::case::Case;
 use ertel::problem::problem;
 use ertel::solution::{Figure, Figures};
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::figures::note_roller;
 use ertel::solve::points::PointTable;
 use ertel::solve::system::State;
+use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 
 const ROLLER: &str = r#"
@@ -45,7 +46,7 @@ fn edge_pressures_are_those_of_the_outer_quarters() {
         &problem.extents,
         &stage.sizes,
         &problem.elasticity,
-        Means::default(),
+        NEVER,
     );
     let d = Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order);
     let half = problem.shape.zone.roller.as_ref().unwrap().half_length();

@@ -7,12 +7,13 @@ use std::sync::Arc;
 use approx::assert_relative_eq;
 use ertel::case::Case;
 use ertel::problem::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::points::PointTable;
 use ertel::solve::region::{Elements, Region};
 use ertel::solve::sequence::Problem;
 use ertel::solve::shear::{Frictions, friction};
 use ertel::solve::system::State;
+use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 
 /// A ball that turns on the spot and slides both ways; spin of both bodies, slide-to-roll ratios.
@@ -61,7 +62,7 @@ impl Film {
             &problem.extents,
             &stage.sizes,
             &problem.elasticity,
-            Means::default(),
+            NEVER,
         );
         let d = Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order);
         let state = State {

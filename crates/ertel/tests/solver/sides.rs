@@ -4,8 +4,9 @@ use std::path::Path;
 
 use ertel::case::Case;
 use ertel::problem::problem;
-use ertel::solve::discretisation::{ContactSurface, Means};
+use ertel::solve::discretisation::ContactSurface;
 use ertel::solve::heat::sides::{SideRule, outer_sides};
+use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 
 use super::CASE;
@@ -23,7 +24,7 @@ fn what_flows_through_the_sides_is_what_comes_of_within() {
         &problem.extents,
         &stage.sizes,
         &problem.elasticity,
-        Means::default(),
+        NEVER,
     )
     .unwrap();
     let third = 1.0 / 3.0;

@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use ertel::case::Case;
 use ertel::problem::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::evaluate::{central_film, minimum_film};
 use ertel::solve::newton::NewtonStats;
 use ertel::solve::sequence::stage_run::{Finish, StageRun};
 use ertel::solve::sequence::start::cold_start;
 use ertel::solve::sequence::{Problem, Stage};
 use ertel::solve::system::{FilmConstants, State, System};
+use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 
 use super::CASE;
@@ -44,7 +45,7 @@ fn discretisation(problem: &Problem, stage: &Stage) -> Discretisation {
         &problem.extents,
         &stage.sizes,
         &problem.elasticity,
-        Means::default(),
+        NEVER,
     );
     Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order)
 }

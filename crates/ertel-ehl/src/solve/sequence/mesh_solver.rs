@@ -12,7 +12,7 @@ use crate::contact::ContactKind;
 use crate::solution::LevelStats;
 use crate::solution::Role;
 use crate::solve::adapt::{RefinementEnd, grading_errors, next_refinement};
-use crate::solve::discretisation::{ContactSurface, Discretisation, Means};
+use crate::solve::discretisation::{ContactSurface, Discretisation};
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::newton::{NewtonStats, Reached};
 use crate::solve::ridge::ridge_shares;
@@ -191,10 +191,6 @@ impl<'a> MeshSolver<'a> {
             p.stage.sizes == stage.sizes && p.stage.refinements + 1 == stage.refinements
         });
         let stop = || observer.cancelled();
-        let means = Means {
-            cache: problem.cache.as_ref(),
-            stop: &stop,
-        };
         // Not both at a time
         self.mesh = None;
         let mesh = Arc::new(match refined {
@@ -204,14 +200,14 @@ impl<'a> MeshSolver<'a> {
                 if Arc::strong_count(contact) == 1 {
                     contact.response.release();
                 }
-                contact.refined(task.halvings, means)?
+                contact.refined(task.halvings, &stop)?
             }
             None => ContactSurface::new(
                 &problem.shape,
                 &problem.extents,
                 &stage.sizes,
                 &problem.elasticity,
-                means,
+                &stop,
             )?,
         });
         self.mesh = Some((*stage, Arc::clone(&mesh)));

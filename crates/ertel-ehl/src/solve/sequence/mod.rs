@@ -17,8 +17,6 @@ pub mod start;
 mod strategies;
 mod warm;
 
-use std::sync::Arc;
-
 use super::SolveError;
 use super::adapt::{AdaptParams, RefinementEnd};
 use super::adjoint::RoughAdjoints;
@@ -29,7 +27,6 @@ use super::newton::{NewtonParams, Reached};
 use super::sizes::{LevelSizes, expected_unknowns};
 use super::system::State;
 use crate::contact::{Planar, Scales, Shape};
-use crate::elastic::store::OperatorStore;
 use crate::elastic::{BodyModel, Elasticity};
 use crate::film::FilmFluid;
 use crate::forms::energy::Heat;
@@ -65,8 +62,6 @@ pub struct Problem {
     pub newton: NewtonParams,
     /// Condensed or monolithic.
     pub linear: LinearSolver,
-    /// Where elastic operators are kept, if anywhere.
-    pub cache: Option<Arc<dyn OperatorStore>>,
     /// Whether errors are estimated.
     pub error_estimate: bool,
     /// ρ_r of the stages that need it; 0: none does.

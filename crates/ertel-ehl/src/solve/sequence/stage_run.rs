@@ -302,7 +302,6 @@ impl<'a> StageRun<'a> {
             n_pressure_dofs: d.n_pressure,
             n_displacement_dofs: contact.n_displacement,
             n_contact_dofs: contact.deflection.n_nodes(),
-            operator_cached: contact.from_cache,
             pressure_order: self.stage.pressure_order,
             role: self.stage.role,
             newton_iterations: effort.iterations,

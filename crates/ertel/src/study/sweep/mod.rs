@@ -17,7 +17,6 @@ use super::plan::Plan;
 use super::table::StudyEcho;
 use super::walk::Walk;
 use crate::case::Study;
-use crate::run::Session;
 use crate::warning::{Merged, by_kind};
 use folder::{has_folder, look, open, write_results};
 use work::Shared;
@@ -127,7 +126,6 @@ pub struct SweepSummary {
 /// # Errors
 /// [`SweepError`]; points finished until then are kept. A point that is not solved is no error.
 pub fn sweep(
-    session: &Session,
     study: &Study,
     folder: &Path,
     params: &SweepParams,
@@ -138,7 +136,7 @@ pub fn sweep(
         Some(shard) => shard.range(plan.order.len()),
         None => 0..plan.order.len(),
     };
-    sweep_part(session, study, (&plan, part), folder, params, observer)
+    sweep_part(study, (&plan, part), folder, params, observer)
 }
 
 /// Runs a part of the order of a plan, which is that of the study; `params.shard` is not looked at.
@@ -146,7 +144,6 @@ pub fn sweep(
 /// # Errors
 /// As [`sweep`].
 pub fn sweep_part(
-    session: &Session,
     study: &Study,
     (plan, part): (&Plan, Range<usize>),
     folder: &Path,
@@ -181,7 +178,6 @@ pub fn sweep_part(
     observer.begin(mine.len(), n_kept);
     let walk = Walk::new(plan, &wanted);
     let shared = Shared {
-        session,
         study,
         echo: &echo,
         plan,

@@ -8,7 +8,6 @@ use super::folder::point_folder;
 use super::{SweepError, SweepObserver, SweepParams};
 use crate::case::Study;
 use crate::output;
-use crate::run::Session;
 use crate::solve::Observer;
 use crate::study::CurveObserver;
 use crate::study::journal::{PointKey, Record};
@@ -19,7 +18,6 @@ use crate::study::walk::Walk;
 
 /// What the threads share.
 pub(super) struct Shared<'a> {
-    pub(super) session: &'a Session,
     pub(super) study: &'a Study,
     pub(super) echo: &'a StudyEcho,
     pub(super) plan: &'a Plan,
@@ -68,7 +66,7 @@ impl Shared<'_> {
             beside: [false; 2],
             fields: folders,
         };
-        let solved = task.solve(self.session, from, &mut Stop(self));
+        let solved = task.solve(from, &mut Stop(self));
         let (solved, ends) = solved.map_err(|Interrupted| None)?;
         if let (true, Some(solution)) = (folders, solved.outcome.solution()) {
             let target = point_folder(self.folder, index, points.len());
