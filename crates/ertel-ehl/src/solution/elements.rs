@@ -1,7 +1,9 @@
 //! Fields as the polynomials that were solved for, element by element, SI.
 
+use serde::Serialize;
+
 /// A field that is a polynomial on each element, given by its values at the element's Lagrange nodes.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Polynomials {
     /// Order of the polynomials.
     pub order: usize,
@@ -10,7 +12,7 @@ pub struct Polynomials {
 }
 
 /// Temperatures as polynomials, K.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct TemperaturePolynomials {
     /// At mid-film.
     pub mid: Polynomials,
@@ -31,7 +33,7 @@ impl TemperaturePolynomials {
 
 /// The fields that pictures show, on the contact area (half domain y ≤ 0 for circular contacts). Pictures sample them
 /// as finely as they need.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ElementFields {
     /// Dimension of the elements: 2 triangles (circular), 1 segments (line).
     pub dim: usize,

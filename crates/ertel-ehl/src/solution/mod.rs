@@ -507,7 +507,7 @@ pub struct Centreline {
 }
 
 /// Fields on the contact area (half domain y ≤ 0 for circular contacts), SI.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct SurfaceField {
     /// Points, m.
     pub points: Vec<[f64; 2]>,
@@ -552,7 +552,7 @@ impl Centreline {
 }
 
 /// Displacement of the equivalent body, SI.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct BodyField {
     /// Points, m; y = 0 for line contacts.
     pub points: Vec<[f64; 3]>,

@@ -144,7 +144,7 @@ pub struct CrossProfile {
 
 /// Temperature in the film and both bodies, cell by cell, for pictures. The film is drawn at its thickness times
 /// `film_magnification`.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct TemperatureField {
     /// Points, m.
     pub points: Vec<[f64; 3]>,

@@ -69,6 +69,8 @@ pub fn figures(
     let (h_line, x_line) = profile.film_minimum();
     let thinnest = at(scales.film * h_line, [x_line, 0.0]);
     figures.note(Figure::FilmCentrelineMinimum, thinnest);
+    let [mean] = points.mean_in(&problem.shape.zone, |fields| Some([fields.film]));
+    figures.note(Figure::FilmMean, Reading::new(scales.film * mean));
     if let Some((p, x)) = profile.spike() {
         figures.note(Figure::Spike, at(scales.pressure * p, [x, 0.0]));
     }

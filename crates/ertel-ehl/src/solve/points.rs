@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use super::discretisation::Discretisation;
 use super::element::Metric;
 use super::system::State;
+use crate::contact::HertzZone;
 use crate::film::TemperatureProfile;
 use crate::forms::energy::FilmPlace;
 use crate::forms::flow::PointState;
@@ -117,6 +118,36 @@ impl PointTable {
     /// The points of an element, in the order of the rule.
     pub fn of_element(&self, cell: usize) -> &[Point] {
         &self.points[cell * self.per_element..][..self.per_element]
+    }
+
+    /// Means over the Hertz zone. Where the film is so thick that no element is as small as the zone, what is nearest its centre; not a number
+    /// where no point has the values.
+    pub fn mean_in<const N: usize>(
+        &self,
+        zone: &HertzZone,
+        values: impl Fn(&PointFields) -> Option<[f64; N]>,
+    ) -> [f64; N] {
+        let (mut sums, mut total) = ([0.0; N], 0.0);
+        let (mut nearest, mut centre) = (f64::INFINITY, [f64::NAN; N]);
+        for point in &self.points {
+            let Some(values) = values(&point.fields) else {
+                continue;
+            };
+            let [x, y] = point.fields.place;
+            if x.hypot(y) < nearest {
+                (nearest, centre) = (x.hypot(y), values);
+            }
+            if zone.contains([x, y]) {
+                total += point.area;
+                for (sum, value) in sums.iter_mut().zip(values) {
+                    *sum += point.area * value;
+                }
+            }
+        }
+        match total > 0.0 {
+            true => sums.map(|sum| sum / total),
+            false => centre,
+        }
     }
 
     /// All points.

@@ -311,7 +311,7 @@ fn coordinates(place: [f64; 2], error: Option<f64>) -> ([String; 2], Option<Stri
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture;
+    use super::super::sample;
     use super::*;
     use crate::solution::Asked;
 
@@ -391,7 +391,7 @@ mod tests {
             radius: 0.016,
         };
         let told = |film: Estimate, asked| {
-            let mut solution = fixture::solution(ContactKind::Circular);
+            let (_, mut solution) = sample::owned(ContactKind::Circular);
             solution.summary.film_central = film;
             let found = Unresolved::all(&solution, asked);
             (found.iter().map(unresolved).collect::<Vec<_>>()).join("; ")
@@ -450,7 +450,7 @@ mod tests {
 
     #[test]
     fn places_have_the_digits_of_their_bars() {
-        let solution = fixture::solution(ContactKind::Circular);
+        let (_, solution) = sample::solved(ContactKind::Circular);
         let a = solution.hertz.half_width;
         let at = |y: f64, error: Option<f64>| {
             let at = Located {
@@ -462,7 +462,7 @@ mod tests {
                 place_error: error.map(|error| error * a),
                 place_resolved: error.is_none_or(|error| error <= 0.25),
             };
-            place(&solution, &at)
+            place(solution, &at)
         };
         assert_eq!(at(0.0, None), "at x/a 0.875, y/a 0");
         assert_eq!(at(0.0, Some(0.04)), "at x/a 0.88 ± 0.04, y/a 0");

@@ -26,7 +26,7 @@ pub mod vtu;
 mod workplace;
 
 #[cfg(test)]
-mod fixture;
+mod sample;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]

@@ -429,7 +429,7 @@ pub(super) fn percent_or_power(share: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::fixture;
+    use super::super::sample;
     use super::*;
 
     #[test]
@@ -438,24 +438,26 @@ mod tests {
         assert_eq!(viscosity(4.0), "4 Pa·s");
     }
 
-    /// Figures known from elsewhere: a and p_h of the case, speeds 0.8 (1 ± 0.25), the formulas'
-    /// films, and 264.066/245 − 1 = 7.8 %.
+    /// Figures known from elsewhere: a and p_h of Hertz's formulas for glass on steel, speeds 0.5 (1 ± 0.05), the groups by hand,
+    /// and 264.1/245 − 1 = 7.8 %.
     #[test]
     fn report_holds_the_case_and_the_results() {
         let kind = ContactKind::Circular;
-        let text = report(
-            &fixture::case_echo(kind),
-            &fixture::solution(kind),
-            Some(Path::new("results/ball")),
-        );
+        let (case, mut solution) = sample::owned(kind);
+        solution.summary.film_central = Estimate {
+            value: 245e-9,
+            error: Some(0.8e-9),
+        };
+        solution.formulas[0].central = Some(264.1e-9);
+        solution.warnings = vec!["the pressure leaves the range".to_owned().into()];
+        let text = report(&case, &solution, Some(Path::new("results/ball")));
         for expected in [
-            "body 1 0.6 m/s, body 2 1 m/s",
-            "218.3 µm",
-            "1.002 GPa",
-            "M 199.3   L 10.36",
+            "body 1 0.475 m/s, body 2 0.525 m/s",
+            "84.6 µm",
+            "333.6 MPa",
+            "M 29.8   L 6.497",
             "245.0 ± 0.8 nm",
             "264.1 nm (+7.8 %)",
-            "148.6 nm",
             "! the pressure leaves",
             "results/ball",
         ] {

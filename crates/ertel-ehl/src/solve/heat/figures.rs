@@ -65,30 +65,11 @@ pub fn walls(film: &FilmNodes, values: &Nodal) -> [f64; 2] {
     [values[0], values[film.n() - 1]]
 }
 
-/// Means over the Hertz zone, K: of the film, of the plane's and of the ball's surface. Where the film is so thick that no element is as small as
-/// the zone, what is nearest its centre.
+/// Means over the Hertz zone, K: of the film, of the surfaces of body 1 and of body 2.
 pub fn zone_means(points: &PointTable, zone: &HertzZone, film: &FilmNodes) -> [f64; 3] {
-    let (mut sums, mut total) = ([0.0; 3], 0.0);
-    let (mut nearest, mut centre) = (f64::INFINITY, [f64::NAN; 3]);
-    for point in points.iter() {
-        let Some(profile) = &point.fields.temperature else {
-            continue;
-        };
-        let [x, y] = point.fields.place;
-        let [plane, ball] = walls(film, &profile.temperature);
-        let means = [film.mean(&profile.temperature), plane, ball];
-        if x.hypot(y) < nearest {
-            (nearest, centre) = (x.hypot(y), means);
-        }
-        if zone.contains([x, y]) {
-            total += point.area;
-            for (sum, t) in sums.iter_mut().zip(means) {
-                *sum += point.area * t;
-            }
-        }
-    }
-    match total > 0.0 {
-        true => sums.map(|sum| sum / total),
-        false => centre,
-    }
+    points.mean_in(zone, |fields| {
+        let temperature = &fields.temperature.as_ref()?.temperature;
+        let [body_1, body_2] = walls(film, temperature);
+        Some([film.mean(temperature), body_1, body_2])
+    })
 }

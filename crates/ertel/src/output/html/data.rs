@@ -231,13 +231,13 @@ fn centreline(solution: &Solution) -> Value {
 mod tests {
     use super::*;
     use crate::contact::Turn;
-    use crate::output::fixture;
+    use crate::output::sample;
 
     /// The edge of an ellipse of half-axes a and 3 a whose first axis is turned by 30° against the motion: in its own axes
     /// each point has (x/a)² + (y/3a)² = 1.
     #[test]
     fn the_edge_of_a_turned_ellipse_is_turned() {
-        let mut solution = fixture::solution(ContactKind::Elliptical);
+        let mut solution = sample::owned(ContactKind::Elliptical).1;
         let a = solution.hertz.half_width;
         let angle = 30_f64.to_radians();
         for turned in [0.0, angle] {
