@@ -3,7 +3,7 @@
 use std::fs;
 
 use super::pages::{links, read, root};
-use super::source::defined;
+use super::source::{defined, rust_files};
 
 /// Pages that are written by hand; each names a function, type or constant as the text of a link to its file.
 const PAGES: [&str; 3] = ["architecture.md", "recipes.md", "debugging.md"];
@@ -52,8 +52,57 @@ fn names_of_the_developer_pages_are_in_their_files() {
     assert!(n_names > 40, "only {n_names} names were found");
 }
 
+/// Names of Rust files in code spans of a text: `solve/ridge.rs`.
+fn files_named(text: &str) -> Vec<&str> {
+    let spans = text
+        .lines()
+        .flat_map(|line| line.split('`').skip(1).step_by(2));
+    let is_path = |span: &&str| {
+        let is_part = |c: char| c.is_ascii_alphanumeric() || "_-/.".contains(c);
+        span.ends_with(".rs") && span.contains('/') && span.chars().all(is_part)
+    };
+    spans.filter(is_path).collect()
+}
+
+/// Theory, decisions and the other pages name files that are there: `solve/ridge.rs` is one of some crate.
+#[test]
+fn files_that_pages_name_are_there() {
+    let all = rust_files("crates");
+    let mut pages = vec!["CONTRIBUTING.md".to_owned()];
+    for folder in [
+        "docs",
+        "docs/theory",
+        "docs/decisions",
+        "docs/developer",
+        "docs/reference",
+        "docs/guide",
+    ] {
+        for entry in fs::read_dir(root().join(folder)).unwrap() {
+            let path = format!("{folder}/{}", entry.unwrap().file_name().display());
+            if path.ends_with(".md") {
+                pages.push(path);
+            }
+        }
+    }
+    let mut wrong = Vec::new();
+    for page in pages {
+        let text = read(&page);
+        for name in files_named(&text) {
+            let inside = format!("/{name}");
+            if !all
+                .iter()
+                .any(|path| path == name || path.ends_with(&inside))
+            {
+                wrong.push(format!("{page}: no crate has {name}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
 #[test]
 fn names_that_are_gone_are_noticed() {
     assert!(has("crates/ertel/tests/arrows.rs", "arrows_run_down"));
     assert!(!has("crates/ertel/tests/arrows.rs", "arrows_run_up"));
+    assert_eq!(files_named("in `a/b.rs`, not `fn c` or `*.rs`"), ["a/b.rs"]);
 }
