@@ -79,10 +79,12 @@ pub fn defined(line: &str) -> Option<&str> {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     let end = name.find(|c: char| !is_word(c)).unwrap_or(name.len());
     let after = &name[end..];
-    let is_member = [",", "(", " {", ": ", " = "]
-        .iter()
-        .any(|next| after.starts_with(next))
-        || after.is_empty();
+    // Variants begin with a capital; a field has its type.
+    let member: &[&str] = match name.starts_with(|c: char| c.is_uppercase()) {
+        true => &[",", "(", " {", " = "],
+        false => &[": "],
+    };
+    let is_member = member.iter().any(|next| after.starts_with(next));
     (end > 0 && (is_item.is_some() || is_member)).then_some(&name[..end])
 }
 
@@ -95,7 +97,10 @@ fn definitions_are_found() {
     assert_eq!(defined("    Roelands(Roelands),"), Some("Roelands"));
     assert_eq!(defined("pub struct Tait {"), Some("Tait"));
     assert_eq!(defined("// fn old()"), None);
-    assert_eq!(defined("solve.run()"), None);
+    assert_eq!(defined("    rise_limit: f64,"), Some("rise_limit"));
+    assert_eq!(defined("    solve.run()"), None);
+    assert_eq!(defined("    fallbacks"), None);
+    assert_eq!(defined("    fallbacks(outline)"), None);
 }
 
 #[test]
