@@ -60,8 +60,12 @@ pub fn defined(line: &str) -> Option<&str> {
     if rest.starts_with("//") || rest.starts_with('#') {
         return None;
     }
-    for word in ["pub(crate) ", "pub(super) ", "pub ", "const fn ", "async "] {
-        rest = rest.strip_prefix(word).unwrap_or(rest);
+    if let Some((_, after)) = (rest.split_once(") ")).filter(|_| rest.starts_with("pub(")) {
+        rest = after;
+    }
+    rest = rest.strip_prefix("pub ").unwrap_or(rest);
+    if rest.starts_with("const fn ") {
+        rest = &rest["const ".len()..];
     }
     let kinds = [
         "fn ",
@@ -95,6 +99,7 @@ fn definitions_are_found() {
         Some("solve")
     );
     assert_eq!(defined("    Roelands(Roelands),"), Some("Roelands"));
+    assert_eq!(defined("pub(in super::super) fn halfway("), Some("halfway"));
     assert_eq!(defined("pub struct Tait {"), Some("Tait"));
     assert_eq!(defined("// fn old()"), None);
     assert_eq!(defined("    rise_limit: f64,"), Some("rise_limit"));
