@@ -6,7 +6,7 @@
 //! ```text
 //! Δ = 2 (n h + n_s t_s)                          path difference at normal incidence, m
 //! δ = 2π Δ/λ + φ                                 phase difference
-//! I = I₁ + I₂ + 2 √(I₁ I₂) cos δ                 (Born and Wolf, Principles of Optics, 7th ed., section 7.2, eq. 15)
+//! I = I₁ + I₂ + 2 √(I₁ I₂) cos δ                 (Born and Wolf 1999, section 7.2, eq. 15)
 //!   = (I₁ + I₂) (1 + V cos δ),  V = 2 √(I₁ I₂)/(I₁ + I₂)
 //! ```
 //!
@@ -14,7 +14,7 @@
 //! phase φ of the reflections. Fringes of equal colour follow one another at films that differ by λ/(2n). Rays that are reflected
 //! more than once and the finite coherence of the light are left out.
 //!
-//! Oil under pressure is denser and refracts more (Lorentz and Lorenz; Born and Wolf, section 2.3.3, eq. 17):
+//! Oil under pressure is denser and refracts more (Lorentz and Lorenz; Born and Wolf 1999, section 2.3.3, eq. 17):
 //!
 //! ```text
 //! (n² - 1)/(n² + 2) = ρ/ρ₀ (n₀² - 1)/(n₀² + 2)

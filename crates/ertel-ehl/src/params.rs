@@ -168,9 +168,9 @@ impl MeshParams {
 pub enum Formulation {
     /// Standard Galerkin.
     Galerkin,
-    /// Streamline-upwind Petrov-Galerkin, eq. 3.15.
+    /// Streamline-upwind Petrov-Galerkin, Habchi 2008, eq. 3.15.
     Supg,
-    /// Galerkin least squares, eq. 3.16.
+    /// Galerkin least squares, Habchi 2008, eq. 3.16.
     #[default]
     Gls,
 }
@@ -221,7 +221,7 @@ pub enum LinearSolver {
 pub struct SolverParams {
     /// Galerkin, SUPG or GLS.
     pub formulation: Formulation,
-    /// Isotropic diffusion coefficient ρ_id of eq. 3.18; 0 for none.
+    /// Isotropic diffusion coefficient ρ_id of Habchi 2008, eq. 3.18; 0 for none.
     pub isotropic_diffusion: f64,
     /// Coefficient ρ_r of the diffusion at ridges of the pressure that elements do not resolve; `None`: 1 in circular and elliptical contacts of half-spaces
     /// with the default stabilisation, else 0.

@@ -221,6 +221,7 @@ fn between_knots(p: f64, t: f64) -> bool {
 }
 
 proptest! {
+    /// Theory: Viscosity, Constant.
     #[test]
     fn viscosity_derivatives_are_exact(p in -0.005..1.2_f64, t in 2.6..3.9_f64) {
         prop_assume!(between_knots(p, t));
@@ -234,6 +235,7 @@ proptest! {
         }
     }
 
+    /// Theory: Density, Constant.
     #[test]
     fn density_derivatives_are_exact(p in -0.005..1.2_f64, t in 2.6..3.9_f64) {
         prop_assume!(between_knots(p, t));
@@ -269,6 +271,7 @@ proptest! {
     }
 }
 
+/// Theory: Viscosity, Table.
 #[test]
 fn a_table_is_exact_at_every_isotherm_and_linear_outside() {
     let (temperatures, pressures, values) = table_knots();
@@ -292,6 +295,8 @@ fn a_table_is_exact_at_every_isotherm_and_linear_outside() {
 }
 
 /// Independent evaluation of the Fritsch-Butland interpolant: slopes and values worked out by hand as fractions.
+///
+/// Theory: Viscosity, Table.
 #[test]
 fn a_table_follows_the_published_interpolant() {
     // Knots x = 0, 1, 3; y = 0, 1, 2: secants 1, 1/2; widths 1, 2.

@@ -111,6 +111,10 @@ fn heat_capacity_laws() -> Vec<HeatCapacityLaw> {
 }
 
 /// By mpmath with 20 digits from the formulas, at 0.7 GPa and 350 K.
+///
+/// Theory: Conductivity and heat capacity, Constant.
+/// Theory: Conductivity and heat capacity, Linear.
+/// Theory: Larsson and Andersson.
 #[test]
 fn values_at_one_state() {
     let k: Vec<f64> = conductivity_laws()
@@ -138,6 +142,8 @@ fn values_at_one_state() {
 }
 
 /// The data of a table are linear in p and T, so that monotone cubics return them between the knots, too.
+///
+/// Theory: Conductivity and heat capacity, Table.
 #[test]
 fn tables_return_linear_data() {
     let (k, c) = (&conductivity_laws()[3], &heat_capacity_laws()[3]);

@@ -76,6 +76,7 @@ fn close(value: f64, expected: f64) {
     assert_relative_eq!(value, expected, max_relative = 1e-10);
 }
 
+/// Theory: Murnaghan.
 #[test]
 fn murnaghan() {
     let law = t9_density();
@@ -91,6 +92,7 @@ fn murnaghan() {
     assert!(!law.depends_on_temperature() && t9_density().depends_on_temperature());
 }
 
+/// Theory: Improved Yasutomi.
 #[test]
 fn improved_yasutomi() {
     let law = ViscosityLaw::ImprovedYasutomi(ImprovedYasutomi::new(gear_oil()).unwrap());
@@ -102,6 +104,8 @@ fn improved_yasutomi() {
 }
 
 /// At the glass transition the viscosity is μ_g by definition; beyond it the law keeps growing with a continuous slope.
+///
+/// Theory: Improved Yasutomi.
 #[test]
 fn improved_yasutomi_beyond_the_glass_transition() {
     let law = ViscosityLaw::ImprovedYasutomi(gear_oil());
@@ -127,6 +131,7 @@ fn improved_yasutomi_beyond_the_glass_transition() {
     close(gear_oil().limiting_pressure(313.15), 1537569098.9585);
 }
 
+/// Theory: McEwen.
 #[test]
 fn mcewen() {
     let law = ViscosityLaw::McEwen(McEwen::new(0.04, 20e-9, 8.0).unwrap());
@@ -147,6 +152,8 @@ fn mcewen() {
 }
 
 /// The first constants are those of a mineral oil in a public program.
+///
+/// Theory: Paluch.
 #[test]
 fn paluch() {
     let law = ViscosityLaw::Paluch(Paluch::from_factor(2.78e-14, 27.5, 2.73e9).unwrap());
@@ -158,6 +165,7 @@ fn paluch() {
     assert_relative_eq!(asymptotic, 1.078246926173e-8, max_relative = 1e-8);
 }
 
+/// Theory: hybrid.
 #[test]
 fn hybrid_of_both() {
     let law = ViscosityLaw::Hybrid(Hybrid::new(hybrid()).unwrap());
@@ -203,6 +211,7 @@ fn the_divergence_is_continued() {
     }
 }
 
+/// Theory: Walther.
 #[test]
 fn walther_over_temperature() {
     let law = walther(PressureLaw::Roelands);
@@ -228,6 +237,7 @@ fn walther_over_temperature() {
     close(thin.kinematic_viscosity(413.15) * 1e6, 0.834108429259);
 }
 
+/// Theory: Walther.
 #[test]
 fn walther_over_pressure() {
     let law = ViscosityLaw::Walther(Walther::new(walther(PressureLaw::Roelands)).unwrap());
@@ -275,6 +285,7 @@ fn heat_capacity_constants() -> heat_capacity::ScalingConstants {
     }
 }
 
+/// Theory: Scaling.
 #[test]
 fn thermal_properties_by_scaling() {
     let law = ConductivityScaling::new(conductivity_constants(), t9_density()).unwrap();

@@ -86,6 +86,7 @@ fn fluid_b() -> ViscosityLaw {
     ViscosityLaw::Cheng(Cheng::new(0.268e-3, -4.567e-9, 959.02, 1940.72e-9, 272.65).unwrap())
 }
 
+/// Habchi 2008, eq. 2.10.
 #[test]
 fn dowson_higginson() {
     let law = DensityLaw::dowson_higginson(870.0).unwrap();
@@ -104,6 +105,7 @@ fn dowson_higginson() {
     assert_relative_eq!(law.density(GPA, 320.0), 1051.15333333, max_relative = 1e-11);
 }
 
+/// Habchi 2008, eqs. 2.11 to 2.15.
 #[test]
 fn tait() {
     let (k_0, _) = squalane_volume().bulk_modulus_and_slope(313.0);
@@ -135,6 +137,7 @@ fn tait() {
     );
 }
 
+/// Habchi 2008, eq. 2.17.
 #[test]
 fn barus() {
     let law = ViscosityLaw::barus(0.01, 20e-9).unwrap();
@@ -146,6 +149,7 @@ fn barus() {
     );
 }
 
+/// Habchi 2008, eq. 2.16.
 #[test]
 fn cheng() {
     let glycerol = ViscosityLaw::Cheng(Cheng::new(0.2803, 5.4e-9, 7468.75, 0.0, 313.0).unwrap());
@@ -163,6 +167,8 @@ fn cheng() {
 
 /// The fit of Habchi 2008 scatters about his measurements (appendix C): computed independently, the largest deviation
 /// is 27 % for fluid A (its ambient viscosity at -16 °C) and 7 % for fluid B. Signs or units gone wrong give far more.
+///
+/// Habchi 2008, eq. 2.16.
 #[test]
 fn cheng_fits_measured_viscosities() {
     let pressures = [0.1, 25.0, 50.0, 100.0, 150.0, 200.0, 300.0, 400.0];
@@ -203,6 +209,7 @@ fn cheng_fits_measured_viscosities() {
     );
 }
 
+/// Habchi 2008, eq. 2.18.
 #[test]
 fn roelands() {
     let law = ViscosityLaw::roelands(0.04, 22e-9).unwrap();
@@ -242,6 +249,7 @@ fn roelands() {
     );
 }
 
+/// Habchi 2008, eq. 2.19.
 #[test]
 fn modified_wlf() {
     let law = wlf_oil();
@@ -331,6 +339,7 @@ fn modified_wlf_beyond_the_glass_transition() {
     );
 }
 
+/// Habchi 2008, eqs. 2.20 and 2.21.
 #[test]
 fn doolittle() {
     let law = squalane();
@@ -374,6 +383,7 @@ fn doolittle_keeps_growing_through_its_singularity() {
     }
 }
 
+/// Theory: Pressure-viscosity coefficients.
 #[test]
 fn slopes_at_ambient_pressure() {
     let per_gpa = |law: ViscosityLaw, temperature| law.pressure_viscosity_slope(temperature) * GPA;
@@ -404,6 +414,8 @@ fn slopes_at_ambient_pressure() {
 }
 
 /// Expected: tanh-sinh quadrature of mpmath, 20 digits; 1/α* for Barus in closed form.
+///
+/// Theory: Pressure-viscosity coefficients.
 #[test]
 fn reciprocal_asymptotic_coefficients() {
     let per_gpa = |law: ViscosityLaw, temperature| {

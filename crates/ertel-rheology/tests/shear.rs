@@ -75,6 +75,7 @@ fn laws() -> Vec<ShearThinning> {
     ]
 }
 
+/// Habchi 2008, eq. 4.3.
 #[test]
 fn carreau_values() {
     for (stress, expected) in [
@@ -105,7 +106,7 @@ fn carreau_values() {
 }
 
 /// Tables 4.1 and 4.2 of Habchi (2008). Section 4.5.1.2 says that squalane + PIP loses more than half of its viscosity
-/// at 1 MPa; eq. 4.3 leaves 47 %.
+/// at 1 MPa; Habchi 2008, eq. 4.3, leaves 47 %.
 #[test]
 fn the_database_has_the_laws_of_the_thesis() {
     let at_1_mpa = |name: &str| {
@@ -128,6 +129,7 @@ fn the_database_has_the_laws_of_the_thesis() {
     assert_eq!(newtonian.shear_thinning, None);
 }
 
+/// Theory: Carreau-Yasuda.
 #[test]
 fn carreau_yasuda_values() {
     let second = carreau_yasuda(1e5, 0.5, 2.0, 0.01);
@@ -149,6 +151,7 @@ fn carreau_yasuda_values() {
     }
 }
 
+/// Theory: Ree-Eyring.
 #[test]
 fn eyring_values() {
     let law = eyring(5.0 * MPA);
@@ -164,6 +167,7 @@ fn eyring_values() {
     }
 }
 
+/// Theory: Rabinowitsch and power laws.
 #[test]
 fn rabinowitsch_values() {
     let cubic = rabinowitsch(MPA, 1.0 / 3.0);
@@ -177,6 +181,7 @@ fn rabinowitsch_values() {
     );
 }
 
+/// Theory: Laws, Limiting stress.
 #[test]
 fn limiting_stress_values() {
     let law = ShearThinning::limited(limit());
@@ -204,6 +209,8 @@ fn limiting_stress_values() {
 
 /// Near the limit the exponential takes over with the value and two derivatives of the inverse hyperbolic tangent,
 /// and keeps the stress within a few per cent of the limit.
+///
+/// Theory: Laws, Limiting stress.
 #[test]
 fn the_limit_goes_on_smoothly() {
     let limit = StressLimit::new(1.0, 0.0).unwrap();
@@ -299,6 +306,7 @@ fn closed_limits_at_high_stress() {
     }
 }
 
+/// Theory: Newtonian limits.
 #[test]
 fn stresses_at_the_newtonian_limits() {
     let limits = |law: &ShearThinning| law.newtonian_limits(500.0 * MPA);
@@ -371,6 +379,8 @@ fn impossible_constants_are_rejected() {
 
 /// Smoothing at zero stress, from the documented formula: `u = r² (r² + δ)^(k/2 - 1)`, `δ = 1e-12`, has at zero the
 /// derivatives `δ^(k/2 - 1)` and `(k - 2) δ^(k/2 - 2)` by r², and the fluidity is `1 + c u` there.
+///
+/// Theory: Zero stress.
 #[test]
 fn derivatives_at_zero_stress_are_finite() {
     let at_zero = |law: &ShearThinning, scale: f64| {
@@ -670,6 +680,8 @@ proptest! {
     }
 
     /// Carreau-Yasuda: the fluidity gives back the stress through the law as it is written, in shear rate.
+    ///
+    /// Theory: Carreau-Yasuda.
     #[test]
     fn carreau_yasuda_is_inverted_to_round_off(
         ln_stress in -12.0..18.0_f64,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The modules of the solver, each above those that it may use.
-const SOLVER: [&str; 12] = [
+pub const SOLVER: [&str; 12] = [
     "words",
     "warning",
     "contact",
@@ -20,7 +20,7 @@ const SOLVER: [&str; 12] = [
 ];
 
 /// The modules of the crate `ertel`, likewise; those of the solver are below them all.
-const CASES: [&str; 13] = [
+pub const CASES: [&str; 13] = [
     "files",
     "case",
     "reference",

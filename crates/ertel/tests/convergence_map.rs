@@ -65,6 +65,8 @@ fn the_list_of_sliding_is_valid() {
 /// Line contacts converge cold, and their films lie near Moes' formula. It is for Barus' law and
 /// an incompressible fluid: Roelands' law takes up to 17 % off, compression up to 25 % (the
 /// density of Dowson and Higginson at 4 GPa is 1.31), its own scatter is 6 %.
+///
+/// Theory: Mass balance.
 #[test]
 fn line_contacts() {
     for name in [
@@ -136,6 +138,7 @@ fn heavy_line_contacts() {
     }
 }
 
+/// Theory: Mass balance.
 #[test]
 fn circular_contact() {
     solved("circular-roelands-M50-L5", Some(MeshPreset::Coarse));

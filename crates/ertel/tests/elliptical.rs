@@ -163,6 +163,8 @@ fn a_slender_ellipse_along_its_axis() {
 
 /// Under the pressure of the dry contact the bodies close the gap: G + δ is level inside the ellipse (Johnson 1985, section
 /// 4.2), whatever its axes and the angle of the mesh. The square-root edge of the pressure between nodes leaves 1e-3.
+///
+/// Johnson 1985, eqs. 4.25 to 4.28.
 #[test]
 fn hertz_pressure_closes_the_gap() {
     for (radii, angle) in [

@@ -80,6 +80,7 @@ fn a_formula_is_the_same_in_other_groups() {
     assert_eq!(contact_of_films("moes_load,film_central_m\n1,1e-7\n"), None);
 }
 
+/// Habchi 2008, eqs. 6.3 and 6.4.
 #[test]
 fn the_formula_of_exact_films_is_found() {
     let fit = moes(&grid(|| 0.0)).unwrap();

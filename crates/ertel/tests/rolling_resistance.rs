@@ -10,9 +10,11 @@ use ertel::params::MeshParams;
 use ertel::run::solve;
 use ertel::solve::Silent;
 
-/// T = ½∫h ∂p/∂x is half of what the walls differ by in traction. Of a line 1.47 (2U)^¾ E'R at any load (part 1, eq. 41), of a ball under
-/// M = 200 the formula for all loads (part 2, eq. 32). Found 2.4 and 0.6 % off; the rest of 5 % is for what lies beyond
+/// T = ½∫h ∂p/∂x is half of what the walls differ by in traction. Of a line 1.47 (2U)^¾ E'R at any load (Biboulet and Houpert 2010, part 1, eq. 41), of a ball under
+/// M = 200 the formula for all loads (Biboulet and Houpert 2010, part 2, eq. 32). Found 2.4 and 0.6 % off; the rest of 5 % is for what lies beyond
 /// the inlet edge, on which the resistance of a ball depends.
+///
+/// Biboulet and Houpert 2010, part 2, eq. 32.
 #[test]
 fn films_resist_rolling_as_published() {
     for (kind, load) in [(ContactKind::Line, 3e4), (ContactKind::Circular, 100.0)] {
@@ -39,7 +41,7 @@ fn films_resist_rolling_as_published() {
     }
 }
 
-/// A long ellipse across the motion (axis ratio 3.9, M = 545, close to the asymptote 1.8 β^(−¼) (2b/R)(2U)^¾ E'R² of part 2, eq. 31). The
+/// A long ellipse across the motion (axis ratio 3.9, M = 545, close to the asymptote 1.8 β^(−¼) (2b/R)(2U)^¾ E'R² of Biboulet and Houpert 2010, part 2, eq. 31). The
 /// resistance of an ellipse grows with the logarithm of the area that is reckoned with, whose edge the paper does not give: found
 /// -0.5, +5, +12, +18 and +22 % off with side edges at 2, 3, 5, 10 and 30 semi-axes. At 10 three quarters of it come from within the width of the
 /// dry contact, which is what the paper says. Here the edge is at 2.

@@ -39,6 +39,8 @@ fn sample(solution: &Solution, x: f64) -> usize {
 }
 
 /// No oil leaves a line contact at its sides: ρ̄h at the centre, where pressure drives nothing, is the layer that arrives.
+///
+/// Theory: Starved inlet.
 #[test]
 fn a_line_contact_passes_what_arrives() {
     for share in [0.1, 0.4, 0.8] {
@@ -60,6 +62,8 @@ fn a_line_contact_passes_what_arrives() {
 
 /// From a place before the contact, where the viscosity is not yet high, Reynolds' equation of the mass flow ρ_R u h_oil,
 /// p' = 12 μ u (h − ρ_R h_oil/ρ)/h³, leads upstream to p = 0: there is the meniscus.
+///
+/// Theory: Starved inlet.
 #[test]
 fn pressure_ends_at_the_meniscus() {
     let (case, thickness) = layer(ContactKind::Line, 0.5, 5e-4);

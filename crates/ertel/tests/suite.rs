@@ -4,6 +4,7 @@ mod arrows;
 mod cold_starts;
 mod common;
 mod convergence_map;
+mod developer;
 mod elliptical;
 mod examples;
 mod figures;

@@ -59,6 +59,8 @@ fn equivalent_body_replaces_two_bodies() {
 ///
 /// With constant density and Barus's law the dimensionless equations know M and L alone (λ and
 /// α p_h follow from them), so the films in a²/R, and h/(R √(2U)) with them, are the same number.
+///
+/// Habchi 2008, eq. 2.28.
 #[test]
 fn similar_contacts_have_similar_films() {
     let (m, l) = (30.0, 3.0);
@@ -104,7 +106,7 @@ fn similar_contacts_have_similar_films() {
     }
 }
 
-/// An isothermal Newtonian film depends on the mean speed only (Habchi 2008, eq. 2.21).
+/// An isothermal Newtonian film depends on the mean speed only (Habchi 2008, eq. 2.29).
 #[test]
 fn sliding_changes_neither_film_nor_pressure() {
     let mut case = common::case(ContactKind::Line, 3e5);

@@ -33,6 +33,8 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
 
 /// Against the same equations solved to a ten-thousandth of the tolerance, temperature rise, pressure and film are within the
 /// tolerance; the coupling says so by c q/(1 − q) of its last changes, and goes on for no more than a round beyond.
+///
+/// Theory: Film and heat together.
 #[test]
 fn the_error_left_is_within_the_tolerance() {
     for (speed, slide) in [(0.8, 0.4), (2.0, 0.5)] {

@@ -226,6 +226,8 @@ fn patch_tests() {
 }
 
 /// L2 order of convergence: element order + 1.
+///
+/// Habchi 2008, eqs. 3.4 and 3.5.
 #[test]
 fn manufactured_displacement() {
     for (dim, coarse) in [(2, 0.2), (3, 0.5)] {
@@ -342,6 +344,8 @@ fn shape_error(d: &Discretisation) -> f64 {
 
 /// Deflection under the Hertz pressure against the half-space (Johnson 1985, section 3.4, 4.2):
 /// the error halves at least when the cells do, until the finite body shows.
+///
+/// Habchi 2008, eq. 3.6.
 #[test]
 fn hertz_deflection_under_refinement() {
     for (kind, body, size, tolerance) in [

@@ -291,6 +291,8 @@ fn film_at(problem: &Problem, held: bool, warmer: impl Fn(f64) -> f64) -> FilmCo
 
 /// In pure rolling the pressure drives the same flow through a warmer film, whatever the fluid and the profile; at the old gradient it
 /// would be more than twice as much. A Newtonian film is heated by the stress of the gradient that this takes.
+///
+/// Theory: The flow is held.
 #[test]
 fn a_held_flow_is_that_of_the_film_before() {
     for thins in [false, true] {
@@ -340,6 +342,8 @@ fn a_held_flow_is_that_of_the_film_before() {
 }
 
 /// With the temperature of a node the heat of a held flow changes by itself, by the stress at mid-film, and by the pressure gradient.
+///
+/// Theory: The flow is held.
 #[test]
 fn heat_of_a_held_flow_by_temperature() {
     for (thins, slide) in [(false, 0.0), (false, SLIDE), (true, 0.0), (true, SLIDE)] {

@@ -61,6 +61,8 @@ fn flow(fluid: &FilmFluid, state: &PointState<f64>, place: [f64; 2]) -> (Flow<f6
 }
 
 /// ∂Q_x/∂X + ∂Q_y/∂Y, ∂Q_x/∂P_x and H ∂ρ̄/∂X at a fixed P by central differences: of steps of 1e-4, with flows to 1e-10, 1e-5 of them.
+///
+/// Habchi 2008, eqs. 4.9 and 4.11.
 #[test]
 fn divergence_is_that_of_the_flow() {
     let carreau = ShearLaw::Carreau(Carreau::new(2e5, 0.5, 2.2, 0.05).unwrap());

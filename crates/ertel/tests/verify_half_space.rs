@@ -131,6 +131,8 @@ fn line_deflection(n: u32, x: f64) -> f64 {
 }
 
 /// The series at n = 1 is Hertz's deflection.
+///
+/// Johnson 1985, eq. 2.24b.
 #[test]
 fn closed_form_of_the_line_is_hertzs() {
     let centre = line_deflection(1, 0.0);
@@ -142,6 +144,8 @@ fn closed_form_of_the_line_is_hertzs() {
 
 /// Hertz's pressure ends in a root, of which an element of size h leaves out h^½ on a length h: the deflection's
 /// order is 3/2, whatever the elements. How the rim of a circle cuts its cells scatters the errors: the mean order counts.
+///
+/// Johnson 1985, eqs. 3.19 and 2.24b.
 #[test]
 fn deflection_under_the_hertz_pressure() {
     for (kind, size, last) in [

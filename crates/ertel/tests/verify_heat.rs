@@ -177,6 +177,8 @@ fn manufactured(kind: ContactKind, order: usize, sizes: [f64; 3]) {
     }
 }
 
+/// Theory: Energy.
+/// Habchi 2008, eqs. 5.11, 5.13, 5.14 and 5.26.
 #[test]
 fn manufactured_temperatures() {
     manufactured(ContactKind::Line, 1, [0.2, 0.1, 0.05]);
@@ -188,6 +190,8 @@ fn manufactured_temperatures() {
 /// Couette flow between walls that the bodies keep at one temperature, no convection, no pressure: stress and
 /// heat are the same at every height but for the viscosity, k T'' = −τ²/μ(T). By symmetry T' = 0 at mid-film; the profile
 /// is integrated from there by Runge and Kutta's method, τ chosen such that the surfaces slide as they should.
+///
+/// Habchi 2008, eq. 5.11.
 #[test]
 fn couette_heating() {
     let mut case = heated_case(ContactKind::Line, 8);
@@ -374,6 +378,8 @@ fn directions_of_the_flow_are_alike() {
 
 /// A band of heat on a moving half-space (Jaeger 1942): on its surface
 /// T(x) = q/(πk) ∫_{−1}^{1} e^{Pe(x − x')} K₀(Pe|x − x'|) a dx', Pe = ua/(2κ). The other body is an insulator.
+///
+/// Habchi 2008, eqs. 5.13 and 5.14.
 #[test]
 fn moving_heat_source() {
     for (speed, flux) in [(0.2, 1e5), (4.0, 1e5)] {

@@ -67,6 +67,8 @@ fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Condensed and monolithic Newton end at the same solution of the same discrete equations.
+///
+/// Habchi 2008, eq. 3.22.
 #[test]
 fn condensed_path_equals_monolithic_path() {
     for kind in [ContactKind::Line, ContactKind::Circular] {
@@ -107,6 +109,8 @@ impl Observer for LastLevel {
 /// Updates u_k of the last iterations: order ln(u_(k+1)/u_k)/ln(u_k/u_(k−1)) is 2 while the updates
 /// lie between the nonlinear start and what linear solves leave; a Jacobian that is wrong by a per cent has
 /// order 1.
+///
+/// Theory: How it is solved.
 #[test]
 fn newton_converges_quadratically() {
     use ElasticModel::{Equivalent, HalfSpace};

@@ -448,6 +448,7 @@ fn circular(order: usize) -> [f64; 2] {
     [h, 0.5 * h]
 }
 
+/// Habchi 2008, eqs. 2.29, 3.8 and 3.9.
 #[test]
 fn line_galerkin() {
     expect(
@@ -458,16 +459,20 @@ fn line_galerkin() {
     );
 }
 
+/// Habchi 2008, eqs. 3.13 to 3.15 and 3.17.
 #[test]
 fn line_supg() {
     expect(ContactKind::Line, line, Film::Newtonian, Formulation::Supg);
 }
 
+/// Theory: Weak form.
+/// Habchi 2008, eqs. 3.13, 3.16 and 3.17.
 #[test]
 fn line_gls() {
     expect(ContactKind::Line, line, Film::Newtonian, Formulation::Gls);
 }
 
+/// Habchi 2008, eqs. 2.29, 3.8 and 3.9.
 #[test]
 fn circular_galerkin() {
     expect(
@@ -488,6 +493,7 @@ fn circular_supg() {
     );
 }
 
+/// Theory: Weak form.
 #[test]
 fn circular_gls() {
     expect(
@@ -511,6 +517,7 @@ fn elliptical() {
     }
 }
 
+/// Habchi 2008, eqs. 4.9, 4.11 and 4.12.
 #[test]
 fn line_shear_thinning() {
     for formulation in [Formulation::Galerkin, Formulation::Supg, Formulation::Gls] {
@@ -544,6 +551,8 @@ fn elliptical_shear_thinning() {
 
 /// Isotropic diffusion, ρ_id h_e|β|/(2l) ∇P·∇W, is not consistent: whatever the element, the error
 /// falls with h only.
+///
+/// Habchi 2008, eq. 3.18.
 #[test]
 fn isotropic_diffusion_is_of_first_order() {
     for (kind, sizes) in [

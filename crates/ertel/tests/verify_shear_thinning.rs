@@ -187,6 +187,9 @@ fn sliding_in_eyrings_fluid_has_the_traction_of_its_closed_form() {
 /// The rest of the balance, −∫∇p·(ṁ/ρ) dA, vanishes: ∇p/ρ(p) is a gradient, ṁ is free of sources, and
 /// the pressure is zero around the contact area. What is left is the error of the mesh, which counts most where
 /// nothing slides and all power goes into the pressure's work: lines take the finer one.
+///
+/// Theory: Traction and heat.
+/// Habchi 2008, eq. 4.15.
 #[test]
 fn friction_is_what_the_surfaces_put_in() {
     for (kind, law, srr) in [

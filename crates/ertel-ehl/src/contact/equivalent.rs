@@ -32,7 +32,7 @@ mod tests {
         poissons_ratio: 0.208,
     };
 
-    /// Habchi 2008, remark after eq. A.8: equal bodies give E/2 and the same ν.
+    /// Habchi 2008, eq. A.8, and the remark after it: equal bodies give E/2 and the same ν.
     #[test]
     fn equal_bodies_halve_the_modulus() {
         let body = equivalent_body(STEEL, STEEL);

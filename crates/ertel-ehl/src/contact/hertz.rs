@@ -163,7 +163,7 @@ mod tests {
         }
     }
 
-    /// Line contact, Johnson (1985) eq. 4.43-4.45 with E* = E'/2: p_h² = w E*/(π R).
+    /// Line contact, Johnson 1985, eqs. 4.43 to 4.45, with E* = E'/2: p_h² = w E*/(π R).
     #[test]
     fn line_contact_pressure() {
         let contact = Contact::line(0.015, 2.0e5);

@@ -18,10 +18,10 @@ pub struct Scales {
     pub viscosity: f64,
     /// Density ρ_R at ambient pressure and the case's temperature, kg/m³.
     pub density: f64,
-    /// λ = 12 u_m μ_R R²/(a³ p_h); the Reynolds diffusion is ρ̄H³/(μ̄λ) (eq. 2.29).
+    /// λ = 12 u_m μ_R R²/(a³ p_h); the Reynolds diffusion is ρ̄H³/(μ̄λ) (Habchi 2008, eq. 2.29).
     pub lambda: f64,
     /// Stress scale of the elastic problem, R p_h/a, Pa: a body of modulus E has the
-    /// dimensionless modulus E/(R p_h/a) (eq. 3.6).
+    /// dimensionless modulus E/(R p_h/a) (Habchi 2008, eq. 3.6).
     pub elastic_stress: f64,
     /// ∫P over the part that is solved: π/2 of a line, π/3 of half a circle.
     pub load: f64,

@@ -1,4 +1,6 @@
 //! The Hertz zone: where the dry contact carries pressure.
+//!
+//! Theory: Contact area.
 
 use std::sync::Arc;
 

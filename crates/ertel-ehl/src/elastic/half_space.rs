@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   δ(x) = C/π ∫ P(y)/|x − y| dA              point contacts   (Johnson 1985, eq. 3.19)
-//!   δ(x) = −2C/π ∫ P(y) ln(|x − y|/d) dy      line contacts    (eq. 2.24b), zero at the distance d of the load
+//!   δ(x) = −2C/π ∫ P(y) ln(|x − y|/d) dy      line contacts    (Johnson 1985, eq. 2.24b), zero at the distance d of the load
 //!
 //!   C = Σ(1 − ν²)/E over the bodies
 //! ```

@@ -11,6 +11,8 @@
 //! depends on the stress, so that what is left is this small problem at each point of the contact, solved
 //! to round-off. It is convex: τ is the minimum of ∫ W(|t|²) ds − Ω·τ, W' = f/2. First and second
 //! derivatives of q by y = (G_x, G_y, Ω_x, Ω_y, P) follow by implicit differentiation.
+//!
+//! Theory: The flow through the film.
 
 use std::ops::{Add, Mul};
 

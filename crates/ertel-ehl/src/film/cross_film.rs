@@ -12,6 +12,8 @@
 //! Where the stress nears its limit the film is laid in panels along ξ = |G||s − s₀|, |t|² = ξ² + τ_⊥², from
 //! s₀ to each wall (`panels`): the fluidity has a logarithm at the limit, and beyond it grows e-fold
 //! over 0.1 % of the limit.
+//!
+//! Theory: Integration points across the film.
 
 use std::sync::OnceLock;
 

@@ -5,6 +5,8 @@
 //! ```
 //! A is the thinning law, a function of stress alone, and B the limiting stress. A closure asks for A
 //! hundreds of times; where A varies by powers it is read from a table.
+//!
+//! Theory: Evaluation of the law.
 
 use std::sync::Arc;
 

@@ -11,6 +11,8 @@
 //! ```
 //! As [`super::closure`], with E and e of [`super::thermal`]; d and g stand for G_x, G_y, Ω_x, Ω_y, P and for X, Y, along
 //! which the temperature changes. Of the latter only what a divergence needs is kept.
+//!
+//! Theory: The film when its temperature varies.
 
 use super::closure::{
     ACROSS_MOTION, Closure, N_DEMANDS, PRESSURE, contract, mid_stress, multiply, plus, solve,

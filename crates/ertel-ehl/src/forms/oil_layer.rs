@@ -9,6 +9,8 @@
 //! meniscus: oil that arrives flows on at once or is held back by pressure, (H − H_oil) u = ε ∂P/∂X there, as mass conservation asks
 //! for (Jakobsson and Floberg 1957; Elrod, J. Lubr. Technol. 103 (1981) 350-354). Here the gap fills up over a length l: P grows
 //! e-fold over l, at first, until θ = 1. Pressures just below zero, where the film has broken, stand for less oil than the layer. What flows in is ρ̄H_oil whatever l is, so that a line contact is the same downstream of it.
+//!
+//! Theory: Starved inlet.
 
 use super::dual::Number;
 use crate::contact::OilLayer;

@@ -34,6 +34,8 @@
 //!
 //! Habchi 2008, eqs. 2.29, 3.8, 3.9, 3.13 to 3.18, 4.12; f = 0 but for manufactured solutions. The
 //! convection term is integrated by parts, so that the discrete equation conserves mass.
+//!
+//! Theory: Weak form.
 
 use crate::contact::{OilLayer, Planar};
 use crate::forms::dual::Number;

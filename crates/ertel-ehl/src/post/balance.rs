@@ -1,4 +1,6 @@
 //! Mass balance of the film between its inlet and its centre.
+//!
+//! Theory: Mass balance.
 
 use crate::contact::Symmetry;
 use crate::solve::flux::mass_flux;

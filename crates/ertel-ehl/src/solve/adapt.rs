@@ -1,4 +1,6 @@
 //! Local refinement until the films are as accurate as asked for.
+//!
+//! Theory: Refinement.
 
 use super::bars::{Compared, compared};
 use super::discretisation::LevelSizes;

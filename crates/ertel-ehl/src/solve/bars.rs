@@ -1,4 +1,6 @@
 //! Error bars of all figures, from those of the films and from the meshes of a solve.
+//!
+//! Theory: Error bar.
 
 use crate::solution::{Bar, Bars, ErrorClass, Estimate, Figure, LevelStats, Measured, Reading};
 

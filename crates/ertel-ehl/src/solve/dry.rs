@@ -1,4 +1,6 @@
 //! The dry contact of a roller by the elastic operator: where its rim lies, and the pressures of a start.
+//!
+//! Theory: Dry contact.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

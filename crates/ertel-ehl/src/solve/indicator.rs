@@ -11,6 +11,8 @@
 //! |k|/(2C) for the wave number k; the second the Reynolds equation's, with diffusion, convection, and
 //! the deflection that a pressure makes. The errors e are estimated from how little the polynomials of
 //! neighbouring elements continue each other.
+//!
+//! Theory: Error estimate.
 
 use ertel_fem::assembly::CONSTRAINED;
 use ertel_fem::quadrature::Quadrature;

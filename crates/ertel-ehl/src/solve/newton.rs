@@ -9,6 +9,8 @@
 //!   that would lead out there are shortened, and a falling residual counts as progress.
 //!
 //! Near the solution none of these acts beyond second order, and convergence is quadratic.
+//!
+//! Theory: How it is solved.
 
 use std::cell::RefCell;
 

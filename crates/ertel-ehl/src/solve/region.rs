@@ -6,6 +6,8 @@
 //! Elements that the end cuts have the weights w_q c(ξ_q): c is the projection of the region, 1 inside and 0 outside, onto polynomials
 //! of the second order, with which every such polynomial is summed over the part inside as if that had a rule of its own (moment
 //! fitting, as in Müller, Kummer and Oberlack, International Journal for Numerical Methods in Engineering 96 (2013) 512-528).
+//!
+//! Theory: Where the sums end.
 
 use ertel_fem::quadrature::Quadrature;
 

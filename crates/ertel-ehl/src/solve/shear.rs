@@ -13,6 +13,8 @@
 //!   work = dissipation + ∮ g m·n dl,  g = ∫dp/ρ         ∇·m = 0 of the mass flow m; round the end of the sum, where p is not zero
 //!   ∫ h ∂p/∂x dA = −∫ p ∂h_0/∂x dA                      round all of the film: a half-space presses itself nowhere, ∫ p ∂δ/∂x dA = 0
 //! ```
+//!
+//! Theory: Traction and heat.
 
 use std::f64::consts::PI;
 

@@ -4,6 +4,8 @@ use crate::Scalar;
 use crate::error::{Check, LawError};
 
 /// A thermal conductivity that does not change: `k = k₀`.
+///
+/// Theory: Conductivity and heat capacity, Constant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// Conductivity k₀ (W/(m·K)).

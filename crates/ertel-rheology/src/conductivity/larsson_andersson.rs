@@ -10,6 +10,8 @@ use crate::error::{Check, LawError};
 /// ```
 ///
 /// Temperature has no influence.
+///
+/// Theory: Larsson and Andersson.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LarssonAndersson {
     /// Conductivity k₀ at ambient pressure (W/(m·K)).

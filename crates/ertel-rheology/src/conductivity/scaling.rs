@@ -13,6 +13,8 @@ use crate::{DensityLaw, Scalar};
 ///
 /// `V/V_R` is the volume relative to that at ambient pressure and T_R, from the density law of the lubricant. The
 /// bracket is held at a half where it falls below, which happens only far above measured temperatures.
+///
+/// Theory: Scaling.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scaling {
     /// Constants of the law.

@@ -7,6 +7,8 @@ use crate::{LawError, Scalar};
 ///
 /// Monotone cubic (PCHIP) in pressure along each isotherm, then in temperature: exact at the knots, no overshoot.
 /// Beyond the first and last pressure or temperature the end value holds.
+///
+/// Theory: Conductivity and heat capacity, Table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     isotherms: Isotherms,

@@ -132,6 +132,8 @@ impl BaseOil {
     /// The factor 1.36 is not theirs. 44 independent initial slopes (38 of mineral oils, 4 of PAO, 2 of esters) lie 1.05 to
     /// 1.64 times above `s ν^t`, on average 1.36 times with a standard deviation of 0.14: presumably the paper means the
     /// coefficient between ambient pressure and 200 MPa, which is smaller than the initial slope that the laws take.
+    ///
+    /// Theory: Pressure-viscosity coefficient.
     pub fn pressure_viscosity(self, nu: f64) -> Estimate {
         let (s, t) = match self {
             Self::Mineral => (0.9904, 0.1390),

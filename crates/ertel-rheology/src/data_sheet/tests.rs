@@ -89,7 +89,9 @@ fn the_estimate_is_centred_in_measured_slopes() {
 }
 
 /// Between 30 and 100 degC: how far laws through two coefficients are from the third, measured at 60 degC (mean, rms and largest
-/// deviation of 12 oils, shares), and what one coefficient makes of 100 degC. Decision 28.
+/// deviation of 12 oils, shares), and what one coefficient makes of 100 degC. Decision 29.
+///
+/// Theory: Coefficients at two temperatures.
 #[test]
 fn coefficients_between_two_temperatures() {
     let temperatures = [303.15, 333.15, 373.15_f64];

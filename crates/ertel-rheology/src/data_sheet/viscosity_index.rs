@@ -1,4 +1,6 @@
 //! The viscosity index.
+//!
+//! Theory: Viscosity index.
 
 use super::index_table::{H, L, row};
 

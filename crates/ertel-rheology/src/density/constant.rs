@@ -4,6 +4,8 @@ use crate::Scalar;
 use crate::error::{Check, LawError};
 
 /// Incompressible lubricant: `ρ = ρ₀`.
+///
+/// Theory: Density, Constant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// Density ρ₀ (kg/m³).

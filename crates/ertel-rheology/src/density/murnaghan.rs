@@ -17,6 +17,8 @@ use crate::error::{Check, LawError};
 ///
 /// Without the temperature terms, `K₀ = K₀R`, `K₀' = K₀R'` and `V₀ = V_R`: constants of one isotherm. The bulk modulus
 /// `K₀ + K₀' p` is linear in pressure.
+///
+/// Theory: Murnaghan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Murnaghan {
     /// Density ρ₀ at ambient pressure and reference temperature (kg/m³).

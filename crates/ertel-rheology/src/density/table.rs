@@ -7,6 +7,8 @@ use crate::{LawError, Scalar};
 ///
 /// Monotone cubic (PCHIP) in pressure along each isotherm, then in temperature: exact at the knots, continuous slope,
 /// no overshoot. Beyond the first and last pressure or temperature it continues in a straight line.
+///
+/// Theory: Viscosity, Table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     isotherms: Isotherms,

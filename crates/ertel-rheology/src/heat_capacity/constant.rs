@@ -4,6 +4,8 @@ use crate::Scalar;
 use crate::error::{Check, LawError};
 
 /// A heat capacity that does not change: `c = c₀`.
+///
+/// Theory: Conductivity and heat capacity, Constant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// Heat capacity c₀ (J/(kg·K)).

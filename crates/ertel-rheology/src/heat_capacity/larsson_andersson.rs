@@ -18,6 +18,8 @@ use crate::{DensityLaw, Scalar};
 ///
 /// The density law of the lubricant turns it into the heat capacity per mass. The bracket of the temperature is held
 /// at a tenth where it falls below, which happens only far from any measured state.
+///
+/// Theory: Larsson and Andersson.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LarssonAndersson {
     /// Constants of the law.

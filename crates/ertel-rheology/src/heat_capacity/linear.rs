@@ -11,6 +11,8 @@ use crate::linear::LinearFactor;
 /// ```
 ///
 /// A falling line is held at a tenth of c₀, far from any state for which it was drawn.
+///
+/// Theory: Conductivity and heat capacity, Linear.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Linear {
     /// Heat capacity c₀ at ambient pressure and T_R (J/(kg·K)).

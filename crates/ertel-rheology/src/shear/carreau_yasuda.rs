@@ -21,6 +21,8 @@ use crate::error::{Check, LawError};
 /// ```
 ///
 /// whose left side grows with `ln φ` at a rate between n and 1.
+///
+/// Theory: Carreau-Yasuda.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CarreauYasuda {
     /// Shear modulus G (Pa): the relaxation time λ is `μ₁/G`.

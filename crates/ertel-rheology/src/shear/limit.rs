@@ -25,6 +25,8 @@ use crate::error::{Check, LawError};
 /// ([`StressLimit::softened`]).
 ///
 /// Below ambient pressure τ_L falls less and less and stays positive; two derivatives are continuous at `p = 0`.
+///
+/// Theory: Laws, Limiting stress.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StressLimit {
     /// Limiting stress τ_L0 at ambient pressure (Pa).

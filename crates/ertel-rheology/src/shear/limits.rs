@@ -1,4 +1,6 @@
 //! Where the Newtonian plateaus end and begin.
+//!
+//! Theory: Newtonian limits.
 
 use num_dual::{Dual64, DualNum as _};
 

@@ -12,6 +12,8 @@ const SMALLEST_SQUARE: f64 = 1e-12;
 ///
 /// Second derivatives of the power itself are infinite at zero for `k < 4` other than 2. The relative difference is
 /// `(1 - k/2) 1e-12/r²`.
+///
+/// Theory: Zero stress.
 #[inline]
 pub(super) fn smooth_power<D: Scalar>(square: D, k: f64) -> D {
     square * (square + SMALLEST_SQUARE).powf(0.5 * k - 1.0)

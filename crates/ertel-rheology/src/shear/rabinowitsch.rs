@@ -13,6 +13,8 @@ use crate::error::{Check, LawError};
 /// ```
 ///
 /// With `n = 1/3` the cubic law of Rabinowitsch (1929); far beyond τ₀ the power law `τ_e ∝ γ̇ⁿ`.
+///
+/// Theory: Rabinowitsch and power laws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rabinowitsch {
     /// Stress τ₀ (Pa) at which the viscosity has halved.

@@ -9,6 +9,8 @@ use crate::error::{Check, LawError};
 /// ```text
 /// γ̇ = (τ₀/μ₁) sinh(τ_e/τ₀)
 /// ```
+///
+/// Theory: Ree-Eyring.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReeEyring {
     /// Eyring stress τ₀ (Pa).

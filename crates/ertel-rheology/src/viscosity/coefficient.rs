@@ -1,4 +1,6 @@
 //! Pressure-viscosity coefficients that follow from a law.
+//!
+//! Theory: Pressure-viscosity coefficients.
 
 use num_dual::first_derivative;
 use thiserror::Error;

@@ -4,6 +4,8 @@ use crate::Scalar;
 use crate::error::{Check, LawError};
 
 /// Isoviscous lubricant: `μ = μ₀`.
+///
+/// Theory: Viscosity, Constant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
     /// Viscosity μ₀ (Pa·s).

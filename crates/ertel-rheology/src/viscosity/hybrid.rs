@@ -13,6 +13,8 @@ use crate::error::{Check, LawError};
 ///
 /// The product of [`McEwen`](super::McEwen) and [`Paluch`](super::Paluch), with the continuation of the latter. The
 /// initial slope is `α = a₀ + C_F/p∞`. Constants of one isotherm.
+///
+/// Theory: hybrid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hybrid {
     /// Viscosity μ₀ at ambient pressure (Pa·s).

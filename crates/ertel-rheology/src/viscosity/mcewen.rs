@@ -12,6 +12,8 @@ use crate::error::{Check, LawError};
 ///
 /// α is the initial slope. For large `q` the law becomes that of Barus; the reciprocal asymptotic coefficient is
 /// `α* = α (q - 1)/q` and exists for `q > 1`. Constants of one isotherm.
+///
+/// Theory: McEwen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct McEwen {
     /// Viscosity μ₀ at ambient pressure (Pa·s).

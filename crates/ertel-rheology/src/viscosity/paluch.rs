@@ -12,6 +12,8 @@ use crate::error::{Check, LawError};
 ///
 /// The initial slope is `α = C_F/p∞`. Once the formula predicts `ln(μ/μ₀) > 300`, `1/(1 - p/p∞)` continues as a
 /// parabola with the same value and two derivatives, so that the viscosity keeps growing. Constants of one isotherm.
+///
+/// Theory: Paluch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Paluch {
     /// Viscosity μ₀ at ambient pressure (Pa·s).

@@ -8,6 +8,8 @@ use crate::{LawError, Scalar};
 /// `ln μ` is interpolated by monotone cubics (PCHIP) in pressure along each isotherm, then in temperature: exact at the
 /// knots, continuous slope, no overshoot. Beyond the first and last pressure or temperature `ln μ` continues in a
 /// straight line.
+///
+/// Theory: Viscosity, Table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     /// Of `ln μ`.

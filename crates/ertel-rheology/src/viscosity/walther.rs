@@ -29,6 +29,9 @@ use crate::{DensityLaw, Scalar};
 /// which is positive and monotone at every temperature. k = 0, the same index at every temperature, is Roelands' law itself. He
 /// lets Z follow `C + D lg(1 + t/135)`, t in degC, which is within 1 % of the power between 30 and 100 degC but negative
 /// somewhere.
+///
+/// Theory: Walther.
+/// Theory: Coefficients at two temperatures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Walther {
     /// Constant A of Walther's equation (-).

@@ -16,6 +16,8 @@ use crate::error::{Check, LawError};
 /// liquid, above its glass transition (`T > T_g`); `F` stays positive at every pressure. At the pressure of the glass
 /// transition `x` vanishes and the formula approaches a pole; from there on `ln μ` continues along its tangent in
 /// pressure.
+///
+/// Theory: Improved Yasutomi.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImprovedYasutomi {
     /// Viscosity μ_g at the glass transition (Pa·s).

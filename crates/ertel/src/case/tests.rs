@@ -242,6 +242,8 @@ fn a_hertz_pressure_out_of_range_tells_the_loads_that_fit() {
 }
 
 /// A silicone rubber ball on silicone rubber: E' = 2 E/(2 (1 − ν²)) = 3.2 MPa, p_h = 192.5 kPa and a = 1.796 mm by hand.
+///
+/// Habchi 2008, eq. 2.27.
 #[test]
 fn soft_bodies_are_read() {
     let rubber = "{ youngs_modulus = \"2.4 MPa\", poissons_ratio = 0.5 }";

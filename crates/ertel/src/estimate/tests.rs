@@ -122,7 +122,7 @@ fn isoviscous_case() {
     assert_eq!(e.thermal.factors, []);
 }
 
-/// Habchi 2008, section 6.1: 1500 kg/m³ · 10 m/s · 100 nm / 0.5 mPa·s = 3; times 100 nm/100 µm, 0.003.
+/// Habchi 2008, eq. 6.1: 1500 kg/m³ · 10 m/s · 100 nm / 0.5 mPa·s = 3; times 100 nm/100 µm, 0.003.
 #[test]
 fn reynolds_number_of_the_thesis() {
     let re = film_reynolds(1500.0, 10.0, 100e-9, 5e-4, 100e-6);

@@ -9,7 +9,7 @@
 //! on the pressure-viscosity coefficient. R and a are along the motion, R_s and b across it, E is the complete elliptic integral of the
 //! parameter 1 − κ². β goes from 1 (circle) to 4/π (long ellipse across the motion).
 //!
-//! Source: Biboulet and Houpert, Proc. IMechE J 224 (2010), part 1 (line, eq. 42) and part 2 (elliptical, eqs. 14, 32 and 41).
+//! Source: Proc. IMechE J 224 (2010): of lines Biboulet and Houpert 2010, part 1, eq. 42; of ellipses Biboulet and Houpert 2010, part 2, eqs. 14, 32 and 41.
 //! Constants read in stored texts of both. They treat ellipses as wide as a circle or wider, with the motion along the short axis.
 
 use std::f64::consts::PI;

@@ -92,6 +92,8 @@ impl Film {
 ///   M = 4πμΔω a²R [S − H_0 ln(1 + S/H_0)],  F = 2πμΔu R ln(1 + S/H_0),  S = (l/a)²/2,  power = F Δu + M Δω
 /// ```
 /// They end where the bodies do, though the film goes on.
+///
+/// Theory: Where the sums end.
 #[test]
 fn a_paraboloid_that_spins() {
     let motion =

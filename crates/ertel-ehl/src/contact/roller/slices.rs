@@ -1,4 +1,6 @@
 //! The dry contact of a roller, slice by slice: where a film starts from, and what a mesh is drawn around.
+//!
+//! Theory: Dry contact.
 
 use nalgebra::{DMatrix, DVector};
 

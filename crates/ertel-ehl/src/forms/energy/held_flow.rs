@@ -8,6 +8,8 @@
 //! layer shears faster and heats up further, whereas in the contact mass is conserved: what flows through the gap is given by the
 //! motion, and a film that thins needs less of a pressure gradient. So the flow that the pressure drives is held at that of the last
 //! films (Ψ₀, of their temperatures) instead of the gradient, which changes by κ. Once film and heat agree κ is one.
+//!
+//! Theory: The flow is held.
 
 use super::Heights;
 use crate::film::closure::{dot, mid_stress, solve};

@@ -7,6 +7,8 @@
 //! With the whole mass matrix on the left, heat is conserved: for temperatures T = Σ T_j(s) λ_j what the energy equation lets the film
 //! take up, ∫∫ ρu·∇T + ωT_s ds dA, is what flows out through the edge, because ∫ λ_j (∇·m + ω) dA is zero at each height for each j. With
 //! the mass matrix lumped, or without the edge, it is not: in coarse inlets, where warm lubricant flows back, heat would be lost or made.
+//!
+//! Theory: Energy.
 
 use super::space::HeatSpace;
 use crate::solve::discretisation::Discretisation;

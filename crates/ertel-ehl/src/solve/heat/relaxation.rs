@@ -9,6 +9,8 @@
 //! ```
 //! with the defects r of this round and r₁ of the one before, of which ω₁ was taken. The ratio of defects alone would not do: of a
 //! share ω it is 1 − ω at the least, however fast whole temperatures would converge.
+//!
+//! Theory: Film and heat together.
 
 /// Ratio of defects beyond which only shares of new temperatures are taken.
 const SLOW: f64 = 0.7;

@@ -1,0 +1,108 @@
+//! Files and names that the pages for developers link.
+
+use std::fs;
+
+use super::pages::{links, read, root};
+use super::source::{defined, rust_files};
+
+/// Pages that are written by hand; each names a function, type or constant as the text of a link to its file.
+const PAGES: [&str; 3] = ["architecture.md", "recipes.md", "debugging.md"];
+
+/// Whether a file defines what is named: a path of Rust by its last part, a key of TOML, or anything that begins a line.
+fn has(path: &str, name: &str) -> bool {
+    let text = read(path);
+    let last = name.trim_end_matches("()").rsplit("::").next().unwrap();
+    match path.rsplit('.').next() {
+        Some("rs") => text.lines().any(|line| defined(line) == Some(last)),
+        _ => text.contains(last),
+    }
+}
+
+#[test]
+fn names_of_the_developer_pages_are_in_their_files() {
+    let mut wrong = Vec::new();
+    let mut n_names = 0;
+    for page in PAGES {
+        let text = read(&format!("docs/developer/{page}"));
+        for (shown, target) in links(&text) {
+            let Some(path) = target.strip_prefix("../../") else {
+                continue;
+            };
+            if !root().join(path).exists() {
+                wrong.push(format!("{page}: {path} is not there"));
+                continue;
+            }
+            let Some(name) = shown.strip_prefix('`').and_then(|s| s.strip_suffix('`')) else {
+                continue;
+            };
+            // Files by their names, and folders.
+            let is_file =
+                name.contains(['/', '.']) || fs::metadata(root().join(path)).unwrap().is_dir();
+            let stem = path.trim_end_matches("/mod.rs").trim_end_matches(".rs");
+            if is_file || stem.ends_with(&format!("/{name}")) {
+                continue;
+            }
+            n_names += 1;
+            if !has(path, name) {
+                wrong.push(format!("{page}: {path} has no {name}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(n_names > 40, "only {n_names} names were found");
+}
+
+/// Names of Rust files in code spans of a text: `solve/ridge.rs`.
+fn files_named(text: &str) -> Vec<&str> {
+    let spans = text
+        .lines()
+        .flat_map(|line| line.split('`').skip(1).step_by(2));
+    let is_path = |span: &&str| {
+        let is_part = |c: char| c.is_ascii_alphanumeric() || "_-/.".contains(c);
+        span.ends_with(".rs") && span.contains('/') && span.chars().all(is_part)
+    };
+    spans.filter(is_path).collect()
+}
+
+/// Theory, decisions and the other pages name files that are there: `solve/ridge.rs` is one of some crate.
+#[test]
+fn files_that_pages_name_are_there() {
+    let all = rust_files("crates");
+    let mut pages = vec!["CONTRIBUTING.md".to_owned()];
+    for folder in [
+        "docs",
+        "docs/theory",
+        "docs/decisions",
+        "docs/developer",
+        "docs/reference",
+        "docs/guide",
+    ] {
+        for entry in fs::read_dir(root().join(folder)).unwrap() {
+            let path = format!("{folder}/{}", entry.unwrap().file_name().display());
+            if path.ends_with(".md") {
+                pages.push(path);
+            }
+        }
+    }
+    let mut wrong = Vec::new();
+    for page in pages {
+        let text = read(&page);
+        for name in files_named(&text) {
+            let inside = format!("/{name}");
+            if !all
+                .iter()
+                .any(|path| path == name || path.ends_with(&inside))
+            {
+                wrong.push(format!("{page}: no crate has {name}"));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn names_that_are_gone_are_noticed() {
+    assert!(has("crates/ertel/tests/arrows.rs", "arrows_run_down"));
+    assert!(!has("crates/ertel/tests/arrows.rs", "arrows_run_up"));
+    assert_eq!(files_named("in `a/b.rs`, not `fn c` or `*.rs`"), ["a/b.rs"]);
+}
