@@ -141,7 +141,7 @@ pub struct SweepArgs {
     pub retry: bool,
     /// Solve part I of N of the points, as one of the jobs of a cluster
     #[arg(long, value_name = "I/N", value_parser = shard)]
-    pub shard: Option<ertel::study::Shard>,
+    pub shard: Option<ertel::sweep::Shard>,
     /// Join parts: the folder of the whole, then those of the parts
     #[arg(long, value_names = ["OUT", "PART"], num_args = 2..)]
     pub merge: Option<Vec<PathBuf>>,
@@ -241,11 +241,11 @@ pub struct CompareArgs {
 }
 
 /// `3/8`.
-fn shard(text: &str) -> Result<ertel::study::Shard, String> {
+fn shard(text: &str) -> Result<ertel::sweep::Shard, String> {
     let parts = text.split_once('/');
     let numbers = parts.and_then(|(i, n)| Some((i.trim().parse().ok()?, n.trim().parse().ok()?)));
     match numbers {
-        Some((index, n)) if 1 <= index && index <= n => Ok(ertel::study::Shard { index, n }),
+        Some((index, n)) if 1 <= index && index <= n => Ok(ertel::sweep::Shard { index, n }),
         _ => Err("write it as 3/8: the third of eight parts".to_owned()),
     }
 }

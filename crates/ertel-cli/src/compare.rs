@@ -8,7 +8,7 @@ use ertel::output::compare::{
     write_comparison,
 };
 use ertel::params::PictureFormats;
-use ertel::study::{SweepParams, SweepSummary, finished_points, sweep};
+use ertel::sweep::{SweepParams, SweepSummary, finished_points, sweep};
 
 use crate::args::CompareArgs;
 use crate::failure::Failure;

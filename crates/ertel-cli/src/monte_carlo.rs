@@ -6,7 +6,7 @@ use ertel::case::{Case, Study};
 use ertel::output;
 use ertel::solution::Solution;
 use ertel::study::monte_carlo::{MonteCarlo, MonteCarloParams, study_of};
-use ertel::study::{SweepParams, finished_points, sweep};
+use ertel::sweep::{SweepParams, finished_points, sweep};
 
 use crate::args::SolveArgs;
 use crate::failure::Failure;

@@ -6,10 +6,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use ertel::case::Study;
+use ertel::study::TABLE;
 use ertel::study::plan::Plan;
-use ertel::study::{
+use ertel::sweep::{
     FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress, SweepSummary,
-    TABLE, finished_points, merge, sweep,
+    finished_points, merge, sweep,
 };
 use ertel::words::{digits, length};
 use ertel_input::escaped;

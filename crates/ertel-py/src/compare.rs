@@ -6,7 +6,7 @@ use ertel::compare::{Comparison, Measured, ReadParams};
 use ertel::output::compare::{COMPARISON_STUDY, check_comparison_folder};
 use ertel::output::{comparison_report, write_comparison};
 use ertel::params::PictureFormats;
-use ertel::study::{SweepParams, finished_points, sweep as run_sweep};
+use ertel::sweep::{SweepParams, finished_points, sweep as run_sweep};
 use ertel_input::csv::{ColumnMap, CsvParams, Decimal};
 use pyo3::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use ertel::output::OutputError as WriteError;
 use ertel::solve::{DiscretisationError, SolveError};
-use ertel::study::SweepError;
+use ertel::sweep::SweepError;
 use ertel_input::InputError;
 use ertel_rheology::database::DatabaseError;
 use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError, PyRuntimeError, PyValueError};

@@ -7,7 +7,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use ertel::case::Study;
 use ertel::study::journal::JOURNAL;
 use ertel::study::plan::Plan;
-use ertel::study::{
+use ertel::sweep::{
     Collector, Shard, SweepObserver, SweepParams, SweepProgress, SweepSummary,
     merge as merge_parts, sweep as run_sweep, sweep_part,
 };

@@ -16,7 +16,7 @@ use ertel::case::Study;
 use ertel::run;
 use ertel::solve::Silent;
 use ertel::study::plan::Plan;
-use ertel::study::{SweepObserver, SweepParams, SweepProgress, sweep};
+use ertel::sweep::{SweepObserver, SweepParams, SweepProgress, sweep};
 
 /// A hundred line contacts, twenty circular ones with heat, and a hundred without.
 const STUDIES: [&str; 3] = [

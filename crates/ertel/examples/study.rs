@@ -6,7 +6,8 @@ use std::path::Path;
 
 use ertel::case::Study;
 use ertel::solve::Silent;
-use ertel::study::{SweepParams, TABLE, sweep};
+use ertel::study::TABLE;
+use ertel::sweep::{SweepParams, sweep};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = tempfile::tempdir()?;

@@ -30,15 +30,15 @@
 //! | make or read a case | [`case`] |
 //! | solve it from the solution of another one | [`run::solve_from`] |
 //! | read figures and fields | [`solution::Solution`], [`solution::ContactFields`] |
-//! | vary inputs over lists and ranges | [`case::Study`], [`study::sweep`] |
+//! | vary inputs over lists and ranges | [`case::Study`], [`sweep::sweep`] |
 //! | ask formulas | [`estimate`], [`mod@reference`] |
 //! | fit laws to measurements | [`fit`] |
 //! | compare with measurements | [`compare`] |
 //! | write the files of the program | [`output`] |
 //!
 //! The folder `examples` has a small program for each. The solver is the crate `ertel_ehl`, which reads and writes no files; its modules stand here,
-//! too. Modules use only those below them, `ertel_ehl → files, case → problem → run → study → output`; what still runs up stands in
-//! `tests/arrows.rs`.
+//! too. Modules use only those below them, `ertel_ehl → files, case → problem → run → study → output → sweep`
+//! (`tests/arrows.rs`).
 
 pub use ertel_ehl::{
     contact, elastic, film, forms, interference, mixed, params, post, solution, solve, warning,
@@ -57,4 +57,5 @@ pub mod reference;
 pub mod run;
 pub mod sensitivity;
 pub mod study;
+pub mod sweep;
 pub mod validate;

@@ -9,7 +9,8 @@ use ertel::solution::{Estimate, Solution};
 use ertel::solve::Silent;
 use ertel::study::journal::Record;
 use ertel::study::plan::Plan;
-use ertel::study::{SweepParams, finished_points, solve_curve, sweep_part};
+use ertel::study::solve_curve;
+use ertel::sweep::{SweepParams, finished_points, sweep_part};
 use ertel_input::Document;
 
 const ROLLER: &str = r#"

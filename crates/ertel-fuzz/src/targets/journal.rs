@@ -7,7 +7,8 @@ use std::sync::OnceLock;
 
 use ertel::case::Study;
 use ertel::study::journal::{JOURNAL, Record};
-use ertel::study::{POINTS, StudyEcho, finished_points, merge};
+use ertel::study::{POINTS, StudyEcho};
+use ertel::sweep::{finished_points, merge};
 
 use super::{Verdict, check_text};
 use crate::finding::Defect;

@@ -14,7 +14,7 @@ use ertel_input::file::open;
 use serde::{Deserialize, Serialize};
 use xxhash_rust::xxh3::xxh3_128;
 
-use super::SweepError;
+use super::StudyError;
 use crate::case::Case;
 use crate::files::sync_folder;
 use crate::run::NUMERICS;
@@ -160,13 +160,13 @@ impl Entries {
     /// Reads the journal in a folder; empty where there is none.
     ///
     /// # Errors
-    /// [`SweepError::Io`].
-    pub fn read(folder: &Path) -> Result<Entries, SweepError> {
+    /// [`StudyError::Io`].
+    pub fn read(folder: &Path) -> Result<Entries, StudyError> {
         let path = folder.join(JOURNAL);
         let mut lines = match open(&path, u64::MAX) {
             Ok((file, _)) => BufReader::new(file),
             Err(e) if e.is_missing() => return Ok(Entries::default()),
-            Err(e) => return Err(SweepError::io(&path, e.into())),
+            Err(e) => return Err(StudyError::io(&path, e.into())),
         };
         let mut entries = Entries {
             exists: true,
@@ -176,7 +176,7 @@ impl Entries {
         loop {
             line.clear();
             let n = ((&mut lines).take(LONGEST_LINE).read_until(b'\n', &mut line))
-                .map_err(|e| SweepError::io(&path, e))?;
+                .map_err(|e| StudyError::io(&path, e))?;
             if n == 0 {
                 break;
             }
@@ -230,17 +230,17 @@ impl Lock {
     /// Locks a folder that exists.
     ///
     /// # Errors
-    /// [`SweepError::Locked`] where another run holds it; [`SweepError::Io`].
-    pub fn new(folder: &Path) -> Result<Lock, SweepError> {
+    /// [`StudyError::Locked`] where another run holds it; [`StudyError::Io`].
+    pub fn new(folder: &Path) -> Result<Lock, StudyError> {
         let path = folder.join(LOCK);
         let file = options().open(&path);
-        let file = file.map_err(|e| SweepError::io(&path, e))?;
+        let file = file.map_err(|e| StudyError::io(&path, e))?;
         match file.try_lock() {
             Ok(()) => Ok(Lock { _file: file }),
-            Err(fs::TryLockError::WouldBlock) => Err(SweepError::Locked {
+            Err(fs::TryLockError::WouldBlock) => Err(StudyError::Locked {
                 folder: folder.to_owned(),
             }),
-            Err(fs::TryLockError::Error(e)) => Err(SweepError::io(&path, e)),
+            Err(fs::TryLockError::Error(e)) => Err(StudyError::io(&path, e)),
         }
     }
 }
@@ -261,12 +261,12 @@ impl Journal {
     /// Opens the journal in a folder that is locked, where `entries` were read; a torn last line is cut off.
     ///
     /// # Errors
-    /// [`SweepError::Io`].
-    pub fn open(folder: &Path, lock: Lock, entries: &Entries) -> Result<Journal, SweepError> {
+    /// [`StudyError::Io`].
+    pub fn open(folder: &Path, lock: Lock, entries: &Entries) -> Result<Journal, StudyError> {
         let path = folder.join(JOURNAL);
         let failed = |path: &Path| {
             let path = path.to_owned();
-            move |e| SweepError::io(&path, e)
+            move |e| StudyError::io(&path, e)
         };
         // Not by the handle that appends: some systems do not let that one cut.
         let whole = options().open(&path).map_err(failed(&path))?;
@@ -284,16 +284,16 @@ impl Journal {
     /// Appends a finished point and brings it to the disk.
     ///
     /// # Errors
-    /// [`SweepError::Io`].
-    pub fn append(&mut self, record: &Record) -> Result<(), SweepError> {
+    /// [`StudyError::Io`].
+    pub fn append(&mut self, record: &Record) -> Result<(), StudyError> {
         self.append_all(std::slice::from_ref(record))
     }
 
     /// Appends several at once.
     ///
     /// # Errors
-    /// [`SweepError::Io`].
-    pub fn append_all(&mut self, records: &[Record]) -> Result<(), SweepError> {
+    /// [`StudyError::Io`].
+    pub fn append_all(&mut self, records: &[Record]) -> Result<(), StudyError> {
         let mut write = || -> io::Result<()> {
             let mut lines = Vec::new();
             for record in records {
@@ -303,7 +303,7 @@ impl Journal {
             self.file.write_all(&lines)?;
             self.file.sync_data()
         };
-        write().map_err(|e| SweepError::io(&self.path, e))
+        write().map_err(|e| StudyError::io(&self.path, e))
     }
 }
 

@@ -3,20 +3,17 @@
 
 mod columns;
 pub mod curve;
+mod error;
 pub mod journal;
 pub mod monte_carlo;
 pub mod plan;
-mod point;
-mod sweep;
-mod table;
-mod walk;
+pub(crate) mod point;
+pub(crate) mod table;
+pub(crate) mod walk;
 
 pub use columns::{Cell, Column, columns};
 pub use curve::{CurveObserver, CurveSolution, solve_curve, value_text};
+pub use error::StudyError;
 pub use point::{Outcome, PointSolution};
-pub use sweep::{
-    Collector, FILES, FOLDERS, Shard, SweepError, SweepObserver, SweepParams, SweepProgress,
-    SweepSummary, finished_points, merge, sweep, sweep_part,
-};
 pub(crate) use table::ISOTHERMAL;
 pub use table::{POINTS, STUDY_FORMAT, StudyEcho, TABLE};

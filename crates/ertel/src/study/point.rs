@@ -106,18 +106,18 @@ impl Outcome {
 }
 
 /// A point to be solved.
-pub(super) struct Task<'a> {
-    pub(super) point: &'a StudyPoint,
+pub(crate) struct Task<'a> {
+    pub(crate) point: &'a StudyPoint,
     /// Its place among the points, and their number.
-    pub(super) place: (usize, usize),
+    pub(crate) place: (usize, usize),
     /// Its values, for the observer.
-    pub(super) label: String,
+    pub(crate) label: String,
     /// Cases that its mesh should suit, too, if it needs a new one.
-    pub(super) ahead: Vec<&'a Case>,
+    pub(crate) ahead: Vec<&'a Case>,
     /// Which of the [`SIMPLER`] cases are solved, too.
-    pub(super) beside: [bool; 2],
+    pub(crate) beside: [bool; 2],
     /// Whether its fields and iterations are kept.
-    pub(super) fields: bool,
+    pub(crate) fields: bool,
 }
 
 type Simplify = fn(&mut Case);
@@ -130,19 +130,19 @@ const SIMPLER: [(&str, Simplify); 2] = [
 
 /// What a point and the simpler cases beside it have reached, from which other points start.
 #[derive(Clone, Default)]
-pub(super) struct Ends {
+pub(crate) struct Ends {
     own: Option<Arc<Start>>,
     beside: [Option<Arc<Start>>; 2],
 }
 
 /// The user wants to stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Interrupted;
+pub(crate) struct Interrupted;
 
 impl Task<'_> {
     /// Solves the point from the ends of another one. A simpler case starts from that of the other point, the first one from
     /// its own point. What fails is kept with its reason, and others start from where it started.
-    pub(super) fn solve(
+    pub(crate) fn solve(
         &self,
         mut ends: Ends,
         observer: &mut dyn CurveObserver,

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::columns::{Column, columns};
 use super::journal::{PointKey, Record, Title};
-use super::{Outcome, PointSolution, SweepError};
+use super::{Outcome, PointSolution, StudyError};
 use crate::case::study::{AxisValue, Study};
 use crate::contact::ContactKind;
 use crate::files::{text_field, write_whole};
@@ -71,13 +71,13 @@ impl StudyEcho {
     /// Reads the list of points in a folder; `None` where there is none.
     ///
     /// # Errors
-    /// [`SweepError::Io`], also for a file that is no such list.
-    pub fn read(folder: &Path) -> Result<Option<StudyEcho>, SweepError> {
+    /// [`StudyError::Io`], also for a file that is no such list.
+    pub fn read(folder: &Path) -> Result<Option<StudyEcho>, StudyError> {
         let path = folder.join(POINTS);
         let bytes = match read_bytes(&path, LARGEST_OWN) {
             Ok(bytes) => bytes,
             Err(e) if e.is_missing() => return Ok(None),
-            Err(e) => return Err(SweepError::io(&path, e.into())),
+            Err(e) => return Err(StudyError::io(&path, e.into())),
         };
         let echo: Result<StudyEcho, _> = serde_json::from_slice(&bytes);
         match echo {
@@ -89,27 +89,27 @@ impl StudyEcho {
                         let values = echo.points[i].1.len();
                         let problem =
                             format!("point {} has {values} values for {n} columns", i + 1);
-                        Err(SweepError::io(&path, std::io::Error::other(problem)))
+                        Err(StudyError::io(&path, std::io::Error::other(problem)))
                     }
                 }
             }
-            Ok(_) => Err(SweepError::io(
+            Ok(_) => Err(StudyError::io(
                 &path,
                 std::io::Error::other("it is no list of points of a study"),
             )),
-            Err(e) => Err(SweepError::io(&path, e.into())),
+            Err(e) => Err(StudyError::io(&path, e.into())),
         }
     }
 
     /// Writes it into a folder.
     ///
     /// # Errors
-    /// [`SweepError::Io`].
-    pub fn write(&self, folder: &Path) -> Result<(), SweepError> {
+    /// [`StudyError::Io`].
+    pub fn write(&self, folder: &Path) -> Result<(), StudyError> {
         let path = folder.join(POINTS);
         let text =
-            serde_json::to_string_pretty(self).map_err(|e| SweepError::io(&path, e.into()))?;
-        write_whole(&path, text.as_bytes()).map_err(|e| SweepError::io(&path, e))
+            serde_json::to_string_pretty(self).map_err(|e| StudyError::io(&path, e.into()))?;
+        write_whole(&path, text.as_bytes()).map_err(|e| StudyError::io(&path, e))
     }
 
     /// Of each point with heat the one that differs in its switch alone, where an axis leaves heat out.
@@ -217,7 +217,7 @@ fn belongs(name: &str) -> bool {
 }
 
 /// The fields of a point, by the titles of their columns: its operating point, then its figures.
-pub(super) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
+pub(crate) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
     let case = &point.case;
     let is_line = case.contact.kind == ContactKind::Line;
     let number = |value: f64| format!("{value:e}");
@@ -253,7 +253,7 @@ pub(super) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
 }
 
 /// The record of a point.
-pub(super) fn record(key: PointKey, point: &PointSolution) -> Record {
+pub(crate) fn record(key: PointKey, point: &PointSolution) -> Record {
     let solution = point.outcome.solution();
     Record {
         key,

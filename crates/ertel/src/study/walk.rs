@@ -9,9 +9,9 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use super::plan::Plan;
 
 /// A walk over the points of a plan; `E` is what a point hands to those that start from it.
-pub(super) struct Walk<E> {
+pub(crate) struct Walk<E> {
     /// Number of points that are solved, for their own sake or because others start from them.
-    pub(super) n_needed: usize,
+    pub(crate) n_needed: usize,
     /// Place of each point in the order.
     places: Vec<usize>,
     /// Needed points that start from each point.
@@ -29,7 +29,7 @@ struct State<E> {
 
 impl<E: Clone + Default> Walk<E> {
     /// A walk to the points `wanted`, and to those that they start from.
-    pub(super) fn new(plan: &Plan, wanted: &[bool]) -> Walk<E> {
+    pub(crate) fn new(plan: &Plan, wanted: &[bool]) -> Walk<E> {
         let n = plan.order.len();
         let mut needed = wanted.to_vec();
         let mut places = vec![0; n];
@@ -64,7 +64,7 @@ impl<E: Clone + Default> Walk<E> {
     ///
     /// # Errors
     /// That of `solve`.
-    pub(super) fn run<R>(&self, mut solve: impl FnMut(usize, E) -> Result<E, R>) -> Result<(), R> {
+    pub(crate) fn run<R>(&self, mut solve: impl FnMut(usize, E) -> Result<E, R>) -> Result<(), R> {
         while let Some((index, start)) = self.next() {
             let end = catch_unwind(AssertUnwindSafe(|| solve(index, start)));
             let mut state = self.lock();
@@ -103,13 +103,13 @@ impl<E: Clone + Default> Walk<E> {
 
 impl<E> Walk<E> {
     /// No point begins any more.
-    pub(super) fn stop(&self) {
+    pub(crate) fn stop(&self) {
         self.lock().stopped = true;
         self.bell.notify_all();
     }
 
     /// Whether the walk has been stopped.
-    pub(super) fn is_stopped(&self) -> bool {
+    pub(crate) fn is_stopped(&self) -> bool {
         self.lock().stopped
     }
 

@@ -6,6 +6,7 @@ use std::path::Path;
 use super::folder::open;
 use super::{SweepError, check_distinct};
 use crate::case::Study;
+use crate::study::StudyError;
 use crate::study::journal::{Journal, PointKey, Record};
 use crate::study::table::StudyEcho;
 
@@ -58,7 +59,7 @@ impl Collector {
         let mut records = Vec::new();
         for line in lines.lines() {
             let record: Record = serde_json::from_str(line)
-                .map_err(|e| SweepError::io(Path::new("the journal of a part"), e.into()))?;
+                .map_err(|e| StudyError::io(Path::new("the journal of a part"), e.into()))?;
             let place = self.places.get(&record.key);
             if place.is_some_and(|place| self.finished.insert(*place)) {
                 records.push(record);

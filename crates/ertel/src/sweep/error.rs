@@ -1,27 +1,16 @@
 //! Why a study was not run.
 
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use crate::output::OutputError;
+use crate::study::StudyError;
 
 /// Why a study was not run.
 #[derive(Debug, thiserror::Error)]
 pub enum SweepError {
-    /// The system refused.
-    #[error("{}: {source}", path.display())]
-    Io {
-        /// Which file.
-        path: PathBuf,
-        /// The system's reason.
-        source: io::Error,
-    },
-    /// Another run is at work.
-    #[error("another run is writing to {}; wait for it, or choose another folder", folder.display())]
-    Locked {
-        /// The folder.
-        folder: PathBuf,
-    },
+    /// Its files cannot be used.
+    #[error(transparent)]
+    Study(#[from] StudyError),
     /// The folder is somebody else's.
     #[error("cannot use the folder {} for a study: {reason}. Choose another folder", folder.display())]
     Foreign {
@@ -60,13 +49,4 @@ pub enum SweepError {
     /// Threads cannot be made.
     #[error("cannot start threads: {0}")]
     Threads(String),
-}
-
-impl SweepError {
-    pub(in crate::study) fn io(path: &Path, source: io::Error) -> SweepError {
-        SweepError::Io {
-            path: path.to_owned(),
-            source,
-        }
-    }
 }

@@ -10,6 +10,7 @@ use crate::case::Study;
 use crate::output;
 use crate::output::html::{REPORT_PAGE, study_page};
 use crate::params::PictureFormats;
+use crate::study::StudyError;
 use crate::study::journal::{Entries, JOURNAL, Journal, LOCK, Lock, PointKey, Record};
 use crate::study::table::{POINTS, StudyEcho, TABLE};
 use crate::warning::by_kind;
@@ -38,7 +39,7 @@ const TRACTIONS: &str = "traction";
 pub(super) fn open(folder: &Path, echo: &StudyEcho) -> Result<(Journal, Entries), SweepError> {
     // Not even a lock goes into a folder of somebody else.
     look(folder)?;
-    fs::create_dir_all(folder).map_err(|e| SweepError::io(folder, e))?;
+    fs::create_dir_all(folder).map_err(|e| StudyError::io(folder, e))?;
     let lock = Lock::new(folder)?;
     let entries = look(folder)?;
     clear_leftovers(folder);
@@ -62,7 +63,7 @@ pub(super) fn look(folder: &Path) -> Result<Entries, SweepError> {
         let path = folder.join(name);
         let (is_own, what) = match fs::symlink_metadata(&path) {
             Err(e) if e.kind() == io::ErrorKind::NotFound => continue,
-            Err(e) => return Err(SweepError::io(&path, e)),
+            Err(e) => return Err(StudyError::io(&path, e).into()),
             Ok(meta) if name == FOLDERS => (meta.is_dir(), "a folder"),
             // Nothing is ever written into it.
             Ok(meta) if name == LOCK => (meta.is_file() && meta.len() == 0, "an empty file"),
@@ -86,7 +87,7 @@ pub(super) fn look(folder: &Path) -> Result<Entries, SweepError> {
     }
     let names = match fs::read_dir(folder) {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(entries),
-        names => names.map_err(|e| SweepError::io(folder, e))?,
+        names => names.map_err(|e| StudyError::io(folder, e))?,
     };
     let mut names = names.filter_map(|e| Some(e.ok()?.file_name()));
     let is_known = is_study || entries.exists();
@@ -117,7 +118,7 @@ pub(super) fn write_results(
 ) -> Result<(), SweepError> {
     let write = |name: &str, text: String| {
         let path = folder.join(name);
-        crate::files::write_whole(&path, text.as_bytes()).map_err(|e| SweepError::io(&path, e))
+        crate::files::write_whole(&path, text.as_bytes()).map_err(|e| StudyError::io(&path, e))
     };
     let table = echo.table(records);
     let finished =

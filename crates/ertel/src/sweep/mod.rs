@@ -12,11 +12,11 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use super::journal::{PointKey, Record};
-use super::plan::Plan;
-use super::table::StudyEcho;
-use super::walk::Walk;
 use crate::case::Study;
+use crate::study::StudyEcho;
+use crate::study::journal::{PointKey, Record};
+use crate::study::plan::Plan;
+use crate::study::walk::Walk;
 use crate::warning::{Merged, by_kind};
 use folder::{has_folder, look, open, write_results};
 use work::Shared;
@@ -213,7 +213,7 @@ pub fn sweep_part(
         for (index, record) in receiver {
             if let Err(error) = journal.append(&record) {
                 walk.stop();
-                failure = Some(error);
+                failure = Some(SweepError::from(error));
                 break;
             }
             summary.n_new += 1;
