@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use ertel::files::write_whole;
 use ertel::solve::Silent;
-use ertel::validate::{self, Quantity, Row, Selection, Study, StudyResult, Verdict};
+use ertel_validate::{self as validate, Quantity, Row, Selection, Study, StudyResult, Verdict};
 
 use ertel_input::file::{LARGEST_DOCUMENT, LARGEST_TABLE, read_text};
 

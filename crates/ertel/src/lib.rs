@@ -58,4 +58,3 @@ pub mod run;
 pub mod sensitivity;
 pub mod study;
 pub mod sweep;
-pub mod validate;

@@ -24,7 +24,6 @@ mod skewed;
 mod solver;
 mod starvation;
 mod thermal_results;
-mod validation;
 mod verify_cases;
 mod verify_coupling;
 mod verify_elasticity;

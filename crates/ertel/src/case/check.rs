@@ -228,7 +228,7 @@ const HIGHEST_ORDER_OF_BODIES: usize = 2;
 ///
 /// # Errors
 /// An order of the displacement that finite-element bodies do not have.
-pub(crate) fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, InputError> {
+pub fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, InputError> {
     let order = case.mesh.elastic_order;
     if case.elastic_model() != ElasticModel::HalfSpace {
         return match order {

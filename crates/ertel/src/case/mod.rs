@@ -73,7 +73,7 @@ use crate::warning::Warning;
 use bodies::Bodies;
 pub use bodies::Body;
 pub use builder::{CaseBuilder, Setting};
-pub(crate) use check::mesh_of_bodies as check_mesh_of_bodies;
+pub use check::mesh_of_bodies as check_mesh_of_bodies;
 pub use curve::Curve;
 pub use described::{
     BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho,
@@ -81,10 +81,10 @@ pub use described::{
 use geometry::Geometry;
 pub use inputs::Origin;
 pub use lubricant::Lubricant;
-pub(crate) use params::{read_mesh, read_solver};
+pub use params::{read_mesh, read_solver};
 pub use study::Study;
-pub(crate) use study::read_named;
-pub(crate) use thermal::read as read_thermal;
+pub use study::read_named;
+pub use thermal::read as read_thermal;
 pub use thermal::{Heat, SolidHeat};
 pub(crate) use usual::question_of_state;
 

@@ -47,7 +47,7 @@ pub(super) fn default_mesh(kind: ContactKind, error_estimate: bool) -> MeshParam
 }
 
 /// Reads `[mesh]`; without error estimates there is no target.
-pub(crate) fn read_mesh(
+pub fn read_mesh(
     mut table: Table<'_>,
     kind: ContactKind,
     error_estimate: bool,
@@ -225,7 +225,11 @@ fn needs_body(
 /// Rounding keeps the residual from falling below this.
 const MIN_TOLERANCE: f64 = 1e-11;
 
-pub(crate) fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
+/// Reads the section `[solver]`.
+///
+/// # Errors
+/// Unknown keys, and values out of their bounds.
+pub fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
     let mut solver = SolverParams::default();
     let formulation = table.optional_choice(
         "formulation",

@@ -25,7 +25,7 @@ const HEAT_CAPACITY: Bounds = Bounds::closed(10.0, 2e4);
 const DENSITY: Bounds = Bounds::closed(10.0, 3e4);
 
 /// Reads `[thermal]`.
-pub(crate) fn read(mut table: Table<'_>, kind: ContactKind) -> Result<ThermalParams, InputError> {
+pub fn read(mut table: Table<'_>, kind: ContactKind) -> Result<ThermalParams, InputError> {
     let mut thermal = ThermalParams::default();
     set(&mut thermal.depth, table.optional_number("depth", DEPTH)?);
     let count = |n: Option<i64>| n.and_then(|n| usize::try_from(n).ok());

@@ -2,7 +2,7 @@
 
 /// A text as a field: quoted where it must be (RFC 4180), and, where a spreadsheet would take it for a formula, with an
 /// apostrophe before it. Numbers stay as they are.
-pub(crate) fn text_field(text: &str) -> String {
+pub fn text_field(text: &str) -> String {
     if is_formula(text) {
         format!("\"'{}\"", text.replace('"', "\"\""))
     } else {
@@ -11,7 +11,7 @@ pub(crate) fn text_field(text: &str) -> String {
 }
 
 /// A field, quoted where any of the usual separators would end it.
-pub(crate) fn quoted(text: &str) -> String {
+pub fn quoted(text: &str) -> String {
     if text.contains([',', ';', '\t', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {

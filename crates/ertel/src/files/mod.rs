@@ -4,7 +4,7 @@ mod csv;
 mod place;
 mod whole;
 
-pub(crate) use csv::{quoted, text_field};
+pub use csv::{quoted, text_field};
 pub use place::place;
 pub use whole::write_whole;
 pub(crate) use whole::{TEMPORARY, sync_folder};

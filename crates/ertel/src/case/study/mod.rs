@@ -379,7 +379,7 @@ fn build(
 }
 
 /// Reads a file that the key `key` of a table names: where it cannot be read, the error points at that key.
-pub(crate) fn read_named(
+pub fn read_named(
     table: &Table<'_>,
     key: &str,
     path: &Path,

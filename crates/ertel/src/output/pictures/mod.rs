@@ -14,7 +14,7 @@ pub use fluid::{ViscosityCurve, viscosity_chart};
 pub use heat::{cross_film_chart, temperature_chart};
 pub use interferogram::Image;
 pub use maps::{film_map, pressure_map};
-pub(crate) use profile::{profile, profile_across};
+pub use profile::{profile, profile_across};
 
 use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 use rayon::prelude::*;
@@ -85,7 +85,7 @@ pub fn pictures_in(
 type Task<'a> = (&'static str, Box<dyn FnOnce() -> Drawing + Send + 'a>);
 
 /// Factor and unit in which lengths of this size (m) are shown.
-pub(crate) fn film_unit(size: f64) -> (f64, &'static str) {
+pub fn film_unit(size: f64) -> (f64, &'static str) {
     if size < NANOMETRES_BELOW {
         (1e9, "nm")
     } else {

@@ -7,14 +7,14 @@ use crate::solution::near_zero;
 use crate::solution::{ElementFields, Polynomials, Solution};
 
 /// A field along y = 0, times a factor, over x/a.
-pub(crate) fn profile(solution: &Solution, field: &Polynomials, factor: f64) -> Vec<[f64; 2]> {
+pub fn profile(solution: &Solution, field: &Polynomials, factor: f64) -> Vec<[f64; 2]> {
     (along(&solution.elements, field, X).into_iter())
         .map(|[x, v]| [x / solution.hertz.half_width, factor * v])
         .collect()
 }
 
 /// A field along x = 0 of a circular contact, times a factor, over y/a from the side edge to the centreline.
-pub(crate) fn profile_across(
+pub fn profile_across(
     solution: &Solution,
     field: &Polynomials,
     factor: f64,

@@ -5,7 +5,7 @@ use ertel_input::{Bounds, InputError, Table};
 use super::profiles::Profile;
 use super::read::{formula_key, indices};
 use super::{Picture, PictureKind, Quantity, Study};
-use crate::reference::FilmFormula;
+use ertel::reference::FilmFormula;
 
 pub(super) fn read_picture(mut table: Table<'_>, study: &Study) -> Result<Picture, InputError> {
     let name = table.required_str("name")?.to_owned();
@@ -164,7 +164,7 @@ mod tests {
 
     fn read(text: &str) -> Result<Picture, InputError> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation/line-moes");
-        let study = crate::validate::read(&folder).unwrap();
+        let study = crate::read(&folder).unwrap();
         let text = format!("name = \"p\"\ncaption = \"c\"\n{text}");
         read_picture(Document::parse("r.toml", &text).unwrap().root(), &study)
     }

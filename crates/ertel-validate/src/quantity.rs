@@ -2,9 +2,9 @@
 
 use super::deflection::Deflection;
 use super::run::{Outcome, Run};
-use crate::output::pictures;
-use crate::solution::{Figure, Solution};
-use crate::study::{CurveSolution, PointSolution};
+use ertel::output::pictures;
+use ertel::solution::{Figure, Solution};
+use ertel::study::{CurveSolution, PointSolution};
 
 /// How a quantity is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 
 use super::Quantity;
 use super::run::{Outcome, Run};
-use crate::fit::{FilmForm, FilmState};
-use crate::reference::FilmFormula;
-use crate::solution::Solution;
+use ertel::fit::{FilmForm, FilmState};
+use ertel::reference::FilmFormula;
+use ertel::solution::Solution;
 
 /// What a figure is compared with.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,13 +3,13 @@
 use super::profiles::{self, Profile};
 use super::run::Outcome;
 use super::{Quantity, Study};
-use crate::contact::{ContactKind, hertz};
-use crate::output::curve;
-use crate::output::pictures;
-use crate::params::PenaltyScaling;
-use crate::reference::FilmFormula;
-use crate::solution::Solution;
-use crate::study::CurveSolution;
+use ertel::contact::{ContactKind, hertz};
+use ertel::output::curve;
+use ertel::output::pictures;
+use ertel::params::PenaltyScaling;
+use ertel::reference::FilmFormula;
+use ertel::solution::Solution;
+use ertel::study::CurveSolution;
 use ertel_plot::{Axis, Chart, Look, PALETTE, Series};
 
 /// What a picture shows.

@@ -50,10 +50,10 @@ use ertel_rheology::ViscosityLaw;
 use super::check::Subject;
 use super::read_picture::read_picture;
 use super::{Accept, Check, Quantity, Reference, Run, Study, Task};
-use crate::case::{Case, check_mesh_of_bodies, read_mesh, read_named, read_solver, read_thermal};
-use crate::contact::ContactKind;
-use crate::params::{MeshParams, MeshPreset};
-use crate::reference::FilmFormula;
+use ertel::case::{Case, check_mesh_of_bodies, read_mesh, read_named, read_solver, read_thermal};
+use ertel::contact::ContactKind;
+use ertel::params::{MeshParams, MeshPreset};
+use ertel::reference::FilmFormula;
 
 /// Names of the studies in a folder, sorted.
 ///

@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use crate::case::Case;
-use crate::contact::{ContactKind, hertz};
-use crate::elastic::Accuracy;
-use crate::post::profile::Profile;
-use crate::run::problem;
-use crate::solve::discretisation::{ContactSurface, Discretisation};
-use crate::solve::system::State;
-use crate::solve::{SolveError, discretisation::DiscretisationError};
+use ertel::case::Case;
+use ertel::contact::{ContactKind, hertz};
+use ertel::elastic::Accuracy;
+use ertel::post::profile::Profile;
+use ertel::run::problem;
+use ertel::solve::discretisation::{ContactSurface, Discretisation};
+use ertel::solve::system::State;
+use ertel::solve::{SolveError, discretisation::DiscretisationError};
 use ertel_fem::linear::NEVER;
 
 /// Dimensionless deflection δR/a² along the centreline under the Hertz pressure.

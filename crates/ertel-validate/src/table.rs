@@ -2,7 +2,7 @@
 
 use super::check::{Accept, Row, Verdict};
 use super::{Study, StudyResult};
-use crate::files::{quoted, text_field};
+use ertel::files::{quoted, text_field};
 
 /// Columns of the table.
 pub(super) const HEAD: [&str; 8] = [

@@ -2,11 +2,11 @@
 
 use super::check::{Reference, Row, Verdict};
 use super::{Accept, Deflection, Quantity, Study, deflect};
-use crate::case::Case;
-use crate::run::solve;
-use crate::solution::Solution;
-use crate::solve::SolveError;
-use crate::study::{CurveObserver, CurveSolution, solve_curve};
+use ertel::case::Case;
+use ertel::run::solve;
+use ertel::solution::Solution;
+use ertel::solve::SolveError;
+use ertel::study::{CurveObserver, CurveSolution, solve_curve};
 
 /// What is computed from a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use ertel::solve::Silent;
-use ertel::validate::{self, Selection, Verdict};
+use ertel_validate::{self as validate, Selection, Verdict};
 
 fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../validation")

@@ -1,8 +1,8 @@
 //! Pictures that set profiles of several runs beside each other.
 
-use crate::output::pictures::{self, film_unit};
-use crate::solution::Solution;
-use crate::words::TemperatureScale;
+use ertel::output::pictures::{self, film_unit};
+use ertel::solution::Solution;
+use ertel::words::TemperatureScale;
 use ertel_plot::{Axis, Chart, Look, PALETTE, Series, Side, side_by_side};
 
 /// Run by name, and its solution if it has one.
