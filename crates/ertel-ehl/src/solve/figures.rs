@@ -119,7 +119,7 @@ pub fn note_roller(
     if !whole {
         return;
     }
-    let [force, moment, arms] = moments(points);
+    let [force, moment, arms] = moments(d, points);
     let unit = scales.pressure * scales.length.powi(2);
     for (figure, scale) in [
         (Figure::RollerMoment, unit * scales.length),
@@ -135,13 +135,16 @@ pub fn note_roller(
 }
 
 /// ∫P, ∫P y and ∫P|y| over the part that is solved.
-fn moments(points: &PointTable) -> [f64; 3] {
+fn moments(d: &Discretisation, points: &PointTable) -> [f64; 3] {
     let mut sums = [0.0; 3];
-    for point in points.iter() {
-        let [_, y] = point.fields.place;
-        let share = point.area * point.fields.pressure;
-        for (sum, arm) in sums.iter_mut().zip([1.0, y, y.abs()]) {
-            *sum += share * arm;
+    for c in 0..d.contact.n_elements() {
+        for (point, xi) in points.of_element(c).iter().zip(&d.rule.points) {
+            // By the corners of the element: where moments cancel, their last digits are those of the arms.
+            let [_, y] = d.contact.point(c, *xi);
+            let share = point.area * point.fields.pressure;
+            for (sum, arm) in sums.iter_mut().zip([1.0, y, y.abs()]) {
+                *sum += share * arm;
+            }
         }
     }
     sums

@@ -163,11 +163,11 @@ mod tests {
         let fields = x
             .iter()
             .map(|x| PointFields {
-                gap: 0.0,
                 place: [*x, 0.0],
                 temperature: None,
                 pressure: 0.7 - x * x + bump * (-((x - 0.8) / 0.03).powi(2)).exp(),
                 pressure_gradient: [0.0; 2],
+                gap: 0.0,
                 film: 0.1 + 0.02 * (x - 0.5_f64).powi(2),
                 deflection: 0.0,
                 missing: 0.0,
