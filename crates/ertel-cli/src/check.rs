@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use ertel::case::Case;
-use ertel::contact::ContactKind;
 use ertel::estimate::{CaseEstimate, estimate};
 use ertel::output;
 use ertel::run;
@@ -153,16 +152,15 @@ fn typical_cpu_seconds(case: &Case) -> f64 {
     let contact = &case.contact;
     let is_slender =
         contact.radius_y.max(contact.radius) > SLENDER * contact.radius_y.min(contact.radius);
-    let one = match contact.kind {
-        ContactKind::Line => 0.1,
-        ContactKind::Circular => 5.0,
-        ContactKind::Elliptical if !is_slender => 5.0,
-        ContactKind::Elliptical | ContactKind::Roller => 40.0,
+    let one = match contact.kind.is_line() {
+        true => 0.1,
+        false if contact.roller.is_some() || is_slender => 40.0,
+        false => 5.0,
     };
-    let heat = match (case.thermal().is_some(), contact.kind) {
+    let heat = match (case.thermal().is_some(), contact.kind.is_line()) {
         (false, _) => 1.0,
-        (true, ContactKind::Line) => 30.0,
-        (true, _) => 2.5,
+        (true, true) => 30.0,
+        (true, false) => 2.5,
     };
     // Both halves are solved where they differ, and a starved contact once more with all the oil that it takes.
     let halves = if case.motion.is_straight() { 1.0 } else { 2.0 };

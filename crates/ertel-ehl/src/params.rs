@@ -82,27 +82,18 @@ pub struct MeshParams {
 impl MeshParams {
     /// Sizes of a preset; a line contact affords much finer cells.
     pub fn preset(preset: MeshPreset, kind: ContactKind) -> MeshParams {
-        let (hertz_size, constriction_size) = match (kind, preset) {
-            (
-                ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
-                MeshPreset::Coarse,
-            ) => (0.18, 0.09),
-            (
-                ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
-                MeshPreset::Normal,
-            ) => (0.13, 0.065),
-            (
-                ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
-                MeshPreset::Fine,
-            ) => (0.09, 0.032),
-            (ContactKind::Line, MeshPreset::Coarse) => (0.05, 0.02),
-            (ContactKind::Line, MeshPreset::Normal) => (0.02, 0.005),
-            (ContactKind::Line, MeshPreset::Fine) => (0.01, 0.002),
+        let (hertz_size, constriction_size) = match (kind.is_line(), preset) {
+            (false, MeshPreset::Coarse) => (0.18, 0.09),
+            (false, MeshPreset::Normal) => (0.13, 0.065),
+            (false, MeshPreset::Fine) => (0.09, 0.032),
+            (true, MeshPreset::Coarse) => (0.05, 0.02),
+            (true, MeshPreset::Normal) => (0.02, 0.005),
+            (true, MeshPreset::Fine) => (0.01, 0.002),
         };
         // Growing by 0.9 per depth leaves the Hertz deflection 1e-3 off, 0.45 a quarter of it.
-        let (growth, depth_growth) = match kind {
-            ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => (0.9, 0.45),
-            ContactKind::Line => (0.3, 0.3),
+        let (growth, depth_growth) = match kind.is_line() {
+            false => (0.9, 0.45),
+            true => (0.3, 0.3),
         };
         MeshParams {
             preset,
@@ -152,11 +143,7 @@ impl MeshParams {
         MeshParams {
             target_error: Some(target_error),
             pressure_error: Some(PRESSURE_SHARE * target_error),
-            depth_growth: share
-                * match kind {
-                    ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => 0.45,
-                    ContactKind::Line => 0.3,
-                },
+            depth_growth: share * start.depth_growth,
             ..start
         }
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ertel::case::Case;
-use ertel::contact::{ContactKind, hertz};
+use ertel::contact::{ContactKind, Family, hertz};
 use ertel::elastic::Accuracy;
 use ertel::post::profile::Profile;
 use ertel::run::problem;
@@ -70,18 +70,16 @@ impl Deflection {
     /// Largest deviation from Hertz theory on |X| ≤ 1 over the central deflection (the theory's
     /// for a circular contact; a line has none, only its shape counts).
     pub fn error(&self, kind: ContactKind) -> f64 {
-        match kind {
-            ContactKind::Circular | ContactKind::Elliptical => {
-                self.largest(|x, v| v - hertz::deflection_profile(kind, x))
-            }
-            ContactKind::Line | ContactKind::Roller => self.shape_error(kind),
+        match kind.family() {
+            Family::Point => self.largest(|x, v| v - hertz::deflection_profile(kind.family(), x)),
+            Family::Cylinder => self.shape_error(kind),
         }
     }
 
     /// Largest deviation of δ(X) − δ(0) on |X| ≤ 1 from Hertz theory, over the circular contact's
     /// central deflection, which is the film scale.
     pub fn shape_error(&self, kind: ContactKind) -> f64 {
-        let theory = |x: f64| hertz::deflection_profile(kind, x);
+        let theory = |x: f64| hertz::deflection_profile(kind.family(), x);
         let at_centre = self.at(0.0) - theory(0.0);
         self.largest(|x, v| v - theory(x) - at_centre)
     }

@@ -3,7 +3,7 @@
 use super::profiles::{self, Profile};
 use super::run::Outcome;
 use super::{Quantity, Study};
-use ertel::contact::{ContactKind, hertz};
+use ertel::contact::{Family, hertz};
 use ertel::output::curve;
 use ertel::output::pictures;
 use ertel::params::PenaltyScaling;
@@ -149,24 +149,24 @@ impl Picture {
     }
 
     fn deflection(&self, study: &Study, outcomes: &[Outcome], deviation: bool) -> Option<Chart> {
-        let theory = |kind: ContactKind, x: f64| hertz::deflection_profile(kind, x);
+        let theory = |family: Family, x: f64| hertz::deflection_profile(family, x);
         let mut series = Vec::new();
         let mut hertz_curve = Vec::new();
         for (run, outcome) in study.runs.iter().zip(outcomes) {
             let Outcome::Deflected(d) = outcome else {
                 continue;
             };
-            let kind = run.case.contact.kind;
+            let family = run.case.contact.kind.family();
             let points: Vec<[f64; 2]> = d.x.iter().zip(&d.value).map(|(x, v)| [*x, *v]).collect();
             if hertz_curve.is_empty() {
                 let (from, to) = (points.first()?[0], points.last()?[0]);
                 hertz_curve = (0..=N_MARKS)
                     .map(|i| from + (to - from) * f64::from(i) / f64::from(N_MARKS))
-                    .map(|x| [x, theory(kind, x)])
+                    .map(|x| [x, theory(family, x)])
                     .collect();
             }
             let points = if deviation {
-                let relative = |p: &[f64; 2]| [p[0], 100.0 * (p[1] - theory(kind, p[0]))];
+                let relative = |p: &[f64; 2]| [p[0], 100.0 * (p[1] - theory(family, p[0]))];
                 points.iter().map(relative).collect()
             } else {
                 points

@@ -51,7 +51,7 @@ use super::check::Subject;
 use super::read_picture::read_picture;
 use super::{Accept, Check, Quantity, Reference, Run, Study, Task};
 use ertel::case::{Case, check_mesh_of_bodies, read_mesh, read_named, read_solver, read_thermal};
-use ertel::contact::ContactKind;
+use ertel::contact::Family;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::reference::FilmFormula;
 
@@ -206,12 +206,10 @@ fn set_groups(case: &mut Case, m: f64, l: f64) -> Result<(), String> {
     let radius = case.contact.radius;
     let mu_0 = case.lubricant.ambient_viscosity();
     let twice_speed = 2.0 * mu_0 * case.motion.entrainment_speed / (modulus * radius);
-    case.contact.load = match case.contact.kind {
-        ContactKind::Circular | ContactKind::Elliptical => {
-            m * twice_speed.powf(0.75) * modulus * radius * radius
-        }
-        ContactKind::Line => m * twice_speed.sqrt() * modulus * radius,
-        ContactKind::Roller => {
+    case.contact.load = match case.contact.kind.family() {
+        Family::Point => m * twice_speed.powf(0.75) * modulus * radius * radius,
+        Family::Cylinder => {
+            // Of a line the load is per length.
             let length = case.contact.roller.as_ref().map_or(1.0, |r| r.length);
             m * twice_speed.sqrt() * modulus * radius * length
         }

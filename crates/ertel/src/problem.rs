@@ -5,7 +5,7 @@ mod thinning;
 use crate::case::{Case, SolidHeat};
 use crate::contact::starvation::starved_film;
 use crate::contact::{
-    ContactKind, Groups, Hertz, Inlet, Material, OilLayer, Planar, Scales, Shape, Supply,
+    Family, Groups, Hertz, Inlet, Material, OilLayer, Planar, Scales, Shape, Supply,
     equivalent_body, hertz,
 };
 use crate::elastic::{BodyModel, Elasticity};
@@ -74,7 +74,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     });
     let flooded_film = predicted_film(case) / scales.film;
     let start_film = starved_film(
-        contact.kind,
+        contact.kind.family(),
         flooded_film,
         &case.supply,
         scales.length,
@@ -124,7 +124,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         fluid = fluid.with_nodes(heat.column.film.clone());
     }
     let reach = reach(
-        contact.kind,
+        contact.kind.family(),
         case.elastic_model(),
         heat.is_some(),
         flooded_film,
@@ -145,9 +145,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
             heat.is_some(),
             // Continuations in sliding or in the shear law are known, and that of rollers in diffusion, away from the pressures at their
             // ends that a diffusive start has drawn out.
-            fluid.has_limit()
-                || (heat.is_some() && fluid.slides())
-                || contact.kind == ContactKind::Roller,
+            fluid.has_limit() || (heat.is_some() && fluid.slides()) || contact.roller.is_some(),
         ),
         elasticity,
         fluid,
@@ -172,7 +170,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
             };
             // Where both halves are solved, each counts.
             let parts = (2.0 / shape.symmetry.multiplicity()) as usize;
-            let parts = if shape.kind.is_point() { parts } else { 1 };
+            let parts = if shape.is_line() { 1 } else { parts };
             let most = case.mesh.max_unknowns.unwrap_or(parts * most);
             let adapt = AdaptParams::new(target, case.mesh.pressure_error, most);
             match case.mesh.max_unknowns {
@@ -194,7 +192,7 @@ const RIDGE_DIFFUSION: f64 = 1.0;
 /// ρ_r of a case.
 fn ridge_diffusion(case: &Case) -> f64 {
     let solver = &case.solver;
-    let suits = has_side_lobes(case.contact.kind)
+    let suits = case.contact.kind.family() == Family::Point
         && case.elastic_model() == ElasticModel::HalfSpace
         && solver.formulation != Formulation::Galerkin
         && solver.elastic_stabilisation;
@@ -255,16 +253,11 @@ fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
 fn rim_finesse(case: &Case) -> f64 {
     let refined = case.mesh.target_error.is_some();
     let half_spaces = case.elastic_model() == ElasticModel::HalfSpace;
-    if !(refined && half_spaces && has_side_lobes(case.contact.kind)) {
+    if !(refined && half_spaces && case.contact.kind.family() == Family::Point) {
         return 1.0;
     }
     let load = groups(case, 0.0).moes_load;
     (MODERATE_LOAD / load).powf(2.0 / 15.0).clamp(0.5, 1.0)
-}
-
-/// Whether the film is thinnest beside the centreline, on a rim that goes round.
-fn has_side_lobes(kind: ContactKind) -> bool {
-    matches!(kind, ContactKind::Circular | ContactKind::Elliptical)
 }
 
 /// Load group up to which first meshes need no finer side lobes.
@@ -290,9 +283,9 @@ pub fn predicted_film(case: &Case) -> f64 {
         .pressure_viscosity_slope(case.lubricant.temperature);
     let g = groups(case, slope.max(0.0));
     let [along, across] = case.contact.radii_along_and_across();
-    let h = match case.contact.kind {
-        ContactKind::Line | ContactKind::Roller => moes_line_film(g.moes_load, g.moes_material),
-        ContactKind::Circular | ContactKind::Elliptical => {
+    let h = match case.contact.kind.family() {
+        Family::Cylinder => moes_line_film(g.moes_load, g.moes_material),
+        Family::Point => {
             nijenbanning_venner_moes_film(g.moes_load, g.moes_material, along / across)
         }
     };
@@ -319,10 +312,10 @@ fn flooded(film: f64) -> f64 {
 /// Measured, by what the adjoint says of the edges: in circular contacts their effect on the films falls with the reach itself where
 /// the film is thick (M = 1 to 5: 0.3 % at 2.5, 0.09 % at 10, 0.04 % at 20, 0.024 % at 35), with its square or so where it is thin (M = 200: 1e-4 at 2.5, 3e-5 at 5); in
 /// line contacts it is 4e-6 at 2.5.
-fn widening(kind: ContactKind, film: f64) -> f64 {
-    match kind {
-        ContactKind::Line | ContactKind::Roller => 2.5,
-        ContactKind::Circular | ContactKind::Elliptical => {
+fn widening(family: Family, film: f64) -> f64 {
+    match family {
+        Family::Cylinder => 2.5,
+        Family::Point => {
             let film = film.min(1.0);
             5.0 + 15.0 * film * (1.0 + film)
         }
@@ -337,15 +330,15 @@ struct Reach {
 }
 
 /// The thesis's contact area where the film is thin; longer where a thick film builds up further out.
-fn reach(kind: ContactKind, model: ElasticModel, heats: bool, film: f64) -> Reach {
+fn reach(family: Family, model: ElasticModel, heats: bool, film: f64) -> Reach {
     let mut inlet: f64 = 4.5;
     let target = flooded(film) * film;
-    while hertz::dry_gap(kind, inlet) < target {
+    while hertz::dry_gap(family, inlet) < target {
         inlet = (1.05 * inlet).ceil_half();
     }
     // A finite-element body grows with the contact area; half-spaces afford a wider one.
     if model == ElasticModel::HalfSpace && !heats {
-        inlet *= widening(kind, film);
+        inlet *= widening(family, film);
         return Reach { inlet, side: inlet };
     }
     Reach {

@@ -280,7 +280,6 @@ fn describe(
         warnings.push(Warning::new(WarningKind::Convergence, text));
     }
     warnings.extend(post::summary::warnings(
-        case.contact.kind,
         &summary,
         finest,
         levels,
@@ -322,6 +321,7 @@ fn describe(
         mixed
     });
     let mut solution = Solution {
+        kind: case.contact.kind,
         shape: problem.shape.clone(),
         hertz,
         reduced_modulus: case.reduced_modulus(),

@@ -10,7 +10,6 @@ use ertel_input::Input;
 use rayon::prelude::*;
 
 use crate::case::Case;
-use crate::contact::ContactKind;
 use crate::params::{ElasticModel, SensitivityDemand};
 use crate::problem::{problem, problem_beside};
 use crate::solution::{Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
@@ -250,7 +249,7 @@ fn no_temperature(case: &Case, input: &Input) -> Option<String> {
 
 /// Whether another mesh for an input costs more than was asked for.
 fn is_costly(case: &Case, input: &Input) -> bool {
-    case.contact.kind == ContactKind::Roller
+    case.contact.roller.is_some()
         && case.output.sensitivities != SensitivityDemand::All
         && input.uncertainty.is_none()
 }

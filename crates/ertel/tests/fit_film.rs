@@ -63,7 +63,7 @@ fn estimates(fit: &FilmFit) -> Vec<Estimate> {
 fn a_formula_is_the_same_in_other_groups() {
     let fit = moes(&grid(|| 0.0)).unwrap();
     for (kind, power) in [(ContactKind::Circular, 0.75), (ContactKind::Line, 0.5)] {
-        let [factor, speed, material, load] = fit.hamrock_dowson(kind).unwrap();
+        let [factor, speed, material, load] = fit.hamrock_dowson(kind.family()).unwrap();
         for state in grid(|| 0.0) {
             // M = W (2U)^-power, L = G (2U)^(1/4).
             let (u, twice) = (SPEED_GROUP, 2.0 * SPEED_GROUP);

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use common::{hertz_bodies, material, noise, uniform};
-use ertel::contact::{ContactKind, Material, hertz};
+use ertel::contact::{ContactKind, Family, Material, hertz};
 use ertel::elastic::{Accuracy, BodySpace, Elasticity, FiniteBodies};
 use ertel::forms::elasticity::lame;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
@@ -316,7 +316,10 @@ fn condensed(d: &Discretisation) -> &FiniteBodies {
 /// Computed less exact deflection under the Hertz pressure at points of the centreline, the
 /// centre first.
 fn hertz_error(d: &Discretisation) -> Vec<f64> {
-    let kind = d.contact.shape.kind;
+    let family = match d.contact.shape.is_line() {
+        true => Family::Cylinder,
+        false => Family::Point,
+    };
     let pressure: Vec<f64> = (d.pressure.points.iter())
         .map(|p| hertz::pressure_profile(p[0].hypot(p[1])))
         .collect();
@@ -330,7 +333,7 @@ fn hertz_error(d: &Discretisation) -> Vec<f64> {
         .iter()
         .map(|x| {
             fields_at(d, &state, [*x, 0.0]).unwrap().deflection
-                - hertz::deflection_profile(kind, *x)
+                - hertz::deflection_profile(family, *x)
         })
         .collect()
 }

@@ -196,7 +196,7 @@ fn report(
     lines.push(line("LaTeX", fit.latex()));
     lines.push(line("code", fit.code()));
     text += &columns(&lines);
-    let other = contact.and_then(|contact| fit.hamrock_dowson(contact));
+    let other = contact.and_then(|contact| fit.hamrock_dowson(contact.family()));
     if let Some([factor, speed, material, load]) = other {
         text += &format!(
             "\n  in the groups of Hamrock and Dowson: {} R U^{speed:.4} G^{material:.4} W^{load:.4}\n",

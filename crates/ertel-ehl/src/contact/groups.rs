@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::{Contact, ContactKind};
+use super::{Contact, Family};
 
 /// Load, speed and material groups for one pressure-viscosity coefficient.
 ///
@@ -37,17 +37,15 @@ impl Groups {
         let [r, _] = contact.radii_along_and_across();
         let speed = viscosity * entrainment_speed / (reduced_modulus * r);
         let material = pressure_viscosity_coefficient * reduced_modulus;
-        let load = match contact.kind {
-            ContactKind::Circular | ContactKind::Elliptical => {
-                contact.load / (reduced_modulus * r * r)
-            }
-            ContactKind::Line | ContactKind::Roller => contact.line_load() / (reduced_modulus * r),
+        let load = match contact.kind.family() {
+            Family::Point => contact.load / (reduced_modulus * r * r),
+            Family::Cylinder => contact.line_load() / (reduced_modulus * r),
         };
         Groups {
             load,
             speed,
             material,
-            moes_load: load * (2.0 * speed).powf(-contact.kind.moes_power()),
+            moes_load: load * (2.0 * speed).powf(-contact.kind.family().moes_power()),
             moes_material: material * (2.0 * speed).powf(0.25),
         }
     }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use serde::Serialize;
 
 use super::ellipse::Ellipse;
-use super::{Contact, ContactKind};
+use super::{Contact, ContactKind, Family};
 
 /// Dry contact after Hertz (1881).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -60,12 +60,9 @@ impl Hertz {
     /// Area of the dry contact: m², of line contacts per length, m.
     pub fn area(&self, contact: &Contact) -> f64 {
         let a = self.half_width;
-        match contact.kind {
-            ContactKind::Circular | ContactKind::Elliptical => {
-                PI * a * self.half_width_y.unwrap_or(a)
-            }
-            ContactKind::Line => 2.0 * a,
-            ContactKind::Roller => 2.0 * a * contact.roller.as_ref().map_or(1.0, |r| r.length),
+        match contact.kind.family() {
+            Family::Point => PI * a * self.half_width_y.unwrap_or(a),
+            Family::Cylinder => 2.0 * a * contact.roller.as_ref().map_or(1.0, |r| r.length),
         }
     }
 
@@ -102,10 +99,10 @@ pub fn pressure_profile(r: f64) -> f64 {
 
 /// Dimensionless integral of P over the whole contact: 2π/3 (circular; elliptical in units of both semi-axes), π/2 (line;
 /// rollers per length).
-pub fn load_integral(kind: ContactKind) -> f64 {
-    match kind {
-        ContactKind::Circular | ContactKind::Elliptical => 2.0 * PI / 3.0,
-        ContactKind::Line | ContactKind::Roller => 0.5 * PI,
+pub fn load_integral(family: Family) -> f64 {
+    match family {
+        Family::Point => 2.0 * PI / 3.0,
+        Family::Cylinder => 0.5 * PI,
     }
 }
 
@@ -118,15 +115,13 @@ pub fn load_integral(kind: ContactKind) -> f64 {
 /// δ = −r²/2 inside, δ = −r²/2 + [r√(r²−1) − ln(r + √(r²−1))]/2 outside.
 ///
 /// Elliptical: that of the circle, which it resembles; rollers: that of the line.
-pub fn deflection_profile(kind: ContactKind, r: f64) -> f64 {
+pub fn deflection_profile(family: Family, r: f64) -> f64 {
     let r = r.abs();
-    match kind {
-        ContactKind::Circular | ContactKind::Elliptical if r <= 1.0 => 1.0 - 0.5 * r * r,
-        ContactKind::Circular | ContactKind::Elliptical => {
-            ((2.0 - r * r) * (1.0 / r).asin() + (r * r - 1.0).sqrt()) / PI
-        }
-        ContactKind::Line | ContactKind::Roller if r <= 1.0 => -0.5 * r * r,
-        ContactKind::Line | ContactKind::Roller => {
+    match family {
+        Family::Point if r <= 1.0 => 1.0 - 0.5 * r * r,
+        Family::Point => ((2.0 - r * r) * (1.0 / r).asin() + (r * r - 1.0).sqrt()) / PI,
+        Family::Cylinder if r <= 1.0 => -0.5 * r * r,
+        Family::Cylinder => {
             let s = (r * r - 1.0).sqrt();
             -0.5 * r * r + 0.5 * (r * s - (r + s).ln())
         }
@@ -134,8 +129,8 @@ pub fn deflection_profile(kind: ContactKind, r: f64) -> f64 {
 }
 
 /// Gap of a dry contact, in a²/R, at the distance `r` > 1 in half-widths.
-pub fn dry_gap(kind: ContactKind, r: f64) -> f64 {
-    0.5 * r * r + deflection_profile(kind, r) - deflection_profile(kind, 1.0) - 0.5
+pub fn dry_gap(family: Family, r: f64) -> f64 {
+    0.5 * r * r + deflection_profile(family, r) - deflection_profile(family, 1.0) - 0.5
 }
 
 #[cfg(test)]
@@ -178,7 +173,7 @@ mod tests {
     /// The gap of a dry contact closes at r = 1 with continuous deflection and slope.
     #[test]
     fn deflection_is_smooth_at_the_edge_and_decays() {
-        for kind in [ContactKind::Line, ContactKind::Circular] {
+        for kind in [Family::Cylinder, Family::Point] {
             let (i, o) = (
                 deflection_profile(kind, 1.0 - 1e-9),
                 deflection_profile(kind, 1.0 + 1e-9),
@@ -186,7 +181,7 @@ mod tests {
             assert_relative_eq!(i, o, epsilon = 1e-7);
         }
         // A point load's field far away: δ → F/(πE*r), dimensionless 2/(3 r)·(2/π)
-        let far = deflection_profile(ContactKind::Circular, 1e3);
+        let far = deflection_profile(Family::Point, 1e3);
         assert_relative_eq!(far, 4.0 / (3.0 * PI * 1e3), max_relative = 1e-5);
     }
 }

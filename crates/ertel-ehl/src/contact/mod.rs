@@ -7,6 +7,7 @@ pub mod gap;
 pub mod groups;
 pub mod hertz;
 pub mod inlet;
+mod kind;
 pub mod material;
 pub mod motion;
 pub mod roller;
@@ -22,62 +23,18 @@ pub use gap::{Gap, GapTerm};
 pub use groups::Groups;
 pub use hertz::Hertz;
 pub use inlet::{Inlet, OilLayer, Supply};
+pub use kind::{ContactKind, Family};
 pub use material::{Material, reduced_modulus};
 pub use motion::{Motion, Planar};
 pub use roller::Roller;
 pub use scales::Scales;
-pub use shape::{Shape, Symmetry};
+pub use shape::{Outline, Shape, Symmetry};
 pub use turn::Turn;
 pub use zone::HertzZone;
 
 use std::f64::consts::FRAC_PI_2;
 
 use serde::Serialize;
-
-/// Shape of the contact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum ContactKind {
-    /// Infinitely long cylinder on a plane (plane strain); loads are per length.
-    Line,
-    /// Ball on plane.
-    Circular,
-    /// Bodies with two radii of curvature each; the axes of the contact lie along x and y.
-    Elliptical,
-    /// A roller of finite length on a plane, its axis along y.
-    Roller,
-}
-
-impl ContactKind {
-    /// Dimension of the elastic body: 2 (plane strain) or 3.
-    pub fn body_dimension(self) -> usize {
-        match self {
-            ContactKind::Line => 2,
-            ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => 3,
-        }
-    }
-
-    /// Whether the contact ends along y, too; its load is a force then, and not one per length.
-    pub fn is_point(self) -> bool {
-        self != ContactKind::Line
-    }
-
-    /// Whether a cylinder touches, whose films are those of a line contact under the load per length.
-    pub fn is_cylinder(self) -> bool {
-        match self {
-            ContactKind::Line | ContactKind::Roller => true,
-            ContactKind::Circular | ContactKind::Elliptical => false,
-        }
-    }
-
-    /// The power k of Moes' load group, `M = W (2U)^(-k)`.
-    pub fn moes_power(self) -> f64 {
-        match self {
-            ContactKind::Line | ContactKind::Roller => 0.5,
-            ContactKind::Circular | ContactKind::Elliptical => 0.75,
-        }
-    }
-}
 
 /// A loaded contact.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -191,22 +148,23 @@ impl Contact {
         match kind {
             ContactKind::Line => Contact::line(radius, load),
             ContactKind::Circular => Contact::circular(radius, load),
-            ContactKind::Elliptical | ContactKind::Roller => {
-                panic!("an ellipse has two radii, a roller a length")
-            }
+            _ => panic!("an ellipse has two radii, a roller a length"),
         }
+    }
+
+    /// Whether the two radii of curvature are given each, and the direction of the motion.
+    pub fn has_two_radii(&self) -> bool {
+        self.kind == ContactKind::Elliptical
     }
 
     /// Axis ratio of the Hertz zone, across the motion over along it where that is along an axis; 1 of circles and lines.
     pub fn ellipticity(&self) -> f64 {
-        match self.kind {
-            ContactKind::Elliptical => {
-                let [along, across] = self.radii_along_and_across();
-                let [a, b] = ellipse::Ellipse::of_radii([along, across]).semi_axes(1.0, 1.0);
-                b / a
-            }
-            ContactKind::Circular | ContactKind::Line | ContactKind::Roller => 1.0,
+        if !self.has_two_radii() {
+            return 1.0;
         }
+        let [along, across] = self.radii_along_and_across();
+        let [a, b] = ellipse::Ellipse::of_radii([along, across]).semi_axes(1.0, 1.0);
+        b / a
     }
 
     /// The same contact with the principal direction nearest to the motion as its first one: the angle lies between

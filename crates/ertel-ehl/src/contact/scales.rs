@@ -60,9 +60,9 @@ impl Scales {
     /// By which an integral over the part of the contact area that is solved, in half-widths squared or half-widths,
     /// becomes one over all of it, m² or m.
     pub fn area(&self, shape: &Shape) -> f64 {
-        let part = match shape.kind.is_point() {
-            true => self.length * self.length,
-            false => self.length,
+        let part = match shape.is_line() {
+            true => self.length,
+            false => self.length * self.length,
         };
         shape.symmetry.multiplicity() * part
     }

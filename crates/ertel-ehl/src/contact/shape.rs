@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use super::gap::{GapTerm, RollerGap};
 use super::roller::{RollerZone, Slices};
-use super::{Contact, ContactKind, Gap, Hertz, HertzZone, Inlet, Motion, Roller, Turn, hertz};
+use super::{
+    Contact, ContactKind, Family, Gap, Hertz, HertzZone, Inlet, Motion, Roller, Turn, hertz,
+};
 
 /// Which part of the contact is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,8 +30,8 @@ impl Symmetry {
 /// Geometry of a contact and of its oil, dimensionless; X along the entrainment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// Line, circular, elliptical or roller.
-    pub kind: ContactKind,
+    /// Dimension of the contact area: 1 where all is the same along y and loads are per length, else 2.
+    pub dim: usize,
     /// The undeformed gap.
     pub gap: Gap,
     /// Where the dry contact carries pressure.
@@ -45,7 +47,7 @@ pub struct Shape {
 impl Shape {
     /// A cylinder.
     pub const LINE: Shape = Shape {
-        kind: ContactKind::Line,
+        dim: 1,
         gap: Gap::paraboloid(0.0),
         zone: HertzZone {
             axis_ratio: 1.0,
@@ -59,7 +61,7 @@ impl Shape {
 
     /// A ball.
     pub const CIRCULAR: Shape = Shape {
-        kind: ContactKind::Circular,
+        dim: 2,
         gap: Gap::paraboloid(1.0),
         zone: HertzZone {
             axis_ratio: 1.0,
@@ -80,7 +82,7 @@ impl Shape {
             .map(|y| y / half_width)
             .collect();
         Shape {
-            kind: ContactKind::Roller,
+            dim: 2,
             gap: Gap {
                 terms: vec![GapTerm::Roller(gap)],
                 ..Gap::paraboloid(0.0)
@@ -113,7 +115,7 @@ impl Shape {
             (ContactKind::Line, None) => Shape::LINE,
             (ContactKind::Circular, None) => Shape::CIRCULAR,
             (ContactKind::Elliptical, None) => Shape {
-                kind: contact.kind,
+                dim: 2,
                 gap: Gap {
                     turn,
                     ..Gap::paraboloid(contact.radius / contact.radius_y)
@@ -154,7 +156,7 @@ impl Shape {
         let [d, t] = other.zone.turn.to_axes([1.0, 0.0]);
         // Rollers of other loads have other lengths in half-widths; where their dry contact lies follows from the gap.
         self.gap.terms == other.gap.terms
-            && self.kind == other.kind
+            && self.dim == other.dim
             && self.symmetry == other.symmetry
             && self.inlet.is_like(&other.inlet)
             && close(self.gap.curvature_ratio, other.gap.curvature_ratio)
@@ -162,25 +164,50 @@ impl Shape {
             && (c - d).abs() + (s - t).abs() < 1e-12
     }
 
-    /// Target of ∫P over the part that is solved.
-    pub fn load(&self) -> f64 {
-        let length = (self.zone.roller.as_ref()).map_or(1.0, |r| 2.0 * r.half_length());
-        hertz::load_integral(self.kind) * self.zone.axis_ratio * length
-            / self.symmetry.multiplicity()
+    /// Whether all is the same along y.
+    pub fn is_line(&self) -> bool {
+        self.dim == 1
     }
 
-    /// Area of the Hertz zone in the part that is solved.
-    pub fn zone_area(&self) -> f64 {
-        if let Some(roller) = &self.zone.roller {
-            return roller.area() / self.symmetry.multiplicity();
+    /// What the dry contact looks like.
+    pub fn outline(&self) -> Outline<'_> {
+        match &self.zone.roller {
+            Some(roller) => Outline::Roller(roller),
+            None if self.is_line() => Outline::Strip,
+            None => Outline::Ellipse,
         }
-        let whole = match self.kind {
-            ContactKind::Roller => panic!("a roller has a zone of its own"),
-            ContactKind::Line => 2.0,
-            ContactKind::Circular | ContactKind::Elliptical => {
-                std::f64::consts::PI * self.zone.axis_ratio
+    }
+
+    /// Target of ∫P over the part that is solved.
+    pub fn load(&self) -> f64 {
+        let whole = match self.outline() {
+            Outline::Strip => hertz::load_integral(Family::Cylinder),
+            Outline::Ellipse => hertz::load_integral(Family::Point) * self.zone.axis_ratio,
+            Outline::Roller(roller) => {
+                hertz::load_integral(Family::Cylinder) * (2.0 * roller.half_length())
             }
         };
         whole / self.symmetry.multiplicity()
     }
+
+    /// Area of the Hertz zone in the part that is solved.
+    pub fn zone_area(&self) -> f64 {
+        let whole = match self.outline() {
+            Outline::Strip => 2.0,
+            Outline::Ellipse => std::f64::consts::PI * self.zone.axis_ratio,
+            Outline::Roller(roller) => roller.area(),
+        };
+        whole / self.symmetry.multiplicity()
+    }
+}
+
+/// Outline of the dry contact.
+#[derive(Clone, Copy, Debug)]
+pub enum Outline<'a> {
+    /// Two parallel lines.
+    Strip,
+    /// An ellipse, or a circle.
+    Ellipse,
+    /// Nearly a rectangle.
+    Roller(&'a RollerZone),
 }

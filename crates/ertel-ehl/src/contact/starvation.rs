@@ -6,26 +6,20 @@
 //! Ertel's and Grubin's inlet, as long as it takes for the lubricant to become solid, cut off at the meniscus M: H for the flooded H_f.
 //! Good enough to lay down a mesh and to start from.
 
-use super::{ContactKind, Supply, hertz};
+use super::{Family, Supply, hertz};
 
 /// Central film, in a²/R, for the `flooded` one and a supply; `length` a and `film` a²/R in m.
-pub fn starved_film(
-    kind: ContactKind,
-    flooded: f64,
-    supply: &Supply,
-    length: f64,
-    film: f64,
-) -> f64 {
+pub fn starved_film(family: Family, flooded: f64, supply: &Supply, length: f64, film: f64) -> f64 {
     match supply {
         Supply::Flooded => flooded,
         Supply::OilLayer { thickness } => flooded.min(thickness / film),
         Supply::Meniscus { distance } => {
             let meniscus = distance / length;
-            let goal = inlet_integral(kind, flooded, FAR);
+            let goal = inlet_integral(family, flooded, FAR);
             let mut bounds = [0.0, flooded];
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (bounds[0] + bounds[1]);
-                let end = usize::from(inlet_integral(kind, middle, meniscus) < goal);
+                let end = usize::from(inlet_integral(family, middle, meniscus) < goal);
                 bounds[end] = middle;
             }
             bounds[1]
@@ -41,8 +35,8 @@ const HALVINGS: usize = 40;
 const POINTS: usize = 400;
 
 /// ∫_1^end g/(g + H)³ dX, on intervals that grow as the third power of the distance to the rim.
-fn inlet_integral(kind: ContactKind, film: f64, end: f64) -> f64 {
-    let gap = |x: f64| hertz::dry_gap(kind, x);
+fn inlet_integral(family: Family, film: f64, end: f64) -> f64 {
+    let gap = |x: f64| hertz::dry_gap(family, x);
     (0..POINTS)
         .map(|i| {
             let t = (i as f64 + 0.5) / POINTS as f64;
@@ -62,9 +56,9 @@ mod tests {
     /// flooded one over its whole length.
     #[test]
     fn films_of_near_and_far_menisci() {
-        for kind in [ContactKind::Line, ContactKind::Circular] {
+        for family in [Family::Cylinder, Family::Point] {
             let film =
-                |distance| starved_film(kind, 0.01, &Supply::Meniscus { distance }, 1.0, 1.0);
+                |distance| starved_film(family, 0.01, &Supply::Meniscus { distance }, 1.0, 1.0);
             assert_relative_eq!(film(50.0), 0.01, max_relative = 1e-3);
             let mut last = 0.0;
             for distance in [1.001, 1.01, 1.1, 1.5, 3.0] {
@@ -73,12 +67,12 @@ mod tests {
             }
             let h = film(1.1);
             let [starved, flooded] = [
-                inlet_integral(kind, h, 1.1),
-                inlet_integral(kind, 0.01, FAR),
+                inlet_integral(family, h, 1.1),
+                inlet_integral(family, 0.01, FAR),
             ];
             assert_relative_eq!(starved, flooded, max_relative = 1e-6);
             let layer = Supply::OilLayer { thickness: 0.004 };
-            assert_eq!(starved_film(kind, 0.01, &layer, 1.0, 1.0), 0.004);
+            assert_eq!(starved_film(family, 0.01, &layer, 1.0, 1.0), 0.004);
         }
     }
 }

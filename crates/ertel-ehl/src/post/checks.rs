@@ -57,9 +57,9 @@ fn far_share(figures: &Figures) -> f64 {
 /// Says so where the contact area reaches farther than the bodies; `half_width` a in m.
 pub fn warning(shape: &Shape, e: &Extents, half_width: f64, figures: &Figures) -> Option<Warning> {
     let along = e.inlet.abs().max(e.outlet) / shape.ends[0];
-    let across = match shape.kind.is_point() {
-        true => e.side * shape.zone.axis_ratio / shape.ends[1],
-        false => 0.0,
+    let across = match shape.is_line() {
+        true => 0.0,
+        false => e.side * shape.zone.axis_ratio / shape.ends[1],
     };
     let excess = along.max(across);
     if excess <= 1.0 {

@@ -2,7 +2,7 @@
 
 use super::balance::film_balance_error;
 use super::limits::thin_film_warning;
-use crate::contact::{ContactKind, Inlet, Scales};
+use crate::contact::{Inlet, Scales};
 use crate::solution::Role;
 use crate::solution::{
     Figure, FilmReduction, LevelStats, Measured, Summary, Traction, TractionAcross, solved,
@@ -119,13 +119,16 @@ fn refinement_ended(end: Option<RefinementEnd>) -> String {
 /// Warnings about a solution: film too thin for a continuum, error bars too wide, contact area
 /// too small.
 pub fn warnings(
-    kind: ContactKind,
     summary: &Summary,
     solution: &StageSolution,
     levels: &[LevelStats],
     target_error: Option<f64>,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
+    let side_key = match solution.discretisation.contact.shape.is_line() {
+        true => "",
+        false => ", side",
+    };
     let minimum = summary.film_minimum;
     warnings.extend(thin_film_warning(
         "the minimum film thickness",
@@ -154,7 +157,7 @@ pub fn warnings(
                 "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error, because the edges of the \
                  contact area are near: move them outward ([mesh] inlet{})",
                 100.0 * relative,
-                if kind.is_point() { ", side" } else { "" }
+                side_key
             ),
             Some(target) if relative > target => format!(
                 "the {name} film thickness is uncertain by {:.2} %, beyond [mesh] target_error: {}",
@@ -225,7 +228,7 @@ pub fn warnings(
              computational inlet is too short (numerical starvation); move the edge outward ([mesh] inlet{})",
             e.inlet,
             inlet_film / centre,
-            if kind.is_point() { ", side" } else { "" }
+            side_key
         );
         let shortage = centre / inlet_film;
         warnings.push(Warning::beyond(WarningKind::InletEdge, shortage, text));

@@ -1,7 +1,7 @@
 //! Fields over the whole contact area, with their mirror image where half of it is solved.
 
 use super::{Field, FilmTemperatures, Solution, SurfaceField};
-use crate::contact::{ContactKind, Shape, Symmetry};
+use crate::contact::{Shape, Symmetry};
 
 /// Fields at the points of the whole contact area, SI.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -59,7 +59,7 @@ impl ContactFields {
             points,
             cells,
             fields,
-            is_line: shape.kind == ContactKind::Line,
+            is_line: shape.is_line(),
         }
     }
 

@@ -20,7 +20,7 @@ mod unresolved;
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
-use crate::contact::{Groups, Hertz, Scales, Shape};
+use crate::contact::{ContactKind, Groups, Hertz, Scales, Shape};
 use crate::warning::Warning;
 
 pub use checks::{Balance, Checks, SummedTo};
@@ -566,6 +566,8 @@ pub struct BodyField {
 /// The solution of a case.
 #[derive(Clone, Debug)]
 pub struct Solution {
+    /// Kind of the contact.
+    pub kind: ContactKind,
     /// Geometry of the contact.
     pub shape: Shape,
     /// Hertz contact.

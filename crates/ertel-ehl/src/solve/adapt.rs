@@ -6,7 +6,7 @@ use super::bars::{Compared, compared};
 use super::discretisation::LevelSizes;
 use super::halvings::{Goal, halvings};
 use super::indicator::Indicator;
-use crate::contact::{ContactKind, Shape};
+use crate::contact::Shape;
 use crate::elastic::BodyModel;
 use crate::solution::LevelStats;
 
@@ -54,11 +54,9 @@ pub fn grading_errors(shape: &Shape, model: BodyModel, sizes: &LevelSizes) -> [f
     if model == BodyModel::HalfSpace {
         return [SMALLEST_ERROR; 2];
     }
-    let (errors, growth) = match shape.kind {
-        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
-            ([5e-3, 6e-3], 0.9)
-        }
-        ContactKind::Line => ([6e-4, 8e-4], 0.3),
+    let (errors, growth) = match shape.is_line() {
+        false => ([5e-3, 6e-3], 0.9),
+        true => ([6e-4, 8e-4], 0.3),
     };
     let ratio = sizes.depth_growth / growth;
     errors.map(|e| (e * ratio * ratio).max(SMALLEST_ERROR))

@@ -167,7 +167,7 @@ pub fn adjoints(
             reached = leave(&x, &mut residual);
         }
         // Rough products of areas cost half as much: what they leave is found with a full one, and solved for again.
-        let (products, least) = match d.contact.shape.kind.is_point() || tolerance >= ROUGH {
+        let (products, least) = match !d.contact.shape.is_line() || tolerance >= ROUGH {
             true => (Accuracy::Krylov, ROUGH),
             false => (Accuracy::Full, 0.0),
         };

@@ -15,7 +15,7 @@ use super::heat::column::Column;
 use super::heat::space::HeatSpace;
 pub use super::sizes::LevelSizes;
 use super::sizes::size_at;
-use crate::contact::{ContactKind, HertzZone, Inlet, Shape, Symmetry};
+use crate::contact::{HertzZone, Inlet, Shape, Symmetry};
 use crate::elastic::{
     Accuracy, BodyModel, Elasticity, FiniteBodies, FiniteBody, FiniteBodyError, HalfSpace,
     SurfaceResponse, Trace, near_pairs,
@@ -105,7 +105,7 @@ impl ContactSurface {
         let mesh = match elasticity.model {
             BodyModel::HalfSpace => {
                 let params = SurfaceParams {
-                    dim: shape.kind.body_dimension() - 1,
+                    dim: shape.dim,
                     x: [extents.inlet, extents.outlet],
                     y: match shape.symmetry {
                         Symmetry::Half => [-extents.side, 0.0],
@@ -116,7 +116,7 @@ impl ContactSurface {
                 Mesh::Surface(Arc::new(surface_mesh(&params, &size)?))
             }
             BodyModel::FiniteElements => {
-                let params = body_params(shape.kind, extents);
+                let params = body_params(shape.dim, extents);
                 let size = |x: [f64; 3]| size_at(shape, extents, sizes, x);
                 Mesh::Body(Arc::new(FiniteBody::new(&params, &size)?))
             }
@@ -195,8 +195,7 @@ impl ContactSurface {
             Mesh::Body(body) => body.surface.clone(),
         };
         let deflection = Space::new(&surface, elasticity.order);
-        let wide = !shape.kind.is_point();
-        let near_pairs = near_pairs(&deflection, wide);
+        let near_pairs = near_pairs(&deflection, shape.is_line());
         let mut n_displacement = 0;
         let bodies = &elasticity.bodies;
         let (support, response): (Support, Arc<dyn SurfaceResponse>) = match mesh {
@@ -450,9 +449,9 @@ impl Discretisation {
     }
 }
 
-fn body_params(kind: ContactKind, e: &Extents) -> BodyParams {
+fn body_params(dim: usize, e: &Extents) -> BodyParams {
     BodyParams {
-        dim: kind.body_dimension(),
+        dim: dim + 1,
         x_inlet: e.inlet,
         x_outlet: e.outlet,
         y_side: e.side,
@@ -477,6 +476,6 @@ pub(super) fn on_edge(shape: &Shape, e: &Extents, p: [f64; 3]) -> bool {
     let [x, y] = shape.zone.unit([p[0], p[1]]);
     x < e.inlet + tiny
         || x > e.outlet - tiny
-        || (shape.kind.is_point()
+        || (!shape.is_line()
             && (y < -e.side + tiny || (shape.symmetry == Symmetry::Full && y > e.side - tiny)))
 }

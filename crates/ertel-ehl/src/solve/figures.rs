@@ -61,7 +61,7 @@ pub fn figures(
         if p >= p_max {
             figures.note(Figure::PressureMaximum, central);
         }
-        if let Some((p, place)) = peaks.other.filter(|_| problem.shape.kind.is_point()) {
+        if let Some((p, place)) = peaks.other.filter(|_| !problem.shape.is_line()) {
             figures.note(Figure::PressureRidge, at(scales.pressure * p, place));
         }
     }
@@ -205,7 +205,7 @@ fn note_friction(
             figures.note(figure, component(vector, near, 1));
         }
     }
-    if askew && shape.kind.is_point() {
+    if askew && !shape.is_line() {
         let [moment, size] = f.moment;
         let moment = Reading {
             size,

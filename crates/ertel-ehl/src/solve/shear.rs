@@ -27,7 +27,7 @@ use super::points::{Point, PointFields, PointTable, fields_at};
 use super::region::{Elements, Region, Share};
 use super::sequence::Problem;
 use super::system::State;
-use crate::contact::{ContactKind, Planar, Scales, Shape, Symmetry};
+use crate::contact::{Outline, Planar, Scales, Shape, Symmetry};
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::BeyondEdges;
@@ -172,7 +172,7 @@ impl Sums {
 /// Whether anything may pull across the motion: not where both halves of a contact are alike, nor along a cylinder whose surface does
 /// not slide there.
 pub fn is_askew(shape: &Shape, fluid: &FilmFluid) -> bool {
-    let halves_differ = shape.kind.is_point() && shape.symmetry == Symmetry::Full;
+    let halves_differ = !shape.is_line() && shape.symmetry == Symmetry::Full;
     halves_differ || !fluid.slide().is_along_x()
 }
 
@@ -376,11 +376,9 @@ pub fn beyond_edges(
         reach[0].min(shape.ends[0]),
         reach[1].min(shape.ends[1] / shape.zone.axis_ratio),
     ];
-    let further = match shape.kind {
-        ContactKind::Circular | ContactKind::Elliptical => {
-            (reach[0] / edge).max(reach[1] / extents.side)
-        }
-        ContactKind::Line | ContactKind::Roller => reach[0] / edge,
+    let further = match shape.outline() {
+        Outline::Ellipse => (reach[0] / edge).max(reach[1] / extents.side),
+        Outline::Strip | Outline::Roller(_) => reach[0] / edge,
     };
     if further <= 1.0 {
         return BeyondEdges::default();
@@ -388,16 +386,16 @@ pub fn beyond_edges(
     // Over the part that is solved, as the load.
     let drag = scales.lambda
         * far_field(&shape.gap)[0]
-        * match shape.kind {
+        * match shape.outline() {
             // Over rings as stretched as the Hertz zone, or stretched in any other way.
-            ContactKind::Circular | ContactKind::Elliptical => {
+            Outline::Ellipse => {
                 PI * further.ln()
                     / (shape.symmetry.multiplicity() * shape.gap.curvature_ratio.sqrt())
             }
-            ContactKind::Line => 3.0 * (1.0 - 1.0 / further) / edge,
+            Outline::Strip => 3.0 * (1.0 - 1.0 / further) / edge,
             // The cylinder's, all along the part that is solved.
-            ContactKind::Roller => {
-                let length = (shape.zone.roller.as_ref()).map_or(1.0, |r| 2.0 * r.half_length());
+            Outline::Roller(roller) => {
+                let length = 2.0 * roller.half_length();
                 3.0 * (1.0 - 1.0 / further) / edge * length / shape.symmetry.multiplicity()
             }
         };
@@ -450,7 +448,7 @@ mod tests {
         });
         let [mut ball, mut barrel, mut roller] = [0.0; 3];
         let ellipse = Shape {
-            kind: ContactKind::Elliptical,
+            dim: 2,
             gap: Gap {
                 curvature_ratio: 0.3,
                 turn: Turn::NONE,

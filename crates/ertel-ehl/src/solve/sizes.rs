@@ -4,7 +4,7 @@ use ertel_fem::mesh::{SizeField, SizeZone, Zone};
 
 use super::discretisation::Extents;
 use crate::contact::roller::RollerZone;
-use crate::contact::{ContactKind, Shape, Symmetry};
+use crate::contact::{Shape, Symmetry};
 
 /// Cell sizes of one level and the region they cover, in Hertz half-widths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,13 +46,13 @@ pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -
         return size_of_roller(roller, s, [x[0], x[1]]);
     }
     let origin = [0.0; 3];
-    let outlet_from = match (shape.kind, shape.symmetry) {
-        (ContactKind::Line, _) => 0.5,
-        (_, Symmetry::Half) => OUTLET_FROM,
+    let outlet_from = match (shape.is_line(), shape.symmetry) {
+        (true, _) => 0.5,
+        (false, Symmetry::Half) => OUTLET_FROM,
         // The mesh of an ellipse at an angle lies along the motion.
-        (_, Symmetry::Full) if !shape.zone.turn.is_none() => OUTLET_FROM,
+        (false, Symmetry::Full) if !shape.zone.turn.is_none() => OUTLET_FROM,
         // The outlet may lie on any side.
-        (_, Symmetry::Full) => f64::NEG_INFINITY,
+        (false, Symmetry::Full) => f64::NEG_INFINITY,
     };
     let zones = [
         SizeZone {
@@ -93,7 +93,7 @@ pub(super) fn size_at(shape: &Shape, e: &Extents, s: &LevelSizes, x: [f64; 3]) -
     // Far from the contact the film varies on the scale of the distance; beyond the contact area
     // there is no film.
     let r = x[0].hypot(x[1]);
-    let side = if shape.kind.is_point() { e.side } else { 0.0 };
+    let side = if shape.is_line() { 0.0 } else { e.side };
     let area = Zone::Box {
         min: [e.inlet, -side, 0.0],
         max: [
@@ -174,7 +174,7 @@ pub fn expected_unknowns(
     let mut cells = 0.0;
     for pair in radii.windows(2) {
         let (r, width) = (0.5 * (pair[0] + pair[1]), pair[1] - pair[0]);
-        if !shape.kind.is_point() {
+        if shape.is_line() {
             let ends = [-r, r].into_iter().filter(|x| inside(*x, 0.0));
             cells += ends
                 .map(|x| width / (COVERED[1] * size(x, 0.0)))
@@ -191,10 +191,10 @@ pub fn expected_unknowns(
             }
         }
     }
-    match shape.kind.is_point() {
+    match shape.is_line() {
+        true => k * cells,
         // Counted over one half.
-        true => 0.5 * k * k * cells * (2.0 / shape.symmetry.multiplicity()),
-        false => k * cells,
+        false => 0.5 * k * k * cells * (2.0 / shape.symmetry.multiplicity()),
     }
 }
 

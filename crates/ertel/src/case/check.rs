@@ -26,7 +26,7 @@ pub(super) fn hertz(
     // A Hertz pressure given as such was checked before the round trip through the load.
     let rounding = Bounds::closed(MIN_PRESSURE * (1.0 - 1e-12), MAX_PRESSURE * (1.0 + 1e-12));
     if !rounding.contains(hertz.pressure) {
-        let unit = if contact.kind.is_point() { "N" } else { "N/m" };
+        let unit = contact.kind.load_unit();
         let load = |pressure| Hertz::load_for_pressure(contact, reduced_modulus, pressure);
         return Err(table
             .error(

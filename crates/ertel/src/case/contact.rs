@@ -23,23 +23,12 @@ pub(super) fn read_contact(
     shapes: Option<&Shapes>,
     folder: &Path,
 ) -> Result<Contact, InputError> {
-    let kind = table.required_choice(
-        "kind",
-        &[
-            ("circular", ContactKind::Circular),
-            ("line", ContactKind::Line),
-            ("elliptical", ContactKind::Elliptical),
-            ("roller", ContactKind::Roller),
-        ],
-    )?;
+    let kinds = ContactKind::ALL.map(|kind| (kind.name(), kind));
+    let kind = table.required_choice("kind", &kinds)?;
     let mut contact = match kind {
         ContactKind::Elliptical => read_ellipse(table, shapes)?,
         kind if shapes.is_some() => {
-            let name = match kind {
-                ContactKind::Roller => "roller",
-                ContactKind::Line => "line",
-                ContactKind::Circular | ContactKind::Elliptical => "circular",
-            };
+            let name = kind.name();
             return Err(table
                 .error(
                     "kind",

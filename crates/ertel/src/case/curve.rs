@@ -279,7 +279,7 @@ fn read_quantity(
     let found = present.iter().find(|q| q.path == path);
     let mut quantity =
         *found.ok_or_else(|| table.unknown_name("quantity", present.iter().map(|q| q.path)))?;
-    if quantity.path == "contact.load" && kind == ContactKind::Line {
+    if quantity.path == "contact.load" && kind.is_line() {
         quantity.dimension = Dimension::FORCE_PER_LENGTH;
         quantity.symbol = "*w*";
     }

@@ -90,12 +90,8 @@ pub fn read_mesh(
     mesh.max_unknowns = unknowns.and_then(|n| usize::try_from(n).ok());
     read_pressure_error(&mut table, &mut mesh)?;
     // Sizes in Hertz half-widths; below these, no memory is large enough.
-    let size = match kind {
-        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
-            Bounds::closed(0.01, 2.0)
-        }
-        ContactKind::Line => Bounds::closed(0.0002, 2.0),
-    };
+    let finest = if kind.is_line() { 0.0002 } else { 0.01 };
+    let size = Bounds::closed(finest, 2.0);
     set(
         &mut mesh.hertz_size,
         table.optional_number("hertz_size", size)?,

@@ -54,7 +54,7 @@ pub fn read(mut table: Table<'_>, kind: ContactKind) -> Result<ThermalParams, In
     thermal.ball_temperature = temperature("body_2_temperature", "ball_temperature")?;
     let points = table.optional_points("profiles", Bounds::closed(-FARTHEST, FARTHEST))?;
     set(&mut thermal.profiles, points);
-    if kind == ContactKind::Line && thermal.profiles.iter().any(|[_, y]| *y != 0.0) {
+    if kind.is_line() && thermal.profiles.iter().any(|[_, y]| *y != 0.0) {
         return Err(table.error(
             "profiles",
             "the points of `profiles` must have y = 0: a line contact has no other",

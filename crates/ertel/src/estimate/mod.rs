@@ -10,7 +10,7 @@ pub use crate::plausible::inertia::{
 pub use regime::{Regime, RegimeEstimate, regime};
 
 use crate::case::Case;
-use crate::contact::{ContactKind, Groups, Hertz};
+use crate::contact::{ContactKind, Family, Groups, Hertz};
 use crate::plausible::heat::inlet_heat;
 use crate::plausible::left_out::{self, Known};
 use crate::plausible::{smallest_radius, thick_film};
@@ -166,7 +166,7 @@ pub fn estimate(case: &Case) -> CaseEstimate {
         kind: contact.kind,
         hertz,
         reduced_modulus: modulus,
-        chart: chart(contact.kind, &g),
+        chart: chart(contact.kind.family(), &g),
         regime,
         formulas: formulas(&g),
         formulas_asymptotic: groups_asymptotic.as_ref().map(formulas),
@@ -214,9 +214,9 @@ fn compressed(films: &Asymptotes, density: f64) -> Asymptotes {
     }
 }
 
-fn chart(kind: ContactKind, groups: &Groups) -> ChartParameters {
+fn chart(family: Family, groups: &Groups) -> ChartParameters {
     let (w, u, g) = (groups.load, groups.speed, groups.material);
-    let circular = |value: f64| (!kind.is_cylinder()).then_some(value);
+    let circular = |value: f64| (family == Family::Point).then_some(value);
     ChartParameters {
         viscosity_parameter: circular(g * w.powi(3) / (u * u)),
         elasticity_parameter: circular(w.powf(8.0 / 3.0) / (u * u)),
@@ -227,14 +227,12 @@ fn chart(kind: ContactKind, groups: &Groups) -> ChartParameters {
 /// with pressure counts as isoviscous in the first. The formulas for the minimum are for piezoviscous contacts; of
 /// isoviscous ones they make films that are far too thin.
 fn film(case: &Case, groups: &Groups, regime: Regime) -> FilmEstimate {
-    let (central, minimum) = match case.contact.kind {
-        ContactKind::Circular | ContactKind::Elliptical => (
+    let (central, minimum) = match case.contact.kind.family() {
+        Family::Point => (
             FilmFormula::NijenbanningVennerMoes,
             FilmFormula::HamrockDowson,
         ),
-        ContactKind::Line | ContactKind::Roller => {
-            (FilmFormula::MoesLine, FilmFormula::DowsonHigginson)
-        }
+        Family::Cylinder => (FilmFormula::MoesLine, FilmFormula::DowsonHigginson),
     };
     let isoviscous = matches!(regime, Regime::IsoviscousRigid | Regime::IsoviscousElastic);
     let minimum_film = (minimum.film(&case.contact, groups).1)

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::contact::{Contact, ContactKind, Groups};
+use crate::contact::{Contact, Family, Groups};
 use crate::reference::{Asymptotes, moes_line_asymptotes, nijenbanning_venner_moes_asymptotes};
 
 /// What the film thickness depends on.
@@ -53,11 +53,9 @@ pub struct RegimeEstimate {
 pub fn regime(contact: &Contact, groups: &Groups) -> RegimeEstimate {
     let (m, l) = (groups.moes_load, groups.moes_material.max(0.0));
     let [radius, across] = contact.radii_along_and_across();
-    let a = match contact.kind {
-        ContactKind::Circular | ContactKind::Elliptical => {
-            nijenbanning_venner_moes_asymptotes(m, l, radius / across)
-        }
-        ContactKind::Line | ContactKind::Roller => moes_line_asymptotes(m, l),
+    let a = match contact.kind.family() {
+        Family::Point => nijenbanning_venner_moes_asymptotes(m, l, radius / across),
+        Family::Cylinder => moes_line_asymptotes(m, l),
     };
     let rigid = (a.isoviscous_rigid, Regime::IsoviscousRigid);
     let elastic = (a.isoviscous_elastic, Regime::IsoviscousElastic);

@@ -226,7 +226,7 @@ fn write_thermal(out: &mut Lines, estimate: &CaseEstimate) {
 /// # Errors
 /// Those of the JSON writer.
 pub fn estimate_json(case: &CaseEcho, estimate: &CaseEstimate) -> serde_json::Result<Value> {
-    let mut units = units(!case.contact.kind.is_point());
+    let mut units = units(case.contact.kind.is_line());
     for (key, unit) in [
         ("central", "m"),
         ("minimum", "m"),

@@ -1,6 +1,6 @@
 //! Figures with their error bars as text.
 
-use crate::contact::{ContactKind, Symmetry};
+use crate::contact::Symmetry;
 use crate::solution::{
     Estimate, Figure, Kind, LEAST_RISE, Located, Solution, Unresolved, WIDEST, WIDEST_OF_PLACE, Why,
 };
@@ -279,10 +279,10 @@ pub fn place(solution: &Solution, at: &Located) -> String {
         value: at.x,
         error: at.place_error,
     };
-    match solution.shape.kind {
-        ContactKind::Line => position(along, a),
-        _ if at.y == 0.0 => format!("{}, y/a 0", position(along, a)),
-        ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller => {
+    match solution.shape.is_line() {
+        true => position(along, a),
+        false if at.y == 0.0 => format!("{}, y/a 0", position(along, a)),
+        false => {
             let error = at.place_error.map(|error| error / a);
             // The other sign belongs to the mirror image.
             let (sign, y) = match solution.shape.symmetry {
@@ -313,6 +313,7 @@ fn coordinates(place: [f64; 2], error: Option<f64>) -> ([String; 2], Option<Stri
 mod tests {
     use super::super::sample;
     use super::*;
+    use crate::contact::ContactKind;
     use crate::solution::Asked;
 
     fn e(value: f64, error: f64) -> Estimate {

@@ -14,7 +14,8 @@ use crate::solution::{Located, Solution, Thermal};
 /// Path of the first number that is not finite, as `summary.film_central.value`, or `None` if all are.
 pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<String> {
     let Solution {
-        // Geometry of the mesh, which no file holds.
+        // A name, and the geometry of the mesh, which no file holds.
+        kind: _,
         shape: _,
         hertz,
         reduced_modulus,

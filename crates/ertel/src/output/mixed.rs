@@ -46,7 +46,7 @@ pub(super) fn write_asperities(out: &mut Lines, solution: &Solution) {
     let Some(asperities) = &mixed.asperities else {
         return;
     };
-    let unit = if solution.shape.kind.is_point() {
+    let unit = if !solution.shape.is_line() {
         "N"
     } else {
         "N/m"

@@ -255,7 +255,7 @@ pub(super) fn write_results(out: &mut Lines, solution: &Solution) {
 
 /// Balances that the solution should keep.
 fn write_checks(out: &mut Lines, solution: &Solution) {
-    let (c, is_point) = (&solution.checks, solution.shape.kind.is_point());
+    let (c, is_point) = (&solution.checks, !solution.shape.is_line());
     let unit = if is_point { "W" } else { "W/m" };
     out.heading("Checks of the solution (each an error of its own)");
     let balance = |b: &Balance, what: &str| {

@@ -38,7 +38,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "ertel_version": env!("CARGO_PKG_VERSION"),
         "numerics_version": NUMERICS,
         "title": case.title,
-        "kind": solution.shape.kind,
+        "kind": solution.kind,
         "figures": figures_json(solution),
         "summary": s,
         "traction": solution.traction,
@@ -61,7 +61,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
         "extents": { "inlet": inlet, "outlet": outlet, "side": side },
         "stats": serde_json::to_value(&solution.stats)?,
         "history": serde_json::to_value(&solution.history)?,
-        "units": units(!solution.shape.kind.is_point()),
+        "units": units(solution.shape.is_line()),
     });
     if let Some(starvation) = &solution.starvation {
         document["starvation"] = serde_json::to_value(starvation)?;
@@ -103,7 +103,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
 
 /// Every figure that the contact has, by its name: value, error bar, unit, and the place of those that have one.
 pub(super) fn figures_json(solution: &Solution) -> Value {
-    let is_line = !solution.shape.kind.is_point();
+    let is_line = solution.shape.is_line();
     let entry = |(figure, at): (Figure, Located)| {
         let mut entry = json!({
             "value": at.value,

@@ -24,7 +24,7 @@ pub(super) fn write_section(out: &mut Lines, solution: &Solution, section: Secti
 fn is_repetition(solution: &Solution, figure: Figure, at: &Located) -> bool {
     let is_half = solution.shape.symmetry == Symmetry::Half;
     match figure {
-        Figure::FilmCentrelineMinimum => !solution.shape.kind.is_point(),
+        Figure::FilmCentrelineMinimum => solution.shape.is_line(),
         Figure::PressureCentral => (solution.figure(Figure::PressureMaximum))
             .is_some_and(|largest| largest.resolved && largest.value == at.value),
         // Both ends are alike, and the load stands in the middle.
@@ -49,7 +49,7 @@ fn inlet_temperature(solution: &Solution) -> Option<f64> {
 /// Value and error bar.
 fn value(solution: &Solution, figure: Figure, at: &Located) -> String {
     let e = at.estimate();
-    let unit = figure.unit(!solution.shape.kind.is_point());
+    let unit = figure.unit(solution.shape.is_line());
     match figure.kind() {
         Kind::Length | Kind::Offset => estimate(&e),
         Kind::Position => position(e, solution.hertz.half_width),

@@ -105,7 +105,7 @@ pub fn write_temperature(
     let grid = Grid {
         points: &whole.points,
         cells: &cells,
-        dimension: shape.kind.body_dimension(),
+        dimension: shape.dim + 1,
         point_data: &[array(
             "temperature_K",
             Data::Float64(whole.scalar(&field.temperature)),
@@ -134,7 +134,7 @@ pub fn write_body(out: impl Write, shape: &Shape, body: &BodyField) -> io::Resul
     let grid = Grid {
         points: &whole.points,
         cells: &cells,
-        dimension: shape.kind.body_dimension(),
+        dimension: shape.dim + 1,
         point_data: &[displacement],
         ..Grid::default()
     };

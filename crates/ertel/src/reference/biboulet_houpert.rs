@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 
 use ellip::ellipe;
 
-use crate::contact::{Contact, ContactKind, Groups, Hertz};
+use crate::contact::{Contact, Family, Groups, Hertz};
 
 /// Where the formulas come from.
 pub const SOURCE: &str =
@@ -41,13 +41,13 @@ pub fn rolling_resistance(
 ) -> Option<f64> {
     let [radius, across] = contact.radii_along_and_across();
     let speed = 2.0 * groups.speed;
-    match contact.kind {
-        ContactKind::Line if LINE.contains(&groups.moes_load) => {
+    match contact.kind.family() {
+        Family::Cylinder if contact.kind.is_line() && LINE.contains(&groups.moes_load) => {
             let rigid = 1.4 * groups.moes_load.sqrt();
             let law = rigid / (1.0 + (rigid / 1.45).powi(10)).powf(0.1);
             Some(law * speed.powf(0.75) * reduced_modulus * radius)
         }
-        ContactKind::Circular | ContactKind::Elliptical => {
+        Family::Point => {
             let axes = [
                 hertz.half_width,
                 hertz.half_width_y.unwrap_or(hertz.half_width),
@@ -74,7 +74,7 @@ pub fn rolling_resistance(
             let law = (rigid - elastic) / (1.0 + m / 6.6) + elastic;
             Some(law * 2.0 * b / radius * speed.powf(0.75) * reduced_modulus * radius * radius)
         }
-        ContactKind::Line | ContactKind::Roller => None,
+        Family::Cylinder => None,
     }
 }
 

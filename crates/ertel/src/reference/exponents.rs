@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{moes_line, nijenbanning_venner_moes};
-use crate::contact::ContactKind;
+use crate::contact::Family;
 
 /// An exponent as formulas are written: `-2/15`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,10 +50,10 @@ pub struct ElasticExponents {
 impl ElasticExponents {
     /// Those of [`moes_line_asymptotes`](super::moes_line_asymptotes) or
     /// [`nijenbanning_venner_moes_asymptotes`](super::nijenbanning_venner_moes_asymptotes).
-    pub fn of(contact: ContactKind) -> ElasticExponents {
-        match contact {
-            ContactKind::Circular | ContactKind::Elliptical => nijenbanning_venner_moes::EXPONENTS,
-            ContactKind::Line | ContactKind::Roller => moes_line::EXPONENTS,
+    pub fn of(family: Family) -> ElasticExponents {
+        match family {
+            Family::Point => nijenbanning_venner_moes::EXPONENTS,
+            Family::Cylinder => moes_line::EXPONENTS,
         }
     }
 

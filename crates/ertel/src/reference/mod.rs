@@ -93,7 +93,7 @@ impl FilmFormula {
             }
             FilmFormula::NijenbanningVennerMoes => point && along_an_axis,
             FilmFormula::VennerIsoviscous => contact.kind == ContactKind::Circular,
-            FilmFormula::Chittenden => contact.kind == ContactKind::Elliptical,
+            FilmFormula::Chittenden => contact.has_two_radii(),
             FilmFormula::MoesLine
             | FilmFormula::DowsonHigginson
             | FilmFormula::DowsonHigginson1966

@@ -11,7 +11,6 @@ use super::columns::{Column, columns};
 use super::journal::{PointKey, Record, Title};
 use super::{Outcome, PointSolution, StudyError};
 use crate::case::study::{AxisValue, Study};
-use crate::contact::ContactKind;
 use crate::files::{text_field, write_whole};
 use crate::params::PictureFormats;
 use crate::solution::{Estimate, Figure};
@@ -219,7 +218,7 @@ fn belongs(name: &str) -> bool {
 /// The fields of a point, by the titles of their columns: its operating point, then its figures.
 pub(crate) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
     let case = &point.case;
-    let is_line = case.contact.kind == ContactKind::Line;
+    let is_line = case.contact.kind.is_line();
     let number = |value: f64| format!("{value:e}");
     let load = if is_line { "load_N_per_m" } else { "load_N" };
     let motion = &case.motion;
@@ -234,7 +233,7 @@ pub(crate) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
     let mut fields: Vec<(String, String)> = operating
         .map(|(name, value)| (name.to_owned(), number(value)))
         .into();
-    if case.contact.kind == ContactKind::Elliptical {
+    if case.contact.has_two_radii() {
         // An angle without a unit is in rad.
         for (name, value) in [
             ("radius_y_m", case.contact.radius_y),

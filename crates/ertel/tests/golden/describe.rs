@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use ertel::case::Case;
-use ertel::contact::ContactKind;
 use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
 use ertel::solve::Silent;
@@ -203,7 +202,7 @@ const Y: [f64; 3] = [-0.55, 0.0, 0.35];
 /// The fields at nine points, and their sums over all points that there are.
 fn note_fields(record: &mut Record, solution: &Solution) {
     let fields = solution.fields();
-    let is_line = solution.shape.kind == ContactKind::Line;
+    let is_line = solution.shape.is_line();
     let x: Vec<f64> = (X.into_iter().skip(usize::from(!is_line)))
         .step_by(if is_line { 1 } else { 3 })
         .collect();

@@ -8,7 +8,6 @@ use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::strategies::Outline;
 use super::{Problem, Stage, StageSolution};
-use crate::contact::ContactKind;
 use crate::solution::LevelStats;
 use crate::solution::Role;
 use crate::solve::adapt::{RefinementEnd, grading_errors, next_refinement};
@@ -104,8 +103,8 @@ impl Outline {
         Outline {
             usual: problem.stages.clone(),
             exponential: problem.fluid.is_exponential(),
-            impatient: problem.shape.kind == ContactKind::Roller,
-            has_steep_ends: problem.shape.kind == ContactKind::Roller,
+            impatient: problem.shape.zone.roller.is_some(),
+            has_steep_ends: problem.shape.zone.roller.is_some(),
             // An exponential law has difficulties of its own.
             ridge_diffusion: match problem.fluid.is_exponential() {
                 true => 0.0,
@@ -278,7 +277,7 @@ impl StageSolver for MeshSolver<'_> {
         let next = match (&problem.adapt, &indicator) {
             (Some(adapt), Some(indicator)) if last => next_refinement(
                 adapt,
-                problem.shape.kind.body_dimension() - 1,
+                problem.shape.dim,
                 &self.stats,
                 grading_errors(&problem.shape, problem.elasticity.model, &stage.sizes),
                 stage.refinements - self.inherited,

@@ -3,7 +3,6 @@
 use ertel_fem::platform::Instant;
 
 use super::{Problem, Stage};
-use crate::contact::ContactKind;
 use crate::solution::{LevelStats, Role};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
@@ -130,7 +129,7 @@ impl<'a> StageRun<'a> {
         }
         if self.stage.given_up_early {
             params.patience = params.patience.min(EARLY_STAGNATION);
-            let rollers = self.problem.shape.kind == ContactKind::Roller;
+            let rollers = self.problem.shape.zone.roller.is_some();
             let most = EARLY_ITERATIONS[usize::from(rollers)];
             params.max_iterations = params.max_iterations.min(most);
         }

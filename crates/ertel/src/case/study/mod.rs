@@ -379,11 +379,7 @@ fn build(
 }
 
 /// Reads a file that the key `key` of a table names: where it cannot be read, the error points at that key.
-pub fn read_named(
-    table: &Table<'_>,
-    key: &str,
-    path: &Path,
-) -> Result<Document, InputError> {
+pub fn read_named(table: &Table<'_>, key: &str, path: &Path) -> Result<Document, InputError> {
     Document::read(path).map_err(|error| match error.line() {
         Some(_) => error,
         None => table.error(key, format!("{} {}", error.file(), error.message())),

@@ -1,7 +1,7 @@
 //! The blend of asymptotes.
 
 use super::{Estimate, FilmFitError, Films, Found, LARGEST_CONDITION, LARGEST_EFFECT, moved};
-use crate::contact::ContactKind;
+use crate::contact::Family;
 use crate::fit::{Minimum, MinimumError, minimise};
 use crate::reference::{Asymptotes, moes_line_asymptotes, nijenbanning_venner_moes_asymptotes};
 use crate::words::digits;
@@ -10,11 +10,7 @@ use crate::words::digits;
 const STARTS: [f64; 3] = [1.0, 2.0, 4.0];
 
 /// Fits ln c_1, ln c_2 and ln s, from the published asymptotes.
-pub(super) fn fit(
-    films: &Films,
-    contact: ContactKind,
-    confidence: f64,
-) -> Result<Found, FilmFitError> {
+pub(super) fn fit(films: &Films, family: Family, confidence: f64) -> Result<Found, FilmFitError> {
     let names = films.form.constants();
     let n_states = films.states.len();
     if n_states <= names.len() {
@@ -27,11 +23,9 @@ pub(super) fn fit(
         isoviscous_elastic,
         piezoviscous_elastic,
         ..
-    } = match contact {
-        ContactKind::Circular | ContactKind::Elliptical => {
-            nijenbanning_venner_moes_asymptotes(1.0, 1.0, 1.0)
-        }
-        ContactKind::Line | ContactKind::Roller => moes_line_asymptotes(1.0, 1.0),
+    } = match family {
+        Family::Point => nijenbanning_venner_moes_asymptotes(1.0, 1.0, 1.0),
+        Family::Cylinder => moes_line_asymptotes(1.0, 1.0),
     };
     let residuals = |x: &[f64], r: &mut [f64]| {
         let constants = [x[0].exp(), x[1].exp(), x[2].exp()];

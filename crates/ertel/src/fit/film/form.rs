@@ -145,14 +145,12 @@ impl FilmForm {
             Self::Moes => "h = c R √(2U) M^a L^b".into(),
             Self::HamrockDowson(_) => "h = c R U^a G^b W^d".into(),
             Self::Blend(contact) => {
-                let [m, n, l] = ElasticExponents::of(contact).in_order();
+                let [m, n, l] = ElasticExponents::of(contact.family()).in_order();
                 format!("h = R √(2U) [(c_1 M^({m}))^s + (c_2 M^({n}) L^({l}))^s]^(1/s)").into()
             }
             Self::Speed => "h = c (u/(1 m/s))^a".into(),
-            Self::SpeedLoad(
-                ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
-            ) => "h = c (u/(1 m/s))^a (F/(1 N))^b".into(),
-            Self::SpeedLoad(ContactKind::Line) => "h = c (u/(1 m/s))^a (w/(1 N/m))^b".into(),
+            Self::SpeedLoad(contact) if contact.is_line() => "h = c (u/(1 m/s))^a (w/(1 N/m))^b".into(),
+            Self::SpeedLoad(_) => "h = c (u/(1 m/s))^a (F/(1 N))^b".into(),
             Self::Elliptical => {
                 "h = c R_x U^a G^b W^d [(1 - exp(-e D^f))^(2/a) cos²θ + (D^(1-a-2d) (1 - exp(-e D^(-f))))^(2/a) sin²θ]^(a/2), \
                  D = R_y/R_x"
@@ -199,10 +197,8 @@ impl FilmForm {
             Self::HamrockDowson(_) => GROUPS,
             Self::Elliptical => ELLIPSES,
             Self::Speed => &SPEED_AND_FORCE[..1],
-            Self::SpeedLoad(
-                ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
-            ) => SPEED_AND_FORCE,
-            Self::SpeedLoad(ContactKind::Line) => SPEED_AND_LINE_LOAD,
+            Self::SpeedLoad(contact) if contact.is_line() => SPEED_AND_LINE_LOAD,
+            Self::SpeedLoad(_) => SPEED_AND_FORCE,
         }
     }
 
@@ -214,7 +210,7 @@ impl FilmForm {
         if let Self::Blend(contact) = self {
             let [c_1, c_2, s] = [constants[0], constants[1], constants[2]];
             let [m, l] = [state.variables[0], state.variables[1]];
-            let exponents = ElasticExponents::of(contact).in_order();
+            let exponents = ElasticExponents::of(contact.family()).in_order();
             let [isoviscous_m, piezoviscous_m, piezoviscous_l] = exponents.map(Fraction::value);
             let isoviscous = c_1 * m.powf(isoviscous_m);
             let piezoviscous = c_2 * m.powf(piezoviscous_m) * l.powf(piezoviscous_l);

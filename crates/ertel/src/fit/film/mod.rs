@@ -18,7 +18,7 @@ pub use table::{
 };
 
 use super::{Minimum, MinimumError};
-use crate::contact::ContactKind;
+use crate::contact::Family;
 
 /// Condition number of the scaled columns above which constants are called hardly separable: the intervals are about
 /// this many times wider than those of independent variation.
@@ -192,7 +192,7 @@ pub fn fit_film(films: &Films, confidence: f64) -> Result<FilmFit, FilmFitError>
         })
         .collect();
     let found = match films.form {
-        FilmForm::Blend(contact) => blend::fit(films, contact, confidence)?,
+        FilmForm::Blend(contact) => blend::fit(films, contact.family(), confidence)?,
         FilmForm::Elliptical => ellipse::fit(films, &ranges, confidence)?,
         FilmForm::Moes | FilmForm::HamrockDowson(_) | FilmForm::Speed | FilmForm::SpeedLoad(_) => {
             power::fit(films, &ranges, confidence)?
@@ -234,14 +234,14 @@ impl FilmFit {
 
     /// A formula in Moes' groups in those of Hamrock and Dowson, `h = k R U^u G^g W^w`, by `M = W (2U)^(-3/4)`, in line
     /// contacts `W (2U)^(-1/2)`, and `L = G (2U)^(1/4)`: the constants k, u, g, w. `None` of another form.
-    pub fn hamrock_dowson(&self, contact: ContactKind) -> Option<[f64; 4]> {
+    pub fn hamrock_dowson(&self, family: Family) -> Option<[f64; 4]> {
         if self.form != FilmForm::Moes {
             return None;
         }
         let [c, a, b] = self.values()[..] else {
             return None;
         };
-        let speed = 0.5 - contact.moes_power() * a + 0.25 * b;
+        let speed = 0.5 - family.moes_power() * a + 0.25 * b;
         Some([c * 2f64.powf(speed), speed, b, a])
     }
 

@@ -218,16 +218,13 @@ fn source(table: &CsvTable, form: FilmForm, radius: Option<f64>) -> Result<Sourc
     let none = Dimension::DIMENSIONLESS;
     match form {
         FilmForm::Speed => Ok(Source::Columns(vec![speed()?])),
-        FilmForm::SpeedLoad(
-            ContactKind::Circular | ContactKind::Elliptical | ContactKind::Roller,
-        ) => Ok(Source::Columns(vec![
-            speed()?,
-            load(Dimension::FORCE, "N")?,
-        ])),
-        FilmForm::SpeedLoad(ContactKind::Line) => Ok(Source::Columns(vec![
-            speed()?,
-            load(Dimension::FORCE_PER_LENGTH, "N_per_m")?,
-        ])),
+        FilmForm::SpeedLoad(contact) => {
+            let load = match contact.is_line() {
+                true => load(Dimension::FORCE_PER_LENGTH, "N_per_m"),
+                false => load(Dimension::FORCE, "N"),
+            };
+            Ok(Source::Columns(vec![speed()?, load?]))
+        }
         FilmForm::Moes | FilmForm::HamrockDowson(_) | FilmForm::Blend(_) | FilmForm::Elliptical => {
             Ok(Source::Groups {
                 load: need(table, &["moes load"], none, "")?,
@@ -266,7 +263,7 @@ fn radius_source(
 fn groups(form: FilmForm, radius: f64, u: f64, m: f64, l: f64) -> (f64, Vec<f64>) {
     match form {
         FilmForm::HamrockDowson(contact) => {
-            let w = m * (2.0 * u).powf(contact.moes_power());
+            let w = m * (2.0 * u).powf(contact.family().moes_power());
             let g = l * (2.0 * u).powf(-0.25);
             (radius, vec![u, g, w])
         }

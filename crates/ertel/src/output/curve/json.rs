@@ -33,7 +33,7 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
         "wall_seconds": curve.wall_seconds,
         "points": points,
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
-        "units": units((curve.points.first()).is_some_and(|p| !p.case.contact.kind.is_point())),
+        "units": units((curve.points.first()).is_some_and(|p| p.case.contact.kind.is_line())),
     }))
 }
 

@@ -11,7 +11,7 @@ pub fn curve_table(curve: &CurveSolution) -> String {
     // `entrainment_speed_m_per_s`, `load_N`, `slide_to_roll_ratio`.
     let quantity = &curve.quantity;
     let mut text = format!("point,{}", header(quantity.key(), quantity.dimension));
-    let is_line = (curve.points.first()).is_some_and(|p| !p.case.contact.kind.is_point());
+    let is_line = (curve.points.first()).is_some_and(|p| p.case.contact.kind.is_line());
     for column in columns() {
         for title in std::iter::once(column.title(is_line)).chain(column.error_title(is_line)) {
             let _ = write!(text, ",{title}");

@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
 use crate::case::CaseEcho;
-use crate::contact::{ContactKind, Symmetry};
+use crate::contact::{Outline, Symmetry};
 use crate::solution::{ContactFields, Field, Figure, Located, Solution};
 
 /// Value of the key `format` of the data.
@@ -56,7 +56,7 @@ pub fn data(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Value {
         "format": DATA_FORMAT,
         "version": DATA_VERSION,
         "title": case.title,
-        "kind": solution.shape.kind,
+        "kind": solution.kind,
         "half_width": a,
         "zone": [a * zone_x, a * zone_y],
         "edge": edge(solution),
@@ -76,13 +76,13 @@ const EDGE_PIECES: usize = 120;
 /// Edge of the dry contact, m, as it lies against the motion: an ellipse, or the rectangle of a roller; nothing of a line.
 fn edge(solution: &Solution) -> Value {
     let zone = &solution.shape.zone;
-    let corners = match solution.shape.kind {
-        ContactKind::Line => return Value::Null,
-        ContactKind::Roller => {
+    let corners = match solution.shape.outline() {
+        Outline::Strip => return Value::Null,
+        Outline::Roller(_) => {
             let [x, y] = zone.half_extents();
             vec![[-x, -y], [x, -y], [x, y], [-x, y]]
         }
-        ContactKind::Circular | ContactKind::Elliptical => (0..EDGE_PIECES)
+        Outline::Ellipse => (0..EDGE_PIECES)
             .map(|i| {
                 let angle = std::f64::consts::TAU * i as f64 / EDGE_PIECES as f64;
                 zone.place([angle.cos(), angle.sin()])
@@ -96,7 +96,7 @@ fn edge(solution: &Solution) -> Value {
 
 /// Every figure, with the places of those that have one; a page shows those large that have a symbol. The film first, by which maps are scaled.
 fn figures(solution: &Solution) -> Vec<Value> {
-    let is_line = !solution.shape.kind.is_point();
+    let is_line = solution.shape.is_line();
     let entry = |(figure, at): (Figure, Located)| {
         let uncertainty = (solution.uncertainty.as_ref()).and_then(|u| u.get(figure));
         let mut entry = json!({
@@ -140,7 +140,7 @@ fn field(field: Field, values: impl Iterator<Item = f64>) -> Value {
 /// The elements of the contact and its margin with the fields on them; nothing of line contacts, whose profiles say all.
 fn mesh(solution: &Solution) -> Value {
     let surface = &solution.surface;
-    if !solution.shape.kind.is_point() || surface.elements.is_empty() {
+    if solution.shape.is_line() || surface.elements.is_empty() {
         return Value::Null;
     }
     let temperatures = solution.thermal.as_ref().map(|t| &t.surface);
@@ -230,6 +230,7 @@ fn centreline(solution: &Solution) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::ContactKind;
     use crate::contact::Turn;
     use crate::output::sample;
 

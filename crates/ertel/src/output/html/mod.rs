@@ -15,7 +15,6 @@ use super::lines::{Block, Lines};
 use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
 use super::{curve_report, curve_table, heat, inputs};
 use crate::case::CaseEcho;
-use crate::contact::ContactKind;
 use crate::solution::Solution;
 use crate::study::CurveSolution;
 use crate::warning::texts;
@@ -310,12 +309,8 @@ fn remarks(report: &str) -> Vec<String> {
 
 fn subtitle(solution: &Solution) -> String {
     let g = &solution.groups;
-    let kind = match solution.shape.kind {
-        ContactKind::Line => "Line",
-        ContactKind::Circular => "Circular",
-        ContactKind::Elliptical => "Elliptical",
-        ContactKind::Roller => "Roller",
-    };
+    let (first, rest) = solution.kind.name().split_at(1);
+    let kind = first.to_uppercase() + rest;
     format!(
         "{} contact, p_h {}, M {}, L {}",
         kind,
@@ -371,6 +366,7 @@ fn script_data(data: &Value) -> String {
 mod tests {
     use super::super::sample::owned;
     use super::*;
+    use crate::contact::ContactKind;
     use crate::solution::Estimate;
 
     /// Titles and case files are text, whatever they hold, and the data end no script.

@@ -19,8 +19,7 @@ pub fn heat_pictures<'a>(
         "temperature",
         Box::new(move || temperature_chart(title, solution, scale).drawing()),
     )];
-    let fields =
-        (solution.elements.temperatures.as_ref()).filter(|_| solution.shape.kind.is_point());
+    let fields = (solution.elements.temperatures.as_ref()).filter(|_| !solution.shape.is_line());
     if let Some(t) = fields {
         for (name, field, place) in [
             ("temperature-mid", &t.mid, "mid-film"),

@@ -65,7 +65,7 @@ pub fn pictures_in(
         "centreline",
         Box::new(|| centreline(title, solution).drawing()),
     )];
-    if solution.shape.kind.is_point() {
+    if !solution.shape.is_line() {
         tasks.push(("pressure", Box::new(|| pressure_map(title, solution))));
         tasks.push(("film", Box::new(|| film_map(title, solution))));
     }

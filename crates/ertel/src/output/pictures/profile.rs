@@ -14,11 +14,7 @@ pub fn profile(solution: &Solution, field: &Polynomials, factor: f64) -> Vec<[f6
 }
 
 /// A field along x = 0 of a circular contact, times a factor, over y/a from the side edge to the centreline.
-pub fn profile_across(
-    solution: &Solution,
-    field: &Polynomials,
-    factor: f64,
-) -> Vec<[f64; 2]> {
+pub fn profile_across(solution: &Solution, field: &Polynomials, factor: f64) -> Vec<[f64; 2]> {
     (along(&solution.elements, field, Y).into_iter())
         .map(|[y, v]| [y / solution.hertz.half_width, factor * v])
         .collect()

@@ -49,7 +49,7 @@ impl MonteCarlo {
         let solved: Vec<(usize, &Record)> = (records.iter().enumerate())
             .filter_map(|(i, record)| Some((i, record.as_ref().filter(|r| r.converged)?)))
             .collect();
-        let is_line = (study.points.first()).is_some_and(|p| !p.case.contact.kind.is_point());
+        let is_line = (study.points.first()).is_some_and(|p| p.case.contact.kind.is_line());
         let of = |figure: Figure| {
             let column = Column::of(figure).title(is_line);
             let values: Vec<f64> = (solved.iter())
