@@ -9,11 +9,13 @@
 //! | [`forms`] | weak forms at a point |
 //! | [`elastic`] | elastic bodies |
 //! | [`solution`], [`mixed`] | figures and fields in SI; asperities |
-//! | [`solve`] | Newton's method, continuation, refinement, heat |
+//! | [`engine`] | the interface of ways of solving; what is read off any film |
+//! | [`solve`] | finite elements: Newton's method, continuation, refinement, heat |
 //! | [`post`] | figures and fields from a solved stage |
 
 pub mod contact;
 pub mod elastic;
+pub mod engine;
 pub mod film;
 pub mod forms;
 pub mod interference;

@@ -29,7 +29,7 @@ pub struct Deflection {
 /// When meshing or the factorisation fails.
 pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
     let problem = problem(case);
-    let Some(stage) = problem.stages.last() else {
+    let Some(stage) = problem.plan.stages.last() else {
         return Ok(Deflection {
             x: Vec::new(),
             value: Vec::new(),

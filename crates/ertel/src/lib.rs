@@ -41,8 +41,8 @@
 //! (`tests/arrows.rs`).
 
 pub use ertel_ehl::{
-    contact, elastic, film, forms, interference, mixed, params, post, solution, solve, warning,
-    words,
+    contact, elastic, engine, film, forms, interference, mixed, params, post, solution, solve,
+    warning, words,
 };
 
 pub mod case;

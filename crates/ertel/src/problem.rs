@@ -23,7 +23,7 @@ use crate::solve::dry::with_dry_zone;
 use crate::solve::heat::column::Column;
 use crate::solve::heat::coupling::CouplingParams;
 use crate::solve::newton::NewtonParams;
-use crate::solve::sequence::{HeatProblem, Problem, Stage};
+use crate::solve::sequence::{HeatPlan, Plan, Problem, Stage};
 use crate::solve::system::FilmConstants;
 
 /// Dimensionless problem of a case.
@@ -111,7 +111,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         (Zone::Dry, BodyModel::HalfSpace) => with_dry_zone(shape, &elasticity, scales.load),
         _ => shape,
     };
-    let heat = heat_problem(case, &scales);
+    let (heat, heat_plan) = heat(case, &scales).unzip();
     let sliding = case.motion.sliding(scales.length);
     let (density, viscosity) = (&lubricant.density, &lubricant.viscosity);
     let (temperature, thinning) = (lubricant.temperature, case.shear_thinning());
@@ -120,8 +120,8 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         None => FilmFluid::new(density, viscosity, temperature, &scales)
             .with_shear(thinning, &sliding, &scales),
     };
-    if let Some(heat) = &heat {
-        fluid = fluid.with_nodes(heat.column.film.clone());
+    if let Some(plan) = &heat_plan {
+        fluid = fluid.with_nodes(plan.column.film.clone());
     }
     let reach = reach(
         contact.kind.family(),
@@ -133,9 +133,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     if let Supply::Meniscus { distance } = case.supply {
         extents.inlet = -distance / scales.length;
     }
-    Problem {
-        extents,
-        reach: [reach.inlet, reach.side],
+    let plan = Plan {
         stages: stages(
             (&case.mesh, rim_finesse(case)),
             mesh_film,
@@ -147,13 +145,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
             // ends that a diffusive start has drawn out.
             fluid.has_limit() || (heat.is_some() && fluid.slides()) || contact.roller.is_some(),
         ),
-        elasticity,
-        fluid,
-        load: scales.load,
-        // A film that starts too thick closes in from the safe side.
-        start_film: 1.5 * start_film,
         mesh_film,
-        scales,
         newton: NewtonParams {
             update_tolerance: case.solver.tolerance,
             residual_tolerance: case.solver.tolerance,
@@ -181,7 +173,20 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
                 },
             }
         }),
+        heat: heat_plan,
+    };
+    Problem {
+        extents,
+        reach: [reach.inlet, reach.side],
+        elasticity,
+        fluid,
+        entrainment: case.motion.entrainment(scales.length),
+        load: scales.load,
+        // A film that starts too thick closes in from the safe side.
+        start_film: 1.5 * start_film,
         heat,
+        scales,
+        plan,
         shape,
     }
 }
@@ -200,8 +205,8 @@ fn ridge_diffusion(case: &Case) -> f64 {
     solver.ridge_diffusion.unwrap_or(usual)
 }
 
-/// Heat of a case, if it counts and its data are complete.
-fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
+/// Heat of a case and how it is solved for, if it counts and its data are complete.
+fn heat(case: &Case, scales: &Scales) -> Option<(Heat, HeatPlan)> {
     let data = case.heat().ok().flatten()?;
     let params = data.params;
     let u_m = case.motion.entrainment_speed;
@@ -233,8 +238,7 @@ fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
         params.depth,
         skins,
     );
-    Some(HeatProblem {
-        heat,
+    let plan = HeatPlan {
         surface_order: params.surface_order,
         column,
         coupling: CouplingParams {
@@ -242,7 +246,8 @@ fn heat_problem(case: &Case, scales: &Scales) -> Option<HeatProblem> {
             max_rounds: params.max_iterations,
             ..CouplingParams::default()
         },
-    })
+    };
+    Some((heat, plan))
 }
 
 /// Size of the first cells on the outlet side of the rim over that on the other, where half-spaces let the mesh be refined.
@@ -537,7 +542,7 @@ mod tests {
             );
             let document = Document::parse("case.toml", text).unwrap();
             let case = Case::from_document(&document, Path::new("")).unwrap();
-            let sizes = problem(&case).stages.last().unwrap().sizes;
+            let sizes = problem(&case).plan.stages.last().unwrap().sizes;
             (groups(&case, 0.0).moes_load, sizes.outlet_rim / sizes.rim)
         };
         let (one, _) = at(1.0, "");

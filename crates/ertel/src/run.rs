@@ -16,6 +16,7 @@ use ertel_fem::platform::Instant;
 
 use crate::case::Case;
 use crate::contact::{Hertz, Scales, Supply};
+use crate::engine::{Engine, Solved};
 use crate::params::SensitivityDemand;
 use crate::plausible;
 use crate::plausible::left_out::Known;
@@ -24,15 +25,14 @@ pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::problem::{problem_beside, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
-    Asked, HeatRound, IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties,
-    Unresolved,
+    Asked, HeatRound, IterationRecord, Measured, RollerFigures, Solution, Starvation, Stats,
+    Uncertainties, Unresolved,
 };
 use crate::solve::adjoint::RoughAdjoints;
-use crate::solve::figures::measure;
 use crate::solve::newton::FilmModel;
 pub use crate::solve::sequence::Start;
-use crate::solve::sequence::{Problem, StageSolution, solve_stages, solve_warm};
-use crate::solve::{Observer, SolveError};
+use crate::solve::sequence::{Problem, StageSolution};
+use crate::solve::{Finished, FiniteElements, Observer, SolveError};
 use crate::warning::{Warning, WarningKind};
 
 /// Version of the numerics: raised whenever the figures of some case move by more than rounding, so that points of studies that
@@ -133,27 +133,35 @@ fn solve_here(
         history: Vec::new(),
     };
     let warm = match start.filter(|start| start.suits(&problem)) {
-        Some(start) => solve_warm(&problem, start, &mut recorder)?,
+        Some(start) => FiniteElements.solve_from(&problem, start, &mut recorder)?,
         None => None,
     };
     let warm_start = start.filter(|_| warm.is_some());
-    let (mut finest, levels) = match warm {
+    let solved = match warm {
         Some(end) => end,
         None => {
             recorder.history.clear();
             // One after the other: there may be thousands.
             let own = problem.fluid.clone();
             problem.make_room_for(ahead.iter().map(|case| problem_beside(case, &own)));
-            solve_stages(&problem, &mut recorder)?
+            FiniteElements.solve(&problem, &mut recorder)?
         }
     };
+    let measured = solved.measured(&problem).with_meniscus(&case.supply);
+    let Finished { mut finest, levels } = solved;
     let stats = Stats {
         warm: warm_start.is_some(),
         levels,
         wall_seconds: 0.0,
         peak_memory: None,
     };
-    let mut solution = describe(case, &problem, &finest, stats, recorder.history)?;
+    let mut solution = describe(
+        case,
+        &problem,
+        (&finest, &measured),
+        stats,
+        recorder.history,
+    )?;
     let levels = &solution.stats.levels;
     let rough = finest.adjoints.take().map(|rough| *rough);
     let start = match warm_start {
@@ -226,7 +234,7 @@ fn note_sensitivities(
 fn describe(
     case: &Case,
     problem: &Problem,
-    finest: &StageSolution,
+    (finest, measured): (&StageSolution, &Measured),
     stats: Stats,
     history: Vec<IterationRecord>,
 ) -> Result<Solution, SolveError> {
@@ -256,12 +264,11 @@ fn describe(
         fluid: problem.fluid.clone(),
         constants: finest.stage.constants,
     };
-    let measured = measure(problem, finest, levels).with_meniscus(&case.supply);
-    let traction = post::summary::traction(&measured);
-    let film_reduction = post::summary::film_reduction(levels, &measured);
-    let summary = post::summary::summarise(finest, &measured, &model, &scales);
+    let traction = post::summary::traction(measured);
+    let film_reduction = post::summary::film_reduction(levels, measured);
+    let summary = post::summary::summarise(finest, measured, &model, &scales);
     let thermal = (case.thermal())
-        .and_then(|params| post::thermal::thermal(finest, problem, levels, &measured, params));
+        .and_then(|params| post::thermal::thermal(finest, problem, levels, measured, params));
     let (checks, summed_to) = post::checks::checks(problem, finest, &summary, thermal.as_ref());
     let mut warnings = case.warnings.clone();
     warnings.extend(post::checks::warning(
@@ -300,9 +307,8 @@ fn describe(
             extents,
         ));
         let heat = problem.heat.iter();
-        warnings.extend(
-            heat.flat_map(|heat| post::thermal::at_rest::warnings(&heat.heat, thermal, params)),
-        );
+        warnings
+            .extend(heat.flat_map(|heat| post::thermal::at_rest::warnings(heat, thermal, params)));
     }
     let elements = post::elements::elements(finest, &scales);
     let mixed = case.roughness.map(|rms_height| {
@@ -351,9 +357,9 @@ fn describe(
         ),
         unresolved: Vec::new(),
         summary,
-        starvation: Starvation::of(&measured, &case.supply),
-        roller: RollerFigures::of(&measured),
-        measured,
+        starvation: Starvation::of(measured, &case.supply),
+        roller: RollerFigures::of(measured),
+        measured: *measured,
         mixed,
         traction,
         summed_to,

@@ -94,11 +94,9 @@ pub fn by_differences(
             let Ok(case) = case.with_values(values) else {
                 return Ok(Err(AT_ITS_BOUND));
             };
-            let problem = Problem {
-                adapt: None,
-                error_estimate: false,
-                ..problem(&case)
-            };
+            let mut problem = problem(&case);
+            problem.plan.adapt = None;
+            problem.plan.error_estimate = false;
             Ok(match solve_on_mesh(&problem, start, observer)? {
                 Some(solution) => Ok(of(&problem, &solution)),
                 None => Err("a solve beside did not converge on the mesh of the solution"),

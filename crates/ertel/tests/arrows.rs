@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The modules of the solver, each above those that it may use.
-pub const SOLVER: [&str; 12] = [
+pub const SOLVER: [&str; 13] = [
     "words",
     "warning",
     "contact",
@@ -15,6 +15,7 @@ pub const SOLVER: [&str; 12] = [
     "elastic",
     "solution",
     "mixed",
+    "engine",
     "solve",
     "post",
 ];

@@ -54,7 +54,7 @@ fn the_error_left_is_within_the_tolerance() {
         let tolerance = 1e-3;
         let (problem, found) = to(tolerance, &mut rounds);
         let (_, exact) = to(1e-7, &mut Silent);
-        let inlet = problem.heat.as_ref().unwrap().heat.inlet_temperature;
+        let inlet = problem.heat.as_ref().unwrap().inlet_temperature;
         let (a, b) = (&found.state, &exact.state);
         let rise = (b.temperature.iter()).fold(0.0_f64, |m, t| m.max(t - inlet));
         let errors = [

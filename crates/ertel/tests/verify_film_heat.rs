@@ -7,13 +7,13 @@ use approx::assert_relative_eq;
 use common::rigid::heated_case;
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Motion};
+use ertel::engine::PointFields;
+use ertel::engine::friction::Shear;
 use ertel::film::cross_film::CrossFilm;
 use ertel::film::{MOST_NODES, TemperatureProfile};
 use ertel::forms::energy::{FilmColumn, FilmPlace, Heat, film_column};
 use ertel::run::problem;
-use ertel::solve::points::PointFields;
 use ertel::solve::sequence::Problem;
-use ertel::solve::shear::Shear;
 use ertel_rheology::ConductivityLaw;
 use ertel_rheology::conductivity::{Linear, LinearFactor};
 use ertel_rheology::shear::{Rabinowitsch, ShearLaw, ShearThinning};
@@ -184,7 +184,7 @@ fn heat_of_the_film() {
         let problem = problem(&case);
         let film = Exact::new(&case, &problem);
         let heat = problem.heat.as_ref().unwrap();
-        let (heights, heat) = (&heat.column.heights, &heat.heat);
+        let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
         let nodes = problem.fluid.nodes().unwrap().points();
         let column = |warmer: Option<usize>, by: f64| {
             let mut place = FilmPlace {
@@ -279,8 +279,8 @@ fn film_at(problem: &Problem, held: bool, warmer: impl Fn(f64) -> f64) -> FilmCo
         }
         film_column(
             &problem.fluid,
-            &heat.heat,
-            &heat.column.heights,
+            heat,
+            &problem.plan.heat.as_ref().unwrap().column.heights,
             &place,
             &mut CrossFilm::default(),
         )
@@ -299,7 +299,7 @@ fn a_held_flow_is_that_of_the_film_before() {
         let mut case = case(thins);
         case.motion = Motion::straight(case.motion.entrainment_speed, 0.0);
         let problem = problem(&case);
-        let heights = &problem.heat.as_ref().unwrap().column.heights;
+        let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
         let mean = |column: &FilmColumn, i: usize| -> f64 {
             let points = column.heights.iter().zip(heights.weights());
             points.map(|(point, w)| w * point.velocity[i]).sum()
@@ -350,7 +350,7 @@ fn heat_of_a_held_flow_by_temperature() {
         let mut case = case(thins);
         case.motion.slide_to_roll_ratio = slide;
         let problem = problem(&case);
-        let column = &problem.heat.as_ref().unwrap().column;
+        let column = &problem.plan.heat.as_ref().unwrap().column;
         let n = column.film.n();
         let away = |s: f64| 15.0 + 10.0 * s;
         let found = film_at(&problem, true, away);
@@ -378,12 +378,12 @@ fn heat_of_a_held_flow_by_temperature() {
 fn the_film_conducts_by_its_own_temperature() {
     let problem = problem(&case(false));
     let heat = problem.heat.as_ref().unwrap();
-    let heights = &heat.column.heights;
+    let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
     let factor = LinearFactor::new(ISOTHERMAL, -2e-3, 0.0).unwrap();
     let conductivity = ConductivityLaw::Linear(Linear::new(0.13, factor).unwrap());
     let law = Heat {
         conductivity,
-        ..heat.heat.clone()
+        ..heat.clone()
     };
     let mut place = FilmPlace {
         at: AT,
@@ -444,8 +444,8 @@ fn heat_of_a_film_that_is_all_but_solid() {
     let document = ertel_input::Document::parse("case.toml", text).unwrap();
     let case = Case::from_document(&document, std::path::Path::new("")).unwrap();
     let problem = problem(&case);
-    let heat = problem.heat.as_ref().unwrap();
-    let (heights, law) = (&heat.column.heights, &heat.heat);
+    let law = problem.heat.as_ref().unwrap();
+    let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
     for pressure in [0.2, 0.5, 0.8, 0.9, 1.0, 1.1] {
         for gradient in [0.0, -0.1, -1.0, -30.0] {
             let place = FilmPlace {

@@ -31,7 +31,7 @@ fn manufactured(kind: ContactKind, order: usize, sizes: [f64; 3]) {
     };
     case.motion.spin = [spin * case.motion.entrainment_speed / case.hertz().half_width; 2];
     let problem = problem(&case);
-    let heat = &problem.heat.as_ref().unwrap().heat;
+    let heat = problem.heat.as_ref().unwrap();
     let zone = problem.shape.zone;
     let extents = EXTENTS;
     let depth = 1.2;
@@ -202,7 +202,7 @@ fn couette_heating() {
         body.thermal_conductivity = Some(ConductivityLaw::constant(1e12).unwrap());
     }
     let problem = problem_without_expansion(&case);
-    let heat = &problem.heat.as_ref().unwrap().heat;
+    let heat = problem.heat.as_ref().unwrap();
     let extents = EXTENTS;
     let column = Column::new(8, 2, 1.0, [0.3, 0.3]);
     let (d, mut state) = rigid(ContactKind::Line, &extents, 0.25, 1, column, heat);
@@ -272,7 +272,7 @@ fn compression_heats_and_expansion_cools() {
         body.density = Some(1e-3);
     }
     let problem = problem(&case);
-    let heat = &problem.heat.as_ref().unwrap().heat;
+    let heat = problem.heat.as_ref().unwrap();
     let extents = EXTENTS;
     let column = Column::new(4, 2, 1.0, [0.3, 0.3]);
     let (d, mut state) = rigid(ContactKind::Line, &extents, 0.05, 1, column, heat);
@@ -322,7 +322,7 @@ fn compression_heats_and_expansion_cools() {
 fn directions_of_the_flow_are_alike() {
     let case = heated_case(ContactKind::Circular, 6);
     let problem = problem(&case);
-    let mut heat = problem.heat.as_ref().unwrap().heat.clone();
+    let mut heat = problem.heat.as_ref().unwrap().clone();
     for body in &mut heat.bodies {
         body.velocity = Planar::default();
     }
@@ -391,7 +391,7 @@ fn moving_heat_source() {
             Some(ertel_rheology::HeatCapacityLaw::constant(1e-9).unwrap());
         case.lubricant.thermal_conductivity = Some(ConductivityLaw::constant(1.0).unwrap());
         let problem = problem_without_expansion(&case);
-        let heat = &problem.heat.as_ref().unwrap().heat;
+        let heat = problem.heat.as_ref().unwrap();
         let extents = Extents {
             inlet: -4.0,
             outlet: 3.0,
@@ -468,7 +468,7 @@ fn scaled_k0(z: f64) -> f64 {
 fn heat_beyond_all_bounds_is_refused() {
     let case = heated_case(ContactKind::Line, 6);
     let problem = problem(&case);
-    let heat = &problem.heat.as_ref().unwrap().heat;
+    let heat = problem.heat.as_ref().unwrap();
     let column = Column::new(6, 4, 1.2, [0.3, 0.3]);
     let (d, state) = rigid(ContactKind::Line, &EXTENTS, 0.5, 1, column, heat);
     for (made, refused) in [(1e8, false), (1e60, true)] {
@@ -493,7 +493,7 @@ fn heat_beyond_all_bounds_is_refused() {
 fn what_flows_in_brings_its_heat_along() {
     let case = heated_case(ContactKind::Line, 6);
     let problem = problem_without_expansion(&case);
-    let heat = &problem.heat.as_ref().unwrap().heat;
+    let heat = problem.heat.as_ref().unwrap();
     let column = Column::new(6, 4, 1.2, [0.3, 0.3]);
     let (d, state) = rigid(ContactKind::Line, &EXTENTS, 0.5, 1, column, heat);
     let warmer = 10.0;

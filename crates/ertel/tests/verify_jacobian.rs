@@ -113,9 +113,9 @@ fn check(
     )
     .expect("mesh");
     let mut d = Discretisation::new(&Arc::new(contact), order);
-    if let Some(heat) = &problem.heat {
-        let column = heat.column.clone();
-        let unheated = column.unheated(&heat.heat);
+    if let (Some(heat), Some(plan)) = (&problem.heat, &problem.plan.heat) {
+        let column = plan.column.clone();
+        let unheated = column.unheated(heat);
         d = d.with_heat(1, column, unheated);
     }
     // A share of each element in the diffusion at a ridge, from none to all.
@@ -169,7 +169,7 @@ fn check(
                 formulation,
                 isotropic_diffusion: diffusion,
                 ridge_diffusion: 1.4 * diffusion,
-                ..problem.stages.last().unwrap().constants
+                ..problem.plan.stages.last().unwrap().constants
             };
             let residual = |factor: f64| {
                 let s = moved(factor * step);

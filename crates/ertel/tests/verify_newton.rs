@@ -46,9 +46,9 @@ fn thinned(case: Case) -> Case {
 /// Its problem on the fine mesh alone: start and solution.
 fn one_mesh(case: &Case) -> Problem {
     let mut problem = problem(case);
-    let sizes = problem.stages.last().unwrap().sizes;
-    problem.stages.retain(|s| s.role != Role::Estimate);
-    for stage in &mut problem.stages {
+    let sizes = problem.plan.stages.last().unwrap().sizes;
+    problem.plan.stages.retain(|s| s.role != Role::Estimate);
+    for stage in &mut problem.plan.stages {
         stage.sizes = sizes;
     }
     problem
@@ -133,7 +133,7 @@ fn newton_converges_quadratically() {
         case.solver.linear = linear;
         let mut last = LastLevel::default();
         let mut problem = one_mesh(&case);
-        problem.newton.foresight = false; // to the last update
+        problem.plan.newton.foresight = false; // to the last update
         solve_stages(&problem, &mut last).unwrap();
         let updates: Vec<f64> = (last.0.iter().map(|r| r.update))
             .filter(|u| *u > 1e-10)
@@ -191,7 +191,7 @@ fn results_repeat_beside_other_solves() {
         scope.spawn(|| {
             let other = problem(&on_a_body(common::case(ContactKind::Line, 2e5)));
             while !done.load(Ordering::Relaxed) {
-                let sizes = other.stages[0].sizes;
+                let sizes = other.plan.stages[0].sizes;
                 ContactSurface::new(
                     &other.shape,
                     &other.extents,

@@ -36,7 +36,7 @@ fn residual_is_relative_to_the_entrained_flow() {
         formulation: Formulation::Galerkin,
         isotropic_diffusion: 0.0,
         ridge_diffusion: 0.0,
-        ..problem.stages[0].constants
+        ..problem.plan.stages[0].constants
     };
     let state = State {
         pressure: vec![0.0; d.pressure.n_nodes()],

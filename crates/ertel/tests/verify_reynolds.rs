@@ -321,7 +321,7 @@ fn errors(
         isotropic_diffusion: diffusion,
         ridge_diffusion: 0.0,
         penalty: 0.0,
-        ..problem(&common::case(like, 100.0)).stages[0].constants
+        ..problem(&common::case(like, 100.0)).plan.stages[0].constants
     };
     let fluid = fluid(kind, film);
     let mut state = State {

@@ -29,8 +29,8 @@ fn film_properties_follow_pressure_and_temperature() {
         Linear::new(2000.0, factor).unwrap(),
     ));
     let problem = problem(&case);
-    let heat = &problem.heat.as_ref().unwrap().heat;
-    let heights = &problem.heat.as_ref().unwrap().column.heights;
+    let heat = problem.heat.as_ref().unwrap();
+    let heights = &problem.plan.heat.as_ref().unwrap().column.heights;
     for pressure in [0.5, -0.3] {
         let mut place = FilmPlace {
             at: [0.0; 2],
@@ -77,7 +77,7 @@ fn a_body_at_rest_is_held_at_its_temperature() {
         let params = case.thermal.as_mut().unwrap();
         (params.plane_temperature, params.ball_temperature) = (Some(303.0), Some(320.0));
         let problem = problem(&case);
-        let heat = &problem.heat.as_ref().unwrap().heat;
+        let heat = problem.heat.as_ref().unwrap();
         assert!(heat.bodies[at_rest].velocity.is_zero());
         let column = Column::new(4, 3, 1.0, [0.3, 0.3]);
         let (d, mut state) = rigid(ContactKind::Line, &EXTENTS, 0.25, 1, column, heat);
@@ -121,7 +121,7 @@ fn heat_is_conducted_out_of_bodies_at_rest() {
         body.thermal_conductivity = Some(ConductivityLaw::constant(1e6).unwrap());
     }
     let problem = problem_without_expansion(&case);
-    let mut heat = problem.heat.as_ref().unwrap().heat.clone();
+    let mut heat = problem.heat.as_ref().unwrap().clone();
     for body in &mut heat.bodies {
         body.velocity = Planar::default();
     }
@@ -145,7 +145,7 @@ fn heat_is_conducted_out_of_bodies_at_rest() {
 fn a_share_of_the_sliding_leaves_the_entrainment() {
     let mut case = heated_case(ContactKind::Line, 4);
     case.motion.slide_to_roll_ratio = 1.2;
-    let heat = problem(&case).heat.unwrap().heat;
+    let heat = problem(&case).heat.unwrap();
     let u_m = case.motion.entrainment_speed;
     for share in [0.0, 0.25, 1.0] {
         let [plane, ball] = heat

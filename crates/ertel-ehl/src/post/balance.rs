@@ -3,7 +3,7 @@
 //! Theory: Mass balance.
 
 use crate::contact::Symmetry;
-use crate::solve::flux::mass_flux;
+use crate::engine::flux::mass_flux;
 use crate::solve::newton::FilmModel;
 use crate::solve::points::fields_at;
 use crate::solve::sequence::StageSolution;

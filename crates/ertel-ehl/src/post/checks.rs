@@ -1,11 +1,11 @@
 //! Balances that a solution should keep, and where its sums end.
 
 use crate::contact::Shape;
+use crate::engine::friction::friction;
 use crate::solution::{Balance, Checks, Figure, Figures, Summary, SummedTo, Thermal};
 use crate::solve::discretisation::Extents;
-use crate::solve::points::PointTable;
+use crate::solve::points::Evaluated;
 use crate::solve::sequence::{Problem, StageSolution};
-use crate::solve::shear::friction;
 use crate::warning::{Warning, WarningKind};
 
 /// The balances of a solution, and where its shear is summed.
@@ -16,8 +16,8 @@ pub fn checks(
     thermal: Option<&Thermal>,
 ) -> (Checks, SummedTo) {
     let (d, state) = (&solution.discretisation, &solution.state);
-    let points = PointTable::new(d, state);
-    let f = friction(problem, &problem.fluid, (d, state), &points);
+    let film = Evaluated::new(&problem.shape, d, state);
+    let f = friction(problem, &problem.fluid, &film);
     let power = match thermal {
         None => Balance::of(f.here.work, f.here.dissipation + f.through_end),
         Some(thermal) => {

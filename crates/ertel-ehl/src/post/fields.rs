@@ -5,11 +5,12 @@ use ertel_fem::linear::condensed::Keep;
 use ertel_fem::space::Space;
 
 use crate::contact::Scales;
+use crate::engine::PointFields;
 use crate::film::FilmFluid;
 use crate::post::profile::Profile;
 use crate::solution::{BodyField, Centreline, SurfaceField};
 use crate::solve::discretisation::{Discretisation, DiscretisationError};
-use crate::solve::points::{PointFields, fields_in};
+use crate::solve::points::fields_in;
 use crate::solve::sequence::StageSolution;
 use crate::solve::system::State;
 

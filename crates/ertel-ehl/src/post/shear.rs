@@ -1,10 +1,10 @@
 //! Shear of the film as fields.
 
 use crate::contact::{Scales, Shape};
+use crate::engine::PointFields;
+use crate::engine::friction::{Shear, is_askew};
 use crate::film::FilmFluid;
 use crate::solution::ShearFields;
-use crate::solve::points::PointFields;
-use crate::solve::shear::{Shear, is_askew};
 
 /// Shear at a list of points.
 pub fn fields<'p>(

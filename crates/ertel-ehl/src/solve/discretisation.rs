@@ -20,21 +20,7 @@ use crate::elastic::{
     Accuracy, BodyModel, Elasticity, FiniteBodies, FiniteBody, FiniteBodyError, HalfSpace,
     SurfaceResponse, Trace, near_pairs,
 };
-
-/// Contact area, and the body below it, in Hertz half-widths.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extents {
-    /// Inlet edge X of the contact area.
-    pub inlet: f64,
-    /// Outlet edge X.
-    pub outlet: f64,
-    /// Side edge |Y|, of ellipses in semi-axes along y.
-    pub side: f64,
-    /// Width of the body.
-    pub body_width: f64,
-    /// Depth of the body.
-    pub body_depth: f64,
-}
+pub use crate::engine::Extents;
 
 /// Building a level failed.
 pub type DiscretisationError = FiniteBodyError;

@@ -7,12 +7,13 @@ use super::evaluate::{central_film, largest_pressure, largest_pressure_where, mi
 use super::heat::balance::heat_balance;
 use super::heat::figures::{Extremes, zone_means};
 use super::peaks::peaks;
-use super::points::PointTable;
+use super::points::Evaluated;
 use super::profile::{PER_EDGE, Profile};
 use super::sequence::{Problem, StageSolution};
-use super::shear::{friction, is_askew};
 use super::system::State;
 use crate::contact::Symmetry;
+use crate::engine::friction::{friction, is_askew};
+use crate::engine::{Film, PointTable};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading, Sizes};
 
@@ -46,8 +47,8 @@ pub fn figures(
     if extent == Extent::Films {
         return figures;
     }
-    let points = PointTable::new(d, state);
-    note_roller(&mut figures, problem, (d, state), &points);
+    let film = Evaluated::new(&problem.shape, d, state);
+    note_roller(&mut figures, problem, (d, state), film.points());
     let roller = problem.shape.zone.roller.as_ref();
     let quarter = roller.map(|roller| 0.5 * roller.half_length());
     let inner = |[_, y]: [f64; 2]| quarter.is_none_or(|quarter| y.abs() < quarter);
@@ -69,7 +70,7 @@ pub fn figures(
     let (h_line, x_line) = profile.film_minimum();
     let thinnest = at(scales.film * h_line, [x_line, 0.0]);
     figures.note(Figure::FilmCentrelineMinimum, thinnest);
-    let [mean] = points.mean_in(&problem.shape.zone, |fields| Some([fields.film]));
+    let [mean] = film.points().mean_in_zone(|fields| Some([fields.film]));
     figures.note(Figure::FilmMean, Reading::new(scales.film * mean));
     if let Some((p, x)) = profile.spike() {
         figures.note(Figure::Spike, at(scales.pressure * p, [x, 0.0]));
@@ -82,8 +83,8 @@ pub fn figures(
         let reading = Reading::new(scales.length * x);
         figures.note(Figure::MeniscusPosition, reading);
     }
-    note_friction(&mut figures, problem, fluid, (d, state), &points);
-    note_heat(&mut figures, problem, fluid, (d, state), &points);
+    note_friction(&mut figures, problem, fluid, d, &film);
+    note_heat(&mut figures, problem, fluid, (d, state), film.points());
     figures
 }
 
@@ -137,8 +138,8 @@ pub fn note_roller(
 /// ∫P, ∫P y and ∫P|y| over the part that is solved.
 fn moments(d: &Discretisation, points: &PointTable) -> [f64; 3] {
     let mut sums = [0.0; 3];
-    for c in 0..d.contact.n_elements() {
-        for (point, xi) in points.of_element(c).iter().zip(&d.rule.points) {
+    for (c, points) in points.groups().iter().enumerate() {
+        for (point, xi) in points.iter().zip(&d.rule.points) {
             // By the corners of the element: where moments cancel, their last digits are those of the arms.
             let [_, y] = d.contact.point(c, *xi);
             let share = point.area * point.fields.pressure;
@@ -154,10 +155,10 @@ fn note_friction(
     figures: &mut Figures,
     problem: &Problem,
     fluid: &FilmFluid,
-    (d, state): (&Discretisation, &State),
-    points: &PointTable,
+    d: &Discretisation,
+    film: &impl Film,
 ) {
-    let sums = friction(problem, fluid, (d, state), points);
+    let sums = friction(problem, fluid, film);
     let (f, near) = (&sums.here, &sums.shorter);
     let [mid, plane, ball] = f.coefficients;
     let [near_mid, near_plane, near_ball] = near.coefficients;
@@ -236,7 +237,7 @@ fn note_heat(
     let mut temperature = |figure, value: f64, place: [f64; 2]| {
         let reading = Reading {
             place: Some(place.map(|x| x * scales.length)),
-            ..Reading::of_rise(value, value - heat.heat.inlet_temperature)
+            ..Reading::of_rise(value, value - heat.inlet_temperature)
         };
         figures.note(figure, reading);
     };
@@ -252,13 +253,11 @@ fn note_heat(
     }
     // What cools behind the contact errs by what heats in it.
     if let Some(lowest) = figures.get(Figure::FilmTemperatureLowest) {
-        let size = lowest
-            .size
-            .max((hottest - heat.heat.inlet_temperature).abs());
+        let size = lowest.size.max((hottest - heat.inlet_temperature).abs());
         figures.note(Figure::FilmTemperatureLowest, Reading { size, ..lowest });
     }
     let mut temperature = |figure, value: f64| {
-        let size = (value - heat.heat.inlet_temperature).abs();
+        let size = (value - heat.inlet_temperature).abs();
         let reading = Reading {
             size,
             ..Reading::new(value)
@@ -270,14 +269,13 @@ fn note_heat(
         Figure::Body1TemperatureMean,
         Figure::Body2TemperatureMean,
     ];
-    for (figure, value) in means.into_iter().zip(zone_means(
-        points,
-        &d.contact.shape.zone,
-        &space.column.film,
-    )) {
+    for (figure, value) in means
+        .into_iter()
+        .zip(zone_means(points, &space.column.film))
+    {
         temperature(figure, value);
     }
-    let balance = heat_balance(d, state, fluid, &heat.heat, scales);
+    let balance = heat_balance(d, state, fluid, heat, scales);
     // What the surfaces put in, becomes heat, in shear or as the lubricant is compressed.
     if let Some(power) = figures.get(Figure::FrictionPower) {
         let misfit = (power.value - balance.shear - balance.compression).abs();

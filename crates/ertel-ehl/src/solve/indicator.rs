@@ -31,7 +31,8 @@ use super::points::fields_in;
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::ridge::{cut_off, own_shares};
 use super::system::{State, System};
-use crate::contact::{Gap, Inlet};
+use crate::contact::Inlet;
+use crate::engine::far_field::far_field;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::{BeyondEdges, ErrorEstimate, Figure, Figures, TemperatureErrors};
 
@@ -373,15 +374,6 @@ fn film_changes(
         }
     }
     changes
-}
-
-/// c of the pressure −λ c·X/H² far from a contact, along and across the motion.
-pub(super) fn far_field(gap: &Gap) -> [f64; 2] {
-    let kappa = gap.curvature_ratio;
-    let [along, across] = gap.turn.to_axes([1.0, 0.0]);
-    let first = 1.0 / (3.0 + 2.0 * kappa);
-    let second = kappa / (3.0 * kappa + 2.0);
-    gap.turn.to_motion([first * along, second * across])
 }
 
 /// How much a film changes where the pressure beyond the edges of the contact area goes on as it does far from a contact:

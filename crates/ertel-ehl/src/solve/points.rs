@@ -11,153 +11,70 @@ use rayon::prelude::*;
 
 use super::discretisation::Discretisation;
 use super::element::Metric;
+use super::region::Elements;
 use super::system::State;
-use crate::contact::HertzZone;
-use crate::film::TemperatureProfile;
-use crate::forms::energy::FilmPlace;
+use crate::contact::Shape;
+use crate::engine::region::Region;
+use crate::engine::{Film, Point, PointFields, PointTable};
 use crate::forms::flow::PointState;
 use crate::forms::oil_layer::{filling_length, missing};
 
-/// Fields at a point of the contact area.
-#[derive(Clone, Debug, Default)]
-pub struct PointFields {
-    /// (X, Y).
-    pub place: [f64; 2],
-    /// P.
-    pub pressure: f64,
-    /// ∇P.
-    pub pressure_gradient: [f64; 2],
-    /// G, the undeformed gap.
-    pub gap: f64,
-    /// δ, the deflection.
-    pub deflection: f64,
-    /// H.
-    pub film: f64,
-    /// F, what the gap lacks where a layer of oil does not fill it (see [`crate::forms::oil_layer`]).
-    pub missing: f64,
-    /// Temperature across the film, where it varies.
-    pub temperature: Option<Box<TemperatureProfile>>,
+/// Elements that a thread takes at a time.
+const BATCH: usize = 16;
+
+/// The film of a state, with the table of its points.
+pub struct Evaluated<'a> {
+    d: &'a Discretisation,
+    state: &'a State,
+    points: PointTable,
 }
 
-impl PointFields {
-    /// θ, the share of the gap that is filled with oil.
-    pub fn filling(&self) -> f64 {
-        1.0 - self.missing / self.film
-    }
-
-    /// What the energy equation sees of the film, its flow not held.
-    pub fn film_place(&self) -> FilmPlace {
-        let profile = self.temperature.as_deref().copied().unwrap_or_default();
-        FilmPlace {
-            at: self.place,
-            pressure: self.pressure,
-            pressure_gradient: self.pressure_gradient,
-            film: self.film,
-            filling: self.filling(),
-            temperature: profile.temperature,
-            held_conductance: None,
-        }
-    }
-
-    /// Puts the film together from separation, gap and deflection, and finds what it lacks in an element.
-    fn with_film(mut self, d: &Discretisation, state: &State, cell: usize) -> PointFields {
-        self.gap = d.contact.shape.gap.value(self.place);
-        self.film = state.rigid_separation + (self.deflection + self.gap);
-        if let Some(layer) = d.contact.shape.inlet.layer() {
-            let length = filling_length(d.contact.sizes[cell], d.pressure.element.order());
-            let missing = missing(layer, self.pressure, self.film, length);
-            self.missing = missing.map_or(0.0, |missing| missing.film);
-        }
-        self
-    }
-}
-
-/// One row of the table: what a quadrature point stands for.
-#[derive(Clone, Debug)]
-pub struct Point {
-    /// Weight of the point: the area that it stands for, or the length in line contacts, in half-widths.
-    pub area: f64,
-    /// Fields there.
-    pub fields: PointFields,
-}
-
-/// Fields at all quadrature points of the film equations, element by element.
-#[derive(Clone, Debug)]
-pub struct PointTable {
-    points: Vec<Point>,
-    per_element: usize,
-}
-
-impl PointTable {
-    /// Of a state.
-    pub fn new(d: &Discretisation, state: &State) -> PointTable {
-        let per_element = d.rule.len();
+impl<'a> Evaluated<'a> {
+    /// Of a state of a contact of this shape, whose bodies may end elsewhere than those the mesh was made for.
+    pub fn new(shape: &Shape, d: &'a Discretisation, state: &'a State) -> Evaluated<'a> {
+        let whole = Region::of(shape);
+        let shorter = whole.shorter(shape);
+        let elements = Elements::new(d);
         let tables = [&d.pressure_table, &d.deflection_table];
-        let row = |i: usize| {
-            let (cell, q) = (i / per_element, i % per_element);
-            let heat = d.heat.as_ref();
-            Point {
-                area: d.rule.weights[q] * d.contact.maps[cell].determinant,
-                fields: PointFields {
+        let of_element = |cell: usize| {
+            let shares = [&whole, &shorter].map(|region| elements.share(region, cell));
+            let row = |q: usize| {
+                let heat = d.heat.as_ref();
+                let fields = PointFields {
                     temperature: heat.map(|heat| Box::new(heat.profile_at(d, state, cell, q))),
                     ..fields_from(d, state, cell, q, tables)
-                },
-            }
+                };
+                Point {
+                    area: d.rule.weights[q] * d.contact.maps[cell].determinant,
+                    within: shares.each_ref().map(|share| share.at(q)),
+                    in_zone: d.contact.shape.zone.contains(fields.place),
+                    fields,
+                }
+            };
+            (0..d.rule.len()).map(row).collect::<Vec<Point>>()
         };
-        let points = (0..per_element * d.contact.n_elements())
+        let elements: Vec<Vec<Point>> = (0..d.contact.n_elements())
             .into_par_iter()
             .with_min_len(BATCH)
-            .map(row)
+            .map(of_element)
             .collect();
-        PointTable {
-            points,
-            per_element,
+        Evaluated {
+            d,
+            state,
+            points: PointTable::new(elements),
         }
-    }
-
-    /// The points of an element, in the order of the rule.
-    pub fn of_element(&self, cell: usize) -> &[Point] {
-        &self.points[cell * self.per_element..][..self.per_element]
-    }
-
-    /// Means over the Hertz zone. Where the film is so thick that no element is as small as the zone, what is nearest its centre; not a number
-    /// where no point has the values.
-    pub fn mean_in<const N: usize>(
-        &self,
-        zone: &HertzZone,
-        values: impl Fn(&PointFields) -> Option<[f64; N]>,
-    ) -> [f64; N] {
-        let (mut sums, mut total) = ([0.0; N], 0.0);
-        let (mut nearest, mut centre) = (f64::INFINITY, [f64::NAN; N]);
-        for point in &self.points {
-            let Some(values) = values(&point.fields) else {
-                continue;
-            };
-            let [x, y] = point.fields.place;
-            if x.hypot(y) < nearest {
-                (nearest, centre) = (x.hypot(y), values);
-            }
-            if zone.contains([x, y]) {
-                total += point.area;
-                for (sum, value) in sums.iter_mut().zip(values) {
-                    *sum += point.area * value;
-                }
-            }
-        }
-        match total > 0.0 {
-            true => sums.map(|sum| sum / total),
-            false => centre,
-        }
-    }
-
-    /// All points.
-    pub fn iter(&self) -> impl Iterator<Item = &Point> {
-        self.points.iter()
     }
 }
 
-/// Points that a thread takes at a time.
-const BATCH: usize = 256;
+impl Film for Evaluated<'_> {
+    fn points(&self) -> &PointTable {
+        &self.points
+    }
+
+    fn at(&self, place: [f64; 2]) -> Option<PointFields> {
+        fields_at(self.d, self.state, place)
+    }
+}
 
 /// Fields at any place; `None` outside the contact area.
 pub fn fields_at(d: &Discretisation, state: &State, place: [f64; 2]) -> Option<PointFields> {
@@ -182,7 +99,7 @@ pub fn fields_in(d: &Discretisation, state: &State, cell: usize, xi: [f64; 3]) -
     }
     let basis = d.contact.deflection.element.values(xi);
     (fields.place, fields.deflection) = surface(d, &state.deflection, cell, basis, 0.0);
-    fields.with_film(d, state, cell)
+    with_film(fields, d, state, cell)
 }
 
 /// The same, without temperatures, at the `q`-th point of tables of the pressure's and the deflection's shape functions.
@@ -206,7 +123,7 @@ pub fn fields_from(
     fields.pressure_gradient = [gx, gy];
     let basis = of_point(deflection, q).iter().copied();
     (fields.place, fields.deflection) = surface(d, &state.deflection, cell, basis, 0.0);
-    fields.with_film(d, state, cell)
+    with_film(fields, d, state, cell)
 }
 
 /// What the film equations see at the `q`-th quadrature point of an element, with its place: derivatives of pressure and film, too.
@@ -343,4 +260,21 @@ fn surface(
         }
     }
     (place, sum)
+}
+
+/// Puts the film together from separation, gap and deflection, and finds what it lacks in an element.
+fn with_film(
+    mut fields: PointFields,
+    d: &Discretisation,
+    state: &State,
+    cell: usize,
+) -> PointFields {
+    fields.gap = d.contact.shape.gap.value(fields.place);
+    fields.film = state.rigid_separation + (fields.deflection + fields.gap);
+    if let Some(layer) = d.contact.shape.inlet.layer() {
+        let length = filling_length(d.contact.sizes[cell], d.pressure.element.order());
+        let missing = missing(layer, fields.pressure, fields.film, length);
+        fields.missing = missing.map_or(0.0, |missing| missing.film);
+    }
+    fields
 }

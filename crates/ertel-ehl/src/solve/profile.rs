@@ -1,8 +1,9 @@
 //! The centreline y = 0 and what is read off it, dimensionless.
 
 use crate::contact::Symmetry;
+use crate::engine::PointFields;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::points::{PointFields, fields_at};
+use crate::solve::points::fields_at;
 use crate::solve::system::State;
 
 /// Fields along the centreline, X ascending.

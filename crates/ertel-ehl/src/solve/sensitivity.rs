@@ -18,15 +18,16 @@ use super::element::Metric;
 use super::evaluate::minimum_film;
 use super::newton::FilmModel;
 use super::peaks::peaks;
-use super::points::{PointTable, fields_in};
+use super::points::{Evaluated, fields_in};
 use super::preconditioner::{NearStiffness, Preconditioner};
-use super::region::{Elements, Region};
+use super::region::Elements;
 use super::sequence::{Problem, StageSolution};
-use super::shear::friction;
 use super::system::{FilmConstants, State, System};
 use super::weighted::{Equations, PointFlow, point_flows, weighted_sums};
 use crate::contact::{Inlet, Scales};
 use crate::elastic::{Accuracy, BodyModel};
+use crate::engine::friction::friction;
+use crate::engine::region::Region;
 use crate::film::FilmFluid;
 use crate::forms::oil_layer::{filling_length, missing};
 use crate::solution::Figure;
@@ -174,8 +175,8 @@ impl<'a> Sensitivity<'a> {
         let scales = &self.problem.scales;
         match figure {
             Figure::TractionCoefficient => {
-                let points = PointTable::new(d, state);
-                let sums = friction(self.problem, &self.problem.fluid, (d, state), &points);
+                let film = Evaluated::new(&self.problem.shape, d, state);
+                let sums = friction(self.problem, &self.problem.fluid, &film);
                 sums.here.coefficients[0][0]
             }
             figure => self.figure(figure, d, state, scales),
@@ -293,7 +294,7 @@ impl<'a> Sensitivity<'a> {
 
     fn equations(&self, problem: &Problem) -> Equations {
         // All of them, but for the steps that led to the solution.
-        let (own, its) = (&self.solution.stage.constants, problem.stages.last());
+        let (own, its) = (&self.solution.stage.constants, problem.plan.stages.last());
         let theirs = its.map_or(*own, |stage| stage.constants);
         Equations {
             fluid: problem.fluid.clone(),

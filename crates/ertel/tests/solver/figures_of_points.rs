@@ -4,11 +4,12 @@ use std::path::Path;
 use std::sync::Arc;
 
 use ertel::case::Case;
+use ertel::engine::Film;
 use ertel::problem::problem;
 use ertel::solution::{Figure, Figures};
 use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::figures::note_roller;
-use ertel::solve::points::PointTable;
+use ertel::solve::points::Evaluated;
 use ertel::solve::system::State;
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
@@ -40,7 +41,7 @@ const ROLLER: &str = r#"
 fn edge_pressures_are_those_of_the_outer_quarters() {
     let document = Document::parse("case.toml", ROLLER).unwrap();
     let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
-    let stage = problem.stages[0];
+    let stage = problem.plan.stages[0];
     let contact = ContactSurface::new(
         &problem.shape,
         &problem.extents,
@@ -62,7 +63,7 @@ fn edge_pressures_are_those_of_the_outer_quarters() {
         &mut figures,
         &problem,
         (&d, &state),
-        &PointTable::new(&d, &state),
+        Evaluated::new(&problem.shape, &d, &state).points(),
     );
     let edge = figures.get(Figure::EdgePressureLeft).unwrap();
     let p = edge.size / problem.scales.pressure;

@@ -6,12 +6,13 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
+use ertel::engine::friction::{Frictions, friction};
+use ertel::engine::region::Region;
 use ertel::problem::problem;
 use ertel::solve::discretisation::{ContactSurface, Discretisation};
-use ertel::solve::points::PointTable;
-use ertel::solve::region::{Elements, Region};
+use ertel::solve::points::Evaluated;
+use ertel::solve::region::Elements;
 use ertel::solve::sequence::Problem;
-use ertel::solve::shear::{Frictions, friction};
 use ertel::solve::system::State;
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
@@ -56,7 +57,7 @@ impl Film {
     fn new(case: &Case, ends: [f64; 2], film: f64, pressure: impl Fn([f64; 2]) -> f64) -> Film {
         let mut problem = problem(case);
         problem.shape.ends = ends;
-        let stage = problem.stages.last().unwrap();
+        let stage = problem.plan.stages.last().unwrap();
         let contact = ContactSurface::new(
             &problem.shape,
             &problem.extents,
@@ -77,12 +78,8 @@ impl Film {
     }
 
     fn sums(&self) -> Frictions {
-        friction(
-            &self.problem,
-            &self.problem.fluid,
-            (&self.d, &self.state),
-            &PointTable::new(&self.d, &self.state),
-        )
+        let film = Evaluated::new(&self.problem.shape, &self.d, &self.state);
+        friction(&self.problem, &self.problem.fluid, &film)
     }
 }
 
@@ -253,20 +250,14 @@ fn power_balances_up_to_the_end_of_the_bodies() {
     let mut problem = problem(&case);
     let (solution, _) = solve_stages(&problem, &mut Silent).unwrap();
     let (d, state) = (&solution.discretisation, &solution.state);
-    let whole = friction(
-        &problem,
-        &problem.fluid,
-        (d, state),
-        &PointTable::new(d, state),
-    );
+    let sums = |problem: &Problem| {
+        let film = Evaluated::new(&problem.shape, d, state);
+        friction(problem, &problem.fluid, &film)
+    };
+    let whole = sums(&problem);
     assert!(!whole.is_cut && whole.through_end == 0.0);
     problem.shape.ends[0] = 1.2;
-    let cut = friction(
-        &problem,
-        &problem.fluid,
-        (d, state),
-        &PointTable::new(d, state),
-    );
+    let cut = sums(&problem);
     println!("{whole:?} {cut:?}");
     let size = whole.here.work.abs();
     // Both miss the same part, which the mesh dissipates inside.

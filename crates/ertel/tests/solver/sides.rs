@@ -18,7 +18,7 @@ use super::CASE;
 fn what_flows_through_the_sides_is_what_comes_of_within() {
     let document = Document::parse("case.toml", CASE).unwrap();
     let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
-    let stage = problem.stages[0];
+    let stage = problem.plan.stages[0];
     let contact = ContactSurface::new(
         &problem.shape,
         &problem.extents,

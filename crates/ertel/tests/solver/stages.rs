@@ -29,8 +29,8 @@ fn cold_starts_lack_the_entrained_flow() {
     for text in [CASE, &slender] {
         let document = Document::parse("case.toml", text).unwrap();
         let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
-        let d = discretisation(&problem, &problem.stages[0]);
-        let run = StageRun::new(&problem, &problem.stages[0], 0, &d);
+        let d = discretisation(&problem, &problem.plan.stages[0]);
+        let run = StageRun::new(&problem, &problem.plan.stages[0], 0, &d);
         let (model, state) = (run.model(1.0), cold_start(&problem, &d));
         let system = System::assemble(&d, &model.fluid, &model.constants, &state, None);
         let residual = system.relative_residual();
@@ -55,7 +55,7 @@ fn discretisation(problem: &Problem, stage: &Stage) -> Discretisation {
 fn the_diffusion_at_a_ridge_is_told() {
     let document = Document::parse("case.toml", CASE).unwrap();
     let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
-    let mut stage = *problem.stages.last().unwrap();
+    let mut stage = *problem.plan.stages.last().unwrap();
     let mut d = discretisation(&problem, &stage);
     d.at_ridge = vec![1.0; d.contact.n_elements()];
     stage.constants.ridge_diffusion = 0.02;
@@ -70,7 +70,7 @@ fn the_diffusion_at_a_ridge_is_told() {
         ([central_film(&d, state), minimum_film(&d, state).0], told)
     };
     let mut state = cold_start(&problem, &d);
-    solve(&problem.stages[0], &mut state);
+    solve(&problem.plan.stages[0], &mut state);
     let (with, told) = solve(&stage, &mut state);
     let plain = Stage {
         constants: FilmConstants {
@@ -95,7 +95,7 @@ fn the_diffusion_at_a_ridge_is_told() {
 fn films_below_zero_have_errors() {
     let document = Document::parse("case.toml", CASE).unwrap();
     let problem = problem(&Case::from_document(&document, Path::new("")).unwrap());
-    let stage = problem.stages[0];
+    let stage = problem.plan.stages[0];
     let d = discretisation(&problem, &stage);
     let mut state = cold_start(&problem, &d);
     let (film, _) = minimum_film(&d, &state);

@@ -40,9 +40,9 @@ pub fn thermal(
     let (space, heat) = (d.heat.as_ref()?, problem.heat.as_ref()?);
     let stats = solution.coupling.unwrap_or_default();
     let scales = &problem.scales;
-    let balance = heat_balance(d, state, &problem.fluid, &heat.heat, scales);
+    let balance = heat_balance(d, state, &problem.fluid, heat, scales);
     Some(Thermal {
-        inlet_temperature: heat.heat.inlet_temperature,
+        inlet_temperature: heat.inlet_temperature,
         film_maximum: measured.located(Figure::FilmTemperatureMaximum),
         film_lowest: measured.located(Figure::FilmTemperatureLowest),
         film_mean: measured.estimate(Figure::FilmTemperatureMean),
@@ -72,7 +72,7 @@ pub fn thermal(
         surface: surface(d, state, space),
         profiles: (params.profiles.iter())
             .filter_map(|point| {
-                let plane = &heat.heat.bodies[0].velocity;
+                let plane = &heat.bodies[0].velocity;
                 cross_film::profile(d, state, &problem.fluid, scales, plane, *point)
             })
             .collect(),

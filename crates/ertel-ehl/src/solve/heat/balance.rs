@@ -13,11 +13,12 @@ use super::sides::{Side, SideRule, outer_sides};
 use super::space::HeatSpace;
 use super::system::{Kept, assemble};
 use crate::contact::Scales;
+use crate::engine::PointFields;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::forms::energy::{FilmColumn, Heat, film_column};
 use crate::solve::discretisation::Discretisation;
-use crate::solve::points::{PointFields, fields_in};
+use crate::solve::points::fields_in;
 use crate::solve::system::State;
 
 /// Pressure over p_h above which an element belongs to the area under pressure.

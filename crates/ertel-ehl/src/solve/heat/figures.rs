@@ -1,9 +1,8 @@
 //! Temperatures of film and walls in a few numbers.
 
 use super::space::HeatSpace;
-use crate::contact::HertzZone;
+use crate::engine::PointTable;
 use crate::film::{FilmNodes, Nodal};
-use crate::solve::points::PointTable;
 use crate::solve::system::State;
 
 /// A temperature in K with its place in half-widths.
@@ -66,8 +65,8 @@ pub fn walls(film: &FilmNodes, values: &Nodal) -> [f64; 2] {
 }
 
 /// Means over the Hertz zone, K: of the film, of the surfaces of body 1 and of body 2.
-pub fn zone_means(points: &PointTable, zone: &HertzZone, film: &FilmNodes) -> [f64; 3] {
-    points.mean_in(zone, |fields| {
+pub fn zone_means(points: &PointTable, film: &FilmNodes) -> [f64; 3] {
+    points.mean_in_zone(|fields| {
         let temperature = &fields.temperature.as_ref()?.temperature;
         let [body_1, body_2] = walls(film, temperature);
         Some([film.mean(temperature), body_1, body_2])

@@ -101,17 +101,17 @@ impl Outline {
     /// That of a problem.
     fn of(problem: &Problem) -> Outline {
         Outline {
-            usual: problem.stages.clone(),
+            usual: problem.plan.stages.clone(),
             exponential: problem.fluid.is_exponential(),
             impatient: problem.shape.zone.roller.is_some(),
             has_steep_ends: problem.shape.zone.roller.is_some(),
             // An exponential law has difficulties of its own.
             ridge_diffusion: match problem.fluid.is_exponential() {
                 true => 0.0,
-                false => problem.ridge_diffusion,
+                false => problem.plan.ridge_diffusion,
             },
             slides: problem.fluid.slides(),
-            refined: problem.adapt.is_some(),
+            refined: problem.plan.adapt.is_some(),
         }
     }
 }
@@ -232,11 +232,12 @@ impl StageSolver for MeshSolver<'_> {
             (effort.seconds.mesh, effort.seconds.operator) = contact.seconds;
         }
         let mut d = Discretisation::new(&contact, stage.pressure_order);
-        if let Some(heat) = problem.heat.as_ref().filter(|_| stage.heated) {
+        let heat = problem.heat.as_ref().zip(problem.plan.heat.as_ref());
+        if let Some((heat, plan)) = heat.filter(|_| stage.heated) {
             d = d.with_heat(
-                heat.surface_order,
-                heat.column.clone(),
-                heat.column.unheated(&heat.heat),
+                plan.surface_order,
+                plan.column.clone(),
+                plan.column.unheated(heat),
             );
         }
         observer.level(
@@ -257,13 +258,13 @@ impl StageSolver for MeshSolver<'_> {
         let last = stage.role == Role::Final;
         let measured = matches!(stage.role, Role::Estimate | Role::Final);
         // What the solution is compared with is not measured, and its own error would count as the effect.
-        let rough = stage.role == Role::Estimate || last && problem.adapt.is_some();
+        let rough = stage.role == Role::Estimate || last && problem.plan.adapt.is_some();
         let finish = if rough { Finish::Rough } else { Finish::Exact };
         let mut outcome = run.solve(finish, &mut state, &mut effort, observer);
         if !matches!(outcome, Err(SolveError::Interrupted)) {
             self.check_ends(&d, &state)?;
         }
-        let wanted = problem.error_estimate && measured && outcome.is_ok();
+        let wanted = problem.plan.error_estimate && measured && outcome.is_ok();
         if wanted && observer.cancelled() {
             return Err(SolveError::Interrupted);
         }
@@ -274,7 +275,7 @@ impl StageSolver for MeshSolver<'_> {
         };
         let stats = run.stats(outcome.is_ok(), &state, &effort, indicator.as_ref(), clock);
         self.stats.push(stats);
-        let next = match (&problem.adapt, &indicator) {
+        let next = match (&problem.plan.adapt, &indicator) {
             (Some(adapt), Some(indicator)) if last => next_refinement(
                 adapt,
                 problem.shape.dim,

@@ -20,44 +20,29 @@ mod warm;
 use super::SolveError;
 use super::adapt::{AdaptParams, RefinementEnd};
 use super::adjoint::RoughAdjoints;
-use super::discretisation::{Discretisation, Extents};
+use super::discretisation::Discretisation;
 use super::heat::column::Column;
 use super::heat::coupling::{CouplingParams, CouplingStats};
 use super::newton::{NewtonParams, Reached};
 use super::sizes::{LevelSizes, expected_unknowns};
 use super::system::State;
-use crate::contact::{Planar, Scales, Shape};
-use crate::elastic::{BodyModel, Elasticity};
-use crate::film::FilmFluid;
-use crate::forms::energy::Heat;
+use crate::elastic::BodyModel;
+use crate::engine;
 use crate::params::LinearSolver;
 
 pub use mesh_solver::solve_stages;
 pub use stage::Stage;
 pub use warm::{Start, solve_on_mesh, solve_warm};
 
-/// Everything a solve needs, dimensionless.
-pub struct Problem {
-    /// Geometry of the contact.
-    pub shape: Shape,
-    /// Contact area and body.
-    pub extents: Extents,
-    /// Distances of inlet and side, in half-widths, to which the contact area goes where they are not set by hand.
-    pub reach: [f64; 2],
+/// A contact to be solved by finite elements.
+pub type Problem = engine::Problem<Plan>;
+
+/// How finite elements go about a problem.
+pub struct Plan {
     /// Stages, coarse to fine.
     pub stages: Vec<Stage>,
-    /// Elastic bodies.
-    pub elasticity: Elasticity,
-    /// Fluid.
-    pub fluid: FilmFluid,
-    /// Target of ∫P over the (half) contact area.
-    pub load: f64,
-    /// Central film of the start.
-    pub start_film: f64,
     /// Central film that the meshes are made for: less than that of the start where stress thins the fluid in the inlet.
     pub mesh_film: f64,
-    /// Scales of its variables.
-    pub scales: Scales,
     /// Newton tolerances and limits.
     pub newton: NewtonParams,
     /// Condensed or monolithic.
@@ -68,23 +53,13 @@ pub struct Problem {
     pub ridge_diffusion: f64,
     /// Local refinement of the final stage, if an accuracy is asked for.
     pub adapt: Option<AdaptParams>,
-    /// Heat of film and bodies, where it counts.
-    pub heat: Option<HeatProblem>,
+    /// Temperatures, where heat counts.
+    pub heat: Option<HeatPlan>,
 }
 
-impl Problem {
-    /// ū, the mean velocity of the surfaces over the entrainment speed.
-    pub fn entrainment(&self) -> Planar {
-        let first = self.stages.first();
-        first.map_or(Planar::along_x(1.0), |stage| stage.constants.entrainment)
-    }
-}
-
-/// The thermal side of a problem.
+/// How temperatures are solved for.
 #[derive(Clone, Debug)]
-pub struct HeatProblem {
-    /// Laws, bodies and scales.
-    pub heat: Heat,
+pub struct HeatPlan {
     /// Order of the temperature over the contact area.
     pub surface_order: usize,
     /// Layers over a point.
@@ -129,7 +104,7 @@ const THIN_RIM: f64 = 0.2;
 impl Problem {
     /// An error with what is known of its reason: stress that thins the fluid far more than it does oils.
     fn explained(&self, error: SolveError) -> SolveError {
-        let share = self.mesh_film / self.start_film;
+        let share = self.plan.mesh_film / self.start_film;
         let is_failure = matches!(
             error,
             SolveError::NotConverged { .. } | SolveError::AllFailed { .. }
@@ -148,11 +123,12 @@ impl Problem {
     /// # Errors
     /// [`SolveError::TooThin`].
     pub fn check_size(&self) -> Result<(), SolveError> {
-        let (Some(first), Some(last)) = (self.stages.first(), self.stages.last()) else {
+        let (Some(first), Some(last)) = (self.plan.stages.first(), self.plan.stages.last()) else {
             return Ok(());
         };
         let unknowns = |stage: &Stage| {
             let order = self
+                .plan
                 .stages
                 .iter()
                 .map(|s| s.pressure_order)
@@ -165,7 +141,7 @@ impl Problem {
             };
             expected_unknowns(&self.shape, &self.extents, &sizes, order)
         };
-        let (stage, limit, help) = match &self.adapt {
+        let (stage, limit, help) = match &self.plan.adapt {
             Some(adapt) => (
                 first,
                 adapt.max_unknowns as f64 / ROOM_TO_REFINE,
@@ -184,7 +160,7 @@ impl Problem {
         if n <= limit || !thin {
             return Ok(());
         }
-        let ratio = self.mesh_film;
+        let ratio = self.plan.mesh_film;
         Err(SolveError::TooThin {
             film: ratio * self.scales.film,
             sheared: ratio < stage.constants.film_scale,

@@ -3,6 +3,7 @@
 use ertel_fem::platform::Instant;
 
 use super::{Problem, Stage};
+use crate::engine::friction::beyond_edges;
 use crate::solution::{LevelStats, Role};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
@@ -11,7 +12,6 @@ use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled}
 use crate::solve::heat::deviation::deviation;
 use crate::solve::indicator::{Indicator, indicator};
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
-use crate::solve::shear::beyond_edges;
 use crate::solve::system::{FilmConstants, State};
 use crate::solve::{Observer, SolveError};
 
@@ -99,7 +99,7 @@ impl<'a> StageRun<'a> {
             stage: *stage,
             level,
             discretisation,
-            newton: NewtonLevel::new(discretisation, problem.load, problem.linear),
+            newton: NewtonLevel::new(discretisation, problem.load, problem.plan.linear),
         }
     }
 
@@ -112,11 +112,11 @@ impl<'a> StageRun<'a> {
         observer: &mut dyn Observer,
     ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
         let leads = self.stage.role.leads();
-        let mut params = self.problem.newton;
+        let mut params = self.problem.plan.newton;
         if finish == Finish::Rough {
             let mut update = EXACT_ENOUGH;
             let costly = self.discretisation.contact.surface.dim > 1;
-            if let Some(adapt) = self.problem.adapt.as_ref().filter(|_| costly) {
+            if let Some(adapt) = self.problem.plan.adapt.as_ref().filter(|_| costly) {
                 update = (ROUGH_SHARE * adapt.target).sqrt().min(ROUGH_UPDATE);
                 params.film_tolerance = ROUGH_FILM_CHANGE * adapt.target;
             }
@@ -204,15 +204,17 @@ impl<'a> StageRun<'a> {
             film_scale: self.problem.scales.film,
         };
         let model = self.model(penalty_share);
-        let Some(problem) = self.problem.heat.as_ref().filter(|_| self.stage.heated) else {
+        let heat = self.problem.heat.as_ref();
+        let heat = heat.zip(self.problem.plan.heat.as_ref());
+        let Some((heat, plan)) = heat.filter(|_| self.stage.heated) else {
             let reached = (self.newton).run(&model, params, &label, state, effort, observer)?;
             return Ok((reached, None));
         };
         let (path, early) = (self.stage.role == Role::Path, self.stage.given_up_early);
         let mut coupling = CouplingParams {
-            tolerance: problem.coupling.tolerance.max(params.update_tolerance),
+            tolerance: plan.coupling.tolerance.max(params.update_tolerance),
             given_up_early: early,
-            ..problem.coupling
+            ..plan.coupling
         };
         // Where a continuation through easier contacts is known, or this is one, its steps are halved instead.
         if early || path {
@@ -226,7 +228,7 @@ impl<'a> StageRun<'a> {
         let (reached, coupling) = solve_coupled(
             &self.newton,
             &model,
-            &problem.heat.with_sliding(self.stage.sliding),
+            &heat.with_sliding(self.stage.sliding),
             params,
             &coupling,
             &label,

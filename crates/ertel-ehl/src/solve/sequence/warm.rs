@@ -39,7 +39,7 @@ impl Problem {
     pub fn make_room_for(&mut self, others: impl Iterator<Item = Problem>) {
         let modest = |own: f64, wanted: f64| wanted <= MOST_ROOM * own;
         let near = |own: f64, wanted: f64| wanted <= MOST_REACH * own;
-        let (extents, stages) = (self.extents, self.stages.clone());
+        let (extents, stages) = (self.extents, self.plan.stages.clone());
         for other in others {
             let its = &other.extents;
             if self.shape.inlet != Inlet::Meniscus
@@ -54,13 +54,13 @@ impl Problem {
                 own.body_width = own.body_width.max(its.body_width);
                 own.body_depth = own.body_depth.max(its.body_depth);
             }
-            if self.adapt.is_some() || stages.len() != other.stages.len() {
+            if self.plan.adapt.is_some() || stages.len() != other.plan.stages.len() {
                 continue;
             }
             for (i, own) in stages.iter().enumerate() {
-                let (own, its) = (&own.sizes, &other.stages[i].sizes);
+                let (own, its) = (&own.sizes, &other.plan.stages[i].sizes);
                 if modest(its.rim, own.rim) && modest(its.hertz, own.hertz) {
-                    let sizes = &mut self.stages[i].sizes;
+                    let sizes = &mut self.plan.stages[i].sizes;
                     sizes.hertz = sizes.hertz.min(its.hertz);
                     sizes.constriction = sizes.constriction.min(its.constriction);
                     sizes.rim = sizes.rim.min(its.rim);
@@ -149,7 +149,7 @@ impl Start {
     /// Whether its mesh suits a problem: the same bodies, a contact area that is large enough, cells that
     /// are neither too coarse nor far too fine.
     pub fn suits(&self, problem: &Problem) -> bool {
-        let Some(wanted) = problem.stages.last() else {
+        let Some(wanted) = problem.plan.stages.last() else {
             return false;
         };
         let contact = &self.solution.discretisation.contact;
@@ -169,7 +169,7 @@ impl Start {
         let within = |ratio: f64, low: f64, high: f64| (low..=high).contains(&ratio);
         let reach = |e: &Extents| [-e.inlet, e.outlet, e.side, e.body_width, e.body_depth];
         let (here, there) = (reach(&contact.extents), reach(&problem.extents));
-        let coarsest = match problem.adapt {
+        let coarsest = match problem.plan.adapt {
             Some(_) => COARSEST_REFINED,
             None => COARSEST,
         };
@@ -264,7 +264,7 @@ pub fn solve_warm(
     start: &Start,
     observer: &mut dyn Observer,
 ) -> Result<Option<(StageSolution, Vec<LevelStats>)>, SolveError> {
-    let Some(last) = problem.stages.last() else {
+    let Some(last) = problem.plan.stages.last() else {
         return Ok(None);
     };
     let allowed = LARGEST_MISS.max(WORSE * start.miss);
@@ -315,7 +315,7 @@ pub fn solve_on_mesh(
         return Ok(None);
     }
     let stage = Stage {
-        constants: (problem.stages.last()).map_or(start.solution.stage.constants, |last| {
+        constants: (problem.plan.stages.last()).map_or(start.solution.stage.constants, |last| {
             start.constants(&last.constants)
         }),
         undamped: true,
@@ -335,7 +335,7 @@ pub fn solve_on_mesh(
 
 /// Largest error bar over the target; zero where there is none.
 fn miss(problem: &Problem, solution: &StageSolution, stats: &[LevelStats]) -> f64 {
-    let Some(adapt) = &problem.adapt else {
+    let Some(adapt) = &problem.plan.adapt else {
         return 0.0;
     };
     let grading = grading_errors(

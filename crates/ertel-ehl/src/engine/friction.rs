@@ -20,14 +20,11 @@ use std::f64::consts::PI;
 
 use rayon::prelude::*;
 
-use super::discretisation::{Discretisation, Extents};
+use super::far_field::far_field;
 use super::flux::mass_flux;
-use super::indicator::far_field;
-use super::points::{Point, PointFields, PointTable, fields_at};
-use super::region::{Elements, Region, Share};
-use super::sequence::Problem;
-use super::system::State;
-use crate::contact::{Outline, Planar, Scales, Shape, Symmetry};
+use super::region::Region;
+use super::{Extents, Film, Point, PointFields, Problem};
+use crate::contact::{Outline, Scales, Shape, Symmetry};
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::BeyondEdges;
@@ -223,62 +220,50 @@ impl Sums {
     }
 }
 
-/// Traction and friction of a state, from its points.
-pub fn friction(
-    problem: &Problem,
-    fluid: &FilmFluid,
-    (d, state): (&Discretisation, &State),
-    points: &PointTable,
-) -> Frictions {
+/// Traction and friction of a film.
+pub fn friction<Plan>(problem: &Problem<Plan>, fluid: &FilmFluid, film: &impl Film) -> Frictions {
     let (scales, shape) = (&problem.scales, &problem.shape);
-    let entrainment = problem.entrainment();
+    let entrainment = &problem.entrainment;
     let speed = scales.entrainment_speed();
     // Δu = σ a p_h/R h/μ in the units of Ω.
     let sliding = fluid.stress_scale() * scales.film / scales.viscosity;
     let constant = fluid.newtonian_limits(0.0);
-    let region = Region::of(shape);
-    let shorter = region.shorter(shape);
-    let elements = Elements::new(d);
-    let of_element = |shear: &mut Shear, c: usize| {
+    let of_group = |shear: &mut Shear, points: &Vec<Point>| {
         let mut sums = [Sums::default(); 3];
-        let shares = [
-            elements.share(&region, c),
-            elements.share(&shorter, c),
-            Share::All,
-        ];
-        for (q, Point { area, fields }) in points.of_element(c).iter().enumerate() {
+        for point in points {
+            let fields = &point.fields;
             let [x, y] = fields.place;
             let s = shear.at(fields);
             let slide = fluid.slide().at([x, y]).map(|s| sliding * s);
             let mean = entrainment.at([x, y]).map(|u| speed * u);
             let work = |i: usize| slide[i] * s.stress[0][i] + mean[i] * s.difference[i];
-            let in_zone = d.contact.shape.zone.contains([x, y]);
             let part = Part {
                 work: work(0) + work(1),
                 offset: fields.pressure * shape.gap.at([x, y]).gradient[0],
-                limits: in_zone.then(|| match fluid.limits_depend_on_pressure() {
+                limits: (point.in_zone).then(|| match fluid.limits_depend_on_pressure() {
                     true => fluid.newtonian_limits(fields.pressure),
                     false => constant,
                 }),
                 fields,
                 shear: &s,
             };
-            for (sums, share) in sums.iter_mut().zip(&shares) {
-                sums.add(area * share.at(q), &part);
+            let [here, shorter] = point.within;
+            for (sums, share) in sums.iter_mut().zip([here, shorter, 1.0]) {
+                sums.add(point.area * share, &part);
             }
         }
-        (sums, shares[0] != Share::All)
+        (sums, points.iter().any(|point| point.within[0] != 1.0))
     };
     // Added up in order: the sums do not depend on the threads.
-    let found: Vec<([Sums; 3], bool)> = (0..d.contact.n_elements())
-        .into_par_iter()
+    let found: Vec<([Sums; 3], bool)> = (film.points().groups())
+        .par_iter()
         .with_min_len(BATCH)
-        .map_init(|| Shear::new(fluid, scales), of_element)
+        .map_init(|| Shear::new(fluid, scales), of_group)
         .collect();
     let is_cut = found.iter().any(|(_, cut)| *cut);
     let mut sums = [Sums::default(); 3];
-    for (of_element, _) in &found {
-        sums = [0, 1, 2].map(|k: usize| sums[k].and(of_element[k]));
+    for (of_group, _) in &found {
+        sums = [0, 1, 2].map(|k: usize| sums[k].and(of_group[k]));
     }
     let area = scales.area(shape);
     let load = scales.load * scales.pressure;
@@ -294,7 +279,7 @@ pub fn friction(
     };
     let [here, shorter, whole] = &sums;
     let through_end = match is_cut {
-        true => through_end(problem, fluid, (d, state), &region, &entrainment),
+        true => through_end(problem, fluid, film),
         false => 0.0,
     };
     Frictions {
@@ -311,26 +296,21 @@ pub fn friction(
 const END_POINTS: usize = 720;
 
 /// ∮ g m·n dl, g = ∫dP/ρ̄, round the end of a region over the part that is solved; beyond the contact area there is no pressure.
-fn through_end(
-    problem: &Problem,
-    fluid: &FilmFluid,
-    (d, state): (&Discretisation, &State),
-    region: &Region,
-    entrainment: &Planar,
-) -> f64 {
+fn through_end<Plan>(problem: &Problem<Plan>, fluid: &FilmFluid, film: &impl Film) -> f64 {
+    let region = Region::of(&problem.shape);
     let through = |place: [f64; 2], normal: [f64; 2]| {
-        let Some(f) = fields_at(d, state, place) else {
+        let Some(f) = film.at(place) else {
             return 0.0;
         };
         let volume = |p: f64| 1.0 / fluid.local(p, f.temperature.as_deref()).point().density[0];
         let p = f.pressure;
         let g = p / 6.0 * (volume(0.0) + 4.0 * volume(0.5 * p) + volume(p));
-        let flux = mass_flux(fluid, problem.scales.lambda, entrainment, &f);
+        let flux = mass_flux(fluid, problem.scales.lambda, &problem.entrainment, &f);
         g * (flux[0] * normal[0] + flux[1] * normal[1])
     };
     let middles = (0..END_POINTS).map(|i| (i as f64 + 0.5) / END_POINTS as f64);
     let whole = problem.shape.symmetry == Symmetry::Full;
-    if d.contact.surface.dim == 1 {
+    if problem.shape.is_line() {
         let end = region.along();
         return through([-end, 0.0], [-1.0, 0.0]) + through([end, 0.0], [1.0, 0.0]);
     }
@@ -408,7 +388,7 @@ pub fn beyond_edges(
     }
 }
 
-/// Elements that a thread takes at a time.
+/// Groups of points that a thread takes at a time.
 const BATCH: usize = 16;
 
 #[cfg(test)]

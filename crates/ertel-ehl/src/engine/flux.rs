@@ -1,6 +1,6 @@
 //! Flow of lubricant along the film.
 
-use super::points::PointFields;
+use super::PointFields;
 use crate::contact::Planar;
 use crate::film::FilmFluid;
 use crate::film::cross_film::CrossFilm;

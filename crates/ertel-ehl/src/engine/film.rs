@@ -1,0 +1,121 @@
+//! A film as whatever is read off it sees it: fields at the points of a quadrature, and at any place.
+
+use crate::film::TemperatureProfile;
+use crate::forms::energy::FilmPlace;
+
+/// A film that was found.
+pub trait Film: Sync {
+    /// Fields at the points over which the contact area is summed.
+    fn points(&self) -> &PointTable;
+
+    /// Fields at (X, Y); `None` outside the contact area.
+    fn at(&self, place: [f64; 2]) -> Option<PointFields>;
+}
+
+/// Fields at a point of the contact area.
+#[derive(Clone, Debug, Default)]
+pub struct PointFields {
+    /// (X, Y).
+    pub place: [f64; 2],
+    /// P.
+    pub pressure: f64,
+    /// ∇P.
+    pub pressure_gradient: [f64; 2],
+    /// G, the undeformed gap.
+    pub gap: f64,
+    /// δ, the deflection.
+    pub deflection: f64,
+    /// H.
+    pub film: f64,
+    /// F, what the gap lacks where a layer of oil does not fill it (see [`crate::forms::oil_layer`]).
+    pub missing: f64,
+    /// Temperature across the film, where it varies.
+    pub temperature: Option<Box<TemperatureProfile>>,
+}
+
+impl PointFields {
+    /// θ, the share of the gap that is filled with oil.
+    pub fn filling(&self) -> f64 {
+        1.0 - self.missing / self.film
+    }
+
+    /// What the energy equation sees of the film, its flow not held.
+    pub fn film_place(&self) -> FilmPlace {
+        let profile = self.temperature.as_deref().copied().unwrap_or_default();
+        FilmPlace {
+            at: self.place,
+            pressure: self.pressure,
+            pressure_gradient: self.pressure_gradient,
+            film: self.film,
+            filling: self.filling(),
+            temperature: profile.temperature,
+            held_conductance: None,
+        }
+    }
+}
+
+/// One row of the table: what a quadrature point stands for.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Weight of the point: the area that it stands for, or the length in line contacts, in half-widths.
+    pub area: f64,
+    /// Shares of that within the reach of the bodies, and within the shorter distance of
+    /// [`Region::shorter`](super::region::Region::shorter).
+    pub within: [f64; 2],
+    /// Whether it lies in the Hertz zone.
+    pub in_zone: bool,
+    /// Fields there.
+    pub fields: PointFields,
+}
+
+/// Fields at all quadrature points, in groups (elements, cells) that are summed one after the other: sums do not depend on threads.
+#[derive(Clone, Debug)]
+pub struct PointTable {
+    groups: Vec<Vec<Point>>,
+}
+
+impl PointTable {
+    /// From the points of each group.
+    pub fn new(groups: Vec<Vec<Point>>) -> PointTable {
+        PointTable { groups }
+    }
+
+    /// The groups.
+    pub fn groups(&self) -> &[Vec<Point>] {
+        &self.groups
+    }
+
+    /// Means over the Hertz zone. Where the film is so thick that no element is as small as the zone, what is nearest its centre; not a number
+    /// where no point has the values.
+    pub fn mean_in_zone<const N: usize>(
+        &self,
+        values: impl Fn(&PointFields) -> Option<[f64; N]>,
+    ) -> [f64; N] {
+        let (mut sums, mut total) = ([0.0; N], 0.0);
+        let (mut nearest, mut centre) = (f64::INFINITY, [f64::NAN; N]);
+        for point in self.iter() {
+            let Some(values) = values(&point.fields) else {
+                continue;
+            };
+            let [x, y] = point.fields.place;
+            if x.hypot(y) < nearest {
+                (nearest, centre) = (x.hypot(y), values);
+            }
+            if point.in_zone {
+                total += point.area;
+                for (sum, value) in sums.iter_mut().zip(values) {
+                    *sum += point.area * value;
+                }
+            }
+        }
+        match total > 0.0 {
+            true => sums.map(|sum| sum / total),
+            false => centre,
+        }
+    }
+
+    /// All points.
+    pub fn iter(&self) -> impl Iterator<Item = &Point> {
+        self.groups.iter().flatten()
+    }
+}
