@@ -14,14 +14,16 @@ pub type Row = (
     &'static [(&'static str, &'static str, usize, f64)],
 );
 
-const STAGE: &str = "solve/sequence/stage_run.rs";
 const ADAPT: &str = "solve/adapt.rs";
 const NEWTON: &str = "solve/newton.rs";
-const INDICATOR: &str = "solve/indicator.rs";
-const DECISION: &str = "solve/sequence/driver/decision.rs";
+const TUNING_CONTINUATION: &str = "solve/tuning/continuation.rs";
+const TUNING_ERRORS: &str = "solve/tuning/errors.rs";
+const TUNING_HEAT: &str = "solve/tuning/heat.rs";
+const TUNING_NEWTON: &str = "solve/tuning/newton.rs";
+const TUNING_REFINEMENT: &str = "solve/tuning/refinement.rs";
+const TUNING_RIDGE: &str = "solve/tuning/ridge.rs";
+const TUNING_STAGES: &str = "solve/tuning/stages.rs";
 const PANELS: &str = "film/cross_film/panels.rs";
-const LAWS: &str = "solve/sequence/strategies/shear_law.rs";
-const SLIDING: &str = "solve/sequence/strategies/sliding.rs";
 
 const PROBLEM: &str = "crates/ertel/src/problem.rs";
 const PARAMS: &str = "params.rs";
@@ -40,142 +42,97 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "cavitation penalty ramped {}, {};",
         &[
-            (STAGE, "PENALTY_RAMP", 0, 1.0),
-            (STAGE, "PENALTY_RAMP", 1, 1.0),
+            (TUNING_STAGES, "PENALTY_RAMP", 0, 1.0),
+            (TUNING_STAGES, "PENALTY_RAMP", 1, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "a start that stalls with a residual above {} skips",
-        &[(STAGE, "DIVERGENCE_LIMIT", 0, 1.0)],
+        &[(TUNING_STAGES, "DIVERGENCE_LIMIT", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
         "refined further end at {}: the remaining error",
-        &[(STAGE, "EXACT_ENOUGH", 0, 1.0)],
+        &[(TUNING_STAGES, "EXACT_ENOUGH", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
         "they end at √({} e), {} at most, if the last step changed both films by less than {} e.",
         &[
-            (STAGE, "ROUGH_SHARE", 0, 1.0),
-            (STAGE, "ROUGH_UPDATE", 0, 1.0),
-            (STAGE, "ROUGH_FILM_CHANGE", 0, 1.0),
+            (TUNING_STAGES, "ROUGH_SHARE", 0, 1.0),
+            (TUNING_STAGES, "ROUGH_UPDATE", 0, 1.0),
+            (TUNING_STAGES, "ROUGH_FILM_CHANGE", 0, 1.0),
         ],
     ),
     (
         "decisions/0012-films-first.md",
         "{} times the target today, `ROUGH_FILM_CHANGE`",
-        &[(STAGE, "ROUGH_FILM_CHANGE", 0, 1.0)],
+        &[(TUNING_STAGES, "ROUGH_FILM_CHANGE", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
         "the first try of the final stage stops after {} iterations without a smaller update, and after {} iterations in total ({} under rollers",
         &[
-            (STAGE, "EARLY_STAGNATION", 0, 1.0),
-            (STAGE, "EARLY_ITERATIONS", 0, 1.0),
-            (STAGE, "EARLY_ITERATIONS", 1, 1.0),
+            (TUNING_STAGES, "EARLY_STAGNATION", 0, 1.0),
+            (TUNING_STAGES, "EARLY_ITERATIONS", 0, 1.0),
+            (TUNING_STAGES, "EARLY_ITERATIONS", 1, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "The prediction is u₂(u₂/u₁)^{}, which",
-        &[(NEWTON, "FORESEEN_ORDER", 0, 1.0)],
+        &[(TUNING_NEWTON, "FORESEEN_ORDER", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
         "No step may increase the residual more than {} times",
-        &[(NEWTON, "MOST_RISE", 0, 1.0)],
+        &[(TUNING_NEWTON, "MOST_RISE", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
         "isotropic diffusion, ρ_id = {}, {}, {}, {} and that of the case",
         &[
-            (
-                "solve/sequence/strategies/diffusion.rs",
-                "DIFFUSION",
-                0,
-                1.0,
-            ),
-            (
-                "solve/sequence/strategies/diffusion.rs",
-                "DIFFUSION",
-                1,
-                1.0,
-            ),
-            (
-                "solve/sequence/strategies/diffusion.rs",
-                "DIFFUSION",
-                2,
-                1.0,
-            ),
-            (
-                "solve/sequence/strategies/diffusion.rs",
-                "DIFFUSION",
-                3,
-                1.0,
-            ),
+            (TUNING_CONTINUATION, "DIFFUSION", 0, 1.0),
+            (TUNING_CONTINUATION, "DIFFUSION", 1, 1.0),
+            (TUNING_CONTINUATION, "DIFFUSION", 2, 1.0),
+            (TUNING_CONTINUATION, "DIFFUSION", 3, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "ln μ̄ times {}, {}, {}, {} and {}, from a separate start",
         &[
-            (
-                "solve/sequence/strategies/viscosity_exponent.rs",
-                "EXPONENTS",
-                0,
-                1.0,
-            ),
-            (
-                "solve/sequence/strategies/viscosity_exponent.rs",
-                "EXPONENTS",
-                1,
-                1.0,
-            ),
-            (
-                "solve/sequence/strategies/viscosity_exponent.rs",
-                "EXPONENTS",
-                2,
-                1.0,
-            ),
-            (
-                "solve/sequence/strategies/viscosity_exponent.rs",
-                "EXPONENTS",
-                3,
-                1.0,
-            ),
-            (
-                "solve/sequence/strategies/viscosity_exponent.rs",
-                "EXPONENTS",
-                4,
-                1.0,
-            ),
+            (TUNING_CONTINUATION, "EXPONENTS", 0, 1.0),
+            (TUNING_CONTINUATION, "EXPONENTS", 1, 1.0),
+            (TUNING_CONTINUATION, "EXPONENTS", 2, 1.0),
+            (TUNING_CONTINUATION, "EXPONENTS", 3, 1.0),
+            (TUNING_CONTINUATION, "EXPONENTS", 4, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "the speed, from {} times that of the case down in halves",
-        &[("solve/sequence/strategies/speed.rs", "SPEEDS", 0, 1.0)],
+        &[(TUNING_CONTINUATION, "SPEEDS", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
         "not where the films have bars below {} % and a diffused ridge",
-        &[(DECISION, "GOOD_ENOUGH", 0, 100.0)],
+        &[(TUNING_CONTINUATION, "GOOD_ENOUGH", 0, 100.0)],
     ),
     (
         ISOTHERMAL,
         "halve the step, up to {} times in one continuation ({} if shear rates",
         &[
-            (DECISION, "MAX_HALVED_STEPS", 0, 1.0),
-            (DECISION, "MAX_HALVED_EXPONENTIAL_STEPS", 0, 1.0),
+            (TUNING_CONTINUATION, "MAX_HALVED_STEPS", 0, 1.0),
+            (TUNING_CONTINUATION, "MAX_HALVED_EXPONENTIAL_STEPS", 0, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "less than {} % of the central film within {} half-widths of an end",
         &[
-            ("solve/sequence/mesh_solver.rs", "NO_FILM", 0, 100.0),
+            (TUNING_STAGES, "NO_FILM", 0, 100.0),
             ("contact/roller/ends.rs", "AROUND_EDGE", 0, 1.0),
         ],
     ),
@@ -183,57 +140,57 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "the error bar is {}θE + {} E_r, combined",
         &[
-            (ADAPT, "SAFETY", 0, 1.0),
-            (ADAPT, "SAFETY_OF_RIDGE", 0, 1.0),
+            (TUNING_ERRORS, "SAFETY", 0, 1.0),
+            (TUNING_ERRORS, "SAFETY_OF_RIDGE", 0, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "θ = |h_1 − h_2|/(E_1 − E_2), between {} and {}, and {} if there is no previous mesh",
         &[
-            (ADAPT, "CALIBRATION", 0, 1.0),
-            (ADAPT, "CALIBRATION", 1, 1.0),
-            (ADAPT, "UNCALIBRATED", 0, 1.0),
+            (TUNING_ERRORS, "CALIBRATION", 0, 1.0),
+            (TUNING_ERRORS, "CALIBRATION", 1, 1.0),
+            (TUNING_ERRORS, "UNCALIBRATED", 0, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "more than the estimates tell: {} (point) or {} (line contacts)",
         &[
-            (INDICATOR, "UNRESOLVED", 1, 1.0),
-            (INDICATOR, "UNRESOLVED", 0, 1.0),
+            (TUNING_ERRORS, "UNRESOLVED", 1, 1.0),
+            (TUNING_ERRORS, "UNRESOLVED", 0, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "η_T = {} A_T κ/(2C) |e_δ||e_ζ| + {} A_T (ε κ² + a κ",
         &[
-            (INDICATOR, "ELASTIC", 0, 1.0),
-            (INDICATOR, "REYNOLDS", 0, 1.0),
+            (TUNING_ERRORS, "ELASTIC", 0, 1.0),
+            (TUNING_ERRORS, "REYNOLDS", 0, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "The factors {} and {} are measured",
         &[
-            (INDICATOR, "ELASTIC", 0, 1.0),
-            (INDICATOR, "REYNOLDS", 0, 1.0),
+            (TUNING_ERRORS, "ELASTIC", 0, 1.0),
+            (TUNING_ERRORS, "REYNOLDS", 0, 1.0),
         ],
     ),
     (
         ISOTHERMAL,
         "one refinement aims at no less than {} % of it",
-        &[(ADAPT, "SMALLEST_GOAL", 0, 100.0)],
+        &[(TUNING_REFINEMENT, "SMALLEST_GOAL", 0, 100.0)],
     ),
     (
         ISOTHERMAL,
         "the sum may then be {} of its size",
-        &[(ADAPT, "CONFIRMING_GOAL", 0, 1.0)],
+        &[(TUNING_REFINEMENT, "CONFIRMING_GOAL", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
         "From error bars of {} times the target on",
-        &[(ADAPT, "NEARLY", 0, 1.0)],
+        &[(TUNING_REFINEMENT, "NEARLY", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
@@ -249,19 +206,19 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "e₀ = {} p_h; in steps of 1/{})",
         &[
-            ("solve/ridge.rs", "SCALE", 0, 1.0),
-            ("solve/ridge.rs", "STEPS", 0, 1.0),
+            (TUNING_RIDGE, "SCALE", 0, 1.0),
+            (TUNING_RIDGE, "STEPS", 0, 1.0),
         ],
     ),
     (
         HEAT,
         "If it is more than {} of the previous one, only a fraction",
-        &[("solve/heat/relaxation.rs", "SLOW", 0, 1.0)],
+        &[(TUNING_HEAT, "SLOW", 0, 1.0)],
     ),
     (
         HEAT,
         "costs at most {} iterations more than when it was new",
-        &[("solve/heat/newton.rs", "SPARE_KRYLOV", 0, 1.0)],
+        &[(TUNING_HEAT, "SPARE_KRYLOV", 0, 1.0)],
     ),
     (
         HEAT,
@@ -277,37 +234,37 @@ pub const ROWS: &[Row] = &[
         HEAT,
         "with `θ` = {}, {}, {}, {}, {}, {}, {}.",
         &[
-            (SLIDING, "SLIDING", 0, 1.0),
-            (SLIDING, "SLIDING", 1, 1.0),
-            (SLIDING, "SLIDING", 2, 1.0),
-            (SLIDING, "SLIDING", 3, 1.0),
-            (SLIDING, "SLIDING", 4, 1.0),
-            (SLIDING, "SLIDING", 5, 1.0),
-            (SLIDING, "SLIDING", 6, 1.0),
+            (TUNING_CONTINUATION, "SLIDING", 0, 1.0),
+            (TUNING_CONTINUATION, "SLIDING", 1, 1.0),
+            (TUNING_CONTINUATION, "SLIDING", 2, 1.0),
+            (TUNING_CONTINUATION, "SLIDING", 3, 1.0),
+            (TUNING_CONTINUATION, "SLIDING", 4, 1.0),
+            (TUNING_CONTINUATION, "SLIDING", 5, 1.0),
+            (TUNING_CONTINUATION, "SLIDING", 6, 1.0),
         ],
     ),
     (
         THINNING,
         "(1 − r₁²)/(2r₁) = {}, {}, {}, {}, {}, {}, {} r₁",
         &[
-            (LAWS, "SOFTNESS", 0, 1e-3),
-            (LAWS, "SOFTNESS", 1, 1e-3),
-            (LAWS, "SOFTNESS", 2, 1e-3),
-            (LAWS, "SOFTNESS", 3, 1e-3),
-            (LAWS, "SOFTNESS", 4, 1e-3),
-            (LAWS, "SOFTNESS", 5, 1e-3),
-            (LAWS, "SOFTNESS", 6, 1e-3),
+            (TUNING_CONTINUATION, "SOFTNESS", 0, 1e-3),
+            (TUNING_CONTINUATION, "SOFTNESS", 1, 1e-3),
+            (TUNING_CONTINUATION, "SOFTNESS", 2, 1e-3),
+            (TUNING_CONTINUATION, "SOFTNESS", 3, 1e-3),
+            (TUNING_CONTINUATION, "SOFTNESS", 4, 1e-3),
+            (TUNING_CONTINUATION, "SOFTNESS", 5, 1e-3),
+            (TUNING_CONTINUATION, "SOFTNESS", 6, 1e-3),
         ],
     ),
     (
         THINNING,
         "first increases sliding at `ε` = {}.",
-        &[(LAWS, "MEDIUM_SOFTNESS", 0, 1e-3)],
+        &[(TUNING_CONTINUATION, "MEDIUM_SOFTNESS", 0, 1e-3)],
     ),
     (
         THINNING,
         "Continuation steps end at updates and residuals of {},",
-        &[(STAGE, "EXPONENTIAL_TOLERANCE", 0, 1.0)],
+        &[(TUNING_STAGES, "EXPONENTIAL_TOLERANCE", 0, 1.0)],
     ),
     (
         THINNING,
@@ -387,10 +344,10 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "with {}, {}, {} and {} of the penalty before all of it",
         &[
-            (STAGE, "PENALTY_CONTINUATION", 0, 1.0),
-            (STAGE, "PENALTY_CONTINUATION", 1, 1.0),
-            (STAGE, "PENALTY_CONTINUATION", 2, 1.0),
-            (STAGE, "PENALTY_CONTINUATION", 3, 1.0),
+            (TUNING_STAGES, "PENALTY_CONTINUATION", 0, 1.0),
+            (TUNING_STAGES, "PENALTY_CONTINUATION", 1, 1.0),
+            (TUNING_STAGES, "PENALTY_CONTINUATION", 2, 1.0),
+            (TUNING_STAGES, "PENALTY_CONTINUATION", 3, 1.0),
         ],
     ),
     (
@@ -408,22 +365,25 @@ pub const ROWS: &[Row] = &[
     (
         ISOTHERMAL,
         "at least {} tenths of the difference from the previous mesh",
-        &[(ADAPT, "LEAST_SHARE_OF_DIFFERENCE", 0, 10.0)],
+        &[(TUNING_ERRORS, "LEAST_SHARE_OF_DIFFERENCE", 0, 10.0)],
     ),
     (
         ISOTHERMAL,
         "meets the target, and is at most {} of its size;",
-        &[(ADAPT, "LARGEST_GOAL", 0, 1.0)],
+        &[(TUNING_REFINEMENT, "LARGEST_GOAL", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
         "off the target of the cells, down to {} of it",
-        &[(ADAPT, "LEAST_LEFT_BY_EDGES", 0, 1.0)],
+        &[(TUNING_REFINEMENT, "LEAST_LEFT_BY_EDGES", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
         "({} t and {} t if both are too large)",
-        &[(ADAPT, "SHARES", 0, 1.0), (ADAPT, "SHARES", 1, 1.0)],
+        &[
+            (TUNING_REFINEMENT, "SHARES", 0, 1.0),
+            (TUNING_REFINEMENT, "SHARES", 1, 1.0),
+        ],
     ),
     (
         ISOTHERMAL,
@@ -547,7 +507,7 @@ pub const ROWS: &[Row] = &[
     (
         HEAT,
         "lies between {} and 1; a fixed",
-        &[("solve/heat/relaxation.rs", "SMALLEST", 0, 1.0)],
+        &[(TUNING_HEAT, "SMALLEST", 0, 1.0)],
     ),
     (
         HEAT,

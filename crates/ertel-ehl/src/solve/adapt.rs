@@ -9,6 +9,18 @@ use super::indicator::Indicator;
 use crate::contact::Shape;
 use crate::elastic::BodyModel;
 use crate::solution::LevelStats;
+pub use crate::solve::tuning::errors::FIRST_BAR;
+pub use crate::solve::tuning::errors::SAFETY_OF_RIDGE;
+use crate::solve::tuning::errors::{
+    CALIBRATION, LARGEST_BAR_OF_EDGES, LEAST_SHARE_OF_DIFFERENCE, SAFETY, SAFETY_OF_DIFFERENCE,
+    SAFETY_OF_EDGES, SMALLEST_ERROR, UNCALIBRATED,
+};
+use crate::solve::tuning::refinement::{
+    AS_GOOD_AS_REACHED, BODY_GROWTH, BODY_SHARE, CONFIRMING_GOAL, FEW, FILM_LEFT, GOAL,
+    LARGEST_GOAL, LARGEST_GROWTH, LARGEST_PRESSURE_GOAL, LEAST_GROWTH, LEAST_LEFT_BY_EDGES,
+    MOST_BESIDE_CELLS, NEARLY, OWN_SHARE, PRESSURE_GOAL, PRESSURE_LEFT, SHARES, SMALLEST_GOAL,
+    SMALLEST_PRESSURE_GOAL,
+};
 
 /// When to refine further, and how far.
 #[derive(Clone, Copy, Debug)]
@@ -26,9 +38,6 @@ pub struct AdaptParams {
     /// Refinements allowed.
     pub max_refinements: usize,
 }
-
-/// Displacement unknowns of a finite-element body per pressure unknown allowed.
-const BODY_SHARE: usize = 10;
 
 impl AdaptParams {
     /// Refinement to errors of films and pressure within a number of pressure unknowns.
@@ -62,44 +71,11 @@ pub fn grading_errors(shape: &Shape, model: BodyModel, sizes: &LevelSizes) -> [f
     errors.map(|e| (e * ratio * ratio).max(SMALLEST_ERROR))
 }
 
-/// Smallest error claimed.
-const SMALLEST_ERROR: f64 = 1e-4;
-
-/// Error bar over the difference of two meshes, where there is no other estimate (Roache, J. Fluids Eng.
-/// 116 (1994) 405-413).
-const SAFETY_OF_DIFFERENCE: f64 = 3.0;
-
-/// Error bar over the calibrated estimate.
-const SAFETY: f64 = 4.0;
-
-/// Least and largest factor by which the step from mesh to mesh corrects the estimate.
-const CALIBRATION: (f64, f64) = (0.75, 4.0);
-
-/// The factor where there is no mesh to calibrate by: first meshes err by up to four times their estimate.
-const UNCALIBRATED: f64 = 3.0;
-
-/// Error bar over the estimate of a first mesh.
-pub const FIRST_BAR: f64 = SAFETY * UNCALIBRATED;
-
-/// Error bar over what the diffusion at ridges changes by the adjoints, which tell at least four fifths of it (ball on disc, M = 199: h_c 0.53 % told, 0.61 % found).
-pub const SAFETY_OF_RIDGE: f64 = 1.5;
-
-/// Error bar over the estimate e of what the edges of the contact area do, and how it grows with e: the estimate is linear in the
-/// pressure at the edges. Measured: within a tenth where e is below 0.5 % (ball on disc, M = 200), a half of what it should be
-/// at 3 % (M = 5).
-const SAFETY_OF_EDGES: [f64; 2] = [1.5, 100.0];
-
-/// Largest relative bar for what the edges do: beyond it the estimate says no more than that they are far too near.
-const LARGEST_BAR_OF_EDGES: f64 = 10.0;
-
 /// Relative error bar of a film for what the edges of the contact area do to it by estimate.
 pub fn bar_of_edges(estimate: f64) -> f64 {
     let bar = estimate * (SAFETY_OF_EDGES[0] + SAFETY_OF_EDGES[1] * estimate);
     bar.min(LARGEST_BAR_OF_EDGES)
 }
-
-/// Share of the difference from the mesh before that is the least bar.
-const LEAST_SHARE_OF_DIFFERENCE: f64 = 0.3;
 
 /// Error bars, relative, of central and minimum film, with their parts.
 #[derive(Clone, Copy, Debug)]
@@ -155,23 +131,6 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
     let bars = [0, 1].map(|j: usize| cells[j].hypot(unresolved) + bar_of_edges(edges[j]));
     Some(ErrorBars { bars, cells, own })
 }
-
-/// Of the estimate of a film, in line and in circular contacts: smooth errors fall to 1/32; at free boundaries and spikes much less.
-const FILM_LEFT: [f64; 2] = [0.125, 0.06];
-
-/// Of the square of the pressure error: at a ridge with a sharp side, half.
-const PRESSURE_LEFT: f64 = 0.4;
-
-/// Growth of the body's unknowns over that of the elements on its contact area: cells away from it stay as
-/// they are. Measured on circular contacts: 0.38.
-const BODY_GROWTH: f64 = 0.5;
-
-/// Growth of a mesh below which refining it is not worth a factorisation.
-const LEAST_GROWTH: f64 = 1.2;
-
-/// Growth of a mesh in one refinement, at most: for the films alone, and for the pressure, whose ridge is not where a coarse mesh
-/// puts it.
-const LARGEST_GROWTH: [f64; 2] = [4.0, 2.5];
 
 /// What a refinement is to make more accurate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -282,12 +241,6 @@ fn shares(target: f64, cells: f64, unresolved: f64, mendable: bool) -> [f64; 2] 
         [cells, unresolved]
     }
 }
-
-/// Usual shares of a film's target for cells and for pressures that are not resolved: 0.8² + 0.6² = 1.
-const SHARES: [f64; 2] = [0.8, 0.6];
-
-/// Share of a film's target up to which the cells make room for pressures that nothing is done about.
-const MOST_BESIDE_CELLS: f64 = 0.9;
 
 /// What a mesh is refined to.
 struct Targets {
@@ -423,42 +376,6 @@ fn pressure_goal(target: Option<f64>, indicator: &Indicator) -> Option<Goal<'_>>
         left_by_halving: PRESSURE_LEFT,
     })
 }
-
-/// Error bars of the films, over their target, from which on a mesh is refined for films and pressure at once.
-const NEARLY: f64 = 4.0;
-
-/// Share of the elements for which alone a mesh is not refined once more, where films are as accurate as asked for and the pressure's
-/// target is as good as reached: up to this multiple of it.
-const FEW: f64 = 0.01;
-const AS_GOOD_AS_REACHED: f64 = 1.5;
-
-/// Share of the target that the cells are allowed at least, whatever the edges do.
-const LEAST_LEFT_BY_EDGES: f64 = 0.5;
-
-/// Share of the target that the estimate aims at: refinement may fall short.
-const GOAL: f64 = 0.6;
-
-/// Share of the target up to which a film's own estimate asks for no refinement where the other's does.
-const OWN_SHARE: f64 = 0.9;
-
-/// The same for the pressure, whose estimate is no bound.
-const PRESSURE_GOAL: f64 = 0.9;
-
-/// Share of its square that a refinement aims at, at least and at most: a ridge is not where a coarse mesh puts it, and cells that
-/// are made too fine at a wrong place are of no use.
-const SMALLEST_PRESSURE_GOAL: f64 = 0.2;
-const LARGEST_PRESSURE_GOAL: f64 = 0.7;
-
-/// Share of its estimate that a refinement aims at, at least: what a coarse mesh tells about the next but two, no mesh should follow.
-/// Measured on slender ellipses at M = 1,000: with 2 % the last mesh has two thirds of the elements that it has without.
-const SMALLEST_GOAL: f64 = 0.02;
-
-/// Share of its estimate that a refinement aims at, at most. With less refinement the few largest shares
-/// go, and of the error, which is a sum of shares of both signs, much more stays than of the estimate.
-const LARGEST_GOAL: f64 = 0.125;
-
-/// The same where the estimates of both films are good enough, and a mesh that differs is enough to confirm them.
-const CONFIRMING_GOAL: f64 = 0.4;
 
 #[cfg(test)]
 mod tests;

@@ -20,6 +20,7 @@ use super::preconditioner::Preconditioner;
 use super::step::{dot, scatter};
 use super::system::System;
 use crate::elastic::Accuracy;
+use crate::solve::tuning::newton::{MOST_ROUNDS, ROUGH};
 
 /// What a figure depends on: its derivatives by the pressures, the deflections and the separation.
 pub struct Functional {
@@ -220,12 +221,6 @@ pub const TO_WEIGH_ERRORS: Exactness = Exactness {
     tolerance: 1e-4,
     weighed: false,
 };
-
-/// Tolerance down to which products may be as rough as those of Newton's steps.
-const ROUGH: f64 = 1e-4;
-
-/// Rounds of solves with rough products.
-const MOST_ROUNDS: usize = 6;
 
 /// Weights of the equations of each pressure unknown in the norm of the residual: where a layer of oil arrives, z does not fall off
 /// upstream, while the coefficients of the film equations grow as H³; without, all count alike.

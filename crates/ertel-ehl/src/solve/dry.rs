@@ -13,13 +13,7 @@ use super::points::{gap_at_nodes, pressure_at};
 use crate::contact::roller::RollerZone;
 use crate::contact::{Shape, Symmetry};
 use crate::elastic::{Accuracy, Elasticity};
-
-/// Iterations, and the part of the load that may still sit at wrong places when they end: a start need not be exact.
-const MAX_ITERATIONS: usize = 80;
-const TOLERANCE: f64 = 3e-3;
-
-/// Order of pressures and deflections where the rim is looked for.
-const ORDER: usize = 2;
+use crate::solve::tuning::meshes::{ACROSS, MAX_ITERATIONS, ORDER, TOLERANCE, WIDER};
 
 /// Cells there, in half-widths.
 const SIZES: LevelSizes = LevelSizes {
@@ -32,10 +26,6 @@ const SIZES: LevelSizes = LevelSizes {
     growth: 0.5,
     depth_growth: 0.5,
 };
-
-/// Width of the area there over that of the zone, and points across it.
-const WIDER: f64 = 1.3;
-const ACROSS: usize = 150;
 
 /// The shape of a roller under ∫P = `load` (dimensionless, over the part that is solved) whose zone has the load per length of the dry
 /// contact on a coarse mesh, in place of that of slices: half-widths by slices are off by some per cent, and by a tenth at ends that carry

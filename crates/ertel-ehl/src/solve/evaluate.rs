@@ -5,6 +5,7 @@ use ertel_fem::element::Lagrange;
 use crate::solve::discretisation::Discretisation;
 use crate::solve::points::{fields_at, fields_in, film_of};
 use crate::solve::system::State;
+use crate::solve::tuning::meshes::{THINNEST_ELEMENTS, THINNEST_LATTICE};
 
 /// Film thickness at the centre of the contact.
 pub fn central_film(d: &Discretisation, state: &State) -> f64 {
@@ -40,9 +41,6 @@ impl Lattice {
     }
 }
 
-/// Elements in which the smallest film is searched for: the one with the thinnest point of the lattice need not have it.
-const THINNEST_ELEMENTS: usize = 6;
-
 /// Smallest film thickness of the contact area and where it is.
 ///
 /// Each element is sampled on a lattice; in those with the thinnest points the lattice is refined until its
@@ -72,9 +70,6 @@ pub(super) struct Thinnest {
     /// The point in it.
     pub xi: [f64; 3],
 }
-
-/// Points per edge of the lattice on which the thinnest point of an element is searched for.
-const THINNEST_LATTICE: usize = 4;
 
 /// The thinnest point of each element on a lattice.
 pub(super) fn thinnest_points(d: &Discretisation, state: &State) -> Vec<Thinnest> {

@@ -1,5 +1,7 @@
 //! Which elements are halved to bring errors down.
 
+use crate::solve::tuning::refinement::{CLOSURE, MOST_HALVINGS};
+
 /// What refinement is to bring down: shares of the elements that add up to an error, or to its square.
 pub struct Goal<'a> {
     /// Share of each element.
@@ -9,9 +11,6 @@ pub struct Goal<'a> {
     /// What of an element's share is expected to stay where it is halved.
     pub left_by_halving: f64,
 }
-
-/// Halvings of one element in one refinement.
-const MOST_HALVINGS: u32 = 2;
 
 /// Halvings of each element of a `dim`-dimensional contact area that are expected to bring every goal down to what it allows, the
 /// largest shares first, until there are about `max_growth` times as many elements.
@@ -63,9 +62,6 @@ pub fn halvings(goals: &[Goal], dim: usize, max_growth: f64) -> Vec<u32> {
     }
     halvings
 }
-
-/// Elements that a refinement adds, over those asked for: conformity asks for more.
-const CLOSURE: f64 = 1.5;
 
 /// An element by the weight of its share.
 struct Candidate {

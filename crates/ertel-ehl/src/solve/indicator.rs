@@ -35,6 +35,9 @@ use crate::contact::Inlet;
 use crate::engine::far_field::far_field;
 use crate::film::cross_film::CrossFilm;
 use crate::solution::{BeyondEdges, ErrorEstimate, Figure, Figures, TemperatureErrors};
+use crate::solve::tuning::errors::{
+    AROUND, BLURRING, ELASTIC, REYNOLDS, RIDGE, RIDGE_SHARE, UNRESOLVED,
+};
 
 /// Estimated shares of the error in each element, relative to the film.
 #[derive(Default)]
@@ -155,18 +158,6 @@ fn share_of_point(d: &Discretisation) -> f64 {
         _ => share.powf(0.75),
     }
 }
-
-/// Error of the films over that of the pressure, root mean square in p_h, in line and in point contacts: of ridges and spikes that are far from
-/// resolved, the estimates of the films miss a part. Measured: line, M = 200, L = 15: 0.7 (h_min); circular, M = 200, L = 10: 0.06, M = 20, L = 25:
-/// 0.065, M = 20, L = 10 without compressibility: 0.01.
-const UNRESOLVED: [f64; 2] = [0.4, 0.06];
-
-/// Distance, in sizes of the element there, up to which elements are around a place.
-const AROUND: f64 = 1.5;
-
-/// Constants c_U and c_P of the estimate, measured on line and circular contacts.
-const ELASTIC: f64 = 8.0;
-const REYNOLDS: f64 = 2.0;
 
 /// Estimates the errors of a converged state; `near` is what its level has for preconditioners, if anything, `kept`
 /// a preconditioner of a state nearby.
@@ -320,13 +311,6 @@ pub fn indicator(
         adjoints: adjoint,
     })
 }
-
-/// What of a change of the films is added to the shares of the elements, and the least part of the sizes of the elements' changes that it
-/// counts as, though they may cancel: of the length over which a gap fills up, and of the diffusion at a ridge, which has a bar
-/// of its own ([`super::adapt::SAFETY_OF_RIDGE`]) and a share here so that refinement sees it.
-const BLURRING: [f64; 2] = [1.0, 0.5];
-const RIDGE: [f64; 2] = [RIDGE_SHARE, 0.1];
-const RIDGE_SHARE: f64 = 0.25;
 
 /// What the elements' `changes` of each film come to, relative; a part of it is added to the shares.
 fn share_out(

@@ -7,12 +7,7 @@ use super::discretisation::Discretisation;
 use super::evaluate::{refined, thinnest_points};
 use super::neighbours::Neighbours;
 use super::system::State;
-
-/// Film at a minimum, over the lowest, up to which it may come to be the lowest on a finer mesh.
-const NEARLY_AS_DEEP: f64 = 1.3;
-
-/// Height of the ridge between two minima, over the higher of them, from which they are two.
-const RIDGE: f64 = 1.05;
+use crate::solve::tuning::refinement::{NEARLY_AS_DEEP, RIDGE};
 
 /// The deepest of the minima other than the lowest, if it is nearly as deep: film and place. Of contact areas that are lines, none.
 pub(super) fn rival_minimum(

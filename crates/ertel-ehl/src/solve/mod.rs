@@ -28,6 +28,7 @@ pub mod sequence;
 pub mod sizes;
 mod step;
 pub mod system;
+pub mod tuning;
 pub mod weighted;
 
 pub use crate::engine::{Observer, Silent};

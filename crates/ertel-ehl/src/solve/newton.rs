@@ -26,6 +26,9 @@ use crate::params::LinearSolver;
 use crate::solution::{IterationRecord, Timings};
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::points::films_and_changes;
+use crate::solve::tuning::newton::{
+    FAR_OUT, FORESEEN_FROM, FORESEEN_ORDER, LONGEST_STRIDE, MOST_RISE, SMALLEST_EXPONENTIAL_SHARE,
+};
 
 /// Settings of one Newton run.
 #[derive(Clone, Copy, Debug)]
@@ -426,26 +429,6 @@ impl<'a> NewtonLevel<'a> {
         lift
     }
 }
-
-/// Residual, over the entrained flow, beyond which an exponential rules it.
-const FAR_OUT: f64 = 2.0;
-
-/// Factor by which one step may raise it there: some e-folds, which the next takes off.
-const MOST_RISE: f64 = 1e4;
-
-/// Multiple of a step that is tried at most.
-const LONGEST_STRIDE: f64 = 64.0;
-
-/// Share of a step below which an exponential is not to be kept off.
-const SMALLEST_EXPONENTIAL_SHARE: f64 = 1e-4;
-
-/// Order of convergence by which the next update is foreseen: below 2, for linear systems are solved
-/// inexactly.
-const FORESEEN_ORDER: f64 = 1.5;
-
-/// Update, in p_h, above which the next is not foreseen: a step that is small by chance after a much larger one tells nothing (Barus,
-/// M = 200, L = 10 on a mesh refined at the ridge: 20, then 0.7, then 9).
-const FORESEEN_FROM: f64 = 0.5;
 
 fn add(x: &mut [f64], dx: &[f64]) {
     for (a, b) in x.iter_mut().zip(dx) {

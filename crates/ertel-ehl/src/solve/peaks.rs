@@ -8,9 +8,7 @@ use super::evaluate::largest_of_elements;
 use super::minima::root;
 use super::neighbours::Neighbours;
 use super::system::State;
-
-/// Height of a peak over the pass to a higher one, in p_h, from which it is one of its own.
-const PROMINENCE: f64 = 0.02;
+use crate::solve::tuning::refinement::PROMINENCE;
 
 /// A largest pressure in p_h, and where it is in half-widths.
 pub(super) type Peak = (f64, [f64; 2]);

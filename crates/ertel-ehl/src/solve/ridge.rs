@@ -12,12 +12,7 @@ use ertel_fem::space::Space;
 
 use super::indicator::unresolved;
 use super::neighbours::Neighbours;
-
-/// e₀, in p_h.
-const SCALE: f64 = 0.005;
-
-/// Shares are multiples of one over this, so that what the mesh before errs by rounding does not change the equations.
-const STEPS: f64 = 64.0;
+use crate::solve::tuning::ridge::{CUT_OFF, OWN_RIDGE, SCALE, STEPS};
 
 /// s of each element of `surface`, from the `pressure` on another mesh.
 pub(super) fn ridge_shares(
@@ -42,10 +37,6 @@ pub(super) fn ridge_shares(
         })
         .collect()
 }
-
-/// What a ridge may be higher than where it is diffused, over the range of the pressure in the element. Measured on ball on disc, M = 199, beside
-/// the centreline: 0.75 GPa with 13,700 pressures, 1.15 GPa with 48,000, and 1.28 GPa with 261,000 without diffusion.
-const CUT_OFF: f64 = 0.75;
 
 /// By how much a ridge may be higher in each element than the mesh leaves it, and how high it may be so, in p_h; zero without one.
 pub(super) fn cut_off(
@@ -92,9 +83,6 @@ pub(super) fn own_shares(errors: &[f64], neighbours: &Neighbours) -> Vec<f64> {
         .map(|s| if s > OWN_RIDGE { s } else { 0.0 })
         .collect()
 }
-
-/// Share from which an element counts as one of a ridge without diffusion.
-const OWN_RIDGE: f64 = 0.5;
 
 #[cfg(test)]
 mod tests {

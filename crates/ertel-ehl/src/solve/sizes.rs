@@ -5,6 +5,7 @@ use ertel_fem::mesh::{SizeField, SizeZone, Zone};
 use super::discretisation::Extents;
 use crate::contact::roller::RollerZone;
 use crate::contact::{Shape, Symmetry};
+use crate::solve::tuning::meshes::{COVERED, OUTLET_FROM};
 
 /// Cell sizes of one level and the region they cover, in Hertz half-widths.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,13 +135,6 @@ fn size_of_roller(roller: &RollerZone, s: &LevelSizes, at: [f64; 2]) -> f64 {
     let largest = s.edge * (at[0].abs() / 3.0).max(1.0);
     sizes.into_iter().fold(largest, f64::min)
 }
-
-/// Where the crescent of finer cells at the outlet begins, X.
-const OUTLET_FROM: f64 = -0.3;
-
-/// Share of s² or s that a cell of the longest edge s covers on average, in circular and in line contacts: halved until they are
-/// small enough, cells are smaller than that. Measured.
-const COVERED: [f64; 2] = [0.125, 0.75];
 
 /// Pressure unknowns of a given order that a mesh of these sizes has, within a third or so.
 pub fn expected_unknowns(

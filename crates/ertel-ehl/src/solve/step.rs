@@ -13,6 +13,7 @@ use super::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats};
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::system::{State, System};
 use crate::elastic::Accuracy as Deflections;
+use crate::solve::tuning::newton::{MOST_STALE_ITERATIONS, STALE_EFFORT};
 
 /// Newton step at all pressure nodes and of H0.
 pub(super) struct Step {
@@ -72,13 +73,6 @@ impl Accuracy {
         }
     }
 }
-
-/// Krylov iterations for a factor of a thousand above which the preconditioner is made anew, in line and in circular
-/// contacts, where it costs as much as some ten iterations.
-const STALE_EFFORT: [f64; 2] = [20.0, 10.0];
-
-/// Krylov iterations after which a solve with an old preconditioner is given up.
-const MOST_STALE_ITERATIONS: usize = 40;
 
 impl<'a, 'b> StepSolver<'a, 'b> {
     /// Solver without factors yet; counts its effort in `stats`.

@@ -20,9 +20,7 @@ use crate::forms::energy::{FilmColumn, Heat, film_column};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::points::fields_in;
 use crate::solve::system::State;
-
-/// Pressure over p_h above which an element belongs to the area under pressure.
-const PRESSED: f64 = 1e-8;
+use crate::solve::tuning::heat::PRESSED;
 
 /// Heat of the whole contact: W (circular) or W/m (line).
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -16,6 +16,10 @@ use crate::forms::energy::Heat;
 use crate::solve::evaluate::central_film;
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
 use crate::solve::system::State;
+use crate::solve::tuning::heat::{
+    FEW_STEPS, INNER_SHARE, LEAST_SHRINKING, MOST_STEPS, NEGLIGIBLE_RISE, ROUGHEST,
+    ROUGHEST_ON_PATH,
+};
 use crate::solve::{Observer, SolveError};
 
 /// Settings.
@@ -88,25 +92,6 @@ impl CouplingStats {
         }
     }
 }
-
-/// Change of a temperature rise that does not matter, K.
-const NEGLIGIBLE_RISE: f64 = 1e-3;
-
-/// Steps for the temperatures in one round.
-const MOST_STEPS: usize = 40;
-
-/// The same where a continuation is known that takes fewer.
-const FEW_STEPS: usize = 12;
-
-/// The best that is believed of how steps for the temperatures shrink.
-const LEAST_SHRINKING: f64 = 0.2;
-
-/// Share of a round's change to which each of its halves is solved.
-const INNER_SHARE: f64 = 0.1;
-
-/// Roughest tolerance of the film equations in a round, and where the solution is only led to.
-const ROUGHEST: f64 = 1e-3;
-const ROUGHEST_ON_PATH: f64 = 2e-2;
 
 /// Iterates from `state`, which has temperatures.
 ///

@@ -12,11 +12,7 @@
 
 use super::space::HeatSpace;
 use crate::solve::discretisation::Discretisation;
-
-/// Relative residual of the mass matrix's solution, and iterations at most: each shrinks it by 3 at the least (Wathen, IMA J. Numer.
-/// Anal. 7 (1987) 449-457).
-const TOLERANCE: f64 = 1e-9;
-const MOST_ITERATIONS: usize = 40;
+use crate::solve::tuning::heat::{MOST_ITERATIONS, TOLERANCE};
 
 /// ω at each height over each vertex from ∫ λω dA, by conjugate gradients with the diagonal as preconditioner, all heights at once.
 pub(super) fn divide_by_mass(d: &Discretisation, space: &HeatSpace, sums: &mut [f64]) {

@@ -9,10 +9,7 @@ use super::space::HeatSpace;
 use crate::solution::{Figure, TemperatureErrors};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
-
-/// Least distance from a place, in half-widths, within which temperatures count as around it; in large elements it is their
-/// size.
-const AROUND: f64 = 0.1;
+use crate::solve::tuning::heat::AROUND;
 
 /// Temperatures that are recovered: at mid-film, of plane and ball.
 const N_ROWS: usize = 3;

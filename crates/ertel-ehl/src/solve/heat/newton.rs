@@ -23,6 +23,10 @@ use crate::film::{FilmFluid, FilmNodes};
 use crate::forms::energy::{Heat, Source};
 use crate::solve::discretisation::Discretisation;
 use crate::solve::system::State;
+use crate::solve::tuning::heat::{
+    BEYOND_BOUNDS, FIRST_WARMING, LONGEST_WARMING, MOST_HALVINGS, SHORTEST_WARMING, SPARE_KRYLOV,
+    WARMING_FACTOR,
+};
 
 /// Settings.
 #[derive(Clone, Copy, Debug)]
@@ -36,25 +40,6 @@ pub struct HeatParams {
     /// The same downwards from the coldest of the start, K.
     pub largest_cooling: f64,
 }
-
-/// θ of the first time step, K: less than viscosities fall by e over, so that no layer feeds its own heating.
-const FIRST_WARMING: f64 = 20.0;
-
-/// The shortest time step, K, and the longest, beyond which there is none.
-const SHORTEST_WARMING: f64 = 1.0;
-const LONGEST_WARMING: f64 = 1e4;
-
-/// Factor by which time steps are shortened or lengthened.
-const WARMING_FACTOR: f64 = 2.0;
-
-/// Times that half of a step is taken back.
-const MOST_HALVINGS: usize = 8;
-
-/// Krylov iterations that cost less than a new factorisation.
-const SPARE_KRYLOV: usize = 12;
-
-/// Residual, W/m² times half-widths squared, beyond which no matrix in single precision is factorised: the sun's surface radiates 6e7 W/m².
-const BEYOND_BOUNDS: f64 = 1e30;
 
 impl Default for HeatParams {
     fn default() -> Self {

@@ -13,16 +13,10 @@ use nalgebra::DMatrix;
 use rayon::prelude::*;
 
 use crate::contact::Symmetry;
+use crate::solve::tuning::heat::{RINGS, WELL_POSED};
 
 /// Order of the recovered polynomials.
 pub const ORDER: usize = 3;
-
-/// Smallest over largest singular value of a fit that the nodes determine; around a node of a mesh it is about 0.1,
-/// but zero where they all lie on a conic.
-const WELL_POSED: f64 = 0.02;
-
-/// Rings of elements around a node within which a fit is tried.
-const RINGS: usize = 4;
 
 /// What the gradient at a node takes from the nodes around it: their numbers, and weights by x and y.
 type Stencil = Vec<(u32, [f64; 2])>;

@@ -12,17 +12,7 @@
 //!
 //! Theory: Film and heat together.
 
-/// Ratio of defects beyond which only shares of new temperatures are taken.
-const SLOW: f64 = 0.7;
-
-/// The smallest share.
-const SMALLEST: f64 = 0.25;
-
-/// Ratio by which shares grow from round to round at most: far from the solution the last two rounds may say little of the next.
-const GROWTH: f64 = 2.0;
-
-/// Rounds whose defects say nothing: the first is that of a film without heat.
-const SILENT_ROUNDS: usize = 2;
+use crate::solve::tuning::heat::{GROWTH, SILENT_ROUNDS, SLOW, SMALLEST};
 
 /// What is known from the rounds before.
 #[derive(Debug, Default)]

@@ -16,6 +16,7 @@ use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::newton::{NewtonStats, Reached};
 use crate::solve::ridge::ridge_shares;
 use crate::solve::system::State;
+use crate::solve::tuning::stages::{NO_FILM, STAGES_WITHOUT_END};
 use crate::solve::{Observer, SolveError, Stopped};
 
 /// Solves stage by stage; returns the last and the effort on each.
@@ -89,13 +90,6 @@ pub(super) struct MeshSolver<'a> {
     /// Stages that have left no film at the end of a roller.
     without_end: usize,
 }
-
-/// Film near an edge of a roller that presses in, over that in the centre, below which there is none. The thinnest film of 34 rollers of the
-/// map that are solved is a fifth of the central one at least; of 19 others it is less than this, near such an edge, in two stages.
-const NO_FILM: f64 = 0.02;
-
-/// Stages after which this is taken for true: the film of a first coarse mesh may be negative and come back.
-const STAGES_WITHOUT_END: usize = 2;
 
 impl Outline {
     /// That of a problem.

@@ -29,6 +29,7 @@ use super::system::State;
 use crate::elastic::BodyModel;
 use crate::engine;
 use crate::params::LinearSolver;
+use crate::solve::tuning::stages::{MOST_UNKNOWNS, ROOM_TO_REFINE, THIN_RIM};
 
 pub use mesh_solver::solve_stages;
 pub use stage::Stage;
@@ -90,16 +91,6 @@ pub struct StageSolution {
     /// What adjoints can start from, until it is taken: it is large.
     pub adjoints: Option<Box<RoughAdjoints>>,
 }
-
-/// A refined mesh has this many times the unknowns of the first at least, where films are thin.
-const ROOM_TO_REFINE: f64 = 3.0;
-
-/// Pressure unknowns beyond which a mesh that is not refined is not begun, by half-spaces and by finite-element bodies, whose
-/// operator takes gigabytes.
-const MOST_UNKNOWNS: [f64; 2] = [1e6, 4e4];
-
-/// Cell size at the rim over that in the Hertz zone, below which a film is thin.
-const THIN_RIM: f64 = 0.2;
 
 impl Problem {
     /// An error with what is known of its reason: stress that thins the fluid far more than it does oils.

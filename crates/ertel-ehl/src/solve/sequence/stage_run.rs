@@ -13,59 +13,14 @@ use crate::solve::heat::deviation::deviation;
 use crate::solve::indicator::{Indicator, indicator};
 use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
 use crate::solve::system::{FilmConstants, State};
+pub(super) use crate::solve::tuning::stages::DIVERGENCE_LIMIT;
+use crate::solve::tuning::stages::{
+    EARLY_ITERATIONS, EARLY_STAGNATION, EXACT_ENOUGH, EXPONENTIAL_TOLERANCE, PATH_COUPLING,
+    PATH_ROUNDS, PENALTY_CONTINUATION, PENALTY_RAMP, ROUGH_FILM_CHANGE, ROUGH_RESIDUAL,
+    ROUGH_SHARE, ROUGH_UPDATE, START_ITERATIONS, START_STAGNATION, START_TOLERANCE,
+    UNDAMPED_STAGNATION,
+};
 use crate::solve::{Observer, SolveError};
-
-/// Shares of the full cavitation penalty in a start, where the free boundary is still
-/// far from its place.
-const PENALTY_RAMP: [f64; 2] = [1e-3, 1.0];
-
-/// The same, by decades, for a stage in which Newton's method has gone round in circles: a penalty many times
-/// the usual one makes pressures below zero so small that points at the free boundary go over to the
-/// other side in each step.
-const PENALTY_CONTINUATION: [f64; 4] = [1e-4, 1e-3, 1e-2, 1e-1];
-
-/// Update, in p_h, at which a start is good enough.
-const START_TOLERANCE: f64 = 3e-2;
-
-/// Residual at which a solution is good enough to be measured and refined.
-const ROUGH_RESIDUAL: f64 = 1e-3;
-
-/// Square of the update, in p_h, at which it is, over the error that films may have: of the error, an update leaves its square or so.
-const ROUGH_SHARE: f64 = 0.05;
-
-/// Largest such update.
-const ROUGH_UPDATE: f64 = 1e-2;
-
-/// Largest change of films in the last step, over the error that they may have. In very thin films, small updates move them much.
-const ROUGH_FILM_CHANGE: f64 = 0.3;
-
-/// Such an update in line contacts, where an iteration costs nothing, and where a case asks for no error: the meshes of a preset are
-/// compared for error bars alone, which have to hold (M = 200, L = 10: with 1e-2, the bar of h_min is 1.1e-3, and the error 1.4e-3).
-const EXACT_ENOUGH: f64 = 1e-3;
-
-/// Update and residual at which a continuation step through fluids whose shear rate grows exponentially with the stress is good
-/// enough: there small updates may leave a large residual, and the next step would start far from its solution.
-const EXPONENTIAL_TOLERANCE: f64 = 1e-2;
-
-/// Change of film and temperature from round to round at which a continuation step is good enough, and its rounds.
-const PATH_COUPLING: f64 = 0.3;
-const PATH_ROUNDS: usize = 15;
-
-/// Newton iterations that a start may take for each share of the ramp, and those without a smaller update.
-const START_ITERATIONS: usize = 30;
-const START_STAGNATION: usize = 12;
-
-/// Relative residual of a stalled start with which the rest of the ramp is not tried: that of the dry contact is
-/// about 1.4, and starts that come through in the end have got it to 0.2 and mostly far below. Nothing starts from a state with more.
-pub(super) const DIVERGENCE_LIMIT: f64 = 0.5;
-
-/// Those without a smaller update of a stage to which a continuation through easier contacts is known, and all of its; of rollers,
-/// whose thin ends come last, more.
-const EARLY_STAGNATION: usize = 8;
-const EARLY_ITERATIONS: [usize; 2] = [25, 40];
-
-/// Iterations without a smaller update from a start that was thought to be near.
-const UNDAMPED_STAGNATION: usize = 5;
 
 /// To which end Newton's method is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

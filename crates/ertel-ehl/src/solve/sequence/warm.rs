@@ -13,6 +13,10 @@ use crate::solve::discretisation::{Discretisation, Extents};
 use crate::solve::evaluate::{central_film, minimum_film};
 use crate::solve::points::pressure_at;
 use crate::solve::system::{FilmConstants, State};
+use crate::solve::tuning::warm::{
+    COARSEST, COARSEST_REFINED, FARTHEST_FILM, FINEST, LARGEST_MISS, LEAST_FILM, LONGEST_REACH,
+    MOST_REACH, MOST_ROOM, SHORTEST_REACH, WORSE,
+};
 use crate::solve::{Observer, SolveError};
 
 /// A solution from which a similar problem can start, with its mesh and elastic operator.
@@ -26,12 +30,6 @@ pub struct Start {
     /// The same contact with more oil than it takes, where it has less.
     flooded: Option<Box<Start>>,
 }
-
-/// Ratio by which the contact area of a mesh or its cells are changed for the sake of a later problem.
-const MOST_ROOM: f64 = 2.0;
-
-/// The same for the contact area: far from the contact cells grow with the distance, and there are few.
-const MOST_REACH: f64 = 5.0;
 
 impl Problem {
     /// Makes the contact area large enough for other problems, too, and the cells fine enough where nothing is
@@ -72,34 +70,6 @@ impl Problem {
         }
     }
 }
-
-/// Ratio of the predicted films beyond which a start is too far away.
-const FARTHEST_FILM: f64 = 4.0;
-
-/// Ratio by which a contact area, measured from the centre, may fall short of what a problem needs.
-const SHORTEST_REACH: f64 = 0.97;
-
-/// Ratio by which it may exceed that: cells out there cost little.
-const LONGEST_REACH: f64 = 6.0;
-
-/// Ratio of cell sizes to those that a problem asks for, where nothing is refined by estimates.
-const COARSEST: f64 = 1.3;
-
-/// The same where meshes are refined until the target is reached.
-const COARSEST_REFINED: f64 = 3.0;
-
-/// And how much finer they may be: a mesh that is too fine costs time.
-const FINEST: f64 = 0.25;
-
-/// Largest error bar, in targets, that is taken where the mesh of a start cannot be refined further: a mesh of
-/// its own might do better, for several times the time.
-const LARGEST_MISS: f64 = 2.0;
-
-/// The same over what the start's own mesh came to.
-const WORSE: f64 = 1.5;
-
-/// Share of the predicted new minimum film that the rescaled start has left at the least.
-const LEAST_FILM: f64 = 0.5;
 
 impl Start {
     /// A start from the solution of a problem and the figures of its stages.

@@ -6,15 +6,9 @@ use crate::solve::adapt::Aim;
 use crate::solve::sequence::stage::Stage;
 use crate::solve::sequence::strategies::halfway::halfway;
 use crate::solve::sequence::strategies::lower_order::quadratic;
-
-/// Steps that may be halved in one continuation.
-const MAX_HALVED_STEPS: usize = 6;
-
-/// The same for fluids whose shear rate grows exponentially with the stress, whose steps are small and cheap.
-const MAX_HALVED_EXPONENTIAL_STEPS: usize = 12;
-
-/// Error bar of a film up to which a refined mesh that fails with a diffused ridge is not tried once more.
-const GOOD_ENOUGH: f64 = 0.04;
+use crate::solve::tuning::continuation::{
+    GOOD_ENOUGH, MAX_HALVED_EXPONENTIAL_STEPS, MAX_HALVED_STEPS,
+};
 
 /// What follows from the end of a stage.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,9 +7,7 @@ use super::Outline;
 use crate::solution::Role;
 use crate::solve::sequence::stage::Stage;
 use crate::solve::system::FilmConstants;
-
-/// Diffusion between that of a start and none.
-const DIFFUSION: [f64; 4] = [1.0, 0.25, 0.06, 0.015];
+use crate::solve::tuning::continuation::DIFFUSION;
 
 /// From the usual start to the case.
 pub(super) fn diffusion(outline: &Outline) -> Vec<Stage> {

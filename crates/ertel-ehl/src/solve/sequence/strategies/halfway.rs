@@ -4,11 +4,7 @@ use super::shear_law::SOFTNESS;
 use crate::solution::Role;
 use crate::solve::sequence::stage::Stage;
 use crate::solve::system::FilmConstants;
-
-/// Ratios of speeds, softnesses and shares of sliding that need not be halved.
-const NEAR_SPEED: f64 = 1.1;
-const NEAR_SOFTNESS: f64 = 1.2;
-const NEAR_SLIDING: f64 = 1.04;
+use crate::solve::tuning::continuation::{NEAR_SLIDING, NEAR_SOFTNESS, NEAR_SPEED};
 
 /// Between a stage and the one before of a continuation, if they differ enough.
 pub(in super::super) fn halfway(from: &Stage, to: &Stage) -> Option<Stage> {

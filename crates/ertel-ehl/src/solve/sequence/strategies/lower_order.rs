@@ -2,9 +2,7 @@
 
 use super::{Outline, shear_law};
 use crate::solve::sequence::stage::Stage;
-
-/// Order of pressures that overshoot little at a spike that the mesh does not resolve.
-const LOWER_ORDER: usize = 2;
+use crate::solve::tuning::continuation::LOWER_ORDER;
 
 /// The usual stages with pressures of at most some order, from the beginning.
 pub(super) fn lower_order(outline: &Outline, order: usize) -> Vec<Stage> {

@@ -13,13 +13,8 @@ use super::sliding::{self, goal};
 use super::{Outline, diffusion};
 use crate::solution::Role;
 use crate::solve::sequence::stage::Stage;
-
-/// Softnesses of an exponential: stress of an e-fold, over that of the law, or its root for Eyring's stress. From each to the next
-/// the shear rate of a stress beyond the limit gains as many e-folds as it had twice over.
-pub(super) const SOFTNESS: [f64; 7] = [750.0, 250.0, 81.0, 27.0, 9.0, 3.0, 1.0];
-
-/// The one of them at which friction, and the heat of it, is already near that of the law.
-const MEDIUM_SOFTNESS: f64 = 27.0;
+use crate::solve::tuning::continuation::MEDIUM_SOFTNESS;
+pub(super) use crate::solve::tuning::continuation::SOFTNESS;
 
 /// To the fluid of the case at its full sliding, and on to the case. From a start with a Newtonian fluid, which is not part of it.
 pub(super) fn at_full_sliding(outline: &Outline) -> Vec<Stage> {

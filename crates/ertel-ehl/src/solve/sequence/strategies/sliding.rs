@@ -7,9 +7,7 @@ use super::lower_order::quadratic;
 use super::{Outline, diffusion};
 use crate::solution::Role;
 use crate::solve::sequence::stage::Stage;
-
-/// Shares θ of the sliding.
-pub(super) const SLIDING: [f64; 7] = [0.03, 0.1, 0.25, 0.45, 0.65, 0.85, 1.0];
+pub(super) use crate::solve::tuning::continuation::SLIDING;
 
 /// Through sliding to a heated contact, on the mesh of the start; nothing for contacts without heat or sliding.
 pub(super) fn sliding(outline: &Outline) -> Vec<Stage> {

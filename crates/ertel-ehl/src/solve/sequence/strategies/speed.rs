@@ -7,13 +7,7 @@ use super::Outline;
 use crate::solution::Role;
 use crate::solve::sequence::stage::Stage;
 use crate::solve::system::FilmConstants;
-
-/// Multiples of the case's speed.
-const SPEEDS: [f64; 5] = [32.0, 16.0, 8.0, 4.0, 2.0];
-
-/// Film in the middle at such a speed, in b²/R, up to which a contact is led down from there: thicker ones have other shapes, and other
-/// difficulties.
-const THICKEST: f64 = 0.2;
+use crate::solve::tuning::continuation::{SPEEDS, THICKEST};
 
 /// Exponent of the speed in the central film of heavily loaded contacts (Hamrock and Dowson, J. Lubr. Technol. 99 (1977), 264-276).
 const FILM_EXPONENT: f64 = 0.67;

@@ -5,9 +5,7 @@
 use super::Outline;
 use crate::solution::Role;
 use crate::solve::sequence::stage::Stage;
-
-/// Exponents.
-const EXPONENTS: [f64; 5] = [0.4, 0.6, 0.75, 0.88, 1.0];
+use crate::solve::tuning::continuation::EXPONENTS;
 
 /// From a start at the least exponent to the usual start's fluid, and from there to the case.
 pub(super) fn viscosity_exponent(outline: &Outline) -> Vec<Stage> {

@@ -1,0 +1,75 @@
+//! Heat: warming steps, coupling with the film, recovered temperatures.
+
+/// θ of the first time step of the temperatures, K: less than viscosities fall by e over, so that no layer feeds its own heating.
+pub const FIRST_WARMING: f64 = 20.0;
+
+/// The shortest time step, K.
+pub const SHORTEST_WARMING: f64 = 1.0;
+
+/// The longest, beyond which there is none, K.
+pub const LONGEST_WARMING: f64 = 1e4;
+
+/// Factor by which time steps are shortened or lengthened.
+pub const WARMING_FACTOR: f64 = 2.0;
+
+/// Times that half of a step of the temperatures is taken back.
+pub const MOST_HALVINGS: usize = 8;
+
+/// Krylov iterations that cost less than a new factorisation.
+pub const SPARE_KRYLOV: usize = 12;
+
+/// Residual, W/m² times half-widths squared, beyond which no matrix in single precision is factorised: the sun's surface radiates 6e7 W/m².
+pub const BEYOND_BOUNDS: f64 = 1e30;
+
+/// Change of a temperature rise from round to round that does not matter, K.
+pub const NEGLIGIBLE_RISE: f64 = 1e-3;
+
+/// Steps for the temperatures in one round.
+pub const MOST_STEPS: usize = 40;
+
+/// The same where a continuation is known that takes fewer.
+pub const FEW_STEPS: usize = 12;
+
+/// The best ratio of one step for the temperatures to the one before that is believed.
+pub const LEAST_SHRINKING: f64 = 0.2;
+
+/// Share of a round's change to which each of its halves is solved.
+pub const INNER_SHARE: f64 = 0.1;
+
+/// Roughest tolerance of the film equations in a round of film and temperature.
+pub const ROUGHEST: f64 = 1e-3;
+
+/// The same where the solution is only led to.
+pub const ROUGHEST_ON_PATH: f64 = 2e-2;
+
+/// Ratio of defects beyond which only shares of new temperatures are taken.
+pub const SLOW: f64 = 0.7;
+
+/// The smallest share of new temperatures that is taken.
+pub const SMALLEST: f64 = 0.25;
+
+/// Ratio by which shares grow from round to round at most: far from the solution the last two rounds may say little of the next.
+pub const GROWTH: f64 = 2.0;
+
+/// Rounds whose defects say nothing: the first is that of a film without heat.
+pub const SILENT_ROUNDS: usize = 2;
+
+/// Relative residual of the mass matrix's solution for the flow across the film.
+pub const TOLERANCE: f64 = 1e-9;
+
+/// Iterations of it at most: each shrinks the residual by 3 at the least (Wathen, IMA J. Numer. Anal. 7 (1987) 449-457).
+pub const MOST_ITERATIONS: usize = 40;
+
+/// Smallest over largest singular value of a fit that the nodes determine; around a node of a mesh it is about 0.1,
+/// but zero where they all lie on a conic.
+pub const WELL_POSED: f64 = 0.02;
+
+/// Rings of elements around a node within which a fit is tried.
+pub const RINGS: usize = 4;
+
+/// Pressure over p_h above which an element belongs to the area under pressure.
+pub const PRESSED: f64 = 1e-8;
+
+/// Least distance from a place, in half-widths, within which temperatures count as around it; in large elements it is their
+/// size.
+pub const AROUND: f64 = 0.1;

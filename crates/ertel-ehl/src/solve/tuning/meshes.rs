@@ -1,0 +1,29 @@
+//! First meshes, and where films are looked for on them.
+
+/// Where the crescent of finer cells at the outlet begins, X.
+pub const OUTLET_FROM: f64 = -0.3;
+
+/// Share of s² or s that a cell of the longest edge s covers on average, in circular and in line contacts: halved until they are
+/// small enough, cells are smaller than that. Measured.
+pub const COVERED: [f64; 2] = [0.125, 0.75];
+
+/// Elements in which the smallest film is searched for: the one with the thinnest point of the lattice need not have it.
+pub const THINNEST_ELEMENTS: usize = 6;
+
+/// Points per edge of the lattice on which the thinnest point of an element is searched for.
+pub const THINNEST_LATTICE: usize = 4;
+
+/// Iterations of the dry contact of a roller: a start need not be exact.
+pub const MAX_ITERATIONS: usize = 80;
+
+/// Part of the load that may still sit at wrong places when they end.
+pub const TOLERANCE: f64 = 3e-3;
+
+/// Order of pressures and deflections where the rim of the dry contact is looked for.
+pub const ORDER: usize = 2;
+
+/// Width of the area of the dry contact over that of the zone.
+pub const WIDER: f64 = 1.3;
+
+/// Points across it at which pressures are summed.
+pub const ACROSS: usize = 150;
