@@ -80,7 +80,7 @@ pub struct SolveArgs {
     /// Put a value in place of one of the file, such as "contact.load=50 N" (may be repeated)
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Print what happens as JSON, one object on a line, in place of progress and report
+    /// Print events as JSON lines in place of progress and report
     #[arg(long)]
     pub json: bool,
     /// Write PNG pictures beside the SVG ones
@@ -95,7 +95,7 @@ pub struct SolveArgs {
     /// Solve N samples of the uncertain inputs, too, in the folder `<results>-monte-carlo`; a run that was stopped goes on there
     #[arg(long, value_name = "N")]
     pub monte_carlo: Option<usize>,
-    /// Which samples: the same number gives the same ones
+    /// Random seed: the same seed gives the same samples
     #[arg(long, value_name = "S", default_value_t = 1, requires = "monte_carlo")]
     pub seed: u64,
     /// Exit code 0 also where an error bar is wider than half of a figure
@@ -104,7 +104,7 @@ pub struct SolveArgs {
     /// No progress on stderr and no report on stdout
     #[arg(short, long)]
     pub quiet: bool,
-    /// Tell more: what was read and what for, every iteration, the meshes, the files written
+    /// Verbose: also print files read, every iteration, the meshes and the files written
     #[arg(short, long, conflicts_with_all = ["quiet", "json"])]
     pub verbose: bool,
 }
@@ -127,7 +127,7 @@ pub struct SweepArgs {
     /// Put a value in place of one of the base case, such as "contact.load=50 N" (may be repeated)
     #[arg(long, value_name = "KEY=VALUE", conflicts_with = "merge")]
     pub set: Vec<String>,
-    /// Print what happens as JSON, one object on a line, in place of progress and report
+    /// Print events as JSON lines in place of progress and report
     #[arg(long)]
     pub json: bool,
     /// List the points and what they start from, then stop
@@ -386,7 +386,7 @@ pub struct FitLawArgs {
     /// The law; `all` ranks the laws by how well they predict isotherms left out, and takes the best
     #[arg(long, value_name = "LAW")]
     pub law: String,
-    /// Exit code 3 where the fitted law makes no sense, such as a viscosity that falls with pressure or an rms above 10 %;
+    /// Exit code 3 where the fitted law is implausible, such as a viscosity that falls with pressure or an rms above 10 %;
     /// the entry is written all the same
     #[arg(long)]
     pub strict: bool,

@@ -119,7 +119,7 @@ fn finish(
     let shown = print::stdout(&text);
     if arguments.strict && !nonsense.is_empty() {
         return Err(Failure::NotConverged(format!(
-            "the fit makes no sense: {}",
+            "the fit is implausible: {}",
             nonsense.join("; ")
         )));
     }

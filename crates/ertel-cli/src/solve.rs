@@ -192,8 +192,8 @@ fn not_resolved(unresolved: &[Unresolved], folder: &Path) -> Failure {
 /// The same of points; their table says which.
 pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
     Failure::Unresolved(format!(
-        "{n} of {all} points are not resolved: error bars wider than half of the figure, or none; which figures, stands in the \
-         column `unresolved` of {}\n  = help: {RESOLVE}",
+        "{n} of {all} points are not resolved: the error bar of a figure exceeds half its value, or is missing; see the column \
+         `unresolved` of {}\n  = help: {RESOLVE}",
         table.display()
     ))
 }

@@ -99,7 +99,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
     for words in [
         "σβη 0.06, σ/β 0.01, boundary friction 0.12",
         "lambda ratio",
-        "asperities carry",
+        "asperity load",
         "Greenwood and Tripp",
     ] {
         assert!(estimate.contains(words), "{words} in {estimate}");
@@ -107,7 +107,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
     for words in [
         "lambda ratio",
         "load on asperities",
-        "friction coefficient of both",
+        "total friction coefficient",
         "at the film of smooth surfaces the asperities would carry",
     ] {
         assert!(solved.contains(words), "{words} in {solved}");
@@ -193,8 +193,8 @@ fn result_of_a_rough_ball() {
     assert!(value(&friction["friction_fluid"]) < 0.0);
     assert_eq!(result["units"]["asperity_pressure_maximum"], "Pa");
     for words in [
-        "asperities carry",
-        "friction coefficient of both",
+        "asperity load",
+        "total friction coefficient",
         "mixed lubrication",
         "these asperities carry at most",
     ] {

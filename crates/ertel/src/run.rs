@@ -207,7 +207,7 @@ fn note_sensitivities(
         Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
         Err(error) => {
             let text = format!(
-                "how much each input counts, and their uncertainty, could not be computed: {error}"
+                "sensitivities and the uncertainty from the inputs could not be computed: {error}"
             );
             solution.warnings.push(Warning::from(text));
             return Ok(());

@@ -31,7 +31,7 @@ const STEP_FROM_ZERO: f64 = 1e-3;
 const STEP_OF_SOLVES: f64 = 0.01;
 
 /// Why an input has no derivative where values on neither side of it are allowed.
-const AT_ITS_BOUND: &str = "a case may have no value near it";
+const AT_ITS_BOUND: &str = "it is at the bound of its range";
 
 /// Why an input has no derivative, in plain words: numbers of grades are names, and have no neighbours.
 fn why_not(key: &str, reason: &str) -> String {
@@ -99,7 +99,9 @@ pub fn by_differences(
             problem.plan.error_estimate = false;
             Ok(match solve_on_mesh(&problem, start, observer)? {
                 Some(solution) => Ok(of(&problem, &solution)),
-                None => Err("a solve beside did not converge on the mesh of the solution"),
+                None => {
+                    Err("a solve with a changed input did not converge on the mesh of the solution")
+                }
             })
         };
         let sides = [side(input.value - step)?, side(input.value + step)?];

@@ -96,8 +96,8 @@ pub enum SolveError {
     },
     /// The contact of a roller runs over its end.
     #[error(
-        "no solution with a film everywhere: the contact runs over the end of the roller at y = {:.4} mm; pressure falls to nothing \
-         there, the raceway comes out, and the thinnest film near the end is {:.3} nm, as on former meshes",
+        "no solution with a film everywhere: the contact runs over the end of the roller at y = {:.4} mm. The pressure is zero there and \
+         the surfaces touch; the thinnest film near the end is {:.3} nm, also on the previous mesh",
         1e3 * place,
         1e9 * film
     )]
@@ -141,8 +141,8 @@ pub enum SolveError {
     Krylov(#[from] GmresError),
     /// A factorisation failed.
     #[error(
-        "no convergence: the equations at the pressures found so far cannot be solved ({0}), as where the viscosity changes by more \
-         decades than can be computed; constants of the lubricant's laws that are far from those of an oil do so"
+        "no convergence: the linear system is singular at the current pressures ({0}), as where the viscosity changes by more decades \
+         than can be computed; check the constants of the viscosity law"
     )]
     Factorisation(#[from] LuError),
     /// Mesh or elastic operator failed.

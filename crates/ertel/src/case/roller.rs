@@ -371,7 +371,7 @@ pub(super) fn check(
             .error(
                 "profile",
                 format!(
-                    "the ends of the roller fall off by {:.0} % of what makes the pressure uniform under this load: they press like \
+                    "the profile drop at the ends of the roller is {:.0} % of that for uniform pressure under this load: the ends press like \
                      sharp edges, at which the pressure of elastic bodies has no bound",
                     100.0 * share
                 ),
@@ -401,8 +401,8 @@ fn warning(contact: &Contact, hertz: &Hertz, reduced_modulus: f64) -> Option<War
     match roller.relief(contact.line_load(), hertz.half_width, reduced_modulus) {
         Relief::Share(share) if share < BARELY_RELIEVED => {
             let text = format!(
-                "the ends of the roller fall off by {:.0} % of what makes the pressure uniform: the contact reaches them, where half-spaces \
-                 are stiffer than the ends of real bodies",
+                "the profile drop at the ends of the roller is {:.0} % of that for uniform pressure: the contact reaches the ends, where \
+                 half-spaces are stiffer than real bodies",
                 100.0 * share
             );
             Some(Warning::beyond(WarningKind::Other, 1.0 / share, text))

@@ -134,17 +134,17 @@ fn write_film(out: &mut Lines, estimate: &CaseEstimate) {
         );
         if let Some(share) = lambda.asperity_load_share {
             let text = format!(
-                "{} of the load, the central film all over the dry contact ({ASPERITY_SOURCE})",
+                "{} of the load, central film assumed everywhere ({ASPERITY_SOURCE})",
                 percent_or_power(share)
             );
-            out.row("asperities carry", text);
+            out.row("asperity load share", text);
         }
         if let Some(limit) = lambda.asperity_load_share_at_contact {
             let text = format!(
-                "{} of the load, the mean planes in contact there",
+                "{} of the load, mean planes in contact",
                 percent_or_power(limit)
             );
-            out.row("  without a film", text);
+            out.row("  largest share of this model", text);
         }
     }
     if let Some(force) = estimate.rolling_resistance {

@@ -53,14 +53,14 @@ pub(super) fn write_asperities(out: &mut Lines, solution: &Solution) {
     };
     let load = in_unit(asperities.asperity_load, 1.0, unit);
     out.row(
-        "asperities carry",
+        "asperity load",
         format!(
             "{load}, {} of the load ({ASPERITY_SOURCE}, at the film of smooth surfaces)",
             share(asperities.asperity_load_share)
         ),
     );
     let limit = percent_or_power(asperities.asperity_load_share_limit);
-    out.row("  at most, without a film", limit);
+    out.row("  upper limit (dry)", limit);
     let largest = pressure(asperities.asperity_pressure_maximum);
     out.row("  largest asperity pressure", largest);
     let Some(friction) = &asperities.friction else {
@@ -76,7 +76,7 @@ pub(super) fn write_asperities(out: &mut Lines, solution: &Solution) {
     };
     let f = friction;
     out.row(
-        "friction coefficient of both",
+        "total friction coefficient",
         of_parts([f.friction_fluid, f.friction_asperities, f.friction_total]),
     );
     if let Some(across) = f.across {

@@ -100,7 +100,7 @@ fn friction(case: &Case, traction: &Traction, hertz_pressure: f64) -> Option<War
     let largest = LARGEST_STRESS_RATIO * hertz_pressure;
     let (excess, what) = if slides && coefficient > LARGEST_TRACTION {
         let what = format!(
-            "a traction coefficient of {} is beyond what any lubricant transmits (about 0.12)",
+            "a traction coefficient of {} is larger than measured for any lubricant (about 0.12)",
             digits(
                 match traction.across {
                     Some(_) => coefficient,
@@ -178,8 +178,8 @@ fn open_balance(solution: &Solution) -> Option<Warning> {
     }
     let share = digits(100.0 * error.abs(), 2);
     let text = format!(
-        "bodies and film carry off {share} % {} heat than is made: the mesh does not resolve the thermal boundary layer, mostly at \
-         the inlet edge; the heat carried off by each of them is as uncertain",
+        "the heat balance is open by {share} %, bodies and film carry off {} than is made: the mesh does not resolve the thermal \
+         boundary layer, mostly at the inlet edge; the heat carried off by each of them is as uncertain",
         if error < 0.0 { "more" } else { "less" }
     );
     Some(Warning::beyond(WarningKind::HeatBalance, error.abs(), text))
@@ -193,7 +193,7 @@ fn undershoot(lowest: &Located, coldest: f64, rise: f64, half_width: f64) -> Opt
         return None;
     }
     let text = format!(
-        "the film is {below:.1} K colder at x/a {:.2} than all that flows in: the mesh of the inlet does not resolve the \
+        "the film is {below:.1} K colder at x/a {:.2} than the inlet oil and both bodies: the mesh of the inlet does not resolve the \
          temperature there; set a nearer inlet edge ([mesh] inlet), or a finer mesh ([mesh] target_error)",
         lowest.x / half_width
     );

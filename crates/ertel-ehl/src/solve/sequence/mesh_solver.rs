@@ -146,7 +146,7 @@ impl<'a> MeshSolver<'a> {
     /// Whether the contact of a roller runs over its end, as more than one stage has found.
     ///
     /// # Errors
-    /// If it does: pressure falls to nothing there, and the raceway comes out into the film.
+    /// If it does: the pressure is zero there, and the surfaces touch.
     fn check_ends(&mut self, d: &Discretisation, state: &State) -> Result<(), SolveError> {
         let Some(roller) = &self.problem.shape.zone.roller else {
             return Ok(());

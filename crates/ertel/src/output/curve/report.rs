@@ -63,7 +63,7 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
         (true, "minimum film thickness"),
         (is_rough, "lambda ratio"),
         (has_asperities, "load on asperities"),
-        (has_friction, "friction coefficient of both"),
+        (has_friction, "total friction coefficient"),
         (true, "smooth pressure maximum"),
         (slides, "traction coefficient"),
         (is_hot, "largest film temperature"),
