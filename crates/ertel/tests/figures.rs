@@ -230,3 +230,63 @@ fn without_an_estimate_there_are_no_bars() {
         );
     }
 }
+
+/// The mean film stands in the registry and where it is measured, and nowhere else in the code: report, page, documents and tables tell it by the
+/// registry.
+#[test]
+fn a_figure_is_named_in_two_files() {
+    let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let mut files = Vec::new();
+    sources(&crates, &mut files);
+    assert!(files.len() > 400, "{} files", files.len());
+    let mut found: Vec<String> = (files.iter())
+        .filter(|file| {
+            let text = std::fs::read_to_string(file).unwrap();
+            ["FilmMean", "film_mean\"", "mean film in"]
+                .iter()
+                .any(|name| text.contains(name))
+        })
+        .map(|file| file.strip_prefix(&crates).unwrap().display().to_string())
+        .collect();
+    found.sort();
+    let expected = [
+        "ertel-ehl/src/solution/figures.rs",
+        "ertel-ehl/src/solve/figures.rs",
+    ];
+    assert_eq!(found, expected);
+
+    let case = common::case(ContactKind::Line, 8e4);
+    let solution = solve(&case, &mut Silent).unwrap();
+    let mean = solution.figure(Figure::FilmMean).unwrap();
+    let document = result_json(&case.echo(), &solution).unwrap();
+    assert_eq!(document["figures"]["film_mean"]["value"], mean.value);
+    assert_eq!(document["figures"]["film_mean"]["unit"], "m");
+    assert!(report(&case.echo(), &solution, None).contains("mean film in the Hertz zone"));
+    let page = ertel::output::html::report_page(&case.echo(), &solution, 1e-6);
+    assert!(page.contains("film_mean"));
+    let titles: Vec<String> = ertel::study::columns().map(|c| c.title(true)).collect();
+    assert!(titles.contains(&"film_mean_m".to_owned()));
+    // Between the smallest film and the largest of the dry contact's zone, and near the central one where the film is flat.
+    let central = solution.summary.film_central.value;
+    assert!(
+        (mean.value / central - 1.0).abs() < 0.2,
+        "{}",
+        mean.value / central
+    );
+}
+
+/// Sources below `src`, without tests.
+fn sources(folder: &Path, found: &mut Vec<std::path::PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        if path.is_dir() && name != "tests" && name != "target" {
+            sources(&path, found);
+        } else if name.ends_with(".rs")
+            && !name.contains("test")
+            && path.iter().any(|part| part == "src")
+        {
+            found.push(path);
+        }
+    }
+}
