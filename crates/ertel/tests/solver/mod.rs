@@ -1,5 +1,6 @@
-//! Parts of the solver on problems of cases: stages, sides, sums of the shear, readings of figures.
+//! Parts of the solver on problems of cases: stages, sides, sums of the shear, readings of figures, films of any engine.
 
+mod engines;
 mod figures_of_points;
 mod shear;
 mod sides;
