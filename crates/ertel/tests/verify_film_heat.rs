@@ -8,7 +8,7 @@ use common::rigid::heated_case;
 use ertel::case::Case;
 use ertel::contact::{ContactKind, Motion};
 use ertel::engine::PointFields;
-use ertel::engine::friction::Shear;
+use ertel::engine::shear::Shear;
 use ertel::film::cross_film::CrossFilm;
 use ertel::film::{MOST_NODES, TemperatureProfile};
 use ertel::forms::energy::{FilmColumn, FilmPlace, Heat, film_column};

@@ -13,6 +13,7 @@ pub mod friction;
 mod observer;
 mod problem;
 pub mod region;
+pub mod shear;
 
 pub use film::{Film, Point, PointFields, PointTable};
 pub use observer::{Observer, Silent};

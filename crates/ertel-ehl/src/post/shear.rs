@@ -2,7 +2,8 @@
 
 use crate::contact::{Scales, Shape};
 use crate::engine::PointFields;
-use crate::engine::friction::{Shear, is_askew};
+use crate::engine::friction::is_askew;
+use crate::engine::shear::Shear;
 use crate::film::FilmFluid;
 use crate::solution::ShearFields;
 

@@ -3,7 +3,7 @@
 //! ```text
 //!   H = H_0 + G + δ        H_0 rigid separation, G undeformed gap, δ deflection
 //! ```
-//! The Newton system puts the same together in its own loop over the elements ([`super::element`]); everything else asks here. What is
+//! The Newton system puts the same together in its own loop over the elements (`element.rs`); everything else asks here. What is
 //! summed over the contact area after a solve reads the [`PointTable`].
 
 use ertel_fem::element::Tabulation;

@@ -3,7 +3,7 @@
 use ertel_fem::platform::Instant;
 
 use super::{Problem, Stage};
-use crate::engine::friction::beyond_edges;
+use crate::engine::far_field::beyond_edges;
 use crate::solution::{LevelStats, Role};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
