@@ -10,10 +10,11 @@ use ertel::case::Case;
 use ertel::engine::friction::friction;
 use ertel::engine::{Film, Point, PointFields, PointTable};
 use ertel::problem::problem;
-use ertel::solve::discretisation::{ContactSurface, Discretisation, Means};
+use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::points::Evaluated;
 use ertel::solve::sequence::Problem;
 use ertel::solve::system::State;
+use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 
 const EDGES: &str = "inlet = -5\noutlet = 5\nside = 5\n";
@@ -32,13 +33,7 @@ fn rows_are_the_fields_at_their_places() {
     problem.shape.ends = [3.0; 2];
     let stage = problem.plan.stages.last().unwrap();
     let (shape, extents) = (&problem.shape, &problem.extents);
-    let contact = ContactSurface::new(
-        shape,
-        extents,
-        &stage.sizes,
-        &problem.elasticity,
-        Means::default(),
-    );
+    let contact = ContactSurface::new(shape, extents, &stage.sizes, &problem.elasticity, NEVER);
     let d = Discretisation::new(&Arc::new(contact.unwrap()), stage.pressure_order);
     let deflection = |p: &[f64; 3]| 0.1 * p[0] - 0.02 * p[0] * p[1];
     let state = State {
