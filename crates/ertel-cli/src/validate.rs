@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use ertel::files::write_whole;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_validate::{self as validate, Quantity, Row, Selection, Study, StudyResult, Verdict};
 
 use ertel_input::file::{LARGEST_DOCUMENT, LARGEST_TABLE, read_text};
@@ -77,7 +77,7 @@ pub fn run(arguments: &ValidateArgs) -> Result<(), Failure> {
     let mut shown = Ok(());
     for study in &studies {
         let clock = Instant::now();
-        let result = study.run(selection, &mut Silent, &mut |run| {
+        let result = study.run(selection, &mut NoObserver, &mut |run| {
             print::stderr(&format!("{}: {}", study.name, run.name));
         })?;
         let seconds = clock.elapsed().as_secs_f64();

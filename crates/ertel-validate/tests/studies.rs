@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_validate::{self as validate, Selection, Verdict};
 
 fn folder() -> PathBuf {
@@ -12,7 +12,7 @@ fn folder() -> PathBuf {
 fn holds(name: &str) {
     let study = validate::read(&folder().join(name)).unwrap();
     let result = study
-        .run(Selection::Quick, &mut Silent, &mut |_| {})
+        .run(Selection::Quick, &mut NoObserver, &mut |_| {})
         .unwrap();
     let n_compared = result
         .rows
@@ -107,7 +107,7 @@ fn a_wrong_value_is_seen() {
     study.checks.clear();
     let quick = |study: &validate::Study| {
         study
-            .run(Selection::Quick, &mut Silent, &mut |_| {})
+            .run(Selection::Quick, &mut NoObserver, &mut |_| {})
             .unwrap()
             .holds()
     };

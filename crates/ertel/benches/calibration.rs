@@ -11,7 +11,7 @@ use clap::Parser;
 use ertel::case::Case;
 use ertel::run::problem;
 use ertel::solution::{Figure, Measured};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::solve::figures::measure;
 use ertel::solve::sequence::solve_stages;
 use ertel_input::Document;
@@ -185,7 +185,7 @@ fn solve(contact: &Contact, mesh: &str) -> Option<Measured> {
         }
     };
     let problem = problem(&case);
-    let (solution, levels) = solve_stages(&problem, &mut Silent).ok()?;
+    let (solution, levels) = solve_stages(&problem, &mut NoObserver).ok()?;
     Some(measure(&problem, &solution, &levels))
 }
 

@@ -16,7 +16,7 @@ use ertel::case::Case;
 use ertel::params::{LinearSolver, SensitivityDemand};
 use ertel::run::{solve, solve_from};
 use ertel::solution::{Estimate, Solution, Timings};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::study::solve_curve;
 use ertel_input::Document;
 
@@ -121,10 +121,10 @@ fn curve(name: &str, case: &Case) {
     // The Newtonian curve beside is a second curve.
     points.newtonian = false;
     let clock = Clock::start();
-    solve(case, &mut Silent).expect("a shipped case converges");
+    solve(case, &mut NoObserver).expect("a shipped case converges");
     let cold = clock.seconds();
     let clock = Clock::start();
-    let curve = solve_curve(&points, &mut Silent);
+    let curve = solve_curve(&points, &mut NoObserver);
     let time = clock.seconds();
     let solved = || curve.points.iter().filter_map(|p| p.outcome.solution());
     println!(
@@ -178,7 +178,7 @@ fn measure(name: &str, case: &Case, runs: usize) -> Seconds {
     let mut last = None;
     for _ in 0..runs {
         let clock = Clock::start();
-        let solution = solve(case, &mut Silent);
+        let solution = solve(case, &mut NoObserver);
         last = Some(solution.expect("a shipped case converges"));
         times.push(clock.seconds());
     }
@@ -284,7 +284,7 @@ fn monolithic_iteration(name: &str) {
 fn sensitivities(runs: usize) {
     for name in ["ball-on-disc", "roller", "squalane-on-glass"] {
         let case = read(name, "");
-        let (_, start) = solve_from(&case, None, &[], &mut Silent).expect("a shipped case");
+        let (_, start) = solve_from(&case, None, &[], &mut NoObserver).expect("a shipped case");
         let load = case.inputs().iter().find(|i| i.key == "contact.load");
         let load = 1.01 * load.expect("a load").value;
         let next = case
@@ -298,7 +298,7 @@ fn sensitivities(runs: usize) {
                 next.output.sensitivities = demand;
                 let clock = std::time::Instant::now();
                 let (solution, _) =
-                    solve_from(&next, Some(&start), &[], &mut Silent).expect("a warm solve");
+                    solve_from(&next, Some(&start), &[], &mut NoObserver).expect("a warm solve");
                 seconds.push(clock.elapsed().as_secs_f64());
                 assert!(solution.stats.warm);
             }

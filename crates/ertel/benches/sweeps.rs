@@ -14,7 +14,7 @@ use clap::Parser;
 use clock::{Clock, Seconds};
 use ertel::case::Study;
 use ertel::run;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::study::plan::Plan;
 use ertel::sweep::{SweepObserver, SweepParams, SweepProgress, sweep};
 
@@ -82,7 +82,7 @@ fn row(path: &Path, study: &Study, n_cold: usize, jobs: Option<usize>, pool: &ra
         retry: false,
     };
     let clock = Clock::start();
-    let summary = sweep(study, folder.path(), &params, &Silent).expect("a study");
+    let summary = sweep(study, folder.path(), &params, &NoObserver).expect("a study");
     let whole = clock.seconds();
     let n_points = study.points.len();
     let n_cold = n_cold.min(n_points);
@@ -91,7 +91,7 @@ fn row(path: &Path, study: &Study, n_cold: usize, jobs: Option<usize>, pool: &ra
     let mut cold = Seconds::default();
     for i in sample {
         let clock = Clock::start();
-        let solution = pool.install(|| run::solve(&study.points[i].case, &mut Silent));
+        let solution = pool.install(|| run::solve(&study.points[i].case, &mut NoObserver));
         solution.expect("a shipped point converges");
         let time = clock.seconds();
         cold.wall += time.wall / n_cold as f64;

@@ -4,7 +4,7 @@
 
 use ertel::case::Case;
 use ertel::run;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let case = Case::builder()
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .set("temperature", "40 degC")
         .set("mesh.target_error", "1 %")
         .build()?;
-    let solution = run::solve(&case, &mut Silent)?;
+    let solution = run::solve(&case, &mut NoObserver)?;
     let (summary, hertz) = (&solution.summary, &solution.hertz);
     println!("dry contact     {:8.1} MPa", hertz.pressure / 1e6);
     println!(

@@ -6,12 +6,12 @@ use std::path::Path;
 
 use ertel::case::Case;
 use ertel::run;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let case = Case::read(&cases.join("roller.toml"))?;
-    let solution = run::solve(&case, &mut Silent)?;
+    let solution = run::solve(&case, &mut NoObserver)?;
     let film = solution.summary.film_central;
     println!("computed {:.1} nm", film.value * 1e9);
     for formula in &solution.formulas {

@@ -7,7 +7,7 @@ use std::path::Path;
 use ertel::case::Case;
 use ertel::fit::{Data, Heading, LawName, Params, Property, entry, fit};
 use ertel::run;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .set("lubricant.density.rho_0", "870 kg/m^3")
         .set("lubricant.temperature", "40 degC")
         .build()?;
-    let solution = run::solve(&case, &mut Silent)?;
+    let solution = run::solve(&case, &mut NoObserver)?;
     println!(
         "central film {:.1} nm",
         solution.summary.film_central.value * 1e9

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 use ertel::case::Case;
 use ertel::run;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 /// Pa.s at a pressure in Pa: a power law that no database has.
 fn viscosity(pressure: f64) -> f64 {
@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .set("lubricant.viscosity.file", "law.csv")
         .set("mesh.target_error", "1 %")
         .build()?;
-    let solution = run::solve(&case, &mut Silent)?;
+    let solution = run::solve(&case, &mut NoObserver)?;
     println!(
         "central film {:.1} nm",
         solution.summary.film_central.value * 1e9

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use ertel::case::Study;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::study::TABLE;
 use ertel::sweep::{SweepParams, sweep};
 
@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     )?;
     let study = Study::read(&file)?;
     let results = folder.path().join("results");
-    let summary = sweep(&study, &results, &SweepParams::default(), &Silent)?;
+    let summary = sweep(&study, &results, &SweepParams::default(), &NoObserver)?;
     let table = std::fs::read_to_string(results.join(TABLE))?;
     println!(
         "{} points, {} lines in the table",

@@ -4,7 +4,7 @@
 
 use ertel::case::Case;
 use ertel::run;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let cold = Case::builder()
@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .set("mesh.target_error", "2 %");
     let hot = cold.clone().set("thermal.max_iterations", 60_i64);
     for (words, builder) in [("isothermal", cold), ("thermal", hot)] {
-        let solution = run::solve(&builder.build()?, &mut Silent)?;
+        let solution = run::solve(&builder.build()?, &mut NoObserver)?;
         println!(
             "{words}: traction coefficient {:.4}",
             solution.traction.coefficient.value

@@ -5,7 +5,7 @@
 use ertel::case::Case;
 use ertel::run;
 use ertel::solution::Figure;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let case = Case::builder()
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .set("lubricant.viscosity.mu_0", "40 mPa.s ± 10 %")
         .set("lubricant.viscosity.alpha", "20 1/GPa ± 5 %")
         .build()?;
-    let solution = run::solve(&case, &mut Silent)?;
+    let solution = run::solve(&case, &mut NoObserver)?;
     let sensitivities = solution
         .sensitivities
         .ok_or("uncertain inputs have sensitivities")?;

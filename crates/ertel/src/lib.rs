@@ -5,7 +5,7 @@
 //! over the whole contact:
 //!
 //! ```
-//! use ertel::{case::Case, run, solution::Field, solve::Silent};
+//! use ertel::{case::Case, run, solution::Field, solve::NoObserver};
 //!
 //! let case = Case::builder()
 //!     .set("contact.kind", "line")                       // or "circular", "elliptical", "roller"
@@ -18,7 +18,7 @@
 //!     .set("lubricant", "squalane-pip")
 //!     .set("temperature", "40 degC")
 //!     .build()?;
-//! let solution = run::solve(&case, &mut Silent)?;
+//! let solution = run::solve(&case, &mut NoObserver)?;
 //! println!("{:.0} nm", 1e9 * solution.summary.film_central.value);
 //! let fields = solution.fields();
 //! assert!(fields.values(Field::Pressure).is_some());

@@ -231,12 +231,13 @@ fn heat(case: &Case, scales: &Scales) -> Option<(Heat, HeatPlan)> {
         lambda: scales.lambda,
         entrainment_speed: u_m,
     };
-    let skins = (heat.bodies.each_ref()).map(|b| b.diffusion_depth(scales.length).min(1.0));
+    let penetration_depths =
+        (heat.bodies.each_ref()).map(|b| b.diffusion_depth(scales.length).min(1.0));
     let column = Column::new(
         params.film_order,
         params.solid_elements,
         params.depth,
-        skins,
+        penetration_depths,
     );
     let plan = HeatPlan {
         surface_order: params.surface_order,
@@ -357,7 +358,7 @@ fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents
     let inlet = mesh.inlet.unwrap_or(-reach.inlet);
     let outlet = mesh.outlet.unwrap_or_else(|| {
         // Where thick films break off at an angle to the motion, an edge near by cuts into them (M = 0.5, R_y/R_x = 12: 12 % of the film).
-        let askew = match shape.zone.turn.is_none() {
+        let skewed = match shape.zone.turn.is_none() {
             true => 0.0,
             false => 4.0 * film,
         };
@@ -368,7 +369,7 @@ fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents
             .as_ref()
             .map_or(1.0, |r| r.half_extents()[0]);
         1.5_f64
-            .max((1.0 + 1.5 * film.sqrt() + askew).ceil_half())
+            .max((1.0 + 1.5 * film.sqrt() + skewed).ceil_half())
             .max((widest + BEYOND_ROLLER).ceil_half())
     });
     let side = mesh.side.unwrap_or_else(|| {

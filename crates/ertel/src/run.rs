@@ -1,10 +1,10 @@
 //! From a case to its solution.
 //!
 //! ```
-//! # use ertel::{case::Case, run, solution::Field, solve::Silent};
+//! # use ertel::{case::Case, run, solution::Field, solve::NoObserver};
 //! # let roller = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/roller.toml");
 //! let case = Case::read(roller.as_ref())?;
-//! let solution = run::solve(&case, &mut Silent)?;
+//! let solution = run::solve(&case, &mut NoObserver)?;
 //! let fields = solution.fields();
 //! let pressure = fields.values(Field::Pressure).expect("every contact has a pressure");
 //! let largest = pressure.iter().copied().fold(0.0, f64::max);

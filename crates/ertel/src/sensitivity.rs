@@ -14,8 +14,8 @@ use crate::params::{ElasticModel, SensitivityDemand};
 use crate::problem::{problem, problem_beside};
 use crate::solution::{Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
 use crate::solve::adjoint::RoughAdjoints;
-use crate::solve::figures::{Extent, figures};
-use crate::solve::sensitivity::{Sensitivity, Sides};
+use crate::solve::figures::{Scope, figures};
+use crate::solve::sensitivity::{Perturbed, Sensitivity};
 use crate::solve::sequence::{Problem, StageSolution, Start, solve_on_mesh};
 use crate::solve::{Observer, SolveError};
 
@@ -57,7 +57,7 @@ pub fn by_differences(
 ) -> Result<Sensitivities, SolveError> {
     let of = |problem: &Problem, solution: &StageSolution| -> Vec<Option<f64>> {
         let (d, state) = (&solution.discretisation, &solution.state);
-        let found = figures(problem, &problem.fluid, d, state, Extent::All);
+        let found = figures(problem, &problem.fluid, d, state, Scope::All);
         Figure::TRACED.map(|figure| found.value(figure)).to_vec()
     };
     let values = of(own, start.solution());
@@ -151,7 +151,7 @@ pub fn by_adjoint(
     let adjoint = Sensitivity::new(problem, solution, rough, resolved)?;
     let modulus = ByModulus::of(case);
     let mut left_out = Vec::new();
-    let mut asked: Vec<(&Input, Sides)> = Vec::new();
+    let mut asked: Vec<(&Input, Perturbed)> = Vec::new();
     let follows = |input: &Input| modulus.as_ref().is_some_and(|m| m.follows(input));
     let inputs: Vec<&Input> = case.inputs().iter().filter(|i| !follows(i)).collect();
     let both_sides: Vec<_> = (inputs.par_iter())
@@ -189,7 +189,7 @@ pub fn by_adjoint(
             _ => {}
         }
     }
-    let (inputs, sides): (Vec<&Input>, Vec<Sides>) = asked.into_iter().unzip();
+    let (inputs, sides): (Vec<&Input>, Vec<Perturbed>) = asked.into_iter().unzip();
     let mut figures: Vec<FigureSensitivity> = (adjoint.figures())
         .map(|figure| FigureSensitivity {
             figure,
@@ -255,8 +255,8 @@ fn is_costly(case: &Case, input: &Input) -> bool {
 }
 
 /// The problems on either side of an input; `None` where it is of no effect that a derivative could tell.
-fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Sides, String>> {
-    let at = |step: f64| -> Result<Sides, String> {
+fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Perturbed, String>> {
+    let at = |step: f64| -> Result<Perturbed, String> {
         let side = |value: f64| {
             let values = BTreeMap::from([(input.key.clone(), value)]);
             let case = case.with_values(values).ok()?;
@@ -270,14 +270,14 @@ fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Sides, Stri
             [Some(below), None] => ([below, here()], step),
             [None, None] => return Err(why_not(&input.key, AT_ITS_BOUND)),
         };
-        Ok(Sides { problems, distance })
+        Ok(Perturbed { problems, distance })
     };
     let size = match input.value {
         0.0 => STEP_FROM_ZERO / STEP * input.uncertainty?.standard(),
         value => value.abs(),
     };
     let sides = at(STEP * size);
-    let moves = |sides: &Sides| {
+    let moves = |sides: &Perturbed| {
         let mut problems = sides.problems.iter();
         problems.any(|problem| !own.shape.is_like(&problem.shape))
     };

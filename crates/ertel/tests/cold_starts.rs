@@ -8,13 +8,13 @@ use ertel::case::Case;
 use ertel::run::solve;
 use ertel::solution::Role;
 use ertel::solution::Solution;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 fn solved(text: &str) -> Solution {
     let document = Document::parse("case.toml", text).unwrap();
     let case = Case::from_document(&document, Path::new("")).unwrap();
-    solve(&case, &mut Silent).unwrap_or_else(|e| panic!("{e}\n{text}"))
+    solve(&case, &mut NoObserver).unwrap_or_else(|e| panic!("{e}\n{text}"))
 }
 
 /// The least load allowed: a film that is 1e5 times as thick as the dry contact is flat. Newton's matrices span more decades than

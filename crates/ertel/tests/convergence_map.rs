@@ -14,7 +14,7 @@ use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::{groups, solve};
 use ertel::solution::Role;
 use ertel::solution::{LevelStats, Solution};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 use cases::MapCase;
 
@@ -35,7 +35,7 @@ fn solved(name: &str, preset: Option<MeshPreset>) -> Solution {
     if let Some(preset) = preset {
         case.mesh = MeshParams::preset(preset, map_case.kind);
     }
-    let solution = solve(&case, &mut Silent).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let solution = solve(&case, &mut NoObserver).unwrap_or_else(|e| panic!("{name}: {e}"));
     let s = &solution.summary;
     assert!(s.film_minimum.value > 0.0, "{name}: no film");
     assert!(s.film_central.value >= s.film_minimum.value, "{name}");
@@ -191,7 +191,7 @@ fn very_viscous_contact_under_load() {
 fn finer_rim() {
     let mut case = find("line-roelands-M10000-L2.5").read().unwrap();
     case.mesh.rim_size = Some(0.02);
-    let solution = solve(&case, &mut Silent).unwrap();
+    let solution = solve(&case, &mut NoObserver).unwrap();
     let levels = &solution.stats.levels;
     let restart = |l: &LevelStats| {
         l.role == Role::Start && l.n_contact_elements > levels[0].n_contact_elements

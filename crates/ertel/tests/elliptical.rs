@@ -15,7 +15,7 @@ use ertel::problem::predicted_film;
 use ertel::run::solve;
 use ertel::solution::Role;
 use ertel::solution::{Estimate, Solution};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents};
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
@@ -31,7 +31,7 @@ fn ellipse(radii: [f64; 2], angle: f64) -> Case {
 }
 
 fn solved(case: &Case) -> Solution {
-    solve(case, &mut Silent).unwrap()
+    solve(case, &mut NoObserver).unwrap()
 }
 
 fn films(s: &Solution) -> [Estimate; 2] {

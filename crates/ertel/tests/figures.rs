@@ -12,7 +12,7 @@ use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::Role;
 use ertel::solution::{Estimate, Figure, Located};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 #[test]
@@ -25,7 +25,7 @@ fn every_figure_of_a_thermal_contact_has_its_bar() {
         ..MeshParams::preset(MeshPreset::Coarse, ContactKind::Line)
     };
     case.solver.error_estimate = true;
-    let solution = solve(&case, &mut Silent).unwrap();
+    let solution = solve(&case, &mut NoObserver).unwrap();
     let (s, t) = (&solution.summary, &solution.traction);
     let heat = solution.thermal.as_ref().unwrap();
     let estimates = [
@@ -133,7 +133,7 @@ fn the_middle_is_told_and_the_ridge_is_a_lower_bound() {
         );
         let document = Document::parse("case.toml", text).unwrap();
         let case = Case::from_document(&document, Path::new("")).unwrap();
-        let solution = solve(&case, &mut Silent).unwrap();
+        let solution = solve(&case, &mut NoObserver).unwrap();
         let s = &solution.summary;
         let middle = s.pressure_central;
         assert!(middle.resolved, "{middle:?}");
@@ -218,7 +218,7 @@ fn without_an_estimate_there_are_no_bars() {
     let mut case = common::case(ContactKind::Line, 8e4);
     case.mesh.target_error = None;
     case.solver.error_estimate = false;
-    let solution = solve(&case, &mut Silent).unwrap();
+    let solution = solve(&case, &mut NoObserver).unwrap();
     assert_eq!(solution.summary.pressure_maximum.error, None);
     assert_eq!(solution.traction.friction_power.error, None);
     let text = report(&case.echo(), &solution, None);
@@ -256,7 +256,7 @@ fn a_figure_is_named_in_two_files() {
     assert_eq!(found, expected);
 
     let case = common::case(ContactKind::Line, 8e4);
-    let solution = solve(&case, &mut Silent).unwrap();
+    let solution = solve(&case, &mut NoObserver).unwrap();
     let mean = solution.figure(Figure::FilmMean).unwrap();
     let document = result_json(&case.echo(), &solution).unwrap();
     assert_eq!(document["figures"]["film_mean"]["value"], mean.value);

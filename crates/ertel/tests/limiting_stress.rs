@@ -6,7 +6,7 @@ use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::run::solve;
 use ertel::solution::Solution;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning, StressLimit};
 
 /// A case as users write it, on a mesh that is cheap rather than accurate; `load` in N/m (line) or N (circular), `limit`
@@ -29,7 +29,7 @@ fn case(kind: ContactKind, load: f64, limit: [f64; 2], slide_to_roll_ratio: f64)
 }
 
 fn solved(case: &Case) -> Solution {
-    solve(case, &mut Silent).unwrap_or_else(|e| panic!("{e}"))
+    solve(case, &mut NoObserver).unwrap_or_else(|e| panic!("{e}"))
 }
 
 /// ∫f dx by the trapezoidal rule over the written centreline.

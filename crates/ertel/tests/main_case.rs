@@ -8,7 +8,7 @@ use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
 fn main_case(kind: ContactKind, load: f64) -> Case {
@@ -24,7 +24,7 @@ fn main_case(kind: ContactKind, load: f64) -> Case {
 /// this mesh reports, 0.3 % and 0.8 %, rounded.
 #[test]
 fn circular() {
-    let s = solve(&main_case(ContactKind::Circular, 100.0), &mut Silent).unwrap();
+    let s = solve(&main_case(ContactKind::Circular, 100.0), &mut NoObserver).unwrap();
     let scale = s.scales.film;
     let (h_c, h_m) = (s.summary.film_central, s.summary.film_minimum);
     assert_relative_eq!(h_c.value / scale, 0.08361, max_relative = 3e-3);
@@ -42,7 +42,7 @@ fn circular() {
 fn line() {
     for load in [1e5, 1e6] {
         let case = main_case(ContactKind::Line, load);
-        let s = solve(&case, &mut Silent).unwrap();
+        let s = solve(&case, &mut NoObserver).unwrap();
         let moes = s
             .formulas
             .iter()
@@ -64,7 +64,7 @@ fn rigid_line_contact_is_martins() {
     let mut case = main_case(ContactKind::Line, 100.0);
     case.lubricant.viscosity = ViscosityLaw::constant(0.04).unwrap();
     case.lubricant.density = DensityLaw::constant(870.0).unwrap();
-    let s = solve(&case, &mut Silent).unwrap();
+    let s = solve(&case, &mut NoObserver).unwrap();
     let martin = 4.895 * s.groups.speed / s.groups.load * case.contact.radius;
     assert!(s.groups.moes_load < 0.01);
     assert_relative_eq!(s.summary.film_central.value, martin, max_relative = 5e-3);
@@ -81,7 +81,7 @@ fn rigid_circular_contact_is_brewes() {
     case.motion.entrainment_speed = 2.0;
     case.lubricant.viscosity = ViscosityLaw::constant(0.04).unwrap();
     case.lubricant.density = DensityLaw::constant(870.0).unwrap();
-    let s = solve(&case, &mut Silent).unwrap();
+    let s = solve(&case, &mut NoObserver).unwrap();
     let brewe = 140.1 * (s.groups.speed / s.groups.load).powi(2) * case.contact.radius;
     println!(
         "{} {} {:?} {:?}",

@@ -5,7 +5,7 @@ use std::path::Path;
 use ertel::case::Case;
 use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::warning::WarningKind;
 use ertel_input::Document;
 
@@ -31,7 +31,7 @@ const EYRING: &str = r#"shear_thinning = { law = "ree-eyring", tau_0 = "5 MPa" }
 fn solved(text: &str) -> Solution {
     let document = Document::parse("roller.toml", text).unwrap();
     let case = Case::from_document(&document, Path::new("")).unwrap();
-    solve(&case, &mut Silent).unwrap()
+    solve(&case, &mut NoObserver).unwrap()
 }
 
 fn warning(solution: &Solution, kind: WarningKind) -> Option<&str> {

@@ -15,7 +15,7 @@ use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::{Estimate, IterationRecord, Solution};
 use ertel::solve::discretisation::{ContactSurface, Discretisation};
-use ertel::solve::{Observer, Silent, SolveError};
+use ertel::solve::{NoObserver, Observer, SolveError};
 use ertel_fem::linear::NEVER;
 use ertel_input::Document;
 
@@ -58,7 +58,7 @@ fn lundberg(length: f64) -> Case {
 }
 
 fn solved(case: &Case) -> Solution {
-    solve(case, &mut Silent).unwrap()
+    solve(case, &mut NoObserver).unwrap()
 }
 
 /// Whether two figures agree within their bars and a share of themselves.
@@ -192,7 +192,7 @@ fn a_contact_that_runs_over_the_ends_is_told() {
         crown_radius: 0.25 * length * length / drop,
     };
     let case = roller(case.contact.load, length, profile, 0.0);
-    let outcome = solve(&case, &mut Silent);
+    let outcome = solve(&case, &mut NoObserver);
     let Err(error @ SolveError::EndCarries { place, .. }) = outcome else {
         panic!("{:?}", outcome.map(|s| s.summary.film_minimum_at));
     };

@@ -8,7 +8,7 @@ use ertel::contact::{Contact, ContactKind};
 use ertel::estimate::estimate;
 use ertel::params::MeshParams;
 use ertel::run::solve;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 /// T = ½∫h ∂p/∂x is half of what the walls differ by in traction. Of a line 1.47 (2U)^¾ E'R at any load (Biboulet and Houpert 2010, part 1, eq. 41), of a ball under
 /// M = 200 the formula for all loads (Biboulet and Houpert 2010, part 2, eq. 32). Found 2.4 and 0.6 % off; the rest of 5 % is for what lies beyond
@@ -20,7 +20,7 @@ fn films_resist_rolling_as_published() {
     for (kind, load) in [(ContactKind::Line, 3e4), (ContactKind::Circular, 100.0)] {
         let mut case = case(kind, load);
         case.mesh = MeshParams::adaptive(2e-3, kind);
-        let s = solve(&case, &mut Silent).unwrap();
+        let s = solve(&case, &mut NoObserver).unwrap();
         let published = match kind {
             ContactKind::Line => {
                 1.47 * (2.0 * s.groups.speed).powf(0.75) * s.reduced_modulus * case.contact.radius
@@ -52,7 +52,7 @@ fn a_long_ellipse_resists_rolling_as_published() {
     case.motion = ertel::contact::Motion::straight(0.2, 0.0);
     case.mesh = MeshParams::adaptive(3e-3, ContactKind::Elliptical);
     (case.mesh.inlet, case.mesh.side) = (Some(-40.0), Some(2.0));
-    let s = solve(&case, &mut Silent).unwrap();
+    let s = solve(&case, &mut NoObserver).unwrap();
     let published = estimate(&case).rolling_resistance.unwrap();
     let t = &s.traction;
     let force = 0.5 * (t.coefficient_body_2.value - t.coefficient_body_1.value) * 200.0;

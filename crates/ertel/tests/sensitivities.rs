@@ -7,7 +7,7 @@ use ertel::case::Case;
 use ertel::params::SensitivityDemand;
 use ertel::run::{Start, solve_from};
 use ertel::solution::{Figure, Sensitivities, Solution};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 /// Steps of the inputs, over their size.
@@ -19,7 +19,7 @@ fn case(text: &str) -> Case {
 }
 
 fn solved(case: &Case, start: Option<&Start>) -> (Solution, Start) {
-    let (solution, next) = solve_from(case, start, &[], &mut Silent).unwrap();
+    let (solution, next) = solve_from(case, start, &[], &mut NoObserver).unwrap();
     assert_eq!(solution.stats.warm, start.is_some(), "another mesh");
     (solution, next)
 }
@@ -193,12 +193,12 @@ fn starved_circle() {
     along_directions(&format!("{contact}{NEWTONIAN}{inlet}"), 13, 3e-5);
 }
 
-/// Surfaces that spin and slide askew.
+/// Surfaces that spin and slide at an angle.
 #[test]
 fn skewed_circle() {
     let contact = "[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"20 N\"\n";
-    let askew = "slide_to_roll_ratio = 0.1\nslide_to_roll_ratio_across = 0.05\nbody_2_spin = \"2000 rad/s\"\n";
-    let text = NEWTONIAN.replace("slide_to_roll_ratio = 0.1\n", askew);
+    let skewed = "slide_to_roll_ratio = 0.1\nslide_to_roll_ratio_across = 0.05\nbody_2_spin = \"2000 rad/s\"\n";
+    let text = NEWTONIAN.replace("slide_to_roll_ratio = 0.1\n", skewed);
     along_directions(&format!("{contact}{text}"), 14, 1e-5);
 }
 

@@ -1,4 +1,4 @@
-//! Sliding askew and spin: against straight motion, closed forms of the Newtonian film, mirror images and the balance of energy.
+//! Sliding at an angle, and spin: against straight motion, closed forms of the Newtonian film, mirror images and the balance of energy.
 
 use std::f64::consts::PI;
 
@@ -11,7 +11,7 @@ use ertel::contact::{ContactKind, Symmetry};
 use ertel::params::MeshParams;
 use ertel::run::solve;
 use ertel::solution::Solution;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
 
 /// A ball on a plane, with a film that stress thins or not.
@@ -24,7 +24,7 @@ fn contact(thins: bool) -> Case {
 }
 
 fn solved(case: &Case) -> Solution {
-    solve(case, &mut Silent).unwrap()
+    solve(case, &mut NoObserver).unwrap()
 }
 
 fn alike(a: ertel::solution::Estimate, b: ertel::solution::Estimate, what: &str) {

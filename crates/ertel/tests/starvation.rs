@@ -10,7 +10,7 @@ use ertel::contact::{ContactKind, Supply};
 use ertel::params::MeshParams;
 use ertel::run::{predicted_film, solve};
 use ertel::solution::Solution;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 /// N, N/m of a line.
 fn load(kind: ContactKind) -> f64 {
@@ -27,7 +27,7 @@ fn layer(kind: ContactKind, share: f64, target: f64) -> (Case, f64) {
 }
 
 fn solved(case: &Case) -> Solution {
-    solve(case, &mut Silent).unwrap()
+    solve(case, &mut NoObserver).unwrap()
 }
 
 /// Index of the sample of the centreline nearest to x, m.

@@ -12,7 +12,7 @@ use ertel::post::elements::elements;
 use ertel::post::thermal::{thermal, warnings};
 use ertel::run::{problem, solve};
 use ertel::solution::{Figure, LevelStats, Polynomials, Solution, Thermal};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::solve::figures::measure;
 use ertel::solve::points::fields_in;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
@@ -41,7 +41,7 @@ fn scales(case: &Case) -> Scales {
 
 fn stages(case: &Case) -> (Problem, StageSolution, Vec<LevelStats>) {
     let problem = problem(case);
-    let (solution, levels) = solve_stages(&problem, &mut Silent).expect("a solution");
+    let (solution, levels) = solve_stages(&problem, &mut NoObserver).expect("a solution");
     (problem, solution, levels)
 }
 
@@ -228,7 +228,7 @@ fn heat_is_accounted_for() {
     let mut case = case(ContactKind::Line, 8e4, 0.4);
     // With a stage on the mesh of the isothermal one.
     case.solver.error_estimate = true;
-    let solution = solve(&case, &mut Silent).unwrap();
+    let solution = solve(&case, &mut NoObserver).unwrap();
     let thermal = solution.thermal.as_ref().unwrap();
     let b = &thermal.balance;
     assert_relative_eq!(
@@ -277,7 +277,7 @@ fn heat_is_accounted_for() {
 /// The same over both halves of a circular contact.
 #[test]
 fn heat_of_a_circular_contact_counts_both_halves() {
-    let solution = solve(&case(ContactKind::Circular, 30.0, 0.4), &mut Silent).unwrap();
+    let solution = solve(&case(ContactKind::Circular, 30.0, 0.4), &mut NoObserver).unwrap();
     let thermal = solution.thermal.as_ref().unwrap();
     let b = &thermal.balance;
     assert_relative_eq!(

@@ -8,7 +8,7 @@ use ertel::contact::{Contact, ContactKind, reduced_modulus};
 use ertel::params::ElasticModel;
 use ertel::run::solve;
 use ertel::solution::Solution;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_rheology::{DensityLaw, ViscosityLaw};
 
 /// Circular contacts on a mesh that is cheap rather than accurate: the statements below hold on any.
@@ -24,7 +24,7 @@ fn cheap(case: &mut Case) {
 }
 
 fn solved(case: &Case) -> Solution {
-    solve(case, &mut Silent).unwrap()
+    solve(case, &mut NoObserver).unwrap()
 }
 
 /// Glass on steel, each body for itself and as one equivalent body (Habchi 2008, appendix A).

@@ -11,7 +11,7 @@ use ertel::reference::thermal::{ThermalReduction, thermal_loading};
 use ertel::run::{problem, solve};
 use ertel::solution::Role;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
-use ertel::solve::{Observer, Silent};
+use ertel::solve::{NoObserver, Observer};
 use ertel_input::Document;
 
 /// Keeps the changes of the rounds of the last coupling.
@@ -53,7 +53,7 @@ fn the_error_left_is_within_the_tolerance() {
         let mut rounds = Rounds::default();
         let tolerance = 1e-3;
         let (problem, found) = to(tolerance, &mut rounds);
-        let (_, exact) = to(1e-7, &mut Silent);
+        let (_, exact) = to(1e-7, &mut NoObserver);
         let inlet = problem.heat.as_ref().unwrap().inlet_temperature;
         let (a, b) = (&found.state, &exact.state);
         let rise = (b.temperature.iter()).fold(0.0_f64, |m, t| m.max(t - inlet));

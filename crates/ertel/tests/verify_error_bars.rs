@@ -7,7 +7,7 @@ use ertel::contact::ContactKind;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::Estimate;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 
 /// Widest bars that still tell something: a coarse mesh is for a quick look.
 const WIDEST_COARSE: f64 = 0.1;
@@ -42,7 +42,7 @@ fn line() {
     ] {
         let mut case = common::moes_case(kind, m, l);
         case.mesh = MeshParams::adaptive(2e-4, kind);
-        let exact = solve(&case, &mut Silent).unwrap();
+        let exact = solve(&case, &mut NoObserver).unwrap();
         for (mesh, widest) in [
             (MeshParams::preset(MeshPreset::Coarse, kind), WIDEST_COARSE),
             (MeshParams::preset(MeshPreset::Normal, kind), WIDEST_NORMAL),
@@ -50,7 +50,7 @@ fn line() {
             (MeshParams::adaptive(2e-3, kind), 2e-3),
         ] {
             case.mesh = mesh;
-            let s = solve(&case, &mut Silent).unwrap();
+            let s = solve(&case, &mut NoObserver).unwrap();
             let label = |name| {
                 let mesh = &case.mesh;
                 format!(
@@ -99,7 +99,7 @@ fn circular() {
                 side,
                 ..mesh
             };
-            let s = solve(&case, &mut Silent).unwrap();
+            let s = solve(&case, &mut NoObserver).unwrap();
             let target = case.mesh.target_error;
             let label = |name| format!("M = {m}, L = {l}, {target:?}, {name}");
             let [h_c, h_m] = exact.map(|h| h * s.scales.film);

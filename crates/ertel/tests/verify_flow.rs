@@ -24,7 +24,7 @@ fn state([x, y]: [f64; 2]) -> PointState<f64> {
         pressure_curvature: [0.3, 0.1, -0.5],
         film: 0.2 + 0.05 * x - 0.03 * y + 0.02 * x * x + 0.01 * x * y,
         film_gradient: [0.05 + 0.04 * x + 0.01 * y, -0.03 + 0.01 * x],
-        pressure_unseen: 0.0,
+        pressure_unresolved: 0.0,
     }
 }
 
@@ -69,11 +69,11 @@ fn divergence_is_that_of_the_flow() {
     let limit = StressLimit::new(4e6, 0.03).unwrap();
     let mut limited = ShearThinning::of(carreau.clone());
     limited.limit = Some(limit);
-    for (heated, askew) in [(false, false), (true, false), (false, true), (true, true)] {
+    for (heated, skewed) in [(false, false), (true, false), (false, true), (true, true)] {
         for law in [ShearThinning::of(carreau.clone()), limited.clone()] {
             let mut case = heated_case(ContactKind::Circular, 8);
             case.motion.slide_to_roll_ratio = 0.3;
-            if askew {
+            if skewed {
                 case.motion.slide_to_roll_ratio_across = -0.2;
                 case.motion.spin = [900.0, -1500.0];
             }

@@ -11,7 +11,7 @@ use ertel::contact::{ContactKind, Family, Material, hertz};
 use ertel::elastic::{Accuracy, Elasticity, HalfSpace, Series, SurfaceResponse};
 use ertel::params::{ElasticModel, MeshParams, MeshPreset};
 use ertel::run::{problem, solve};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::solve::discretisation::{ContactSurface, Discretisation, Extents, LevelSizes};
 use ertel::solve::points::fields_at;
 use ertel::solve::sequence::solve_stages;
@@ -384,7 +384,7 @@ fn solutions_satisfy_the_equations() {
         case.solver.error_estimate = false;
         assert_eq!(case.elastic_model(), ElasticModel::HalfSpace);
         let problem = problem(&case);
-        let end = solve_stages(&problem, &mut Silent).unwrap().0;
+        let end = solve_stages(&problem, &mut NoObserver).unwrap().0;
         let d = &end.discretisation;
         let residual = |factor: f64| {
             let pressure: Vec<f64> = end.state.pressure.iter().map(|p| factor * p).collect();
@@ -427,7 +427,7 @@ fn films_agree_with_those_of_a_large_body() {
     case.solver.error_estimate = false;
     let [half, body] = [ElasticModel::HalfSpace, ElasticModel::Equivalent].map(|model| {
         case.solver.elasticity = Some(model);
-        solve(&case, &mut Silent).unwrap()
+        solve(&case, &mut NoObserver).unwrap()
     });
     assert_eq!(half.stats.levels.last().unwrap().n_displacement_dofs, 0);
     assert!(body.stats.levels.last().unwrap().n_displacement_dofs > 10_000);

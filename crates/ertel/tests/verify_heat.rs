@@ -160,7 +160,7 @@ fn manufactured(kind: ContactKind, order: usize, sizes: [f64; 3]) {
         }
         [0, 1].map(|part: usize| (square[part] / whole[part]).sqrt())
     });
-    // Streamline upwinding on meshes that lie askew to the flow is sure of half an order (Johnson, Nävert and Pitkäranta, Comput.
+    // Streamline upwinding on meshes that lie skewed to the flow is sure of half an order (Johnson, Nävert and Pitkäranta, Comput.
     // Methods Appl. Mech. Eng. 45 (1984) 285-312).
     let surplus = if kind == ContactKind::Elliptical {
         0.5

@@ -278,7 +278,7 @@ fn circular_shear_thinning() {
     }
 }
 
-/// Sliding askew, and spin.
+/// Sliding at an angle, and spin.
 #[test]
 fn elliptical_shear_thinning() {
     for law in thinning() {

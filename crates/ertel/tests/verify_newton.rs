@@ -13,7 +13,7 @@ use ertel::solution::Role;
 use ertel::solution::{IterationRecord, Solution};
 use ertel::solve::discretisation::ContactSurface;
 use ertel::solve::sequence::{Problem, StageSolution, solve_stages};
-use ertel::solve::{Observer, Silent, SolveError};
+use ertel::solve::{NoObserver, Observer, SolveError};
 use ertel_fem::linear::NEVER;
 use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
 
@@ -78,7 +78,7 @@ fn condensed_path_equals_monolithic_path() {
             let solution = |linear: LinearSolver| -> StageSolution {
                 let mut case = case.clone();
                 case.solver.linear = linear;
-                solve_stages(&one_mesh(&case), &mut Silent).unwrap().0
+                solve_stages(&one_mesh(&case), &mut NoObserver).unwrap().0
             };
             let [a, b] = [LinearSolver::Condensed, LinearSolver::Monolithic].map(solution);
             let (a, b) = (a.state, b.state);
@@ -161,7 +161,7 @@ fn effort(s: &Solution) -> Vec<[usize; 3]> {
 /// iterations may differ by 3 %: the last digits of a dense product depend on the processor's vector
 /// instructions, and a residual may pass its tolerance one iteration sooner or later.
 fn pinned(case: &Case, expected: &[[usize; 3]]) {
-    let [a, b] = [(); 2].map(|()| solve(case, &mut Silent).unwrap());
+    let [a, b] = [(); 2].map(|()| solve(case, &mut NoObserver).unwrap());
     assert_eq!(a.surface, b.surface);
     assert_eq!(a.centreline, b.centreline);
     assert_eq!(a.history, b.history);
@@ -185,7 +185,7 @@ fn pinned(case: &Case, expected: &[[usize; 3]]) {
 #[test]
 fn results_repeat_beside_other_solves() {
     let case = on_a_body(common::case(ContactKind::Line, 3e5));
-    let alone = solve(&case, &mut Silent).unwrap();
+    let alone = solve(&case, &mut NoObserver).unwrap();
     let done = AtomicBool::new(false);
     std::thread::scope(|scope| {
         scope.spawn(|| {
@@ -203,7 +203,7 @@ fn results_repeat_beside_other_solves() {
             }
         });
         let repeats: Vec<bool> = (0..15)
-            .map(|_| solve(&case, &mut Silent).is_ok_and(|s| s.summary == alone.summary))
+            .map(|_| solve(&case, &mut NoObserver).is_ok_and(|s| s.summary == alone.summary))
             .collect();
         done.store(true, Ordering::Relaxed);
         assert!(repeats.iter().all(|same| *same), "{repeats:?}");
@@ -217,7 +217,8 @@ fn results_do_not_depend_on_the_number_of_threads() {
         for case in [small_case(kind), on_a_body(small_case(kind))] {
             let [a, b] = [1, 2].map(|n| {
                 let pool = rayon::ThreadPoolBuilder::new().num_threads(n).build();
-                pool.unwrap().install(|| solve(&case, &mut Silent).unwrap())
+                pool.unwrap()
+                    .install(|| solve(&case, &mut NoObserver).unwrap())
             });
             let scale = |v: &[f64]| v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
             for (a, b) in [

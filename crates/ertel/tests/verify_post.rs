@@ -8,7 +8,7 @@ use ertel::params::ElasticModel;
 use ertel::post::fields::{body, centreline, surface};
 use ertel::post::summary::summarise;
 use ertel::run::problem;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::solve::figures::measure;
 use ertel::solve::newton::FilmModel;
 use ertel::solve::points::fields_at;
@@ -29,7 +29,7 @@ fn figures_and_fields_of_a_small_contact() {
     case.solver.error_estimate = false;
     case.solver.elasticity = Some(ElasticModel::Equivalent);
     let problem = problem(&case);
-    let (solution, levels) = solve_stages(&problem, &mut Silent).expect("a solution");
+    let (solution, levels) = solve_stages(&problem, &mut NoObserver).expect("a solution");
     let (d, state, scales) = (&solution.discretisation, &solution.state, &problem.scales);
     let model = FilmModel {
         fluid: problem.fluid.clone(),

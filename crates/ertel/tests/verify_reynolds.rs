@@ -10,7 +10,7 @@
 //!   γ̇ = t(1 + |t|²/κ²), t = τ + sG:   ∫γ̇ = τ + [τ|τ|² + (τ|G|² + 2G τ·G)/12]/κ² = Ω gives τ
 //!   q = ∫sγ̇ = G/12 + [(2τ τ·G + G|τ|²)/12 + G|G|²/80]/κ²,   Q = 12ρ̄H²/(μ̄λ) q
 //! ```
-//! Surfaces move along x (ū = e_x), but those of ellipses slide askew and spin.
+//! Surfaces move along x (ū = e_x), but those of ellipses slide at an angle and spin.
 //!
 //! Nothing of the product computes f: fluid, film and flux are written out here once more, and
 //! differentiated by dual numbers.
@@ -420,7 +420,7 @@ fn expect(
             "{kind:?} {film:?} {formulation:?} k = {order}: L2 {:.1e} -> {:.1e}, order {l2:.2}; H1 order {h1:.2}",
             coarse[1], fine[1]
         );
-        // From order 4 on the term for the unseen pressure, which falls faster than the rest, is
+        // From order 4 on the term for the unresolved pressure, which falls faster than the rest, is
         // still the larger part of the error on these meshes.
         let excess = if order > 3 && formulation != Formulation::Galerkin {
             1.0

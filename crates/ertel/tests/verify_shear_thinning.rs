@@ -8,7 +8,7 @@ use ertel::contact::ContactKind;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
 use ertel::solution::{Centreline, Solution};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_rheology::shear::{Carreau, ReeEyring, ShearLaw, ShearThinning};
 
 /// A case on a mesh that is cheap rather than accurate, solved until nothing moves.
@@ -38,7 +38,7 @@ fn eyring(stress: f64) -> ShearLaw {
 }
 
 fn solved(case: &Case) -> Solution {
-    solve(case, &mut Silent).unwrap()
+    solve(case, &mut NoObserver).unwrap()
 }
 
 /// Largest difference of the pressures on the centreline, over the Hertz pressure.

@@ -8,7 +8,7 @@ use ertel::case::Case;
 use ertel::contact::ContactKind;
 use ertel::run::solve;
 use ertel::solution::Solution;
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel_rheology::ConductivityLaw;
 
 fn case(kind: ContactKind, slide_to_roll_ratio: f64) -> Case {
@@ -20,7 +20,7 @@ fn case(kind: ContactKind, slide_to_roll_ratio: f64) -> Case {
 }
 
 fn solved(case: &Case) -> Solution {
-    solve(case, &mut Silent).expect("a solution")
+    solve(case, &mut NoObserver).expect("a solution")
 }
 
 /// Where heat flows off without resistance nothing warms up: film and traction are those of the isothermal contact.

@@ -6,7 +6,7 @@ use ertel::case::{Case, Study};
 use ertel::output::curve_table;
 use ertel::run;
 use ertel::solution::{Estimate, Solution};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::study::journal::Record;
 use ertel::study::plan::Plan;
 use ertel::study::solve_curve;
@@ -47,12 +47,12 @@ fn agrees(lines: &str) {
 
 fn agrees_in(case: &Case) {
     let curve = case.curve.as_ref().unwrap();
-    let solved = solve_curve(curve, &mut Silent);
+    let solved = solve_curve(curve, &mut NoObserver);
     assert_eq!(solved.points.len(), curve.points.len());
     for (i, (point, asked)) in solved.points.iter().zip(&curve.points).enumerate() {
         let warm = point.outcome.solution().expect("solved");
         assert_eq!(warm.stats.warm, i > 0, "point {i}");
-        let cold = run::solve(&asked.case, &mut Silent).unwrap();
+        let cold = run::solve(&asked.case, &mut NoObserver).unwrap();
         assert!(!cold.stats.warm);
         for (w, c) in films(warm).iter().zip(films(&cold)) {
             let bars = w.error.unwrap() + c.error.unwrap();
@@ -89,7 +89,7 @@ fn a_start_too_far_away_is_not_taken() {
     let case = case(
         "[mesh]\npreset = \"coarse\"\n[curve]\nquantity = \"motion.entrainment_speed\"\nvalues = [\"0.01 m/s\", \"1 m/s\"]",
     );
-    let solved = solve_curve(case.curve.as_ref().unwrap(), &mut Silent);
+    let solved = solve_curve(case.curve.as_ref().unwrap(), &mut NoObserver);
     let warm = |i: usize| solved.points[i].outcome.solution().unwrap().stats.warm;
     assert!(!warm(0) && !warm(1));
 }
@@ -114,7 +114,7 @@ fn a_curve_is_the_study_of_one_axis() {
     let key = "\"motion.entrainment_speed\"";
     let case = case(&format!("[curve]\nquantity = {key}\n{range}"));
     let curve = case.curve.as_ref().unwrap();
-    let solved = solve_curve(curve, &mut Silent);
+    let solved = solve_curve(curve, &mut NoObserver);
     let table = curve_table(&solved);
     let rows: Vec<Vec<&str>> = table.lines().map(|l| l.split(',').collect()).collect();
     let n_points = curve.points.len();
@@ -133,7 +133,7 @@ fn a_curve_is_the_study_of_one_axis() {
             ..SweepParams::default()
         };
         let part = (plan, 0..n_points);
-        sweep_part(&study, part, &target, &params, &Silent).unwrap();
+        sweep_part(&study, part, &target, &params, &NoObserver).unwrap();
         let finished = finished_points(&study, &target).unwrap();
         finished.into_iter().map(Option::unwrap).collect()
     };

@@ -112,7 +112,7 @@ impl Sums {
 
 /// Whether anything may pull across the motion: not where both halves of a contact are alike, nor along a cylinder whose surface does
 /// not slide there.
-pub fn is_askew(shape: &Shape, fluid: &FilmFluid) -> bool {
+pub fn is_skewed(shape: &Shape, fluid: &FilmFluid) -> bool {
     let halves_differ = !shape.is_line() && shape.symmetry == Symmetry::Full;
     halves_differ || !fluid.slide().is_along_x()
 }

@@ -16,7 +16,7 @@ pub mod region;
 pub mod shear;
 
 pub use film::{Film, Point, PointFields, PointTable};
-pub use observer::{Observer, Silent};
+pub use observer::{NoObserver, Observer};
 pub use problem::{Extents, Problem};
 
 use crate::solution::{LevelStats, Measured};

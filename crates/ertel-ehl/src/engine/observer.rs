@@ -32,6 +32,6 @@ pub trait Observer: Send + Sync {
 
 /// Observes nothing.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Silent;
+pub struct NoObserver;
 
-impl Observer for Silent {}
+impl Observer for NoObserver {}

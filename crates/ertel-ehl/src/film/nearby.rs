@@ -21,11 +21,11 @@ const STEP: f64 = 1e-5;
 /// A fluid, and how its closures change with the numbers that they depend on.
 pub struct Nearby<'a> {
     fluid: &'a FilmFluid,
-    knobs: Vec<Knob>,
+    knobs: Vec<Parameter>,
 }
 
 /// One of the numbers that differ between the fluids.
-struct Knob {
+struct Parameter {
     /// Which.
     index: usize,
     /// The law with less and with more of it.
@@ -73,7 +73,7 @@ impl<'a> Nearby<'a> {
         let knobs = (fluid.thinning()).map_or_else(Vec::new, |thinning| {
             (0..own.len())
                 .filter(|i| moves[*i])
-                .map(|index| Knob::new(fluid, thinning, index))
+                .map(|index| Parameter::new(fluid, thinning, index))
                 .collect()
         });
         Nearby { fluid, knobs }
@@ -118,8 +118,8 @@ impl<'a> Nearby<'a> {
 /// Number of units before the constants of the law.
 const N_UNITS: usize = 2;
 
-impl Knob {
-    fn new(fluid: &FilmFluid, thinning: &Arc<Thinning>, index: usize) -> Knob {
+impl Parameter {
+    fn new(fluid: &FilmFluid, thinning: &Arc<Thinning>, index: usize) -> Parameter {
         let own = [fluid.stress_scale(), fluid.pressure_scale()];
         let value = numbers(fluid)[index];
         let step = if value == 0.0 {
@@ -149,7 +149,7 @@ impl Knob {
             true => 2.0 * step,
             false => step,
         };
-        Knob {
+        Parameter {
             index,
             sides: [below, above].map(|side| side.unwrap_or_else(itself)),
             distance,

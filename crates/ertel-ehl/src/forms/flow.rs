@@ -31,7 +31,7 @@ pub struct PointState<D> {
     /// ∇H.
     pub film_gradient: [D; 2],
     /// κP, the share of P that the deflection does not see.
-    pub pressure_unseen: D,
+    pub pressure_unresolved: D,
 }
 
 /// Density and low-shear viscosity around a point, exact to first order in P.

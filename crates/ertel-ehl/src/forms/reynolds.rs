@@ -8,7 +8,7 @@
 //!   + Σ_e ∫ τ (R − f) [β·∇W − ∇·(ε∇W)]                        GLS
 //!   + Σ_e ∫ ρ_id h_e H ∂ρ̄/∂P/(2l) (T∇P)·∇W                    isotropic diffusion
 //!   + Σ_e ∫ ρ_r h_e (H ∂ρ̄/∂P + c ρ̄ h_e)/(2l) (T∇P)·∇W       diffusion at a ridge
-//!   + Σ_e ∫ (coth Pe_δ − 1/Pe_δ) ρ̄/h_e κP κW                  unseen pressure
+//!   + Σ_e ∫ (coth Pe_δ − 1/Pe_δ) ρ̄/h_e κP κW                  unresolved pressure
 //!
 //!   β = (H ∂ρ̄/∂P + c ρ̄ h_e) ū,  τ = h_e/(2l|β|) (coth Pe − 1/Pe),  Pe = |β|h_e/(2lr²ε),  l the order
 //!   κ = I − π, π the L² projection onto the polynomials that the deflection sees,  Pe_δ = ρ̄h_e²/(2lε)
@@ -97,7 +97,7 @@ pub struct TestCoefficients<D> {
     /// c.
     pub laplacian: D,
     /// d.
-    pub unseen: D,
+    pub unresolved: D,
     /// τ(R − f): about what the elements miss of the pressure.
     pub missed: D,
 }
@@ -106,7 +106,7 @@ pub struct TestCoefficients<D> {
 /// wave of length 4 h_e deflects by 2/π h_e. Measured on line contacts, L up to 20: from 0.1 to 1 the films agree to 3e-4.
 const DEFLECTION_SHARE: f64 = 0.3;
 
-/// Weight of the term that holds the unseen pressure. Measured: from 1 to 10 the central
+/// Weight of the term that holds the unresolved pressure. Measured: from 1 to 10 the central
 /// film agrees to 2e-4, the minimum film to 1e-3 (M = 200, L = 15);
 /// at 0.1 incompressible contacts stop converging.
 const UNSEEN_WEIGHT: f64 = 1.0;
@@ -140,7 +140,7 @@ pub fn reynolds_point<D: Number>(
             flow.flux[1] - m.density * carried * v,
         ],
         laplacian: zero,
-        unseen: zero,
+        unresolved: zero,
         missed: zero,
     };
     let l2 = 2.0 * e.order as f64;
@@ -162,7 +162,7 @@ pub fn reynolds_point<D: Number>(
         beta += m.density * (DEFLECTION_SHARE * e.size);
         let peclet = m.density * (e.size * e.size / l2) / epsilon;
         let weight = upwind(peclet) * peclet * m.density * (UNSEEN_WEIGHT / e.size);
-        test.unseen = weight * s.pressure_unseen;
+        test.unresolved = weight * s.pressure_unresolved;
     }
     let mut wedge = m.density_slope * (px * u + py * v) * carried
         + (flow.drift[0] * u + flow.drift[1] * v)

@@ -2,7 +2,7 @@
 
 use crate::contact::{Scales, Shape};
 use crate::engine::PointFields;
-use crate::engine::friction::is_askew;
+use crate::engine::friction::is_skewed;
 use crate::engine::shear::Shear;
 use crate::film::FilmFluid;
 use crate::solution::ShearFields;
@@ -15,7 +15,7 @@ pub fn fields<'p>(
     points: impl IntoIterator<Item = &'p PointFields>,
 ) -> ShearFields {
     let mut shear = Shear::new(fluid, scales);
-    let askew = is_askew(shape, fluid);
+    let skewed = is_skewed(shape, fluid);
     let mut fields = ShearFields::default();
     for point in points {
         let s = shear.at(point);
@@ -23,7 +23,7 @@ pub fn fields<'p>(
         fields.stress_mid.push(mid[0]);
         fields.stress_body_1.push(plane[0]);
         fields.stress_body_2.push(ball[0]);
-        if askew {
+        if skewed {
             for (field, stress) in fields.stress_across.iter_mut().zip(s.stress) {
                 field.push(stress[1]);
             }

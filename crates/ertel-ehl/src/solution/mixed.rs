@@ -45,7 +45,7 @@ pub struct MixedFriction {
     pub friction_asperities: Estimate,
     /// Both.
     pub friction_total: Estimate,
-    /// The same three across the entrainment, where anything is askew.
+    /// The same three across the entrainment, where the contact is not symmetric about y = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub across: Option<[Estimate; 3]>,
 }

@@ -384,7 +384,7 @@ pub struct Traction {
     pub coefficient_body_2: Estimate,
     /// Traction force at mid-film: N (circular), N/m (line).
     pub force: Estimate,
-    /// Traction across the motion, where anything is askew.
+    /// Traction across the motion, where the contact is not symmetric about y = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub across: Option<TractionAcross>,
     /// Moment of the traction at mid-film about the contact normal, from x towards y, N m, with which the ball turns the plane; likewise,

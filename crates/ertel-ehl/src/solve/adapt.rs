@@ -134,7 +134,7 @@ pub fn error_bars(levels: &[LevelStats], grading: [f64; 2]) -> Option<ErrorBars>
 
 /// What a refinement is to make more accurate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Aim {
+pub enum RefinementTarget {
     /// The films.
     Films,
     /// Films that lack little, and the pressure with them.
@@ -149,7 +149,7 @@ pub struct Refinement {
     /// Halvings of each element.
     pub halvings: Vec<u32>,
     /// What it is for.
-    pub aim: Aim,
+    pub aim: RefinementTarget,
     /// Larger of the error bars of both films before it.
     pub film_bar: f64,
 }
@@ -278,9 +278,9 @@ fn planned(
     let aim = match (goals.is_empty(), pressure.is_some()) {
         (true, false) if films_suffice => return Err(RefinementEnd::Reached),
         (true, false) => return Err(RefinementEnd::NothingToHalve),
-        (true, true) => Aim::Pressure,
-        (false, true) => Aim::Both,
-        (false, false) => Aim::Films,
+        (true, true) => RefinementTarget::Pressure,
+        (false, true) => RefinementTarget::Both,
+        (false, false) => RefinementTarget::Films,
     };
     let most = match films_suffice {
         true => params.max_unknowns_for_pressure,
@@ -303,7 +303,7 @@ fn planned(
     goals.extend(pressure);
     let growth = growth
         .min(body_growth)
-        .min(LARGEST_GROWTH[usize::from(aim != Aim::Films)]);
+        .min(LARGEST_GROWTH[usize::from(aim != RefinementTarget::Films)]);
     let halvings = halvings(&goals, dim, growth);
     let halved = halvings.iter().filter(|h| **h > 0).count() as f64;
     if halved == 0.0 {
@@ -311,7 +311,7 @@ fn planned(
     }
     let as_good_as_reached = (targets.pressure)
         .is_some_and(|target| indicator.pressure_error() < AS_GOOD_AS_REACHED * target);
-    let few = aim == Aim::Pressure
+    let few = aim == RefinementTarget::Pressure
         && as_good_as_reached
         && !targets.even_few
         && halved < FEW * halvings.len() as f64;

@@ -300,7 +300,7 @@ pub struct Discretisation {
     /// Pressure shape functions at its points.
     pub pressure_table: Tabulation,
     /// κN, the share of each pressure shape function that the deflection does not see, there.
-    pub pressure_unseen: Vec<f64>,
+    pub pressure_unresolved: Vec<f64>,
     /// Deflection shape functions at its points.
     pub deflection_table: Tabulation,
     /// ∫N of each pressure unknown.
@@ -344,7 +344,7 @@ impl Discretisation {
         let seen = (pressure_order - 1)
             .min(contact.deflection.element.order())
             .max(1);
-        let pressure_unseen = pressure.element.fluctuations(seen, &rule);
+        let pressure_unresolved = pressure.element.fluctuations(seen, &rule);
         let n = pressure_table.n_nodes;
         let mut load = vec![0.0; n_pressure];
         for (c, map) in contact.maps.iter().enumerate() {
@@ -368,7 +368,7 @@ impl Discretisation {
             n_pressure,
             rule,
             pressure_table,
-            pressure_unseen,
+            pressure_unresolved,
             deflection_table,
             load,
             at_ridge: Vec::new(),

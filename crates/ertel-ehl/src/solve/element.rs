@@ -223,7 +223,7 @@ impl<'a> Assembler<'a> {
                 p_list[N + j] = gx;
                 p_list[2 * N + j] = gy;
                 p_list[3 * N + j] = metric.laplacian(&table.hessians[k]);
-                p_list[4 * N + j] = d.pressure_unseen[k];
+                p_list[4 * N + j] = d.pressure_unresolved[k];
                 if S == GENERALIZED {
                     let second = metric.second(&table.hessians[k]);
                     for (l, value) in second.into_iter().enumerate() {
@@ -469,7 +469,7 @@ impl Point {
         PointState {
             pressure: x(0),
             pressure_gradient: [x(1), x(2)],
-            pressure_unseen: x(3),
+            pressure_unresolved: x(3),
             film: x(4),
             film_gradient: [x(5), x(6)],
             pressure_curvature: curvature,
@@ -485,7 +485,13 @@ impl Point {
     /// Keeps the integrand, and the entrainment of ρ̄ū.
     #[inline(always)]
     fn keep<const S: usize>(&mut self, t: &TestCoefficients<Dual<S>>, carried: [f64; 2]) {
-        let test = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
+        let test = [
+            t.value,
+            t.gradient[0],
+            t.gradient[1],
+            t.laplacian,
+            t.unresolved,
+        ];
         self.value = test.map(|t| t.re);
         for (slopes, t) in self.slopes.iter_mut().zip(&test) {
             slopes[..S].copy_from_slice(&t.slopes);

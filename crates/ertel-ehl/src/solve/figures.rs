@@ -12,14 +12,14 @@ use super::profile::{PER_EDGE, Profile};
 use super::sequence::{Problem, StageSolution};
 use super::system::State;
 use crate::contact::Symmetry;
-use crate::engine::friction::{friction, is_askew};
+use crate::engine::friction::{friction, is_skewed};
 use crate::engine::{Film, PointTable};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading, Sizes};
 
 /// Which figures are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Extent {
+pub enum Scope {
     /// Central and minimum film and the largest pressure.
     Films,
     /// All of them; the traction costs about as much as an assembly.
@@ -32,7 +32,7 @@ pub fn figures(
     fluid: &FilmFluid,
     d: &Discretisation,
     state: &State,
-    extent: Extent,
+    extent: Scope,
 ) -> Figures {
     let scales = &problem.scales;
     let at = |value: f64, place: [f64; 2]| Reading::new(value).at(place.map(|x| x * scales.length));
@@ -44,7 +44,7 @@ pub fn figures(
     figures.note(Figure::FilmMinimum, at(scales.film * h_m, place));
     let largest = at(scales.pressure * p_max, p_place);
     figures.note(Figure::PressureMaximum, largest);
-    if extent == Extent::Films {
+    if extent == Scope::Films {
         return figures;
     }
     let film = Evaluated::new(&problem.shape, d, state);
@@ -163,10 +163,10 @@ fn note_friction(
     let [mid, plane, ball] = f.coefficients;
     let [near_mid, near_plane, near_ball] = near.coefficients;
     let wall = sums.wall_misfit().abs();
-    let (shape, askew) = (&d.contact.shape, is_askew(&d.contact.shape, fluid));
+    let (shape, skewed) = (&d.contact.shape, is_skewed(&d.contact.shape, fluid));
     // Where both components count, one that happens to vanish is as uncertain as the whole.
     let component = |vector: [f64; 2], near: [f64; 2], i: usize| Reading {
-        size: match askew {
+        size: match skewed {
             true => vector[0].hypot(vector[1]),
             false => vector[i].abs(),
         },
@@ -196,7 +196,7 @@ fn note_friction(
     };
     figures.note(Figure::FrictionPower, power);
     figures.note(Figure::ShearStressMaximum, Reading::new(f.stress_maximum));
-    if askew {
+    if skewed {
         for (figure, vector, near) in [
             (Figure::TractionCoefficientAcross, mid, near_mid),
             (Figure::TractionCoefficientAcrossBody1, plane, near_plane),
@@ -206,7 +206,7 @@ fn note_friction(
             figures.note(figure, component(vector, near, 1));
         }
     }
-    if askew && !shape.is_line() {
+    if skewed && !shape.is_line() {
         let [moment, size] = f.moment;
         let moment = Reading {
             size,
@@ -311,7 +311,7 @@ pub fn measure(problem: &Problem, solution: &StageSolution, levels: &[LevelStats
             / (12.0 * scales.viscosity * scales.length),
     };
     let measured = Measured {
-        figures: figures(problem, &problem.fluid, d, state, Extent::All),
+        figures: figures(problem, &problem.fluid, d, state, Scope::All),
         bars: bars(levels, films).unwrap_or_default(),
         half_width: problem.scales.length,
     };

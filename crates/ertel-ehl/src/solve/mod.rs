@@ -31,7 +31,7 @@ pub mod system;
 pub mod tuning;
 pub mod weighted;
 
-pub use crate::engine::{Observer, Silent};
+pub use crate::engine::{NoObserver, Observer};
 pub use discretisation::DiscretisationError;
 pub use engine::{Finished, FiniteElements};
 pub use error::{SolveError, Stopped};

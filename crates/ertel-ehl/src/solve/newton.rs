@@ -95,24 +95,24 @@ pub struct NewtonStats {
 
 /// Where a run ended.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Reached {
+pub struct NewtonStatus {
     /// Relative residual of the state.
     pub residual: f64,
     /// Largest pressure update of the last iteration, in p_h.
     pub update: f64,
 }
 
-impl Reached {
+impl NewtonStatus {
     /// Where a run failed.
-    pub(super) fn of_failure(error: &SolveError) -> Reached {
+    pub(super) fn of_failure(error: &SolveError) -> NewtonStatus {
         match error {
             SolveError::NotConverged {
                 residual, update, ..
-            } => Reached {
+            } => NewtonStatus {
                 residual: *residual,
                 update: *update,
             },
-            _ => Reached {
+            _ => NewtonStatus {
                 residual: f64::INFINITY,
                 update: f64::INFINITY,
             },
@@ -197,7 +197,7 @@ impl<'a> NewtonLevel<'a> {
         state: &mut State,
         stats: &mut NewtonStats,
         observer: &mut dyn Observer,
-    ) -> Result<Reached, SolveError> {
+    ) -> Result<NewtonStatus, SolveError> {
         let go_on = |observer: &dyn Observer| match observer.cancelled() {
             true => Err(SolveError::Interrupted),
             false => Ok(()),
@@ -312,7 +312,7 @@ impl<'a> NewtonLevel<'a> {
                 && next_system.relative_residual() < params.residual_tolerance;
             if (converged || done) && self.films_settled(params, &before, state) {
                 self.kept.replace(solver.into_preconditioner());
-                return Ok(Reached {
+                return Ok(NewtonStatus {
                     residual: next_system.relative_residual(),
                     update,
                 });

@@ -134,7 +134,7 @@ pub(super) fn point_state(
     cell: usize,
     q: usize,
 ) -> ([f64; 2], PointState<f64>) {
-    let [pressure, px, py, _, unseen, xx, xy, yy] =
+    let [pressure, px, py, _, unresolved, xx, xy, yy] =
         pressure_sums(d, &state.pressure, metric, cell, q);
     let table = &d.deflection_table;
     let (mut place, mut film) = ([0.0; 2], [state.rigid_separation, 0.0, 0.0]);
@@ -152,7 +152,7 @@ pub(super) fn point_state(
     let state = PointState {
         pressure,
         pressure_gradient: [px, py],
-        pressure_unseen: unseen,
+        pressure_unresolved: unresolved,
         pressure_curvature: [xx, xy, yy],
         film: film[0] + gap.value,
         film_gradient: [film[1] + gap.gradient[0], film[2] + gap.gradient[1]],
@@ -179,7 +179,7 @@ pub(super) fn pressure_sums(
             gx,
             gy,
             metric.laplacian(&table.hessians[k]),
-            d.pressure_unseen[k],
+            d.pressure_unresolved[k],
             xx,
             xy,
             yy,

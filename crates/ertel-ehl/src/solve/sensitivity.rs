@@ -89,7 +89,7 @@ pub struct Sensitivity<'a> {
 }
 
 /// A problem on either side of the solution's, by the same step of an input.
-pub struct Sides {
+pub struct Perturbed {
     /// Below and above.
     pub problems: [Problem; 2],
     /// By how much the input differs between them.
@@ -184,7 +184,7 @@ impl<'a> Sensitivity<'a> {
     }
 
     /// Derivatives of the figures, SI, for each input.
-    pub fn derivatives(&self, inputs: &[Sides]) -> Vec<Result<Vec<f64>, NoDerivative>> {
+    pub fn derivatives(&self, inputs: &[Perturbed]) -> Vec<Result<Vec<f64>, NoDerivative>> {
         let (d, state) = (&self.solution.discretisation, &self.solution.state);
         let here: Vec<bool> = (inputs.iter())
             .map(|sides| {
@@ -219,7 +219,7 @@ impl<'a> Sensitivity<'a> {
     }
 
     /// What keeps derivatives by an input from being known.
-    fn obstacle(&self, sides: &Sides) -> Option<NoDerivative> {
+    fn obstacle(&self, sides: &Perturbed) -> Option<NoDerivative> {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
         let own = &self.problem.elasticity;
         for problem in &sides.problems {

@@ -452,7 +452,13 @@ impl AtPoint<'_> {
                 traction = traction * (-(lack.film / s.film) + 1.0);
             }
         }
-        let values = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
+        let values = [
+            t.value,
+            t.gradient[0],
+            t.gradient[1],
+            t.laplacian,
+            t.unresolved,
+        ];
         (values, traction)
     }
 
@@ -477,7 +483,7 @@ impl AtPoint<'_> {
             pressure_curvature: s.pressure_curvature.map(Dual::from),
             film: s.film.into(),
             film_gradient: s.film_gradient.map(Dual::from),
-            pressure_unseen: s.pressure_unseen.into(),
+            pressure_unresolved: s.pressure_unresolved.into(),
         };
         self.evaluate(&s, &m, slide, closure, local)
     }

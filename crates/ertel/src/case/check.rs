@@ -268,7 +268,7 @@ pub fn mesh_of_bodies(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, In
     Ok(warnings)
 }
 
-/// Refuses finite-element bodies below elliptical contacts, rollers, and surfaces that slide askew or spin: their meshes are made around
+/// Refuses finite-element bodies below elliptical contacts, rollers, and surfaces that slide at an angle or spin: their meshes are made around
 /// circles, and halves of them.
 pub(super) fn body_of_wide_contact(case: &Case, table: &Table<'_>) -> Result<(), InputError> {
     let what = match case.contact.kind {

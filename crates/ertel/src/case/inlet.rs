@@ -13,7 +13,7 @@ const LAYER: Bounds = Bounds::closed(1e-10, 1e-2);
 /// Reads `[inlet]`; `half_width` is that of the dry contact along the motion, m, `mesh` the table `[mesh]`.
 ///
 /// # Errors
-/// Both keys or none of them, a meniscus inside the dry contact or too far away, a meniscus before an ellipse whose axes lie askew.
+/// Both keys or none of them, a meniscus inside the dry contact or too far away, a meniscus before an ellipse whose axes are skewed to the motion.
 pub(super) fn read(
     mut table: Table<'_>,
     contact: &Contact,
@@ -116,7 +116,7 @@ viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
 
     #[test]
     fn bad_supplies_are_refused() {
-        let askew = format!("{ELLIPSE}\nentrainment_angle = \"30 deg\"");
+        let skewed = format!("{ELLIPSE}\nentrainment_angle = \"30 deg\"");
         let cases = [
             (BALL, "", "oil_layer"),
             (BALL, "oil_layer = 1", "unit"),
@@ -136,7 +136,7 @@ viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa" }
                 "meniscus_distance = \"1 mm\"\n[mesh]\ninlet = -4.0",
                 "[mesh]",
             ),
-            (askew.as_str(), "meniscus_distance = \"1 mm\"", "oil_layer"),
+            (skewed.as_str(), "meniscus_distance = \"1 mm\"", "oil_layer"),
         ];
         for (contact, inlet, word) in cases {
             let error = read(contact, &format!("[inlet]\n{inlet}"))

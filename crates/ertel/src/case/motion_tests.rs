@@ -1,4 +1,4 @@
-//! `[motion]` in case files: sliding askew and spin.
+//! `[motion]` in case files: sliding at an angle, and spin.
 
 use std::path::Path;
 

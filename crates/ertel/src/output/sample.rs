@@ -7,7 +7,7 @@ use crate::case::{Case, CaseEcho};
 use crate::contact::ContactKind;
 use crate::run::solve;
 use crate::solution::Solution;
-use crate::solve::Silent;
+use crate::solve::NoObserver;
 
 /// A contact with its solution: a line contact, or an elliptical or circular one on a coarse mesh.
 pub(super) fn solved(kind: ContactKind) -> &'static (CaseEcho, Solution) {
@@ -20,7 +20,7 @@ pub(super) fn solved(kind: ContactKind) -> &'static (CaseEcho, Solution) {
     };
     SOLVED[place].get_or_init(|| {
         let case = Case::from_text("sample.toml", text, Path::new("")).expect("a valid case");
-        let solution = solve(&case, &mut Silent).expect("it converges");
+        let solution = solve(&case, &mut NoObserver).expect("it converges");
         (case.echo(), solution)
     })
 }

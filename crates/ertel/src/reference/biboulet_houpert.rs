@@ -109,7 +109,7 @@ mod tests {
         assert_relative_eq!(ellipse.unwrap(), 0.129_726_720, max_relative = 1e-6);
     }
 
-    /// Beyond their reach there are none, nor for slender ellipses and motions askew.
+    /// Beyond their reach there are none, nor for slender ellipses and skewed motions.
     #[test]
     fn reach() {
         assert_eq!(of(&Contact::circular(0.016, 1e5), 0.8).0, None);

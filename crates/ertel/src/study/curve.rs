@@ -18,7 +18,7 @@ pub trait CurveObserver: Observer {
     fn finished(&mut self, _index: usize, _point: &PointSolution) {}
 }
 
-impl CurveObserver for crate::solve::Silent {}
+impl CurveObserver for crate::solve::NoObserver {}
 
 /// What became of a curve.
 #[derive(Clone, Debug)]

@@ -71,7 +71,7 @@ pub trait SweepObserver: Sync {
     }
 }
 
-impl SweepObserver for crate::solve::Silent {}
+impl SweepObserver for crate::solve::NoObserver {}
 
 /// How far a study is.
 #[derive(Clone, Debug)]

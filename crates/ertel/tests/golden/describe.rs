@@ -5,7 +5,7 @@ use std::path::Path;
 use ertel::case::Case;
 use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
-use ertel::solve::Silent;
+use ertel::solve::NoObserver;
 use ertel::study::curve::solve_curve;
 use serde::Serialize;
 use serde_json::Value;
@@ -20,14 +20,14 @@ pub fn record(path: &Path, machine: &Machine) -> Result<Record, String> {
     let mut record = Record::default();
     machine.note(&mut record);
     let Some(curve) = &case.curve else {
-        let solution = solve(&case, &mut Silent).map_err(|error| error.to_string())?;
+        let solution = solve(&case, &mut NoObserver).map_err(|error| error.to_string())?;
         describe(&mut record, &solution)?;
         return Ok(record);
     };
     let mut curve = curve.clone();
     // Else the fields of the points are not kept.
     curve.folders = true;
-    let found = solve_curve(&curve, &mut Silent);
+    let found = solve_curve(&curve, &mut NoObserver);
     for (i, point) in found.points.iter().enumerate() {
         let mut own = Record::default();
         match point.outcome.solution() {

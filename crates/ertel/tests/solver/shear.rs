@@ -239,7 +239,7 @@ fn shares_beyond_the_limit_reckon_with_the_walls() {
 /// Hertz zone, where P is 0.03: without it a good part of the work of the surfaces would be missing.
 #[test]
 fn power_balances_up_to_the_end_of_the_bodies() {
-    use ertel::solve::Silent;
+    use ertel::solve::NoObserver;
     use ertel::solve::sequence::solve_stages;
     let mut case = case(
         "line",
@@ -248,7 +248,7 @@ fn power_balances_up_to_the_end_of_the_bodies() {
     );
     case.mesh.target_error = None;
     let mut problem = problem(&case);
-    let (solution, _) = solve_stages(&problem, &mut Silent).unwrap();
+    let (solution, _) = solve_stages(&problem, &mut NoObserver).unwrap();
     let (d, state) = (&solution.discretisation, &solution.state);
     let sums = |problem: &Problem| {
         let film = Evaluated::new(&problem.shape, d, state);

@@ -64,7 +64,12 @@ fn the_diffusion_at_a_ridge_is_told() {
             StageRun::new(&problem, stage, 0, &d),
             NewtonStats::default(),
         );
-        let end = run.solve(Finish::Exact, state, &mut effort, &mut ertel::solve::Silent);
+        let end = run.solve(
+            Finish::Exact,
+            state,
+            &mut effort,
+            &mut ertel::solve::NoObserver,
+        );
         end.unwrap();
         let told = run.measure(state, &mut effort).unwrap().ridge;
         ([central_film(&d, state), minimum_film(&d, state).0], told)

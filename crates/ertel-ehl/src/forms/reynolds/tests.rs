@@ -68,13 +68,19 @@ fn derivatives_match_differences() {
         let s = PointState {
             pressure: x[0],
             pressure_gradient: [x[1], x[2]],
-            pressure_unseen: x[3],
+            pressure_unresolved: x[3],
             film: x[4],
             film_gradient: [x[5], x[6]],
             pressure_curvature: [x[7], 0.0, 0.0],
         };
         let t = point(&s, &fluid(x[0]), c, 0.3);
-        [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen]
+        [
+            t.value,
+            t.gradient[0],
+            t.gradient[1],
+            t.laplacian,
+            t.unresolved,
+        ]
     };
     for formulation in [Formulation::Galerkin, Formulation::Supg, Formulation::Gls] {
         let c = constants(formulation);
@@ -84,13 +90,19 @@ fn derivatives_match_differences() {
             let s = PointState {
                 pressure: d(0),
                 pressure_gradient: [d(1), d(2)],
-                pressure_unseen: d(3),
+                pressure_unresolved: d(3),
                 film: d(4),
                 film_gradient: [d(5), d(6)],
                 pressure_curvature: [d(7), Dual::from(0.0), Dual::from(0.0)],
             };
             let t = point(&s, &fluid(p), &c, 0.3);
-            let exact = [t.value, t.gradient[0], t.gradient[1], t.laplacian, t.unseen];
+            let exact = [
+                t.value,
+                t.gradient[0],
+                t.gradient[1],
+                t.laplacian,
+                t.unresolved,
+            ];
             for k in 0..8 {
                 let step = 1e-6;
                 let (mut up, mut down) = (x, x);
@@ -124,7 +136,7 @@ fn stabilisation_is_consistent() {
         pressure_curvature: [-0.7, 0.3, -0.5],
         film: 0.2,
         film_gradient: [0.1, 0.05],
-        pressure_unseen: 0.0,
+        pressure_unresolved: 0.0,
     };
     let mut c = constants(Formulation::Gls);
     // R = −∇ε·∇P − εΔP + ū·(ρ'∇P H + ρ∇H) by hand, ε = ρH³/(μλ)
@@ -161,7 +173,7 @@ fn terms_of_the_weak_form() {
             pressure_curvature: [-0.7, 0.3, -0.5],
             film,
             film_gradient: [0.1, 0.05],
-            pressure_unseen: 0.02,
+            pressure_unresolved: 0.02,
         };
         let (size, l, f) = (0.1, 3.0, 0.3);
         let eps = 1.1 * film.powi(3) / (5.0 * 0.1);
@@ -214,8 +226,8 @@ fn terms_of_the_weak_form() {
                     let at_ridge = ridge * size * (film * 0.2 + 0.3 * 1.1 * size) / (2.0 * l);
                     let spread =
                         [0.5 * xx - 0.1 * xy, 0.5 * xy - 0.1 * yy].map(|s| s * (spread + at_ridge));
-                    let pe_unseen = 1.1 * size * size / (2.0 * l * eps);
-                    let unseen = supg * elastic * coth(pe_unseen) * 1.1 / size * 0.02;
+                    let pe_unresolved = 1.1 * size * size / (2.0 * l * eps);
+                    let unresolved = supg * elastic * coth(pe_unresolved) * 1.1 / size * 0.02;
                     let expected = [
                         penalty - f,
                         eps * 0.5 + spread[0] - 1.1 * film * u
@@ -223,7 +235,7 @@ fn terms_of_the_weak_form() {
                         -eps * 0.1 + spread[1] - 1.1 * film * v
                             + weight * (beta * v - gls * grad_eps[1]),
                         -gls * weight * eps,
-                        unseen,
+                        unresolved,
                         weight,
                     ];
                     let ours = [
@@ -231,7 +243,7 @@ fn terms_of_the_weak_form() {
                         found.gradient[0],
                         found.gradient[1],
                         found.laplacian,
-                        found.unseen,
+                        found.unresolved,
                         found.missed,
                     ];
                     for (ours, expected) in ours.into_iter().zip(expected) {

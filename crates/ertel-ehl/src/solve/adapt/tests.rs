@@ -54,10 +54,10 @@ fn films_come_before_the_pressure() {
         refinement.halvings[elements].iter().any(|h| *h > 0)
     };
     let first = refinement_at(1e-3, 0.1).unwrap();
-    assert_eq!(first.aim, Aim::Films);
+    assert_eq!(first.aim, RefinementTarget::Films);
     assert!(halved(&first, 0..100) && !halved(&first, 100..N));
     let second = refinement_at(1e-5, 0.1).unwrap();
-    assert_eq!(second.aim, Aim::Pressure);
+    assert_eq!(second.aim, RefinementTarget::Pressure);
     assert!(halved(&second, 900..N) && !halved(&second, 0..900));
     assert!(refinement_at(1e-5, 1e-3).is_none());
 }
@@ -66,17 +66,20 @@ fn films_come_before_the_pressure() {
 #[test]
 fn films_that_lack_little_are_refined_for_with_the_pressure() {
     let both = refinement_at(3e-4, 0.1).unwrap();
-    assert_eq!(both.aim, Aim::Both);
+    assert_eq!(both.aim, RefinementTarget::Both);
     assert!(both.halvings[..100].iter().any(|h| *h > 0));
     assert!(both.halvings[900..].iter().any(|h| *h > 0));
-    assert_eq!(refinement_at(3e-4, 1e-3).unwrap().aim, Aim::Films);
+    assert_eq!(
+        refinement_at(3e-4, 1e-3).unwrap().aim,
+        RefinementTarget::Films
+    );
 }
 
 /// Five elements of a thousand err: one mesh more where the pressure errs by three times its target of 0.7 %, none at 1.2 times.
 #[test]
 fn a_few_elements_are_refined_where_they_err_much() {
     let at = |pressure: f64| refinement_where(1e-5, (pressure, 500..505), 0.0);
-    assert_eq!(at(0.021).unwrap().aim, Aim::Pressure);
+    assert_eq!(at(0.021).unwrap().aim, RefinementTarget::Pressure);
     assert!(at(0.0084).is_none());
 }
 
@@ -85,7 +88,7 @@ fn a_few_elements_are_refined_where_they_err_much() {
 fn cells_make_room_for_what_edges_do() {
     let at = |edges: f64| refinement_where(1.5e-4, (0.0, 900..1000), edges);
     assert!(at(0.0).is_none());
-    assert_eq!(at(3e-4).unwrap().aim, Aim::Films);
+    assert_eq!(at(3e-4).unwrap().aim, RefinementTarget::Films);
     // However much that is, the cells have half of the target.
     let cells = FIRST_BAR * 8e-5;
     assert!(cells < 0.5 * TARGET);
@@ -208,7 +211,7 @@ fn pressures_that_widen_the_bars_of_films_are_refined_for() {
     );
     for target in [Some(7e-3), None] {
         let refinement = line_with(2e-3, target).unwrap();
-        assert_eq!(refinement.aim, Aim::Pressure);
+        assert_eq!(refinement.aim, RefinementTarget::Pressure);
         let halved: Vec<usize> = (0..N).filter(|c| refinement.halvings[*c] > 0).collect();
         assert!(
             !halved.is_empty() && halved.iter().all(|c| *c < 5),

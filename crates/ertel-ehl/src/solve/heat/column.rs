@@ -49,8 +49,13 @@ pub struct Column {
 
 impl Column {
     /// Layers for a film of some order and bodies of `n_elements` each, down to `depth` half-widths, the first as
-    /// thick as `skins` says (plane, ball).
-    pub fn new(film_order: usize, n_elements: usize, depth: f64, skins: [f64; 2]) -> Column {
+    /// thick as `penetration_depths` says (plane, ball).
+    pub fn new(
+        film_order: usize,
+        n_elements: usize,
+        depth: f64,
+        penetration_depths: [f64; 2],
+    ) -> Column {
         let film = FilmNodes::new(film_order);
         let per_body = SOLID_ORDER * n_elements;
         let n = 2 * per_body + film.n();
@@ -59,7 +64,7 @@ impl Column {
         let shape = FilmNodes::new(SOLID_ORDER);
         let rule = Quadrature::simplex(1, 2 * SOLID_ORDER);
         let bodies = [0, 1].map(|b: usize| {
-            let ends = graded(n_elements, depth, skins[b]);
+            let ends = graded(n_elements, depth, penetration_depths[b]);
             let node = |k: usize| match b {
                 0 => wall[0] - k,
                 _ => wall[1] + k,

@@ -14,7 +14,9 @@ use super::relaxation::Relaxation;
 use super::stopping::StoppingRule;
 use crate::forms::energy::Heat;
 use crate::solve::evaluate::central_film;
-use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
+use crate::solve::newton::{
+    FilmModel, NewtonLevel, NewtonParams, NewtonStats, NewtonStatus, RunLabel,
+};
 use crate::solve::system::State;
 use crate::solve::tuning::heat::{
     FEW_STEPS, INNER_SHARE, LEAST_SHRINKING, MOST_STEPS, NEGLIGIBLE_RISE, ROUGHEST,
@@ -108,7 +110,7 @@ pub fn solve_coupled(
     state: &mut State,
     stats: &mut NewtonStats,
     observer: &mut dyn Observer,
-) -> Result<(Reached, CouplingStats), SolveError> {
+) -> Result<(NewtonStatus, CouplingStats), SolveError> {
     let d = level.discretisation;
     let mut temperatures = HeatNewton::new(d, &model.fluid, heat, params.heat);
     let mut coupling = CouplingStats {

@@ -3,7 +3,7 @@
 use ertel_fem::platform::Instant;
 use std::sync::Arc;
 
-use super::driver::{Attempt, Driver, StageEnd, StageSolver, Task};
+use super::driver::{Driver, StageEnd, StageSolver, Task, Trial};
 use super::stage_run::{DIVERGENCE_LIMIT, Finish, StageRun};
 use super::start::{cold_start, interpolate};
 use super::strategies::Outline;
@@ -13,7 +13,7 @@ use crate::solution::Role;
 use crate::solve::adapt::{RefinementEnd, grading_errors, next_refinement};
 use crate::solve::discretisation::{ContactSurface, Discretisation};
 use crate::solve::evaluate::{central_film, minimum_film};
-use crate::solve::newton::{NewtonStats, Reached};
+use crate::solve::newton::{NewtonStats, NewtonStatus};
 use crate::solve::ridge::ridge_shares;
 use crate::solve::system::State;
 use crate::solve::tuning::stages::{NO_FILM, STAGES_WITHOUT_END};
@@ -110,7 +110,7 @@ impl Outline {
     }
 }
 
-impl Attempt for StageSolution {
+impl Trial for StageSolution {
     fn stage(&self) -> &Stage {
         &self.stage
     }
@@ -294,7 +294,7 @@ impl StageSolver for MeshSolver<'_> {
         let (outcome, (reached, coupling)) = match outcome {
             Ok(reached) => (Ok(()), reached),
             Err(e) => {
-                let reached = Reached::of_failure(&e);
+                let reached = NewtonStatus::of_failure(&e);
                 (Err(e), (reached, None))
             }
         };

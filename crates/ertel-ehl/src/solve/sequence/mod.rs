@@ -23,7 +23,7 @@ use super::adjoint::RoughAdjoints;
 use super::discretisation::Discretisation;
 use super::heat::column::Column;
 use super::heat::coupling::{CouplingParams, CouplingStats};
-use super::newton::{NewtonParams, Reached};
+use super::newton::{NewtonParams, NewtonStatus};
 use super::sizes::{LevelSizes, expected_unknowns};
 use super::system::State;
 use crate::elastic::BodyModel;
@@ -79,7 +79,7 @@ pub struct StageSolution {
     /// The stage it solves.
     pub stage: Stage,
     /// How far Newton's method came.
-    pub reached: Reached,
+    pub reached: NewtonStatus,
     /// Whether it came to the tolerance of the stage.
     pub converged: bool,
     /// Whether it came only as far as measuring the errors needs, and not to the tolerance of the case.

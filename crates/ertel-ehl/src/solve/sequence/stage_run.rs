@@ -7,11 +7,13 @@ use crate::engine::far_field::beyond_edges;
 use crate::solution::{LevelStats, Role};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::discretisation::Discretisation;
-use crate::solve::figures::{Extent, figures};
+use crate::solve::figures::{Scope, figures};
 use crate::solve::heat::coupling::{CouplingParams, CouplingStats, solve_coupled};
 use crate::solve::heat::deviation::deviation;
 use crate::solve::indicator::{Indicator, indicator};
-use crate::solve::newton::{FilmModel, NewtonLevel, NewtonParams, NewtonStats, Reached, RunLabel};
+use crate::solve::newton::{
+    FilmModel, NewtonLevel, NewtonParams, NewtonStats, NewtonStatus, RunLabel,
+};
 use crate::solve::system::{FilmConstants, State};
 pub(super) use crate::solve::tuning::stages::DIVERGENCE_LIMIT;
 use crate::solve::tuning::stages::{
@@ -65,7 +67,7 @@ impl<'a> StageRun<'a> {
         state: &mut State,
         effort: &mut NewtonStats,
         observer: &mut dyn Observer,
-    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
+    ) -> Result<(NewtonStatus, Option<CouplingStats>), SolveError> {
         let leads = self.stage.role.leads();
         let mut params = self.problem.plan.newton;
         if finish == Finish::Rough {
@@ -108,7 +110,7 @@ impl<'a> StageRun<'a> {
             _ => &[1.0],
         };
         let from = state.clone();
-        let mut outcome = Ok((Reached::default(), None));
+        let mut outcome = Ok((NewtonStatus::default(), None));
         for share in ramp {
             outcome = self.run(*share, &params, state, effort, observer);
             let stalled = matches!(outcome, Err(SolveError::NotConverged { .. }));
@@ -152,7 +154,7 @@ impl<'a> StageRun<'a> {
         state: &mut State,
         effort: &mut NewtonStats,
         observer: &mut dyn Observer,
-    ) -> Result<(Reached, Option<CouplingStats>), SolveError> {
+    ) -> Result<(NewtonStatus, Option<CouplingStats>), SolveError> {
         let label = RunLabel {
             level: self.level,
             penalty_share,
@@ -246,8 +248,8 @@ impl<'a> StageRun<'a> {
         let contact = &d.contact;
         // What leads to other stages has no figures that are asked for, nor has what failed.
         let extent = match self.stage.role {
-            Role::Estimate | Role::Final | Role::Isothermal if converged => Extent::All,
-            _ => Extent::Films,
+            Role::Estimate | Role::Final | Role::Isothermal if converged => Scope::All,
+            _ => Scope::Films,
         };
         let mut stats = LevelStats {
             converged,

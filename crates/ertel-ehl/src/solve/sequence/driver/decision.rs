@@ -1,8 +1,8 @@
 //! What follows from the end of a stage.
 
-use super::{Attempt, Driver, StageEnd, StageSolver};
+use super::{Driver, StageEnd, StageSolver, Trial};
 use crate::solution::Role;
-use crate::solve::adapt::Aim;
+use crate::solve::adapt::RefinementTarget;
 use crate::solve::sequence::stage::Stage;
 use crate::solve::sequence::strategies::halfway::halfway;
 use crate::solve::sequence::strategies::lower_order::quadratic;
@@ -73,7 +73,8 @@ impl<S: StageSolver> Driver<S> {
                 return Decision::StopRefining;
             }
             // Films that are as accurate as asked for need no second try.
-            let tried = self.restarted == stage.refinements || self.refinement.aim == Aim::Pressure;
+            let tried = self.restarted == stage.refinements
+                || self.refinement.aim == RefinementTarget::Pressure;
             return match tried {
                 true => Decision::StopRefining,
                 false => Decision::RestartRefined,
@@ -121,7 +122,7 @@ impl<S: StageSolver> Driver<S> {
 
     /// Whether a stage has the case's own pressures where a solution with those of lower order stands on its mesh.
     fn raises(&self, stage: &Stage) -> bool {
-        let from = self.current.as_ref().map(Attempt::stage);
+        let from = self.current.as_ref().map(Trial::stage);
         let below = |from: &Stage| {
             from.role == Role::Final
                 && from.pressure_order < stage.pressure_order

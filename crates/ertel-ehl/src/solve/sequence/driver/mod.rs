@@ -13,12 +13,12 @@ mod tests;
 use std::collections::VecDeque;
 
 use decision::Decision;
-pub(super) use stage_solver::{Attempt, StageEnd, StageSolver, Task};
+pub(super) use stage_solver::{StageEnd, StageSolver, Task, Trial};
 
 use super::stage::Stage;
 use super::strategies::{Fallback, Outline, diffusion, fallbacks};
 use crate::solution::Role;
-use crate::solve::adapt::{Aim, Refinement};
+use crate::solve::adapt::{Refinement, RefinementTarget};
 use crate::solve::{Observer, SolveError};
 
 /// Where a solve stands.
@@ -68,7 +68,7 @@ impl<S: StageSolver> Driver<S> {
             before_refinement: None,
             refinement: Refinement {
                 halvings: Vec::new(),
-                aim: Aim::Films,
+                aim: RefinementTarget::Films,
                 film_bar: f64::INFINITY,
             },
             halved_steps: 0,
@@ -122,7 +122,7 @@ impl<S: StageSolver> Driver<S> {
             self.follow(decision, &stage, end, observer)?;
         }
         let solution = self.current.filter(|s| s.stage().role == Role::Final);
-        match solution.filter(Attempt::converged) {
+        match solution.filter(Trial::converged) {
             Some(solution) => Ok((solution, self.solver)),
             // Every queue ends with a final stage; what follows a failure may not reach its end.
             None => Err(all_failed(self.first_failure, self.tried)),
@@ -200,12 +200,12 @@ impl<S: StageSolver> Driver<S> {
         self.before_refinement = None;
         match refinement {
             Some(refinement) => {
-                if refinement.aim != Aim::Films {
+                if refinement.aim != RefinementTarget::Films {
                     self.ridge_diffusion = self.outline.ridge_diffusion;
                 }
                 // Films that are about as accurate as asked for bear no long search, nor does what can be tried with a diffused ridge.
                 let given_up_early = self.outline.impatient
-                    || refinement.aim != Aim::Films
+                    || refinement.aim != RefinementTarget::Films
                     || self.ridge_diffusion < self.outline.ridge_diffusion;
                 self.refinement = refinement;
                 self.queue.push_back(Stage {

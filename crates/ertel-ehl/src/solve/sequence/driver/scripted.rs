@@ -8,7 +8,7 @@ pub enum Ending {
     Solved,
     /// Solved, with errors that are too large: of the films, or of the pressure.
     Inaccurate {
-        aim: Aim,
+        aim: RefinementTarget,
     },
     /// Failed near a contact.
     Stalled,
@@ -20,7 +20,9 @@ pub enum Ending {
 use Ending::{Diverged, Interrupted, Solved, Stalled};
 
 /// Films that are not accurate enough.
-pub const COARSE: Ending = Ending::Inaccurate { aim: Aim::Films };
+pub const COARSE: Ending = Ending::Inaccurate {
+    aim: RefinementTarget::Films,
+};
 
 /// What a stage came to.
 #[derive(Debug)]
@@ -30,7 +32,7 @@ pub struct Point {
     pub finished: bool,
 }
 
-impl Attempt for Point {
+impl Trial for Point {
     fn stage(&self) -> &Stage {
         &self.stage
     }
@@ -123,6 +125,6 @@ pub fn run(
         rule,
         trace: &mut trace,
     };
-    let end = Driver::new(outline, solver).run(&mut crate::solve::Silent);
+    let end = Driver::new(outline, solver).run(&mut crate::solve::NoObserver);
     (end.map(|(point, _)| point), trace)
 }

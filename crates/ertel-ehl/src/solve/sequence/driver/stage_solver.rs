@@ -7,7 +7,7 @@ use crate::solve::{Observer, SolveError};
 /// What solves a stage.
 pub(in super::super) trait StageSolver {
     /// What a stage comes to.
-    type Solution: Attempt;
+    type Solution: Trial;
 
     /// Solves a stage, and says how to refine its mesh if the errors are too large.
     ///
@@ -31,7 +31,7 @@ pub(in super::super) trait StageSolver {
 }
 
 /// What the driver asks of the state a stage came to.
-pub(in super::super) trait Attempt {
+pub(in super::super) trait Trial {
     /// The stage.
     fn stage(&self) -> &Stage;
     /// Whether it came to the tolerance of the stage.

@@ -154,7 +154,9 @@ fn the_mesh_before_stands_where_the_refined_one_fails_again() {
 #[test]
 fn a_mesh_for_the_pressure_alone_is_tried_once() {
     let (end, trace) = run(outline(3), |n, _| match n {
-        1 => Ending::Inaccurate { aim: Aim::Pressure },
+        1 => Ending::Inaccurate {
+            aim: RefinementTarget::Pressure,
+        },
         2 => Diverged,
         _ => Solved,
     });
@@ -235,7 +237,7 @@ fn a_mesh_for_the_pressure_has_a_diffused_ridge() {
         ridge_diffusion: 1.0,
         ..outline(3)
     };
-    for aim in [Aim::Pressure, Aim::Both] {
+    for aim in [RefinementTarget::Pressure, RefinementTarget::Both] {
         let (_, trace) = run(outline.clone(), |n, _| match n {
             1 => Ending::Inaccurate { aim },
             _ => Solved,
@@ -319,7 +321,7 @@ fn a_warm_start_succeeds_or_fails_at_once() {
         };
         let mut driver = Driver::warm(outline, solver, from, stage);
         driver.refinement.halvings = vec![1];
-        let end = driver.run(&mut crate::solve::Silent);
+        let end = driver.run(&mut crate::solve::NoObserver);
         (end.map(|(point, _)| point.stage.refinements), trace.len())
     };
     let (end, n) = warm([Solved; 3]);
