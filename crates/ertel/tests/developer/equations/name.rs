@@ -20,10 +20,7 @@ const HABCHI: &str = "Habchi 2008";
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Equation {
     /// Of one of the sources, with its number there.
-    Numbered {
-        source: usize,
-        number: Number,
-    },
+    Numbered { source: usize, number: Number },
     /// By bold words or a heading.
     Named(String),
 }
