@@ -25,13 +25,13 @@ pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::problem::{problem_beside, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
-    Asked, HeatRound, IterationRecord, Measured, RollerFigures, Solution, Starvation, Stats,
-    Uncertainties, Unresolved,
+    Asked, HeatRound, IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties,
+    Unresolved,
 };
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::newton::FilmModel;
+use crate::solve::sequence::Problem;
 pub use crate::solve::sequence::Start;
-use crate::solve::sequence::{Problem, StageSolution};
 use crate::solve::{Finished, FiniteElements, Observer, SolveError};
 use crate::warning::{Warning, WarningKind};
 
@@ -147,21 +147,14 @@ fn solve_here(
             FiniteElements.solve(&problem, &mut recorder)?
         }
     };
-    let measured = solved.measured(&problem).with_meniscus(&case.supply);
-    let Finished { mut finest, levels } = solved;
     let stats = Stats {
         warm: warm_start.is_some(),
-        levels,
+        levels: solved.levels().to_vec(),
         wall_seconds: 0.0,
         peak_memory: None,
     };
-    let mut solution = describe(
-        case,
-        &problem,
-        (&finest, &measured),
-        stats,
-        recorder.history,
-    )?;
+    let mut solution = describe(case, &problem, &solved, stats, recorder.history)?;
+    let mut finest = solved.finest;
     let levels = &solution.stats.levels;
     let rough = finest.adjoints.take().map(|rough| *rough);
     let start = match warm_start {
@@ -234,11 +227,13 @@ fn note_sensitivities(
 fn describe(
     case: &Case,
     problem: &Problem,
-    (finest, measured): (&StageSolution, &Measured),
+    solved: &Finished,
     stats: Stats,
     history: Vec<IterationRecord>,
 ) -> Result<Solution, SolveError> {
-    let levels = &stats.levels;
+    let (finest, levels) = (&solved.finest, solved.levels());
+    let measured = &solved.measured(problem).with_meniscus(&case.supply);
+    let film = &solved.film(problem);
     let extents = finest.discretisation.contact.extents;
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
@@ -269,7 +264,7 @@ fn describe(
     let summary = post::summary::summarise(finest, measured, &model, &scales);
     let thermal = (case.thermal())
         .and_then(|params| post::thermal::thermal(finest, problem, levels, measured, params));
-    let (checks, summed_to) = post::checks::checks(problem, finest, &summary, thermal.as_ref());
+    let (checks, summed_to) = post::checks::checks(problem, film, &summary, thermal.as_ref());
     let mut warnings = case.warnings.clone();
     warnings.extend(post::checks::warning(
         &problem.shape,

@@ -2,22 +2,18 @@
 
 use crate::contact::Shape;
 use crate::engine::friction::friction;
+use crate::engine::{Extents, Film, Problem};
 use crate::solution::{Balance, Checks, Figure, Figures, Summary, SummedTo, Thermal};
-use crate::solve::discretisation::Extents;
-use crate::solve::points::Evaluated;
-use crate::solve::sequence::{Problem, StageSolution};
 use crate::warning::{Warning, WarningKind};
 
 /// The balances of a solution, and where its shear is summed.
-pub fn checks(
-    problem: &Problem,
-    solution: &StageSolution,
+pub fn checks<Plan>(
+    problem: &Problem<Plan>,
+    film: &impl Film,
     summary: &Summary,
     thermal: Option<&Thermal>,
 ) -> (Checks, SummedTo) {
-    let (d, state) = (&solution.discretisation, &solution.state);
-    let film = Evaluated::new(&problem.shape, d, state);
-    let f = friction(problem, &problem.fluid, &film);
+    let f = friction(problem, &problem.fluid, film);
     let power = match thermal {
         None => Balance::of(f.here.work, f.here.dissipation + f.through_end),
         Some(thermal) => {
