@@ -233,7 +233,7 @@ fn mistakes_are_refused() {
     let case_schema = schema("case");
     let good = json!({
         "contact": { "kind": "circular", "radius": "16 mm", "load": "100 N ± 2 %" },
-        "bodies": { "plane": "steel", "ball": "my-steel.toml" },
+        "bodies": { "body_1": "steel", "body_2": "my-steel.toml" },
         "motion": { "entrainment_speed": "[1, 2] m/s", "slide_to_roll_ratio": 0.0 },
         "lubricant": { "temperature": "40 degC", "density": { "law": "constant", "rho_0": "870 kg/m^3" },
             "viscosity": { "law": "barus", "mu_0": "40 mPa.s", "alpha": "22 1/GPa" } },

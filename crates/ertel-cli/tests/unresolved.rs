@@ -13,8 +13,8 @@ radius = "10 mm"
 load = "100 kN/m"
 
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 
 [motion]
 entrainment_speed = "2 m/s"

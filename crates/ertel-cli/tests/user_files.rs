@@ -17,7 +17,7 @@ fn stderr(output: &Output) -> &str {
 }
 
 const ROLLER: &str = "[contact]\nkind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"\n\
-                      [bodies]\nplane = \"steel\"\nball = \"steel\"\n\
+                      [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
                       [motion]\nentrainment_speed = \"2 m/s\"\nslide_to_roll_ratio = 0\n\
                       [lubricant]\ntemperature = \"40 degC\"\n\
                       density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }\n";

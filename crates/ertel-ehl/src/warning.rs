@@ -97,7 +97,6 @@ pub struct Warning {
     /// The sentence.
     pub text: String,
     /// How far a bound is exceeded, to tell the worst of one kind.
-    #[serde(default)]
     pub excess: f64,
 }
 

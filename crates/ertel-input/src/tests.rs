@@ -9,8 +9,8 @@ radius = "16 mm"
 load = "100 N"
 
 [bodies]
-plane = "steel"
-ball = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
+body_1 = "steel"
+body_2 = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
 
 [mesh]
 order = 2
@@ -67,7 +67,7 @@ fn every_kind_of_value_is_read() {
     let StrOrTable::Table(mut ball) = bodies.required_str_or_table("ball").unwrap() else {
         panic!("not a table");
     };
-    assert_eq!(ball.path(), "bodies.ball");
+    assert_eq!(ball.path(), "bodies.body_2");
     let modulus = ball.required_quantity("youngs_modulus", Dimension::PRESSURE, Bounds::POSITIVE);
     assert_eq!(modulus.unwrap(), 210e9);
     let ratio = ball.required_number("poissons_ratio", Bounds::open(-1.0, 0.5));

@@ -303,12 +303,7 @@ const USUAL: &[Usual] = &[
         &["kg/m^3", "g/cm^3"],
     ),
     usual(
-        &[
-            "plane.density",
-            "ball.density",
-            "body_1.density",
-            "body_2.density",
-        ],
+        &["body_1.density", "body_2.density"],
         Dimension::DENSITY,
         [800.0, 20_000.0],
         ("kg/m^3", 1.0),

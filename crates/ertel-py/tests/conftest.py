@@ -31,7 +31,7 @@ def program() -> str:
 
 LINE = {
     "contact": {"kind": "line", "radius": "10 mm", "load": "100 kN/m"},
-    "bodies": {"plane": "steel", "ball": "steel"},
+    "bodies": {"body_1": "steel", "body_2": "steel"},
     "motion": {"entrainment_speed": "2 m/s", "slide_to_roll_ratio": 0.0},
     "lubricant": {
         "temperature": "40 degC",

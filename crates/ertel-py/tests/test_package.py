@@ -57,8 +57,8 @@ def test_keywords_say_what_a_file_says(line: dict[str, Any]) -> None:
         radius = "10 mm"
         load = "100 kN/m"
         [bodies]
-        plane = "steel"
-        ball = "steel"
+        body_1 = "steel"
+        body_2 = "steel"
         [motion]
         entrainment_speed = "2 m/s"
         slide_to_roll_ratio = 0.0
@@ -102,8 +102,8 @@ def test_pint_quantities(line: dict[str, Any]) -> None:
         ("contact", "radios", "16 mm", "unknown key"),
         ("contact", "kind", "cube", "kind"),
         ("motion", "slide_to_roll_ratio", math.nan, "slide_to_roll_ratio"),
-        ("bodies", "plane", "wood", "wood"),
-        ("bodies", "plane", object(), "bodies.plane"),
+        ("bodies", "body_1", "wood", "wood"),
+        ("bodies", "body_1", object(), "bodies.body_1"),
         ("mesh", "target_error", "1 mm", "target_error"),
     ],
 )

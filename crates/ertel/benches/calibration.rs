@@ -254,8 +254,8 @@ fn group_contact(kind: &str, m: f64, l: f64) -> Contact {
         name: format!("{kind} M {m} L {l}"),
         text: format!(
             "[contact]\nkind = \"{kind}\"\nradius = \"16 mm\"\nload = \"{load:e} {unit}\"\n\
-             [bodies]\nplane = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }}\n\
-             ball = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }}\n\
+             [bodies]\nbody_1 = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }}\n\
+             body_2 = {{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }}\n\
              [motion]\nentrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.0\n\
              [lubricant]\ntemperature = \"40 degC\"\n\
              density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}\nviscosity = {law}\n"

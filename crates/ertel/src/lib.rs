@@ -11,8 +11,8 @@
 //!     .set("contact.kind", "line")                       // or "circular", "elliptical", "roller"
 //!     .set("contact.radius", "10 mm")
 //!     .set("contact.load", "100 kN/m")
-//!     .set("bodies.plane", "steel")
-//!     .set("bodies.ball", "steel")
+//!     .set("bodies.body_1", "steel")
+//!     .set("bodies.body_2", "steel")
 //!     .set("motion.entrainment_speed", "2 m/s")
 //!     .set("motion.slide_to_roll_ratio", 0.0)
 //!     .set("lubricant", "squalane-pip")

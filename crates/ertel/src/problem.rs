@@ -539,7 +539,7 @@ mod tests {
         let at = |load: f64, more: &str| {
             let text = format!(
                 "lubricant = \"squalane-pip\"\ntemperature = \"40 degC\"\n[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"{load:e} N\"\n\
-                 [bodies]\nplane = \"steel\"\nball = \"steel\"\n[motion]\nentrainment_speed = \"0.01 m/s\"\nslide_to_roll_ratio = 0.0\n{more}"
+                 [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[motion]\nentrainment_speed = \"0.01 m/s\"\nslide_to_roll_ratio = 0.0\n{more}"
             );
             let document = Document::parse("case.toml", text).unwrap();
             let case = Case::from_document(&document, Path::new("")).unwrap();

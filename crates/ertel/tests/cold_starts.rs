@@ -28,8 +28,8 @@ kind = "circular"
 radius = "16 mm"
 hertz_pressure = "1 MPa"
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 [motion]
 entrainment_speed = "0.8 m/s"
 slide_to_roll_ratio = 0.0
@@ -64,8 +64,8 @@ kind = "line"
 radius = "12.7 mm"
 hertz_pressure = "1e-3 GPa"
 [bodies]
-plane = "glass"
-ball = "steel"
+body_1 = "glass"
+body_2 = "steel"
 [motion]
 entrainment_speed = "1 m/s"
 slide_to_roll_ratio = 0.0
@@ -101,8 +101,8 @@ kind = "line"
 radius = "10 mm"
 hertz_pressure = "0.8 GPa"
 [bodies]
-plane = "{plane}"
-ball = "steel"
+body_1 = "{plane}"
+body_2 = "steel"
 [motion]
 entrainment_speed = "2 m/s"
 slide_to_roll_ratio = {ratio}
@@ -124,8 +124,8 @@ kind = "circular"
 radius = "10 mm"
 hertz_pressure = "1.5 GPa"
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 [motion]
 entrainment_speed = "10 m/s"
 slide_to_roll_ratio = 1
@@ -159,8 +159,8 @@ kind = "line"
 radius = "5 mm"
 hertz_pressure = "2100 MPa"
 [bodies]
-plane = "gear-steel"
-ball = "gear-steel"
+body_1 = "gear-steel"
+body_2 = "gear-steel"
 [motion]
 entrainment_speed = "16 m/s"
 slide_to_roll_ratio = -2
@@ -179,8 +179,8 @@ kind = "line"
 radius = "20 mm"
 hertz_pressure = "500 MPa"
 [bodies]
-plane = "steel"
-ball = { name = "silicon-nitride", thermal_conductivity = "29 W/(m.K)", heat_capacity = "680 J/(kg.K)" }
+body_1 = "steel"
+body_2 = { name = "silicon-nitride", thermal_conductivity = "29 W/(m.K)", heat_capacity = "680 J/(kg.K)" }
 [motion]
 entrainment_speed = "22 m/s"
 slide_to_roll_ratio = 0.01
@@ -205,8 +205,8 @@ kind = "circular"
 radius = "12.7 mm"
 hertz_pressure = "300 MPa"
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 [motion]
 entrainment_speed = "30 m/s"
 slide_to_roll_ratio = 0.01

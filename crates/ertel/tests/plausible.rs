@@ -15,8 +15,8 @@ const ROLLER: &str = r#"
     radius = "10 mm"
     load = "100 kN/m"
     [bodies]
-    plane = "steel"
-    ball = "steel"
+    body_1 = "steel"
+    body_2 = "steel"
     [motion]
     entrainment_speed = "2 m/s"
     slide_to_roll_ratio = 0.05
@@ -129,8 +129,8 @@ fn an_open_heat_balance() {
     radius = "20 mm"
     hertz_pressure = "400 MPa"
     [bodies]
-    plane = "sapphire"
-    ball = "steel"
+    body_1 = "sapphire"
+    body_2 = "steel"
     [motion]
     entrainment_speed = "{speed} m/s"
     slide_to_roll_ratio = {ratio}

@@ -91,8 +91,8 @@ kind = "line"
 radius = "12.7 mm"
 hertz_pressure = "700 MPa"
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 [motion]
 entrainment_speed = "30 m/s"
 slide_to_roll_ratio = 0

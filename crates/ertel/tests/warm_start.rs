@@ -19,8 +19,8 @@ kind = "line"
 radius = "10 mm"
 load = "50 kN/m"
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 [motion]
 entrainment_speed = "1 m/s"
 slide_to_roll_ratio = 0.0

@@ -79,7 +79,7 @@ impl<'a> Table<'a> {
         self.clone().noted_by(None)
     }
 
-    /// The key path of this table, `bodies.ball`; empty for the top level.
+    /// The key path of this table, `bodies.body_2`; empty for the top level.
     #[must_use]
     pub fn path(&self) -> &str {
         &self.path

@@ -342,7 +342,7 @@ impl List {
         let _ = write!(
             text,
             "kind = \"{kind}\"\nradius = \"{radius} mm\"\nload = \"{load:e} {unit}\"\n\n\
-             [bodies]\nplane = \"{}\"\nball = \"{}\"\n\n\
+             [bodies]\nbody_1 = \"{}\"\nbody_2 = \"{}\"\n\n\
              [motion]\nentrainment_speed = \"{speed:e} m/s\"\nslide_to_roll_ratio = 0.0\n\n\
              [lubricant]\n{lubricant}\n[output]\nbody_field = false\n",
             bodies.plane, bodies.ball

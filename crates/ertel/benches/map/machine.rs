@@ -71,7 +71,7 @@ pub fn cases() -> Vec<MapCase> {
 fn text(name: &str, contact: &str, speed: f64, oil: usize) -> String {
     let (fluid, temperature, _, _) = OILS[oil];
     format!(
-        "title = \"{name}\"\n\n[contact]\n{contact}\n[bodies]\nplane = \"steel\"\nball = \"steel\"\n\n\
+        "title = \"{name}\"\n\n[contact]\n{contact}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\n\
          [motion]\nentrainment_speed = \"{speed} m/s\"\nslide_to_roll_ratio = 0.0\n\n\
          [lubricant]\nname = \"{fluid}\"\ntemperature = \"{temperature}\"\n\n[output]\nbody_field = false\n"
     )

@@ -216,7 +216,7 @@ fn case(
     );
     let text = format!(
         "title = \"{name}\"\n\n[contact]\nkind = \"{contact}\"\nradius = \"{radius} mm\"\n\
-         hertz_pressure = \"{pressure} MPa\"\n\n[bodies]\nplane = {plane}\nball = {ball}\n\n\
+         hertz_pressure = \"{pressure} MPa\"\n\n[bodies]\nbody_1 = {plane}\nbody_2 = {ball}\n\n\
          [motion]\nentrainment_speed = \"{speed} m/s\"\nslide_to_roll_ratio = {sliding}\n\n\
          [lubricant]\n{}\n{heat}[output]\nbody_field = false\n",
         oil.text

@@ -20,8 +20,8 @@ use super::study::quoted;
 ///     .set("contact.kind", "line")
 ///     .set("contact.radius", "10 mm")
 ///     .set("contact.load", "100 kN/m")
-///     .set("bodies.plane", "steel")
-///     .set("bodies.ball", "steel")
+///     .set("bodies.body_1", "steel")
+///     .set("bodies.body_2", "steel")
 ///     .set("motion.entrainment_speed", "2 m/s")
 ///     .set("motion.slide_to_roll_ratio", 0.0)
 ///     .set("lubricant", "squalane-pip")
@@ -168,9 +168,9 @@ mod tests {
             .set("contact.kind", "line")
             .set("contact.radius", "10 mm")
             .set("contact.load", "100 kN/m")
-            .set("bodies.plane", "steel")
-            .set("bodies.ball.youngs_modulus", "210 GPa")
-            .set("bodies.ball.poissons_ratio", 0.3)
+            .set("bodies.body_1", "steel")
+            .set("bodies.body_2.youngs_modulus", "210 GPa")
+            .set("bodies.body_2.poissons_ratio", 0.3)
             .set("motion.entrainment_speed", "2 m/s")
             .set("motion.slide_to_roll_ratio", 0.0)
             .set("lubricant", "squalane-pip")
@@ -183,7 +183,7 @@ mod tests {
         let built = roller().build().unwrap();
         let file = "temperature = '40 degC'\nlubricant = 'squalane-pip'\n\
                     [contact]\nkind = 'line'\nradius = '10 mm'\nload = '100 kN/m'\n\
-                    [bodies]\nplane = 'steel'\nball = { youngs_modulus = '210 GPa', poissons_ratio = 0.3 }\n\
+                    [bodies]\nbody_1 = 'steel'\nbody_2 = { youngs_modulus = '210 GPa', poissons_ratio = 0.3 }\n\
                     [motion]\nentrainment_speed = '2 m/s'\nslide_to_roll_ratio = 0.0\n";
         let read = Case::from_text("case.toml", file, Path::new("")).unwrap();
         assert_eq!(built.echo().contact, read.echo().contact);

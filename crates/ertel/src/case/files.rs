@@ -19,7 +19,7 @@ impl Case {
 
 /// The files of the user that a value may stand for, as a lubricant or a material.
 fn own(key: &str, name: &str, folder: &Path) -> Vec<PathBuf> {
-    const KEYS: [&str; 6] = ["lubricant", "name", "plane", "ball", "body_1", "body_2"];
+    const KEYS: [&str; 4] = ["lubricant", "name", "body_1", "body_2"];
     if !KEYS.contains(&key) {
         return Vec::new();
     }

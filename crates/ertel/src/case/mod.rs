@@ -9,10 +9,10 @@
 //! load = "100 N"                    # or hertz_pressure = "1 GPa"
 //!
 //! [bodies]                          # a name from the solids database, or a table
-//! plane = "steel"
-//! ball = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
+//! body_1 = "steel"
+//! body_2 = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
 //!
-//! [motion]                          # or ball_speed and plane_speed
+//! [motion]                          # or body_1_speed and body_2_speed
 //! entrainment_speed = "0.8 m/s"     # (u_ball + u_plane)/2
 //! slide_to_roll_ratio = 0.0         # (u_ball - u_plane)/entrainment speed
 //!

@@ -325,8 +325,6 @@ pub(super) fn read_output(
                 .with_help(format!("the formats are {known}"))
         })?;
     }
-    // The older key.
-    output.pictures.png |= table.optional_bool("png")?.unwrap_or(false);
     set(&mut output.body_field, table.optional_bool("body_field")?);
     if let Some(wanted) = table.optional_bool("sensitivities")? {
         output.sensitivities = match wanted {

@@ -11,8 +11,8 @@ use crate::contact::roller::Profile;
 
 const REST: &str = r#"
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 [motion]
 entrainment_speed = "1 m/s"
 slide_to_roll_ratio = 0.0

@@ -11,7 +11,7 @@ const EXAMPLES: [(&str, &str); 4] = [
     ),
     (
         "bodies",
-        "[bodies] needs plane = \"steel\" and ball = \"steel\", for example; `ertel solids` lists the names",
+        "[bodies] needs body_1 = \"steel\" and body_2 = \"steel\", for example; `ertel solids` lists the names",
     ),
     (
         "motion",

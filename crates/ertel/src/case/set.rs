@@ -203,7 +203,7 @@ mod tests {
             "motion.slide_to_roll_ratio=0.5",
             "lubricant.viscosity.mu_0=\"50 mPa.s\"",
             "solver.isothermal=true",
-            "bodies.ball={ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }",
+            "bodies.body_2={ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }",
             "title=Other title",
             "mesh.preset=normal",
         ])

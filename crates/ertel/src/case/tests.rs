@@ -14,8 +14,8 @@ kind = "circular"
 radius = "16 mm"
 load = "100 N"
 [bodies]
-plane = "steel"
-ball = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
+body_1 = "steel"
+body_2 = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
 [motion]
 entrainment_speed = "0.8 m/s"
 slide_to_roll_ratio = 0.0
@@ -95,7 +95,7 @@ fn a_hertz_pressure_stands_for_the_load() {
 fn surface_speeds_stand_for_entrainment_and_slide_to_roll() {
     let case = with(
         "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.0",
-        "ball_speed = \"1.2 m/s\"\nplane_speed = \"800 mm/s\"",
+        "body_2_speed = \"1.2 m/s\"\nplane_speed = \"800 mm/s\"",
     )
     .unwrap();
     assert_relative_eq!(case.motion.entrainment_speed, 1.0, max_relative = 1e-15);

@@ -16,8 +16,8 @@ kind = "circular"
 radius = "12.7 mm"
 load = "23 N"
 [bodies]
-plane = "glass"
-ball = "steel"
+body_1 = "glass"
+body_2 = "steel"
 [motion]
 entrainment_speed = "1.47 m/s"
 slide_to_roll_ratio = 0.5
@@ -119,9 +119,9 @@ fn what_is_impossible_is_refused_with_its_line() {
         ("surface_order = 3", "from 1 to 2"),
         ("tolerance = 0", "`tolerance` must be between"),
         ("max_iterations = 0", "from 1 to 10000"),
-        ("plane_temperature = 313", "has no unit"),
-        ("ball_temperature = \"-300 degC\"", "below absolute zero"),
-        ("ball_temperature = \"50 K\"", "between 100 K and 1000 K"),
+        ("body_1_temperature = 313", "has no unit"),
+        ("body_2_temperature = \"-300 degC\"", "below absolute zero"),
+        ("body_2_temperature = \"50 K\"", "between 100 K and 1000 K"),
         ("profiles = [0, 1]", "points of two numbers"),
         ("profiles = [[0, 1, 2]]", "points of two numbers"),
         ("profiles = [[0, inf]]", "finite"),
@@ -144,11 +144,11 @@ fn what_is_impossible_is_refused_with_its_line() {
 
 #[test]
 fn missing_data_are_named_with_their_place() {
-    let ceramic = SQUALANE.replace("ball = \"steel\"", "ball = \"silicon-nitride\"");
+    let ceramic = SQUALANE.replace("body_2 = \"steel\"", "body_2 = \"silicon-nitride\"");
     let text = message(read(&format!("{ceramic}[thermal]")));
     for words in [
         "the thermal_conductivity of the ball (silicon-nitride), the heat_capacity of the ball",
-        "ball = { name = \"silicon-nitride\", heat_capacity = \"... J/(kg.K)\" }",
+        "body_2 = { name = \"silicon-nitride\", heat_capacity = \"... J/(kg.K)\" }",
         "isothermal = true",
         "database",
     ] {
@@ -170,7 +170,7 @@ fn missing_data_are_named_with_their_place() {
     let words = "without the density of the ball, the thermal_conductivity of the ball\n";
     assert!(text.contains(words), "{text}");
     assert!(
-        text.contains("to `ball` in [bodies]") && !text.contains("database"),
+        text.contains("to `body_2` in [bodies]") && !text.contains("database"),
         "{text}"
     );
 
@@ -186,10 +186,10 @@ fn missing_data_are_named_with_their_place() {
 #[test]
 fn units_that_were_mistaken_are_refused() {
     let ball = |data: &str| {
-        let body = format!("ball = {{ name = \"steel\", {data} }}");
+        let body = format!("body_2 = {{ name = \"steel\", {data} }}");
         read(&format!(
             "{}[thermal]",
-            SQUALANE.replace("ball = \"steel\"", &body)
+            SQUALANE.replace("body_2 = \"steel\"", &body)
         ))
     };
     let text = message(ball("thermal_conductivity = \"46 kW/(m.K)\""));
@@ -236,11 +236,7 @@ fn the_range_that_a_temperature_leaves() {
 /// A body at 150 K freezes squalane, whose viscosity there is beyond that of pitch: refused, by the key of the body.
 #[test]
 fn a_body_that_freezes_the_lubricant_is_refused() {
-    for key in [
-        "body_1_temperature",
-        "body_2_temperature",
-        "ball_temperature",
-    ] {
+    for key in ["body_1_temperature", "body_2_temperature"] {
         let text = message(thermal(&format!("{key} = \"150 K\"")));
         assert!(
             text.contains("the viscosity of the lubricant at 150 K"),

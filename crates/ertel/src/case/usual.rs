@@ -106,7 +106,7 @@ pub(super) fn of_data(case: &Case, asked: &[Warning]) -> Vec<Warning> {
             ),
             (
                 "density",
-                ("plane.density", Dimension::DENSITY),
+                ("body_1.density", Dimension::DENSITY),
                 body.density,
             ),
             (
@@ -265,7 +265,7 @@ mod tests {
                 "title = \"Mine\"\nsource = \"me\"\nyoungs_modulus = \"210 GPa\"\npoissons_ratio = 0.3\ndensity = \"{density}\"\n"
             );
             std::fs::write(folder.path().join("mine.toml"), solid).unwrap();
-            let text = CASE.replace("ball = \"steel\"", "ball = \"mine.toml\"");
+            let text = CASE.replace("body_2 = \"steel\"", "body_2 = \"mine.toml\"");
             let case = Case::from_text("case.toml", &text, folder.path()).unwrap();
             let unusual =
                 (case.warnings.into_iter()).filter(|w| w.kind == WarningKind::UnusualInput);

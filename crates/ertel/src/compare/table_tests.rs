@@ -17,8 +17,8 @@ slide_to_roll_ratio = 0.0
 
 const REST: &str = r#"
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 [lubricant]
 name = "squalane-pip"
 temperature = "50 degC"

@@ -10,8 +10,8 @@ kind = "circular"
 radius = "9.525 mm"
 load = "20 N"
 [bodies]
-plane = "glass"
-ball = "steel"
+body_1 = "glass"
+body_2 = "steel"
 [motion]
 entrainment_speed = "1 m/s"
 slide_to_roll_ratio = 0.0

@@ -13,8 +13,8 @@ kind = "circular"
 radius = "16 mm"
 load = "100 N"
 [bodies]
-plane = "steel"
-ball = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
+body_1 = "steel"
+body_2 = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
 [motion]
 entrainment_speed = "0.8 m/s"
 slide_to_roll_ratio = 0.0
@@ -35,8 +35,8 @@ kind = "circular"
 radius = "12.7 mm"
 load = "{load}"
 [bodies]
-plane = "glass"
-ball = "steel"
+body_1 = "glass"
+body_2 = "steel"
 [motion]
 entrainment_speed = "{speed}"
 slide_to_roll_ratio = 0.0
@@ -279,7 +279,7 @@ fn thin_films_are_warned_of() {
 fn lambda_ratio() {
     assert_eq!(of(STEEL).lambda, None);
     let rough =
-        |sigma: &str| of(&STEEL.replace("plane =", &format!("roughness = \"{sigma}\"\nplane =")));
+        |sigma: &str| of(&STEEL.replace("body_1 =", &format!("roughness = \"{sigma}\"\nplane =")));
     let e = rough("100 nm");
     let lambda = e.lambda.unwrap();
     assert_relative_eq!(lambda.of_minimum.unwrap(), 1.48596, max_relative = TABLE);
@@ -303,7 +303,7 @@ fn lambda_ratio() {
 #[test]
 fn asperities_over_the_dry_contact() {
     let section = "[surface_roughness]\nasperity_group = 0.05\nrms_height_to_asperity_radius = 1e-3\n[motion]";
-    let text = STEEL.replace("plane =", "roughness = \"122.709 nm\"\nplane =");
+    let text = STEEL.replace("body_1 =", "roughness = \"122.709 nm\"\nplane =");
     let e = of(&text.replace("[motion]", section));
     let lambda = e.lambda.unwrap();
     assert_relative_eq!(lambda.of_central, 243.894 / 122.709, max_relative = TABLE);

@@ -322,8 +322,8 @@ mod tests {
         radius = "10 mm"
         load = "100 kN/m"
         [bodies]
-        plane = "steel"
-        ball = "steel"
+        body_1 = "steel"
+        body_2 = "steel"
         [motion]
         entrainment_speed = "2 m/s"
         slide_to_roll_ratio = 0.0

@@ -33,11 +33,9 @@ pub struct StudyEcho {
     pub title: String,
     /// Titles of the columns of the axes.
     pub columns: Vec<String>,
-    /// Units in which the user gave them, for pictures; empty where there is none, and of former studies.
-    #[serde(default)]
+    /// Units in which the user gave them, for pictures; empty where there is none.
     pub units: Vec<String>,
     /// Formats of its pictures: those that the base case asks for.
-    #[serde(default)]
     pub pictures: PictureFormats,
     /// Key and values of each point.
     pub points: Vec<(PointKey, Vec<String>)>,

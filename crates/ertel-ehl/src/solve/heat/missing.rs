@@ -17,7 +17,7 @@ pub struct MissingHeatData {
 pub struct MissingDatum {
     /// Its key, `heat_capacity`.
     pub key: &'static str,
-    /// `lubricant`, `plane` or `ball`.
+    /// `lubricant`, `body_1` or `body_2`.
     pub part: &'static str,
     /// Name of the material; `None` for one that the case file gives by its constants.
     pub material: Option<String>,
@@ -25,7 +25,11 @@ pub struct MissingDatum {
 
 impl fmt::Display for MissingDatum {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the {} of the {}", self.key, self.part)?;
+        let whose = match self.part {
+            "lubricant" => "the lubricant".to_owned(),
+            body => body.replace('_', " "),
+        };
+        write!(f, "the {} of {whose}", self.key)?;
         match &self.material {
             Some(name) => write!(f, " ({name})"),
             None => Ok(()),

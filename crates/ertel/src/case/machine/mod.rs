@@ -1,7 +1,7 @@
 //! `[machine]`: contact and motion from the dimensions and speeds of a machine element.
 //!
-//! In a case file it stands in place of `[contact]` and `[motion]`. In `[bodies]`, `ball` is the ball, the roller, the
-//! pinion or the cam, and `plane` the disc, the ring, the wheel or the tappet.
+//! In a case file it stands in place of `[contact]` and `[motion]`. In `[bodies]`, `body_2` is the ball, the roller, the
+//! pinion or the cam, and `body_1` the disc, the ring, the wheel or the tappet.
 
 mod ball_bearing;
 mod ball_on_disc;

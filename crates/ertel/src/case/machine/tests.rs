@@ -14,8 +14,8 @@ use bad::refused;
 
 const REST: &str = r#"
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 [lubricant]
 temperature = "40 degC"
 density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }

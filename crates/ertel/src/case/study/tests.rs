@@ -14,8 +14,8 @@ radius = "10 mm"
 load = "20 kN/m"
 
 [bodies]
-plane = "steel"
-ball = "steel"
+body_1 = "steel"
+body_2 = "steel"
 
 [motion]
 entrainment_speed = "1 m/s"
@@ -129,7 +129,7 @@ fn names_and_tables_are_values() {
         .collect();
     assert_eq!(moduli, [210e9, 210e9, 300e9, 300e9]);
     assert_eq!(study.points[0].values[0], AxisValue::Text("steel".into()));
-    assert_eq!(study.columns[0].header, "bodies.ball");
+    assert_eq!(study.columns[0].header, "bodies.body_2");
 }
 
 #[test]
@@ -218,9 +218,9 @@ fn errors_point_to_the_study() {
             "unknown key `laod` in [contact]",
         ),
         (
-            "[[axis]]\nkey = \"bodies.ball.modulus\"\nvalues = [\"20 GPa\"]\n",
+            "[[axis]]\nkey = \"bodies.body_2.modulus\"\nvalues = [\"20 GPa\"]\n",
             3,
-            "`bodies.ball` is a string, not a table",
+            "`bodies.body_2` is a string, not a table",
         ),
         (
             "[[axis]]\nkey = \"contact.hertz_pressure\"\nvalues = [\"1 GPa\"]\n",

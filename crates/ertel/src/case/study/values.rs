@@ -83,7 +83,7 @@ impl fmt::Display for AxisValue {
 }
 
 /// Keys whose values are text, by their last parts.
-const TEXT_KEYS: [&str; 16] = [
+const TEXT_KEYS: [&str; 14] = [
     "title",
     "name",
     "file",
@@ -93,8 +93,6 @@ const TEXT_KEYS: [&str; 16] = [
     "notes",
     "lubricant",
     "base_oil",
-    "plane",
-    "ball",
     "body_1",
     "body_2",
     "preset",
