@@ -303,7 +303,12 @@ const USUAL: &[Usual] = &[
         &["kg/m^3", "g/cm^3"],
     ),
     usual(
-        &["body_1.density", "body_2.density"],
+        &[
+            "plane.density",
+            "ball.density",
+            "body_1.density",
+            "body_2.density",
+        ],
         Dimension::DENSITY,
         [800.0, 20_000.0],
         ("kg/m^3", 1.0),

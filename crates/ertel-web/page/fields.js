@@ -24,13 +24,18 @@ export class File {
     return keys.filter((key) => this.has(key)).map((key) => [key, null]);
   }
 
+  /** The first of some names of a key that is there, else the first one. */
+  name(...keys) {
+    return keys.find((key) => this.has(key)) ?? keys[0];
+  }
+
   get kind() {
     return this.value("contact.kind");
   }
 
-  /** The key of a body. */
+  /** What stands between the brackets of a body: its key is `body_1` or, older, `plane`. */
   body(n) {
-    return `bodies.body_${n}`;
+    return this.name(...(n === 1 ? ["bodies.plane", "bodies.body_1"] : ["bodies.ball", "bodies.body_2"]));
   }
 
   /** Where the name of a body's material stands, if it has one. */
@@ -64,7 +69,7 @@ const round = (number) => Number(number.toPrecision(12));
 
 /** Both speeds as entrainment speed and slide-to-roll ratio, and the other way; empty changes where they cannot be read. */
 function motionChanges(file, mode) {
-  const old = ["motion.body_1_speed", "motion.body_2_speed"];
+  const old = [1, 2].map((n) => file.name(...(n === 1 ? ["motion.body_1_speed", "motion.plane_speed"] : ["motion.body_2_speed", "motion.ball_speed"])));
   if (mode === "speeds") {
     const u = speed(file.value("motion.entrainment_speed"));
     const ratio = Number(file.value("motion.slide_to_roll_ratio"));
@@ -256,7 +261,7 @@ export function groups(database) {
           options: () => [["entrainment", "entrainment speed and slide-to-roll ratio"], ["speeds", "speeds of both bodies"]],
           keys: () => "",
           shown: (file) => !ofMachine(file),
-          value: (file) => (["motion.body_1_speed", "motion.body_2_speed"].some((key) => file.has(key)) ? "speeds" : "entrainment"),
+          value: (file) => (["motion.body_1_speed", "motion.body_2_speed", "motion.plane_speed", "motion.ball_speed"].some((key) => file.has(key)) ? "speeds" : "entrainment"),
           choose: motionChanges,
         },
         {
@@ -274,7 +279,7 @@ export function groups(database) {
         },
         ...[1, 2].map((n) => ({
           label: `Speed of body ${n}`,
-          keys: () => `motion.body_${n}_speed`,
+          keys: (file) => file.name(`motion.body_${n}_speed`, n === 1 ? "motion.plane_speed" : "motion.ball_speed"),
           shown: (file, field) => !ofMachine(file) && field("Given by") === "speeds",
         })),
       ],

@@ -122,6 +122,8 @@ const MOTION: &[Key] = &[
     ("slide_to_roll_ratio_across", Number),
     ("body_1_speed", SPEED),
     ("body_2_speed", SPEED),
+    ("plane_speed", SPEED),
+    ("ball_speed", SPEED),
     ("skew_angle", ANGLE),
     ("body_1_spin", ROTATION),
     ("body_2_spin", ROTATION),
@@ -138,6 +140,8 @@ const MACHINE: &[Key] = &[
     ("slide_to_roll_ratio_across", Number),
     ("ball_speed", SPEED),
     ("disc_speed", SPEED),
+    ("body_1_speed", SPEED),
+    ("body_2_speed", SPEED),
     ("skew_angle", ANGLE),
     ("body_1_spin", ROTATION),
     ("body_2_spin", ROTATION),
@@ -190,6 +194,8 @@ pub const MACHINES: &[(&str, &[&str])] = &[
             "slide_to_roll_ratio_across",
             "ball_speed",
             "disc_speed",
+            "body_1_speed",
+            "body_2_speed",
             "skew_angle",
             "body_1_spin",
             "body_2_spin",
@@ -274,6 +280,8 @@ pub const MACHINES: &[(&str, &[&str])] = &[
 ];
 
 const BODIES: &[Key] = &[
+    ("plane", SolidOrTable(BODY)),
+    ("ball", SolidOrTable(BODY)),
     ("body_1", SolidOrTable(BODY)),
     ("body_2", SolidOrTable(BODY)),
     ("roughness", LENGTH),
@@ -654,6 +662,8 @@ const THERMAL: &[Key] = &[
     ("depth", Number),
     ("body_1_temperature", TEMPERATURE),
     ("body_2_temperature", TEMPERATURE),
+    ("plane_temperature", TEMPERATURE),
+    ("ball_temperature", TEMPERATURE),
     ("film_order", Count),
     ("solid_elements", Count),
     ("surface_order", Count),
@@ -737,6 +747,8 @@ const CURVE: &[Key] = &[
         Choice(&[
             "motion.entrainment_speed",
             "motion.slide_to_roll_ratio",
+            "motion.ball_speed",
+            "motion.plane_speed",
             "motion.body_1_speed",
             "motion.body_2_speed",
             "contact.load",

@@ -85,8 +85,10 @@ const ANGLE: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI
 
 /// Reads both bodies, and their shapes and roughness where given.
 pub(super) fn read(mut table: Table<'_>, folder: &Path) -> Result<Bodies, InputError> {
-    let (plane, shape_1) = read_body(&mut table, "body_1", folder)?;
-    let (ball, shape_2) = read_body(&mut table, "body_2", folder)?;
+    let keys = [["body_1", "plane"], ["body_2", "ball"]].map(|names| name_in(&mut table, names));
+    let [first, second] = keys;
+    let (plane, shape_1) = read_body(&mut table, first?, folder)?;
+    let (ball, shape_2) = read_body(&mut table, second?, folder)?;
     let roughness = table.optional_quantity("roughness", Dimension::LENGTH, ROUGHNESS)?;
     let angle = table.optional_quantity("axes_angle", Dimension::ANGLE, ANGLE)?;
     let shapes = match (shape_1, shape_2) {
@@ -114,6 +116,24 @@ pub(super) fn read(mut table: Table<'_>, folder: &Path) -> Result<Bodies, InputE
         roughness,
         shapes,
     })
+}
+
+/// Which of two names of a body stands in the table; the first where neither does.
+pub(super) fn name_in(
+    table: &mut Table<'_>,
+    names: [&'static str; 2],
+) -> Result<&'static str, InputError> {
+    match names.map(|name| table.contains(name)) {
+        [true, true] => Err(table.error(
+            names[1],
+            format!(
+                "`{}` and `{}` are the same body; keep one of them",
+                names[0], names[1]
+            ),
+        )),
+        [false, true] => Ok(names[1]),
+        _ => Ok(names[0]),
+    }
 }
 
 /// Curvatures of a body, where its table has radii.

@@ -53,7 +53,7 @@ pub struct Quantity {
 }
 
 /// The quantities in order of the documentation; the load is a force here, in line contacts a force per length.
-const QUANTITIES: [Quantity; 24] = [
+const QUANTITIES: [Quantity; 26] = [
     quantity(
         "motion.entrainment_speed",
         "entrainment speed",
@@ -65,6 +65,13 @@ const QUANTITIES: [Quantity; 24] = [
         "slide-to-roll ratio",
         "",
         Dimension::DIMENSIONLESS,
+    ),
+    quantity("motion.ball_speed", "speed of body 2", "", Dimension::SPEED),
+    quantity(
+        "motion.plane_speed",
+        "speed of body 1",
+        "",
+        Dimension::SPEED,
     ),
     quantity(
         "motion.body_1_speed",

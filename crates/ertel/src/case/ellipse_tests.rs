@@ -107,6 +107,7 @@ fn what_no_ellipse_has_is_refused() {
             "one body has radii and the other has none",
         ),
         (radii, NONE, "axes_angle = \"10 deg\"", "neither has radii"),
+        (radii, NONE, "plane = \"steel\"", "are the same body"),
         (
             "",
             [flat, ", radius_x = \"1 nm\", radius_y = \"5 mm\""],
@@ -120,7 +121,7 @@ fn what_no_ellipse_has_is_refused() {
     }
     let body = format!("{REST}[solver]\nelasticity = \"equivalent\"\n");
     let text = format!(
-        "[contact]\nkind = \"elliptical\"\nload = \"100 N\"\n{radii}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n{body}"
+        "[contact]\nkind = \"elliptical\"\nload = \"100 N\"\n{radii}\n[bodies]\nplane = \"steel\"\nball = \"steel\"\n{body}"
     );
     let document = Document::parse("case.toml", text.as_str()).unwrap();
     let error = Case::from_document(&document, Path::new("")).unwrap_err();

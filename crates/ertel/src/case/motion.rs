@@ -3,6 +3,7 @@
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
+use super::bodies::name_in;
 use crate::contact::Motion;
 
 /// Surfaces that move almost exactly against each other have ratios far beyond 2, but not these.
@@ -16,14 +17,18 @@ const SKEW: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI)
 /// Slowest entrainment, m/s: a nanometre in a second.
 const MIN_SPEED: f64 = 1e-9;
 
-/// Reads entrainment speed and slide-to-roll ratios, or the speeds of both surfaces, and their spin; `keys` are those of the
-/// speeds of body 1 and body 2.
+/// Reads entrainment speed and slide-to-roll ratios, or the speeds of both surfaces, and their spin; `plane_key` is an older name of
+/// the speed of body 1.
 pub(super) fn read_motion(
     table: &mut Table<'_>,
-    keys: [&'static str; 2],
+    plane_key: &'static str,
 ) -> Result<Motion, InputError> {
-    let motion = match keys.iter().any(|key| table.contains(key)) {
-        true => of_speeds(table, keys)?,
+    let [first, second] = [
+        name_in(table, ["body_1_speed", plane_key])?,
+        name_in(table, ["body_2_speed", "ball_speed"])?,
+    ];
+    let motion = match table.contains(first) || table.contains(second) {
+        true => of_speeds(table, [first, second])?,
         false => of_entrainment(table)?,
     };
     let [plane, ball] = ["body_1_spin", "body_2_spin"]

@@ -92,6 +92,11 @@ fn what_cannot_be() {
         ),
         (
             BALL,
+            "body_1_speed = \"1 m/s\"\nbody_2_speed = \"1 m/s\"\nplane_speed = \"1 m/s\"".into(),
+            vec!["plane_speed", "same body"],
+        ),
+        (
+            BALL,
             "body_1_speed = \"1 m/s\"\nbody_2_speed = \"1 m/s\"\nskew_angle = \"180 deg\"".into(),
             vec!["must not be zero"],
         ),

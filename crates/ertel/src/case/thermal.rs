@@ -39,10 +39,19 @@ pub fn read(mut table: Table<'_>, kind: ContactKind) -> Result<ThermalParams, In
     set(&mut thermal.tolerance, tolerance);
     let iterations = count(table.optional_integer("max_iterations", 1..=10_000)?);
     set(&mut thermal.max_iterations, iterations);
-    let mut temperature =
-        |key: &str| table.optional_quantity(key, Dimension::TEMPERATURE, TEMPERATURE);
-    thermal.plane_temperature = temperature("body_1_temperature")?;
-    thermal.ball_temperature = temperature("body_2_temperature")?;
+    let mut temperature = |key: &str, older: &str| {
+        if table.contains(key) && table.contains(older) {
+            return Err(table.error(
+                older,
+                format!("`{older}` and `{key}` are the same temperature; keep one of them"),
+            ));
+        }
+        let given = table.optional_quantity(key, Dimension::TEMPERATURE, TEMPERATURE)?;
+        let as_before = table.optional_quantity(older, Dimension::TEMPERATURE, TEMPERATURE)?;
+        Ok(given.or(as_before))
+    };
+    thermal.plane_temperature = temperature("body_1_temperature", "plane_temperature")?;
+    thermal.ball_temperature = temperature("body_2_temperature", "ball_temperature")?;
     let points = table.optional_points("profiles", Bounds::closed(-FARTHEST, FARTHEST))?;
     set(&mut thermal.profiles, points);
     if kind.is_line() && thermal.profiles.iter().any(|[_, y]| *y != 0.0) {
@@ -239,13 +248,18 @@ pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, Inpu
             )));
         }
     }
-    for (key, solid) in [
-        ("body_1_temperature", &heat.plane),
-        ("body_2_temperature", &heat.ball),
+    for (key, older, solid) in [
+        ("body_1_temperature", "plane_temperature", &heat.plane),
+        ("body_2_temperature", "ball_temperature", &heat.ball),
     ] {
         let t = solid.temperature;
         let viscosity = case.lubricant.viscosity.viscosity(0.0, t);
         if !VISCOSITY.contains(viscosity) {
+            let key = if table.clone().contains(older) {
+                older
+            } else {
+                key
+            };
             return Err(table
                 .error(
                     key,

@@ -7,9 +7,17 @@ use ertel_quantity::{Dimension, parse_uncertain};
 use super::{Content, column};
 
 /// Keys of the speeds of body 1 and body 2, by the tables that they stand in.
-const PAIRS: [(&str, [&str; 2]); 2] = [
-    ("machine", ["machine.disc_speed", "machine.ball_speed"]),
-    ("motion", ["motion.body_1_speed", "motion.body_2_speed"]),
+const PAIRS: [(&str, [&str; 2], [&str; 2]); 2] = [
+    (
+        "machine",
+        ["machine.disc_speed", "machine.disc_speed"],
+        ["machine.ball_speed", "machine.ball_speed"],
+    ),
+    (
+        "motion",
+        ["motion.body_1_speed", "motion.plane_speed"],
+        ["motion.body_2_speed", "motion.ball_speed"],
+    ),
 ];
 
 /// Speed (m/s) at a key of a case, if it is a plain quantity there.
@@ -30,8 +38,14 @@ fn digits(value: f64) -> f64 {
 ///
 /// u = (u_1 + u_2)/2,  SRR = (u_2 - u_1)/u
 pub(super) fn replace(case: &Document, content: &mut Content) -> Vec<&'static str> {
-    for (table, speeds) in PAIRS {
-        let [Some(u_1), Some(u_2)] = speeds.map(|key| speed(case, key)) else {
+    for (table, plane, ball) in PAIRS {
+        let given = |keys: [&'static str; 2]| {
+            let mut found = keys
+                .into_iter()
+                .filter_map(|key| Some((key, speed(case, key)?)));
+            found.next()
+        };
+        let (Some((plane_key, u_1)), Some((ball_key, u_2))) = (given(plane), given(ball)) else {
             continue;
         };
         let keys = [
@@ -68,7 +82,7 @@ pub(super) fn replace(case: &Document, content: &mut Content) -> Vec<&'static st
             );
             content.notes.push(kept.replace(" ,", ","));
         }
-        return speeds.to_vec();
+        return vec![plane_key, ball_key];
     }
     Vec::new()
 }

@@ -83,7 +83,7 @@ impl fmt::Display for AxisValue {
 }
 
 /// Keys whose values are text, by their last parts.
-const TEXT_KEYS: [&str; 14] = [
+const TEXT_KEYS: [&str; 16] = [
     "title",
     "name",
     "file",
@@ -93,6 +93,8 @@ const TEXT_KEYS: [&str; 14] = [
     "notes",
     "lubricant",
     "base_oil",
+    "plane",
+    "ball",
     "body_1",
     "body_2",
     "preset",
