@@ -1,22 +1,9 @@
 //! The commands end to end: output and exit codes.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 
-fn ertel(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
-fn stdout(output: &Output) -> &str {
-    std::str::from_utf8(&output.stdout).unwrap()
-}
-
-fn stderr(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
-}
+use crate::common::{ertel_here, stderr, stdout};
 
 /// A file of `tests/good`.
 fn good(name: &str) -> PathBuf {
@@ -34,17 +21,17 @@ fn wrong_usage_exits_with_2() {
         &["fluids", "show"],
         &[],
     ] {
-        let output = ertel(arguments);
+        let output = ertel_here(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
         assert!(stderr(&output).contains("Usage"), "{arguments:?}");
     }
-    assert_eq!(ertel(&["--help"]).status.code(), Some(0));
-    assert_eq!(ertel(&["--version"]).status.code(), Some(0));
+    assert_eq!(ertel_here(&["--help"]).status.code(), Some(0));
+    assert_eq!(ertel_here(&["--version"]).status.code(), Some(0));
 }
 
 #[test]
 fn a_case_file_that_cannot_be_read_exits_with_2() {
-    let output = ertel(&["solve", "no/such/case.toml"]);
+    let output = ertel_here(&["solve", "no/such/case.toml"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(stderr(&output).contains("no/such/case.toml cannot be read"));
 }
@@ -52,25 +39,25 @@ fn a_case_file_that_cannot_be_read_exits_with_2() {
 #[test]
 fn a_good_case_passes_the_check_with_its_warnings() {
     let path = good("quick.toml");
-    let output = ertel(&["solve", "--check", path.to_str().unwrap()]);
+    let output = ertel_here(&["solve", "--check", path.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
 
     let folder = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string(&path).unwrap();
     let sliding = folder.path().join("sliding.toml");
     std::fs::write(&sliding, text.replace("ratio = 0.0", "ratio = 2.5")).unwrap();
-    let output = ertel(&["solve", "--check", sliding.to_str().unwrap()]);
+    let output = ertel_here(&["solve", "--check", sliding.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(0));
     assert!(stderr(&output).contains("warning: the slide-to-roll ratio 2.5 is beyond 2"));
 }
 
 #[test]
 fn the_lists_name_every_fluid_and_solid() {
-    let output = ertel(&["fluids"]);
+    let output = ertel_here(&["fluids"]);
     for name in ertel_rheology::database::fluid_names() {
         assert!(stdout(&output).contains(name), "{name}");
     }
-    let output = ertel(&["solids", "list"]);
+    let output = ertel_here(&["solids", "list"]);
     for name in ertel_rheology::database::solid_names() {
         assert!(stdout(&output).contains(name), "{name}");
     }
@@ -79,19 +66,19 @@ fn the_lists_name_every_fluid_and_solid() {
 #[test]
 fn every_fluid_and_solid_can_be_shown() {
     for name in ertel_rheology::database::fluid_names() {
-        let output = ertel(&["fluids", "show", name, "--temperature", "300 K"]);
+        let output = ertel_here(&["fluids", "show", name, "--temperature", "300 K"]);
         assert_eq!(output.status.code(), Some(0), "{name}: {}", stderr(&output));
         assert!(!stdout(&output).contains("NaN"), "{name}");
     }
     for name in ertel_rheology::database::solid_names() {
-        let output = ertel(&["solids", "show", name]);
+        let output = ertel_here(&["solids", "show", name]);
         assert_eq!(output.status.code(), Some(0), "{name}: {}", stderr(&output));
     }
 }
 
 #[test]
 fn a_fluid_is_shown_with_data_sources_and_states() {
-    let output = ertel(&["fluids", "show", "squalane-pip"]);
+    let output = ertel_here(&["fluids", "show", "squalane-pip"]);
     let text = stdout(&output);
     // Habchi 2008, Tables 4.1 and 5.2; alpha* recomputed by an independent script: 18.9 1/GPa.
     for words in [
@@ -109,7 +96,7 @@ fn a_fluid_is_shown_with_data_sources_and_states() {
 
 #[test]
 fn shear_thinning_is_shown_with_its_limits() {
-    let output = ertel(&["fluids", "show", "squalane-pip"]);
+    let output = ertel_here(&["fluids", "show", "squalane-pip"]);
     let text = stdout(&output);
     // Eq. 4.3 with Table 4.1, by mpmath: plateaus end at 9.0047 kPa and 237.49 GPa; 33.029 mPa.s at 1 MPa.
     for words in [
@@ -122,24 +109,24 @@ fn shear_thinning_is_shown_with_its_limits() {
         assert!(text.contains(words), "{words} is not in\n{text}");
     }
     // PAO 650 has no second plateau; glycerol does not thin.
-    let output = ertel(&["fluids", "show", "pao-650"]);
+    let output = ertel_here(&["fluids", "show", "pao-650"]);
     let text = stdout(&output);
     assert!(
         text.contains("18.05 kPa") && text.contains("none"),
         "{text}"
     );
-    let output = ertel(&["fluids", "show", "glycerol"]);
+    let output = ertel_here(&["fluids", "show", "glycerol"]);
     let text = stdout(&output);
     assert!(!text.contains("Shear thinning"), "{text}");
 }
 
 #[test]
 fn unknown_names_exit_with_2_and_the_choices() {
-    let output = ertel(&["fluids", "show", "squalene-pip"]);
+    let output = ertel_here(&["fluids", "show", "squalene-pip"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(stderr(&output).contains("did you mean `squalane-pip`?"));
     assert!(stderr(&output).contains("glycerol"));
-    let output = ertel(&["solids", "show", "stel"]);
+    let output = ertel_here(&["solids", "show", "stel"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(stderr(&output).contains("did you mean `steel`?"));
 }
@@ -153,7 +140,7 @@ fn bad_temperatures_exit_with_2() {
         ("-300 degC", "below absolute zero"),
     ] {
         let argument = format!("--temperature={temperature}");
-        let output = ertel(&["fluids", "show", "glycerol", &argument]);
+        let output = ertel_here(&["fluids", "show", "glycerol", &argument]);
         assert_eq!(output.status.code(), Some(2), "{temperature}");
         assert!(stderr(&output).contains(words), "{}", stderr(&output));
     }
@@ -164,7 +151,7 @@ fn the_viscosity_curve_is_written_whole_or_not_at_all() {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("curve.svg");
     let show = |path: &Path| {
-        ertel(&[
+        ertel_here(&[
             "fluids",
             "show",
             "glycerol",
@@ -214,7 +201,7 @@ fn a_full_disk_behind_stdout_exits_with_1() {
 /// Conductivity and heat capacity of a table, which ends at 60 MPa and keeps its last value.
 #[test]
 fn tables_of_heat_are_shown_over_pressure() {
-    let output = ertel(&["fluids", "show", "r134a"]);
+    let output = ertel_here(&["fluids", "show", "r134a"]);
     let text = stdout(&output);
     let values = |start: &str| {
         let mut lines = text.lines().map(str::trim);
@@ -228,7 +215,7 @@ fn tables_of_heat_are_shown_over_pressure() {
     assert_ne!(values("50 MPa"), values("100 MPa *"));
     assert_eq!(values("100 MPa *"), values("1 GPa *"));
     // A constant is among the data and needs no column.
-    let glycerol = ertel(&["fluids", "show", "glycerol"]);
+    let glycerol = ertel_here(&["fluids", "show", "glycerol"]);
     assert!(!stdout(&glycerol).contains("conductivity k"));
     assert!(stdout(&glycerol).contains("0.29 W/(m.K)"));
 }
@@ -248,7 +235,7 @@ fn every_shipped_case_passes_the_check() {
     for path in [files(&folder), files(&folder.join("machine"))].concat() {
         let text = std::fs::read_to_string(&path).unwrap();
         if text.contains("[contact]") || text.contains("[machine]") {
-            let output = ertel(&["solve", "--check", path.to_str().unwrap()]);
+            let output = ertel_here(&["solve", "--check", path.to_str().unwrap()]);
             assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
             // The oil of a rig is known by its data sheet alone, which says nothing of the pressures there.
             let is_beyond = |line: &&str| {

@@ -6,6 +6,8 @@ use std::process::{Command, Output};
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::common::{read, text};
+
 const TABLE: &str = "speed [m/s],load [kN/m],film_central [nm],film_central_uncertainty [%],film_minimum [nm]\n\
     0.5,20,300,5,\n1,20,600,5,400\n2,20,700,,\n1,20,550,5,\n";
 
@@ -28,14 +30,6 @@ fn compare(folder: &Path, arguments: &[&str]) -> Output {
         .current_dir(folder)
         .output()
         .unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
-
-fn read(folder: &TempDir, name: &str) -> String {
-    std::fs::read_to_string(folder.path().join(name)).unwrap()
 }
 
 #[test]

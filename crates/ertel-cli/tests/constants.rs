@@ -3,18 +3,14 @@
 mod rows;
 
 use std::fs;
-use std::path::{Path, PathBuf};
 
+use crate::common::root;
 use rows::ROWS;
 
 const WORDS: [&str; 13] = [
     "zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
     "eleven", "twelve",
 ];
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
 
 /// The numbers of a constant, of the first field of this name that has a number, or of the first place of this code, as the source has
 /// them.

@@ -3,9 +3,11 @@
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
+
+use crate::common::{rows_of, solve, solve_command, text};
 
 const SPEEDS: &str = r#"
 [curve]
@@ -22,38 +24,9 @@ fn workspace(change: impl Fn(&str) -> String, curve: &str) -> TempDir {
     folder
 }
 
-fn command(folder: &TempDir, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
-    command.arg("solve").args(arguments).current_dir(folder);
-    command
-}
-
-fn solve(folder: &TempDir, arguments: &[&str]) -> Output {
-    command(folder, arguments).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
-
 /// The table, a map from column to field for each line. No field here has quotes with a comma.
 fn table(folder: &TempDir) -> Vec<HashMap<String, String>> {
     rows_of(&folder.path().join("results/case/curve.csv"))
-}
-
-fn rows_of(path: &Path) -> Vec<HashMap<String, String>> {
-    let csv = std::fs::read_to_string(path).unwrap();
-    let mut lines = csv.lines();
-    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
-    lines
-        .map(|line| {
-            let fields = line.splitn(names.len(), ',');
-            let pairs = names.iter().zip(fields);
-            pairs
-                .map(|(n, f)| ((*n).to_owned(), f.to_owned()))
-                .collect()
-        })
-        .collect()
 }
 
 #[test]
@@ -167,7 +140,7 @@ fn a_failed_point_leaves_the_others_standing() {
 fn an_interrupted_curve_keeps_its_points() {
     let range = "[curve]\nquantity = \"contact.load\"\nfrom = \"20 kN/m\"\nto = \"40 kN/m\"\npoints = 1000\n";
     let folder = workspace(str::to_owned, range);
-    let mut child = command(&folder, &["case.toml"])
+    let mut child = solve_command(&folder, &["case.toml"])
         .stderr(Stdio::piped())
         .stdout(Stdio::null())
         .spawn()

@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use crate::common::{stderr, stdout};
+
 /// Runs `ertel estimate` in an empty folder, which must stay so.
 fn estimate(case: &Path, options: &[&str]) -> Output {
     let folder = tempfile::tempdir().unwrap();
@@ -21,14 +23,6 @@ fn shipped(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../cases")
         .join(name)
-}
-
-fn stdout(output: &Output) -> &str {
-    std::str::from_utf8(&output.stdout).unwrap()
-}
-
-fn stderr(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
 }
 
 /// Figures of an independent script for the case (Habchi 2008, Tables 3.3 and 3.4).

@@ -2,32 +2,10 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
-fn ertel(folder: &TempDir, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
-
-fn copy(from: &str, folder: &TempDir, to: &str) {
-    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join(from);
-    write(folder, to, &std::fs::read_to_string(from).unwrap());
-}
-
-fn write(folder: &TempDir, name: &str, text: &str) {
-    let path = folder.path().join(name);
-    std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-    std::fs::write(path, text).unwrap();
-}
+use crate::common::{copy, ertel, text, write};
 
 /// All that a folder holds: texts of files, targets of links.
 fn content(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {

@@ -1,18 +1,9 @@
 //! `ertel fit` end to end: report, entry, picture, and exit codes.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 
-fn ertel(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
+use crate::common::{ertel_here, text};
 
 fn published(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -26,7 +17,7 @@ fn an_entry_serves_in_a_case_file() {
     let folder = tempfile::tempdir().unwrap();
     let entry = folder.path().join("a.toml");
     let data = published("fluid-a.csv");
-    let output = ertel(&[
+    let output = ertel_here(&[
         "fit",
         "viscosity",
         data.to_str().unwrap(),
@@ -63,7 +54,7 @@ fn an_entry_serves_in_a_case_file() {
     let case = lines.collect::<Vec<_>>().join("\n") + "\n[lubricant.viscosity]" + section;
     let path = folder.path().join("case.toml");
     std::fs::write(&path, case).unwrap();
-    let output = ertel(&["solve", "--check", path.to_str().unwrap()]);
+    let output = ertel_here(&["solve", "--check", path.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
 }
 
@@ -108,7 +99,7 @@ fn bad_data_and_usage_exit_with_2() {
             "--law all",
         ),
     ] {
-        let output = ertel(&[&["fit", "viscosity"], arguments].concat());
+        let output = ertel_here(&[&["fit", "viscosity"], arguments].concat());
         let error = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
         assert!(error.contains(part), "{arguments:?}: {error}");
@@ -129,7 +120,7 @@ fn films_stand_beside_given_formulas() {
     std::fs::write(&table, rows).unwrap();
     let beside = |formula: &str| {
         let table = table.to_str().unwrap();
-        ertel(&["fit", "film", table, "--beside", formula])
+        ertel_here(&["fit", "film", table, "--beside", formula])
     };
     let output = beside("central=2.2318,-0.1362,0.0198");
     let report = text(&output.stdout);
@@ -162,7 +153,7 @@ fn films_stand_beside_given_formulas() {
 fn films_of_chapter_6_lie_by_its_formulas() {
     let table = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../../studies/chapter-6/results/fluid-c-speeds.csv");
-    let output = ertel(&[
+    let output = ertel_here(&[
         "fit",
         "film",
         table.to_str().unwrap(),
@@ -222,7 +213,7 @@ fn ellipses_have_the_formula_of_their_page() {
     for (name, limits) in [("ellipses", [10.0, 16.0]), ("ellipses-wide", [5.1, 14.0])] {
         let table = study.join("results").join(name).with_extension("csv");
         let form = ["--form", "elliptical"];
-        let output = ertel(&[&["fit", "film", table.to_str().unwrap()], &form[..]].concat());
+        let output = ertel_here(&[&["fit", "film", table.to_str().unwrap()], &form[..]].concat());
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let report = text(&output.stdout);
         let of = |start: &str| -> Vec<&str> {
@@ -241,7 +232,7 @@ fn ellipses_have_the_formula_of_their_page() {
     }
     let table = study.join("results/ellipses.csv");
     let arguments = ["fit", "film", table.to_str().unwrap(), "--form"];
-    let output = ertel(&[&arguments[..], &["moes"]].concat());
+    let output = ertel_here(&[&arguments[..], &["moes"]].concat());
     let warnings = text(&output.stderr);
     assert!(
         warnings.contains("the ellipses differ, R_y/R_x"),
@@ -259,7 +250,7 @@ fn warnings_show_control_characters_of_titles() {
         .collect();
     let head = "entrainment_speed_m_per_s,temperature\u{b}[degC],film_central_m\n";
     std::fs::write(&path, head.to_owned() + &rows).unwrap();
-    let output = ertel(&["fit", "film", path.to_str().unwrap(), "--form", "speed"]);
+    let output = ertel_here(&["fit", "film", path.to_str().unwrap(), "--form", "speed"]);
     let warning = text(&output.stderr);
     assert!(warning.contains("(temperature\\u000b[degC])"), "{warning}");
 }
@@ -279,7 +270,7 @@ fn all_laws_are_ranked() {
         "-o",
         entry.to_str().unwrap(),
     ];
-    let output = ertel(&arguments);
+    let output = ertel_here(&arguments);
     let report = text(&output.stdout);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     for words in [
@@ -311,7 +302,7 @@ fn all_laws_are_ranked() {
         "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,10\n50,300,20\n100,300,40\n150,300,90\n",
     )
     .unwrap();
-    let output = ertel(&[
+    let output = ertel_here(&[
         "fit",
         "viscosity",
         isotherm.to_str().unwrap(),
@@ -335,7 +326,7 @@ fn constants_that_make_no_sense_are_told() {
     let odd = "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,100\n100,300,400\n200,300,150\n300,300,3000\n400,300,900\n";
     std::fs::write(&data, odd).unwrap();
     let arguments = ["fit", "viscosity", &data, "--law", "barus", "-o", &entry];
-    let output = ertel(&arguments);
+    let output = ertel_here(&arguments);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert!(
         text(&output.stderr).contains("warning: the law `barus` does not describe the data"),
@@ -345,14 +336,14 @@ fn constants_that_make_no_sense_are_told() {
     for suffix in ["toml", "svg"] {
         std::fs::remove_file(std::path::Path::new(&entry).with_extension(suffix)).unwrap();
     }
-    let output = ertel(&[&arguments[..], &["--strict"]].concat());
+    let output = ertel_here(&[&arguments[..], &["--strict"]].concat());
     assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
     assert!(text(&output.stderr).contains("is implausible"));
     assert!(std::path::Path::new(&entry).is_file());
     // Measurements that rise with temperature.
     let hot = "pressure_MPa,temperature_K,viscosity_mPa_s\n0,300,10\n100,300,40\n200,300,160\n0,320,20\n100,320,80\n200,320,320\n0,340,38\n100,340,150\n200,340,600\n";
     std::fs::write(&data, hot).unwrap();
-    let output = ertel(&["fit", "viscosity", &data, "--law", "cheng", "--strict"]);
+    let output = ertel_here(&["fit", "viscosity", &data, "--law", "cheng", "--strict"]);
     assert_eq!(output.status.code(), Some(3), "{}", text(&output.stderr));
     assert!(
         text(&output.stderr).contains("rises with temperature"),
@@ -374,7 +365,7 @@ fn a_table_of_a_data_sheet_becomes_a_lubricant() {
     let (table, density, entry) = (place("sheet.csv"), place("density.toml"), place("oil.toml"));
     let fit = |more: &[&str]| {
         let walther = ["fit", "viscosity", &table, "--law", "walther"];
-        ertel(&[&walther[..], more].concat())
+        ertel_here(&[&walther[..], more].concat())
     };
     let hold = ["--hold", "alpha=22 1/GPa"];
     let at = ["--reference-temperature", "40 degC"];
@@ -418,7 +409,7 @@ fn a_table_of_a_data_sheet_becomes_a_lubricant() {
     );
     std::fs::write(place("sheet.toml"), sheet).unwrap();
     let film = |case: &str| {
-        let output = ertel(&["estimate", &place(case), "--json"]);
+        let output = ertel_here(&["estimate", &place(case), "--json"]);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
         json["film"]["central"].as_f64().unwrap()

@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use crate::common::text;
+
 fn ertel(arguments: &[&str], case: &Path) -> Output {
     Command::new(env!("CARGO_BIN_EXE_ertel"))
         .args(arguments)
@@ -14,10 +16,6 @@ fn ertel(arguments: &[&str], case: &Path) -> Output {
 fn shipped(name: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/machine");
     folder.join(name).with_extension("toml")
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
 }
 
 /// Radii, loads and speeds worked out by hand in the tests of the machines.

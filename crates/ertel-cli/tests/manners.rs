@@ -7,6 +7,8 @@ use std::process::{Command, Output, Stdio};
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::common::{read, stderr, stdout};
+
 const QUICK: &str = include_str!("good/quick.toml");
 
 fn command(folder: &TempDir, arguments: &[&str]) -> Command {
@@ -34,23 +36,11 @@ fn with_input(folder: &TempDir, arguments: &[&str], input: &str) -> Output {
     child.wait_with_output().unwrap()
 }
 
-fn stdout(output: &Output) -> &str {
-    std::str::from_utf8(&output.stdout).unwrap()
-}
-
-fn stderr(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
-}
-
 /// A folder with `quick.toml`.
 fn workplace() -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("quick.toml"), QUICK).unwrap();
     folder
-}
-
-fn read(folder: &TempDir, name: &str) -> String {
-    std::fs::read_to_string(folder.path().join(name)).unwrap()
 }
 
 fn code(output: &Output, expected: i32) {

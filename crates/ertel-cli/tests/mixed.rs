@@ -1,11 +1,12 @@
 //! Mixed lubrication end to end: the shipped Stribeck case, a point contact with its tables, a study, and the commands of the guide.
 
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
 
 use serde_json::Value;
 use tempfile::TempDir;
+
+use crate::common::{ertel, root, rows_of, text};
 
 const ASPERITIES: &str = "[surface_roughness]
 body_1_rms_height = \"120 nm\"
@@ -14,34 +15,6 @@ asperity_group = 0.06
 rms_height_to_asperity_radius = 1e-2
 boundary_friction_coefficient = 0.12
 ";
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-fn ertel(folder: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
-    command.args(arguments).current_dir(folder);
-    command.output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
-
-fn table(path: &Path) -> Vec<HashMap<String, String>> {
-    let csv = std::fs::read_to_string(path).unwrap();
-    let mut lines = csv.lines();
-    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
-    let line = |line: &str| {
-        let fields = line.splitn(names.len(), ',');
-        let pairs = names.iter().zip(fields);
-        pairs
-            .map(|(n, f)| ((*n).to_owned(), f.to_owned()))
-            .collect()
-    };
-    lines.map(line).collect()
-}
 
 fn number(row: &HashMap<String, String>, column: &str) -> f64 {
     let field = row
@@ -112,7 +85,7 @@ fn commands_of_the_guide_give_a_stribeck_curve() {
     ] {
         assert!(solved.contains(words), "{words} in {solved}");
     }
-    let rows = table(&folder.path().join("results/stribeck/curve.csv"));
+    let rows = rows_of(&folder.path().join("results/stribeck/curve.csv"));
     assert_eq!(rows.len(), 15);
     let sigma = 0.25e-6;
     for row in &rows {
@@ -222,7 +195,7 @@ fn study_of_roughness() {
     std::fs::write(folder.path().join("study.toml"), study).unwrap();
     let output = ertel(folder.path(), &["sweep", "study.toml"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let rows = table(&folder.path().join("results/study/results.csv"));
+    let rows = rows_of(&folder.path().join("results/study/results.csv"));
     let share = |i: usize| number(&rows[i], "asperity_load_share");
     // p_a is as the square of σβη over one and the same film; the second point starts from the first.
     close(share(1), 4.0 * share(0), 1e-2);

@@ -5,6 +5,8 @@ use std::process::{Command, Output};
 
 use serde_json::Value;
 
+use crate::common::text;
+
 const OIL: &str = r#"
 density = { law = "dowson-higginson", rho_0 = "870 kg/m^3" }
 viscosity = { law = "roelands", mu_0 = "40 mPa.s", alpha = "20 1/GPa", beta = "0.04 1/K", reference_temperature = "40 degC" }
@@ -81,10 +83,6 @@ impl Workspace {
         let result: Value = serde_json::from_str(&read).unwrap();
         result["summary"]["film_central"]["value"].as_f64().unwrap()
     }
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
 }
 
 /// The same films, to the bit, as with the same laws in the case; the tables of a file lie beside it, wherever the case lies.

@@ -1,10 +1,12 @@
 //! `ertel schema` beside what it describes: the readers, the shipped files, the reference pages.
 
+use crate::common::root;
+
 #[path = "draft7/mod.rs"]
 mod draft7;
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 
 use ertel::case::Case;
@@ -13,10 +15,6 @@ use ertel_input::tree::{Node, Value as Toml};
 use serde_json::{Map, Value, json};
 
 use draft7::errors;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
 
 fn schema(of: &str) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_ertel"))

@@ -2,9 +2,11 @@
 
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
+
+use crate::common::{solve, solve_command, text};
 
 /// A folder with a copy of `tests/good/<name>`.
 fn workspace(name: &str) -> TempDir {
@@ -12,20 +14,6 @@ fn workspace(name: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::copy(good.join(name), folder.path().join(name)).unwrap();
     folder
-}
-
-fn command(folder: &TempDir, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ertel"));
-    command.arg("solve").args(arguments).current_dir(folder);
-    command
-}
-
-fn solve(folder: &TempDir, arguments: &[&str]) -> Output {
-    command(folder, arguments).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -232,7 +220,7 @@ fn a_mesh_that_cannot_be_built_exits_with_2() {
 #[test]
 fn ctrl_c_exits_with_130_and_writes_nothing() {
     let folder = workspace("slow.toml");
-    let mut child = command(&folder, &["slow.toml"])
+    let mut child = solve_command(&folder, &["slow.toml"])
         .stderr(Stdio::piped())
         .stdout(Stdio::piped())
         .spawn()

@@ -1,27 +1,16 @@
 //! Studies that are wrong are refused at once, with file, line and reason; tables are safe to open.
 
-use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
 use tempfile::TempDir;
 
-fn write(folder: &TempDir, name: &str, text: &str) {
-    std::fs::write(folder.path().join(name), text).unwrap();
-}
+use crate::common::{ertel, write};
 
 fn workspace(study: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     write(&folder, "base.toml", include_str!("good/quick.toml"));
     write(&folder, "study.toml", study);
     folder
-}
-
-fn ertel(folder: &TempDir, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
 }
 
 /// Exit code 2 and words on stderr, in a dry run and without it.

@@ -2,6 +2,7 @@
 
 mod bad_cases;
 mod commands;
+mod common;
 mod compare;
 mod constants;
 mod curve;

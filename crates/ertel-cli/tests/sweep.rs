@@ -8,6 +8,8 @@ use std::time::{Duration, Instant, SystemTime};
 use serde_json::Value;
 use tempfile::TempDir;
 
+use crate::common::{read, text};
+
 /// Eighteen points in two groups of films.
 const STUDY: &str = r#"
 title = "Roller"
@@ -42,14 +44,6 @@ fn command(folder: &TempDir, arguments: &[&str]) -> Command {
 
 fn sweep(folder: &TempDir, arguments: &[&str]) -> Output {
     command(folder, arguments).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
-
-fn read(folder: &TempDir, name: &str) -> String {
-    std::fs::read_to_string(folder.path().join(name)).unwrap()
 }
 
 /// One column of a table without quotes.

@@ -1,9 +1,10 @@
 //! Results that are written and not to be trusted: exit code 3, and by request 0.
 
 use std::path::Path;
-use std::process::{Command, Output};
 
 use tempfile::TempDir;
+
+use crate::common::{ertel, text};
 
 /// An inlet edge so near that what it does to the film is beyond any bar.
 const STARVED: &str = r#"
@@ -37,18 +38,6 @@ fn workspace(case: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("case.toml"), case).unwrap();
     folder
-}
-
-fn ertel(folder: &TempDir, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(arguments)
-        .current_dir(folder.path())
-        .output()
-        .unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
 }
 
 fn json(path: &Path) -> serde_json::Value {

@@ -1,21 +1,11 @@
 //! A closed or full stderr or stdout stops no work: results are written, and nothing panics.
 #![cfg(target_os = "linux")]
 
-use std::path::Path;
 use std::process::{Command, Stdio};
 
 use tempfile::TempDir;
 
-fn copy(from: &str, folder: &TempDir, to: &str) {
-    let from = Path::new(env!("CARGO_MANIFEST_DIR")).join(from);
-    let to = folder.path().join(to);
-    std::fs::create_dir_all(to.parent().unwrap()).unwrap();
-    std::fs::write(to, std::fs::read(from).unwrap()).unwrap();
-}
-
-fn write(folder: &TempDir, name: &str, text: &str) {
-    std::fs::write(folder.path().join(name), text).unwrap();
-}
+use crate::common::{copy, write};
 
 /// Cases, a curve, studies and measurements.
 fn workspace() -> TempDir {

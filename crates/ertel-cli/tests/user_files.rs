@@ -1,20 +1,9 @@
 //! Files that users name: what is no ordinary file is refused at once, and nothing of a file reaches a terminal but text.
 
-use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 use std::time::{Duration, Instant};
 
-fn ertel(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .current_dir(folder)
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
-fn stderr(output: &Output) -> &str {
-    std::str::from_utf8(&output.stderr).unwrap()
-}
+use crate::common::{ertel, stderr};
 
 const ROLLER: &str = "[contact]\nkind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"\n\
                       [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\

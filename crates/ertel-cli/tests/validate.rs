@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use crate::common::text;
+
 fn validate(folder: &Path, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_ertel"))
         .arg("validate")
@@ -11,10 +13,6 @@ fn validate(folder: &Path, arguments: &[&str]) -> Output {
         .arg(folder)
         .output()
         .unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
 }
 
 fn studies() -> PathBuf {

@@ -1,16 +1,8 @@
 //! `ertel view`: which files it shows, and which it refuses to write.
 
+use crate::common::ertel;
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
-
-fn ertel(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_ertel"))
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .unwrap()
-}
+use std::process::Output;
 
 fn error(output: &Output) -> (i32, String) {
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
