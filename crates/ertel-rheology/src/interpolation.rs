@@ -3,13 +3,13 @@
 use crate::Scalar;
 use crate::error::{Check, LawError};
 
-/// Values along isotherms, interpolated in pressure and then in temperature.
+/// The law of tables: values along isotherms, interpolated in pressure and then in temperature.
 ///
 /// Both steps use the piecewise cubic Hermite interpolant of Fritsch and Butland (SIAM J. Sci. Stat. Comput. 5, 1984,
 /// 300-304; end slopes after Moler): exact at the knots, continuous first derivative, monotone wherever the data are.
-/// What follows outside the knots is a choice of the law, [`Beyond`].
+/// Outside the knots it continues in a straight line or with the end value, as the law needs.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Isotherms {
+pub struct Isotherms {
     /// Increasing (K).
     temperatures: Vec<f64>,
     /// One for each temperature.
@@ -19,7 +19,7 @@ pub(crate) struct Isotherms {
 
 /// How a table continues outside its knots.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Beyond {
+enum Beyond {
     /// The end tangent as a straight line: what keeps changing must go on changing.
     Straight,
     /// The end value: what varies little must not run away, nor change its sign.
@@ -38,8 +38,13 @@ struct Isotherm {
 const LAW: &str = "table";
 
 impl Isotherms {
-    /// Checks shape and order. `values` must be positive, whatever is interpolated. Continues in straight lines.
-    pub(crate) fn new(
+    /// One isotherm for each of `temperatures` (K, increasing): `pressures[i]` (Pa above ambient, increasing) and `values[i]` (SI, positive)
+    /// of equal length, at least two; isotherms may have different pressures. Beyond them the table continues in straight lines.
+    ///
+    /// # Errors
+    ///
+    /// Lists of other lengths, numbers that do not increase or are not positive.
+    pub fn straight(
         temperatures: Vec<f64>,
         pressures: Vec<Vec<f64>>,
         values: Vec<Vec<f64>>,
@@ -47,9 +52,26 @@ impl Isotherms {
         Self::with_ends(temperatures, pressures, values, Beyond::Straight)
     }
 
+    /// The same of the logarithms of `values`.
+    ///
+    /// # Errors
+    ///
+    /// As [`Isotherms::straight`].
+    pub fn of_logarithms(
+        temperatures: Vec<f64>,
+        pressures: Vec<Vec<f64>>,
+        values: Vec<Vec<f64>>,
+    ) -> Result<Self, LawError> {
+        Ok(Self::straight(temperatures, pressures, values)?.map(f64::ln))
+    }
+
     /// The same that holds its end values outside. Here a row may have a single pressure, whose value then holds at
     /// every pressure.
-    pub(crate) fn held(
+    ///
+    /// # Errors
+    ///
+    /// As [`Isotherms::straight`].
+    pub fn held(
         temperatures: Vec<f64>,
         pressures: Vec<Vec<f64>>,
         values: Vec<Vec<f64>>,
@@ -135,7 +157,7 @@ impl Isotherms {
     }
 
     /// The same table with `f` applied to every value.
-    pub(crate) fn map(self, f: impl Fn(f64) -> f64) -> Self {
+    fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let rows = self
             .rows
             .into_iter()
@@ -152,13 +174,13 @@ impl Isotherms {
     }
 
     /// Whether the value changes with temperature.
-    pub(crate) fn depends_on_temperature(&self) -> bool {
+    pub fn depends_on_temperature(&self) -> bool {
         self.rows.len() > 1
     }
 
     /// Range `(min, max)` of pressure and temperature that every isotherm covers; infinite in pressure where the rows
     /// have a single one.
-    pub(crate) fn range(&self) -> [(f64, f64); 2] {
+    pub fn range(&self) -> [(f64, f64); 2] {
         let rows = || self.rows.iter().filter(|row| row.pressures.len() > 1);
         let first = rows()
             .map(|row| row.pressures[0])
@@ -175,8 +197,8 @@ impl Isotherms {
         ]
     }
 
-    /// Value at `pressure` and `temperature`.
-    pub(crate) fn evaluate<D: Scalar>(&self, pressure: D, temperature: D) -> D {
+    /// Value (SI, or its logarithm) at `pressure` (Pa above ambient) and `temperature` (K).
+    pub fn evaluate<D: Scalar>(&self, pressure: D, temperature: D) -> D {
         let n = self.temperatures.len();
         if n == 1 {
             return self.rows[0].evaluate(pressure, self.beyond);

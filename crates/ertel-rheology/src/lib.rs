@@ -39,6 +39,7 @@ pub use density::DensityLaw;
 pub use error::LawError;
 pub use fluid::{Fluid, FluidError};
 pub use heat_capacity::HeatCapacityLaw;
+pub use interpolation::Isotherms;
 #[cfg(feature = "read")]
 pub use read::{Files, Material};
 pub use scalar::Scalar;

@@ -1,13 +1,13 @@
 //! Exact derivatives of every law against central differences, and the behaviour of tables, on random states.
 
 use ertel_rheology::density::{
-    self, BulkModulusSoftening, DowsonHigginson, Murnaghan, Tait, TaitVolume, ThermalExpansion,
+    BulkModulusSoftening, DowsonHigginson, Murnaghan, Tait, TaitVolume, ThermalExpansion,
 };
 use ertel_rheology::viscosity::{
-    self, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
+    Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
     PressureLaw, Roelands, TemperatureSlope, Walther,
 };
-use ertel_rheology::{DensityLaw, ViscosityLaw};
+use ertel_rheology::{DensityLaw, Isotherms, ViscosityLaw};
 use num_dual::{HyperDual64, second_derivative, second_partial_derivative};
 use proptest::prelude::*;
 
@@ -111,7 +111,7 @@ fn viscosity_laws() -> Vec<ViscosityLaw> {
         walther(PressureLaw::Barus, 0.0),
         walther(PressureLaw::Roelands, -0.8),
         walther(PressureLaw::Barus, -2.5),
-        ViscosityLaw::Table(viscosity::Table::new(t, p, v).unwrap()),
+        ViscosityLaw::Table(Isotherms::of_logarithms(t, p, v).unwrap()),
     ]
 }
 
@@ -145,7 +145,7 @@ fn density_laws() -> Vec<DensityLaw> {
         DensityLaw::DowsonHigginson(DowsonHigginson::new(870.0, Some(thermal)).unwrap()),
         DensityLaw::Tait(Tait::new(818.0, volume()).unwrap()),
         DensityLaw::Murnaghan(Murnaghan::new(872.0, 9.234e9, 10.545, volume().thermal).unwrap()),
-        DensityLaw::Table(density::Table::new(t, p, v).unwrap()),
+        DensityLaw::Table(Isotherms::straight(t, p, v).unwrap()),
     ]
 }
 
@@ -257,7 +257,7 @@ proptest! {
             pressures.push(pressure);
             values.push(f64::exp(ln_mu));
         }
-        let table = viscosity::Table::new(vec![300.0], vec![pressures.clone()], vec![values.clone()]).unwrap();
+        let table = Isotherms::of_logarithms(vec![300.0], vec![pressures.clone()], vec![values.clone()]).unwrap();
         let law = ViscosityLaw::Table(table);
         for (p, value) in pressures.iter().zip(&values) {
             prop_assert!((law.viscosity(*p, 300.0) / value - 1.0).abs() < 1e-12);
@@ -276,7 +276,7 @@ proptest! {
 fn a_table_is_exact_at_every_isotherm_and_linear_outside() {
     let (temperatures, pressures, values) = table_knots();
     let law = ViscosityLaw::Table(
-        viscosity::Table::new(temperatures.clone(), pressures.clone(), values.clone()).unwrap(),
+        Isotherms::of_logarithms(temperatures.clone(), pressures.clone(), values.clone()).unwrap(),
     );
     for (i, t) in temperatures.iter().enumerate() {
         for (p, value) in pressures[i].iter().zip(&values[i]) {
@@ -303,7 +303,7 @@ fn a_table_follows_the_published_interpolant() {
     // d0 = ((2·1 + 2)·1 - 1·1/2)/3 = 7/6;  d1 = (5 + 4)/(5/1 + 4/(1/2)) = 9/13;  d2 = ((2·2 + 1)/2 - 2·1)/3 = 1/6.
     // At x = 1/2: 1/2 + (7/6 - 9/13)/8.  At x = 2: 3/2 + 2 (9/13 - 1/6)/8.
     let e = |y: f64| (1.0 + y).exp();
-    let table = viscosity::Table::new(
+    let table = Isotherms::of_logarithms(
         vec![300.0],
         vec![vec![0.0, 1.0, 3.0]],
         vec![vec![e(0.0), e(1.0), e(2.0)]],

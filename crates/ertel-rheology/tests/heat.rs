@@ -5,7 +5,7 @@ use approx::assert_relative_eq;
 use ertel_rheology::conductivity::{self, LinearFactor};
 use ertel_rheology::density::{BulkModulusSoftening, DowsonHigginson, Murnaghan, ThermalExpansion};
 use ertel_rheology::heat_capacity::{self, VolumetricConstants};
-use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, LawError};
+use ertel_rheology::{ConductivityLaw, DensityLaw, HeatCapacityLaw, Isotherms, LawError};
 use num_dual::{Dual64, DualVec64, first_derivative};
 use proptest::prelude::*;
 
@@ -65,7 +65,7 @@ fn conductivity_laws() -> Vec<ConductivityLaw> {
         ConductivityLaw::LarssonAndersson(
             conductivity::LarssonAndersson::new(0.137, 1.72e-9, 0.54e-9).unwrap(),
         ),
-        ConductivityLaw::Table(conductivity::Table::new(t, p, v).unwrap()),
+        ConductivityLaw::Table(Isotherms::held(t, p, v).unwrap()),
         ConductivityLaw::Scaling(
             conductivity::Scaling::new(
                 conductivity::ScalingConstants {
@@ -94,7 +94,7 @@ fn heat_capacity_laws() -> Vec<HeatCapacityLaw> {
         HeatCapacityLaw::LarssonAndersson(
             heat_capacity::LarssonAndersson::new(constants(), density()).unwrap(),
         ),
-        HeatCapacityLaw::Table(heat_capacity::Table::new(t, p, v).unwrap()),
+        HeatCapacityLaw::Table(Isotherms::held(t, p, v).unwrap()),
         HeatCapacityLaw::Scaling(
             heat_capacity::Scaling::new(
                 heat_capacity::ScalingConstants {
@@ -175,13 +175,10 @@ fn impossible_constants_are_refused() {
         let (t, p, mut v) = knots(0.13);
         v[1][2] = bad;
         assert_eq!(
-            key(conductivity::Table::new(t.clone(), p.clone(), v.clone()).unwrap_err()),
+            key(Isotherms::held(t.clone(), p.clone(), v.clone()).unwrap_err()),
             "values"
         );
-        assert_eq!(
-            key(heat_capacity::Table::new(t, p, v).unwrap_err()),
-            "values"
-        );
+        assert_eq!(key(Isotherms::held(t, p, v).unwrap_err()), "values");
         let constants = VolumetricConstants {
             rho_c_0: bad,
             ..constants()
@@ -200,7 +197,7 @@ fn impossible_constants_are_refused() {
         "a_t"
     );
     // A row without pressures, which a table over temperature alone is not.
-    let law = conductivity::Table::new(vec![300.0], vec![vec![]], vec![vec![]]);
+    let law = Isotherms::held(vec![300.0], vec![vec![]], vec![vec![]]);
     assert_eq!(key(law.unwrap_err()), "pressure");
 }
 

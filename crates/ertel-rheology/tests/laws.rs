@@ -5,12 +5,12 @@
 
 use approx::assert_relative_eq;
 use ertel_rheology::density::{
-    self, BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
+    BulkModulusSoftening, DowsonHigginson, Tait, TaitVolume, ThermalExpansion,
 };
 use ertel_rheology::viscosity::{
-    self, Cheng, Doolittle, ModifiedWlf, OccupiedVolume, Roelands, TemperatureSlope,
+    Cheng, Doolittle, ModifiedWlf, OccupiedVolume, Roelands, TemperatureSlope,
 };
-use ertel_rheology::{DensityLaw, ViscosityLaw};
+use ertel_rheology::{DensityLaw, Isotherms, ViscosityLaw};
 
 const MPA: f64 = 1e6;
 const GPA: f64 = 1e9;
@@ -468,7 +468,8 @@ fn no_asymptotic_coefficient_without_growth() {
             .is_err()
     );
     let thinning =
-        viscosity::Table::new(vec![300.0], vec![vec![0.0, 1e8]], vec![vec![1e-3, 0.9e-3]]).unwrap();
+        Isotherms::of_logarithms(vec![300.0], vec![vec![0.0, 1e8]], vec![vec![1e-3, 0.9e-3]])
+            .unwrap();
     assert!(
         ViscosityLaw::Table(thinning)
             .pressure_viscosity_reciprocal_asymptotic(300.0)
@@ -517,7 +518,7 @@ fn impossible_constants_are_rejected() {
         "rho_0"
     );
     let table = |t: &[f64], p: &[f64], v: &[f64]| {
-        density::Table::new(
+        Isotherms::straight(
             t.to_vec(),
             vec![p.to_vec(); t.len()],
             vec![v.to_vec(); t.len()],

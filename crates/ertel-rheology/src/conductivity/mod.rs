@@ -7,16 +7,14 @@ mod constant;
 mod larsson_andersson;
 mod linear;
 mod scaling;
-mod table;
 
 pub use crate::linear::LinearFactor;
 pub use constant::Constant;
 pub use larsson_andersson::LarssonAndersson;
 pub use linear::Linear;
 pub use scaling::{Scaling, ScalingConstants};
-pub use table::Table;
 
-use crate::{LawError, Scalar};
+use crate::{Isotherms, LawError, Scalar};
 
 /// The conductivity laws.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,20 +27,11 @@ pub enum ConductivityLaw {
     LarssonAndersson(LarssonAndersson),
     /// `k = B + C κ^(-s)`, `κ = (V/V_R) [1 + A (T/T_R) (V/V_R)^q]`
     Scaling(Scaling),
-    /// Monotone interpolation in a table over pressure and temperature.
-    Table(Table),
+    /// Monotone interpolation in a table over pressure and temperature, [`Isotherms::held`].
+    Table(Isotherms),
 }
 
 impl ConductivityLaw {
-    /// Names of the laws as written in data files.
-    pub const NAMES: [&'static str; 5] = [
-        "constant",
-        "linear",
-        "larsson-andersson",
-        "scaling",
-        "table",
-    ];
-
     /// A conductivity `k_0` (W/(m·K)) that does not change.
     ///
     /// # Errors
@@ -60,7 +49,7 @@ impl ConductivityLaw {
             Self::Linear(law) => law.conductivity(pressure, temperature),
             Self::LarssonAndersson(law) => law.conductivity(pressure, temperature),
             Self::Scaling(law) => law.conductivity(pressure, temperature),
-            Self::Table(law) => law.conductivity(pressure, temperature),
+            Self::Table(law) => law.evaluate(pressure, temperature),
         }
     }
 

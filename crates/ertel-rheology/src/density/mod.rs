@@ -5,16 +5,14 @@
 mod constant;
 mod dowson_higginson;
 mod murnaghan;
-mod table;
 mod tait;
 
 pub use constant::Constant;
 pub use dowson_higginson::{DowsonHigginson, ThermalExpansion};
 pub use murnaghan::Murnaghan;
-pub use table::Table;
 pub use tait::{BulkModulusSoftening, Tait, TaitVolume};
 
-use crate::{LawError, Scalar};
+use crate::{Isotherms, LawError, Scalar};
 
 /// The density laws.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,15 +25,11 @@ pub enum DensityLaw {
     Tait(Tait),
     /// `ρ = ρ₀ (1 + K₀' p / K₀)^(1/K₀') / (1 + a_V (T - T_R))`
     Murnaghan(Murnaghan),
-    /// Monotone interpolation in a table over pressure and temperature.
-    Table(Table),
+    /// Monotone interpolation in a table over pressure and temperature, [`Isotherms::straight`].
+    Table(Isotherms),
 }
 
 impl DensityLaw {
-    /// Names of the laws as written in data files.
-    pub const NAMES: [&'static str; 5] =
-        ["constant", "dowson-higginson", "tait", "murnaghan", "table"];
-
     /// An incompressible lubricant of density `rho_0` (kg/m³).
     pub fn constant(rho_0: f64) -> Result<Self, LawError> {
         Constant::new(rho_0).map(Self::Constant)
@@ -54,7 +48,7 @@ impl DensityLaw {
             Self::DowsonHigginson(law) => law.density(pressure, temperature),
             Self::Tait(law) => law.density(pressure, temperature),
             Self::Murnaghan(law) => law.density(pressure, temperature),
-            Self::Table(law) => law.density(pressure, temperature),
+            Self::Table(law) => law.evaluate(pressure, temperature),
         }
     }
 

@@ -7,16 +7,14 @@ mod constant;
 mod larsson_andersson;
 mod linear;
 mod scaling;
-mod table;
 
 pub use crate::linear::LinearFactor;
 pub use constant::Constant;
 pub use larsson_andersson::{LarssonAndersson, VolumetricConstants};
 pub use linear::Linear;
 pub use scaling::{Scaling, ScalingConstants};
-pub use table::Table;
 
-use crate::{LawError, Scalar};
+use crate::{Isotherms, LawError, Scalar};
 
 /// The heat capacity laws.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,20 +27,11 @@ pub enum HeatCapacityLaw {
     LarssonAndersson(LarssonAndersson),
     /// `ρ c = C₀ + m (T/T_R) (V/V_R)^(-w)`
     Scaling(Scaling),
-    /// Monotone interpolation in a table over pressure and temperature.
-    Table(Table),
+    /// Monotone interpolation in a table over pressure and temperature, [`Isotherms::held`].
+    Table(Isotherms),
 }
 
 impl HeatCapacityLaw {
-    /// Names of the laws as written in data files.
-    pub const NAMES: [&'static str; 5] = [
-        "constant",
-        "linear",
-        "larsson-andersson",
-        "scaling",
-        "table",
-    ];
-
     /// A heat capacity `c_0` (J/(kg·K)) that does not change.
     ///
     /// # Errors
@@ -60,7 +49,7 @@ impl HeatCapacityLaw {
             Self::Linear(law) => law.heat_capacity(pressure, temperature),
             Self::LarssonAndersson(law) => law.heat_capacity(pressure, temperature),
             Self::Scaling(law) => law.heat_capacity(pressure, temperature),
-            Self::Table(law) => law.heat_capacity(pressure, temperature),
+            Self::Table(law) => law.evaluate(pressure, temperature),
         }
     }
 

@@ -3,17 +3,23 @@
 use super::{
     Files, Material,
     density::reference_temperature,
-    density_beside, given_law, law_name, linear_factor, locate,
+    density_beside, given_law, linear_factor, locate,
     table::{Columns, Pressures},
 };
-use crate::conductivity::{
-    LarssonAndersson, Linear, Scaling, ScalingConstants, Table as ConductivityTable,
-};
-use crate::{ConductivityLaw, DensityLaw};
+use crate::conductivity::{LarssonAndersson, Linear, Scaling, ScalingConstants};
+use crate::{ConductivityLaw, DensityLaw, Isotherms};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
 const DIMENSION: Dimension = Dimension::THERMAL_CONDUCTIVITY;
+
+laws! {
+    Constant = "constant",
+    Linear = "linear",
+    LarssonAndersson = "larsson-andersson",
+    Scaling = "scaling",
+    Table = "table",
+}
 
 impl ConductivityLaw {
     /// Reads the law at `key` of `table`, `None` if there is none: a quantity such as `"0.13 W/(m.K)"` for a constant,
@@ -46,14 +52,14 @@ impl ConductivityLaw {
         let table = &mut inner;
         let k_0 =
             |table: &mut Table<'_>| table.required_quantity("k_0", DIMENSION, Bounds::POSITIVE);
-        let law = match law_name(table, &material.law_names(&Self::NAMES))? {
-            "constant" => Self::constant(k_0(table)?).map_err(locate(table))?,
-            "linear" => {
+        let law = match table.required_choice("law", &material.suitable(LAWS))? {
+            Law::Constant => Self::constant(k_0(table)?).map_err(locate(table))?,
+            Law::Linear => {
                 let k_0 = k_0(table)?;
                 let factor = linear_factor(table, material)?;
                 Self::Linear(Linear::new(k_0, factor).map_err(locate(table))?)
             }
-            "larsson-andersson" => {
+            Law::LarssonAndersson => {
                 let k_0 = k_0(table)?;
                 let mut read = |key: &str| {
                     table.required_quantity(key, Dimension::INVERSE_PRESSURE, Bounds::NON_NEGATIVE)
@@ -62,7 +68,7 @@ impl ConductivityLaw {
                 let law = LarssonAndersson::new(k_0, d_1, d_2);
                 Self::LarssonAndersson(law.map_err(locate(table))?)
             }
-            "scaling" => {
+            Law::Scaling => {
                 let constants = ScalingConstants {
                     b: table.required_quantity("b", DIMENSION, Bounds::NON_NEGATIVE)?,
                     c: table.required_quantity("c", DIMENSION, Bounds::POSITIVE)?,
@@ -74,7 +80,7 @@ impl ConductivityLaw {
                 let density = density_beside(table, density, "a function of the volume")?;
                 Self::Scaling(Scaling::new(constants, density).map_err(locate(table))?)
             }
-            _ => {
+            Law::Table => {
                 let columns = Columns::read(
                     table,
                     files,
@@ -82,7 +88,7 @@ impl ConductivityLaw {
                     DIMENSION,
                     Pressures::Optional,
                 )?;
-                Self::Table(columns.law(table, ConductivityTable::new)?)
+                Self::Table(columns.law(table, Isotherms::held)?)
             }
         };
         inner.finish()?;

@@ -1,16 +1,23 @@
 //! Density laws from a table.
 
 use super::{
-    Files, group, law_name, locate,
+    Files, group, locate,
     table::{Columns, Pressures},
 };
-use crate::DensityLaw;
 use crate::density::{
-    BulkModulusSoftening, DowsonHigginson, Murnaghan, Table as DensityTable, Tait, TaitVolume,
-    ThermalExpansion,
+    BulkModulusSoftening, DowsonHigginson, Murnaghan, Tait, TaitVolume, ThermalExpansion,
 };
+use crate::{DensityLaw, Isotherms};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
+
+laws! {
+    Constant = "constant",
+    DowsonHigginson = "dowson-higginson",
+    Tait = "tait",
+    Murnaghan = "murnaghan",
+    Table = "table",
+}
 
 impl DensityLaw {
     /// Reads a law from a table such as `{ law = "dowson-higginson", rho_0 = "870 kg/m^3" }` and refuses unknown keys.
@@ -27,22 +34,21 @@ impl DensityLaw {
     ///
     /// Unknown laws and keys, missing keys, wrong units and impossible values, each with its line.
     pub fn from_table(mut table: Table<'_>, files: Files<'_>) -> Result<Self, InputError> {
-        let name = law_name(&mut table, &Self::NAMES)?;
-        let law = match name {
-            "constant" => Self::constant(rho_0(&mut table)?).map_err(locate(&table))?,
-            "dowson-higginson" => Self::DowsonHigginson(dowson_higginson(&mut table)?),
-            "tait" => {
+        let law = match table.required_choice("law", LAWS)? {
+            Law::Constant => Self::constant(rho_0(&mut table)?).map_err(locate(&table))?,
+            Law::DowsonHigginson => Self::DowsonHigginson(dowson_higginson(&mut table)?),
+            Law::Tait => {
                 let rho_0 = rho_0(&mut table)?;
                 let volume = TaitVolume::read(&mut table)?;
                 Self::Tait(Tait::new(rho_0, volume).map_err(locate(&table))?)
             }
-            "murnaghan" => {
+            Law::Murnaghan => {
                 let rho_0 = rho_0(&mut table)?;
                 let (modulus, slope, thermal) = bulk_modulus(&mut table)?;
                 let law = Murnaghan::new(rho_0, modulus, slope, thermal);
                 Self::Murnaghan(law.map_err(locate(&table))?)
             }
-            _ => {
+            Law::Table => {
                 let columns = Columns::read(
                     &mut table,
                     files,
@@ -50,7 +56,7 @@ impl DensityLaw {
                     Dimension::DENSITY,
                     Pressures::Required,
                 )?;
-                Self::Table(columns.law(&table, DensityTable::new)?)
+                Self::Table(columns.law(&table, Isotherms::straight)?)
             }
         };
         table.finish()?;

@@ -3,18 +3,25 @@
 use super::{
     Files, Material,
     density::reference_temperature,
-    density_beside, given_law, law_name, linear_factor, locate,
+    density_beside, given_law, linear_factor, locate,
     table::{Columns, Pressures},
 };
 use crate::heat_capacity::{
-    LarssonAndersson, Linear, Scaling, ScalingConstants, Table as HeatCapacityTable,
-    VolumetricConstants,
+    LarssonAndersson, Linear, Scaling, ScalingConstants, VolumetricConstants,
 };
-use crate::{DensityLaw, HeatCapacityLaw};
+use crate::{DensityLaw, HeatCapacityLaw, Isotherms};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
 const DIMENSION: Dimension = Dimension::SPECIFIC_HEAT;
+
+laws! {
+    Constant = "constant",
+    Linear = "linear",
+    LarssonAndersson = "larsson-andersson",
+    Scaling = "scaling",
+    Table = "table",
+}
 
 impl HeatCapacityLaw {
     /// Reads the law at `key` of `table`, `None` if there is none: a quantity such as `"1.7 kJ/(kg.K)"` for a constant,
@@ -48,20 +55,20 @@ impl HeatCapacityLaw {
         let table = &mut inner;
         let c_0 =
             |table: &mut Table<'_>| table.required_quantity("c_0", DIMENSION, Bounds::POSITIVE);
-        let law = match law_name(table, &material.law_names(&Self::NAMES))? {
-            "constant" => Self::constant(c_0(table)?).map_err(locate(table))?,
-            "linear" => {
+        let law = match table.required_choice("law", &material.suitable(LAWS))? {
+            Law::Constant => Self::constant(c_0(table)?).map_err(locate(table))?,
+            Law::Linear => {
                 let c_0 = c_0(table)?;
                 let factor = linear_factor(table, material)?;
                 Self::Linear(Linear::new(c_0, factor).map_err(locate(table))?)
             }
-            "larsson-andersson" => {
+            Law::LarssonAndersson => {
                 let constants = volumetric_constants(table)?;
                 let density = density_beside(table, density, "per volume")?;
                 let law = LarssonAndersson::new(constants, density);
                 Self::LarssonAndersson(law.map_err(locate(table))?)
             }
-            "scaling" => {
+            Law::Scaling => {
                 let heat = Dimension::VOLUMETRIC_HEAT;
                 let constants = ScalingConstants {
                     rho_c_0: table.required_quantity("rho_c_0", heat, Bounds::POSITIVE)?,
@@ -74,7 +81,7 @@ impl HeatCapacityLaw {
                 let density = density_beside(table, density, "per volume")?;
                 Self::Scaling(Scaling::new(constants, density).map_err(locate(table))?)
             }
-            _ => {
+            Law::Table => {
                 let columns = Columns::read(
                     table,
                     files,
@@ -82,7 +89,7 @@ impl HeatCapacityLaw {
                     DIMENSION,
                     Pressures::Optional,
                 )?;
-                Self::Table(columns.law(table, HeatCapacityTable::new)?)
+                Self::Table(columns.law(table, Isotherms::held)?)
             }
         };
         inner.finish()?;

@@ -1,5 +1,17 @@
 //! Laws, fluids and solids from TOML tables: the same schema in the database and in case files.
 
+/// The laws of a quantity and their names in data files: `Law`, of which readers match each, and `LAWS`.
+macro_rules! laws {
+    ($($law:ident = $name:literal),* $(,)?) => {
+        #[derive(Clone, Copy)]
+        enum Law {
+            $($law),*
+        }
+
+        const LAWS: &[(&str, Law)] = &[$(($name, Law::$law)),*];
+    };
+}
+
 mod conductivity;
 mod data_sheet;
 mod density;
@@ -54,12 +66,12 @@ pub enum Material {
 }
 
 impl Material {
-    /// Of `names`, those of the laws that suit the material.
-    fn law_names(self, names: &[&'static str]) -> Vec<&'static str> {
-        let suits = |name: &&&str| {
-            self == Self::Lubricant || !["larsson-andersson", "scaling"].contains(*name)
+    /// Of the laws, those that suit the material.
+    fn suitable<T: Copy>(self, laws: &[(&'static str, T)]) -> Vec<(&'static str, T)> {
+        let suits = |(name, _): &&(&str, T)| {
+            self == Self::Lubricant || !["larsson-andersson", "scaling"].contains(name)
         };
-        names.iter().filter(suits).copied().collect()
+        laws.iter().filter(suits).copied().collect()
     }
 }
 
@@ -119,12 +131,6 @@ fn density_beside(
             )
             .with_help("such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }")
     })
-}
-
-/// The law named by the key `law`, or an error that lists the laws.
-fn law_name<'t>(table: &mut Table<'_>, names: &[&'t str]) -> Result<&'t str, InputError> {
-    let options: Vec<(&str, &'t str)> = names.iter().map(|name| (*name, *name)).collect();
-    table.required_choice("law", &options)
 }
 
 #[cfg(test)]

@@ -1,10 +1,18 @@
 //! Shear-thinning laws from a table.
 
-use super::{density::reference_temperature, law_name, locate};
+use super::{density::reference_temperature, locate};
 use crate::shear::{Carreau, CarreauYasuda, Rabinowitsch, ReeEyring, ShearLaw, StressLimit};
 use crate::{ShearThinning, ViscosityLaw};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
+
+laws! {
+    Carreau = "carreau",
+    CarreauYasuda = "carreau-yasuda",
+    ReeEyring = "ree-eyring",
+    Rabinowitsch = "rabinowitsch",
+    LimitingStress = "limiting-stress",
+}
 
 impl ShearThinning {
     /// Reads a law from a table such as `{ law = "ree-eyring", tau_0 = "5 MPa" }` and refuses unknown keys.
@@ -32,20 +40,19 @@ impl ShearThinning {
         viscosity: &ViscosityLaw,
         fluid_temperature: Option<f64>,
     ) -> Result<Self, InputError> {
-        let name = law_name(&mut table, &Self::NAMES)?;
-        if name == "limiting-stress" {
-            let limit = limit(&mut table)?;
-            table.finish()?;
-            return Ok(Self::limited(limit));
-        }
-        let law = match name {
-            "carreau" => {
+        let law = match table.required_choice("law", LAWS)? {
+            Law::LimitingStress => {
+                let limit = limit(&mut table)?;
+                table.finish()?;
+                return Ok(Self::limited(limit));
+            }
+            Law::Carreau => {
                 let g_c = stress(&mut table, "g_c")?;
                 let (n, beta_c) = (exponent(&mut table)?, transition(&mut table, "beta_c")?);
                 let ratio = plateau_ratio(&mut table, viscosity, fluid_temperature)?;
                 ShearLaw::Carreau(Carreau::new(g_c, n, beta_c, ratio).map_err(locate(&table))?)
             }
-            "carreau-yasuda" => {
+            Law::CarreauYasuda => {
                 let g = stress(&mut table, "g").map_err(|error| {
                     error.with_help("`g` is the shear modulus: the relaxation time is mu_1/g")
                 })?;
@@ -53,11 +60,11 @@ impl ShearThinning {
                 let ratio = plateau_ratio(&mut table, viscosity, fluid_temperature)?;
                 ShearLaw::CarreauYasuda(CarreauYasuda::new(g, n, a, ratio).map_err(locate(&table))?)
             }
-            "ree-eyring" => {
+            Law::ReeEyring => {
                 let tau_0 = stress(&mut table, "tau_0")?;
                 ShearLaw::ReeEyring(ReeEyring::new(tau_0).map_err(locate(&table))?)
             }
-            _ => {
+            Law::Rabinowitsch => {
                 let tau_0 = stress(&mut table, "tau_0")?;
                 let n = table.required_number("n", Bounds::open(0.0, 1.0))?;
                 ShearLaw::Rabinowitsch(Rabinowitsch::new(tau_0, n).map_err(locate(&table))?)

@@ -3,17 +3,32 @@
 use super::{
     Files,
     density::reference_temperature,
-    density_beside, group, law_name, locate,
+    density_beside, group, locate,
     table::{Columns, Pressures},
 };
 use crate::density::TaitVolume;
 use crate::viscosity::{
     Barus, Cheng, Doolittle, Hybrid, ImprovedYasutomi, McEwen, ModifiedWlf, OccupiedVolume, Paluch,
-    PressureLaw, Roelands, Table as ViscosityTable, TemperatureSlope, Walther,
+    PressureLaw, Roelands, TemperatureSlope, Walther,
 };
-use crate::{DensityLaw, ViscosityLaw};
+use crate::{DensityLaw, Isotherms, ViscosityLaw};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
+
+laws! {
+    Constant = "constant",
+    Barus = "barus",
+    Cheng = "cheng",
+    Roelands = "roelands",
+    ModifiedWlf = "wlf",
+    Doolittle = "doolittle",
+    ImprovedYasutomi = "yasutomi",
+    McEwen = "mcewen",
+    Paluch = "paluch",
+    Hybrid = "mcewen-paluch",
+    Walther = "walther",
+    Table = "table",
+}
 
 impl ViscosityLaw {
     /// Reads a law from a table such as `{ law = "roelands", mu_0 = "40 mPa.s", alpha = "22 1/GPa" }` and refuses
@@ -43,27 +58,26 @@ impl ViscosityLaw {
         density: Option<&DensityLaw>,
         files: Files<'_>,
     ) -> Result<Self, InputError> {
-        let name = law_name(&mut table, &Self::NAMES)?;
-        let law = match name {
-            "constant" => Self::constant(mu_0(&mut table)?).map_err(locate(&table))?,
-            "barus" => {
+        let law = match table.required_choice("law", LAWS)? {
+            Law::Constant => Self::constant(mu_0(&mut table)?).map_err(locate(&table))?,
+            Law::Barus => {
                 let (mu_0, alpha) = (mu_0(&mut table)?, alpha(&mut table)?);
                 Self::Barus(Barus::new(mu_0, alpha).map_err(locate(&table))?)
             }
-            "cheng" => Self::Cheng(cheng(&mut table)?),
-            "roelands" => Self::Roelands(roelands(&mut table)?),
-            "wlf" => Self::ModifiedWlf(wlf(&mut table)?),
-            "doolittle" => Self::Doolittle(doolittle(&mut table, density)?),
-            "yasutomi" => Self::ImprovedYasutomi(yasutomi(&mut table)?),
-            "mcewen" => {
+            Law::Cheng => Self::Cheng(cheng(&mut table)?),
+            Law::Roelands => Self::Roelands(roelands(&mut table)?),
+            Law::ModifiedWlf => Self::ModifiedWlf(wlf(&mut table)?),
+            Law::Doolittle => Self::Doolittle(doolittle(&mut table, density)?),
+            Law::ImprovedYasutomi => Self::ImprovedYasutomi(yasutomi(&mut table)?),
+            Law::McEwen => {
                 let (mu_0, alpha) = (mu_0(&mut table)?, alpha(&mut table)?);
                 let q = table.required_number("q", Bounds::POSITIVE)?;
                 Self::McEwen(McEwen::new(mu_0, alpha, q).map_err(locate(&table))?)
             }
-            "paluch" => Self::Paluch(paluch(&mut table)?),
-            "mcewen-paluch" => Self::Hybrid(hybrid(&mut table)?),
-            "walther" => Self::Walther(walther(&mut table, density)?),
-            _ => {
+            Law::Paluch => Self::Paluch(paluch(&mut table)?),
+            Law::Hybrid => Self::Hybrid(hybrid(&mut table)?),
+            Law::Walther => Self::Walther(walther(&mut table, density)?),
+            Law::Table => {
                 let columns = Columns::read(
                     &mut table,
                     files,
@@ -71,7 +85,7 @@ impl ViscosityLaw {
                     Dimension::VISCOSITY,
                     Pressures::Required,
                 )?;
-                Self::Table(columns.law(&table, ViscosityTable::new)?)
+                Self::Table(columns.law(&table, Isotherms::of_logarithms)?)
             }
         };
         table.finish()?;

@@ -60,15 +60,6 @@ pub struct StressScales {
 }
 
 impl ShearThinning {
-    /// Names of the laws as written in data files; the last is a limit without law.
-    pub const NAMES: [&'static str; 5] = [
-        "carreau",
-        "carreau-yasuda",
-        "ree-eyring",
-        "rabinowitsch",
-        "limiting-stress",
-    ];
-
     /// A law without limiting stress.
     pub fn of(law: ShearLaw) -> Self {
         Self {

@@ -12,7 +12,6 @@ mod hybrid;
 mod mcewen;
 mod paluch;
 mod roelands;
-mod table;
 mod walther;
 mod wlf;
 mod yasutomi;
@@ -26,12 +25,11 @@ pub use hybrid::Hybrid;
 pub use mcewen::McEwen;
 pub use paluch::Paluch;
 pub use roelands::{Roelands, TemperatureSlope};
-pub use table::Table;
 pub use walther::{PressureLaw, Walther};
 pub use wlf::ModifiedWlf;
 pub use yasutomi::ImprovedYasutomi;
 
-use crate::{LawError, Scalar};
+use crate::{Isotherms, LawError, Scalar};
 
 /// The viscosity laws.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,27 +56,11 @@ pub enum ViscosityLaw {
     Hybrid(Hybrid),
     /// `μ = ν(T) ρ(0, T)` with Walther's equation, times the growth with pressure of Roelands or Barus
     Walther(Walther),
-    /// Monotone interpolation of `ln μ` in a table over pressure and temperature.
-    Table(Table),
+    /// Monotone interpolation of `ln μ` in a table over pressure and temperature, [`Isotherms::of_logarithms`].
+    Table(Isotherms),
 }
 
 impl ViscosityLaw {
-    /// Names of the laws as written in data files.
-    pub const NAMES: [&'static str; 12] = [
-        "constant",
-        "barus",
-        "cheng",
-        "roelands",
-        "wlf",
-        "doolittle",
-        "yasutomi",
-        "mcewen",
-        "paluch",
-        "mcewen-paluch",
-        "walther",
-        "table",
-    ];
-
     /// A viscosity `mu_0` (Pa·s) that does not change.
     pub fn constant(mu_0: f64) -> Result<Self, LawError> {
         Constant::new(mu_0).map(Self::Constant)
@@ -117,7 +99,7 @@ impl ViscosityLaw {
             Self::Paluch(law) => law.ln_viscosity(pressure, temperature),
             Self::Hybrid(law) => law.ln_viscosity(pressure, temperature),
             Self::Walther(law) => law.ln_viscosity(pressure, temperature),
-            Self::Table(law) => law.ln_viscosity(pressure, temperature),
+            Self::Table(law) => law.evaluate(pressure, temperature),
         }
     }
 
