@@ -1,5 +1,6 @@
 //! All integration tests in one program: each program of its own would link the whole library once more, and run alone.
 
+mod bad;
 mod bad_cases;
 mod commands;
 mod common;

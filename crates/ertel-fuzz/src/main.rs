@@ -5,6 +5,9 @@
 //! Inputs are made from the shipped cases, studies and data and from the corpus beside this crate, and numbered: the
 //! same seed and number make the same input. How it works, and why so, stands in docs/decisions/0013.
 
+#[allow(dead_code, reason = "messages are for the tests of the command")]
+#[path = "../../ertel-cli/tests/bad/mod.rs"]
+mod bad;
 #[allow(dead_code)]
 #[path = "../../ertel-cli/src/failure.rs"]
 mod failure;

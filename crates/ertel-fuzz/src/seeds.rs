@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use fastrand::Rng;
 
+use crate::bad::bad_cases;
 use crate::input::{Input, Target};
 use crate::mutate::Words;
 use crate::targets::{self, Verdict, answers, journal, view};
@@ -55,29 +56,37 @@ impl Seeds {
     /// Files that cannot be read.
     pub fn read(root: &Path) -> io::Result<Seeds> {
         let mut inputs = Vec::new();
+        let mut cases = Vec::new();
         for folder in CASES {
             for path in files(&root.join(folder), "toml")? {
                 let content = fs::read(&path)?;
-                let text = String::from_utf8_lossy(&content).into_owned();
-                if text.contains("[[axis]]") || text.contains("\npoints = \"") {
-                    inputs.push(study(&path, content, &text)?);
-                } else if !path.ends_with("reference.toml") {
-                    if text.contains("\"line\"") {
-                        inputs.push(of_main(Target::Solve, content.clone()));
-                    }
-                    for (target, words) in [
-                        (Target::Machine, "[machine"),
-                        (Target::Settings, "[contact"),
-                        (Target::Web, ""),
-                    ] {
-                        if text.contains(words) {
-                            let mut input = of_main(target, Vec::new());
-                            input.set("case.toml", content.clone());
-                            inputs.push(input);
-                        }
-                    }
-                    inputs.push(of_main(Target::Case, content));
+                cases.push((path, content));
+            }
+        }
+        let bad = root.join("crates/ertel-cli/tests/bad");
+        for case in bad_cases(&fs::read_to_string(bad.join("cases.txt"))?) {
+            cases.push((bad.join(case.name), case.text.into_bytes()));
+        }
+        for (path, content) in cases {
+            let text = String::from_utf8_lossy(&content).into_owned();
+            if text.contains("[[axis]]") || text.contains("\npoints = \"") {
+                inputs.push(study(&path, content, &text)?);
+            } else if !path.ends_with("reference.toml") {
+                if text.contains("\"line\"") {
+                    inputs.push(of_main(Target::Solve, content.clone()));
                 }
+                for (target, words) in [
+                    (Target::Machine, "[machine"),
+                    (Target::Settings, "[contact"),
+                    (Target::Web, ""),
+                ] {
+                    if text.contains(words) {
+                        let mut input = of_main(target, Vec::new());
+                        input.set("case.toml", content.clone());
+                        inputs.push(input);
+                    }
+                }
+                inputs.push(of_main(Target::Case, content));
             }
         }
         for (target, folder) in [

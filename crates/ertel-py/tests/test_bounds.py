@@ -24,10 +24,35 @@ def test_a_film_too_thin_for_any_mesh_is_bad_input(root: Path) -> None:
     assert "= help: " in str(error.value)
 
 
-BAD = sorted((Path(__file__).resolve().parents[2] / "ertel-cli/tests/bad").glob("*.toml"))
+FOLDER = Path(__file__).resolve().parents[2] / "ertel-cli/tests/bad"
 
 
-@pytest.mark.parametrize("path", [p for p in BAD if "film-too-thin" not in p.stem], ids=lambda path: path.stem)
-def test_what_the_program_refuses_is_a_case_error(path: Path) -> None:
+def bad_cases() -> dict[str, str]:
+    """Names and texts of the cases that the program must refuse: files, and the base case of `cases.txt` with its changes."""
+    cases = {path.stem: path.read_text(encoding="utf-8") for path in FOLDER.glob("*.toml")}
+    base, *others = (FOLDER / "cases.txt").read_text(encoding="utf-8").split("\n== ")[1:]
+    for name, *changes in (other.splitlines() for other in others):
+        lines = [line for line in base.splitlines()[1:] if line]
+        at = len(lines)
+        for mark, text in ((change[:2], change[2:]) for change in changes):
+            if mark == "- ":
+                at = lines.index(text)
+                del lines[at]
+            elif mark == "@ ":
+                at = lines.index(text) + 1
+            elif mark == "+ ":
+                lines.insert(at, text)
+                at += 1
+        cases[name] = "\n".join(lines) + "\n"
+    return cases
+
+
+BAD = sorted((name, text) for name, text in bad_cases().items() if name != "film-too-thin")
+
+
+@pytest.mark.parametrize(("name", "text"), BAD, ids=[name for name, _ in BAD])
+def test_what_the_program_refuses_is_a_case_error(name: str, text: str, tmp_path: Path) -> None:
+    path = tmp_path / f"{name}.toml"
+    path.write_text(text, encoding="utf-8")
     with pytest.raises(ertel.CaseError, match=path.name):
         ertel.Case.from_file(path)

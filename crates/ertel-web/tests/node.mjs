@@ -53,13 +53,31 @@ const read = (name) => readFileSync(join(ROOT, `cases/${name}.toml`), "utf8");
   inTime("ball-on-disc", seconds, 10);
 }
 
+/** Names and texts of the cases that the program must refuse: files, and the base case of `cases.txt` with its changes. */
+function badCases(folder) {
+  const files = readdirSync(folder).filter((name) => name.endsWith(".toml"));
+  const cases = files.map((name) => [name, readFileSync(join(folder, name), "utf8")]);
+  const [base, ...others] = readFileSync(join(folder, "cases.txt"), "utf8").split("\n== ").slice(1);
+  for (const [name, ...changes] of others.map((other) => other.split("\n"))) {
+    const lines = base.split("\n").slice(1).filter((line) => line !== "");
+    let at = lines.length;
+    for (const change of changes) {
+      const text = change.slice(2);
+      if (change.startsWith("- ")) lines.splice((at = lines.indexOf(text)), 1);
+      else if (change.startsWith("@ ")) at = lines.indexOf(text) + 1;
+      else if (change.startsWith("+ ")) lines.splice(at++, 0, text);
+    }
+    cases.push([name, `${lines.join("\n")}\n`]);
+  }
+  return cases;
+}
+
 // What the program refuses, the page refuses with the same words. Files beside the case are not there in a browser.
 const folder = join(ROOT, "crates/ertel-cli/tests/bad");
 const ertel = await start(module);
 let compared = 0;
 const others = [];
-for (const name of readdirSync(folder).filter((one) => one.endsWith(".toml"))) {
-  const text = readFileSync(join(folder, name), "utf8");
+for (const [name, text] of badCases(folder)) {
   const native = nativeMessage(text);
   const { ok, error } = ertel.check(text);
   if (native === "" && ok) continue;
