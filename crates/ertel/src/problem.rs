@@ -146,6 +146,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
             fluid.has_limit() || (heat.is_some() && fluid.slides()) || contact.roller.is_some(),
         ),
         mesh_film,
+        thinned_share: mesh_film / start_film,
         newton: NewtonParams {
             update_tolerance: case.solver.tolerance,
             residual_tolerance: case.solver.tolerance,
@@ -532,6 +533,23 @@ mod tests {
     use ertel_input::Document;
 
     use super::*;
+
+    /// A Newtonian contact that fails is not told that stress thins its film; one whose stress does so far more than oils is.
+    #[test]
+    fn only_what_thins_is_said_to_thin() {
+        let share = |lubricant: &str| {
+            let text = format!(
+                "lubricant = {lubricant}\ntemperature = \"40 degC\"\n[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"100 N\"\n\
+                 [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[motion]\nentrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.2\n"
+            );
+            let document = Document::parse("case.toml", text).unwrap();
+            let case = Case::from_document(&document, Path::new("")).unwrap();
+            problem(&case).plan.thinned_share
+        };
+        assert_eq!(share("\"iso-vg-32-mineral\""), 1.0);
+        let thinning = "{ name = \"iso-vg-32-mineral\", shear_thinning = { law = \"ree-eyring\", tau_0 = \"1 kPa\" } }";
+        assert!(share(thinning) < 0.5, "{}", share(thinning));
+    }
 
     /// By hand: cells of the side lobes go as M^(−2/15) from M = 200 on, down to a half; only where half-spaces are refined.
     #[test]

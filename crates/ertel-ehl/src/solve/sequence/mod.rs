@@ -44,6 +44,8 @@ pub struct Plan {
     pub stages: Vec<Stage>,
     /// Central film that the meshes are made for: less than that of the start where stress thins the fluid in the inlet.
     pub mesh_film: f64,
+    /// Film over that of the Newtonian fluid by formulas where stress thins the fluid in the inlet; 1 where it does not.
+    pub thinned_share: f64,
     /// Newton tolerances and limits.
     pub newton: NewtonParams,
     /// Condensed or monolithic.
@@ -92,15 +94,19 @@ pub struct StageSolution {
     pub adjoints: Option<Box<RoughAdjoints>>,
 }
 
+/// Share of the Newtonian film that stress leaves in the inlet, below which the constants of shear thinning are named as the reason of a failure:
+/// films of oils are thinned by less.
+const FAR_FROM_OILS: f64 = 0.5;
+
 impl Problem {
     /// An error with what is known of its reason: stress that thins the fluid far more than it does oils.
     fn explained(&self, error: SolveError) -> SolveError {
-        let share = self.plan.mesh_film / self.start_film;
+        let share = self.plan.thinned_share;
         let is_failure = matches!(
             error,
             SolveError::NotConverged { .. } | SolveError::AllFailed { .. }
         );
-        match is_failure && share < 1.0 {
+        match is_failure && share < FAR_FROM_OILS {
             true => SolveError::Thinned {
                 error: Box::new(error),
                 share,
