@@ -249,7 +249,7 @@ fn mistakes_are_refused() {
         ),
         ("/lubricant/viscosity", json!({ "mu_0": "40 mPa.s" })),
         ("/motion/slide_to_roll_ratio", json!(true)),
-        ("/bodies/plane", json!({ "youngs_modulus": 210e9 })),
+        ("/bodies/body_1", json!({ "youngs_modulus": 210e9 })),
     ] {
         let mut wrong = good.clone();
         *wrong.pointer_mut(pointer).unwrap() = value.clone();

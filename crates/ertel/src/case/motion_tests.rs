@@ -81,7 +81,7 @@ fn what_cannot_be() {
         ),
         (
             BALL,
-            "body_1_speed = \"1 m/s\"\nball_speed = \"1 m/s\"\nslide_to_roll_ratio_across = 0.1"
+            "body_1_speed = \"1 m/s\"\nbody_2_speed = \"1 m/s\"\nslide_to_roll_ratio_across = 0.1"
                 .into(),
             vec!["slide_to_roll_ratio_across", "give one pair"],
         ),

@@ -95,7 +95,7 @@ fn a_hertz_pressure_stands_for_the_load() {
 fn surface_speeds_stand_for_entrainment_and_slide_to_roll() {
     let case = with(
         "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.0",
-        "body_2_speed = \"1.2 m/s\"\nplane_speed = \"800 mm/s\"",
+        "body_2_speed = \"1.2 m/s\"\nbody_1_speed = \"800 mm/s\"",
     )
     .unwrap();
     assert_relative_eq!(case.motion.entrainment_speed, 1.0, max_relative = 1e-15);
@@ -186,8 +186,7 @@ max_iterations = 20
 error_estimate = false
 [output]
 folder = "here"
-pictures = ["pdf"]
-png = true
+pictures = ["pdf", "png"]
 body_field = true
 "#
     ))

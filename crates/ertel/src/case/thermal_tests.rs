@@ -68,7 +68,7 @@ fn its_presence_switches_heat_on() {
 fn every_setting_is_read() {
     let case = thermal(
         "depth = 2.5\nfilm_order = 10\nsolid_elements = 12\nsurface_order = 2\n\
-         tolerance = 1e-6\nmax_iterations = 7\nplane_temperature = \"30 degC\"\nball_temperature = \"323 K\"\n\
+         tolerance = 1e-6\nmax_iterations = 7\nbody_1_temperature = \"30 degC\"\nbody_2_temperature = \"323 K\"\n\
          profiles = [[-0.5, 0.25], [0, 1]]\nfield = true",
     )
     .unwrap();
@@ -147,7 +147,7 @@ fn missing_data_are_named_with_their_place() {
     let ceramic = SQUALANE.replace("body_2 = \"steel\"", "body_2 = \"silicon-nitride\"");
     let text = message(read(&format!("{ceramic}[thermal]")));
     for words in [
-        "the thermal_conductivity of the ball (silicon-nitride), the heat_capacity of the ball",
+        "the thermal_conductivity of body 2 (silicon-nitride), the heat_capacity of body 2",
         "body_2 = { name = \"silicon-nitride\", heat_capacity = \"... J/(kg.K)\" }",
         "isothermal = true",
         "database",
@@ -167,7 +167,7 @@ fn missing_data_are_named_with_their_place() {
         "{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3, heat_capacity = \"470 J/(kg.K)\" }",
     );
     let text = message(read(&format!("{bare}[thermal]")));
-    let words = "without the density of the ball, the thermal_conductivity of the ball\n";
+    let words = "without the density of body 2, the thermal_conductivity of body 2\n";
     assert!(text.contains(words), "{text}");
     assert!(
         text.contains("to `body_2` in [bodies]") && !text.contains("database"),

@@ -279,7 +279,7 @@ fn thin_films_are_warned_of() {
 fn lambda_ratio() {
     assert_eq!(of(STEEL).lambda, None);
     let rough =
-        |sigma: &str| of(&STEEL.replace("body_1 =", &format!("roughness = \"{sigma}\"\nplane =")));
+        |sigma: &str| of(&STEEL.replace("body_1 =", &format!("roughness = \"{sigma}\"\nbody_1 =")));
     let e = rough("100 nm");
     let lambda = e.lambda.unwrap();
     assert_relative_eq!(lambda.of_minimum.unwrap(), 1.48596, max_relative = TABLE);
@@ -303,7 +303,7 @@ fn lambda_ratio() {
 #[test]
 fn asperities_over_the_dry_contact() {
     let section = "[surface_roughness]\nasperity_group = 0.05\nrms_height_to_asperity_radius = 1e-3\n[motion]";
-    let text = STEEL.replace("body_1 =", "roughness = \"122.709 nm\"\nplane =");
+    let text = STEEL.replace("body_1 =", "roughness = \"122.709 nm\"\nbody_1 =");
     let e = of(&text.replace("[motion]", section));
     let lambda = e.lambda.unwrap();
     assert_relative_eq!(lambda.of_central, 243.894 / 122.709, max_relative = TABLE);

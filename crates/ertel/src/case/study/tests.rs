@@ -119,7 +119,7 @@ fn ranges_have_equal_steps_or_equal_ratios() {
 #[test]
 fn names_and_tables_are_values() {
     let study = read(
-        "[[axis]]\nkey = \"bodies.ball\"\nvalues = [\"steel\", { youngs_modulus = \"300 GPa\", poissons_ratio = 0.2 }]\n\
+        "[[axis]]\nkey = \"bodies.body_2\"\nvalues = [\"steel\", { youngs_modulus = \"300 GPa\", poissons_ratio = 0.2 }]\n\
          [[axis]]\nkey = \"mesh.preset\"\nvalues = [\"coarse\", \"normal\"]\n",
         "",
     )
@@ -164,7 +164,7 @@ fn a_table_of_points_is_crossed_with_axes() {
 #[test]
 fn the_text_of_a_point_reads_as_its_case() {
     let study = read(
-        "[[axis]]\nkey = \"bodies.ball\"\nvalues = [{ youngs_modulus = \"300 GPa\", poissons_ratio = 0.2 }]\n\
+        "[[axis]]\nkey = \"bodies.body_2\"\nvalues = [{ youngs_modulus = \"300 GPa\", poissons_ratio = 0.2 }]\n\
          [[axis]]\nkey = \"mesh.preset\"\nvalues = [\"coarse\"]\n",
         "",
     )
