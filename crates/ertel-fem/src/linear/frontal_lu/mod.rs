@@ -5,13 +5,11 @@
 //!          | C  D |    A⁻¹, V and W are kept: a solve is three products per front.
 //! ```
 //! Rows are interchanged inside A only: the order is fixed by the pattern, once for all matrices
-//! that share it. Single precision is what a preconditioner needs; its solves are bound by the memory that they
-//! read, and what they read is rounded to sixteen bits, by rows and columns of about the same size.
+//! that share it. Single precision is what a preconditioner needs.
 
 mod factorise;
 mod factors;
 mod pattern;
-mod rounding;
 mod sweep;
 #[cfg(test)]
 mod tests;
@@ -61,7 +59,6 @@ impl FrontalLu {
         let scratch = |n_beyond: usize| Scratch {
             outer: largest(|f| f.boundary.len()),
             own: largest(|f| f.n_own),
-            scaled: largest(Front::size),
             beyond: vec![0.0; n_beyond],
         };
         let below = pattern.parts.iter().map(|root| {
@@ -70,7 +67,7 @@ impl FrontalLu {
         });
         Ok(FrontalLu {
             pattern: Arc::clone(pattern),
-            factors: Arc::new(Factors::new(pattern, &storage)),
+            factors: Arc::new(Factors::new(storage)),
             x: vec![0.0; pattern.n()],
             scratch: below.chain([scratch(0)]).collect(),
         })

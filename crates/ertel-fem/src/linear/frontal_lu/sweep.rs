@@ -15,7 +15,6 @@ use crate::linear::fronts::Front;
 pub(super) struct Scratch {
     pub(super) outer: Vec<f32>,
     pub(super) own: Vec<f32>,
-    pub(super) scaled: Vec<f32>,
     /// Values beyond the run.
     pub(super) beyond: Vec<f32>,
 }
@@ -151,15 +150,14 @@ impl Run<'_> {
             let outer = &mut scratch.outer[..m];
             let target = &mut x[f.first - base..f.first - base + n];
             own.copy_from_slice(target);
-            let scaled = &mut scratch.scaled[..];
             match self.side {
                 Side::Matrix => {
-                    v.multiply(own, outer, scaled);
-                    inverse.multiply(own, target, scaled);
+                    v.multiply(own, outer);
+                    inverse.multiply(own, target);
                 }
                 Side::Transposed => {
-                    w.multiply_transposed(own, outer, scaled);
-                    inverse.multiply_transposed(own, target, scaled);
+                    w.multiply_transposed(own, outer);
+                    inverse.multiply_transposed(own, target);
                 }
             }
             for (s, value) in f.boundary.iter().zip(&*outer) {
@@ -188,10 +186,9 @@ impl Run<'_> {
                     s => scratch.beyond[s - end],
                 };
             }
-            let scaled = &mut scratch.scaled[..];
             match self.side {
-                Side::Matrix => w.multiply(outer, own, scaled),
-                Side::Transposed => v.multiply_transposed(outer, own, scaled),
+                Side::Matrix => w.multiply(outer, own),
+                Side::Transposed => v.multiply_transposed(outer, own),
             }
             for (x, value) in x[f.first - base..].iter_mut().zip(&*own) {
                 *x -= value;
