@@ -539,15 +539,15 @@ mod tests {
     fn only_what_thins_is_said_to_thin() {
         let share = |lubricant: &str| {
             let text = format!(
-                "lubricant = {lubricant}\ntemperature = \"40 degC\"\n[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"100 N\"\n\
+                "lubricant = {{ temperature = \"40 degC\", {lubricant} }}\n[contact]\nkind = \"circular\"\nradius = \"16 mm\"\nload = \"100 N\"\n\
                  [bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n[motion]\nentrainment_speed = \"1 m/s\"\nslide_to_roll_ratio = 0.2\n"
             );
             let document = Document::parse("case.toml", text).unwrap();
             let case = Case::from_document(&document, Path::new("")).unwrap();
             problem(&case).plan.thinned_share
         };
-        assert_eq!(share("\"iso-vg-32-mineral\""), 1.0);
-        let thinning = "{ name = \"iso-vg-32-mineral\", shear_thinning = { law = \"ree-eyring\", tau_0 = \"1 kPa\" } }";
+        assert_eq!(share("name = \"iso-vg-32-mineral\""), 1.0);
+        let thinning = "name = \"iso-vg-32-mineral\", shear_thinning = { law = \"ree-eyring\", tau_0 = \"1 kPa\" }";
         assert!(share(thinning) < 0.5, "{}", share(thinning));
     }
 

@@ -78,7 +78,13 @@ impl<'t> Tables<'t> {
                 let found = root.required_table("motion");
                 let found = found.map_err(|error| sections::missing(root, "motion", error))?;
                 let motion_table = motion_table.insert(found);
-                let motion = motion::read_motion(motion_table, "plane_speed")?;
+                let motion = motion::read_motion(
+                    motion_table,
+                    [
+                        ["body_1_speed", "plane_speed"],
+                        ["body_2_speed", "ball_speed"],
+                    ],
+                )?;
                 let hertz = check::hertz(table, "load", &contact, reduced_modulus)?;
                 motion::check_spin(
                     motion_table,

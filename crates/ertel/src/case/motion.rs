@@ -17,16 +17,13 @@ const SKEW: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI)
 /// Slowest entrainment, m/s: a nanometre in a second.
 const MIN_SPEED: f64 = 1e-9;
 
-/// Reads entrainment speed and slide-to-roll ratios, or the speeds of both surfaces, and their spin; `plane_key` is an older name of
-/// the speed of body 1.
+/// Reads entrainment speed and slide-to-roll ratios, or the speeds of both surfaces, and their spin; `keys` are the names of
+/// the speeds of body 1 and of body 2, the usual one first.
 pub(super) fn read_motion(
     table: &mut Table<'_>,
-    plane_key: &'static str,
+    keys: [[&'static str; 2]; 2],
 ) -> Result<Motion, InputError> {
-    let [first, second] = [
-        name_in(table, ["body_1_speed", plane_key])?,
-        name_in(table, ["body_2_speed", "ball_speed"])?,
-    ];
+    let [first, second] = [name_in(table, keys[0])?, name_in(table, keys[1])?];
     let motion = match table.contains(first) || table.contains(second) {
         true => of_speeds(table, [first, second])?,
         false => of_entrainment(table)?,

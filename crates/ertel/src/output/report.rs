@@ -444,10 +444,7 @@ mod tests {
     fn report_holds_the_case_and_the_results() {
         let kind = ContactKind::Circular;
         let (case, mut solution) = sample::owned(kind);
-        solution.summary.film_central = Estimate {
-            value: 245e-9,
-            error: Some(0.8e-9),
-        };
+        sample::set(&mut solution, Figure::FilmCentral, 245e-9, 0.8e-9);
         solution.formulas[0].central = Some(264.1e-9);
         solution.warnings = vec!["the pressure leaves the range".to_owned().into()];
         let text = report(&case, &solution, Some(Path::new("results/ball")));

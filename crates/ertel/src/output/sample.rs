@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use crate::case::{Case, CaseEcho};
 use crate::contact::ContactKind;
 use crate::run::solve;
-use crate::solution::Solution;
+use crate::solution::{Bar, Figure, Reading, Solution};
 use crate::solve::NoObserver;
 
 /// A contact with its solution: a line contact, or an elliptical or circular one on a coarse mesh.
@@ -23,6 +23,21 @@ pub(super) fn solved(kind: ContactKind) -> &'static (CaseEcho, Solution) {
         let solution = solve(&case, &mut NoObserver).expect("it converges");
         (case.echo(), solution)
     })
+}
+
+/// Sets a figure that the summary has, too, with its error bar, SI.
+pub(super) fn set(solution: &mut Solution, figure: Figure, value: f64, error: f64) {
+    solution.measured.figures.set(figure, Reading::new(value));
+    let bar = Bar {
+        value: error,
+        place: None,
+    };
+    solution.measured.bars.set(figure, bar);
+    let estimate = solution.measured.estimate(figure);
+    match figure {
+        Figure::FilmCentral => solution.summary.film_central = estimate,
+        other => panic!("{} is not set by a test yet", other.name()),
+    }
 }
 
 /// The same, to be changed.

@@ -23,7 +23,13 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     let mut contact = Contact::circular(radius, 0.0).between([[0.0; 2], [radius.recip(); 2]]);
     super::check_radii(table, &contact)?;
     contact.load = point_load(table, "load", &contact, reduced_modulus)?;
-    let motion = read_motion(table, "disc_speed")?;
+    let motion = read_motion(
+        table,
+        [
+            ["disc_speed", "body_1_speed"],
+            ["ball_speed", "body_2_speed"],
+        ],
+    )?;
     let mut rows = Rows::default();
     rows.text("machine", "ball (ball) on disc (plane)");
     rows.length("reduced radius R = D/2", contact.radius);

@@ -364,10 +364,10 @@ fn script_data(data: &Value) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::owned;
+    use super::super::sample::{self, owned};
     use super::*;
     use crate::contact::ContactKind;
-    use crate::solution::Estimate;
+    use crate::solution::Figure;
 
     /// Titles and case files are text, whatever they hold, and the data end no script.
     #[test]
@@ -403,10 +403,7 @@ mod tests {
     #[test]
     fn pages_say_what_the_report_says() {
         let (case, mut solution) = owned(ContactKind::Circular);
-        solution.summary.film_central = Estimate {
-            value: 245e-9,
-            error: Some(0.8e-9),
-        };
+        sample::set(&mut solution, Figure::FilmCentral, 245e-9, 0.8e-9);
         solution.formulas[0].central = Some(264.1e-9);
         solution.warnings = vec!["the pressure leaves the range".to_owned().into()];
         let page = report_page(&case, &solution, 1e-6);
