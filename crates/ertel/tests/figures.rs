@@ -242,7 +242,7 @@ fn a_figure_is_named_in_two_files() {
     let mut found: Vec<String> = (files.iter())
         .filter(|file| {
             let text = std::fs::read_to_string(file).unwrap();
-            ["FilmMean", "film_mean\"", "mean film in"]
+            ["FilmMean", "film_zone_mean\"", "mean film in"]
                 .iter()
                 .any(|name| text.contains(name))
         })
@@ -259,13 +259,13 @@ fn a_figure_is_named_in_two_files() {
     let solution = solve(&case, &mut NoObserver).unwrap();
     let mean = solution.figure(Figure::FilmMean).unwrap();
     let document = result_json(&case.echo(), &solution).unwrap();
-    assert_eq!(document["figures"]["film_mean"]["value"], mean.value);
-    assert_eq!(document["figures"]["film_mean"]["unit"], "m");
+    assert_eq!(document["figures"]["film_zone_mean"]["value"], mean.value);
+    assert_eq!(document["figures"]["film_zone_mean"]["unit"], "m");
     assert!(report(&case.echo(), &solution, None).contains("mean film in the Hertz zone"));
     let page = ertel::output::html::report_page(&case.echo(), &solution, 1e-6);
-    assert!(page.contains("film_mean"));
+    assert!(page.contains("film_zone_mean"));
     let titles: Vec<String> = ertel::study::columns().map(|c| c.title(true)).collect();
-    assert!(titles.contains(&"film_mean_m".to_owned()));
+    assert!(titles.contains(&"film_zone_mean_m".to_owned()));
     // Between the smallest film and the largest of the dry contact's zone, and near the central one where the film is flat.
     let central = solution.summary.film_central.value;
     assert!(

@@ -147,7 +147,10 @@ fn an_open_heat_balance() {
     };
     let fast = hot(30.0, 2.0);
     let words = warning(&fast, WarningKind::HeatBalance).unwrap();
-    assert!(words.contains("2.2 % more heat than is made"), "{words}");
+    assert!(
+        words.contains("open by 2.2 %, bodies and film carry off more than is made"),
+        "{words}"
+    );
     let slow = hot(2.0, 0.1);
     assert!(slow.thermal.as_ref().unwrap().balance.error.abs() < 0.01);
     assert_eq!(warning(&slow, WarningKind::HeatBalance), None);

@@ -81,7 +81,7 @@ figures! {
     /// Smallest film thickness on the centreline.
     FilmCentrelineMinimum, "film_centreline_minimum", "", "minimum film on the centreline", Length, Film, FilmOnCentreline, Place;
     /// Mean film thickness over the Hertz zone.
-    FilmMean, "film_mean", "", "mean film in the Hertz zone", Length, Film, Integral, Whole;
+    FilmMean, "film_zone_mean", "", "mean film in the Hertz zone", Length, Film, Integral, Whole;
     /// Largest pressure.
     PressureMaximum, "pressure_maximum", "p_max", "largest pressure", PeakPressure, Pressure, LargestPressure, Place;
     /// Top of the smooth hill of the pressure on which the centre of the contact lies.
