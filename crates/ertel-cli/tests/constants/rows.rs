@@ -354,12 +354,12 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "circular {} % of h_c, {} % of h_min at a depth growth of {}, line {} and {} % at {},",
         &[
-            (ADAPT, "ContactKind::Roller => { ([{}, {}], {}) }", 0, 100.0),
-            (ADAPT, "ContactKind::Roller => { ([{}, {}], {}) }", 1, 100.0),
-            (ADAPT, "ContactKind::Roller => { ([{}, {}], {}) }", 2, 1.0),
-            (ADAPT, "ContactKind::Line => ([{}, {}], {}),", 0, 100.0),
-            (ADAPT, "ContactKind::Line => ([{}, {}], {}),", 1, 100.0),
-            (ADAPT, "ContactKind::Line => ([{}, {}], {}),", 2, 1.0),
+            (ADAPT, "false => ([{}, {}], {}),", 0, 100.0),
+            (ADAPT, "false => ([{}, {}], {}),", 1, 100.0),
+            (ADAPT, "false => ([{}, {}], {}),", 2, 1.0),
+            (ADAPT, "true => ([{}, {}], {}),", 0, 100.0),
+            (ADAPT, "true => ([{}, {}], {}),", 1, 100.0),
+            (ADAPT, "true => ([{}, {}], {}),", 2, 1.0),
         ],
     ),
     (
@@ -414,18 +414,8 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "The depth growth is {} (circular) or {} (line); for targets below {} % it",
         &[
-            (
-                PARAMS,
-                "ContactKind::Roller => {}, ContactKind::Line => {}, }",
-                0,
-                1.0,
-            ),
-            (
-                PARAMS,
-                "ContactKind::Roller => {}, ContactKind::Line => {}, }",
-                1,
-                1.0,
-            ),
+            (PARAMS, "false => ({}, {}), true => ({}, {}), }", 1, 1.0),
+            (PARAMS, "false => ({}, {}), true => ({}, {}), }", 3, 1.0),
             (PARAMS, "DEFAULT_TARGET_ERROR", 0, 100.0),
         ],
     ),
@@ -463,12 +453,7 @@ pub const ROWS: &[Row] = &[
         &[
             (PROBLEM, "{} + {} * film * (1.0", 0, 1.0),
             (PROBLEM, "{} + {} * film * (1.0", 1, 1.0),
-            (
-                PROBLEM,
-                "ContactKind::Line | ContactKind::Roller => {}, ",
-                0,
-                1.0,
-            ),
+            (PROBLEM, "Family::Cylinder => {}, ", 0, 1.0),
         ],
     ),
     (

@@ -26,7 +26,12 @@ pub fn file_of(folder: &Path, module: &str) -> PathBuf {
 
 /// The modules that a file declares, in its order, without those of tests.
 pub fn modules(text: &str) -> Vec<String> {
-    let names = text.lines().filter_map(|line| {
+    // A module that stands elsewhere is that of another crate.
+    let before = std::iter::once("").chain(text.lines());
+    let own = before
+        .zip(text.lines())
+        .filter(|(before, _)| !before.starts_with("#[path"));
+    let names = own.filter_map(|(_, line)| {
         let rest = line.trim_start_matches("pub ").strip_prefix("mod ")?;
         Some(rest.strip_suffix(';')?.to_owned())
     });
