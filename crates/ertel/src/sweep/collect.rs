@@ -54,7 +54,7 @@ impl Collector {
     /// Appends the lines of another journal that are points of the study and were not finished; returns how many.
     ///
     /// # Errors
-    /// [`SweepError::Io`], also for a line that is no record; nothing is appended then.
+    /// [`SweepError::Study`], also for a line that is no record; nothing is appended then.
     pub fn append(&mut self, lines: &str) -> Result<usize, SweepError> {
         let mut records = Vec::new();
         for line in lines.lines() {

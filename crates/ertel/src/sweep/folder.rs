@@ -53,7 +53,7 @@ pub(super) fn open(folder: &Path, echo: &StudyEcho) -> Result<(Journal, Entries)
 ///
 /// # Errors
 /// [`SweepError::Foreign`] for a folder that is not ertel's, and for links and folders under the names of its files;
-/// [`SweepError::Io`].
+/// [`SweepError::Study`].
 pub(super) fn look(folder: &Path) -> Result<Entries, SweepError> {
     let foreign = |reason: String| SweepError::Foreign {
         folder: folder.to_owned(),
