@@ -62,7 +62,7 @@ fn every_kind_of_value_is_read() {
 
     let mut bodies = root.required_table("bodies").unwrap();
     assert_eq!(bodies.keys().collect::<Vec<_>>(), ["body_1", "body_2"]);
-    let plane = bodies.required_str_or_table("plane").unwrap();
+    let plane = bodies.required_str_or_table("body_1").unwrap();
     assert!(matches!(plane, StrOrTable::Str("steel")));
     let StrOrTable::Table(mut ball) = bodies.required_str_or_table("body_2").unwrap() else {
         panic!("not a table");

@@ -86,18 +86,25 @@ fn line_contacts() {
         "line-barus-tait-M10-L15",
     ] {
         let solution = solved(name, None);
-        let formula = solution
-            .formulas
-            .iter()
-            .find(|f| f.name.contains("Moes"))
-            .and_then(|f| f.central)
-            .unwrap();
-        let ratio = solution.summary.film_central.value / formula;
-        assert!((0.65..1.1).contains(&ratio), "{name}: {ratio} of Moes");
+        keeps_to_the_formula(name, &solution, "Moes", 0.65..1.1);
     }
 }
 
-/// Fluids of the database, to 3 GPa, thin to thick, on steel and on glass.
+/// The central film over that of a formula lies in a range.
+fn keeps_to_the_formula(
+    name: &str,
+    solution: &Solution,
+    formula: &str,
+    range: std::ops::Range<f64>,
+) {
+    let found = solution.formulas.iter().find(|f| f.name.contains(formula));
+    let film = found.and_then(|f| f.central).unwrap();
+    let ratio = solution.summary.film_central.value / film;
+    assert!(range.contains(&ratio), "{name}: {ratio} of {formula}");
+}
+
+/// Fluids of the database, to 3 GPa, thin to thick, on steel and on glass. Their viscosities rise less steeply with the pressure than at first:
+/// the films are up to a third below Moes' formula with the initial slope, of which a sixth is compression.
 #[test]
 fn line_contacts_of_the_database() {
     for name in [
@@ -108,7 +115,8 @@ fn line_contacts_of_the_database() {
         "line-squalane-pip-1GPa-0.3mps",
         "line-pao-650-0.8GPa-0.05mps",
     ] {
-        solved(name, None);
+        let solution = solved(name, None);
+        keeps_to_the_formula(name, &solution, "Moes", 0.6..1.1);
     }
 }
 
@@ -123,9 +131,7 @@ fn extreme_lubricants_are_reached_step_by_step() {
             .filter(|l| l.converged && l.pressure_order == 2)
             .count();
         assert!(starts >= 5, "{name}: {starts} starts");
-        let formula = solution.formulas.iter().find(|f| f.name.contains("Moes"));
-        let ratio = solution.summary.film_central.value / formula.unwrap().central.unwrap();
-        assert!((0.65..1.1).contains(&ratio), "{name}: {ratio} of Moes");
+        keeps_to_the_formula(name, &solution, "Moes", 0.65..1.1);
     }
 }
 
@@ -134,14 +140,17 @@ fn extreme_lubricants_are_reached_step_by_step() {
 #[test]
 fn heavy_line_contacts() {
     for name in ["line-roelands-inc-M100-L20", "line-roelands-M10000-L2.5"] {
-        solved(name, None);
+        let solution = solved(name, None);
+        keeps_to_the_formula(name, &solution, "Moes", 0.65..1.1);
     }
 }
 
 /// Theory: Mass balance.
 #[test]
 fn circular_contact() {
-    solved("circular-roelands-M50-L5", Some(MeshPreset::Coarse));
+    let name = "circular-roelands-M50-L5";
+    let solution = solved(name, Some(MeshPreset::Coarse));
+    keeps_to_the_formula(name, &solution, "Nijenbanning", 0.85..1.1);
 }
 
 /// A wide, thick film with a sharp spike: with linear solves whose residual is small, but not their error as a
@@ -159,7 +168,8 @@ fn circular_contact_with_a_sharp_spike() {
 /// one is too long.
 #[test]
 fn way_with_halved_steps() {
-    solved("line-roelands-inc-M5-L20", None);
+    let name = "line-roelands-inc-M5-L20";
+    keeps_to_the_formula(name, &solved(name, None), "Moes", 0.65..1.1);
 }
 
 /// A viscous film under little load, whose refined mesh failed while the error estimate asked for cells far from the contact. The film is

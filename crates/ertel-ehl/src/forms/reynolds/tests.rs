@@ -148,11 +148,32 @@ fn stabilisation_is_consistent() {
     );
     let f = -(ex * 0.5 + ey * -0.1) + eps * 1.2 + 0.9 * (0.2 * 0.5 * 0.2 + 1.1 * 0.1)
         - 0.3 * (0.2 * -0.1 * 0.2 + 1.1 * 0.05);
-    let gls = point(&s, &fluid, &c, f);
-    c.formulation = Formulation::Galerkin;
-    let galerkin = point(&s, &fluid, &c, f);
-    assert_relative_eq!(gls.gradient[0], galerkin.gradient[0], max_relative = 1e-12);
-    assert_relative_eq!(gls.laplacian, 0.0, epsilon = 1e-14);
+    let all = |formulation| {
+        c.formulation = formulation;
+        let t = point(&s, &fluid, &c, f);
+        [
+            t.value,
+            t.gradient[0],
+            t.gradient[1],
+            t.laplacian,
+            t.unresolved,
+        ]
+    };
+    let [galerkin, supg, gls] =
+        [Formulation::Galerkin, Formulation::Supg, Formulation::Gls].map(all);
+    for stabilised in [supg, gls] {
+        for (own, plain) in stabilised.into_iter().zip(galerkin) {
+            assert_relative_eq!(own, plain, max_relative = 1e-12, epsilon = 1e-14);
+        }
+    }
+    // With another f they add something to the gradients, and GLS to the Laplacian.
+    let off = |formulation| {
+        c.formulation = formulation;
+        let t = point(&s, &fluid, &c, f + 1.0);
+        [t.gradient[0], t.laplacian]
+    };
+    let [plain, supg, gls] = [Formulation::Galerkin, Formulation::Supg, Formulation::Gls].map(off);
+    assert!(supg[0] != plain[0] && gls[0] != plain[0] && gls[1] != plain[1]);
 }
 
 /// a, b, c and d of the weak form, term by term as they stand at the head of the form, with Pe and τ from coth here. None of the
