@@ -47,7 +47,7 @@ def bad_cases() -> dict[str, str]:
     return cases
 
 
-BAD = sorted((name, text) for name, text in bad_cases().items() if name != "film-too-thin")
+BAD = sorted((name, text) for name, text in bad_cases().items() if "film-too-thin" not in name)
 
 
 @pytest.mark.parametrize(("name", "text"), BAD, ids=[name for name, _ in BAD])

@@ -429,7 +429,15 @@ impl Measured {
         let bar = self.bars.get(figure);
         let [x, y] = reading.place.unwrap_or_default();
         let place_error = bar.and_then(|bar| bar.place);
-        let resolved = self.is_resolved(figure);
+        // A figure that vanishes beside what its errors are relative to, as one of two components, is no number either.
+        let by_value = Estimate {
+            value: reading.value,
+            error: bar.map(|bar| bar.value),
+        };
+        let resolved = match figure.has_place() || figure.kind() == Kind::Temperature {
+            true => self.is_resolved(figure),
+            false => by_value.is_resolved(),
+        };
         let near = place_error.is_none_or(|e| e <= WIDEST_OF_PLACE * self.half_width);
         Some(Located {
             value: reading.value,
