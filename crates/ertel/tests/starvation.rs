@@ -14,7 +14,7 @@ use ertel::solve::NoObserver;
 
 /// N, N/m of a line.
 fn load(kind: ContactKind) -> f64 {
-    if kind.is_point() { 40.0 } else { 5e4 }
+    if !kind.is_line() { 40.0 } else { 5e4 }
 }
 
 /// A contact whose oil is a layer of a share of the flooded film that formulas predict.

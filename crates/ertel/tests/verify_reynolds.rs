@@ -237,7 +237,7 @@ fn source(kind: ContactKind, film: Film, point: [f64; 3]) -> f64 {
     };
     let (x, y) = (Dual64::from(point[0]), Dual64::from(point[1]));
     let mut divergence = flux(x.derivative(), y)[0].eps;
-    if kind.is_point() {
+    if !kind.is_line() {
         divergence += flux(x, y.derivative())[1].eps;
     }
     divergence

@@ -62,11 +62,6 @@ impl ContactKind {
         }
     }
 
-    /// Whether the contact ends along y, too; its load is a force then, and not one per length.
-    pub fn is_point(self) -> bool {
-        !self.is_line()
-    }
-
     /// Unit of the load.
     pub fn load_unit(self) -> &'static str {
         if self.is_line() { "N/m" } else { "N" }

@@ -166,12 +166,6 @@ impl FilmFluid {
         })
     }
 
-    /// ρ̄ and ln μ̄ at P and a temperature in K.
-    pub fn properties_at(&self, pressure: f64, temperature: f64) -> [Jet2; 2] {
-        let mut properties = self.properties.over_temperature(pressure.max(0.0));
-        self.in_force(pressure, properties.at(temperature))
-    }
-
     /// What the fluid makes of ρ̄ and ln μ̄ at P, or at P = 0 for pressures below.
     #[inline(always)]
     fn in_force(&self, pressure: f64, [mut rho, mut ln_mu]: [Jet2; 2]) -> [Jet2; 2] {

@@ -155,11 +155,6 @@ figures! {
 }
 
 impl Figure {
-    /// Those of a section, in their order.
-    pub fn of_section(section: Section) -> impl Iterator<Item = Figure> {
-        (Figure::ALL.into_iter()).filter(move |figure| figure.section() == section)
-    }
-
     /// Those that are traced to the inputs, by derivatives or samples; of the pressure its smooth maximum: at a ridge, derivatives are those of
     /// the mesh.
     pub const TRACED: [Figure; 5] = [
@@ -169,11 +164,6 @@ impl Figure {
         Figure::TractionCoefficient,
         Figure::FilmTemperatureMaximum,
     ];
-
-    /// The figure with a name.
-    pub fn by_name(name: &str) -> Option<Figure> {
-        Figure::ALL.into_iter().find(|figure| figure.name() == name)
-    }
 
     /// Its SI unit; in line contacts forces and powers are per metre of their length.
     pub fn unit(self, is_line: bool) -> &'static str {
@@ -414,11 +404,11 @@ impl Measured {
     pub fn is_resolved(&self, figure: Figure) -> bool {
         let pair = self.figures.get(figure).zip(self.bars.get(figure));
         pair.is_none_or(|(reading, bar)| {
-            // Of temperatures the rise, of at least one kelvin.
-            let size = reading.size.max(match figure.kind() {
-                Kind::Temperature => LEAST_RISE,
+            // Of temperatures the rise, of at least one kelvin. Of all others the value, also of one component that vanishes beside the other.
+            let size = match figure.kind() {
+                Kind::Temperature => reading.size.max(LEAST_RISE),
                 _ => reading.value.abs(),
-            });
+            };
             bar.value <= figure.widest_bar() * size
         })
     }
@@ -429,15 +419,7 @@ impl Measured {
         let bar = self.bars.get(figure);
         let [x, y] = reading.place.unwrap_or_default();
         let place_error = bar.and_then(|bar| bar.place);
-        // A figure that vanishes beside what its errors are relative to, as one of two components, is no number either.
-        let by_value = Estimate {
-            value: reading.value,
-            error: bar.map(|bar| bar.value),
-        };
-        let resolved = match figure.has_place() || figure.kind() == Kind::Temperature {
-            true => self.is_resolved(figure),
-            false => by_value.is_resolved(),
-        };
+        let resolved = self.is_resolved(figure);
         let near = place_error.is_none_or(|e| e <= WIDEST_OF_PLACE * self.half_width);
         Some(Located {
             value: reading.value,
@@ -523,6 +505,13 @@ mod tests {
         };
         let film = Reading::new(2e-7);
         assert!(resolved(Figure::FilmMinimum, film, 0.9e-7));
+        // One of two components, whose errors are relative to both: told by its own value.
+        let component = Reading {
+            size: 0.01,
+            ..Reading::new(-3e-6)
+        };
+        assert!(!resolved(Figure::TractionCoefficient, component, 4e-5));
+        assert!(resolved(Figure::TractionCoefficient, component, 1e-6));
         assert!(!resolved(Figure::FilmMinimum, film, 1.1e-7));
         let peak = Reading::new(1e9);
         assert!(resolved(Figure::PressureMaximum, peak, 0.9e8));

@@ -45,12 +45,12 @@ pub(super) fn read_contact(
     contact.load = match load_of_pressure(table, "load", &contact, reduced_modulus)? {
         Some(load) => load,
         None => {
-            let dimension = match kind.is_point() {
+            let dimension = match !kind.is_line() {
                 true => Dimension::FORCE,
                 false => Dimension::FORCE_PER_LENGTH,
             };
             let load = table.required_quantity("load", dimension, Bounds::POSITIVE);
-            load.map_err(|error| match kind.is_point() {
+            load.map_err(|error| match !kind.is_line() {
                 true => error,
                 false => {
                     error.with_help("the load of a line contact is per length, such as \"50 kN/m\"")

@@ -89,7 +89,7 @@ impl<'t> Tables<'t> {
                 motion::check_spin(
                     motion_table,
                     &motion,
-                    contact.kind.is_point(),
+                    !contact.kind.is_line(),
                     reach(&contact, &hertz),
                 )?;
                 super::roller::check(table, &contact, &hertz, reduced_modulus)?;
@@ -117,7 +117,7 @@ impl<'t> Tables<'t> {
                 motion::check_spin(
                     table,
                     &motion,
-                    contact.kind.is_point(),
+                    !contact.kind.is_line(),
                     reach(&contact, &hertz),
                 )?;
                 super::roller::check(table, &contact, &hertz, reduced_modulus)?;
@@ -185,7 +185,7 @@ fn computed(contact: &Contact) -> String {
         ),
         false => format!("radius R = {}", length(contact.radius)),
     };
-    let unit = if contact.kind.is_point() { "N" } else { "N/m" };
+    let unit = contact.kind.load_unit();
     let load = digits(contact.load, 4);
     format!("computed from [machine]: reduced {radii}, load {load} {unit}")
 }

@@ -19,7 +19,7 @@ const LIGHTS: [(&str, [f64; 3]); 1] = [("cie-rgb", CIE_RGB)];
 
 /// Reads the table.
 pub(super) fn read(mut table: Table<'_>, kind: ContactKind) -> Result<Interferometer, InputError> {
-    if !kind.is_point() {
+    if kind.is_line() {
         let error = "an interferogram shows a point contact, but `kind` is a line contact";
         return Err(table
             .error_here(error)

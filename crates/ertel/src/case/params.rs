@@ -136,7 +136,7 @@ pub fn read_mesh(
             "`side` is for circular and elliptical contacts; under a roller the film ends with its `length`",
         ));
     }
-    if kind.is_point() {
+    if !kind.is_line() {
         mesh.side = table.optional_number("side", Bounds::above_to(1.0, half_width))?;
     } else if table.contains("side") {
         return Err(table.error(

@@ -148,7 +148,7 @@ fn write_film(out: &mut Lines, estimate: &CaseEstimate) {
         }
     }
     if let Some(force) = estimate.rolling_resistance {
-        let unit = if estimate.kind.is_point() { "N" } else { "N/m" };
+        let unit = estimate.kind.load_unit();
         let text = format!("{} {unit} on each surface ({SOURCE})", digits(force, 4));
         out.row("rolling resistance", text);
     }

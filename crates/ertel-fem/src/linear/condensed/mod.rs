@@ -284,12 +284,4 @@ impl CondensedStiffness {
         }
         Ok(())
     }
-
-    /// Numbers of the factor, without the condensed part.
-    pub fn factor_nonzeros(&self) -> usize {
-        let own = |f: &Front| f.n_own * (f.n_own + 1) / 2 + f.n_own * f.boundary.len();
-        let n_inner = self.fronts.order.len() - self.n_condensed();
-        let inner = self.fronts.fronts.iter().filter(|f| f.first < n_inner);
-        inner.map(own).sum()
-    }
 }
