@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use ertel::case::Case;
-use ertel::contact::{ContactKind, Family, hertz};
+use ertel::contact::{Family, hertz};
 use ertel::elastic::Accuracy;
 use ertel::post::profile::Profile;
 use ertel::run::problem;
@@ -69,17 +69,17 @@ pub fn deflect(case: &Case) -> Result<Deflection, SolveError> {
 impl Deflection {
     /// Largest deviation from Hertz theory on |X| ≤ 1 over the central deflection (the theory's
     /// for a circular contact; a line has none, only its shape counts).
-    pub fn error(&self, kind: ContactKind) -> f64 {
-        match kind.family() {
-            Family::Point => self.largest(|x, v| v - hertz::deflection_profile(kind.family(), x)),
-            Family::Cylinder => self.shape_error(kind),
+    pub fn error(&self, family: Family) -> f64 {
+        match family {
+            Family::Point => self.largest(|x, v| v - hertz::deflection_profile(family, x)),
+            Family::Cylinder => self.shape_error(family),
         }
     }
 
     /// Largest deviation of δ(X) − δ(0) on |X| ≤ 1 from Hertz theory, over the circular contact's
     /// central deflection, which is the film scale.
-    pub fn shape_error(&self, kind: ContactKind) -> f64 {
-        let theory = |x: f64| hertz::deflection_profile(kind.family(), x);
+    pub fn shape_error(&self, family: Family) -> f64 {
+        let theory = |x: f64| hertz::deflection_profile(family, x);
         let at_centre = self.at(0.0) - theory(0.0);
         self.largest(|x, v| v - theory(x) - at_centre)
     }

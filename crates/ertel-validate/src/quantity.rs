@@ -145,10 +145,10 @@ quantities! {
     });
     /// Largest deviation of the deflection from Hertz theory on |X| ≤ 1, over the central one.
     DeflectionError, "deflection-error", "deflection error", Share,
-        Sources::deflection(|run, d, _| Some(d.error(run.case.contact.kind)));
+        Sources::deflection(|run, d, _| Some(d.error(run.case.contact.kind.family())));
     /// The same without the deviation at the centre, which the rigid displacement takes up.
     DeflectionShapeError, "deflection-shape-error", "shape error", Share,
-        Sources::deflection(|run, d, _| Some(d.shape_error(run.case.contact.kind)));
+        Sources::deflection(|run, d, _| Some(d.shape_error(run.case.contact.kind.family())));
     /// Largest difference of the deflections of two runs on |X| ≤ 1, over the central one.
     DeflectionDifference, "deflection-difference", "deflection difference", Number,
         Sources::deflection(|_, d, other| match other {

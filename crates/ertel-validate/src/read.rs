@@ -157,14 +157,14 @@ fn read_run(mut table: Table<'_>, folder: &Path) -> Result<(Run, Vec<PathBuf>), 
         if case.thermal.is_none() {
             return Err(table.error("thermal", "the case has no [thermal]"));
         }
-        let thermal = read_thermal(thermal, case.contact.kind)?;
+        let thermal = read_thermal(thermal, &case.contact)?;
         change(&mut case, |case| case.thermal = Some(thermal.clone()));
     }
     let mesh_table = table.optional_table("mesh")?;
     let mesh = if let Some(mesh) = &mesh_table {
         Some(read_mesh(
             mesh.clone(),
-            case.contact.kind,
+            &case.contact,
             case.solver.error_estimate,
         )?)
     } else if case.given.get("mesh").is_none() {

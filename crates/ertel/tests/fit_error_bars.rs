@@ -1,6 +1,6 @@
 //! Intervals of fitted constants, widened by the error bars of the films, against fits to films that are moved.
 
-use ertel::contact::ContactKind;
+use ertel::contact::Family;
 use ertel::fit::{FilmFit, FilmForm, FilmKind, FilmState, Films, fit_film};
 
 /// Films over M and L (or over the speed alone) that scatter by some per cent, with error bars of their own.
@@ -38,7 +38,7 @@ fn fitted(form: FilmForm, states: Vec<FilmState>) -> FilmFit {
 /// scatter times the curvature, a few per cent.
 #[test]
 fn error_bars_come_on_top_of_the_scatter() {
-    let blend = FilmForm::Blend(ContactKind::Circular);
+    let blend = FilmForm::Blend(Family::Point);
     for (form, truth, off) in [
         (FilmForm::Speed, &[4.5e-8, 0.67][..], 1e-6),
         (FilmForm::Moes, &[2.2, -0.13, 0.3], 1e-6),

@@ -1,6 +1,6 @@
 //! Film-thickness formulas from made films.
 
-use ertel::contact::ContactKind;
+use ertel::contact::Family;
 use ertel::fit::{
     Estimate, FilmFit, FilmFitError, FilmForm, FilmKind, FilmState, Films, FormError,
     contact_of_films, fit_film,
@@ -62,8 +62,8 @@ fn estimates(fit: &FilmFit) -> Vec<Estimate> {
 #[test]
 fn a_formula_is_the_same_in_other_groups() {
     let fit = moes(&grid(|| 0.0)).unwrap();
-    for (kind, power) in [(ContactKind::Circular, 0.75), (ContactKind::Line, 0.5)] {
-        let [factor, speed, material, load] = fit.hamrock_dowson(kind.family()).unwrap();
+    for (family, power) in [(Family::Point, 0.75), (Family::Cylinder, 0.5)] {
+        let [factor, speed, material, load] = fit.hamrock_dowson(family).unwrap();
         for state in grid(|| 0.0) {
             // M = W (2U)^-power, L = G (2U)^(1/4).
             let (u, twice) = (SPEED_GROUP, 2.0 * SPEED_GROUP);
@@ -74,9 +74,9 @@ fn a_formula_is_the_same_in_other_groups() {
         }
     }
     let circular = contact_of_films("load_N,film_central_m\n1,1e-7\n");
-    assert_eq!(circular, Some(ContactKind::Circular));
+    assert_eq!(circular, Some(Family::Point));
     let line = contact_of_films("load [kN/m]; film_central_m\n1; 1e-7\n");
-    assert_eq!(line, Some(ContactKind::Line));
+    assert_eq!(line, Some(Family::Cylinder));
     assert_eq!(contact_of_films("moes_load,film_central_m\n1,1e-7\n"), None);
 }
 
@@ -155,13 +155,13 @@ fn crossed(scale: f64, values: &[&[f64]]) -> Vec<FilmState> {
 }
 
 fn forms() -> Vec<FormCase> {
-    use ContactKind::{Circular, Line};
+    use Family::{Cylinder, Point};
     let loads: &[f64] = &[20.0, 100.0, 500.0, 2500.0];
     let materials: &[f64] = &[0.1, 0.5, 2.0, 8.0];
     let speeds: &[f64] = &[0.1, 0.3, 1.0, 3.0];
     let asymptotes = [
-        (Circular, nijenbanning_venner_moes_asymptotes(1.0, 1.0, 1.0)),
-        (Line, moes_line_asymptotes(1.0, 1.0)),
+        (Point, nijenbanning_venner_moes_asymptotes(1.0, 1.0, 1.0)),
+        (Cylinder, moes_line_asymptotes(1.0, 1.0)),
     ];
     let mut cases = vec![
         FormCase {
@@ -171,7 +171,7 @@ fn forms() -> Vec<FormCase> {
         },
         // Hamrock and Dowson 1977, central film of a circle: 2.69 (1 - 0.61 e^-0.73) = 1.899.
         FormCase {
-            form: FilmForm::HamrockDowson(Circular),
+            form: FilmForm::HamrockDowson(Point),
             truth: vec![1.899, 0.67, 0.53, -0.067],
             states: crossed(
                 RADIUS,
@@ -188,7 +188,7 @@ fn forms() -> Vec<FormCase> {
             states: crossed(1.0, &[speeds]),
         },
         FormCase {
-            form: FilmForm::SpeedLoad(Circular),
+            form: FilmForm::SpeedLoad(Point),
             truth: vec![4.5e-8, 0.67, -0.07],
             states: crossed(1.0, &[speeds, &[5.0, 20.0, 80.0]]),
         },
@@ -227,13 +227,13 @@ fn the_constants_of_exact_films_are_found_in_every_form() {
 #[test]
 fn the_blend_has_the_published_asymptotes() {
     type Published = fn(f64, f64) -> ertel::reference::Asymptotes;
-    let kinds: [(ContactKind, Published); 2] = [
-        (ContactKind::Circular, |m, l| {
+    let families: [(Family, Published); 2] = [
+        (Family::Point, |m, l| {
             nijenbanning_venner_moes_asymptotes(m, l, 1.0)
         }),
-        (ContactKind::Line, moes_line_asymptotes),
+        (Family::Cylinder, moes_line_asymptotes),
     ];
-    for (contact, asymptotes) in kinds {
+    for (contact, asymptotes) in families {
         let form = FilmForm::Blend(contact);
         let one = asymptotes(1.0, 1.0);
         let constants = [one.isoviscous_elastic, one.piezoviscous_elastic, 2.0];
@@ -303,7 +303,7 @@ fn formulas_are_written_in_every_form() {
 /// Where the films lie on one asymptote, the other one and the blend are not told.
 #[test]
 fn a_blend_that_films_do_not_tell_is_warned_of() {
-    let form = FilmForm::Blend(ContactKind::Circular);
+    let form = FilmForm::Blend(Family::Point);
     let truth = [2.42, 1.25, 2.5];
     let made = |materials: &[f64], noise: f64| {
         let mut random = fastrand::Rng::with_seed(3);
@@ -399,7 +399,7 @@ fn error_bars_widen_the_intervals() {
 #[test]
 fn forms_have_names() {
     for name in FilmForm::NAMES {
-        assert!(FilmForm::named(name, Some(ContactKind::Line)).is_ok());
+        assert!(FilmForm::named(name, Some(Family::Cylinder)).is_ok());
     }
     for name in ["hamrock-dowson", "blend", "speed-load"] {
         let error = FilmForm::named(name, None).unwrap_err();

@@ -1,6 +1,6 @@
 //! Films from tables, computed and measured.
 
-use ertel::contact::ContactKind;
+use ertel::contact::Family;
 use ertel::fit::{FilmForm, FilmKind, fit_film, read_films};
 
 #[test]
@@ -18,7 +18,7 @@ fn results_are_read_by_their_columns() {
     assert_eq!(states[1].scale, 0.01 * f64::sqrt(2.0 * 2e-12));
     assert!((states[1].error.unwrap() - 1e-10 / 2e-7).abs() < 1e-15);
     // M = W (2U)^(-3/4), L = G (2U)^(1/4)
-    let form = FilmForm::HamrockDowson(ContactKind::Circular);
+    let form = FilmForm::HamrockDowson(Family::Point);
     let states = read_with(csv, form, FilmKind::Central)
         .unwrap()
         .unwrap()
@@ -86,7 +86,7 @@ fn films_over_speed_need_speed_alone() {
             films.warnings
         );
     }
-    let form = FilmForm::SpeedLoad(ContactKind::Circular);
+    let form = FilmForm::SpeedLoad(Family::Point);
     assert!(read(&heavier, form).unwrap().unwrap().warnings.is_empty());
     // Columns that a form needs and the table has not.
     for (form, text, column) in [
@@ -98,15 +98,11 @@ fn films_over_speed_need_speed_alone() {
         (form, csv.replace("load", "column_3"), "load"),
         (FilmForm::Moes, csv.to_owned(), "moes_load"),
         (
-            FilmForm::HamrockDowson(ContactKind::Circular),
+            FilmForm::HamrockDowson(Family::Point),
             csv.to_owned(),
             "moes_load",
         ),
-        (
-            FilmForm::Blend(ContactKind::Circular),
-            csv.to_owned(),
-            "moes_load",
-        ),
+        (FilmForm::Blend(Family::Point), csv.to_owned(), "moes_load"),
     ] {
         let error = read(&text, form).unwrap_err().to_string();
         let missing = format!("rig.csv:1:1: there is no column `{column}`");
@@ -126,7 +122,7 @@ fn rounding_of_four_digits_is_no_variation() {
         let film = 0.01 * 1.9 * u.powf(0.67);
         csv += &format!("{film:.3e},{m:.3e},{l:.3e},{u:.3e}\n");
     }
-    let form = FilmForm::HamrockDowson(ContactKind::Circular);
+    let form = FilmForm::HamrockDowson(Family::Point);
     let films = read_films("r.csv", &csv, form, FilmKind::Central, Some(0.01));
     let films = films.unwrap().unwrap();
     let largest = |i: usize| {

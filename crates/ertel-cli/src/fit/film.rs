@@ -2,7 +2,7 @@
 
 use std::slice;
 
-use ertel::contact::ContactKind;
+use ertel::contact::Family;
 use ertel::fit::{self, FilmFit, FilmForm, FilmKind, Films};
 use ertel::words::{digits, length};
 use ertel_input::file::read_table;
@@ -145,7 +145,7 @@ fn report(
     fit: &FilmFit,
     films: &Films,
     file: &str,
-    contact: Option<ContactKind>,
+    contact: Option<Family>,
     verbose: bool,
 ) -> String {
     let number = |value: f64| digits(value, 4);
@@ -196,7 +196,7 @@ fn report(
     lines.push(line("LaTeX", fit.latex()));
     lines.push(line("code", fit.code()));
     text += &columns(&lines);
-    let other = contact.and_then(|contact| fit.hamrock_dowson(contact.family()));
+    let other = contact.and_then(|contact| fit.hamrock_dowson(contact));
     if let Some([factor, speed, material, load]) = other {
         text += &format!(
             "\n  in the groups of Hamrock and Dowson: {} R U^{speed:.4} G^{material:.4} W^{load:.4}\n",

@@ -150,8 +150,7 @@ mod tests {
 
     #[test]
     fn load_for_pressure_inverts_hertz() {
-        for kind in [ContactKind::Line, ContactKind::Circular] {
-            let mut contact = Contact::of_one_radius(kind, 0.01, 1.0);
+        for mut contact in [Contact::line(0.01, 1.0), Contact::circular(0.01, 1.0)] {
             contact.load = Hertz::load_for_pressure(&contact, 2.2e11, 7e8);
             let hertz = Hertz::new(&contact, 2.2e11);
             assert_relative_eq!(hertz.pressure, 7e8, max_relative = 1e-12);

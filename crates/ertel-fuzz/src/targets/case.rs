@@ -4,7 +4,6 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use ertel::case::Case;
-use ertel::contact::ContactKind;
 use ertel::output;
 use ertel::params::MeshParams;
 use ertel::run;
@@ -59,7 +58,7 @@ pub fn solve(folder: &Path) -> Result<Verdict, Defect> {
         Ok(case) => case,
         Err(error) => return check_place(&error, folder),
     };
-    if case.contact.kind != ContactKind::Line {
+    if !case.contact.kind.is_line() {
         return Ok(Verdict::Refused);
     }
     case.curve = None;
@@ -67,7 +66,7 @@ pub fn solve(folder: &Path) -> Result<Verdict, Defect> {
     case.mesh = MeshParams {
         target_error: Some(0.1),
         max_unknowns: Some(MOST_UNKNOWNS),
-        ..MeshParams::preset(Default::default(), ContactKind::Line)
+        ..MeshParams::preset(Default::default(), case.contact.kind)
     };
     case.solver.error_estimate = true;
     let mut until = Until(Instant::now() + PATIENCE);

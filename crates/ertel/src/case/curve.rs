@@ -19,7 +19,7 @@ use ertel_quantity::Dimension;
 use super::Case;
 use super::study::values::{self, AxisValue, Values};
 use super::study::{Setting, StudyPoint};
-use crate::contact::ContactKind;
+use crate::contact::Contact;
 
 /// Points of one curve, at most: beyond, a number was mistaken.
 const MOST_POINTS: usize = 1000;
@@ -217,7 +217,7 @@ pub(super) fn read(
     let Some(mut table) = document.root().optional_table("curve")? else {
         return Ok(None);
     };
-    let quantity = read_quantity(document, &mut table, base.contact.kind)?;
+    let quantity = read_quantity(document, &mut table, &base.contact)?;
     const RANGE: [&str; 3] = ["from", "to", "points"];
     const EXAMPLE: &str = "[\"0.1 m/s\", \"0.2 m/s\"]";
     let curve = document.tree().entry("curve");
@@ -262,7 +262,7 @@ pub(super) fn read(
 fn read_quantity(
     document: &Document,
     table: &mut Table<'_>,
-    kind: ContactKind,
+    contact: &Contact,
 ) -> Result<Quantity, InputError> {
     let (present, absent): (Vec<Quantity>, Vec<Quantity>) = QUANTITIES
         .iter()
@@ -279,7 +279,7 @@ fn read_quantity(
     let found = present.iter().find(|q| q.path == path);
     let mut quantity =
         *found.ok_or_else(|| table.unknown_name("quantity", present.iter().map(|q| q.path)))?;
-    if quantity.path == "contact.load" && kind.is_line() {
+    if quantity.path == "contact.load" && contact.kind.is_line() {
         quantity.dimension = Dimension::FORCE_PER_LENGTH;
         quantity.symbol = "*w*";
     }

@@ -3,7 +3,7 @@
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
-use crate::contact::ContactKind;
+use crate::contact::Contact;
 use crate::interference::{CIE_RGB, Interferometer};
 
 /// Ultraviolet to infrared, m.
@@ -18,8 +18,8 @@ const PHASE: Bounds = Bounds::closed(-4.0 * std::f64::consts::PI, 4.0 * std::f64
 const LIGHTS: [(&str, [f64; 3]); 1] = [("cie-rgb", CIE_RGB)];
 
 /// Reads the table.
-pub(super) fn read(mut table: Table<'_>, kind: ContactKind) -> Result<Interferometer, InputError> {
-    if kind.is_line() {
+pub(super) fn read(mut table: Table<'_>, contact: &Contact) -> Result<Interferometer, InputError> {
+    if contact.kind.is_line() {
         let error = "an interferogram shows a point contact, but `kind` is a line contact";
         return Err(table
             .error_here(error)

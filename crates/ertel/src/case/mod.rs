@@ -221,15 +221,15 @@ impl Case {
         };
         let thermal_table = root.optional_table("thermal")?;
         let thermal = match &thermal_table {
-            Some(table) => Some(thermal::read(table.clone(), contact.kind)?),
+            Some(table) => Some(thermal::read(table.clone(), &contact)?),
             None => None,
         };
         let heat = thermal.is_some() && !solver.isothermal;
         let (lubricant, range_warnings) = lubricant::read(&mut root, folder, hertz.pressure, heat)?;
         let mesh_table = root.optional_table("mesh")?;
         let mesh = match mesh_table.clone() {
-            Some(table) => params::read_mesh(table, contact.kind, solver.error_estimate)?,
-            None => params::default_mesh(contact.kind, solver.error_estimate),
+            Some(table) => params::read_mesh(table, &contact, solver.error_estimate)?,
+            None => params::default_mesh(&contact, solver.error_estimate),
         };
         let supply = match root.optional_table("inlet")? {
             Some(table) => {
@@ -239,7 +239,7 @@ impl Case {
             None => Supply::Flooded,
         };
         let output = match root.optional_table("output")? {
-            Some(table) => params::read_output(table, &solver, contact.kind)?,
+            Some(table) => params::read_output(table, &solver, &contact)?,
             None => OutputParams::default(),
         };
         root.contains("curve");

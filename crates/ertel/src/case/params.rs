@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ertel_input::{Bounds, InputError, Table};
 
-use crate::contact::ContactKind;
+use crate::contact::Contact;
 use crate::params::SensitivityDemand;
 use crate::params::{
     DEFAULT_TARGET_ERROR, ElasticModel, Formulation, LinearSolver, MeshParams, MeshPreset,
@@ -38,18 +38,18 @@ const TARGET_ERROR: Bounds = Bounds::closed(2e-4, 0.1);
 const PRESSURE_ERROR: Bounds = Bounds::closed(1e-4, 0.2);
 
 /// Mesh of a case that says nothing about it.
-pub(super) fn default_mesh(kind: ContactKind, error_estimate: bool) -> MeshParams {
+pub(super) fn default_mesh(contact: &Contact, error_estimate: bool) -> MeshParams {
     if error_estimate {
-        MeshParams::adaptive(DEFAULT_TARGET_ERROR, kind)
+        MeshParams::adaptive(DEFAULT_TARGET_ERROR, contact.kind)
     } else {
-        MeshParams::preset(MeshPreset::default(), kind)
+        MeshParams::preset(MeshPreset::default(), contact.kind)
     }
 }
 
 /// Reads `[mesh]`; without error estimates there is no target.
 pub fn read_mesh(
     mut table: Table<'_>,
-    kind: ContactKind,
+    contact: &Contact,
     error_estimate: bool,
 ) -> Result<MeshParams, InputError> {
     let preset = table.optional_choice(
@@ -82,15 +82,15 @@ pub fn read_mesh(
                 )
                 .with_help("remove one of the two"));
         }
-        (None, Some(target)) => MeshParams::adaptive(target, kind),
-        (Some(_), None) => MeshParams::preset(preset.unwrap_or_default(), kind),
-        (None, None) => default_mesh(kind, error_estimate),
+        (None, Some(target)) => MeshParams::adaptive(target, contact.kind),
+        (Some(_), None) => MeshParams::preset(preset.unwrap_or_default(), contact.kind),
+        (None, None) => default_mesh(contact, error_estimate),
     };
     let unknowns = table.optional_integer("max_unknowns", 1_000..=2_000_000)?;
     mesh.max_unknowns = unknowns.and_then(|n| usize::try_from(n).ok());
     read_pressure_error(&mut table, &mut mesh)?;
     // Sizes in Hertz half-widths; below these, no memory is large enough.
-    let finest = if kind.is_line() { 0.0002 } else { 0.01 };
+    let finest = if contact.kind.is_line() { 0.0002 } else { 0.01 };
     let size = Bounds::closed(finest, 2.0);
     set(
         &mut mesh.hertz_size,
@@ -130,13 +130,13 @@ pub fn read_mesh(
     let half_width = mesh.body_width.map_or(FARTHEST, |width| 0.5 * width);
     mesh.inlet = table.optional_number("inlet", Bounds::from_to(-half_width, -1.0))?;
     mesh.outlet = table.optional_number("outlet", Bounds::above_to(1.0, half_width))?;
-    if kind == ContactKind::Roller && table.contains("side") {
+    if contact.roller.is_some() && table.contains("side") {
         return Err(table.error(
             "side",
             "`side` is for circular and elliptical contacts; under a roller the film ends with its `length`",
         ));
     }
-    if !kind.is_line() {
+    if !contact.kind.is_line() {
         mesh.side = table.optional_number("side", Bounds::above_to(1.0, half_width))?;
     } else if table.contains("side") {
         return Err(table.error(
@@ -304,7 +304,7 @@ pub fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
 pub(super) fn read_output(
     mut table: Table<'_>,
     solver: &SolverParams,
-    kind: ContactKind,
+    contact: &Contact,
 ) -> Result<OutputParams, InputError> {
     let mut output = OutputParams::default();
     if let Some(folder) = table.optional_str("folder")? {
@@ -336,7 +336,7 @@ pub(super) fn read_output(
         needs_body(&table, solver, "body_field", "`body_field = true`")?;
     }
     if let Some(light) = table.optional_table("interferogram")? {
-        output.interferogram = Some(super::interferogram::read(light, kind)?);
+        output.interferogram = Some(super::interferogram::read(light, contact)?);
     }
     table.finish()?;
     Ok(output)

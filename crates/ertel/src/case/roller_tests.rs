@@ -6,7 +6,6 @@ use approx::assert_relative_eq;
 use ertel_input::{Document, InputError};
 
 use super::Case;
-use crate::contact::ContactKind;
 use crate::contact::roller::Profile;
 
 const REST: &str = r#"
@@ -36,7 +35,6 @@ fn read(sizes: &str, load: &str, rest: &str) -> Result<Case, InputError> {
 #[test]
 fn load_or_pressure() {
     let case = read(SIZES, "load = \"1 kN\"", LOG).unwrap();
-    assert_eq!(case.contact.kind, ContactKind::Roller);
     assert_relative_eq!(case.contact.line_load(), 125e3, max_relative = 1e-12);
     assert_relative_eq!(case.hertz().pressure, 958.2e6, max_relative = 1e-4);
     let same = read(SIZES, "hertz_pressure = \"958.2 MPa\"", LOG).unwrap();
@@ -204,8 +202,7 @@ fn a_roller_of_a_bearing() {
     };
     let line = read("");
     let roller = read("profile = { kind = \"iso-16281\", diameter = \"10 mm\" }");
-    assert_eq!(line.contact.kind, ContactKind::Line);
-    assert_eq!(roller.contact.kind, ContactKind::Roller);
+    assert!(line.contact.kind.is_line() && !roller.contact.kind.is_line());
     assert_relative_eq!(roller.contact.load, 2e3, max_relative = 1e-12);
     assert_relative_eq!(
         roller.contact.line_load(),

@@ -7,7 +7,7 @@ use ertel_rheology::{ConductivityLaw, HeatCapacityLaw};
 use super::lubricant::{TEMPERATURE, VISCOSITY};
 use super::params::{FARTHEST, order, set};
 use super::{Body, Case};
-use crate::contact::ContactKind;
+use crate::contact::Contact;
 use crate::params::ThermalParams;
 use crate::solve::heat::missing::{MissingDatum, MissingHeatData};
 use crate::warning::{Warning, WarningKind};
@@ -25,7 +25,7 @@ const HEAT_CAPACITY: Bounds = Bounds::closed(10.0, 2e4);
 const DENSITY: Bounds = Bounds::closed(10.0, 3e4);
 
 /// Reads `[thermal]`.
-pub fn read(mut table: Table<'_>, kind: ContactKind) -> Result<ThermalParams, InputError> {
+pub fn read(mut table: Table<'_>, contact: &Contact) -> Result<ThermalParams, InputError> {
     let mut thermal = ThermalParams::default();
     set(&mut thermal.depth, table.optional_number("depth", DEPTH)?);
     let count = |n: Option<i64>| n.and_then(|n| usize::try_from(n).ok());
@@ -54,7 +54,7 @@ pub fn read(mut table: Table<'_>, kind: ContactKind) -> Result<ThermalParams, In
     thermal.ball_temperature = temperature("body_2_temperature", "ball_temperature")?;
     let points = table.optional_points("profiles", Bounds::closed(-FARTHEST, FARTHEST))?;
     set(&mut thermal.profiles, points);
-    if kind.is_line() && thermal.profiles.iter().any(|[_, y]| *y != 0.0) {
+    if contact.kind.is_line() && thermal.profiles.iter().any(|[_, y]| *y != 0.0) {
         return Err(table.error(
             "profiles",
             "the points of `profiles` must have y = 0: a line contact has no other",

@@ -171,20 +171,25 @@ fn groups_of(moes_load: f64, moes_material: f64) -> Groups {
 /// Corners of Moes' diagrams, and known contacts: the 3 GPa of Habchi 2008, figure 3.4 (M 9381, L 8.98).
 #[test]
 fn regimes_of_known_contacts() {
-    use ContactKind::{Circular, Line};
-    for (kind, m, l, expected) in [
-        (Circular, 1.0, 0.0, Regime::IsoviscousRigid),
-        (Circular, 1000.0, 0.0, Regime::IsoviscousElastic),
-        (Circular, 9381.37, 8.97869, Regime::PiezoviscousElastic),
-        (Circular, 20.0, 20.0, Regime::PiezoviscousRigid),
-        (Circular, 100.0, -1.0, Regime::IsoviscousElastic),
-        (Line, 0.2, 0.0, Regime::IsoviscousRigid),
-        (Line, 500.0, 0.0, Regime::IsoviscousElastic),
-        (Line, 500.0, 14.0, Regime::PiezoviscousElastic),
-        (Line, 2.0, 14.0, Regime::PiezoviscousRigid),
+    let (circle, line) = (Contact::circular(0.01, 1.0), Contact::line(0.01, 1.0));
+    for (contact, m, l, expected) in [
+        (&circle, 1.0, 0.0, Regime::IsoviscousRigid),
+        (&circle, 1000.0, 0.0, Regime::IsoviscousElastic),
+        (&circle, 9381.37, 8.97869, Regime::PiezoviscousElastic),
+        (&circle, 20.0, 20.0, Regime::PiezoviscousRigid),
+        (&circle, 100.0, -1.0, Regime::IsoviscousElastic),
+        (&line, 0.2, 0.0, Regime::IsoviscousRigid),
+        (&line, 500.0, 0.0, Regime::IsoviscousElastic),
+        (&line, 500.0, 14.0, Regime::PiezoviscousElastic),
+        (&line, 2.0, 14.0, Regime::PiezoviscousRigid),
     ] {
-        let e = regime(&Contact::of_one_radius(kind, 0.01, 1.0), &groups_of(m, l));
-        assert_eq!(e.regime, expected, "{kind:?} M {m} L {l}: {e:?}");
+        let e = regime(contact, &groups_of(m, l));
+        assert_eq!(
+            e.regime,
+            expected,
+            "{} M {m} L {l}: {e:?}",
+            contact.kind.name()
+        );
     }
 }
 

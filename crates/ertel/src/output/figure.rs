@@ -313,7 +313,6 @@ fn coordinates(place: [f64; 2], error: Option<f64>) -> ([String; 2], Option<Stri
 mod tests {
     use super::super::sample;
     use super::*;
-    use crate::contact::ContactKind;
     use crate::solution::Asked;
 
     fn e(value: f64, error: f64) -> Estimate {
@@ -392,7 +391,7 @@ mod tests {
             radius: 0.016,
         };
         let told = |film: Estimate, asked| {
-            let (_, mut solution) = sample::owned(ContactKind::Circular);
+            let (_, mut solution) = sample::circle().clone();
             solution.summary.film_central = film;
             let found = Unresolved::all(&solution, asked);
             (found.iter().map(unresolved).collect::<Vec<_>>()).join("; ")
@@ -451,7 +450,7 @@ mod tests {
 
     #[test]
     fn places_have_the_digits_of_their_bars() {
-        let (_, solution) = sample::solved(ContactKind::Circular);
+        let (_, solution) = sample::circle();
         let a = solution.hertz.half_width;
         let at = |y: f64, error: Option<f64>| {
             let at = Located {

@@ -118,7 +118,6 @@ fn first(value: &Value) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::ContactKind;
     use crate::output::sample;
     use crate::solution::{BodyField, Figure, Reading};
 
@@ -167,7 +166,7 @@ mod tests {
 
     #[test]
     fn a_number_that_is_not_finite_is_found_and_named() {
-        let (case, solution) = sample::solved(ContactKind::Line);
+        let (case, solution) = sample::line();
         assert_eq!(first_not_finite(case, solution), None);
         for (name, spoil) in SPOILS {
             let (mut case, mut solution) = (case.clone(), solution.clone());

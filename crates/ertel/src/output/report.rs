@@ -442,8 +442,7 @@ mod tests {
     /// and 264.1/245 − 1 = 7.8 %.
     #[test]
     fn report_holds_the_case_and_the_results() {
-        let kind = ContactKind::Circular;
-        let (case, mut solution) = sample::owned(kind);
+        let (case, mut solution) = sample::circle().clone();
         sample::set(&mut solution, Figure::FilmCentral, 245e-9, 0.8e-9);
         solution.formulas[0].central = Some(264.1e-9);
         solution.warnings = vec!["the pressure leaves the range".to_owned().into()];

@@ -3,8 +3,8 @@ use std::fs;
 use serde_json::Value;
 
 use super::folder::NewFolder;
+use super::sample::Sample;
 use super::*;
-use crate::contact::ContactKind;
 use crate::solution::BodyField;
 
 fn names(folder: &Path) -> Vec<String> {
@@ -17,9 +17,9 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 /// A sample with a body of one cell.
-fn with_body(kind: ContactKind) -> (CaseEcho, Solution) {
-    let (case, mut solution) = sample::owned(kind);
-    let n = if kind.is_line() { 3 } else { 4 };
+fn with_body(sample: &Sample) -> Sample {
+    let (case, mut solution) = sample.clone();
+    let n = if solution.shape.is_line() { 3 } else { 4 };
     let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]];
     solution.body = Some(BodyField {
         points: corners[..n].to_vec(),
@@ -29,8 +29,8 @@ fn with_body(kind: ContactKind) -> (CaseEcho, Solution) {
     (case, solution)
 }
 
-fn write_to(target: &Path, kind: ContactKind) -> Result<(), OutputError> {
-    let (case, solution) = with_body(kind);
+fn write_to(target: &Path, sample: &Sample) -> Result<(), OutputError> {
+    let (case, solution) = with_body(sample);
     let params = OutputParams {
         body_field: true,
         ..OutputParams::default()
@@ -42,7 +42,7 @@ fn write_to(target: &Path, kind: ContactKind) -> Result<(), OutputError> {
 fn circular_contact_writes_every_file() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("new/ball");
-    write_to(&target, ContactKind::Circular).unwrap();
+    write_to(&target, sample::circle()).unwrap();
     assert_eq!(
         names(&target),
         [
@@ -66,15 +66,15 @@ fn circular_contact_writes_every_file() {
 /// What goes into a folder and what stays in memory: the same names, the same bytes.
 #[test]
 fn files_in_memory_are_those_of_the_folder() {
-    let kind = ContactKind::Circular;
+    let sample = sample::circle();
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("ball");
-    write_to(&target, kind).unwrap();
+    write_to(&target, sample).unwrap();
     let params = OutputParams {
         body_field: true,
         ..OutputParams::default()
     };
-    let (mut case, solution) = with_body(kind);
+    let (mut case, solution) = with_body(sample);
     case.case_file = Some(fs::read_to_string(target.join("case.toml")).unwrap());
     let mut files = super::files(&case, &solution, &params).unwrap();
     files.sort_by(|a, b| a.name.cmp(&b.name));
@@ -92,13 +92,13 @@ fn files_in_memory_are_those_of_the_folder() {
 fn line_contact_result_is_complete() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("roller");
-    write_to(&target, ContactKind::Line).unwrap();
+    write_to(&target, sample::line()).unwrap();
     assert!(!names(&target).contains(&"film.svg".to_owned()));
     let text = fs::read_to_string(target.join("result.json")).unwrap();
     let json: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(json["format"], FORMAT);
     assert_eq!(json["kind"], "line");
-    let (_, solution) = sample::solved(ContactKind::Line);
+    let (_, solution) = sample::line();
     let film = solution.summary.film_central.value;
     let written = json["summary"]["film_central"]["value"].as_f64().unwrap();
     assert!((written / film - 1.0).abs() < 1e-15);
@@ -135,8 +135,8 @@ fn find_nulls(value: &Value, path: &str, found: &mut Vec<String>) {
 fn former_result_is_replaced() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("case");
-    write_to(&target, ContactKind::Circular).unwrap();
-    write_to(&target, ContactKind::Line).unwrap();
+    write_to(&target, sample::circle()).unwrap();
+    write_to(&target, sample::line()).unwrap();
     assert!(!target.join("film.svg").exists());
     assert_eq!(names(place.path()), ["case"]);
 }
@@ -149,21 +149,21 @@ fn folders_and_files_of_others_are_left_alone() {
     // An empty folder is free
     check_target(&target).unwrap();
     fs::write(target.join("notes.txt"), "precious").unwrap();
-    let error = write_to(&target, ContactKind::Line).unwrap_err();
+    let error = write_to(&target, sample::line()).unwrap_err();
     assert!(
         matches!(error, OutputError::ForeignFolder { .. }),
         "{error}"
     );
     // A result.json of another program does not make it ours
     fs::write(target.join("result.json"), "{\"format\": \"other\"}").unwrap();
-    assert!(write_to(&target, ContactKind::Line).is_err());
+    assert!(write_to(&target, sample::line()).is_err());
     assert_eq!(names(&target), ["notes.txt", "result.json"]);
 
     let file = place.path().join("file");
     fs::write(&file, "").unwrap();
-    let error = write_to(&file, ContactKind::Line).unwrap_err();
+    let error = write_to(&file, sample::line()).unwrap_err();
     assert!(matches!(error, OutputError::NotAFolder { .. }), "{error}");
-    let error = write_to(&file.join("below"), ContactKind::Line).unwrap_err();
+    let error = write_to(&file.join("below"), sample::line()).unwrap_err();
     assert!(matches!(error, OutputError::Io { .. }), "{error}");
     assert_eq!(names(place.path()), ["file", "mine"]);
 }
@@ -172,9 +172,9 @@ fn folders_and_files_of_others_are_left_alone() {
 fn notes_beside_a_former_result_keep_it() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("case");
-    write_to(&target, ContactKind::Line).unwrap();
+    write_to(&target, sample::line()).unwrap();
     fs::write(target.join("notes.txt"), "precious").unwrap();
-    let error = write_to(&target, ContactKind::Line).unwrap_err();
+    let error = write_to(&target, sample::line()).unwrap_err();
     assert!(error.to_string().contains("notes.txt"), "{error}");
 }
 
@@ -182,7 +182,7 @@ fn notes_beside_a_former_result_keep_it() {
 fn failure_half_way_leaves_the_former_result() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("case");
-    write_to(&target, ContactKind::Line).unwrap();
+    write_to(&target, sample::line()).unwrap();
     let before = fs::read(target.join("result.json")).unwrap();
     let attempt = || -> Result<(), OutputError> {
         let folder = NewFolder::beside(&target)?;
@@ -204,8 +204,7 @@ fn failure_half_way_leaves_the_former_result() {
 fn numbers_that_are_not_finite_are_not_written() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("case");
-    let kind = ContactKind::Line;
-    let (case, mut solution) = sample::owned(kind);
+    let (case, mut solution) = sample::line().clone();
     solution.centreline.viscosity[3] = f64::INFINITY;
     let error = write(&case, &solution, &target, &OutputParams::default()).unwrap_err();
     assert!(
@@ -220,8 +219,7 @@ fn numbers_that_are_not_finite_are_not_written() {
 fn pictures_have_the_formats_that_are_asked_for() {
     let place = tempfile::tempdir().unwrap();
     let target = place.path().join("x");
-    let kind = ContactKind::Circular;
-    let (case, solution) = sample::solved(kind);
+    let (case, solution) = sample::circle();
     for (formats, suffixes) in [
         (vec!["svg", "pdf", "png"], vec!["pdf", "png", "svg"]),
         (vec!["pdf"], vec!["pdf"]),
@@ -244,12 +242,9 @@ fn pictures_have_the_formats_that_are_asked_for() {
 /// Pictures are well-formed at least in this: every group that opens closes, no number is NaN.
 #[test]
 fn pictures_are_sound() {
-    for kind in [ContactKind::Line, ContactKind::Circular] {
-        let pictures = pictures::pictures("T < U", &sample::solved(kind).1, Some(1e-8));
-        assert_eq!(
-            pictures.len(),
-            if kind == ContactKind::Line { 2 } else { 4 }
-        );
+    for ((_, solution), n) in [(sample::line(), 2), (sample::circle(), 4)] {
+        let pictures = pictures::pictures("T < U", solution, Some(1e-8));
+        assert_eq!(pictures.len(), n);
         for picture in pictures {
             let svg = picture.svg;
             assert!(

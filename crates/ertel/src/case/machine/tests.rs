@@ -6,7 +6,6 @@ use approx::assert_relative_eq;
 use ertel_input::{Document, InputError};
 
 use crate::case::Case;
-use crate::contact::ContactKind;
 
 mod bad;
 mod helical;
@@ -199,7 +198,7 @@ fn row<'c>(case: &'c Case, name: &str) -> &'c str {
 #[test]
 fn ball_on_disc() {
     let case = read(DISC).unwrap();
-    assert_eq!(case.contact.kind, ContactKind::Circular);
+    assert_eq!(case.contact.radius_y, case.contact.radius);
     check(&case, 9.525, 30.0, 1.0, 0.2);
     let speeds = "ball_speed = \"1.1 m/s\"\ndisc_speed = \"0.9 m/s\"";
     let case = with(
@@ -227,7 +226,7 @@ fn ball_on_disc() {
 #[test]
 fn ball_bearing() {
     let case = read(BALL).unwrap();
-    assert_eq!(case.contact.kind, ContactKind::Elliptical);
+    assert!(case.contact.has_two_radii());
     assert_relative_eq!(case.contact.radius_y, 0.123_825, max_relative = 1e-9);
     assert_eq!(case.contact.entrainment_angle, 0.0);
     check(&case, 3.776_352, 500.0, 3.457_928, 0.0);
@@ -319,7 +318,7 @@ fn a_ball_without_a_groove() {
 #[test]
 fn roller_bearing() {
     let case = read(ROLLER).unwrap();
-    assert_eq!(case.contact.kind, ContactKind::Line);
+    assert!(case.contact.kind.is_line());
     check(&case, 4.0, 166_666.67, 1.884_956, 0.0);
     let outer = with(ROLLER, "\"inner\"", "\"outer\"").unwrap();
     check(&outer, 6.0, 166_666.67, 1.884_956, 0.0);
@@ -340,7 +339,7 @@ fn roller_bearing() {
 #[test]
 fn spur_gear() {
     let case = read(GEAR).unwrap();
-    assert_eq!(case.contact.kind, ContactKind::Line);
+    assert!(case.contact.kind.is_line());
     check(&case, 9.120_537, 133_022.2, 2.148_976, 0.0);
     assert_eq!(row(&case, "path of contact"), "from -10.117 mm to 9.191 mm");
     assert!(row(&case, "contact ratio").starts_with("1.635"));

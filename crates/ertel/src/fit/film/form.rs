@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::{FilmState, ellipse};
-use crate::contact::ContactKind;
+use crate::contact::Family;
 use crate::reference::{ElasticExponents, Fraction};
 
 /// The closed family of forms. Groups are those of [`crate::contact::Groups`].
@@ -17,14 +17,14 @@ pub enum FilmForm {
     /// Higginson (1966) for line contacts.
     ///
     /// h = c R U^a G^b W^d
-    HamrockDowson(ContactKind),
+    HamrockDowson(Family),
     /// The elastic-isoviscous and the elastic-piezoviscous asymptote, blended: the central film of elastic bodies from L = 0
     /// on, with the exponents of Nijenbanning, Venner and Moes (1994) and, in line contacts, Moes.
     ///
     /// h = R √(2U) [(c_1 M^m)^s + (c_2 M^n L^(3/4))^s]^(1/s)
     ///
     /// m = -2/15, n = -1/12; in line contacts m = -1/5, n = -1/8
-    Blend(ContactKind),
+    Blend(Family),
     /// Over the entrainment speed u alone, as rigs measure it.
     ///
     /// h = c (u/(1 m/s))^a
@@ -32,7 +32,7 @@ pub enum FilmForm {
     /// Over entrainment speed u and load F, in line contacts per length, w.
     ///
     /// h = c (u/(1 m/s))^a (F/(1 N))^b
-    SpeedLoad(ContactKind),
+    SpeedLoad(Family),
     /// Ellipses with the motion at any angle, in the groups along the principal direction nearest to it: the shape of
     /// Chittenden et al. (1985) along either axis, and between the axes what the components of the speed make of these.
     ///
@@ -126,7 +126,7 @@ impl FilmForm {
     /// # Errors
     ///
     /// [`FormError`].
-    pub fn named(name: &str, contact: Option<ContactKind>) -> Result<FilmForm, FormError> {
+    pub fn named(name: &str, contact: Option<Family>) -> Result<FilmForm, FormError> {
         let shape = || contact.ok_or_else(|| FormError::Shape(name.to_owned()));
         match name {
             "moes" => Ok(Self::Moes),
@@ -145,12 +145,12 @@ impl FilmForm {
             Self::Moes => "h = c R √(2U) M^a L^b".into(),
             Self::HamrockDowson(_) => "h = c R U^a G^b W^d".into(),
             Self::Blend(contact) => {
-                let [m, n, l] = ElasticExponents::of(contact.family()).in_order();
+                let [m, n, l] = ElasticExponents::of(contact).in_order();
                 format!("h = R √(2U) [(c_1 M^({m}))^s + (c_2 M^({n}) L^({l}))^s]^(1/s)").into()
             }
             Self::Speed => "h = c (u/(1 m/s))^a".into(),
-            Self::SpeedLoad(contact) if contact.is_line() => "h = c (u/(1 m/s))^a (w/(1 N/m))^b".into(),
-            Self::SpeedLoad(_) => "h = c (u/(1 m/s))^a (F/(1 N))^b".into(),
+            Self::SpeedLoad(Family::Cylinder) => "h = c (u/(1 m/s))^a (w/(1 N/m))^b".into(),
+            Self::SpeedLoad(Family::Point) => "h = c (u/(1 m/s))^a (F/(1 N))^b".into(),
             Self::Elliptical => {
                 "h = c R_x U^a G^b W^d [(1 - exp(-e D^f))^(2/a) cos²θ + (D^(1-a-2d) (1 - exp(-e D^(-f))))^(2/a) sin²θ]^(a/2), \
                  D = R_y/R_x"
@@ -197,8 +197,8 @@ impl FilmForm {
             Self::HamrockDowson(_) => GROUPS,
             Self::Elliptical => ELLIPSES,
             Self::Speed => &SPEED_AND_FORCE[..1],
-            Self::SpeedLoad(contact) if contact.is_line() => SPEED_AND_LINE_LOAD,
-            Self::SpeedLoad(_) => SPEED_AND_FORCE,
+            Self::SpeedLoad(Family::Cylinder) => SPEED_AND_LINE_LOAD,
+            Self::SpeedLoad(Family::Point) => SPEED_AND_FORCE,
         }
     }
 
@@ -210,7 +210,7 @@ impl FilmForm {
         if let Self::Blend(contact) = self {
             let [c_1, c_2, s] = [constants[0], constants[1], constants[2]];
             let [m, l] = [state.variables[0], state.variables[1]];
-            let exponents = ElasticExponents::of(contact.family()).in_order();
+            let exponents = ElasticExponents::of(contact).in_order();
             let [isoviscous_m, piezoviscous_m, piezoviscous_l] = exponents.map(Fraction::value);
             let isoviscous = c_1 * m.powf(isoviscous_m);
             let piezoviscous = c_2 * m.powf(piezoviscous_m) * l.powf(piezoviscous_l);

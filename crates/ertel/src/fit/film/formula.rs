@@ -84,7 +84,7 @@ impl FilmFit {
             FilmForm::Elliptical => "R_x",
             FilmForm::Speed | FilmForm::SpeedLoad(_) => "m",
             FilmForm::Blend(contact) => {
-                let [m, n, l] = ElasticExponents::of(contact.family()).in_order();
+                let [m, n, l] = ElasticExponents::of(contact).in_order();
                 let (c_2, s) = (self.constant(1), self.constant(2));
                 return format!(
                     "{h} = R √(2U) [({c} M^({m}))^{s} + ({c_2} M^({n}) L^({l}))^{s}]^(1/{s})"
@@ -115,7 +115,7 @@ impl FilmFit {
             FilmForm::Elliptical => "R_x",
             FilmForm::Speed | FilmForm::SpeedLoad(_) => "\\mathrm{m}",
             FilmForm::Blend(contact) => {
-                let [m, n, l] = ElasticExponents::of(contact.family()).in_order();
+                let [m, n, l] = ElasticExponents::of(contact).in_order();
                 let (c_2, s) = (latex_number(&self.constant(1)), self.constant(2));
                 return format!(
                     "{h} = R \\sqrt{{2U}} \\left[\\left({c}\\, M^{{{m}}}\\right)^{{{s}}} + \
@@ -150,7 +150,7 @@ impl FilmFit {
             FilmForm::Elliptical => " * R_x",
             FilmForm::Speed | FilmForm::SpeedLoad(_) => "",
             FilmForm::Blend(contact) => {
-                let [m, n, l] = ElasticExponents::of(contact.family()).in_order();
+                let [m, n, l] = ElasticExponents::of(contact).in_order();
                 let (c_2, s) = (self.constant(1), self.constant(2));
                 return format!(
                     "{h} = R * (2 * U) ** 0.5 * (({c} * M ** ({m})) ** {s} + ({c_2} * M ** ({n}) * L ** ({l})) ** {s}) \

@@ -192,7 +192,7 @@ pub fn fit_film(films: &Films, confidence: f64) -> Result<FilmFit, FilmFitError>
         })
         .collect();
     let found = match films.form {
-        FilmForm::Blend(contact) => blend::fit(films, contact.family(), confidence)?,
+        FilmForm::Blend(contact) => blend::fit(films, contact, confidence)?,
         FilmForm::Elliptical => ellipse::fit(films, &ranges, confidence)?,
         FilmForm::Moes | FilmForm::HamrockDowson(_) | FilmForm::Speed | FilmForm::SpeedLoad(_) => {
             power::fit(films, &ranges, confidence)?

@@ -7,7 +7,7 @@ use super::conditions::Conditions;
 use super::geometry::Ellipses;
 use super::header::{need, positive};
 use super::{FilmForm, FilmKind, FilmState};
-use crate::contact::{Contact, ContactKind};
+use crate::contact::{Contact, Family};
 use crate::fit::DataError;
 use crate::words::digits;
 
@@ -219,9 +219,9 @@ fn source(table: &CsvTable, form: FilmForm, radius: Option<f64>) -> Result<Sourc
     match form {
         FilmForm::Speed => Ok(Source::Columns(vec![speed()?])),
         FilmForm::SpeedLoad(contact) => {
-            let load = match contact.is_line() {
-                true => load(Dimension::FORCE_PER_LENGTH, "N_per_m"),
-                false => load(Dimension::FORCE, "N"),
+            let load = match contact {
+                Family::Cylinder => load(Dimension::FORCE_PER_LENGTH, "N_per_m"),
+                Family::Point => load(Dimension::FORCE, "N"),
             };
             Ok(Source::Columns(vec![speed()?, load?]))
         }
@@ -263,7 +263,7 @@ fn radius_source(
 fn groups(form: FilmForm, radius: f64, u: f64, m: f64, l: f64) -> (f64, Vec<f64>) {
     match form {
         FilmForm::HamrockDowson(contact) => {
-            let w = m * (2.0 * u).powf(contact.family().moes_power());
+            let w = m * (2.0 * u).powf(contact.moes_power());
             let g = l * (2.0 * u).powf(-0.25);
             (radius, vec![u, g, w])
         }
@@ -279,13 +279,7 @@ fn of_ellipse(form: FilmForm, contact: &Contact, u: f64, m: f64, l: f64) -> (f64
     if form != FilmForm::Elliptical {
         return groups(form, along, u, m, l);
     }
-    let (radius, in_groups) = groups(
-        FilmForm::HamrockDowson(ContactKind::Elliptical),
-        along,
-        u,
-        m,
-        l,
-    );
+    let (radius, in_groups) = groups(FilmForm::HamrockDowson(Family::Point), along, u, m, l);
     let ratio = radius / contact.radius;
     let variables = vec![
         in_groups[0] * ratio,
@@ -338,17 +332,17 @@ impl Unlike {
 }
 
 /// Which contact the films of a table belong to, by its column `load_N` or `load_N_per_m`; `None` without one of these.
-pub fn contact_of_films(text: &str) -> Option<ContactKind> {
+pub fn contact_of_films(text: &str) -> Option<Family> {
     contact_of_films_with(text, &CsvParams::default())
 }
 
 /// The same with what the user tells about the columns.
-pub fn contact_of_films_with(text: &str, params: &CsvParams) -> Option<ContactKind> {
+pub fn contact_of_films_with(text: &str, params: &CsvParams) -> Option<Family> {
     let table = parse("", text, params).ok()?;
     let has = |dimension| table.find("load", dimension).ok().flatten().is_some();
     match (has(Dimension::FORCE), has(Dimension::FORCE_PER_LENGTH)) {
-        (true, false) => Some(ContactKind::Circular),
-        (false, true) => Some(ContactKind::Line),
+        (true, false) => Some(Family::Point),
+        (false, true) => Some(Family::Cylinder),
         _ => None,
     }
 }

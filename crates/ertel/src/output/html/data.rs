@@ -230,7 +230,6 @@ fn centreline(solution: &Solution) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::ContactKind;
     use crate::contact::Turn;
     use crate::output::sample;
 
@@ -238,7 +237,7 @@ mod tests {
     /// each point has (x/a)² + (y/3a)² = 1.
     #[test]
     fn the_edge_of_a_turned_ellipse_is_turned() {
-        let mut solution = sample::owned(ContactKind::Elliptical).1;
+        let mut solution = sample::ellipse().1.clone();
         let a = solution.hertz.half_width;
         let angle = 30_f64.to_radians();
         for turned in [0.0, angle] {

@@ -364,15 +364,14 @@ fn script_data(data: &Value) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::{self, owned};
+    use super::super::sample;
     use super::*;
-    use crate::contact::ContactKind;
     use crate::solution::Figure;
 
     /// Titles and case files are text, whatever they hold, and the data end no script.
     #[test]
     fn text_of_users_stays_text() {
-        let (mut case, solution) = owned(ContactKind::Circular);
+        let (mut case, solution) = sample::circle().clone();
         case.title = "</script><script>alert(1)</script> & \"ball\"".to_owned();
         case.case_file = Some("<!-- <b>title</b> -->".to_owned());
         let page = report_page(&case, &solution, 1e-6);
@@ -386,15 +385,14 @@ mod tests {
     /// The page loads nothing: its policy says so, and there is no address but that in the licence of uPlot.
     #[test]
     fn pages_need_no_network() {
-        let (case, solution) = owned(ContactKind::Line);
-        let page = report_page(&case, &solution, 1e-6);
+        let (case, solution) = sample::line();
+        let page = report_page(case, solution, 1e-6);
         assert!(page.contains("default-src 'none'"));
         for loading in ["src=\"", "@import", "url(", "<link rel=\"style"] {
             assert!(!page.contains(loading), "{loading}");
         }
-        for (kind, has_map) in [(ContactKind::Line, false), (ContactKind::Circular, true)] {
-            let (case, solution) = owned(kind);
-            let data = page_data(&report_page(&case, &solution, 1e-6)).unwrap();
+        for ((case, solution), has_map) in [(sample::line(), false), (sample::circle(), true)] {
+            let data = page_data(&report_page(case, solution, 1e-6)).unwrap();
             assert_eq!(data["results"][0]["mesh"].is_object(), has_map);
         }
     }
@@ -402,7 +400,7 @@ mod tests {
     /// Figures, warnings and formulas stand in the page for those without scripts.
     #[test]
     fn pages_say_what_the_report_says() {
-        let (case, mut solution) = owned(ContactKind::Circular);
+        let (case, mut solution) = sample::circle().clone();
         sample::set(&mut solution, Figure::FilmCentral, 245e-9, 0.8e-9);
         solution.formulas[0].central = Some(264.1e-9);
         solution.warnings = vec!["the pressure leaves the range".to_owned().into()];
@@ -414,7 +412,7 @@ mod tests {
 
     #[test]
     fn pages_are_joined_by_kind() {
-        let (case, solution) = owned(ContactKind::Circular);
+        let (case, solution) = sample::circle().clone();
         let contact = page_data(&report_page(&case, &solution, 1e-6)).unwrap();
         let study = page_data(&study_page("a study", "point,a\n1,2\n", 1, Vec::new())).unwrap();
         let named = |data: &Value| ("one".to_owned(), data.clone());

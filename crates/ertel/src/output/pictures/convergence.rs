@@ -210,7 +210,6 @@ fn stages(history: &[IterationRecord], last: Option<usize>) -> Vec<Marker> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::ContactKind;
     use crate::output::sample;
     use crate::solution::HeatRound;
 
@@ -232,7 +231,7 @@ mod tests {
     /// Film and heat in turn: what has to come below the tolerance is the change from round to round, which the picture shows.
     #[test]
     fn a_solve_with_heat_ends_below_the_tolerance_that_is_drawn() {
-        let (_, mut solution) = sample::owned(ContactKind::Line);
+        let (_, mut solution) = sample::line().clone();
         let last = solution.history.last().unwrap().level;
         let of_last: Vec<usize> = (0..solution.history.len())
             .filter(|i| solution.history[*i].level == last)

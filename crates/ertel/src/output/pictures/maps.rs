@@ -202,27 +202,25 @@ fn film_levels(minimum: f64, central: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::ContactKind;
     use crate::output::sample;
 
     /// All of the contact, and not more than two and a half times as much around it.
     #[test]
     fn the_frame_is_the_contact_and_a_margin() {
-        for kind in [ContactKind::Circular, ContactKind::Elliptical] {
-            let (_, solution) = sample::solved(kind);
+        for (_, solution) in [sample::circle(), sample::ellipse()] {
             let [along, across] = solution.shape.zone.half_extents();
             let [[x0, x1], [y0, y1]] = window_map(solution);
             assert!(x0 < -along && x1 > along && y0 < -across && y1 > across);
             let contact = std::f64::consts::PI * along * across;
             let share = contact / ((x1 - x0) * (y1 - y0));
-            assert!(share > 1.0 / 3.5, "{kind:?}: {share}");
+            assert!(share > 1.0 / 3.5, "{}: {share}", solution.kind.name());
         }
     }
 
     /// The scale goes from the smallest to the largest value in the frame, and to no others.
     #[test]
     fn colours_cover_the_data_in_the_frame() {
-        let (_, solution) = sample::solved(ContactKind::Circular);
+        let (_, solution) = sample::circle();
         let window = window_map(solution);
         let film = &solution.elements.film_thickness;
         let [low, high] = range_within(solution, film, 1e9, window);
