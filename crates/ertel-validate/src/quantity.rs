@@ -282,7 +282,7 @@ fn pressure_oscillation(s: &Solution) -> Option<f64> {
 
 fn outlet_cooling(s: &Solution) -> Option<f64> {
     let line = &s.thermal.as_ref()?.centreline;
-    let below = |i: usize| 0.5 * (line.plane[i] + line.ball[i]) - line.mid[i];
+    let below = |i: usize| 0.5 * (line.body_1[i] + line.body_2[i]) - line.mid[i];
     (s.centreline.x.iter().enumerate())
         .filter(|(_, x)| OUTLET.contains(&(*x / s.scales.length)))
         .map(|(i, _)| below(i))

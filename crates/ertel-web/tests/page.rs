@@ -52,7 +52,7 @@ fn edits_make_and_remove_tables() {
     ]);
     let text = edited(ROLLER, &changes);
     let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();
-    assert_eq!(case.plane.elasticity.youngs_modulus, 73e9);
+    assert_eq!(case.body_1.elasticity.youngs_modulus, 73e9);
     assert_eq!(case.lubricant.temperature, 313.0);
     let text = edited(&text, &json!([["thermal", {}], ["bodies.body_1", "glass"]]));
     let case = Case::from_text("case.toml", &text, Path::new("")).unwrap();

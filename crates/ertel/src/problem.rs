@@ -92,7 +92,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         penalty_scaling: case.solver.penalty_scaling,
         film_scale: start_film,
     };
-    let materials = [&case.plane, &case.ball].map(|body| body.elasticity);
+    let materials = [&case.body_1, &case.body_2].map(|body| body.elasticity);
     let bodies = match case.elastic_model() {
         ElasticModel::Equivalent => vec![equivalent_body(materials[0], materials[1])],
         ElasticModel::TwoBodies | ElasticModel::HalfSpace => materials.to_vec(),
@@ -211,7 +211,7 @@ fn heat(case: &Case, scales: &Scales) -> Option<(Heat, HeatPlan)> {
     let data = case.heat().ok().flatten()?;
     let params = data.params;
     let u_m = case.motion.entrainment_speed;
-    let [plane, ball] = case.motion.surfaces(scales.length);
+    let [first, second] = case.motion.surfaces(scales.length);
     let body = |solid: &SolidHeat, velocity: Planar| BodyHeat {
         density: solid.density,
         conductivity: solid.conductivity.clone(),
@@ -222,7 +222,7 @@ fn heat(case: &Case, scales: &Scales) -> Option<(Heat, HeatPlan)> {
     let heat = Heat {
         conductivity: data.conductivity.clone(),
         heat_capacity: data.heat_capacity.clone(),
-        bodies: [body(&data.plane, plane), body(&data.ball, ball)],
+        bodies: [body(&data.body_1, first), body(&data.body_2, second)],
         inlet_temperature: case.lubricant.temperature,
         length: scales.length,
         film: scales.film,

@@ -76,7 +76,7 @@ slide_to_roll_ratio = 0.0
     assert!(s.summary.film_minimum.value > 0.0);
 }
 
-/// What shears must flow off: heat in is heat out, within 1 %, and equals F_ball u_ball − F_plane u_plane.
+/// What shears must flow off: heat in is heat out, within 1 %, and equals F_2 u_2 − F_1 u_1.
 fn is_hot_and_balanced(s: &Solution) {
     let thermal = s.thermal.as_ref().expect("a thermal contact");
     println!(

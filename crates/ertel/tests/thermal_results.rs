@@ -122,8 +122,8 @@ fn figures_of_made_up_temperatures() {
     for (values, value) in [
         (&line.mid, 362.0),
         (&line.mean, 358.0),
-        (&line.plane, 346.0),
-        (&line.ball, 354.0),
+        (&line.body_1, 346.0),
+        (&line.body_2, 354.0),
     ] {
         assert_relative_eq!(values[0], value + 10.0 * x, epsilon = 1e-9);
     }
@@ -179,8 +179,8 @@ fn pictures_have_the_fields_of_the_solution() {
                 let mid = nodes.through(values).at(0.0);
                 assert_relative_eq!(value(&t.mid), mid, max_relative = 1e-9);
                 assert_relative_eq!(value(&t.mean), nodes.mean(values), max_relative = 1e-9);
-                assert_relative_eq!(value(&t.plane), values[0], max_relative = 1e-9);
-                assert_relative_eq!(value(&t.ball), values[nodes.n() - 1], max_relative = 1e-9);
+                assert_relative_eq!(value(&t.body_1), values[0], max_relative = 1e-9);
+                assert_relative_eq!(value(&t.body_2), values[nodes.n() - 1], max_relative = 1e-9);
             }
         }
         assert_eq!(found.temperatures.is_some(), case.thermal.is_some());
@@ -209,8 +209,8 @@ fn carried(case: &Case, solution: &Solution, region: u8) -> f64 {
         size / 12.0 * (e[0][1] + 5.0 * e[1][1] + 5.0 * e[2][1] + e[3][1])
     });
     let (body, speed) = match region {
-        0 => (&case.plane, case.motion.plane_speed()),
-        _ => (&case.ball, case.motion.ball_speed()),
+        0 => (&case.body_1, case.motion.body_1_speed()),
+        _ => (&case.body_2, case.motion.body_2_speed()),
     };
     let capacity = body.density.unwrap()
         * body
@@ -247,7 +247,7 @@ fn heat_is_accounted_for() {
     assert_relative_eq!(b.error * b.shear.value, lost, max_relative = 0.1);
     // Across the film the velocity goes from one surface's to the other's.
     for profile in &thermal.profiles {
-        let speeds = [case.motion.plane_speed(), case.motion.ball_speed()];
+        let speeds = [case.motion.body_1_speed(), case.motion.body_2_speed()];
         let ends = [0, profile.velocity_x.len() - 1].map(|k| profile.velocity_x[k]);
         for (end, speed) in ends.into_iter().zip(speeds) {
             assert_relative_eq!(end, speed, max_relative = 1e-5);

@@ -37,7 +37,7 @@ fn solved(case: &Case) -> Solution {
 fn equivalent_body_replaces_two_bodies() {
     for (kind, load) in [(ContactKind::Line, 3e5), (ContactKind::Circular, 50.0)] {
         let mut case = common::case(kind, load);
-        case.plane.elasticity = common::GLASS;
+        case.body_1.elasticity = common::GLASS;
         cheap(&mut case);
         let [one, two] = [ElasticModel::Equivalent, ElasticModel::TwoBodies].map(|e| {
             case.solver.elasticity = Some(e);
@@ -67,10 +67,10 @@ fn similar_contacts_have_similar_films() {
     for kind in [ContactKind::Line, ContactKind::Circular] {
         let similar = |radius: f64, modulus: f64, viscosity: f64, speed: f64, density: f64| {
             let mut case = common::case(kind, 1.0);
-            for body in [&mut case.plane, &mut case.ball] {
+            for body in [&mut case.body_1, &mut case.body_2] {
                 body.elasticity.youngs_modulus = modulus;
             }
-            let reduced = reduced_modulus(case.plane.elasticity, case.ball.elasticity);
+            let reduced = reduced_modulus(case.body_1.elasticity, case.body_2.elasticity);
             let u = 2.0 * viscosity * speed / (reduced * radius);
             let load = match kind {
                 ContactKind::Line => m * reduced * radius * u.sqrt(),

@@ -70,7 +70,7 @@ fn below(to: f64, f: impl Fn(f64) -> f64) -> f64 {
     step / 3.0 * (at(0) + inner + at(n))
 }
 
-/// τ(s) = τ_m + s h ∇p, γ̇ = τ(1 + |τ|²/τ_c²)/μ(p, T(s)), ∫γ̇ dz = u_ball − u_plane.
+/// τ(s) = τ_m + s h ∇p, γ̇ = τ(1 + |τ|²/τ_c²)/μ(p, T(s)), ∫γ̇ dz = u_2 − u_1.
 struct Exact {
     mid: [f64; 2],
     /// h∇p, Pa.

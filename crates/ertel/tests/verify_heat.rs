@@ -198,7 +198,7 @@ fn couette_heating() {
     case.motion.slide_to_roll_ratio = 1.5;
     case.motion.entrainment_speed = 20.0;
     case.lubricant.heat_capacity = Some(ertel_rheology::HeatCapacityLaw::constant(1e-9).unwrap());
-    for body in [&mut case.plane, &mut case.ball] {
+    for body in [&mut case.body_1, &mut case.body_2] {
         body.thermal_conductivity = Some(ConductivityLaw::constant(1e12).unwrap());
     }
     let problem = problem_without_expansion(&case);
@@ -267,7 +267,7 @@ fn compression_heats_and_expansion_cools() {
     let mut case = heated_case(ContactKind::Line, 4);
     case.lubricant.viscosity = ViscosityLaw::constant(1e8).unwrap();
     case.lubricant.thermal_conductivity = Some(ConductivityLaw::constant(1e-6).unwrap());
-    for body in [&mut case.plane, &mut case.ball] {
+    for body in [&mut case.body_1, &mut case.body_2] {
         body.thermal_conductivity = Some(ConductivityLaw::constant(1e-6).unwrap());
         body.density = Some(1e-3);
     }
@@ -385,8 +385,8 @@ fn moving_heat_source() {
     for (speed, flux) in [(0.2, 1e5), (4.0, 1e5)] {
         let mut case = heated_case(ContactKind::Line, 4);
         case.motion.entrainment_speed = speed;
-        case.plane.thermal_conductivity = Some(ConductivityLaw::constant(1e-5).unwrap());
-        case.plane.density = Some(1e-3);
+        case.body_1.thermal_conductivity = Some(ConductivityLaw::constant(1e-5).unwrap());
+        case.body_1.density = Some(1e-3);
         case.lubricant.heat_capacity =
             Some(ertel_rheology::HeatCapacityLaw::constant(1e-9).unwrap());
         case.lubricant.thermal_conductivity = Some(ConductivityLaw::constant(1.0).unwrap());

@@ -85,7 +85,7 @@ fn check(
         },
     );
     case.solver.elasticity = Some(elasticity);
-    case.plane.elasticity = common::GLASS;
+    case.body_1.elasticity = common::GLASS;
     case.motion.slide_to_roll_ratio = 0.3;
     if kind == ContactKind::Elliptical {
         case.motion.slide_to_roll_ratio_across = -0.2;

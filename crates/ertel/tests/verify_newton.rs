@@ -21,7 +21,7 @@ use ertel_rheology::shear::{Carreau, ShearLaw, ShearThinning};
 fn small_case(kind: ContactKind) -> Case {
     let load = if kind == ContactKind::Line { 3e5 } else { 10.0 };
     let mut case = common::case(kind, load);
-    case.plane.elasticity = common::GLASS;
+    case.body_1.elasticity = common::GLASS;
     case.solver.tolerance = 1e-11;
     if kind == ContactKind::Circular {
         case.mesh.hertz_size = 0.4;

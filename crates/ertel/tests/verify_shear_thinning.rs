@@ -163,7 +163,7 @@ fn sliding_in_eyrings_fluid_has_the_traction_of_its_closed_form() {
     for (stress, srr) in [(2e6, 0.5), (5e6, 0.1), (5e6, 1.5)] {
         let case = case(ContactKind::Line, eyring(stress), srr);
         let solution = solved(&case);
-        let sliding = case.motion.ball_speed() - case.motion.plane_speed();
+        let sliding = case.motion.body_2_speed() - case.motion.body_1_speed();
         let line = &solution.centreline;
         let force = integral(line, |i, slope| {
             [i - 1, i].map(|i| {
@@ -182,7 +182,7 @@ fn sliding_in_eyrings_fluid_has_the_traction_of_its_closed_form() {
     }
 }
 
-/// What the surfaces put in becomes heat: power = F_ball u_ball − F_plane u_plane.
+/// What the surfaces put in becomes heat: power = F_2 u_2 − F_1 u_1.
 ///
 /// The rest of the balance, −∫∇p·(ṁ/ρ) dA, vanishes: ∇p/ρ(p) is a gradient, ṁ is free of sources, and
 /// the pressure is zero around the contact area. What is left is the error of the mesh, which counts most where
@@ -204,12 +204,12 @@ fn friction_is_what_the_surfaces_put_in() {
         }
         let t = solved(&case).traction;
         let power = case.contact.load
-            * (t.coefficient_body_2.value * case.motion.ball_speed()
-                - t.coefficient_body_1.value * case.motion.plane_speed());
+            * (t.coefficient_body_2.value * case.motion.body_2_speed()
+                - t.coefficient_body_1.value * case.motion.body_1_speed());
         println!(
             "{kind:?}, SRR {srr}: {:.6e} {power:.6e}, sliding {:.6e}",
             t.friction_power.value,
-            t.force.value * (case.motion.ball_speed() - case.motion.plane_speed())
+            t.force.value * (case.motion.body_2_speed() - case.motion.body_1_speed())
         );
         assert_relative_eq!(t.friction_power.value, power, max_relative = 2e-3);
     }

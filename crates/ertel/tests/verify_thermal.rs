@@ -29,7 +29,7 @@ fn solved(case: &Case) -> Solution {
 fn perfect_conductors_are_isothermal() {
     let mut heated = case(ContactKind::Line, 0.4);
     heated.lubricant.thermal_conductivity = Some(ConductivityLaw::constant(1e4).unwrap());
-    for body in [&mut heated.plane, &mut heated.ball] {
+    for body in [&mut heated.body_1, &mut heated.body_2] {
         body.thermal_conductivity = Some(ConductivityLaw::constant(1e7).unwrap());
     }
     // The same contact area for both.
@@ -69,7 +69,7 @@ fn perfect_conductors_are_isothermal() {
 fn bodies_of_one_material() {
     let with = |slide| {
         let mut case = case(ContactKind::Line, slide);
-        case.plane = case.ball.clone();
+        case.body_1 = case.body_2.clone();
         solved(&case)
     };
     let rolling = with(0.0);

@@ -75,7 +75,7 @@ fn a_body_at_rest_is_held_at_its_temperature() {
         let mut case = heated_case(ContactKind::Line, 4);
         case.motion.slide_to_roll_ratio = slide;
         let params = case.thermal.as_mut().unwrap();
-        (params.plane_temperature, params.ball_temperature) = (Some(303.0), Some(320.0));
+        (params.body_1_temperature, params.body_2_temperature) = (Some(303.0), Some(320.0));
         let problem = problem(&case);
         let heat = problem.heat.as_ref().unwrap();
         assert!(heat.bodies[at_rest].velocity.is_zero());
@@ -116,8 +116,8 @@ fn a_body_at_rest_is_held_at_its_temperature() {
 fn heat_is_conducted_out_of_bodies_at_rest() {
     let mut case = heated_case(ContactKind::Line, 4);
     let params = case.thermal.as_mut().unwrap();
-    (params.plane_temperature, params.ball_temperature) = (Some(310.0), Some(320.0));
-    for body in [&mut case.plane, &mut case.ball] {
+    (params.body_1_temperature, params.body_2_temperature) = (Some(310.0), Some(320.0));
+    for body in [&mut case.body_1, &mut case.body_2] {
         body.thermal_conductivity = Some(ConductivityLaw::constant(1e6).unwrap());
     }
     let problem = problem_without_expansion(&case);

@@ -2,15 +2,15 @@
 
 use super::Material;
 
-/// Equivalent body of the plane and the ball: its surface deflection under a pressure is the sum of both bodies'.
+/// Equivalent body of two bodies: its surface deflection under a pressure is the sum of both bodies'.
 ///
 /// Solves (1+ν)/E = Σ (1+ν_i)/E_i and (1−ν²)/E = Σ (1−ν_i²)/E_i (Habchi 2008, eqs. A.6, A.7):
 /// with s = Σ (1+ν_i)/E_i and t = Σ (1−ν_i²)/E_i, 1 − ν = t/s and E = (1+ν)/s.
-pub fn equivalent_body(plane: Material, ball: Material) -> Material {
+pub fn equivalent_body(body_1: Material, body_2: Material) -> Material {
     let shear = |b: Material| (1.0 + b.poissons_ratio) / b.youngs_modulus;
     let normal = |b: Material| (1.0 - b.poissons_ratio.powi(2)) / b.youngs_modulus;
-    let s = shear(plane) + shear(ball);
-    let t = normal(plane) + normal(ball);
+    let s = shear(body_1) + shear(body_2);
+    let t = normal(body_1) + normal(body_2);
     let poissons_ratio = 1.0 - t / s;
     Material {
         youngs_modulus: (1.0 + poissons_ratio) / s,

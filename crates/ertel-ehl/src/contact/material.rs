@@ -39,9 +39,9 @@ pub fn compliance(bodies: &[Material]) -> f64 {
     bodies.iter().map(|body| body.compliance()).sum()
 }
 
-/// Reduced modulus of two bodies, Pa: 2/E' = (1 − ν_p²)/E_p + (1 − ν_s²)/E_s.
+/// Reduced modulus of two bodies, Pa: 2/E' = (1 − ν_1²)/E_1 + (1 − ν_2²)/E_2.
 ///
 /// Source: Habchi 2008, eq. 2.27 (as corrected in `docs/theory`).
-pub fn reduced_modulus(plane: Material, ball: Material) -> f64 {
-    2.0 / (plane.compliance() + ball.compliance())
+pub fn reduced_modulus(body_1: Material, body_2: Material) -> f64 {
+    2.0 / (body_1.compliance() + body_2.compliance())
 }

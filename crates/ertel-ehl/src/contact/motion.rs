@@ -15,12 +15,12 @@ use serde::Serialize;
 pub struct Motion {
     /// Entrainment speed u_m, the mean of both surfaces at the centre, m/s.
     pub entrainment_speed: f64,
-    /// Slide-to-roll ratio (u_ball − u_plane)/u_m along the entrainment.
+    /// Slide-to-roll ratio (u_2 − u_1)/u_m along the entrainment.
     pub slide_to_roll_ratio: f64,
-    /// The same across the entrainment, (v_ball − v_plane)/u_m.
+    /// The same across the entrainment, (v_2 − v_1)/u_m.
     #[serde(skip_serializing_if = "is_zero")]
     pub slide_to_roll_ratio_across: f64,
-    /// Angular velocities of plane and ball about the contact normal, from x towards y, rad/s.
+    /// Angular velocities of body 1 and body 2 about the contact normal, from x towards y, rad/s.
     #[serde(skip_serializing_if = "are_zero")]
     pub spin: [f64; 2],
 }
@@ -47,13 +47,13 @@ impl Motion {
         }
     }
 
-    /// Speed of the ball's surface along the entrainment at the centre, m/s.
-    pub fn ball_speed(&self) -> f64 {
+    /// Speed of the surface of body 2 along the entrainment at the centre, m/s.
+    pub fn body_2_speed(&self) -> f64 {
         self.entrainment_speed * (1.0 + 0.5 * self.slide_to_roll_ratio)
     }
 
-    /// Speed of the plane's surface along the entrainment at the centre, m/s.
-    pub fn plane_speed(&self) -> f64 {
+    /// Speed of the surface of body 1 along the entrainment at the centre, m/s.
+    pub fn body_1_speed(&self) -> f64 {
         self.entrainment_speed * (1.0 - 0.5 * self.slide_to_roll_ratio)
     }
 
@@ -95,34 +95,34 @@ impl Motion {
 
     /// Mean velocity of both surfaces over the entrainment speed, at places in units of a length (m).
     pub fn entrainment(&self, length: f64) -> Planar {
-        let [plane, ball] = self.spin;
+        let [first, second] = self.spin;
         Planar {
             centre: [1.0, 0.0],
-            spin: 0.5 * (plane + ball) * length / self.entrainment_speed,
+            spin: 0.5 * (first + second) * length / self.entrainment_speed,
         }
     }
 
-    /// Velocity of the ball less that of the plane, likewise.
+    /// Velocity of body 2 less that of body 1, likewise.
     pub fn sliding(&self, length: f64) -> Planar {
-        let [plane, ball] = self.spin;
+        let [first, second] = self.spin;
         Planar {
             centre: [self.slide_to_roll_ratio, self.slide_to_roll_ratio_across],
-            spin: (ball - plane) * length / self.entrainment_speed,
+            spin: (second - first) * length / self.entrainment_speed,
         }
     }
 
-    /// Velocities of plane and ball, m/s, at places in units of a length (m).
+    /// Velocities of body 1 and body 2, m/s, at places in units of a length (m).
     pub fn surfaces(&self, length: f64) -> [Planar; 2] {
         let across = 0.5 * self.entrainment_speed * self.slide_to_roll_ratio_across;
-        let [plane, ball] = self.spin.map(|w| w * length);
+        let [first, second] = self.spin.map(|w| w * length);
         [
             Planar {
-                centre: [self.plane_speed(), -across],
-                spin: plane,
+                centre: [self.body_1_speed(), -across],
+                spin: first,
             },
             Planar {
-                centre: [self.ball_speed(), across],
-                spin: ball,
+                centre: [self.body_2_speed(), across],
+                spin: second,
             },
         ]
     }
@@ -207,14 +207,14 @@ mod tests {
             slide_to_roll_ratio_across: -0.04,
             spin: [100.0, 300.0],
         };
-        let [plane, ball] = motion.surfaces(1e-3);
+        let [first, second] = motion.surfaces(1e-3);
         // At x = 0.5 mm, y = 2 mm: ω × r = ω(−2 mm, 0.5 mm); u_m(1 ∓ 0.05) along, ±0.04 m/s across.
         let at = [0.5, 2.0];
         let expected = [
             [1.9 - 100.0 * 2e-3, 0.04 + 100.0 * 0.5e-3],
             [2.1 - 300.0 * 2e-3, -0.04 + 300.0 * 0.5e-3],
         ];
-        for (body, expected) in [plane, ball].iter().zip(expected) {
+        for (body, expected) in [first, second].iter().zip(expected) {
             let velocity = body.at(at);
             assert_relative_eq!(velocity[0], expected[0], max_relative = 1e-14);
             assert_relative_eq!(velocity[1], expected[1], max_relative = 1e-14);

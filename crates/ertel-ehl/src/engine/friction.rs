@@ -30,7 +30,7 @@ use crate::film::FilmFluid;
 /// Integrals of the shear over the contact area, SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// Traction coefficients, along and across the motion, from the stress at mid-film, plane and ball.
+    /// Traction coefficients, along and across the motion, from the stress at mid-film, body 1 and body 2.
     pub coefficients: [[f64; 2]; 3],
     /// Traction force at mid-film, likewise, N or N/m.
     pub force: [f64; 2],
@@ -40,7 +40,7 @@ pub struct Friction {
     pub work: f64,
     /// What shear dissipates, W or W/m.
     pub dissipation: f64,
-    /// Traction coefficient at the ball less that at the plane, along the motion.
+    /// Traction coefficient at body 2 less that at body 1, along the motion.
     pub rolling: f64,
     /// Largest shear stress anywhere in the film, Pa.
     pub stress_maximum: f64,

@@ -12,13 +12,13 @@ use crate::film::cross_film::CrossFilm;
 /// Shear of the film at one point, SI.
 #[derive(Clone, Copy, Debug)]
 pub struct PointShear {
-    /// τ_zx and τ_zy at mid-film, plane and ball, Pa.
+    /// τ_zx and τ_zy at mid-film, body 1 and body 2, Pa.
     pub stress: [[f64; 2]; 3],
     /// Sizes of the whole stress vector there, Pa.
     pub equivalent: [f64; 3],
     /// Generalized viscosity at mid-film, Pa·s.
     pub viscosity: f64,
-    /// Stress at the ball less that at the plane, h∇p, Pa.
+    /// Stress at body 2 less that at body 1, h∇p, Pa.
     pub difference: [f64; 2],
     /// Heat of friction per area, W/m².
     pub power: f64,

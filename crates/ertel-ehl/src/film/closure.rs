@@ -1,7 +1,7 @@
 //! The flow through a film of generalized-Newtonian fluid, from its stress across the film.
 //!
 //! ```text
-//!   t(s) = τ + sG,  G = H∇P          stress across the film, s from −½ (plane) to ½ (ball)
+//!   t(s) = τ + sG,  G = H∇P          stress across the film, s from −½ (body 1) to ½ (body 2)
 //!   ∫ t f(|t|²) ds = Ω               the surfaces slide: two equations for the mid-plane stress τ
 //!   q = ∫ s t f(|t|²) ds             flow that the pressure drives; Newtonian q = G/12
 //!

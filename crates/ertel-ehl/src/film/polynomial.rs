@@ -19,7 +19,7 @@ const LENGTH: usize = 16;
 const COMMON: usize = 12;
 const _: () = assert!(LENGTH > MOST_NODES);
 
-/// Polynomial in s, −½ (plane) ≤ s ≤ ½ (ball).
+/// Polynomial in s, −½ (body 1) ≤ s ≤ ½ (body 2).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Polynomial {
     /// Coefficients of powers of 2s.
@@ -128,7 +128,7 @@ impl FilmNodes {
         self.points.len()
     }
 
-    /// s of each node, −½ (plane) first.
+    /// s of each node, −½ (body 1) first.
     pub fn points(&self) -> &[f64] {
         &self.points
     }

@@ -86,8 +86,8 @@ impl Heat {
         if share == 1.0 {
             return heat;
         }
-        let [plane, ball] = self.bodies.each_ref().map(|body| body.velocity);
-        let mean = plane.plus(&ball).times(0.5);
+        let [first, second] = self.bodies.each_ref().map(|body| body.velocity);
+        let mean = first.plus(&second).times(0.5);
         for body in &mut heat.bodies {
             let own = body.velocity.plus(&mean.times(-1.0));
             body.velocity = mean.plus(&own.times(share));
@@ -99,11 +99,11 @@ impl Heat {
 /// A place in one of the layers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Layer {
-    /// Depth Z in the plane.
+    /// Depth Z in body 1.
     Plane(f64),
     /// Height s in the film.
     Film(f64),
-    /// Depth Z in the ball.
+    /// Depth Z in body 2.
     Ball(f64),
 }
 

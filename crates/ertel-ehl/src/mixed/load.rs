@@ -21,7 +21,7 @@ const MOST_CUTS: usize = 8;
 pub struct AsperityForces {
     /// ∫ p_a dA.
     pub load: f64,
-    /// ∫ p_a e dA, e the direction in which the ball slides over the plane; zero where nothing slides.
+    /// ∫ p_a e dA, e the direction in which body 2 slides over body 1; zero where nothing slides.
     pub directed: [f64; 2],
 }
 
@@ -55,7 +55,7 @@ impl AsperityForces {
 /// Integrates an asperity pressure p_a(h/σ), Pa, over the film of a solution; each element is cut until its load changes by no more than
 /// `tolerance` of the whole load.
 ///
-/// `rms_height` is σ in m, `sliding` the velocity of the ball less that of the plane at places in m, `symmetry` tells whether the map is half of the
+/// `rms_height` is σ in m, `sliding` the velocity of body 2 less that of body 1 at places in m, `symmetry` tells whether the map is half of the
 /// contact. The film is multiplied by `film_factor` first, which shows what its error does.
 pub fn asperity_forces(
     elements: &ElementFields,

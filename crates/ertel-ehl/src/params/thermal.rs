@@ -17,12 +17,10 @@ pub struct ThermalParams {
     pub tolerance: f64,
     /// Largest number of rounds of that coupling.
     pub max_iterations: usize,
-    /// Bulk temperature of the plane, K; `None`: that of the lubricant in the inlet.
-    #[serde(rename = "body_1_temperature")]
-    pub plane_temperature: Option<f64>,
-    /// Bulk temperature of the ball, K; `None`: that of the lubricant in the inlet.
-    #[serde(rename = "body_2_temperature")]
-    pub ball_temperature: Option<f64>,
+    /// Bulk temperature of body 1, K; `None`: that of the lubricant in the inlet.
+    pub body_1_temperature: Option<f64>,
+    /// Bulk temperature of body 2, K; `None`: that of the lubricant in the inlet.
+    pub body_2_temperature: Option<f64>,
     /// Points [X, Y], in half-widths, at which profiles across the film are written.
     pub profiles: Vec<[f64; 2]>,
     /// Write the temperature of the whole film and of both bodies.
@@ -38,8 +36,8 @@ impl Default for ThermalParams {
             surface_order: 1,
             tolerance: 1e-4,
             max_iterations: 40,
-            plane_temperature: None,
-            ball_temperature: None,
+            body_1_temperature: None,
+            body_2_temperature: None,
             profiles: vec![[-1.0, 0.0], [0.0, 0.0], [0.9, 0.0]],
             field: false,
         }

@@ -86,7 +86,7 @@ fn temperatures(space: &HeatSpace, state: &State, symmetry: Symmetry) -> Tempera
     TemperaturePolynomials {
         mid: field(&at_nodes.mid),
         mean: field(&at_nodes.mean),
-        plane: field(&at_nodes.plane),
-        ball: field(&at_nodes.ball),
+        body_1: field(&at_nodes.body_1),
+        body_2: field(&at_nodes.body_2),
     }
 }

@@ -117,7 +117,7 @@ pub(super) fn sub_cells(space: &Space) -> Vec<[u32; 3]> {
     cells
 }
 
-/// Displacement of the first body (the equivalent one, or the plane); `None` above a half-space.
+/// Displacement of the first body (the equivalent one, or body 1); `None` above a half-space.
 ///
 /// The solve knows the surface alone: the body is factorised once more.
 ///

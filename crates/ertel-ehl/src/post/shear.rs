@@ -19,10 +19,10 @@ pub fn fields<'p>(
     let mut fields = ShearFields::default();
     for point in points {
         let s = shear.at(point);
-        let [mid, plane, ball] = s.stress;
+        let [mid, body_1, body_2] = s.stress;
         fields.stress_mid.push(mid[0]);
-        fields.stress_body_1.push(plane[0]);
-        fields.stress_body_2.push(ball[0]);
+        fields.stress_body_1.push(body_1[0]);
+        fields.stress_body_2.push(body_2[0]);
         if skewed {
             for (field, stress) in fields.stress_across.iter_mut().zip(s.stress) {
                 field.push(stress[1]);

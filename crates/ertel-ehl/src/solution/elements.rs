@@ -18,16 +18,16 @@ pub struct TemperaturePolynomials {
     pub mid: Polynomials,
     /// Mean across the film.
     pub mean: Polynomials,
-    /// Surface of the plane.
-    pub plane: Polynomials,
-    /// Surface of the ball.
-    pub ball: Polynomials,
+    /// Surface of body 1.
+    pub body_1: Polynomials,
+    /// Surface of body 2.
+    pub body_2: Polynomials,
 }
 
 impl TemperaturePolynomials {
     /// All of them.
     pub fn all(&self) -> [&Polynomials; 4] {
-        [&self.mid, &self.mean, &self.plane, &self.ball]
+        [&self.mid, &self.mean, &self.body_1, &self.body_2]
     }
 }
 

@@ -281,7 +281,7 @@ pub struct BeyondEdges {
 /// How far temperatures of linear elements are from those by recovered gradients, K.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct TemperatureErrors {
-    /// At most, around the largest and the lowest temperature of the film, and the largest ones of plane and ball.
+    /// At most, around the largest and the lowest temperature of the film, and the largest ones of body 1 and body 2.
     pub local: [f64; 4],
     /// Root mean square over the Hertz zone, at mid-film.
     pub rms: f64,
@@ -376,18 +376,18 @@ pub struct FormulaFilm {
 /// Traction and friction.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Traction {
-    /// Traction coefficient from the stress at mid-film; positive where the ball is the faster surface.
+    /// Traction coefficient from the stress at mid-film; positive where body 2 is the faster surface.
     pub coefficient: Estimate,
-    /// The same from the stress at the plane.
+    /// The same from the stress at body 1.
     pub coefficient_body_1: Estimate,
-    /// The same from the stress at the ball.
+    /// The same from the stress at body 2.
     pub coefficient_body_2: Estimate,
     /// Traction force at mid-film: N (circular), N/m (line).
     pub force: Estimate,
     /// Traction across the motion, where the contact is not symmetric about y = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub across: Option<TractionAcross>,
-    /// Moment of the traction at mid-film about the contact normal, from x towards y, N m, with which the ball turns the plane; likewise,
+    /// Moment of the traction at mid-film about the contact normal, from x towards y, N m, with which body 2 turns body 1; likewise,
     /// and not of line contacts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<Estimate>,
@@ -422,11 +422,11 @@ impl Traction {
 /// Traction across the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct TractionAcross {
-    /// Traction coefficient from the stress at mid-film; positive where the ball drags the plane towards +y.
+    /// Traction coefficient from the stress at mid-film; positive where body 2 drags body 1 towards +y.
     pub coefficient: Estimate,
-    /// The same from the stress at the plane.
+    /// The same from the stress at body 1.
     pub coefficient_body_1: Estimate,
-    /// The same from the stress at the ball.
+    /// The same from the stress at body 2.
     pub coefficient_body_2: Estimate,
     /// Traction force at mid-film: N, N/m (line).
     pub force: Estimate,
@@ -446,16 +446,16 @@ fn are_empty(fields: &[Vec<f64>; 3]) -> bool {
 }
 
 /// Shear of the film at the points of a profile or a surface, SI. Stresses are those along the motion,
-/// positive where the ball drags the film.
+/// positive where body 2 drags the film.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ShearFields {
     /// Shear stress at mid-film, Pa.
     pub stress_mid: Vec<f64>,
-    /// Shear stress at the plane, Pa.
+    /// Shear stress at body 1, Pa.
     pub stress_body_1: Vec<f64>,
-    /// Shear stress at the ball, Pa.
+    /// Shear stress at body 2, Pa.
     pub stress_body_2: Vec<f64>,
-    /// Shear stresses across the motion at mid-film, plane and ball, Pa; empty where both halves of the contact are alike.
+    /// Shear stresses across the motion at mid-film, body 1 and body 2, Pa; empty where both halves of the contact are alike.
     #[serde(skip_serializing_if = "are_empty")]
     pub stress_across: [Vec<f64>; 3],
     /// Shear rate at mid-film, its size, 1/s.

@@ -15,13 +15,13 @@ pub struct Thermal {
     pub film_lowest: Located,
     /// Mean temperature of the film over the Hertz zone and across the film, K.
     pub film_mean: Estimate,
-    /// Largest temperature of the plane's surface, K.
+    /// Largest temperature of the surface of body 1, K.
     pub body_1_maximum: Located,
-    /// Mean temperature of the plane's surface over the Hertz zone, K.
+    /// Mean temperature of the surface of body 1 over the Hertz zone, K.
     pub body_1_mean: Estimate,
-    /// Largest temperature of the ball's surface, K.
+    /// Largest temperature of the surface of body 2, K.
     pub body_2_maximum: Located,
-    /// Mean temperature of the ball's surface over the Hertz zone, K.
+    /// Mean temperature of the surface of body 2 over the Hertz zone, K.
     pub body_2_mean: Estimate,
     /// Where the heat comes from and goes to.
     pub balance: HeatBalance,
@@ -50,9 +50,9 @@ pub struct HeatBalance {
     pub shear: Estimate,
     /// Made by compression, less what expansion takes.
     pub compression: Estimate,
-    /// Carried off by the plane.
+    /// Carried off by body 1.
     pub to_body_1: Estimate,
-    /// Carried off by the ball.
+    /// Carried off by body 2.
     pub to_body_2: Estimate,
     /// Carried off by the lubricant.
     pub by_film: Estimate,
@@ -101,10 +101,10 @@ pub struct FilmTemperatures {
     pub mid: Vec<f64>,
     /// Mean across the film.
     pub mean: Vec<f64>,
-    /// Surface of the plane.
-    pub plane: Vec<f64>,
-    /// Surface of the ball.
-    pub ball: Vec<f64>,
+    /// Surface of body 1.
+    pub body_1: Vec<f64>,
+    /// Surface of body 2.
+    pub body_2: Vec<f64>,
 }
 
 impl FilmTemperatures {
@@ -113,8 +113,8 @@ impl FilmTemperatures {
         [
             (Field::TemperatureMid, &self.mid),
             (Field::TemperatureMean, &self.mean),
-            (Field::TemperatureBody1, &self.plane),
-            (Field::TemperatureBody2, &self.ball),
+            (Field::TemperatureBody1, &self.body_1),
+            (Field::TemperatureBody2, &self.body_2),
         ]
     }
 }
@@ -128,7 +128,7 @@ pub struct CrossProfile {
     pub y: f64,
     /// Film thickness, m.
     pub film_thickness: f64,
-    /// Height over the plane, m.
+    /// Height over body 1, m.
     pub z: Vec<f64>,
     /// Temperature, K.
     pub temperature: Vec<f64>,

@@ -160,8 +160,8 @@ fn note_friction(
 ) {
     let sums = friction(problem, fluid, film);
     let (f, near) = (&sums.here, &sums.shorter);
-    let [mid, plane, ball] = f.coefficients;
-    let [near_mid, near_plane, near_ball] = near.coefficients;
+    let [mid, body_1, body_2] = f.coefficients;
+    let [near_mid, near_body_1, near_body_2] = near.coefficients;
     let wall = sums.wall_misfit().abs();
     let (shape, skewed) = (&d.contact.shape, is_skewed(&d.contact.shape, fluid));
     // Where both components count, one that happens to vanish is as uncertain as the whole.
@@ -175,8 +175,8 @@ fn note_friction(
     };
     for (figure, vector, near, misfit) in [
         (Figure::TractionCoefficient, mid, near_mid, 0.0),
-        (Figure::TractionCoefficientBody1, plane, near_plane, wall),
-        (Figure::TractionCoefficientBody2, ball, near_ball, wall),
+        (Figure::TractionCoefficientBody1, body_1, near_body_1, wall),
+        (Figure::TractionCoefficientBody2, body_2, near_body_2, wall),
         (Figure::TractionForce, f.force, near.force, 0.0),
     ] {
         let reading = Reading {
@@ -199,8 +199,8 @@ fn note_friction(
     if skewed {
         for (figure, vector, near) in [
             (Figure::TractionCoefficientAcross, mid, near_mid),
-            (Figure::TractionCoefficientAcrossBody1, plane, near_plane),
-            (Figure::TractionCoefficientAcrossBody2, ball, near_ball),
+            (Figure::TractionCoefficientAcrossBody1, body_1, near_body_1),
+            (Figure::TractionCoefficientAcrossBody2, body_2, near_body_2),
             (Figure::TractionForceAcross, f.force, near.force),
         ] {
             figures.note(figure, component(vector, near, 1));

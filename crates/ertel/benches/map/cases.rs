@@ -131,15 +131,15 @@ impl Density {
     }
 }
 
-/// Plane and ball by their names in the database.
+/// Both bodies by their names in the database.
 #[derive(Clone, Copy)]
 struct Bodies {
-    plane: &'static str,
-    ball: &'static str,
+    body_1: &'static str,
+    body_2: &'static str,
 }
 
-const fn bodies(plane: &'static str, ball: &'static str) -> Bodies {
-    Bodies { plane, ball }
+const fn bodies(body_1: &'static str, body_2: &'static str) -> Bodies {
+    Bodies { body_1, body_2 }
 }
 
 const STEEL: Bodies = bodies("steel", "steel");
@@ -345,7 +345,7 @@ impl List {
              [bodies]\nbody_1 = \"{}\"\nbody_2 = \"{}\"\n\n\
              [motion]\nentrainment_speed = \"{speed:e} m/s\"\nslide_to_roll_ratio = 0.0\n\n\
              [lubricant]\n{lubricant}\n[output]\nbody_field = false\n",
-            bodies.plane, bodies.ball
+            bodies.body_1, bodies.body_2
         );
         self.cases.push(MapCase {
             name,
@@ -378,7 +378,7 @@ fn reduced_modulus(bodies: Bodies) -> f64 {
         let solid = database::solid(name).expect("a solid of the database");
         (1.0 - solid.poissons_ratio.powi(2)) / solid.youngs_modulus
     };
-    2.0 / (compliance(bodies.plane) + compliance(bodies.ball))
+    2.0 / (compliance(bodies.body_1) + compliance(bodies.body_2))
 }
 
 /// Load and Hertz pressure, Pa, for Moes' load group and 2U.

@@ -48,8 +48,8 @@ pub(super) const ROUGHNESS: Bounds = Bounds::closed(1e-11, 1e-3);
 
 /// What `[bodies]` says.
 pub(super) struct Bodies {
-    pub plane: Body,
-    pub ball: Body,
+    pub body_1: Body,
+    pub body_2: Body,
     /// Composite rms roughness, m.
     pub roughness: Option<f64>,
     /// Their shapes, where given.
@@ -87,8 +87,8 @@ const ANGLE: Bounds = Bounds::closed(-std::f64::consts::PI, std::f64::consts::PI
 pub(super) fn read(mut table: Table<'_>, folder: &Path) -> Result<Bodies, InputError> {
     let keys = [["body_1", "plane"], ["body_2", "ball"]].map(|names| name_in(&mut table, names));
     let [first, second] = keys;
-    let (plane, shape_1) = read_body(&mut table, first?, folder)?;
-    let (ball, shape_2) = read_body(&mut table, second?, folder)?;
+    let (body_1, shape_1) = read_body(&mut table, first?, folder)?;
+    let (body_2, shape_2) = read_body(&mut table, second?, folder)?;
     let roughness = table.optional_quantity("roughness", Dimension::LENGTH, ROUGHNESS)?;
     let angle = table.optional_quantity("axes_angle", Dimension::ANGLE, ANGLE)?;
     let shapes = match (shape_1, shape_2) {
@@ -111,8 +111,8 @@ pub(super) fn read(mut table: Table<'_>, folder: &Path) -> Result<Bodies, InputE
     };
     table.finish()?;
     Ok(Bodies {
-        plane,
-        ball,
+        body_1,
+        body_2,
         roughness,
         shapes,
     })

@@ -188,7 +188,7 @@ mod tests {
         let read = Case::from_text("case.toml", file, Path::new("")).unwrap();
         assert_eq!(built.echo().contact, read.echo().contact);
         assert_eq!(built.motion, read.motion);
-        assert_eq!(built.ball.elasticity, read.ball.elasticity);
+        assert_eq!(built.body_2.elasticity, read.body_2.elasticity);
         let values = vec!["1 m/s", "2 m/s"];
         let curve = roller()
             .set("curve.quantity", "motion.entrainment_speed")

@@ -82,7 +82,7 @@ pub(super) fn finite_elements_of_soft_bodies(
     if case.elastic_model() == ElasticModel::HalfSpace {
         return Ok(());
     }
-    let body = equivalent_body(case.plane.elasticity, case.ball.elasticity);
+    let body = equivalent_body(case.body_1.elasticity, case.body_2.elasticity);
     if body.poissons_ratio <= LOCKING {
         return Ok(());
     }
@@ -154,7 +154,7 @@ fn strength(case: &Case, hertz_pressure: f64) -> Option<Warning> {
 impl Case {
     /// Largest Hertz pressure that the weaker body bears, Pa, and whose it is; of bodies that say none that of the hardest steels.
     pub fn pressure_limit(&self) -> (f64, String) {
-        let own = [&self.plane, &self.ball].map(|body| {
+        let own = [&self.body_1, &self.body_2].map(|body| {
             let limit = body.hertz_pressure_limit?;
             Some((limit, format!("{} bears (hertz_pressure_limit)", body.name)))
         });

@@ -64,12 +64,10 @@ pub struct ThermalEcho {
     pub params: ThermalParams,
     /// The lubricant at the temperature of the inlet.
     pub lubricant: HeatEcho,
-    /// The plane at its bulk temperature.
-    #[serde(rename = "body_1")]
-    pub plane: HeatEcho,
-    /// The ball or cylinder at its bulk temperature.
-    #[serde(rename = "body_2")]
-    pub ball: HeatEcho,
+    /// The plane, disc or ring at its bulk temperature.
+    pub body_1: HeatEcho,
+    /// The ball or roller at its bulk temperature.
+    pub body_2: HeatEcho,
 }
 
 /// What carries heat in one material, at ambient pressure.
@@ -116,12 +114,10 @@ pub struct CaseEcho {
     /// How much oil reaches the contact.
     #[serde(skip_serializing_if = "is_flooded")]
     pub supply: Supply,
-    /// The plane.
-    #[serde(rename = "body_1")]
-    pub plane: BodyEcho,
-    /// The ball or cylinder.
-    #[serde(rename = "body_2")]
-    pub ball: BodyEcho,
+    /// The plane, disc or ring.
+    pub body_1: BodyEcho,
+    /// The ball or roller.
+    pub body_2: BodyEcho,
     /// Composite rms roughness, m, if given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<f64>,

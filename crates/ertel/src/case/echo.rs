@@ -22,8 +22,8 @@ impl Case {
             motion: self.motion,
             machine: self.machine.clone(),
             supply: self.supply,
-            plane: body(&self.plane),
-            ball: body(&self.ball),
+            body_1: body(&self.body_1),
+            body_2: body(&self.body_2),
             roughness: self.roughness,
             roughness_rules: self.roughness_rules.clone(),
             asperities: self.asperities,
@@ -64,8 +64,8 @@ impl Case {
         let inlet = self.lubricant.temperature;
         Some(ThermalEcho {
             params: ThermalParams {
-                plane_temperature: Some(heat.plane.temperature),
-                ball_temperature: Some(heat.ball.temperature),
+                body_1_temperature: Some(heat.body_1.temperature),
+                body_2_temperature: Some(heat.body_2.temperature),
                 ..heat.params.clone()
             },
             lubricant: HeatEcho {
@@ -75,8 +75,8 @@ impl Case {
                 heat_capacity: heat.heat_capacity.heat_capacity(0.0, inlet),
                 heat_capacity_law: heat.heat_capacity.name().to_owned(),
             },
-            plane: solid(&heat.plane),
-            ball: solid(&heat.ball),
+            body_1: solid(&heat.body_1),
+            body_2: solid(&heat.body_2),
         })
     }
 }

@@ -13,8 +13,8 @@
 //! body_2 = { youngs_modulus = "210 GPa", poissons_ratio = 0.3 }
 //!
 //! [motion]                          # or body_1_speed and body_2_speed
-//! entrainment_speed = "0.8 m/s"     # (u_ball + u_plane)/2
-//! slide_to_roll_ratio = 0.0         # (u_ball - u_plane)/entrainment speed
+//! entrainment_speed = "0.8 m/s"     # (u_1 + u_2)/2
+//! slide_to_roll_ratio = 0.0         # (u_2 - u_1)/entrainment speed
 //!
 //! [lubricant]                       # name = "..." takes a fluid from the database
 //! temperature = "40 degC"
@@ -95,13 +95,13 @@ pub struct Case {
     pub title: String,
     /// Shape, radius and load.
     pub contact: Contact,
-    /// The plane (or disc).
-    pub plane: Body,
-    /// The ball (or cylinder).
-    pub ball: Body,
+    /// The plane, disc or ring.
+    pub body_1: Body,
+    /// The ball or roller.
+    pub body_2: Body,
     /// Smallest radius of curvature of either body along x and along y, m, convex or concave; infinite where the case says none.
     pub body_radii: [f64; 2],
-    /// Composite rms roughness of both surfaces σ = √(σ_plane² + σ_ball²), m, if given.
+    /// Composite rms roughness of both surfaces σ = √(σ_1² + σ_2²), m, if given.
     pub roughness: Option<f64>,
     /// How it follows from Ra or Rz, one sentence each.
     pub roughness_rules: Vec<String>,
@@ -183,8 +183,8 @@ impl Case {
         let title = root.optional_str("title")?.unwrap_or_default().to_owned();
         let tables = geometry::Tables::of(&mut root)?;
         let Bodies {
-            plane,
-            ball,
+            body_1,
+            body_2,
             roughness,
             shapes,
         } = bodies::read(
@@ -205,7 +205,7 @@ impl Case {
                 asperities: None,
             },
         };
-        let modulus = reduced_modulus(plane.elasticity, ball.elasticity);
+        let modulus = reduced_modulus(body_1.elasticity, body_2.elasticity);
         let Geometry {
             contact,
             motion,
@@ -253,8 +253,8 @@ impl Case {
         let mut case = Self {
             title,
             contact,
-            plane,
-            ball,
+            body_1,
+            body_2,
             body_radii,
             roughness,
             roughness_rules,
@@ -320,7 +320,7 @@ impl Case {
 
     /// Reduced modulus E' of both bodies, Pa.
     pub fn reduced_modulus(&self) -> f64 {
-        reduced_modulus(self.plane.elasticity, self.ball.elasticity)
+        reduced_modulus(self.body_1.elasticity, self.body_2.elasticity)
     }
 
     /// Density of the lubricant at the Hertz pressure over that at ambient pressure.

@@ -28,10 +28,10 @@ pub(super) fn read_motion(
         true => of_speeds(table, [first, second])?,
         false => of_entrainment(table)?,
     };
-    let [plane, ball] = ["body_1_spin", "body_2_spin"]
+    let [first, second] = ["body_1_spin", "body_2_spin"]
         .map(|key| table.optional_quantity(key, Dimension::ANGULAR_SPEED, SPIN));
     Ok(Motion {
-        spin: [plane?.unwrap_or(0.0), ball?.unwrap_or(0.0)],
+        spin: [first?.unwrap_or(0.0), second?.unwrap_or(0.0)],
         ..motion
     })
 }
@@ -63,9 +63,9 @@ fn of_entrainment(table: &mut Table<'_>) -> Result<Motion, InputError> {
 /// u_m e = (u_1 + u_2)/2,  S = (u_2 − u_1)·e/u_m = (u_2² − u_1²)/2u_m²,  S_⊥ = (u_2 − u_1)·n/u_m = u_1 u_2 sin φ/u_m²,  n across e
 fn of_speeds(table: &mut Table<'_>, keys: [&'static str; 2]) -> Result<Motion, InputError> {
     let bounds = Bounds::closed(-MAX_SPEED, MAX_SPEED);
-    let [plane_key, ball_key] = keys;
-    let ball = table.required_quantity(ball_key, Dimension::SPEED, bounds)?;
-    let plane = table.required_quantity(plane_key, Dimension::SPEED, bounds)?;
+    let [key_1, key_2] = keys;
+    let second = table.required_quantity(key_2, Dimension::SPEED, bounds)?;
+    let first = table.required_quantity(key_1, Dimension::SPEED, bounds)?;
     let derived = [
         "entrainment_speed",
         "slide_to_roll_ratio",
@@ -74,29 +74,29 @@ fn of_speeds(table: &mut Table<'_>, keys: [&'static str; 2]) -> Result<Motion, I
     if let Some(key) = derived.into_iter().find(|key| table.contains(key)) {
         return Err(table.error(
             key,
-            format!("`{key}` follows from `{ball_key}` and `{plane_key}`; give one pair"),
+            format!("`{key}` follows from `{key_2}` and `{key_1}`; give one pair"),
         ));
     }
     let skew = table.optional_quantity("skew_angle", Dimension::ANGLE, SKEW)?;
     let skew = skew.filter(|skew| *skew != 0.0);
     let Some(skew) = skew else {
-        let entrainment_speed = 0.5 * (ball + plane);
-        check_entrainment(table, ball_key, entrainment_speed)?;
+        let entrainment_speed = 0.5 * (second + first);
+        check_entrainment(table, key_2, entrainment_speed)?;
         return Ok(Motion::straight(
             entrainment_speed,
-            (ball - plane) / entrainment_speed,
+            (second - first) / entrainment_speed,
         ));
     };
     let (sin, cos) = skew.sin_cos();
-    let mean = [0.5 * (plane + ball * cos), 0.5 * ball * sin];
+    let mean = [0.5 * (first + second * cos), 0.5 * second * sin];
     let entrainment_speed = mean[0].hypot(mean[1]);
-    check_entrainment(table, ball_key, entrainment_speed)?;
+    check_entrainment(table, key_2, entrainment_speed)?;
     let square = entrainment_speed * entrainment_speed;
     Ok(Motion {
-        slide_to_roll_ratio_across: plane * ball * sin / square,
+        slide_to_roll_ratio_across: first * second * sin / square,
         ..Motion::straight(
             entrainment_speed,
-            0.5 * (ball - plane) * (ball + plane) / square,
+            0.5 * (second - first) * (second + first) / square,
         )
     })
 }

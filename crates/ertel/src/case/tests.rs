@@ -43,11 +43,11 @@ fn the_case_of_the_thesis_in_si() {
     assert_eq!(case.title, "Steel ball on steel disc");
     assert_eq!(case.contact.radius_y, case.contact.radius);
     assert_eq!((case.contact.radius, case.contact.load), (0.016, 100.0));
-    for body in [&case.plane, &case.ball] {
+    for body in [&case.body_1, &case.body_2] {
         assert_eq!(body.elasticity.youngs_modulus, 210e9);
         assert_eq!(body.elasticity.poissons_ratio, 0.3);
     }
-    assert_eq!(case.plane.name, "steel");
+    assert_eq!(case.body_1.name, "steel");
     assert_eq!(case.motion.entrainment_speed, 0.8);
     let lubricant = &case.lubricant;
     assert_eq!(lubricant.temperature, 313.15);

@@ -50,8 +50,8 @@ pub fn read(mut table: Table<'_>, contact: &Contact) -> Result<ThermalParams, In
         let as_before = table.optional_quantity(older, Dimension::TEMPERATURE, TEMPERATURE)?;
         Ok(given.or(as_before))
     };
-    thermal.plane_temperature = temperature("body_1_temperature", "plane_temperature")?;
-    thermal.ball_temperature = temperature("body_2_temperature", "ball_temperature")?;
+    thermal.body_1_temperature = temperature("body_1_temperature", "plane_temperature")?;
+    thermal.body_2_temperature = temperature("body_2_temperature", "ball_temperature")?;
     let points = table.optional_points("profiles", Bounds::closed(-FARTHEST, FARTHEST))?;
     set(&mut thermal.profiles, points);
     if contact.kind.is_line() && thermal.profiles.iter().any(|[_, y]| *y != 0.0) {
@@ -74,10 +74,10 @@ pub struct Heat<'a> {
     pub conductivity: &'a ConductivityLaw,
     /// Heat capacity law of the lubricant.
     pub heat_capacity: &'a HeatCapacityLaw,
-    /// The plane.
-    pub plane: SolidHeat<'a>,
-    /// The ball or cylinder.
-    pub ball: SolidHeat<'a>,
+    /// The plane, disc or ring.
+    pub body_1: SolidHeat<'a>,
+    /// The ball or roller.
+    pub body_2: SolidHeat<'a>,
 }
 
 /// Thermal data of one body; its laws hold at ambient pressure.
@@ -112,23 +112,23 @@ impl Case {
         let mut missing = Vec::new();
         let inlet = self.lubricant.temperature;
         let lubricant = self.lubricant.laws_of_heat(&mut missing);
-        let plane = self.plane.heat(
+        let first = self.body_1.heat(
             "body_1",
-            params.plane_temperature.unwrap_or(inlet),
+            params.body_1_temperature.unwrap_or(inlet),
             &mut missing,
         );
-        let ball = self.ball.heat(
+        let second = self.body_2.heat(
             "body_2",
-            params.ball_temperature.unwrap_or(inlet),
+            params.body_2_temperature.unwrap_or(inlet),
             &mut missing,
         );
-        match (lubricant, plane, ball) {
-            (Some((conductivity, heat_capacity)), Some(plane), Some(ball)) => Ok(Some(Heat {
+        match (lubricant, first, second) {
+            (Some((conductivity, heat_capacity)), Some(body_1), Some(body_2)) => Ok(Some(Heat {
                 params,
                 conductivity,
                 heat_capacity,
-                plane,
-                ball,
+                body_1,
+                body_2,
             })),
             _ => Err(MissingHeatData { missing }),
         }
@@ -217,19 +217,19 @@ pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, Inpu
     ];
     for (solid, names) in [
         (
-            &heat.plane,
+            &heat.body_1,
             [
-                "density of the plane",
-                "thermal conductivity of the plane",
-                "heat capacity of the plane",
+                "density of body 1",
+                "thermal conductivity of body 1",
+                "heat capacity of body 1",
             ],
         ),
         (
-            &heat.ball,
+            &heat.body_2,
             [
-                "density of the ball",
-                "thermal conductivity of the ball",
-                "heat capacity of the ball",
+                "density of body 2",
+                "thermal conductivity of body 2",
+                "heat capacity of body 2",
             ],
         ),
     ] {
@@ -249,8 +249,8 @@ pub(super) fn check(case: &Case, table: &Table<'_>) -> Result<Vec<Warning>, Inpu
         }
     }
     for (key, older, solid) in [
-        ("body_1_temperature", "plane_temperature", &heat.plane),
-        ("body_2_temperature", "ball_temperature", &heat.ball),
+        ("body_1_temperature", "plane_temperature", &heat.body_1),
+        ("body_2_temperature", "ball_temperature", &heat.body_2),
     ] {
         let t = solid.temperature;
         let viscosity = case.lubricant.viscosity.viscosity(0.0, t);

@@ -54,8 +54,8 @@ fn its_presence_switches_heat_on() {
             s.temperature,
         ]
     };
-    assert_eq!(solid(&heat.plane), [2510.0, 1.114, 858.0, 313.0]);
-    assert_eq!(solid(&heat.ball), [7850.0, 46.0, 470.0, 313.0]);
+    assert_eq!(solid(&heat.body_1), [2510.0, 1.114, 858.0, 313.0]);
+    assert_eq!(solid(&heat.body_2), [7850.0, 46.0, 470.0, 313.0]);
 
     let left_out = thermal("[solver]\nisothermal = true").unwrap();
     assert!(left_out.thermal.is_some());
@@ -82,15 +82,15 @@ fn every_setting_is_read() {
             surface_order: 2,
             tolerance: 1e-6,
             max_iterations: 7,
-            plane_temperature: Some(303.15),
-            ball_temperature: Some(323.0),
+            body_1_temperature: Some(303.15),
+            body_2_temperature: Some(323.0),
             profiles: vec![[-0.5, 0.25], [0.0, 1.0]],
             field: true,
         }
     );
     let heat = case.heat().unwrap().unwrap();
     assert_eq!(
-        (heat.plane.temperature, heat.ball.temperature),
+        (heat.body_1.temperature, heat.body_2.temperature),
         (303.15, 323.0)
     );
     let echo = serde_json::to_value(case.echo()).unwrap();
@@ -194,13 +194,11 @@ fn units_that_were_mistaken_are_refused() {
     };
     let text = message(ball("thermal_conductivity = \"46 kW/(m.K)\""));
     assert!(
-        text.contains("thermal conductivity of the ball is 4.6e4"),
+        text.contains("thermal conductivity of body 2 is 4.6e4"),
         "{text}"
     );
-    assert!(
-        message(ball("heat_capacity = \"470 kJ/(kg.K)\"")).contains("heat capacity of the ball")
-    );
-    assert!(message(ball("density = \"7.85 kg/m^3\"")).contains("density of the ball is 7.85"));
+    assert!(message(ball("heat_capacity = \"470 kJ/(kg.K)\"")).contains("heat capacity of body 2"));
+    assert!(message(ball("density = \"7.85 kg/m^3\"")).contains("density of body 2 is 7.85"));
 }
 
 #[test]

@@ -91,7 +91,7 @@ pub(super) fn of_data(case: &Case, asked: &[Warning]) -> Vec<Warning> {
             question_of(&what, key, value?)
         }));
     }
-    for body in [&case.plane, &case.ball] {
+    for body in [&case.body_1, &case.body_2] {
         let has_source = ertel_rheology::database::solid_names().contains(&body.name.as_str());
         if has_source || is_asked("bodies.") {
             continue;

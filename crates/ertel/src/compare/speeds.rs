@@ -38,14 +38,14 @@ fn digits(value: f64) -> f64 {
 ///
 /// u = (u_1 + u_2)/2,  SRR = (u_2 - u_1)/u
 pub(super) fn replace(case: &Document, content: &mut Content) -> Vec<&'static str> {
-    for (table, plane, ball) in PAIRS {
+    for (table, first, second) in PAIRS {
         let given = |keys: [&'static str; 2]| {
             let mut found = keys
                 .into_iter()
                 .filter_map(|key| Some((key, speed(case, key)?)));
             found.next()
         };
-        let (Some((plane_key, u_1)), Some((ball_key, u_2))) = (given(plane), given(ball)) else {
+        let (Some((key_1, u_1)), Some((key_2, u_2))) = (given(first), given(second)) else {
             continue;
         };
         let keys = [
@@ -82,7 +82,7 @@ pub(super) fn replace(case: &Document, content: &mut Content) -> Vec<&'static st
             );
             content.notes.push(kept.replace(" ,", ","));
         }
-        return vec![plane_key, ball_key];
+        return vec![key_1, key_2];
     }
     Vec::new()
 }

@@ -29,8 +29,8 @@ pub(super) fn write(out: &mut Lines, thermal: &ThermalEcho) {
     out.row("conductivity, lubricant", of(&thermal.lubricant));
     let params = &thermal.params;
     for (role, material, temperature) in [
-        (BODIES[0], &thermal.plane, params.plane_temperature),
-        (BODIES[1], &thermal.ball, params.ball_temperature),
+        (BODIES[0], &thermal.body_1, params.body_1_temperature),
+        (BODIES[1], &thermal.body_2, params.body_2_temperature),
     ] {
         let bulk = temperature.map_or(String::new(), |t| format!(", bulk {} K", digits(t, 6)));
         out.row(&format!("conductivity, {role}"), of(material) + &bulk);

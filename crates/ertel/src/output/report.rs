@@ -91,7 +91,7 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         let per_length = digits(case.contact.line_load(), 6);
         out.row("load per length F/l", format!("{per_length} N/m"));
     }
-    for (role, body) in BODIES.into_iter().zip([&case.plane, &case.ball]) {
+    for (role, body) in BODIES.into_iter().zip([&case.body_1, &case.body_2]) {
         let e = &body.elasticity;
         let text = format!(
             "{}, E {}, ν {}",
@@ -130,9 +130,9 @@ pub(super) fn write_case(out: &mut Lines, case: &CaseEcho) {
         format!(
             "{} {} m/s, {} {} m/s",
             BODIES[0],
-            digits(motion.plane_speed(), 6),
+            digits(motion.body_1_speed(), 6),
             BODIES[1],
-            digits(motion.ball_speed(), 6)
+            digits(motion.body_2_speed(), 6)
         ),
     );
     match case.supply {

@@ -84,8 +84,8 @@ pub fn rise(case: &Case, power: f64, film: f64) -> Rise {
     let along = Hertz::new(&case.contact.along_motion(), case.reduced_modulus());
     let flux = power.abs() / case.hertz().area(&case.contact);
     let temperature = case.lubricant.temperature;
-    let own = [&case.plane, &case.ball].map(|body| effusivity(body, temperature));
-    let speeds = [case.motion.plane_speed(), case.motion.ball_speed()];
+    let own = [&case.body_1, &case.body_2].map(|body| effusivity(body, temperature));
+    let speeds = [case.motion.body_1_speed(), case.motion.body_2_speed()];
     let taken: f64 = (own.iter().zip(speeds))
         .map(|(own, u)| own.unwrap_or(STEEL) * u.abs().sqrt())
         .sum();

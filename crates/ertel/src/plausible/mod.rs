@@ -163,8 +163,8 @@ fn cold_inlet(case: &Case, solution: &Solution) -> Option<Warning> {
     let thermal = solution.thermal.as_ref()?;
     let heat = case.heat().ok().flatten()?;
     let coldest = (thermal.inlet_temperature)
-        .min(heat.plane.temperature)
-        .min(heat.ball.temperature);
+        .min(heat.body_1.temperature)
+        .min(heat.body_2.temperature);
     let rise = thermal.film_maximum.value - coldest;
     undershoot(&thermal.film_lowest, coldest, rise, solution.scales.length)
 }
@@ -280,7 +280,7 @@ mod tests {
         let case = case(0.0);
         let power = 1e5;
         let b = case.hertz().half_width;
-        let u = case.motion.plane_speed();
+        let u = case.motion.body_1_speed();
         let steel = (46.0_f64 * 7850.0 * 470.0).sqrt();
         let expected = 0.5 * 0.531_923_040_5 * (power / b) / (steel * (u / b).sqrt());
         let found = heat::rise(&case, power, 0.0);

@@ -47,8 +47,8 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
             ContactKind::Roller => Contact::of_roller(0.016, load, roller()),
             kind => Contact::of_one_radius(kind, 0.016, load),
         },
-        plane: steel.clone(),
-        ball: steel,
+        body_1: steel.clone(),
+        body_2: steel,
         body_radii: [f64::INFINITY; 2],
         roughness: None,
         asperities: None,
@@ -90,8 +90,8 @@ pub fn heated(mut case: Case) -> Case {
         heat_capacity: Some(HeatCapacityLaw::constant(heat_capacity).unwrap()),
         ..Body::elastic("heated", elasticity)
     };
-    case.plane = body(GLASS, [2510.0, 1.114, 858.0]);
-    case.ball = body(STEEL, [7850.0, 46.0, 470.0]);
+    case.body_1 = body(GLASS, [2510.0, 1.114, 858.0]);
+    case.body_2 = body(STEEL, [7850.0, 46.0, 470.0]);
     case.lubricant.density = DensityLaw::DowsonHigginson(
         DowsonHigginson::new(
             870.0,
@@ -114,7 +114,7 @@ pub fn heated(mut case: Case) -> Case {
 /// (U = μ₀u_m/(E'R); line: w = M E'R √(2U), circular: F = M E'R² (2U)^¾; α = L (2U)^(−¼)/E').
 pub fn moes_case(kind: ContactKind, m: f64, l: f64) -> Case {
     let mut case = case(kind, 1.0);
-    let modulus = reduced_modulus(case.plane.elasticity, case.ball.elasticity);
+    let modulus = reduced_modulus(case.body_1.elasticity, case.body_2.elasticity);
     let (viscosity, radius) = (0.04, case.contact.radius);
     let speed = 2.0 * viscosity * case.motion.entrainment_speed / (modulus * radius);
     case.contact.load = match kind {

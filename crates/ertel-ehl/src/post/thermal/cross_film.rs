@@ -1,7 +1,7 @@
 //! Profiles across the film.
 //!
 //! ```text
-//!   γ̇(s) = S/μ (τ + sG) f(s),   u(s) = u_plane + h∫_{−½}^s γ̇ ds',   η(s) = μ/f(s)
+//!   γ̇(s) = S/μ (τ + sG) f(s),   u(s) = u_1 + h∫_{−½}^s γ̇ ds',   η(s) = μ/f(s)
 //! ```
 
 use crate::contact::{Planar, Scales, Symmetry};
@@ -17,14 +17,14 @@ use crate::solve::system::State;
 /// Equal steps across the film.
 const N_STEPS: usize = 40;
 
-/// Profile at a point in half-widths; `None` outside of the contact area. `plane` is the velocity of the plane, m/s, at places in
+/// Profile at a point in half-widths; `None` outside of the contact area. `body_1` is the velocity of body 1, m/s, at places in
 /// half-widths.
 pub(super) fn profile(
     d: &Discretisation,
     state: &State,
     fluid: &FilmFluid,
     scales: &Scales,
-    plane: &Planar,
+    body_1: &Planar,
     [x, y]: [f64; 2],
 ) -> Option<CrossProfile> {
     // Where half of the contact is solved, y ≤ 0, the other one is its mirror image.
@@ -52,7 +52,7 @@ pub(super) fn profile(
         film_thickness: h,
         ..CrossProfile::default()
     };
-    let mut velocity = plane.at(fields.place);
+    let mut velocity = body_1.at(fields.place);
     let step = 1.0 / N_STEPS as f64;
     for k in 0..=N_STEPS {
         let s = k as f64 * step - 0.5;

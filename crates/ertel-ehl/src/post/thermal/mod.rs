@@ -72,8 +72,8 @@ pub fn thermal(
         surface: surface(d, state, space),
         profiles: (params.profiles.iter())
             .filter_map(|point| {
-                let plane = &heat.bodies[0].velocity;
-                cross_film::profile(d, state, &problem.fluid, scales, plane, *point)
+                let body_1 = &heat.bodies[0].velocity;
+                cross_film::profile(d, state, &problem.fluid, scales, body_1, *point)
             })
             .collect(),
         field: params.field.then(|| field::field(d, state, space, scales)),
@@ -200,11 +200,11 @@ fn surface(d: &Discretisation, state: &State, space: &HeatSpace) -> FilmTemperat
 impl FilmTemperatures {
     /// Adds a point from the temperatures at the film's nodes.
     pub(in crate::post) fn push(&mut self, film: &FilmNodes, values: &Nodal) {
-        let [plane, ball] = walls(film, values);
+        let [body_1, body_2] = walls(film, values);
         self.mid.push(film.through(values).at(0.0));
         self.mean.push(film.mean(values));
-        self.plane.push(plane);
-        self.ball.push(ball);
+        self.body_1.push(body_1);
+        self.body_2.push(body_2);
     }
 }
 

@@ -29,9 +29,9 @@ pub struct Balance {
     pub shear: f64,
     /// Made by compression, less what expansion takes.
     pub compression: f64,
-    /// Carried off by the plane.
+    /// Carried off by body 1.
     pub to_body_1: f64,
-    /// Carried off by the ball.
+    /// Carried off by body 2.
     pub to_body_2: f64,
     /// Carried off by the lubricant.
     pub by_film: f64,

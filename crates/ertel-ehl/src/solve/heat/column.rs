@@ -43,7 +43,7 @@ pub struct Column {
     pub bodies: [Vec<Layer>; 2],
     /// Depth of each unknown below its wall, half-widths; zero in the film.
     pub depths: Vec<f64>,
-    /// Unknown of the film's first node, the wall of the plane.
+    /// Unknown of the film's first node, the wall of body 1.
     pub first: usize,
 }
 

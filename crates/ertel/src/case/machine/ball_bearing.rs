@@ -44,7 +44,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     rows.text(
         "machine",
         format!(
-            "ball (ball) on the {} ring (plane) of a ball bearing",
+            "ball (body 2) on the {} ring (body 1) of a ball bearing",
             ring.name()
         ),
     );

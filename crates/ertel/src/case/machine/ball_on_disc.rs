@@ -31,11 +31,11 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         ],
     )?;
     let mut rows = Rows::default();
-    rows.text("machine", "ball (ball) on disc (plane)");
+    rows.text("machine", "ball (body 2) on disc (body 1)");
     rows.length("reduced radius R = D/2", contact.radius);
     rows.number("load", contact.load, "N");
-    rows.number("speed of the ball", motion.ball_speed(), "m/s");
-    rows.number("speed of the disc", motion.plane_speed(), "m/s");
+    rows.number("speed of the ball", motion.body_2_speed(), "m/s");
+    rows.number("speed of the disc", motion.body_1_speed(), "m/s");
     rows.text("source", "relative curvature: Johnson 1985, section 4.1");
     Ok(Machine {
         contact,

@@ -57,7 +57,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         ))
     })?;
     let mut rows = Rows::default();
-    rows.text("machine", "cam (ball) on flat tappet (plane)");
+    rows.text("machine", "cam (body 2) on flat tappet (body 1)");
     rows.length("R = ρ = r_b + s + s''", contact.radius);
     rows.number("load", contact.load * width, "N");
     rows.number("load per length F/b", contact.load, "N/m");

@@ -43,7 +43,7 @@ impl Teeth {
     fn names(self) -> Names {
         match self {
             Teeth::Straight => Names {
-                machine: "pinion (ball) and wheel (plane) of a spur gear",
+                machine: "pinion (body 2) and wheel (body 1) of a spur gear",
                 contact_ratio: "contact ratio",
                 flanks: ["R_1 = r_1 sin α + s", "R_2 = r_2 sin α − s"],
                 radius: "R = R_1 R_2/(R_1 + R_2)",
@@ -51,7 +51,7 @@ impl Teeth {
                 source: "Stachowiak and Batchelor, chapter 7; ISO/TR 15144-1",
             },
             Teeth::Helical => Names {
-                machine: "pinion (ball) and wheel (plane) of a helical gear",
+                machine: "pinion (body 2) and wheel (body 1) of a helical gear",
                 contact_ratio: "transverse contact ratio ε_α",
                 flanks: ["R_1 = r_1 sin α_t + s", "R_2 = r_2 sin α_t − s"],
                 radius: "R = R_1 R_2/[(R_1 + R_2) cos β_b]",

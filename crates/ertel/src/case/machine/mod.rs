@@ -162,16 +162,16 @@ fn line_load(
 
 /// The motion of two surfaces (m/s) that comes from the angular speed at `key`.
 ///
-/// u_m = (u_ball + u_plane)/2,  SRR = (u_ball − u_plane)/u_m
+/// u_m = (u_1 + u_2)/2,  SRR = (u_2 − u_1)/u_m
 fn motion(
     table: &Table<'_>,
     key: &str,
-    ball_speed: f64,
-    plane_speed: f64,
+    body_2_speed: f64,
+    body_1_speed: f64,
 ) -> Result<Motion, InputError> {
-    let entrainment_speed = 0.5 * (ball_speed + plane_speed);
+    let entrainment_speed = 0.5 * (body_2_speed + body_1_speed);
     check_entrainment(table, key, entrainment_speed)?;
-    if let Some(speed) = [ball_speed, plane_speed]
+    if let Some(speed) = [body_2_speed, body_1_speed]
         .into_iter()
         .find(|speed| speed.abs() > MAX_SPEED)
     {
@@ -182,7 +182,7 @@ fn motion(
     }
     Ok(Motion::straight(
         entrainment_speed,
-        (ball_speed - plane_speed) / entrainment_speed,
+        (body_2_speed - body_1_speed) / entrainment_speed,
     ))
 }
 

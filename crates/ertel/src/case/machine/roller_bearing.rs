@@ -37,7 +37,7 @@ pub(super) fn read(
     rows.text(
         "machine",
         format!(
-            "roller (ball) on the {} ring (plane) of a roller bearing",
+            "roller (body 2) on the {} ring (body 1) of a roller bearing",
             ring.name()
         ),
     );

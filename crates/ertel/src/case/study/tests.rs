@@ -125,7 +125,7 @@ fn names_and_tables_are_values() {
     )
     .unwrap();
     let moduli: Vec<f64> = (study.points.iter())
-        .map(|p| p.case.ball.elasticity.youngs_modulus)
+        .map(|p| p.case.body_2.elasticity.youngs_modulus)
         .collect();
     assert_eq!(moduli, [210e9, 210e9, 300e9, 300e9]);
     assert_eq!(study.points[0].values[0], AxisValue::Text("steel".into()));

@@ -23,8 +23,8 @@ pub fn heat_pictures<'a>(
     if let Some(t) = fields {
         for (name, field, place) in [
             ("temperature-mid", &t.mid, "mid-film"),
-            ("temperature-body-1", &t.plane, BODIES[0]),
-            ("temperature-body-2", &t.ball, BODIES[1]),
+            ("temperature-body-1", &t.body_1, BODIES[0]),
+            ("temperature-body-2", &t.body_2, BODIES[1]),
         ] {
             let draw = move || temperature_map(title, solution, field, place, scale);
             pictures.push((name, Box::new(draw)));
@@ -46,8 +46,8 @@ pub fn temperature_chart(title: &str, solution: &Solution, scale: TemperatureSca
         [
             ("mid-film", &t.mid, Look::Line, PALETTE[1]),
             ("mean of the film", &t.mean, Look::Dashed, PALETTE[1]),
-            (BODIES[0], &t.plane, Look::Line, PALETTE[0]),
-            (BODIES[1], &t.ball, Look::Line, PALETTE[2]),
+            (BODIES[0], &t.body_1, Look::Line, PALETTE[0]),
+            (BODIES[1], &t.body_2, Look::Line, PALETTE[2]),
         ]
     });
     let series: Vec<Series> = fields
