@@ -98,6 +98,10 @@ pub struct SolveArgs {
     /// Random seed: the same seed gives the same samples
     #[arg(long, value_name = "S", default_value_t = 1, requires = "monte_carlo")]
     pub seed: u64,
+    /// Solve the case by the other method, too (finite elements or finite volumes), and compare every figure with its error bars; exit code 3
+    /// where one differs by more than the sum of both
+    #[arg(long, conflicts_with_all = ["check", "monte_carlo"])]
+    pub cross_check: bool,
     /// Exit code 0 also where an error bar is wider than half of a figure
     #[arg(long)]
     pub accept_unresolved: bool,

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use ertel::case::{Case, Curve};
+use ertel::cross_check::Verdict;
 use ertel::output;
 use ertel::params::SensitivityDemand;
 use ertel::run;
@@ -90,6 +91,9 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     let Job { given, folder } = job;
     let case = &given.case;
     let samples = monte_carlo::samples(arguments, &given.name, case, folder)?;
+    if arguments.cross_check {
+        may_cross_check(case)?;
+    }
     let n_points = case.curve.as_ref().map_or(1, |curve| curve.points.len());
     events.emit(
         "started",
@@ -149,12 +153,58 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     if let Some(samples) = &samples {
         monte_carlo::run(samples, &solution, arguments)?;
     }
+    if arguments.cross_check {
+        cross_check(case, &solution, folder, arguments, events)?;
+    }
     match &solution.unresolved[..] {
         [] => shown,
         _ if arguments.accept_unresolved => shown,
         unresolved => Err(not_resolved(unresolved, folder)),
     }?;
     Ok(films(&solution))
+}
+
+/// Refuses a cross-check of what one method alone solves.
+fn may_cross_check(case: &Case) -> Result<(), Failure> {
+    if case.curve.is_some() {
+        let text = "--cross-check takes one contact, and the case has a [curve]: --set or a file of its own makes one of it";
+        return Err(Failure::Argument(text.to_owned()));
+    }
+    match ertel::cross_check::why_not(case) {
+        Some(reason) => Err(Failure::Argument(format!(
+            "--cross-check needs a case that both methods solve, but {reason}"
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// Solves a case by the other method as well, and tells where figures differ.
+fn cross_check(
+    case: &Case,
+    solution: &Solution,
+    folder: &Path,
+    arguments: &SolveArgs,
+    events: &Events,
+) -> Result<(), Failure> {
+    let mut progress = match events.is_on() {
+        true => Progress::as_events(events, &CANCELLED),
+        false => Progress::new(arguments.quiet, &CANCELLED),
+    };
+    let found = ertel::cross_check::cross_check(case, solution, &mut progress);
+    drop(progress);
+    let found = found?;
+    output::write_cross_check(solution, &found, folder)?;
+    if !(arguments.quiet || events.is_on()) {
+        print::stdout(&output::cross_check_report(solution, &found))?;
+    }
+    match found.count(Verdict::Differs) {
+        0 => Ok(()),
+        n => Err(Failure::Unresolved(format!(
+            "{n} of {} figures differ by more than the sum of both error bars: see {}",
+            found.figures.len(),
+            folder.join("cross-check.csv").display()
+        ))),
+    }
 }
 
 fn films(solution: &Solution) -> String {

@@ -192,6 +192,44 @@ pub enum ElasticModel {
     TwoBodies,
 }
 
+/// How the film is discretised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// Full-system finite elements (Habchi 2008).
+    #[default]
+    FiniteElements,
+    /// Finite volumes on regular grids, for isothermal Newtonian point contacts of half-spaces.
+    FiniteVolumes,
+}
+
+impl Method {
+    /// Its name in case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::FiniteElements => "finite-elements",
+            Method::FiniteVolumes => "finite-volumes",
+        }
+    }
+
+    /// Its name in sentences.
+    pub fn words(self) -> &'static str {
+        match self {
+            Method::FiniteElements => "finite elements",
+            Method::FiniteVolumes => "finite volumes",
+        }
+    }
+
+    /// The other one.
+    #[must_use]
+    pub fn other(self) -> Method {
+        match self {
+            Method::FiniteElements => Method::FiniteVolumes,
+            Method::FiniteVolumes => Method::FiniteElements,
+        }
+    }
+}
+
 /// How Newton's linear system is solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -206,6 +244,8 @@ pub enum LinearSolver {
 /// Solver settings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SolverParams {
+    /// Finite elements or finite volumes.
+    pub method: Method,
     /// Galerkin, SUPG or GLS.
     pub formulation: Formulation,
     /// Isotropic diffusion coefficient ρ_id of Habchi 2008, eq. 3.18; 0 for none.
@@ -240,6 +280,7 @@ pub struct SolverParams {
 impl Default for SolverParams {
     fn default() -> Self {
         SolverParams {
+            method: Method::default(),
             formulation: Formulation::default(),
             isotropic_diffusion: 0.0,
             ridge_diffusion: None,

@@ -42,11 +42,12 @@
 
 pub use ertel_ehl::{
     contact, elastic, engine, film, forms, interference, mixed, params, post, solution, solve,
-    warning, words,
+    volumes, warning, words,
 };
 
 pub mod case;
 pub mod compare;
+pub mod cross_check;
 pub mod estimate;
 pub mod files;
 pub mod fit;

@@ -7,17 +7,21 @@
 //! any engine can give: the fields at its quadrature points and at any place.
 
 pub mod far_field;
+pub mod figures;
 pub mod film;
 pub mod flux;
 pub mod friction;
+pub mod hills;
 mod observer;
 mod problem;
+mod profile;
 pub mod region;
 pub mod shear;
 
 pub use film::{Film, Point, PointFields, PointTable};
 pub use observer::{NoObserver, Observer};
 pub use problem::{Extents, Problem};
+pub use profile::Profile;
 
 use crate::solution::{LevelStats, Measured};
 

@@ -45,3 +45,22 @@ pub struct Problem<Plan> {
     /// How the engine goes about it.
     pub plan: Plan,
 }
+
+impl<Plan> Problem<Plan> {
+    /// The same contact for an engine that goes about it in another way.
+    pub fn with_plan<Other>(self, plan: Other) -> Problem<Other> {
+        Problem {
+            shape: self.shape,
+            extents: self.extents,
+            reach: self.reach,
+            elasticity: self.elasticity,
+            fluid: self.fluid,
+            entrainment: self.entrainment,
+            load: self.load,
+            start_film: self.start_film,
+            heat: self.heat,
+            scales: self.scales,
+            plan,
+        }
+    }
+}

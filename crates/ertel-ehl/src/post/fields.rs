@@ -4,7 +4,7 @@ use ertel_fem::linear::NEVER;
 use ertel_fem::linear::condensed::Keep;
 use ertel_fem::space::Space;
 
-use crate::contact::Scales;
+use crate::contact::{Scales, Shape};
 use crate::engine::PointFields;
 use crate::film::FilmFluid;
 use crate::post::profile::Profile;
@@ -28,6 +28,16 @@ pub(super) fn sampled(d: &Discretisation, state: &State) -> Profile {
 pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> Centreline {
     let d = &solution.discretisation;
     let profile = sampled(d, &solution.state);
+    centreline_of(&profile, &d.contact.shape, fluid, scales)
+}
+
+/// A profile in SI, with what follows of its fields.
+pub fn centreline_of(
+    profile: &Profile,
+    shape: &Shape,
+    fluid: &FilmFluid,
+    scales: &Scales,
+) -> Centreline {
     let mut line = Centreline::default();
     for (x, f) in profile.x.iter().zip(&profile.fields) {
         let local = fluid.local(f.pressure, f.temperature.as_deref());
@@ -40,51 +50,58 @@ pub fn centreline(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) 
             .push(properties.viscosity[0] * scales.viscosity);
         line.density.push(properties.density[0] * scales.density);
         line.hertz_pressure
-            .push(d.contact.shape.zone.pressure([*x, 0.0]) * scales.pressure);
+            .push(shape.zone.pressure([*x, 0.0]) * scales.pressure);
     }
-    line.shear = super::shear::fields(fluid, scales, &d.contact.shape, &profile.fields);
+    line.shear = super::shear::fields(fluid, scales, shape, &profile.fields);
     line
 }
 
-/// Fields at the pressure nodes; each element is cut into linear cells between them.
-pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> SurfaceField {
-    let d = &solution.discretisation;
-    let n = d.pressure.n_nodes();
-    let mut field = SurfaceField {
-        points: d
-            .pressure
-            .points
-            .iter()
-            .map(|p| [p[0] * scales.length, p[1] * scales.length])
-            .collect(),
-        cells: sub_cells(&d.pressure),
-        order: d.pressure.element.order(),
-        elements: d.pressure.element_nodes.clone(),
-        film_thickness: vec![0.0; n],
-        deflection: vec![0.0; n],
-        ..SurfaceField::default()
-    };
-    let mut at_nodes = vec![PointFields::default(); n];
-    for c in 0..d.contact.n_elements() {
-        let nodes = d.pressure.nodes_of(c);
-        for (xi, node) in d.pressure.element.points().zip(nodes) {
-            let f = fields_in(d, &solution.state, c, xi);
-            field.film_thickness[*node as usize] = f.film * scales.film;
-            field.deflection[*node as usize] = f.deflection * scales.film;
-            at_nodes[*node as usize] = f;
-        }
-    }
-    for (p, f) in solution.state.pressure.iter().zip(&at_nodes) {
-        let local = fluid.local(*p, f.temperature.as_deref());
+/// Fields at points in SI, with what follows of them; places and cells are left to the caller.
+pub fn surface_of(
+    points: &[PointFields],
+    shape: &Shape,
+    fluid: &FilmFluid,
+    scales: &Scales,
+) -> SurfaceField {
+    let mut field = SurfaceField::default();
+    for f in points {
+        let local = fluid.local(f.pressure, f.temperature.as_deref());
         let properties = local.point();
-        field.pressure.push(p * scales.pressure);
+        field.points.push(f.place.map(|x| x * scales.length));
+        field.film_thickness.push(f.film * scales.film);
+        field.deflection.push(f.deflection * scales.film);
+        field.pressure.push(f.pressure * scales.pressure);
         field
             .viscosity
             .push(properties.viscosity[0] * scales.viscosity);
         field.density.push(properties.density[0] * scales.density);
     }
-    field.shear = super::shear::fields(fluid, scales, &d.contact.shape, &at_nodes);
+    field.shear = super::shear::fields(fluid, scales, shape, points);
     field
+}
+
+/// Fields at the pressure nodes; each element is cut into linear cells between them.
+pub fn surface(solution: &StageSolution, fluid: &FilmFluid, scales: &Scales) -> SurfaceField {
+    let d = &solution.discretisation;
+    let mut at_nodes = vec![PointFields::default(); d.pressure.n_nodes()];
+    for c in 0..d.contact.n_elements() {
+        let nodes = d.pressure.nodes_of(c);
+        for (xi, node) in d.pressure.element.points().zip(nodes) {
+            at_nodes[*node as usize] = fields_in(d, &solution.state, c, xi);
+        }
+    }
+    // Exactly the nodal values, and the places of the nodes.
+    let nodes = d.pressure.points.iter().zip(&solution.state.pressure);
+    for (fields, (place, pressure)) in at_nodes.iter_mut().zip(nodes) {
+        fields.place = [place[0], place[1]];
+        fields.pressure = *pressure;
+    }
+    SurfaceField {
+        cells: sub_cells(&d.pressure),
+        order: d.pressure.element.order(),
+        elements: d.pressure.element_nodes.clone(),
+        ..surface_of(&at_nodes, &d.contact.shape, fluid, scales)
+    }
 }
 
 /// Elements cut into linear cells between their nodes: triangles, or segments in the first two entries.

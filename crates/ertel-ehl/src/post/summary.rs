@@ -2,7 +2,8 @@
 
 use super::balance::film_balance_error;
 use super::limits::thin_film_warning;
-use crate::contact::{Inlet, Scales};
+use crate::contact::{Inlet, Scales, Shape};
+use crate::engine::Extents;
 use crate::solution::Role;
 use crate::solution::{
     Figure, FilmReduction, LevelStats, Measured, Summary, Traction, TractionAcross, solved,
@@ -25,6 +26,17 @@ pub fn summarise(
     let (d, state) = (&solution.discretisation, &solution.state);
     let p_min = state.pressure.iter().fold(0.0_f64, |m, p| m.min(*p));
     Summary {
+        pressure_minimum: p_min * scales.pressure,
+        film_balance_error: film_balance_error(solution, model),
+        load_balance_error: (d.integral(&state.pressure) / scales.load - 1.0).abs(),
+        rigid_separation: state.rigid_separation * scales.film,
+        ..summary_of(measured)
+    }
+}
+
+/// The figures of a solve; balances and separation, which its engine tells, are zero.
+pub fn summary_of(measured: &Measured) -> Summary {
+    Summary {
         film_central: measured.estimate(Figure::FilmCentral),
         film_minimum: measured.estimate(Figure::FilmMinimum),
         film_minimum_at: measured.located(Figure::FilmMinimum),
@@ -34,10 +46,10 @@ pub fn summarise(
         pressure_ridge: measured.find_located(Figure::PressureRidge),
         spike: measured.find_located(Figure::Spike),
         outlet_position: measured.estimate(Figure::OutletPosition),
-        pressure_minimum: p_min * scales.pressure,
-        film_balance_error: film_balance_error(solution, model),
-        load_balance_error: (d.integral(&state.pressure) / scales.load - 1.0).abs(),
-        rigid_separation: state.rigid_separation * scales.film,
+        pressure_minimum: 0.0,
+        film_balance_error: 0.0,
+        load_balance_error: 0.0,
+        rigid_separation: 0.0,
     }
 }
 
@@ -208,29 +220,48 @@ pub fn warnings(
              more and elastic_order 2",
         ));
     }
-    let (d, e) = (
-        &solution.discretisation,
-        &solution.discretisation.contact.extents,
-    );
+    let d = &solution.discretisation;
     let profile = Profile::new(d, &solution.state, 2);
-    if profile.outlet() > e.outlet - 0.02 {
+    let films = EdgeFilms {
+        outlet: profile.outlet(),
+        inlet: profile.fields.first().map_or(f64::INFINITY, |f| f.film),
+        centre: central_film(d, &solution.state),
+    };
+    warnings.extend(edge_warnings(&d.contact.extents, &d.contact.shape, films));
+    warnings
+}
+
+/// What tells whether the edges of a contact area are far enough.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeFilms {
+    /// X where the film breaks on the centreline.
+    pub outlet: f64,
+    /// H at the inlet edge.
+    pub inlet: f64,
+    /// H in the centre.
+    pub centre: f64,
+}
+
+/// Warnings about edges that are too near.
+pub fn edge_warnings(e: &Extents, shape: &Shape, films: EdgeFilms) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let side_key = if shape.is_line() { "" } else { ", side" };
+    if films.outlet > e.outlet - 0.02 {
         let text = format!(
             "the film does not break before the outlet edge X = {}: move it outward ([mesh] outlet)",
             e.outlet
         );
         warnings.push(Warning::new(WarningKind::OutletEdge, text));
     }
-    let inlet_film = profile.fields.first().map_or(f64::INFINITY, |f| f.film);
-    let centre = central_film(d, &solution.state);
-    if d.contact.shape.inlet == Inlet::Flooded && inlet_film < 20.0 * centre {
+    if shape.inlet == Inlet::Flooded && films.inlet < 20.0 * films.centre {
         let text = format!(
             "the film at the inlet edge X = {} is only {:.0} times the central film: the \
              computational inlet is too short (numerical starvation); move the edge outward ([mesh] inlet{})",
             e.inlet,
-            inlet_film / centre,
+            films.inlet / films.centre,
             side_key
         );
-        let shortage = centre / inlet_film;
+        let shortage = films.centre / films.inlet;
         warnings.push(Warning::beyond(WarningKind::InletEdge, shortage, text));
     }
     warnings

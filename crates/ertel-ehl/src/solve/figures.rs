@@ -12,10 +12,10 @@ use super::profile::{PER_EDGE, Profile};
 use super::sequence::{Problem, StageSolution};
 use super::system::State;
 use crate::contact::Symmetry;
-use crate::engine::friction::{friction, is_skewed};
+use crate::engine::figures::{note_friction, share_of_film, sizes};
 use crate::engine::{Film, PointTable};
 use crate::film::FilmFluid;
-use crate::solution::{Figure, Figures, LevelStats, Measured, Reading, Sizes};
+use crate::solution::{Figure, Figures, LevelStats, Measured, Reading};
 
 /// Which figures are asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,15 +83,9 @@ pub fn figures(
         let reading = Reading::new(scales.length * x);
         figures.note(Figure::MeniscusPosition, reading);
     }
-    note_friction(&mut figures, problem, fluid, d, &film);
+    note_friction(&mut figures, problem, fluid, &film, d.heat.is_some());
     note_heat(&mut figures, problem, fluid, (d, state), film.points());
     figures
-}
-
-/// What of the largest pressure in the middle, in p_h, goes with the film: a heavily loaded contact differs from the dry one by about its film
-/// thickness in units of the approach, `film`.
-fn share_of_film(pressure: f64, film: f64) -> f64 {
-    (pressure - 1.0).abs().max(film.abs()).min(pressure.abs())
 }
 
 /// Pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
@@ -149,78 +143,6 @@ fn moments(d: &Discretisation, points: &PointTable) -> [f64; 3] {
         }
     }
     sums
-}
-
-fn note_friction(
-    figures: &mut Figures,
-    problem: &Problem,
-    fluid: &FilmFluid,
-    d: &Discretisation,
-    film: &impl Film,
-) {
-    let sums = friction(problem, fluid, film);
-    let (f, near) = (&sums.here, &sums.shorter);
-    let [mid, body_1, body_2] = f.coefficients;
-    let [near_mid, near_body_1, near_body_2] = near.coefficients;
-    let wall = sums.wall_misfit().abs();
-    let (shape, skewed) = (&d.contact.shape, is_skewed(&d.contact.shape, fluid));
-    // Where both components count, one that happens to vanish is as uncertain as the whole.
-    let component = |vector: [f64; 2], near: [f64; 2], i: usize| Reading {
-        size: match skewed {
-            true => vector[0].hypot(vector[1]),
-            false => vector[i].abs(),
-        },
-        cut: (vector[i] - near[i]).abs(),
-        ..Reading::new(vector[i])
-    };
-    for (figure, vector, near, misfit) in [
-        (Figure::TractionCoefficient, mid, near_mid, 0.0),
-        (Figure::TractionCoefficientBody1, body_1, near_body_1, wall),
-        (Figure::TractionCoefficientBody2, body_2, near_body_2, wall),
-        (Figure::TractionForce, f.force, near.force, 0.0),
-    ] {
-        let reading = Reading {
-            misfit,
-            ..component(vector, near, 0)
-        };
-        figures.note(figure, reading);
-    }
-    let power = Reading {
-        cut: (f.work - near.work).abs(),
-        // Films that heat up expand: their balance is that of the heat.
-        misfit: match d.heat {
-            None => sums.power_misfit().abs(),
-            Some(_) => 0.0,
-        },
-        ..Reading::new(f.work)
-    };
-    figures.note(Figure::FrictionPower, power);
-    figures.note(Figure::ShearStressMaximum, Reading::new(f.stress_maximum));
-    if skewed {
-        for (figure, vector, near) in [
-            (Figure::TractionCoefficientAcross, mid, near_mid),
-            (Figure::TractionCoefficientAcrossBody1, body_1, near_body_1),
-            (Figure::TractionCoefficientAcrossBody2, body_2, near_body_2),
-            (Figure::TractionForceAcross, f.force, near.force),
-        ] {
-            figures.note(figure, component(vector, near, 1));
-        }
-    }
-    if skewed && !shape.is_line() {
-        let [moment, size] = f.moment;
-        let moment = Reading {
-            size,
-            cut: (moment - near.moment[0]).abs(),
-            ..Reading::new(moment)
-        };
-        figures.note(Figure::TractionMoment, moment);
-    }
-    let limits = [Figure::BeyondFirstLimit, Figure::BeyondSecondLimit];
-    for (figure, share) in limits.into_iter().zip(sums.whole.beyond) {
-        if let Some(share) = share {
-            figures.note(figure, Reading::new(share));
-        }
-    }
 }
 
 fn note_heat(
@@ -301,21 +223,12 @@ pub fn measure(problem: &Problem, solution: &StageSolution, levels: &[LevelStats
         &solution.stage.sizes,
     );
     let films = error_bars(levels, grading).map(|b| b.bars);
-    let scales = &problem.scales;
-    let sizes = Sizes {
-        load: scales.load * scales.pressure * scales.area(&problem.shape),
-        length: scales.length,
-        pressure: scales.pressure,
-        // λ = 12 u μ/(p_h a)·(a/h)², h = a²/R
-        speed: scales.lambda * scales.pressure * scales.film.powi(2)
-            / (12.0 * scales.viscosity * scales.length),
-    };
     let measured = Measured {
         figures: figures(problem, &problem.fluid, d, state, Scope::All),
         bars: bars(levels, films).unwrap_or_default(),
         half_width: problem.scales.length,
     };
-    let measured = measured.without_rounding(&sizes);
+    let measured = measured.without_rounding(&sizes(problem));
     match problem.shape.symmetry {
         Symmetry::Half => measured.with_mirrored_end(),
         Symmetry::Full => measured,

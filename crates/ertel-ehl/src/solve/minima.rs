@@ -7,6 +7,7 @@ use super::discretisation::Discretisation;
 use super::evaluate::{refined, thinnest_points};
 use super::neighbours::Neighbours;
 use super::system::State;
+use crate::engine::hills::root;
 use crate::solve::tuning::refinement::{NEARLY_AS_DEEP, RIDGE};
 
 /// The deepest of the minima other than the lowest, if it is nearly as deep: film and place. Of contact areas that are lines, none.
@@ -58,15 +59,6 @@ fn second_minimum(values: &[f64], neighbours: &[Vec<u32>], ridge: f64) -> Option
     }
     debug_assert!(second != Some(lowest));
     second
-}
-
-/// Where an element leads to in the end; shortens the way.
-pub(super) fn root(towards: &mut [usize], mut c: usize) -> usize {
-    while towards[c] != c {
-        towards[c] = towards[towards[c]];
-        c = towards[c];
-    }
-    c
 }
 
 #[cfg(test)]

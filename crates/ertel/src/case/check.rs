@@ -4,7 +4,8 @@ use ertel_input::{Bounds, InputError, Table};
 
 use super::Case;
 use crate::contact::{Contact, ContactKind, Hertz, equivalent_body};
-use crate::params::ElasticModel;
+use crate::params::{ElasticModel, Method};
+use crate::volumes;
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length, pressure};
 
@@ -288,6 +289,80 @@ pub(super) fn body_of_wide_contact(case: &Case, table: &Table<'_>) -> Result<(),
             format!("{what} needs half-spaces, but this case asks for finite-element bodies"),
         )
         .with_help("remove `elasticity` and `linear` from [solver] and `body_field` from [output]"))
+}
+
+/// Keys of [solver] and [mesh] that finite volumes have no use for.
+const SOLVER_KEYS_OF_ELEMENTS: [&str; 10] = [
+    "formulation",
+    "isotropic_diffusion",
+    "ridge_diffusion",
+    "elastic_stabilisation",
+    "penalty",
+    "penalty_scaling",
+    "linear",
+    "tolerance",
+    "max_iterations",
+    "error_estimate",
+];
+const MESH_KEYS_OF_ELEMENTS: [&str; 11] = [
+    "pressure_error",
+    "hertz_size",
+    "constriction_size",
+    "rim_size",
+    "edge_size",
+    "growth",
+    "depth_growth",
+    "body_width",
+    "body_depth",
+    "pressure_order",
+    "elastic_order",
+];
+
+/// Refuses finite volumes for contacts that they do not solve, and keys beside them that have no effect.
+pub(super) fn finite_volumes(
+    case: &Case,
+    solver: Option<&Table<'_>>,
+    mesh: Option<&Table<'_>>,
+) -> Result<(), InputError> {
+    let Some(solver) = solver.filter(|_| case.solver.method == Method::FiniteVolumes) else {
+        return Ok(());
+    };
+    if let Some(reason) = finite_volumes_refuse(case) {
+        return Err(solver
+            .error(
+                "method",
+                format!("`method` is \"finite-volumes\", but these {reason}"),
+            )
+            .with_help("write `method = \"finite-elements\"`, or remove the key"));
+    }
+    let keys = [
+        (Some(solver), &SOLVER_KEYS_OF_ELEMENTS[..]),
+        (mesh, &MESH_KEYS_OF_ELEMENTS[..]),
+    ];
+    for (table, keys) in keys {
+        let Some(table) = table else { continue };
+        let mut table = table.clone();
+        if let Some(key) = keys.iter().find(|key| table.contains(key)) {
+            return Err(table
+                .error(key, format!("`{key}` has no effect on finite volumes"))
+                .with_help(
+                    "remove it; of [mesh], finite volumes take target_error, preset, max_unknowns, inlet, outlet and side",
+                ));
+        }
+    }
+    Ok(())
+}
+
+/// Why finite volumes do not solve a case, in words that follow "finite volumes"; `None` where they do.
+pub fn finite_volumes_refuse(case: &Case) -> Option<&'static str> {
+    volumes::why_not(&volumes::About {
+        is_line: case.contact.kind.is_line(),
+        is_roller: case.contact.roller.is_some(),
+        starves: case.supply.is_limited(),
+        has_half_spaces: case.elastic_model() == ElasticModel::HalfSpace,
+        heats: case.thermal().is_some(),
+        thins: case.shear_thinning().is_some(),
+    })
 }
 
 /// Four significant digits, rounded up or down so that the number itself still fits.

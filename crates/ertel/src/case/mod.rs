@@ -73,7 +73,7 @@ use crate::warning::Warning;
 use bodies::Bodies;
 pub use bodies::Body;
 pub use builder::{CaseBuilder, Setting};
-pub use check::mesh_of_bodies as check_mesh_of_bodies;
+pub use check::{finite_volumes_refuse, mesh_of_bodies as check_mesh_of_bodies};
 pub use curve::Curve;
 pub use described::{
     BodyEcho, CaseEcho, EstimateEcho, FluidEcho, HeatEcho, MachineEcho, ThermalEcho,
@@ -215,7 +215,8 @@ impl Case {
             warnings: of_machine,
             tables,
         } = tables.read(&mut root, modulus, shapes.as_ref(), folder)?;
-        let solver = match root.optional_table("solver")? {
+        let solver_table = root.optional_table("solver")?;
+        let solver = match solver_table.clone() {
             Some(table) => params::read_solver(table)?,
             None => SolverParams::default(),
         };
@@ -275,6 +276,7 @@ impl Case {
         };
         check::body_of_wide_contact(&case, tables.main())?;
         check::finite_elements_of_soft_bodies(&case, &document.root())?;
+        check::finite_volumes(&case, solver_table.as_ref(), mesh_table.as_ref())?;
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(of_machine);
         case.warnings.extend(range_warnings);

@@ -7,7 +7,7 @@ use ertel_input::{Bounds, InputError, Table};
 use crate::contact::Contact;
 use crate::params::SensitivityDemand;
 use crate::params::{
-    DEFAULT_TARGET_ERROR, ElasticModel, Formulation, LinearSolver, MeshParams, MeshPreset,
+    DEFAULT_TARGET_ERROR, ElasticModel, Formulation, LinearSolver, MeshParams, MeshPreset, Method,
     OutputParams, PenaltyScaling, PictureFormats, SolverParams,
 };
 
@@ -227,6 +227,11 @@ const MIN_TOLERANCE: f64 = 1e-11;
 /// Unknown keys, and values out of their bounds.
 pub fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
     let mut solver = SolverParams::default();
+    let method = table.optional_choice(
+        "method",
+        &[Method::FiniteElements, Method::FiniteVolumes].map(|method| (method.name(), method)),
+    )?;
+    set(&mut solver.method, method);
     let formulation = table.optional_choice(
         "formulation",
         &[

@@ -5,6 +5,7 @@
 pub mod centreline;
 mod check;
 pub mod compare;
+mod cross_check;
 pub mod curve;
 mod estimate;
 mod figure;
@@ -34,6 +35,7 @@ mod workplace_tests;
 
 pub use check::check_report;
 pub use compare::{comparison_report, write_comparison};
+pub use cross_check::{cross_check_report, write_cross_check};
 pub use curve::{curve_files, curve_json, curve_report, curve_table, point_json, write_curve};
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use figure::unresolved;

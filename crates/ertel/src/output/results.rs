@@ -47,7 +47,7 @@ fn inlet_temperature(solution: &Solution) -> Option<f64> {
 }
 
 /// Value and error bar.
-fn value(solution: &Solution, figure: Figure, at: &Located) -> String {
+pub(super) fn value(solution: &Solution, figure: Figure, at: &Located) -> String {
     let e = at.estimate();
     let unit = figure.unit(solution.shape.is_line());
     match figure.kind() {

@@ -12,7 +12,7 @@ use super::curve::CURVE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 54] = [
+pub(super) const OWN_FILES: [&str; 55] = [
     "result.json",
     super::html::REPORT_PAGE,
     "curve.json",
@@ -59,6 +59,7 @@ pub(super) const OWN_FILES: [&str; 54] = [
     "temperature-body-2.pdf",
     "interferogram.pdf",
     "cross-film.pdf",
+    "cross-check.csv",
     // As they were called before.
     "temperature-plane.svg",
     "temperature-plane.png",

@@ -78,6 +78,3 @@ pub const NEARLY_AS_DEEP: f64 = 1.3;
 
 /// Height of the ridge between two minima, over the higher of them, from which they are two.
 pub const RIDGE: f64 = 1.05;
-
-/// Height of a peak over the pass to a higher one, in p_h, from which it is one of its own.
-pub const PROMINENCE: f64 = 0.02;

@@ -1,0 +1,98 @@
+//! Figures that any engine reads off a film in the same way.
+
+use super::friction::{friction, is_skewed};
+use super::{Film, Problem};
+use crate::film::FilmFluid;
+use crate::solution::{Figure, Figures, Reading, Sizes};
+
+/// Sizes of a contact beside which a figure is told from rounding.
+pub fn sizes<Plan>(problem: &Problem<Plan>) -> Sizes {
+    let scales = &problem.scales;
+    Sizes {
+        load: scales.load * scales.pressure * scales.area(&problem.shape),
+        length: scales.length,
+        pressure: scales.pressure,
+        // λ = 12 u μ/(p_h a)·(a/h)², h = a²/R
+        speed: scales.lambda * scales.pressure * scales.film.powi(2)
+            / (12.0 * scales.viscosity * scales.length),
+    }
+}
+
+/// What of the largest pressure in the middle, in p_h, goes with the film: a heavily loaded contact differs from the dry one by about its film
+/// thickness in units of the approach, `film`.
+pub fn share_of_film(pressure: f64, film: f64) -> f64 {
+    (pressure - 1.0).abs().max(film.abs()).min(pressure.abs())
+}
+
+/// Traction, friction power and shear of a film. `heats`: whether its temperature varies, so that its power is balanced by heat.
+pub fn note_friction<Plan>(
+    figures: &mut Figures,
+    problem: &Problem<Plan>,
+    fluid: &FilmFluid,
+    film: &impl Film,
+    heats: bool,
+) {
+    let sums = friction(problem, fluid, film);
+    let (f, near) = (&sums.here, &sums.shorter);
+    let [mid, body_1, body_2] = f.coefficients;
+    let [near_mid, near_body_1, near_body_2] = near.coefficients;
+    let wall = sums.wall_misfit().abs();
+    let (shape, skewed) = (&problem.shape, is_skewed(&problem.shape, fluid));
+    // Where both components count, one that happens to vanish is as uncertain as the whole.
+    let component = |vector: [f64; 2], near: [f64; 2], i: usize| Reading {
+        size: match skewed {
+            true => vector[0].hypot(vector[1]),
+            false => vector[i].abs(),
+        },
+        cut: (vector[i] - near[i]).abs(),
+        ..Reading::new(vector[i])
+    };
+    for (figure, vector, near, misfit) in [
+        (Figure::TractionCoefficient, mid, near_mid, 0.0),
+        (Figure::TractionCoefficientBody1, body_1, near_body_1, wall),
+        (Figure::TractionCoefficientBody2, body_2, near_body_2, wall),
+        (Figure::TractionForce, f.force, near.force, 0.0),
+    ] {
+        let reading = Reading {
+            misfit,
+            ..component(vector, near, 0)
+        };
+        figures.note(figure, reading);
+    }
+    let power = Reading {
+        cut: (f.work - near.work).abs(),
+        // Films that heat up expand: their balance is that of the heat.
+        misfit: match heats {
+            false => sums.power_misfit().abs(),
+            true => 0.0,
+        },
+        ..Reading::new(f.work)
+    };
+    figures.note(Figure::FrictionPower, power);
+    figures.note(Figure::ShearStressMaximum, Reading::new(f.stress_maximum));
+    if skewed {
+        for (figure, vector, near) in [
+            (Figure::TractionCoefficientAcross, mid, near_mid),
+            (Figure::TractionCoefficientAcrossBody1, body_1, near_body_1),
+            (Figure::TractionCoefficientAcrossBody2, body_2, near_body_2),
+            (Figure::TractionForceAcross, f.force, near.force),
+        ] {
+            figures.note(figure, component(vector, near, 1));
+        }
+    }
+    if skewed && !shape.is_line() {
+        let [moment, size] = f.moment;
+        let moment = Reading {
+            size,
+            cut: (moment - near.moment[0]).abs(),
+            ..Reading::new(moment)
+        };
+        figures.note(Figure::TractionMoment, moment);
+    }
+    let limits = [Figure::BeyondFirstLimit, Figure::BeyondSecondLimit];
+    for (figure, share) in limits.into_iter().zip(sums.whole.beyond) {
+        if let Some(share) = share {
+            figures.note(figure, Reading::new(share));
+        }
+    }
+}

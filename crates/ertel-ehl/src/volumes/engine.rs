@@ -1,0 +1,390 @@
+//! Finite volumes as an [`Engine`]: one grid after the other until both films are as accurate as asked for.
+
+use ertel_fem::linear::lu::LuError;
+use ertel_fem::platform::Instant;
+
+use super::figures::{bar, bars, figures, films};
+use super::film::PatchedFilm;
+use super::grid::{Grid, RING};
+use super::level::{Level, first_state, first_system, refined};
+use super::newton::{NewtonInfo, NewtonParams, newton};
+use super::preconditioner::Pattern;
+use super::system::{State, System};
+use crate::contact::Symmetry;
+use crate::engine::figures::sizes;
+use crate::engine::{Engine, Film, Observer, Problem, Solved};
+use crate::solution::{Figure, Figures, LevelStats, Measured, Reading, Role, Timings};
+use crate::solve::{SolveError, Stopped};
+
+/// Grids from coarse to fine, Newton's method on each.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FiniteVolumes;
+
+/// How finite volumes go about a problem.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plan {
+    /// Relative error of both films at which it ends.
+    pub target_error: f64,
+    /// Unknowns of a grid that it may go to.
+    pub max_unknowns: usize,
+    /// Newton's method.
+    pub newton: NewtonParams,
+    /// Half-widths by which a patch goes beyond the dry contact, in cells of it.
+    pub margin: f64,
+}
+
+impl Plan {
+    /// Patches wide enough for their films to agree with those of whole grids.
+    pub fn new(target_error: f64, max_unknowns: usize) -> Plan {
+        Plan {
+            target_error,
+            max_unknowns,
+            newton: NewtonParams::default(),
+            margin: 45.0,
+        }
+    }
+}
+
+/// What finite volumes found.
+pub struct Volumes {
+    /// The grids, coarse to fine.
+    pub levels: Vec<Level>,
+    /// Effort and figures of each.
+    pub stats: Vec<LevelStats>,
+    /// Whether both films are as accurate as asked for.
+    pub on_target: bool,
+    /// Whether Newton's method did not converge on a further grid.
+    pub stopped: bool,
+    /// What flows out of the wetted part of the finest grid less what flows in, over what passes the centre.
+    pub balance_error: f64,
+}
+
+/// Cell of the first grid in half-widths, and cells from the centre to its edge that it has at most where the contact area is wide.
+const FIRST_CELL: f64 = 0.375;
+const FIRST_CELLS: f64 = 80.0;
+
+/// Most grids: cells of 1e-7 of the contact area.
+const MOST_GRIDS: usize = 24;
+
+/// Grids from which the films' errors are told.
+const LEAST_GRIDS: usize = 4;
+
+/// Multiples of the speed over which a grid is solved that Newton's method does not solve at once.
+const SPEEDS: [f64; 4] = [64.0, 16.0, 4.0, 1.0];
+
+/// What of a contact decides whether finite volumes solve it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct About {
+    /// All is the same along y.
+    pub is_line: bool,
+    /// A roller of finite length.
+    pub is_roller: bool,
+    /// The inlet is not flooded.
+    pub starves: bool,
+    /// The bodies are half-spaces.
+    pub has_half_spaces: bool,
+    /// Its temperature varies.
+    pub heats: bool,
+    /// Stress thins its fluid.
+    pub thins: bool,
+}
+
+/// Why finite volumes do not solve a contact, in words that follow "finite volumes"; `None` where they do.
+pub fn why_not(about: &About) -> Option<&'static str> {
+    let reasons = [
+        (about.is_line, "do not solve line contacts"),
+        (about.is_roller, "do not solve rollers of finite length"),
+        (about.starves, "solve flooded contacts alone"),
+        (
+            !about.has_half_spaces,
+            "need half-spaces, no finite-element bodies",
+        ),
+        (
+            about.heats,
+            "solve isothermal contacts alone ([solver] isothermal = true leaves the heat out)",
+        ),
+        (
+            about.thins,
+            "do not know shear thinning ([solver] newtonian = true leaves it out)",
+        ),
+    ];
+    reasons
+        .into_iter()
+        .find(|(applies, _)| *applies)
+        .map(|(_, reason)| reason)
+}
+
+/// The box, in the plane in which the zone is the unit circle, that a problem is solved in.
+fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
+    let e = &problem.extents;
+    if problem.shape.zone.turn.is_none() {
+        return [[e.inlet, e.outlet], [-e.side, e.side]];
+    }
+    let reach = e.side.max(e.inlet.abs()).max(e.outlet);
+    [[-reach, reach]; 2]
+}
+
+/// The grid with cells of the size h, as far as the margin goes; its corners are nodes of a grid with cells of twice the size.
+fn grid(problem: &Problem<Plan>, h: f64, is_first: bool) -> Grid {
+    let reach = match is_first {
+        true => f64::INFINITY,
+        false => 1.0 + problem.plan.margin * h,
+    };
+    let region = bounds(problem).map(|[low, high]| {
+        let low = (low.max(-reach) / (2.0 * h)).ceil() * 2.0 * h;
+        let high = (high.min(reach) / (2.0 * h)).floor() * 2.0 * h;
+        // Nodes whose pressure is given stand beyond the centre at least.
+        let least = 2.0 * (RING + 1) as f64 * h;
+        [low.min(-least), high.max(least)]
+    });
+    let half = problem.shape.symmetry == Symmetry::Half;
+    Grid::covering(region, h, half, &problem.shape.zone)
+}
+
+/// Newton's method on a grid, at once or over larger speeds.
+fn solve_on(
+    problem: &Problem<Plan>,
+    system: &mut System,
+    state: &mut State,
+    level: usize,
+    observer: &mut dyn Observer,
+) -> Result<NewtonInfo, SolveError> {
+    let pattern = Pattern::new(&system.grid, system.convolution.inverse()).map_err(|error| {
+        SolveError::Factorisation(LuError {
+            n: system.grid.len(),
+            reason: error.to_string(),
+        })
+    })?;
+    let about = (level, problem.scales.film);
+    let params = &problem.plan.newton;
+    let start = state.clone();
+    let mut all = newton(system, &pattern, state, params, about, observer);
+    if all.converged || all.interrupted {
+        return ended(all);
+    }
+    *state = start;
+    for factor in SPEEDS {
+        system.lambda = factor * problem.scales.lambda;
+        let info = newton(system, &pattern, state, params, about, observer);
+        all = NewtonInfo {
+            iterations: all.iterations + info.iterations,
+            krylov_iterations: all.krylov_iterations + info.krylov_iterations,
+            seconds: [0, 1, 2].map(|i: usize| all.seconds[i] + info.seconds[i]),
+            ..info
+        };
+        if info.interrupted || !info.converged {
+            break;
+        }
+    }
+    system.lambda = problem.scales.lambda;
+    ended(all)
+}
+
+fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
+    match info.interrupted {
+        true => Err(SolveError::Interrupted),
+        false => Ok(info),
+    }
+}
+
+/// Error of a level's films, relative, by those before.
+fn film_errors(stats: &[LevelStats]) -> [f64; 2] {
+    [Figure::FilmCentral, Figure::FilmMinimum].map(|figure| {
+        let mut values = stats.iter().rev().map(|level| level.figures.value(figure));
+        let values = [(); 3].map(|()| values.next().flatten());
+        let here = values[0].unwrap_or(f64::NAN);
+        match bar(values) {
+            Some(error) if here > 0.0 => error / here,
+            _ => f64::INFINITY,
+        }
+    })
+}
+
+impl Engine for FiniteVolumes {
+    type Plan = Plan;
+    type Solution = Volumes;
+    type Start = ();
+    type Error = SolveError;
+
+    fn solve(
+        &self,
+        problem: &Problem<Plan>,
+        observer: &mut dyn Observer,
+    ) -> Result<Volumes, SolveError> {
+        let widest = (bounds(problem).iter().flatten()).fold(0.0_f64, |w, b| w.max(b.abs()));
+        let mut h = FIRST_CELL.max(widest / FIRST_CELLS);
+        let mut found = Volumes {
+            levels: Vec::new(),
+            stats: Vec::new(),
+            on_target: false,
+            stopped: false,
+            balance_error: f64::NAN,
+        };
+        let most = problem.plan.max_unknowns;
+        for n in 0..MOST_GRIDS {
+            let clock = Instant::now();
+            let grid = grid(problem, h, n == 0);
+            let unknowns = grid
+                .nodes()
+                .filter(|[i, j]| grid.is_unknown(*i, *j))
+                .count();
+            if unknowns > most && n >= LEAST_GRIDS {
+                break;
+            }
+            observer.level(n, n + 1, unknowns, grid.len());
+            let (mut system, mut state) = match found.levels.last_mut() {
+                None => {
+                    let system = first_system(problem, grid);
+                    let state = first_state(problem, &system);
+                    (system, state)
+                }
+                Some(before) => refined(problem, before, grid),
+            };
+            let operator = clock.elapsed().as_secs_f64();
+            let info = solve_on(problem, &mut system, &mut state, n, observer)?;
+            if !info.converged {
+                if let Some(before) = found.levels.last_mut() {
+                    before.patch = None;
+                }
+                if found.levels.len() >= LEAST_GRIDS {
+                    found.stopped = true;
+                    break;
+                }
+                return Err(SolveError::NotConverged {
+                    level: n,
+                    iterations: info.iterations,
+                    residual: info.imbalance,
+                    update: info.change,
+                    penalty_share: 1.0,
+                    reason: match info.change.is_finite() {
+                        true => Stopped::OutOfIterations,
+                        false => Stopped::NotFinite,
+                    },
+                });
+            }
+            found.levels.push(Level {
+                films: system.films(&state),
+                system,
+                state,
+                info,
+                patch: None,
+            });
+            let cells = found.levels[n].system.grid.len();
+            let [assembly, factorisation, krylov] = info.seconds;
+            let known = operator + assembly + factorisation + krylov;
+            found.stats.push(LevelStats {
+                seconds: Timings {
+                    operator,
+                    assembly,
+                    factorisation,
+                    krylov,
+                    other: clock.elapsed().as_secs_f64() - known,
+                    ..Timings::default()
+                },
+                ..stats(problem, &found.levels, info, [cells, unknowns])
+            });
+            let [central, minimum] = film_errors(&found.stats);
+            found.on_target = central.max(minimum) <= problem.plan.target_error;
+            if found.on_target && n + 1 >= LEAST_GRIDS {
+                break;
+            }
+            h *= 0.5;
+        }
+        // All figures of those grids from which errors are told.
+        let n = found.levels.len();
+        for l in n.saturating_sub(3)..n {
+            found.stats[l].figures = figures(problem, &found.levels[..=l]);
+        }
+        found.balance_error = found.levels.last().map_or(f64::NAN, balance_error);
+        Ok(found)
+    }
+
+    fn solve_from(
+        &self,
+        _problem: &Problem<Plan>,
+        _start: &(),
+        _observer: &mut dyn Observer,
+    ) -> Result<Option<Volumes>, SolveError> {
+        // The dry contact is as good a start as any.
+        Ok(None)
+    }
+}
+
+/// Mass that a grid gains or loses in its wetted part, over what passes the section through its centre.
+fn balance_error(level: &Level) -> f64 {
+    let (grid, at) = (&level.system.grid, level.system.linearise(&level.state));
+    let gained: f64 = (grid.nodes().enumerate().filter(|(k, _)| at.wetted[*k]))
+        .map(|(k, [i, j])| grid.share(i, j) * at.outflow[k])
+        .sum();
+    let [i, j] = grid.centre();
+    let through = |direction: usize, nodes: &mut dyn Iterator<Item = [usize; 2]>| -> f64 {
+        let other = grid.spacing[1 - direction];
+        let flux = |[i, j]: [usize; 2]| at.faces[direction][grid.index(i, j)].flux;
+        nodes
+            .map(|at| grid.share(at[0], at[1]) * flux(at))
+            .sum::<f64>()
+            * other
+    };
+    let along = through(0, &mut (0..grid.n[1]).map(|j| [i, j]));
+    let across = through(1, &mut (0..grid.n[0]).map(|i| [i, j]));
+    gained * grid.cell() / along.abs().max(across.abs())
+}
+
+/// Effort and films of the last grid.
+fn stats(
+    problem: &Problem<Plan>,
+    levels: &[Level],
+    info: NewtonInfo,
+    [cells, unknowns]: [usize; 2],
+) -> LevelStats {
+    let scales = &problem.scales;
+    let (h_c, h_m, place) = films(levels);
+    let mut figures = Figures::default();
+    figures.note(Figure::FilmCentral, Reading::new(scales.film * h_c));
+    let lowest = Reading::new(scales.film * h_m).at(place.map(|x| x * scales.length));
+    figures.note(Figure::FilmMinimum, lowest);
+    LevelStats {
+        converged: info.converged,
+        n_body_cells: 0,
+        n_contact_elements: cells,
+        n_pressure_dofs: unknowns,
+        n_displacement_dofs: 0,
+        n_contact_dofs: cells,
+        pressure_order: 1,
+        role: Role::Final,
+        newton_iterations: info.iterations,
+        krylov_iterations: info.krylov_iterations,
+        factorisations: info.iterations,
+        figures,
+        estimate: None,
+        seconds: Timings::default(),
+    }
+}
+
+impl Solved for Volumes {
+    type Plan = Plan;
+
+    fn film(&self, problem: &Problem<Plan>) -> impl Film {
+        PatchedFilm::new(&problem.shape, &self.levels)
+    }
+
+    fn measured(&self, problem: &Problem<Plan>) -> Measured {
+        let mut newest = self.stats.iter().rev().map(|level| &level.figures);
+        let of_grids = [(); 3].map(|()| newest.next());
+        let cell = (self.levels.last()).map_or(0.0, |level| level.system.grid.spacing[0]);
+        let measured = Measured {
+            figures: of_grids[0].copied().unwrap_or_default(),
+            bars: bars(of_grids, cell * problem.scales.length),
+            half_width: problem.scales.length,
+        };
+        let measured = measured.without_rounding(&sizes(problem));
+        match problem.shape.symmetry {
+            Symmetry::Half => measured.with_mirrored_end(),
+            Symmetry::Full => measured,
+        }
+    }
+
+    fn levels(&self) -> &[LevelStats] {
+        &self.stats
+    }
+}

@@ -1,0 +1,232 @@
+//! Figures of a film on patches, and their error bars from grid to grid.
+//!
+//! ```text
+//!   bar = S max(c |f_n − f_(n−1)|, |f_(n−1) − f_(n−2)|/16),   c = r/(1 − r) within [⅓, 1],  r = |f_n − f_(n−1)| / |f_(n−1) − f_(n−2)|
+//! ```
+//! c is what is left of a geometric series of differences: ⅓ where they fall with the square of the cell, 1 where they fall with it or not at all.
+//! A difference that vanishes by chance is held up by the one before.
+
+use super::engine::Plan;
+use super::fields::profile;
+use super::film::PatchedFilm;
+use super::grid::Grid;
+use super::level::Level;
+use crate::engine::figures::{note_friction, share_of_film};
+use crate::engine::hills::hills;
+use crate::engine::{Film, Problem, Profile};
+use crate::solution::{Bar, Bars, Figure, Figures, Reading};
+
+/// Central and minimum film in a²/R, the latter with its place.
+pub fn films(levels: &[Level]) -> (f64, f64, [f64; 2]) {
+    let centre = levels.last().map_or(f64::NAN, |level| {
+        let grid = &level.system.grid;
+        let [i, j] = grid.centre();
+        level.films[grid.index(i, j)]
+    });
+    let lowest = (levels.iter().enumerate())
+        .flat_map(|(l, level)| {
+            let nodes = level.system.grid.nodes();
+            nodes
+                .filter(move |[i, j]| super::film::share(levels, l, *i, *j) > 0.0)
+                .map(move |[i, j]| (level, i, j))
+        })
+        .min_by(|a, b| {
+            let film = |(level, i, j): &(&Level, usize, usize)| {
+                level.films[level.system.grid.index(*i, *j)]
+            };
+            film(a).total_cmp(&film(b))
+        });
+    let Some((level, i, j)) = lowest else {
+        return (centre, f64::NAN, [0.0; 2]);
+    };
+    let (minimum, place) = extreme(&level.system.grid, &level.films, i, j);
+    (centre, minimum, place)
+}
+
+/// Vertex of the parabolas through the values at a node that is higher or lower than its neighbours.
+fn extreme(grid: &Grid, values: &[f64], i: usize, j: usize) -> (f64, [f64; 2]) {
+    let [nx, ny] = grid.n;
+    let here = values[grid.index(i, j)];
+    let (mut value, mut at) = (here, grid.on_axes(i, j));
+    let along = (i > 0 && i + 1 < nx).then(|| [grid.index(i - 1, j), grid.index(i + 1, j)]);
+    let across = match j + 1 == ny {
+        true => None,
+        false => (j > 0).then(|| [grid.index(i, j - 1), grid.index(i, j + 1)]),
+    };
+    for (d, sides) in [along, across].into_iter().enumerate() {
+        let Some([low, high]) = sides.map(|sides| sides.map(|k| values[k])) else {
+            continue;
+        };
+        let (slope, curvature) = (0.5 * (high - low), high - 2.0 * here + low);
+        if curvature != 0.0 && slope.abs() <= curvature.abs() {
+            value -= 0.5 * slope * slope / curvature;
+            at[d] -= slope / curvature * grid.spacing[d];
+        }
+    }
+    (value, grid.turn.to_motion(at))
+}
+
+/// Figures of the first grids of a solve, SI.
+pub fn figures(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
+    let scales = &problem.scales;
+    let at = |value: f64, place: [f64; 2]| Reading::new(value).at(place.map(|x| x * scales.length));
+    let mut figures = Figures::default();
+    let Some(finest) = levels.last() else {
+        return figures;
+    };
+    let (h_c, h_m, place) = films(levels);
+    figures.note(Figure::FilmCentral, Reading::new(scales.film * h_c));
+    figures.note(Figure::FilmMinimum, at(scales.film * h_m, place));
+    note_pressures(&mut figures, problem, finest, h_c);
+    let film = PatchedFilm::new(&problem.shape, levels);
+    let [mean] = film.points().mean_in_zone(|fields| Some([fields.film]));
+    figures.note(Figure::FilmMean, Reading::new(scales.film * mean));
+    let profile = profile(&film);
+    let (h_line, x_line) = profile.film_minimum();
+    let thinnest = at(scales.film * h_line, [x_line, 0.0]);
+    figures.note(Figure::FilmCentrelineMinimum, thinnest);
+    if let Some((p, x)) = profile.spike() {
+        figures.note(Figure::Spike, at(scales.pressure * p, [x, 0.0]));
+    }
+    let outlet = Reading::new(scales.length * outlet(&profile));
+    figures.note(Figure::OutletPosition, outlet);
+    note_friction(&mut figures, problem, &problem.fluid, &film, false);
+    figures
+}
+
+/// Where the film breaks on the centreline: pressures end with the square of the distance, so that their roots point there from the last two nodes.
+fn outlet(profile: &Profile) -> f64 {
+    let node = profile.outlet();
+    let Some(i) = profile
+        .x
+        .iter()
+        .position(|x| *x >= node)
+        .filter(|i| *i >= 2)
+    else {
+        return node;
+    };
+    let [before, last] = [i - 2, i - 1].map(|i| profile.fields[i].pressure.max(0.0).sqrt());
+    let (x, step) = (profile.x[i - 1], profile.x[i] - profile.x[i - 1]);
+    match before > last {
+        true => x + (step * last / (before - last)).min(step),
+        false => node,
+    }
+}
+
+/// The largest pressure, that of the hill in the middle, and that of the ridge beside it.
+fn note_pressures(figures: &mut Figures, problem: &Problem<Plan>, level: &Level, h_c: f64) {
+    let scales = &problem.scales;
+    let (grid, pressure) = (&level.system.grid, &level.state.pressure);
+    let [nx, ny] = grid.n;
+    let neighbours: Vec<Vec<u32>> = (grid.nodes())
+        .map(|[i, j]| {
+            let rows = j.saturating_sub(1)..(j + 2).min(ny);
+            rows.flat_map(|y| (i.saturating_sub(1)..(i + 2).min(nx)).map(move |x| [x, y]))
+                .filter(|other| *other != [i, j])
+                .map(|[x, y]| grid.index(x, y) as u32)
+                .collect()
+        })
+        .collect();
+    let [i, j] = grid.centre();
+    let found = hills(pressure, &neighbours, grid.index(i, j));
+    let top = |k: usize| extreme(grid, pressure, k % nx, k / nx);
+    let at = |(p, place): (f64, [f64; 2])| {
+        Reading::new(scales.pressure * p).at(place.map(|x| x * scales.length))
+    };
+    let (p, place) = top(found.central);
+    let central = Reading {
+        size: scales.pressure * share_of_film(p, h_c),
+        ..at((p, place))
+    };
+    figures.note(Figure::PressureCentral, central);
+    // A ridge is as narrow as the cells: no parabola.
+    let ridge = (found.others.into_iter())
+        .map(|k| (pressure[k], grid.place(k % nx, k / nx)))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some(ridge) = ridge {
+        figures.note(Figure::PressureRidge, at(ridge));
+    }
+    let largest = match ridge {
+        Some(ridge) if ridge.0 > p => at(ridge),
+        _ => central,
+    };
+    figures.note(Figure::PressureMaximum, largest);
+}
+
+/// Factor on all bars.
+const SAFETY: f64 = 1.5;
+
+/// Share of a difference that the next one is at least, at second order twice over.
+const LEAST_SHARE: f64 = 1.0 / 16.0;
+
+/// Error that the last of up to three values errs by, the newest first.
+pub fn bar(values: [Option<f64>; 3]) -> Option<f64> {
+    let [Some(here), Some(before), first] = values else {
+        return None;
+    };
+    let last = (here - before).abs();
+    let Some(first) = first else {
+        return Some(SAFETY * last);
+    };
+    let former = (before - first).abs();
+    let ratio = last / former;
+    let share = match ratio < 0.5 {
+        true => (ratio / (1.0 - ratio)).max(1.0 / 3.0),
+        false => 1.0,
+    };
+    Some(SAFETY * (share * last).max(LEAST_SHARE * former))
+}
+
+/// Error bars from the figures of up to three grids, the newest first.
+pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64) -> Bars {
+    let mut bars = Bars::default();
+    let Some(newest) = of_grids[0] else {
+        return bars;
+    };
+    for figure in Figure::ALL {
+        let readings = of_grids.map(|figures| figures.and_then(|f| f.get(figure)));
+        let Some(value) = bar(readings.map(|r| r.map(|r: Reading| r.value))) else {
+            continue;
+        };
+        let reading = newest.get(figure).unwrap_or(Reading::new(0.0));
+        // A film below zero is none.
+        let value = match figure {
+            Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => f64::INFINITY,
+            _ => value.max(reading.misfit) + reading.cut,
+        };
+        let places = readings.map(|r| r.and_then(|r| r.place));
+        let place = match places {
+            [Some(here), Some(before), _] => {
+                let distance = (here[0] - before[0]).hypot(here[1] - before[1]);
+                Some(SAFETY * distance.max(cell))
+            }
+            _ => None,
+        };
+        if value.is_finite() {
+            bars.set(figure, Bar { value, place });
+        }
+    }
+    bars
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// By hand: 1.16, 1.04, 1.01 fall with the square and err by 0.01; 1.4, 1.2, 1.1 with the cell and err by 0.1; a difference that vanishes counts a
+    /// sixteenth of the one before; one grid more than another has no error to tell.
+    #[test]
+    fn bars_by_hand() {
+        let of = |values: [f64; 3]| bar(values.map(Some)).unwrap() / SAFETY;
+        assert_relative_eq!(of([1.01, 1.04, 1.16]), 0.01, max_relative = 1e-9);
+        assert_relative_eq!(of([1.1, 1.2, 1.4]), 0.1, max_relative = 1e-9);
+        assert_relative_eq!(of([1.0, 1.0, 1.16]), 0.01, max_relative = 1e-9);
+        assert_relative_eq!(
+            bar([Some(1.1), Some(1.2), None]).unwrap(),
+            0.15,
+            max_relative = 1e-9
+        );
+        assert_eq!(bar([Some(1.1), None, None]), None);
+    }
+}

@@ -1,0 +1,201 @@
+//! The film on all patches together.
+
+use rayon::prelude::*;
+
+use super::grid::Grid;
+use super::level::Level;
+use crate::contact::Shape;
+use crate::engine::region::Region;
+use crate::engine::{Film, Point, PointFields, PointTable};
+
+/// The film of grids, each inside the one before, with the table of its nodes.
+pub struct PatchedFilm<'a> {
+    shape: Shape,
+    levels: &'a [Level],
+    points: PointTable,
+}
+
+/// Rows that a thread takes at a time.
+const ROWS: usize = 8;
+
+impl<'a> PatchedFilm<'a> {
+    /// Of the first grids of a solve, the last of which is not looked beyond.
+    pub fn new(shape: &Shape, levels: &'a [Level]) -> PatchedFilm<'a> {
+        let whole = Region::of(shape);
+        let shorter = whole.shorter(shape);
+        let row = |l: usize, j: usize| -> Vec<Point> {
+            let grid = &levels[l].system.grid;
+            let of_node = |i: usize| {
+                let share = share(levels, l, i, j);
+                (share > 0.0).then(|| {
+                    let fields = node_fields(shape, &levels[l], i, j);
+                    Point {
+                        area: share * grid.cell(),
+                        within: [&whole, &shorter].map(|region| inside(region, grid, i, j)),
+                        in_zone: shape.zone.contains(fields.place),
+                        fields,
+                    }
+                })
+            };
+            (0..grid.n[0]).filter_map(of_node).collect()
+        };
+        let rows: Vec<(usize, usize)> = (0..levels.len())
+            .flat_map(|l| (0..levels[l].system.grid.n[1]).map(move |j| (l, j)))
+            .collect();
+        let groups = (rows.into_par_iter().with_min_len(ROWS))
+            .map(|(l, j)| row(l, j))
+            .collect();
+        PatchedFilm {
+            shape: shape.clone(),
+            levels,
+            points: PointTable::new(groups),
+        }
+    }
+
+    /// H at the centre.
+    pub fn centre(&self) -> f64 {
+        self.at([0.0; 2]).map_or(f64::NAN, |fields| fields.film)
+    }
+
+    /// The grids, coarse to fine.
+    pub fn levels(&self) -> &'a [Level] {
+        self.levels
+    }
+}
+
+/// Share of its cell that a node of a level stands for beside the next one.
+pub fn share(levels: &[Level], l: usize, i: usize, j: usize) -> f64 {
+    match l + 1 == levels.len() {
+        true => levels[l].system.grid.share(i, j),
+        false => levels[l].share(i, j),
+    }
+}
+
+/// Share of the cell of a node within a region, by the distance from its end.
+fn inside(region: &Region, grid: &Grid, i: usize, j: usize) -> f64 {
+    let radius = |dx: f64, dy: f64| {
+        let [x, y] = grid.on_axes(i, j);
+        let at = [x + dx * grid.spacing[0], y + dy * grid.spacing[1]];
+        let [x, y] = region.unit(grid.turn.to_motion(at));
+        x.hypot(y)
+    };
+    let change =
+        (radius(0.5, 0.0) - radius(-0.5, 0.0)).abs() + (radius(0.0, 0.5) - radius(0.0, -0.5)).abs();
+    match change > 0.0 {
+        true => (0.5 + (1.0 - radius(0.0, 0.0)) / change).clamp(0.0, 1.0),
+        false => 1.0,
+    }
+}
+
+/// Fields at a node.
+pub fn node_fields(shape: &Shape, level: &Level, i: usize, j: usize) -> PointFields {
+    let grid = &level.system.grid;
+    let k = grid.index(i, j);
+    with_film(
+        shape,
+        level,
+        PointFields {
+            place: grid.place(i, j),
+            pressure: level.state.pressure[k],
+            pressure_gradient: grid
+                .turn
+                .to_motion(slopes(grid, &level.state.pressure, i, j)),
+            film: level.films[k],
+            ..PointFields::default()
+        },
+    )
+}
+
+/// Gap and deflection of a place whose film is known.
+fn with_film(shape: &Shape, level: &Level, mut fields: PointFields) -> PointFields {
+    fields.gap = shape.gap.value(fields.place);
+    fields.deflection = fields.film - level.state.separation - fields.gap;
+    fields
+}
+
+/// Slopes along both directions by differences, one-sided along the edges.
+fn slopes(grid: &Grid, values: &[f64], i: usize, j: usize) -> [f64; 2] {
+    let difference = |at: usize, n: usize, mirrored: bool, of: &dyn Fn(usize) -> f64, h: f64| {
+        if mirrored && at + 1 == n {
+            return 0.0;
+        }
+        let (low, high) = (at.saturating_sub(1), (at + 1).min(n - 1));
+        (of(high) - of(low)) / ((high - low) as f64 * h)
+    };
+    let [nx, ny] = grid.n;
+    [
+        difference(i, nx, false, &|i| values[grid.index(i, j)], grid.spacing[0]),
+        difference(
+            j,
+            ny,
+            grid.half,
+            &|j| values[grid.index(i, j)],
+            grid.spacing[1],
+        ),
+    ]
+}
+
+impl Film for PatchedFilm<'_> {
+    fn points(&self) -> &PointTable {
+        &self.points
+    }
+
+    fn at(&self, place: [f64; 2]) -> Option<PointFields> {
+        let half = self.levels.first()?.system.grid.half;
+        let mirrored = half && place[1] > 0.0;
+        let own = if mirrored {
+            [place[0], -place[1]]
+        } else {
+            place
+        };
+        let mut fields =
+            (self.levels.iter().rev()).find_map(|level| at(&self.shape, level, own))?;
+        if mirrored {
+            fields.place = place;
+            fields.pressure_gradient[1] *= -1.0;
+        }
+        Some(fields)
+    }
+}
+
+/// Fields at a place of a grid, between the nodes by straight lines; `None` beyond its edge.
+fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
+    let grid = &level.system.grid;
+    let axes = grid.turn.to_axes(place);
+    let (mut cell, mut weight) = ([0; 2], [0.0; 2]);
+    for d in 0..2 {
+        let at = axes[d] / grid.spacing[d] - grid.first[d] as f64;
+        let last = (grid.n[d] - 1) as f64;
+        // Rounding does not lead out of the grid.
+        if !(-ON_EDGE..=last + ON_EDGE).contains(&at) {
+            return None;
+        }
+        cell[d] = (at.max(0.0) as usize).min(grid.n[d] - 2);
+        weight[d] = at - cell[d] as f64;
+    }
+    let mut fields = PointFields {
+        place,
+        ..PointFields::default()
+    };
+    let mut deflection = 0.0;
+    for (di, wx) in [(0, 1.0 - weight[0]), (1, weight[0])] {
+        for (dj, wy) in [(0, 1.0 - weight[1]), (1, weight[1])] {
+            let node = node_fields(shape, level, cell[0] + di, cell[1] + dj);
+            let w = wx * wy;
+            fields.pressure += w * node.pressure;
+            deflection += w * node.deflection;
+            for (sum, slope) in fields
+                .pressure_gradient
+                .iter_mut()
+                .zip(node.pressure_gradient)
+            {
+                *sum += w * slope;
+            }
+        }
+    }
+    fields.film = level.state.separation + shape.gap.value(place) + deflection;
+    Some(with_film(shape, level, fields))
+}
+
+/// Share of a cell by which a place may lie beyond the edge of its grid.
+const ON_EDGE: f64 = 1e-9;

@@ -1,0 +1,95 @@
+//! Regular grids of nodes, each in the middle of its volume.
+
+use crate::contact::{HertzZone, Turn};
+
+/// Layers of nodes along an edge whose pressure is given: what the third-order upwind fluxes reach for.
+pub const RING: usize = 2;
+
+/// Nodes of a patch, lines along the principal directions of the bodies; one node is the centre of the contact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    /// Distance of the nodes along the first and the second principal direction, in half-widths.
+    pub spacing: [f64; 2],
+    /// Number of the first node along each direction, counted from the centre.
+    pub first: [i64; 2],
+    /// Nodes along each direction.
+    pub n: [usize; 2],
+    /// Whether the last row is the centreline, beyond which all is mirrored.
+    pub half: bool,
+    /// From the motion to the principal directions.
+    pub turn: Turn,
+}
+
+impl Grid {
+    /// The grid that covers a box of the plane in which the zone is the unit circle, `[[low, high]; 2]`, with cells of the size h there.
+    pub fn covering(bounds: [[f64; 2]; 2], h: f64, half: bool, zone: &HertzZone) -> Grid {
+        let first = bounds.map(|[low, _]| (low / h).round() as i64);
+        let last = bounds.map(|[_, high]| (high / h).round() as i64);
+        let last = [last[0], if half { 0 } else { last[1] }];
+        Grid {
+            spacing: [h, h * zone.axis_ratio],
+            first,
+            n: [0, 1].map(|i: usize| (last[i] - first[i] + 1) as usize),
+            half,
+            turn: zone.turn,
+        }
+    }
+
+    /// Number of nodes.
+    pub fn len(&self) -> usize {
+        self.n[0] * self.n[1]
+    }
+
+    /// Position of a node in arrays.
+    #[inline(always)]
+    pub fn index(&self, i: usize, j: usize) -> usize {
+        j * self.n[0] + i
+    }
+
+    /// Place of a node along the principal directions.
+    #[inline(always)]
+    pub fn on_axes(&self, i: usize, j: usize) -> [f64; 2] {
+        [
+            (self.first[0] + i as i64) as f64 * self.spacing[0],
+            (self.first[1] + j as i64) as f64 * self.spacing[1],
+        ]
+    }
+
+    /// Place of a node along and across the motion.
+    pub fn place(&self, i: usize, j: usize) -> [f64; 2] {
+        self.turn.to_motion(self.on_axes(i, j))
+    }
+
+    /// The node at the centre.
+    pub fn centre(&self) -> [usize; 2] {
+        self.first.map(|first| (-first) as usize)
+    }
+
+    /// Whether the pressure of a node is unknown; that of the nodes along the edge is given.
+    #[inline(always)]
+    pub fn is_unknown(&self, i: usize, j: usize) -> bool {
+        let [nx, ny] = self.n;
+        let above = if self.half { ny } else { ny - RING };
+        (RING..nx - RING).contains(&i) && (RING..above).contains(&j)
+    }
+
+    /// Share of its cell that a node stands for in sums: half of it along the edges and on the centreline of a half.
+    #[inline(always)]
+    pub fn share(&self, i: usize, j: usize) -> f64 {
+        let [nx, ny] = self.n;
+        let x = if i == 0 || i + 1 == nx { 0.5 } else { 1.0 };
+        let y = if j == 0 || j + 1 == ny { 0.5 } else { 1.0 };
+        x * y
+    }
+
+    /// Area of a cell.
+    pub fn cell(&self) -> f64 {
+        self.spacing[0] * self.spacing[1]
+    }
+
+    /// All nodes, row by row.
+    pub fn nodes(&self) -> impl Iterator<Item = [usize; 2]> {
+        let [nx, ny] = self.n;
+        (0..ny).flat_map(move |j| (0..nx).map(move |i| [i, j]))
+    }
+}

@@ -1,0 +1,178 @@
+//! From a grid to one with cells of half the size on a smaller patch; pressures beyond the patch stand.
+
+use super::convolution::Convolution;
+use super::grid::Grid;
+use super::newton::NewtonInfo;
+use super::system::{State, System};
+use crate::contact::Gap;
+use crate::elastic::compliance;
+use crate::engine::Problem;
+
+/// A grid that was solved on.
+pub struct Level {
+    /// The film equation there.
+    pub system: System,
+    /// Its solution.
+    pub state: State,
+    /// H at the nodes.
+    pub films: Vec<f64>,
+    /// How Newton's method went.
+    pub info: NewtonInfo,
+    /// Where the next grid lies on this one: its first and last node here along each direction.
+    pub patch: Option<[[usize; 2]; 2]>,
+}
+
+impl Level {
+    /// Share of its cell that a node stands for beside the next grid.
+    pub fn share(&self, i: usize, j: usize) -> f64 {
+        let own = self.system.grid.share(i, j);
+        let Some(patch) = self.patch else {
+            return own;
+        };
+        own * (1.0 - within(patch, self.system.grid.half, i, j))
+    }
+}
+
+/// Share of the cell of a node that lies in a patch.
+fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
+    let along = |[low, high]: [usize; 2], at: usize, ends: bool| match at {
+        _ if at < low || at > high => 0.0,
+        _ if at == low || (at == high && ends) => 0.5,
+        _ => 1.0,
+    };
+    along(x, i, true) * along(y, j, !half)
+}
+
+/// Half-spaces under a grid, without pressure beyond it.
+pub fn first_system<Plan>(problem: &Problem<Plan>, grid: Grid) -> System {
+    let gap = (grid.nodes())
+        .map(|[i, j]| problem.shape.gap.value(grid.place(i, j)))
+        .collect();
+    System {
+        convolution: Convolution::new(&grid, compliance(&problem.elasticity.bodies)),
+        gap,
+        load: problem.load,
+        fluid: problem.fluid.clone(),
+        lambda: problem.scales.lambda,
+        entrainment: problem.entrainment,
+        grid,
+    }
+}
+
+/// The dry contact on the first grid, in a film of the start.
+pub fn first_state<Plan>(problem: &Problem<Plan>, system: &System) -> State {
+    let (grid, zone) = (&system.grid, &problem.shape.zone);
+    let mut pressure: Vec<f64> = (grid.nodes())
+        .map(|[i, j]| match grid.is_unknown(i, j) {
+            true => zone.pressure(grid.place(i, j)),
+            false => 0.0,
+        })
+        .collect();
+    // The load of the dry contact as the grid has it.
+    let factor = system.load / system.integral(&pressure);
+    pressure.iter_mut().for_each(|p| *p *= factor);
+    let mut state = State {
+        wetted: pressure.iter().map(|p| *p > 0.0).collect(),
+        pressure,
+        separation: 0.0,
+    };
+    let [i, j] = grid.centre();
+    state.separation = problem.start_film - system.films(&state)[grid.index(i, j)];
+    state
+}
+
+/// System and start of a grid inside that of a level, with nodes at half the distance; the level learns where it lies.
+pub fn refined<Plan>(problem: &Problem<Plan>, before: &mut Level, grid: Grid) -> (System, State) {
+    let coarse = before.system.grid.clone();
+    let start = [0, 1].map(|d: usize| (grid.first[d].div_euclid(2) - coarse.first[d]) as usize);
+    let patch = [0, 1].map(|d: usize| [start[d], start[d] + (grid.n[d] - 1) / 2]);
+    before.patch = Some(patch);
+    let own = &before.state;
+    let inside: Vec<f64> = (coarse.nodes().zip(&own.pressure))
+        .map(|([i, j], p)| p * within(patch, coarse.half, i, j))
+        .collect();
+    let centreline = |j: usize| {
+        if coarse.half && j + 1 == coarse.n[1] {
+            0.5
+        } else {
+            1.0
+        }
+    };
+    let load_inside: f64 = (coarse.nodes().zip(&inside))
+        .map(|([_, j], p)| p * centreline(j))
+        .sum::<f64>()
+        * coarse.cell();
+    let by_inside = before.system.convolution.apply(&inside);
+    let outer = beyond(before, &problem.shape.gap, &by_inside);
+    let mut system = first_system(problem, grid);
+    system.load = before.system.load - before.system.integral(&own.pressure) + load_inside;
+    let sampled = Sampled {
+        coarse: &coarse,
+        start,
+    };
+    let mut pressure = vec![0.0; system.grid.len()];
+    for [i, j] in system.grid.nodes() {
+        let k = system.grid.index(i, j);
+        pressure[k] = sampled.linear(&own.pressure, i, j);
+        system.gap[k] += sampled.cubic(&outer, i, j);
+    }
+    let state = State {
+        wetted: pressure.iter().map(|p| *p > 0.0).collect(),
+        pressure,
+        separation: own.separation,
+    };
+    (system, state)
+}
+
+/// Deflection at the nodes of a level by all pressures but those of the next grid.
+fn beyond(level: &Level, gap: &Gap, by_inside: &[f64]) -> Vec<f64> {
+    let grid = &level.system.grid;
+    (grid.nodes().zip(level.films.iter().zip(by_inside)))
+        .map(|([i, j], (film, inside))| {
+            film - level.state.separation - gap.value(grid.place(i, j)) - inside
+        })
+        .collect()
+}
+
+/// Values of a coarse grid at the nodes of one with half the spacing inside it.
+struct Sampled<'a> {
+    coarse: &'a Grid,
+    /// The coarse node at which the fine grid begins.
+    start: [usize; 2],
+}
+
+impl Sampled<'_> {
+    fn at(&self, values: &[f64], x: i64, y: i64) -> f64 {
+        let [cx, cy] = self.coarse.n.map(|n| n as i64);
+        let y = match self.coarse.half && y >= cy {
+            true => 2 * (cy - 1) - y,
+            false => y,
+        };
+        values[(self.coarse).index(x.clamp(0, cx - 1) as usize, y.clamp(0, cy - 1) as usize)]
+    }
+
+    /// Between the nodes by straight lines: no new extremum.
+    fn linear(&self, values: &[f64], i: usize, j: usize) -> f64 {
+        let [x, y] = [self.start[0] + i / 2, self.start[1] + j / 2].map(|n| n as i64);
+        let [a, b] = [i % 2, j % 2].map(|n| n as i64);
+        let corners = [[0, 0], [a, 0], [0, b], [a, b]];
+        0.25 * corners
+            .map(|[a, b]| self.at(values, x + a, y + b))
+            .iter()
+            .sum::<f64>()
+    }
+
+    /// Between the nodes by cubics.
+    fn cubic(&self, values: &[f64], i: usize, j: usize) -> f64 {
+        let [x, y] = [self.start[0] + i / 2, self.start[1] + j / 2].map(|n| n as i64);
+        let between = |v: [f64; 4]| (9.0 * (v[1] + v[2]) - v[0] - v[3]) / 16.0;
+        let along = |y: i64| match i % 2 {
+            0 => self.at(values, x, y),
+            _ => between([-1, 0, 1, 2].map(|d| self.at(values, x + d, y))),
+        };
+        match j % 2 {
+            0 => along(y),
+            _ => between([-1, 0, 1, 2].map(|d| along(y + d))),
+        }
+    }
+}

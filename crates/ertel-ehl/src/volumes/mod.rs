@@ -1,0 +1,42 @@
+//! Finite volumes on regular grids: a monotone engine for flooded isothermal point contacts of half-spaces.
+//!
+//! ```text
+//!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
+//!   H = H_0 + G + δ,  δ = K * P                           by fast Fourier transforms
+//! ```
+//! The flux through a face takes ln μ̄ as linear between its nodes (exponential fitting): a higher pressure drives more flow out and none in,
+//! whatever the viscosity does between them. Newton's method converges from the dry contact with whole steps, without continuation.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`grid`] | nodes of a patch |
+//! | [`convolution`] | deflection of the half-spaces |
+//! | [`faces`] | flux through a face and its derivatives |
+//! | [`system`] | the equation, its linearisation and Newton's step |
+//! | [`preconditioner`] | what is factorised for it |
+//! | [`newton`] | Newton's method with active sets |
+//! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
+//! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
+//! | [`figures`], [`summary`] | figures, error bars, warnings |
+//! | [`engine`] | grids until the films are as accurate as asked for |
+//!
+//! Theory: Finite volumes.
+
+pub mod composite;
+pub mod convolution;
+pub mod engine;
+pub mod faces;
+pub mod fields;
+pub mod figures;
+pub mod film;
+pub mod grid;
+pub mod level;
+pub mod newton;
+pub mod preconditioner;
+pub mod summary;
+pub mod system;
+
+pub use engine::{About, FiniteVolumes, Plan, Volumes, why_not};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,134 @@
+//! Newton's method with active sets on one grid.
+
+use ertel_fem::linear::gmres::GmresParams;
+use ertel_fem::platform::Instant;
+
+use super::preconditioner::{Pattern, Preconditioner};
+use super::system::{State, System};
+use crate::engine::Observer;
+use crate::solution::IterationRecord;
+
+/// When to stop, and what steps are cut to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NewtonParams {
+    /// Largest change of a pressure, in p_h, at which it ends: the next one would be its square.
+    pub tolerance: f64,
+    /// Most iterations.
+    pub max_iterations: usize,
+    /// Largest rise of a pressure in one step, in p_h; falls are not cut.
+    pub largest_rise: f64,
+    /// Relative residual of the linear solves.
+    pub krylov_tolerance: f64,
+    /// Most Krylov iterations in a step.
+    pub max_krylov_iterations: usize,
+}
+
+impl Default for NewtonParams {
+    fn default() -> NewtonParams {
+        NewtonParams {
+            tolerance: 1e-3,
+            max_iterations: 30,
+            largest_rise: 0.3,
+            krylov_tolerance: 1e-2,
+            max_krylov_iterations: 60,
+        }
+    }
+}
+
+/// How it went.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct NewtonInfo {
+    /// Whether the last change was below the tolerance.
+    pub converged: bool,
+    /// Iterations, with as many factorisations.
+    pub iterations: usize,
+    /// Krylov iterations in all.
+    pub krylov_iterations: usize,
+    /// Largest change of a pressure in the last step, in p_h.
+    pub change: f64,
+    /// Largest imbalance of mass of a wetted node before it, over what is entrained.
+    pub imbalance: f64,
+    /// Whether the observer asked to stop.
+    pub interrupted: bool,
+    /// Wall seconds of the equation with its derivatives, the factorisations and the Krylov iterations.
+    pub seconds: [f64; 3],
+}
+
+/// Solves on a grid from a state, which it leaves at the solution. `film_scale` is a²/R in m.
+pub fn newton(
+    system: &System,
+    pattern: &Pattern,
+    state: &mut State,
+    params: &NewtonParams,
+    (level, film_scale): (usize, f64),
+    observer: &mut dyn Observer,
+) -> NewtonInfo {
+    let mut info = NewtonInfo::default();
+    let [i, j] = system.grid.centre();
+    let centre = system.grid.index(i, j);
+    let linear = GmresParams {
+        tolerance: params.krylov_tolerance,
+        max_iterations: params.max_krylov_iterations,
+    };
+    while info.iterations < params.max_iterations {
+        if observer.cancelled() {
+            info.interrupted = true;
+            return info;
+        }
+        let clock = Instant::now();
+        let at = system.linearise(state);
+        info.seconds[0] += clock.elapsed().as_secs_f64();
+        let clock = Instant::now();
+        let Some(mut preconditioner) = Preconditioner::new(pattern, &at) else {
+            return info;
+        };
+        info.seconds[1] += clock.elapsed().as_secs_f64();
+        let clock = Instant::now();
+        let step = system.step(&at, state, &mut preconditioner, linear);
+        info.seconds[2] += clock.elapsed().as_secs_f64();
+        info.iterations += 1;
+        info.krylov_iterations += step.krylov_iterations;
+        info.change = 0.0;
+        info.imbalance = 0.0;
+        for (k, (p, change)) in state.pressure.iter_mut().zip(&step.pressure).enumerate() {
+            let next = *p + change.min(params.largest_rise);
+            // The set of the next step goes by what this one asks for, not by what is left of it: else nodes by the edge of the film
+            // come and go.
+            state.wetted[k] = at.wetted[k] && next > 0.0;
+            let next = next.max(0.0);
+            // No maximum: it would lose a number that is none.
+            let size = (next - *p).abs();
+            if size > info.change || !change.is_finite() {
+                info.change = if change.is_finite() { size } else { f64::NAN };
+            }
+            *p = next;
+            if at.wetted[k] {
+                info.imbalance = info.imbalance.max(at.outflow[k].abs());
+            }
+        }
+        state.separation += step.separation;
+        info.imbalance *= system.grid.spacing[0] / at.nodes[centre].film.abs();
+        observer.iteration(&IterationRecord {
+            level,
+            pressure_order: 1,
+            penalty_share: 1.0,
+            iteration: info.iterations,
+            residual: info.imbalance,
+            update: info.change,
+            step: 1.0,
+            krylov_iterations: step.krylov_iterations,
+            film_central: film_scale * at.nodes[centre].film,
+            heat: None,
+        });
+        if !(info.change.is_finite() && state.separation.is_finite()) {
+            return info;
+        }
+        // A step that the linear solver left half way says nothing.
+        let exact = step.krylov_iterations < params.max_krylov_iterations;
+        if exact && info.change < params.tolerance {
+            info.converged = true;
+            return info;
+        }
+    }
+    info
+}

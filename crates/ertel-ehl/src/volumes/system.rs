@@ -1,0 +1,308 @@
+//! The film equation on a grid, and what Newton's method asks of it.
+//!
+//! ```text
+//!   G_i = Σ F through the faces of node i / its area,    P_i ≥ 0,  G_i ≥ 0,  P_i G_i = 0
+//!   H = H_0 + G + δ_outer + K P,    ΣP dA = load of the grid
+//! ```
+//! Where the film has broken P = 0, and more flows out than in; everywhere else as much as in.
+
+use ertel_fem::linear::gmres::{GmresParams, gmres};
+use rayon::prelude::*;
+
+use super::convolution::Convolution;
+use super::faces::{Face, Node, face};
+use super::grid::{Grid, RING};
+use super::preconditioner::Preconditioner;
+use crate::contact::Planar;
+use crate::film::FilmFluid;
+
+/// A film on a grid: what does not change during a solve.
+pub struct System {
+    /// The nodes.
+    pub grid: Grid,
+    /// Deflection by the pressures of the grid.
+    pub convolution: Convolution,
+    /// Gap and deflection by pressures beyond the grid, at the nodes.
+    pub gap: Vec<f64>,
+    /// Load that the grid carries.
+    pub load: f64,
+    /// The fluid.
+    pub fluid: FilmFluid,
+    /// λ.
+    pub lambda: f64,
+    /// ū.
+    pub entrainment: Planar,
+}
+
+/// Pressures and separation.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// P at all nodes.
+    pub pressure: Vec<f64>,
+    /// H_0.
+    pub separation: f64,
+    /// Where the film had not broken after the last step.
+    pub wetted: Vec<bool>,
+}
+
+/// The equation at a state.
+pub struct Linearised {
+    /// Fields at the nodes.
+    pub nodes: Vec<Node>,
+    /// Faces towards the next node along the first direction, and along the second.
+    pub faces: [Vec<Face>; 2],
+    /// G.
+    pub outflow: Vec<f64>,
+    /// Nodes whose pressure is solved for: unknown, and not where the film has broken.
+    pub wetted: Vec<bool>,
+    /// Load missing.
+    pub missing_load: f64,
+}
+
+/// Newton's step.
+pub struct Step {
+    /// δP at all nodes.
+    pub pressure: Vec<f64>,
+    /// δH_0.
+    pub separation: f64,
+    /// Krylov iterations taken.
+    pub krylov_iterations: usize,
+}
+
+/// Nodes, and rows of them, that a thread takes at a time.
+const BATCH: usize = 1024;
+const ROWS: usize = 8;
+
+impl System {
+    /// H at the nodes.
+    pub fn films(&self, state: &State) -> Vec<f64> {
+        let mut films = self.deflection(&state.pressure);
+        for (film, gap) in films.iter_mut().zip(&self.gap) {
+            *film += gap + state.separation;
+        }
+        films
+    }
+
+    /// Deflection by pressures of the grid.
+    fn deflection(&self, pressure: &[f64]) -> Vec<f64> {
+        // What a node stands for ends at the edge of the grid.
+        let mut values = pressure.to_vec();
+        let [nx, ny] = self.grid.n;
+        for row in values.chunks_exact_mut(nx) {
+            row[0] *= 0.5;
+            row[nx - 1] *= 0.5;
+        }
+        values[..nx].iter_mut().for_each(|p| *p *= 0.5);
+        if !self.grid.half {
+            let last = (ny - 1) * nx;
+            values[last..].iter_mut().for_each(|p| *p *= 0.5);
+        }
+        self.convolution.apply(&values)
+    }
+
+    /// ∫P over the grid.
+    pub fn integral(&self, pressure: &[f64]) -> f64 {
+        let sum: f64 = (self.grid.nodes().zip(pressure))
+            .map(|([i, j], p)| self.grid.share(i, j) * p)
+            .sum();
+        sum * self.grid.cell()
+    }
+
+    /// The equation and its derivatives at a state.
+    pub fn linearise(&self, state: &State) -> Linearised {
+        let films = self.films(state);
+        let nodes: Vec<Node> = (state.pressure.par_iter().zip(&films))
+            .with_min_len(BATCH)
+            .map(|(p, film)| self.node(*p, *film))
+            .collect();
+        let faces = [0, 1].map(|direction| self.faces(&nodes, direction));
+        let outflow = self.balance(|direction, k| faces[direction][k].flux);
+        let wetted = (self.grid.nodes().enumerate())
+            .map(|(k, [i, j])| self.grid.is_unknown(i, j) && (state.wetted[k] || outflow[k] < 0.0))
+            .collect();
+        Linearised {
+            missing_load: self.load - self.integral(&state.pressure),
+            nodes,
+            faces,
+            outflow,
+            wetted,
+        }
+    }
+
+    fn node(&self, pressure: f64, film: f64) -> Node {
+        let point = self.fluid.at(pressure);
+        let ([rho, rho_p, _], [mu, mu_p, _]) = (point.density, point.viscosity);
+        Node {
+            pressure,
+            film,
+            density: [rho, rho_p],
+            ln_viscosity: [mu.ln(), mu_p / mu],
+            mass: rho * film,
+            mass_by: [rho_p * film, rho],
+        }
+    }
+
+    /// Faces from each node to the next one along a direction; none where no unknown node has them.
+    fn faces(&self, nodes: &[Node], direction: usize) -> Vec<Face> {
+        let grid = &self.grid;
+        let [nx, ny] = grid.n;
+        let step = [1, nx][direction];
+        let above = if grid.half { ny - 1 } else { ny - RING };
+        let (columns, rows) = match direction {
+            0 => (
+                RING - 1..nx - RING,
+                RING..if grid.half { ny } else { ny - RING },
+            ),
+            _ => (RING..nx - RING, RING - 1..above),
+        };
+        let middle = [[0.5, 0.0], [0.0, 0.5]][direction];
+        let mut faces = vec![Face::default(); grid.len()];
+        let chunks = faces.par_chunks_mut(nx).enumerate().with_min_len(ROWS);
+        chunks.for_each(|(j, faces)| {
+            if !rows.contains(&j) {
+                return;
+            }
+            for i in columns.clone() {
+                let k = grid.index(i, j);
+                let [x, y] = grid.on_axes(i, j);
+                let at = [
+                    x + middle[0] * grid.spacing[0],
+                    y + middle[1] * grid.spacing[1],
+                ];
+                let velocity = grid
+                    .turn
+                    .to_axes(self.entrainment.at(grid.turn.to_motion(at)));
+                // Nothing is dragged across the rows of a half.
+                let u = match grid.half && direction == 1 {
+                    true => 0.0,
+                    false => velocity[direction],
+                };
+                let behind = (k + 2 * step).min(nodes.len() - 1);
+                let beyond = [&nodes[k - step], &nodes[behind]];
+                let spacing = grid.spacing[direction];
+                faces[i] = face(&nodes[k], &nodes[k + step], beyond, u, self.lambda, spacing);
+            }
+        });
+        faces
+    }
+
+    /// Sum of what goes through the faces of each unknown node over its area.
+    fn balance(&self, through: impl Fn(usize, usize) -> f64 + Sync) -> Vec<f64> {
+        let grid = &self.grid;
+        let [nx, ny] = grid.n;
+        let [dx, dy] = grid.spacing;
+        let mut sums = vec![0.0; grid.len()];
+        let rows = sums.par_chunks_mut(nx).enumerate().with_min_len(ROWS);
+        rows.for_each(|(j, sums)| {
+            for (i, sum) in sums.iter_mut().enumerate() {
+                if !grid.is_unknown(i, j) {
+                    continue;
+                }
+                let k = grid.index(i, j);
+                let along = through(0, k) - through(0, k - 1);
+                // Beyond the centreline of a half all is mirrored.
+                let across = match grid.half && j + 1 == ny {
+                    true => -2.0 * through(1, k - nx),
+                    false => through(1, k) - through(1, k - nx),
+                };
+                *sum = along / dx + across / dy;
+            }
+        });
+        sums
+    }
+
+    /// Change of G by changes of the pressures and of the separation.
+    pub fn change(&self, at: &Linearised, pressure: &[f64], separation: f64) -> Vec<f64> {
+        let mut film = self.deflection(pressure);
+        film.iter_mut().for_each(|h| *h += separation);
+        self.change_by(at, pressure, &film)
+    }
+
+    /// The same by changes of pressures and films.
+    fn change_by(&self, at: &Linearised, pressure: &[f64], film: &[f64]) -> Vec<f64> {
+        let nx = self.grid.n[0];
+        let mass: Vec<f64> = (at.nodes.iter().zip(pressure.iter().zip(film)))
+            .map(|(node, (p, h))| node.mass_by[0] * p + node.mass_by[1] * h)
+            .collect();
+        self.balance(|direction, k| {
+            let face = &at.faces[direction][k];
+            let step = [1, nx][direction];
+            let next = k + step;
+            let [uu, u, d] = face.by_mass;
+            // Without entrainment a step may lead out of the grid.
+            let entrained = match (face.by_mass == [0.0; 3], face.from_second) {
+                (true, _) => 0.0,
+                (_, false) => uu * mass[k - step] + u * mass[k] + d * mass[next],
+                (_, true) => uu * mass[next + step] + u * mass[next] + d * mass[k],
+            };
+            face.by_pressure[0] * pressure[k]
+                + face.by_pressure[1] * pressure[next]
+                + face.by_film * (film[k] + film[next])
+                + entrained
+        })
+    }
+
+    /// Newton's step by preconditioned Krylov iterations in pressures and separation.
+    pub fn step(
+        &self,
+        at: &Linearised,
+        state: &State,
+        preconditioner: &mut Preconditioner,
+        params: GmresParams,
+    ) -> Step {
+        let grid = &self.grid;
+        let n = grid.len();
+        let areas: Vec<f64> = (grid.nodes())
+            .map(|[i, j]| grid.share(i, j) * grid.cell())
+            .collect();
+        let load = |p: &[f64]| -> f64 { p.iter().zip(&areas).map(|(p, a)| p * a).sum() };
+        // Rows: G where wetted, else P, in heights of the film; the load at the end.
+        let scale = preconditioner.scale.clone();
+        let mut right = vec![0.0; n + 1];
+        for (k, [i, j]) in grid.nodes().enumerate() {
+            if grid.is_unknown(i, j) {
+                let row = if at.wetted[k] {
+                    at.outflow[k]
+                } else {
+                    state.pressure[k]
+                };
+                right[k] = -row / scale[k];
+            }
+        }
+        right[n] = at.missing_load;
+        let mut by_separation = self.change_by(at, &vec![0.0; n], &vec![1.0; n]);
+        for (k, value) in by_separation.iter_mut().enumerate() {
+            *value = if at.wetted[k] { *value / scale[k] } else { 0.0 };
+        }
+        let by_separation = preconditioner.solve(&by_separation);
+        let load_by_separation = load(&by_separation);
+        let apply = |x: &[f64], y: &mut [f64]| {
+            let change = self.change(at, &x[..n], x[n]);
+            for k in 0..n {
+                let row = if at.wetted[k] { change[k] } else { x[k] };
+                y[k] = row / scale[k];
+            }
+            y[n] = load(&x[..n]);
+        };
+        let precondition = |r: &mut [f64]| {
+            let pressure = preconditioner.solve(&r[..n]);
+            let separation = (load(&pressure) - r[n]) / load_by_separation;
+            for k in 0..n {
+                r[k] = pressure[k] - separation * by_separation[k];
+            }
+            r[n] = separation;
+        };
+        let mut x = vec![0.0; n + 1];
+        let krylov_iterations = match gmres(apply, precondition, &right, &mut x, params) {
+            Ok(info) => info.iterations,
+            Err(error) => error.iterations,
+        };
+        let separation = x[n];
+        x.truncate(n);
+        Step {
+            pressure: x,
+            separation,
+            krylov_iterations,
+        }
+    }
+}

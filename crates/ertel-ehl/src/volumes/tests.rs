@@ -1,0 +1,282 @@
+//! The equation on a grid against differences and manufactured solutions, and patches against whole grids.
+
+use approx::assert_relative_eq;
+use ertel_rheology::density::DensityLaw;
+use ertel_rheology::viscosity::ViscosityLaw;
+
+use super::composite::Composite;
+use super::convolution::Convolution;
+use super::engine::{FiniteVolumes, Plan, Volumes};
+use super::film::PatchedFilm;
+use super::grid::Grid;
+use super::system::{State, System};
+use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};
+use crate::elastic::Elasticity;
+use crate::engine::{Engine, Extents, Film, NoObserver, Problem, Solved};
+use crate::film::FilmFluid;
+use crate::solution::Figure;
+
+fn laws() -> (DensityLaw, ViscosityLaw) {
+    let density = DensityLaw::dowson_higginson(870.0).unwrap();
+    let viscosity = ViscosityLaw::roelands(0.04, 2.2e-8).unwrap();
+    (density, viscosity)
+}
+
+/// Steel ball on steel disc: 16 mm, 100 N, 0.8 m/s.
+fn problem(motion: &Motion, target: f64) -> Problem<Plan> {
+    let steel = Material {
+        youngs_modulus: 210e9,
+        poissons_ratio: 0.3,
+    };
+    let contact = Contact::circular(0.016, 100.0);
+    let hertz = Hertz::new(&contact, 230.769_230_77e9);
+    let scales = Scales::new(&contact, &hertz, motion, 0.04, 870.0);
+    let (density, viscosity) = laws();
+    let sliding = motion.sliding(scales.length);
+    let bodies = [steel.over(scales.elastic_stress); 2];
+    Problem {
+        shape: Shape::new(&contact, &hertz, motion),
+        extents: Extents {
+            inlet: -9.0,
+            outlet: 1.5,
+            side: 9.0,
+            body_width: 60.0,
+            body_depth: 60.0,
+        },
+        reach: [9.0, 9.0],
+        elasticity: Elasticity::half_space(1, &bodies),
+        fluid: FilmFluid::new(&density, &viscosity, 313.15, &scales)
+            .with_shear(None, &sliding, &scales),
+        entrainment: motion.entrainment(scales.length),
+        load: scales.load,
+        start_film: 0.12,
+        heat: None,
+        scales,
+        plan: Plan::new(target, 200_000),
+    }
+}
+
+fn solved(problem: &Problem<Plan>) -> Volumes {
+    FiniteVolumes.solve(problem, &mut NoObserver).unwrap()
+}
+
+/// A system on a small grid at some state that is no solution.
+fn system(half: bool, entrainment: Planar) -> (System, State) {
+    let motion = Motion::straight(0.8, 0.0);
+    let problem = problem(&motion, 0.01);
+    let zone = HertzZone {
+        axis_ratio: 1.4,
+        turn: if half { Turn::NONE } else { Turn::by(0.3) },
+        roller: None,
+    };
+    let grid = Grid::covering([[-1.5, 1.5], [-1.25, 1.25]], 0.25, half, &zone);
+    let gap = (grid.nodes())
+        .map(|[i, j]| {
+            let [x, y] = grid.on_axes(i, j);
+            0.25 + 0.5 * (x * x + y * y) + 0.05 * (3.0 * x).sin() * (2.0 * y).cos()
+        })
+        .collect();
+    let pressure: Vec<f64> = (grid.nodes())
+        .map(|[i, j]| {
+            let [x, y] = grid.on_axes(i, j);
+            (0.4 - 0.3 * (x * x + 0.5 * y * y) + 0.05 * x).max(0.0)
+        })
+        .collect();
+    let state = State {
+        wetted: pressure.iter().map(|p| *p > 0.0).collect(),
+        pressure,
+        separation: -0.1,
+    };
+    let system = System {
+        convolution: Convolution::new(&grid, 0.3),
+        gap,
+        load: 1.0,
+        fluid: problem.fluid.clone(),
+        lambda: 0.1,
+        entrainment,
+        grid,
+    };
+    (system, state)
+}
+
+/// The linearised balances against central differences, halves and wholes, with spin.
+#[test]
+fn jacobian_against_differences() {
+    let spin = Planar {
+        centre: [1.0, 0.0],
+        spin: 0.8,
+    };
+    for (half, entrainment) in [(true, Planar::along_x(1.0)), (false, spin)] {
+        let (system, state) = system(half, entrainment);
+        let at = system.linearise(&state);
+        // A smooth change where there is pressure, so that none falls below zero.
+        let change: Vec<f64> = (system.grid.nodes().zip(&state.pressure))
+            .map(|([i, j], p)| match *p > 0.0 {
+                true => 0.3 * (i as f64).sin() + 0.2 * (1.7 * j as f64).cos(),
+                false => 0.0,
+            })
+            .collect();
+        let own = system.change(&at, &change, 0.4);
+        let moved = |step: f64| {
+            let mut state = state.clone();
+            let pairs = state.pressure.iter_mut().zip(&change);
+            pairs.for_each(|(p, c)| *p += step * c);
+            state.separation += 0.4 * step;
+            system.linearise(&state).outflow
+        };
+        let step = 1e-6;
+        let [below, above] = [-step, step].map(moved);
+        let size = own.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+        for (k, own) in own.iter().enumerate() {
+            let difference = (above[k] - below[k]) / (2.0 * step);
+            assert_relative_eq!(*own, difference, epsilon = 2e-5 * size, max_relative = 1e-4);
+        }
+    }
+}
+
+/// The balances of smooth fields converge to the divergence of their flux with the second order: pressures that change ln μ̄ by 8, a film that changes by
+/// half, against differences of the flux itself over 1e-4.
+#[test]
+fn second_order_for_manufactured_fields() {
+    let pressure = |x: f64, y: f64| 0.4 + 0.2 * (1.3 * x).sin() * (0.9 * y).cos();
+    let film = |x: f64, y: f64| 0.3 + 0.1 * (1.1 * x + 0.4 * y).cos();
+    let (lambda, u) = (0.1, [0.9, 0.3]);
+    let motion = Motion::straight(0.8, 0.0);
+    let fluid = problem(&motion, 0.01).fluid;
+    let flux = |x: f64, y: f64| {
+        let e = 1e-4;
+        let point = fluid.at(pressure(x, y));
+        let (rho, mu) = (point.density[0], point.viscosity[0]);
+        let h = film(x, y);
+        let slope = [
+            (pressure(x + e, y) - pressure(x - e, y)) / (2.0 * e),
+            (pressure(x, y + e) - pressure(x, y - e)) / (2.0 * e),
+        ];
+        [0, 1].map(|d: usize| rho * h * u[d] - rho * h.powi(3) / (mu * lambda) * slope[d])
+    };
+    let exact = |x: f64, y: f64| {
+        let e = 1e-4;
+        (flux(x + e, y)[0] - flux(x - e, y)[0] + flux(x, y + e)[1] - flux(x, y - e)[1]) / (2.0 * e)
+    };
+    let error = |h: f64, ratio: f64| {
+        let zone = HertzZone {
+            axis_ratio: ratio,
+            turn: Turn::NONE,
+            roller: None,
+        };
+        let grid = Grid::covering([[-1.0, 1.0], [-1.0, 1.0]], h, false, &zone);
+        let values = |f: &dyn Fn(f64, f64) -> f64| -> Vec<f64> {
+            let places = grid.nodes().map(|[i, j]| grid.on_axes(i, j));
+            places.map(|[x, y]| f(x, y)).collect()
+        };
+        // No compliance: the film is the gap.
+        let system = System {
+            convolution: Convolution::new(&grid, 0.0),
+            gap: values(&film),
+            load: 1.0,
+            fluid: fluid.clone(),
+            lambda,
+            entrainment: Planar {
+                centre: u,
+                spin: 0.0,
+            },
+            grid: grid.clone(),
+        };
+        let state = State {
+            pressure: values(&pressure),
+            separation: 0.0,
+            wetted: vec![true; grid.len()],
+        };
+        let found = system.linearise(&state).outflow;
+        let errors = grid
+            .nodes()
+            .zip(found)
+            .filter(|([i, j], _)| grid.is_unknown(*i, *j));
+        let errors = errors.map(|([i, j], found)| {
+            let [x, y] = grid.on_axes(i, j);
+            (found - exact(x, y)).abs()
+        });
+        errors.fold(0.0, f64::max)
+    };
+    for ratio in [1.0, 2.5] {
+        let errors = [0.04, 0.02, 0.01].map(|h| error(h, ratio));
+        let orders = [0, 1].map(|k: usize| (errors[k] / errors[k + 1]).log2());
+        assert!(orders[1] > 1.85, "{ratio}: {errors:?}, orders {orders:?}");
+    }
+}
+
+/// A whole grid and patches with the same cells have the same films; mass is kept node by node, and all of the load is carried.
+#[test]
+fn patches_are_whole_grids() {
+    let motion = Motion::straight(0.8, 0.0);
+    let mut wide = problem(&motion, 0.05);
+    wide.plan.margin = 1e9;
+    let patched = problem(&motion, 0.05);
+    let [wide, patched] = [wide, patched].map(|problem| {
+        let found = solved(&problem);
+        assert!(found.balance_error.abs() < 1e-6, "{}", found.balance_error);
+        let sum: f64 = (PatchedFilm::new(&problem.shape, &found.levels)
+            .points()
+            .iter())
+        .map(|point| point.area * point.fields.pressure)
+        .sum();
+        assert_relative_eq!(sum, problem.load, max_relative = 1e-5);
+        let level = found.levels.last().unwrap();
+        let at = level.system.linearise(&level.state);
+        let [i, j] = level.system.grid.centre();
+        let entrained = at.nodes[level.system.grid.index(i, j)].mass / level.system.grid.spacing[0];
+        for (outflow, wetted) in at.outflow.iter().zip(&at.wetted) {
+            assert!(!wetted || outflow.abs() < 1e-3 * entrained, "{outflow}");
+        }
+        found.measured(&problem)
+    });
+    for figure in [Figure::FilmCentral, Figure::FilmMinimum] {
+        let [a, b] = [&wide, &patched].map(|m| m.figures.value(figure).unwrap());
+        assert_relative_eq!(a, b, max_relative = 5e-5);
+    }
+}
+
+/// The triangles of all patches cover the contact area once, without gaps: areas add up to its own, and each edge belongs to two triangles or to the outline.
+#[test]
+fn triangles_cover_the_area() {
+    let motion = Motion {
+        spin: [0.0, 200.0],
+        ..Motion::straight(0.8, 0.1)
+    };
+    for motion in [Motion::straight(0.8, 0.1), motion] {
+        let problem = problem(&motion, 0.1);
+        let found = solved(&problem);
+        let mesh = Composite::new(&found.levels);
+        let place = |node: u32| {
+            let (l, [i, j]) = mesh.nodes[node as usize];
+            found.levels[l].system.grid.on_axes(i, j)
+        };
+        let mut edges = std::collections::BTreeMap::new();
+        let mut sum = 0.0;
+        for cell in &mesh.cells {
+            let [a, b, c] = cell.map(place);
+            let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+            assert!(area > 0.0);
+            sum += area;
+            for (a, b) in [(0, 1), (1, 2), (2, 0)] {
+                let edge = [cell[a].min(cell[b]), cell[a].max(cell[b])];
+                *edges.entry(edge).or_insert(0) += 1;
+            }
+        }
+        let grid = &found.levels[0].system.grid;
+        let sides = [0, 1].map(|d: usize| (grid.n[d] - 1) as f64 * grid.spacing[d]);
+        assert_relative_eq!(sum, sides[0] * sides[1], max_relative = 1e-12);
+        let outline = 2 * (grid.n[0] - 1 + grid.n[1] - 1);
+        let once = edges.values().filter(|n| **n == 1).count();
+        // On the centreline of a half, each patch has its own nodes.
+        let patches: usize = match grid.half {
+            false => 0,
+            true => (found.levels.iter())
+                .filter_map(|level| level.patch)
+                .map(|[[low, high], _]| high - low)
+                .sum(),
+        };
+        assert_eq!(once, outline + patches);
+        assert!(edges.values().all(|n| *n <= 2));
+    }
+}

@@ -1,0 +1,153 @@
+//! The figures and fields of a case that was solved, whichever engine did.
+
+use crate::case::Case;
+use crate::contact::{Hertz, Scales};
+use crate::engine::{Extents, Film, Problem};
+use crate::plausible;
+use crate::plausible::left_out::Known;
+use crate::post;
+use crate::problem::groups as groups_of;
+use crate::solution::{
+    Asked, BodyField, Centreline, ElementFields, FilmReduction, IterationRecord, Measured,
+    RollerFigures, Solution, Starvation, Stats, Summary, SurfaceField, Thermal, Unresolved,
+};
+use crate::warning::Warning;
+
+/// What an engine found, SI.
+pub(super) struct Found {
+    pub measured: Measured,
+    /// Contact area that it was found on, in half-widths.
+    pub extents: Extents,
+    pub summary: Summary,
+    pub film_reduction: Option<FilmReduction>,
+    pub thermal: Option<Thermal>,
+    pub centreline: Centreline,
+    pub surface: SurfaceField,
+    pub elements: ElementFields,
+    pub body: Option<BodyField>,
+    /// What the engine has to say about it.
+    pub warnings: Vec<Warning>,
+}
+
+/// The solution of a case from what its engine found.
+pub(super) fn describe<Plan>(
+    case: &Case,
+    problem: &Problem<Plan>,
+    film: &impl Film,
+    found: Found,
+    stats: Stats,
+    history: Vec<IterationRecord>,
+) -> Solution {
+    let Found {
+        measured,
+        extents,
+        summary,
+        thermal,
+        elements,
+        ..
+    } = found;
+    let contact = case.contact.along_motion();
+    let hertz = Hertz::new(&contact, case.reduced_modulus());
+    let slope = case
+        .lubricant
+        .viscosity
+        .pressure_viscosity_slope(case.lubricant.temperature);
+    let asymptotic = case
+        .lubricant
+        .viscosity
+        .pressure_viscosity_reciprocal_asymptotic(case.lubricant.temperature)
+        .ok();
+    let groups = groups_of(case, slope);
+    let groups_asymptotic = asymptotic.map(|alpha| groups_of(case, alpha));
+    let scales = Scales::new(
+        &contact,
+        &hertz,
+        &case.motion,
+        case.lubricant.ambient_viscosity(),
+        case.lubricant.ambient_density(),
+    );
+    let traction = post::summary::traction(&measured);
+    let (checks, summed_to) = post::checks::checks(problem, film, &summary, thermal.as_ref());
+    let mut warnings = case.warnings.clone();
+    warnings.extend(post::checks::warning(
+        &problem.shape,
+        &extents,
+        scales.length,
+        &measured.figures,
+    ));
+    warnings.extend(found.warnings);
+    let mixed = case.roughness.map(|rms_height| {
+        let surfaces = post::mixed::RoughSurfaces {
+            rms_height,
+            asperities: case.asperities,
+            reduced_modulus: case.reduced_modulus(),
+            load: case.contact.load,
+        };
+        let symmetry = problem.shape.symmetry;
+        let (motion, summary) = (&case.motion, &summary);
+        let mixed = post::mixed::mixed_lubrication(
+            &surfaces, motion, symmetry, &elements, summary, &traction,
+        );
+        warnings.extend(post::mixed::warnings(&mixed, summary, rms_height));
+        mixed
+    });
+    let mut solution = Solution {
+        kind: case.contact.kind,
+        shape: problem.shape.clone(),
+        hertz,
+        reduced_modulus: case.reduced_modulus(),
+        formulas: crate::reference::film_formulas(&case.contact, &groups, case.relative_density()),
+        groups,
+        groups_asymptotic,
+        scales,
+        extents: [
+            extents.inlet,
+            extents.outlet,
+            side_of(problem, extents.side),
+        ],
+        centreline: found.centreline,
+        surface: found.surface,
+        elements,
+        body: found.body,
+        left_out: plausible::left_out::left_out(
+            case,
+            &Known {
+                film_central: summary.film_central.value,
+                film_minimum: summary.film_minimum.value,
+                friction_power: traction.friction_power.value,
+            },
+        ),
+        unresolved: Vec::new(),
+        summary,
+        starvation: Starvation::of(&measured, &case.supply),
+        roller: RollerFigures::of(&measured),
+        measured,
+        mixed,
+        traction,
+        summed_to,
+        checks,
+        film_reduction: found.film_reduction,
+        sensitivities: None,
+        uncertainty: None,
+        thermal,
+        history,
+        stats,
+        warnings,
+    };
+    let asked = Asked {
+        bars: case.solver.error_estimate,
+        // The forces of spin alone cancel.
+        slides: case.motion.sliding_at_centre() > 0.0,
+        radius: case.contact.radius,
+    };
+    solution.unresolved = Unresolved::all(&solution, asked);
+    let doubts = plausible::warnings(case, &solution);
+    solution.warnings.extend(doubts);
+    solution
+}
+
+/// Half the extent of the contact area across the motion, in half-widths, or semi-axes along y of an ellipse.
+pub(super) fn side_of<Plan>(problem: &Problem<Plan>, side: f64) -> f64 {
+    let roller = problem.shape.zone.roller.as_ref();
+    roller.map_or(side, |roller| roller.half_length())
+}

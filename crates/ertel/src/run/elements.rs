@@ -1,0 +1,210 @@
+//! A case by finite elements.
+
+use ertel_fem::platform::Instant;
+
+use super::describe::{Found, describe, side_of};
+use super::{Recorder, peak_memory};
+use crate::case::Case;
+use crate::contact::Scales;
+use crate::engine::{Engine, Solved};
+use crate::params::SensitivityDemand;
+use crate::post;
+use crate::problem::{problem, problem_beside, problem_by_slices};
+use crate::sensitivity::{by_adjoint, by_differences};
+use crate::solution::{Solution, Stats, Uncertainties};
+use crate::solve::adjoint::RoughAdjoints;
+use crate::solve::newton::FilmModel;
+use crate::solve::sequence::{Problem, Start};
+use crate::solve::{Finished, FiniteElements, Observer, SolveError};
+use crate::warning::{Warning, WarningKind};
+
+/// The problem of a case, a roller's zone by slices, if a solve may begin.
+pub(super) fn may_begin(case: &Case) -> Result<Problem, SolveError> {
+    case.heat()?;
+    let problem = problem_by_slices(case);
+    problem.check_size()?;
+    Ok(problem)
+}
+
+/// The problem that a solve begins with.
+fn ready(case: &Case) -> Result<Problem, SolveError> {
+    let found = may_begin(case)?;
+    Ok(match found.shape.zone.roller {
+        // Not before it is known that it is worth the time.
+        Some(_) => problem(case),
+        None => found,
+    })
+}
+
+/// Solves a case from a start, where that leads to its own solution; else from the dry contact.
+///
+/// # Errors
+/// As [`super::solve`].
+pub(super) fn solve(
+    case: &Case,
+    start: Option<&Start>,
+    ahead: &[&Case],
+    observer: &mut dyn Observer,
+) -> Result<(Solution, Start), SolveError> {
+    let clock = Instant::now();
+    let mut problem = ready(case)?;
+    let mut recorder = Recorder {
+        observer,
+        history: Vec::new(),
+    };
+    let warm = match start.filter(|start| start.suits(&problem)) {
+        Some(start) => FiniteElements.solve_from(&problem, start, &mut recorder)?,
+        None => None,
+    };
+    let warm_start = start.filter(|_| warm.is_some());
+    let solved = match warm {
+        Some(end) => end,
+        None => {
+            recorder.history.clear();
+            // One after the other: there may be thousands.
+            let own = problem.fluid.clone();
+            problem.make_room_for(ahead.iter().map(|case| problem_beside(case, &own)));
+            FiniteElements.solve(&problem, &mut recorder)?
+        }
+    };
+    let stats = Stats {
+        warm: warm_start.is_some(),
+        levels: solved.levels().to_vec(),
+        wall_seconds: 0.0,
+        peak_memory: None,
+    };
+    let found = found(case, &problem, &solved)?;
+    let film = solved.film(&problem);
+    let mut solution = describe(case, &problem, &film, found, stats, recorder.history);
+    drop(film);
+    let mut finest = solved.finest;
+    let levels = &solution.stats.levels;
+    let rough = finest.adjoints.take().map(|rough| *rough);
+    let start = match warm_start {
+        Some(start) => start.followed_by(&problem, finest, levels),
+        None => Start::new(&problem, finest, levels),
+    };
+    note_sensitivities(
+        &mut solution,
+        case,
+        &problem,
+        (&start, rough),
+        recorder.observer,
+    )?;
+    solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
+    solution.stats.peak_memory = peak_memory();
+    Ok((solution, start))
+}
+
+/// Adds how much each input counts, where that is asked for, and what the uncertainty of the inputs comes to. A solution without is still one.
+///
+/// # Errors
+/// Only when the user wants to stop.
+fn note_sensitivities(
+    solution: &mut Solution,
+    case: &Case,
+    problem: &Problem,
+    (start, rough): (&Start, Option<RoughAdjoints>),
+    observer: &mut dyn Observer,
+) -> Result<(), SolveError> {
+    if !case.wants_sensitivities() {
+        return Ok(());
+    }
+    let resolved = |figure| solution.resolves(figure);
+    let found = match &problem.heat {
+        Some(_) => {
+            let only_uncertain = case.output.sensitivities != SensitivityDemand::All;
+            by_differences(case, problem, start, only_uncertain, resolved, observer)
+        }
+        None => by_adjoint(case, problem, start.solution(), rough, resolved),
+    };
+    let found = match found {
+        Ok(found) => found,
+        Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+        Err(error) => {
+            let text = format!(
+                "sensitivities and the uncertainty from the inputs could not be computed: {error}"
+            );
+            solution.warnings.push(Warning::from(text));
+            return Ok(());
+        }
+    };
+    let is_uncertain =
+        |key: &str| (case.inputs().iter()).any(|i| i.key == key && i.uncertainty.is_some());
+    for input in found
+        .left_out
+        .iter()
+        .filter(|input| is_uncertain(&input.key))
+    {
+        solution.warnings.push(Warning::from(format!(
+            "the uncertainty of the figures leaves out that of {}: {}",
+            input.key, input.reason
+        )));
+    }
+    solution.uncertainty = Uncertainties::first_order(&found, case.correlations());
+    solution.sensitivities = Some(found);
+    Ok(())
+}
+
+/// What the elements found, SI.
+fn found(case: &Case, problem: &Problem, solved: &Finished) -> Result<Found, SolveError> {
+    let (finest, levels) = (&solved.finest, solved.levels());
+    let measured = solved.measured(problem).with_meniscus(&case.supply);
+    let extents = finest.discretisation.contact.extents;
+    let scales: &Scales = &problem.scales;
+    let model = FilmModel {
+        fluid: problem.fluid.clone(),
+        constants: finest.stage.constants,
+    };
+    let summary = post::summary::summarise(finest, &measured, &model, scales);
+    let thermal = (case.thermal())
+        .and_then(|params| post::thermal::thermal(finest, problem, levels, &measured, params));
+    let mut warnings = Vec::new();
+    let order = finest.discretisation.pressure.element.order();
+    if order < case.mesh.pressure_order {
+        let text = format!(
+            "solved with pressures of order {order}: those of order {} did not converge; a finer mesh \
+             may carry them",
+            case.mesh.pressure_order
+        );
+        warnings.push(Warning::new(WarningKind::Convergence, text));
+    }
+    warnings.extend(post::summary::warnings(
+        &summary,
+        finest,
+        levels,
+        case.mesh.target_error,
+    ));
+    if let (Some(thermal), Some(params)) = (&thermal, case.thermal()) {
+        warnings.extend(post::thermal::warnings(
+            thermal,
+            &case.lubricant.temperature_ranges,
+            params,
+            scales,
+            finest.discretisation.contact.shape.symmetry,
+            [
+                extents.inlet,
+                extents.outlet,
+                side_of(problem, extents.side),
+            ],
+        ));
+        let heat = problem.heat.iter();
+        warnings
+            .extend(heat.flat_map(|heat| post::thermal::at_rest::warnings(heat, thermal, params)));
+    }
+    Ok(Found {
+        film_reduction: post::summary::film_reduction(levels, &measured),
+        centreline: post::fields::centreline(finest, &problem.fluid, scales),
+        surface: post::fields::surface(finest, &problem.fluid, scales),
+        elements: post::elements::elements(finest, scales),
+        body: (case.output.body_field)
+            .then(|| post::fields::body(finest, scales))
+            .transpose()?
+            .flatten(),
+        extents,
+        measured,
+        summary,
+        thermal,
+        warnings,
+    })
+}

@@ -1,0 +1,83 @@
+//! A case by finite volumes.
+
+use ertel_fem::platform::Instant;
+
+use super::describe::{Found, describe};
+use super::elements::may_begin;
+use super::{Recorder, peak_memory};
+use crate::case::Case;
+use crate::engine::{Engine, Solved};
+use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset};
+use crate::post::fields::centreline_of;
+use crate::solution::{Solution, Stats};
+use crate::solve::{Observer, SolveError};
+use crate::volumes::film::PatchedFilm;
+use crate::volumes::{FiniteVolumes, Plan, fields, summary};
+use crate::warning::Warning;
+
+/// Unknowns of a grid that refinement may go to unless the user allows more: some seconds.
+const MAX_UNKNOWNS: usize = 200_000;
+
+/// Solves a case.
+///
+/// # Errors
+/// As [`super::solve`].
+pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
+    let clock = Instant::now();
+    let problem = may_begin(case)?;
+    let problem = problem.with_plan(plan(case));
+    let mut recorder = Recorder {
+        observer,
+        history: Vec::new(),
+    };
+    let solved = FiniteVolumes.solve(&problem, &mut recorder)?;
+    let stats = Stats {
+        warm: false,
+        levels: solved.levels().to_vec(),
+        wall_seconds: 0.0,
+        peak_memory: None,
+    };
+    let film = PatchedFilm::new(&problem.shape, &solved.levels);
+    let measured = solved.measured(&problem);
+    let (surface, elements) = fields::surface(&problem, &film);
+    let mut warnings = summary::warnings(&problem, &solved, &film, &measured);
+    if case.wants_sensitivities() {
+        warnings.push(Warning::from(
+            "finite volumes compute no sensitivities yet: the uncertainty from the inputs is not told; [solver] method = \"finite-elements\" \
+             tells it"
+                .to_owned(),
+        ));
+    }
+    let found = Found {
+        extents: problem.extents,
+        summary: summary::summarise(&problem, &solved, &measured),
+        film_reduction: None,
+        thermal: None,
+        centreline: centreline_of(
+            &fields::profile(&film),
+            &problem.shape,
+            &problem.fluid,
+            &problem.scales,
+        ),
+        surface,
+        elements,
+        body: None,
+        measured,
+        warnings,
+    };
+    let mut solution = describe(case, &problem, &film, found, stats, recorder.history);
+    solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
+    solution.stats.peak_memory = peak_memory();
+    Ok(solution)
+}
+
+/// Target and limit of a case.
+fn plan(case: &Case) -> Plan {
+    let mesh = &case.mesh;
+    let target = mesh.target_error.unwrap_or(match mesh.preset {
+        MeshPreset::Coarse => 5.0 * DEFAULT_TARGET_ERROR,
+        MeshPreset::Normal => DEFAULT_TARGET_ERROR,
+        MeshPreset::Fine => 0.25 * DEFAULT_TARGET_ERROR,
+    });
+    Plan::new(target, mesh.max_unknowns.unwrap_or(MAX_UNKNOWNS))
+}
