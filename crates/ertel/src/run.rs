@@ -25,8 +25,7 @@ pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::problem::{problem_beside, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
 use crate::solution::{
-    Asked, HeatRound, IterationRecord, RollerFigures, Solution, Starvation, Stats, Uncertainties,
-    Unresolved,
+    Asked, HeatRound, IterationRecord, Solution, Starvation, Stats, Uncertainties, Unresolved,
 };
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::newton::FilmModel;
@@ -353,7 +352,6 @@ fn describe(
         unresolved: Vec::new(),
         summary,
         starvation: Starvation::of(measured, &case.supply),
-        roller: RollerFigures::of(measured),
         measured: *measured,
         mixed,
         traction,
