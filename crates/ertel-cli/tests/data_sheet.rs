@@ -57,19 +57,62 @@ fn the_shipped_case_is_solved_and_tells_its_estimates() {
     );
 }
 
+/// The row of an oil's datum: its value, the unit, and whether it is an estimate.
+fn datum<'a>(shown: &'a str, key: &str) -> Vec<&'a str> {
+    let mut rows = shown.lines().map(|line| line.split_whitespace());
+    let row = rows.find(|row| row.clone().next() == Some(key));
+    let row = row.unwrap_or_else(|| panic!("no row {key}: {shown}"));
+    row.skip(1).take(3).collect()
+}
+
+/// An oil of each kind: the correlation of Gold et al., 1.36 s ν^t · 10 1/GPa, with their constants and ν in mm²/s of the oil's source.
 #[test]
 fn estimates_of_the_database_are_shown_as_such() {
-    let shown = report(&["fluids", "show", "iso-vg-46-pao"]);
-    for words in [
-        "estimated",
-        "estimate, ± 21 %",
-        "Gold, P. W.",
-        "viscosity_index",
+    for (oil, s, t, viscosity, range) in [
+        ("iso-vg-46-mineral", 0.9904, 0.1390, 45.69, "± 21 %"),
+        ("iso-vg-46-pao", 0.7382, 0.1335, 45.81, "± 21 %"),
+        ("ester-iso-vg-320", 0.6605, 0.1360, 299.6, "± 21 %"),
+        ("pag-iso-vg-320", 0.5489, 0.1485, 287.3, "± 30 %"),
     ] {
-        assert!(shown.contains(words), "{words}: {shown}");
+        let shown = report(&["fluids", "show", oil]);
+        let [value, unit, status] = datum(&shown, "pressure_viscosity_coefficient")[..] else {
+            panic!("{shown}");
+        };
+        let value: f64 = value.parse().unwrap();
+        let expected = 13.6 * s * f64::powf(viscosity, t);
+        assert!(
+            (value / expected - 1.0).abs() < 5e-4,
+            "{oil}: {value}, by hand {expected}"
+        );
+        assert_eq!([unit, status], ["1/GPa", "estimated"], "{oil}");
+        let note = format!("pressure_viscosity_coefficient: estimate, {range}:");
+        assert!(shown.contains(&note), "{note} {shown}");
+        assert!(shown.contains("Gold, P. W."), "{shown}");
     }
+    // What a source gives is no estimate.
+    let shown = report(&["fluids", "show", "fva-3"]);
+    let given = datum(&shown, "pressure_viscosity_coefficient");
+    assert_eq!(given, ["20", "1/GPa", "code"]);
+    let shown = report(&["fluids", "show", "iso-vg-46-pao"]);
+    let given = datum(&shown, "kinematic_viscosity_40");
+    assert_eq!(given, ["45.81", "cSt", "code"]);
+}
+
+/// Each file of the database has one line.
+#[test]
+fn every_fluid_is_listed() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../ertel-rheology/data/fluids");
+    let files = std::fs::read_dir(folder).unwrap();
+    let mut files: Vec<String> = files
+        .map(|file| file.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+        .collect();
+    files.sort();
     let list = report(&["fluids"]);
-    assert!(list.lines().count() > 60, "{list}");
+    let lines = list.lines().filter(|line| line.starts_with("  "));
+    let listed: Vec<&str> = (lines.filter_map(|line| line.split_whitespace().next())).collect();
+    assert_eq!(listed, files);
 }
 
 /// A second coefficient, at 100 degC: the film there is that of an oil with this one alone, the film at 40 degC stays.

@@ -1,6 +1,7 @@
 //! Contacts that are hard to start from the dry contact alone, each as a user writes it. No start is known to them; what is
 //! asked of their solutions is what theory says of any.
 
+use std::f64::consts::PI;
 use std::path::Path;
 
 use approx::assert_relative_eq;
@@ -148,10 +149,19 @@ target_error = "3 %"
     assert!(iterations < 40, "{iterations}");
 }
 
+/// √(kρcu) of a body: conductivity in W/(m·K), heat capacity per volume in J/(m³·K), speed in m/s.
+fn effusivity(conductivity: f64, capacity: f64, speed: f64) -> f64 {
+    (conductivity * capacity * speed).sqrt()
+}
+
 /// Contacts whose temperatures would not settle at given films: 2.1 GPa at a sliding ratio of -2, where single nodes would go off by
 /// 1e5 K, and an inlet at 22 m/s whose oil flows back and takes its heat along, where whole steps swing to and fro.
+///
+/// Where they settle is known from the heat Q that each body takes up. A fast body that is heated evenly over the dry contact warms by
+/// (4/3) Q/(2a) √(2a/(πkρcu)) there on average (Jaeger 1942); two that are heated alike, wherever that is, by Q/√(kρcu) times the same.
 #[test]
 fn temperatures_settle_far_from_the_isothermal_film() {
+    const INLET: f64 = 313.0;
     let s = solved(
         r#"
 [contact]
@@ -172,6 +182,19 @@ shear_thinning = { law = "carreau-yasuda", g = "0.02 MPa", n = 0.8, a = 3.0, mu_
 "#,
     );
     is_hot_and_balanced(&s);
+    let thermal = s.thermal.as_ref().unwrap();
+    let width = 2.0 * s.hertz.half_width;
+    // Gear steel at 16 (1 + 2/2) = 32 m/s.
+    let steel = effusivity(46.0, 7830.0 * 465.0, 32.0);
+    let flux = thermal.balance.to_body_1.value / width;
+    let jaeger = 4.0 / 3.0 * flux * (width / PI).sqrt() / steel;
+    let rise = thermal.body_1_mean.value - INLET;
+    println!("mean rise of the moving body {rise:.2} K, after Jaeger {jaeger:.2} K");
+    assert_relative_eq!(rise, jaeger, max_relative = 0.06);
+    // The other one is at rest, and its surface as hot as the film.
+    let [film, at_rest] = [&thermal.film_maximum, &thermal.body_2_maximum].map(|at| at.value);
+    assert!(at_rest <= film && at_rest > film - 10.0, "{at_rest} {film}");
+
     let s = solved(
         r#"
 [contact]
@@ -193,6 +216,19 @@ shear_thinning = { law = "ree-eyring", tau_0 = "10 MPa" }
     );
     let thermal = s.thermal.as_ref().expect("a thermal contact");
     assert!(thermal.balance.error.abs() < 0.01);
+    // Steel at 22 (1 - 0.01/2) m/s, silicon nitride at 22 (1 + 0.01/2) m/s.
+    let steel = effusivity(46.0, 7850.0 * 470.0, 21.89);
+    let nitride = effusivity(29.0, 3200.0 * 680.0, 22.11);
+    let per_heat = [
+        (thermal.body_1_mean.value - INLET) * steel / thermal.balance.to_body_1.value,
+        (thermal.body_2_mean.value - INLET) * nitride / thermal.balance.to_body_2.value,
+    ];
+    println!("rises over heat and effusivity {per_heat:.2?}");
+    assert_relative_eq!(per_heat[0], per_heat[1], max_relative = 0.15);
+    // The oil is hottest where it turns back, before the contact, and hotter there than either body.
+    let hottest = &thermal.film_maximum;
+    assert!(hottest.x < -s.hertz.half_width, "{hottest:?}");
+    assert!(hottest.value - INLET > 2.0 * (thermal.body_2_maximum.value - INLET));
 }
 
 /// 4 N carried by 7 mm of film: the contact area of the dry contact is smaller than any element, and its mean temperature that of the centre.

@@ -13,7 +13,7 @@ use ertel::contact::{Contact, ContactKind, Hertz, Symmetry};
 use ertel::elastic::Accuracy;
 use ertel::params::{MeshParams, MeshPreset};
 use ertel::run::solve;
-use ertel::solution::{Estimate, IterationRecord, Solution};
+use ertel::solution::{Estimate, Figure, IterationRecord, Solution};
 use ertel::solve::discretisation::{ContactSurface, Discretisation};
 use ertel::solve::{NoObserver, Observer, SolveError};
 use ertel_fem::linear::NEVER;
@@ -217,21 +217,21 @@ fn a_tilt_shifts_the_contact_along_the_crown() {
             ellipse.summary.film_minimum,
             5e-3,
         );
-        let figures = solution.roller.unwrap();
-        let position = figures.load_position;
+        let figure = |figure| solution.figure(figure).unwrap();
+        let position = figure(Figure::LoadPosition);
         let bar = position.error.unwrap() + 2e-3 * semi_axis;
         let shift = angle * CROWN;
         assert!((position.value - shift).abs() < bar, "{position:?} {shift}");
-        let moment = figures.roller_moment.value;
+        let moment = figure(Figure::RollerMoment).value;
         assert_relative_eq!(
             moment,
             case.contact.load * position.value,
             max_relative = 1e-9
         );
-        figures
+        [Figure::EdgePressureRight, Figure::EdgePressureLeft].map(figure)
     });
     // Mirror images: the ends exchange their pressures.
-    let [a, b] = [&right, &left].map(|f| [&f.edge_pressure_right, &f.edge_pressure_left]);
+    let [a, b] = [right, left];
     assert_alike(a[0].estimate(), b[1].estimate(), 5e-3);
     assert!(a[0].value > 2.0 * a[1].value && b[1].value > 2.0 * b[0].value);
     assert!(a[0].y > 0.0 && b[1].y < 0.0);
@@ -273,7 +273,7 @@ fn a_tilted_logarithmic_roller_is_solved() {
         (film.value - 214.9e-9).abs() < film.error.unwrap() + 0.5e-9,
         "{film:?}"
     );
-    assert!(solution.roller.unwrap().load_position.value > 0.0);
+    assert!(solution.figure(Figure::LoadPosition).unwrap().value > 0.0);
 }
 
 /// Heat under a tilted roller: what is made is carried off, and the film is warmer than what flows in.
@@ -288,5 +288,5 @@ fn heat_of_a_tilted_roller() {
     let error = thermal.balance.error;
     assert!(error.abs() < 0.02, "{error}");
     assert!(thermal.film_maximum.value > case.lubricant.temperature + 1.0);
-    assert!(solution.roller.unwrap().load_position.value > 0.0);
+    assert!(solution.figure(Figure::LoadPosition).unwrap().value > 0.0);
 }

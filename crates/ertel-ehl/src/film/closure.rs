@@ -16,8 +16,9 @@
 
 use std::ops::{Add, Mul};
 
-use super::cross_film::{CrossFilm, LimitScale, StressScales};
+use super::cross_film::CrossFilm;
 use super::fluidity::{Fluidity, UniformFluidity};
+use super::stress_scales::{LimitScale, StressScales};
 
 /// Number of quantities that the flow depends on: G_x, G_y, Ω_x, Ω_y, P.
 pub const N_DEMANDS: usize = 5;

@@ -11,10 +11,11 @@ use ertel_rheology::viscosity::ViscosityLaw;
 use num_dual::{Dual2_64, DualNum};
 
 use super::closure::{self, Closure, FilmFlow};
-use super::cross_film::{CrossFilm, StressScales};
+use super::cross_film::CrossFilm;
 use super::fluidity::{Fluidity, PointThinning, Thinning};
 use super::polynomial::{FilmNodes, Nodal};
 use super::properties::Properties;
+use super::stress_scales::StressScales;
 use super::thermal::{Jet2, TemperatureProfile, ThermalFluid, ThermalLaw};
 use super::thermal_closure::{ThermalClosure, close_thermal};
 use crate::contact::{Planar, Scales};

@@ -13,9 +13,9 @@ use std::sync::Arc;
 use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning, StressLimit};
 use num_dual::{Dual2_64, DualNum};
 
-use super::cross_film::{LimitScale, StressScales};
 use super::lanes::Lanes;
 use super::quintic::Quintic;
+use super::stress_scales::{LimitScale, StressScales};
 
 /// f and its derivatives by x and P.
 #[derive(Clone, Copy, Debug, Default)]

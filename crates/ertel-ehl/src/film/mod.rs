@@ -10,6 +10,7 @@ mod patches;
 pub mod polynomial;
 mod properties;
 mod quintic;
+pub mod stress_scales;
 pub mod thermal;
 pub mod thermal_closure;
 

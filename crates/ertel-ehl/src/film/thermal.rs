@@ -12,11 +12,11 @@
 use nalgebra::SVector;
 use num_dual::{Dual2SVec64, hessian};
 
-use super::cross_film::StressScales;
 use super::fluid::PointFluid;
 use super::fluidity::{Fluidity, PointThinning};
 use super::lanes::{Lanes, WIDTH, exp};
 use super::polynomial::{FilmNodes, MOST_NODES, Nodal, Polynomial};
+use super::stress_scales::StressScales;
 
 /// Temperature across the film at a point of the contact area, at the nodes of the film.
 #[derive(Clone, Copy, Debug, Default)]

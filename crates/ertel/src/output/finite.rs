@@ -27,7 +27,6 @@ pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<S
         measured: _,
         summary,
         starvation,
-        roller,
         mixed,
         traction,
         summed_to,
@@ -58,7 +57,6 @@ pub(super) fn first_not_finite(case: &CaseEcho, solution: &Solution) -> Option<S
         .or_else(|| find("figures", &by_name(solution)))
         .or_else(|| find("summary", summary))
         .or_else(|| find("starvation", starvation))
-        .or_else(|| find("roller", roller))
         .or_else(|| find("mixed", mixed))
         .or_else(|| find("traction", traction))
         .or_else(|| find("summed_to", summed_to))

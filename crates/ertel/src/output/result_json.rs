@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
-use crate::solution::{Figure, Located, Solution};
+use crate::solution::{Figure, Located, Section, Solution};
 use crate::warning::{notes, texts};
 
 /// Value of the key `format` by which a result is recognised.
@@ -66,8 +66,13 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
     if let Some(starvation) = &solution.starvation {
         document["starvation"] = serde_json::to_value(starvation)?;
     }
-    if let Some(roller) = &solution.roller {
-        document["roller"] = serde_json::to_value(roller)?;
+    for (figure, at) in solution.figures() {
+        if figure.section() == Section::Roller {
+            document["roller"][figure.name()] = match figure.has_place() {
+                true => serde_json::to_value(at)?,
+                false => serde_json::to_value(at.estimate())?,
+            };
+        }
     }
     if let Some(sensitivities) = &solution.sensitivities {
         document["sensitivities"] = serde_json::to_value(sensitivities)?;

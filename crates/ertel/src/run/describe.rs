@@ -9,7 +9,7 @@ use crate::post;
 use crate::problem::groups as groups_of;
 use crate::solution::{
     Asked, BodyField, Centreline, ElementFields, FilmReduction, IterationRecord, Measured,
-    RollerFigures, Solution, Starvation, Stats, Summary, SurfaceField, Thermal, Unresolved,
+    Solution, Starvation, Stats, Summary, SurfaceField, Thermal, Unresolved,
 };
 use crate::warning::Warning;
 
@@ -120,7 +120,6 @@ pub(super) fn describe<Plan>(
         unresolved: Vec::new(),
         summary,
         starvation: Starvation::of(&measured, &case.supply),
-        roller: RollerFigures::of(&measured),
         measured,
         mixed,
         traction,

@@ -1,0 +1,27 @@
+//! Films to compare with the one that was solved for: by formulas, and of the Newtonian fluid.
+
+use serde::Serialize;
+
+use super::Estimate;
+
+/// Film thickness predicted by a published formula.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FormulaFilm {
+    /// Name, e.g. "Hamrock-Dowson 1977".
+    pub name: &'static str,
+    /// Central film thickness, m, where the formula gives one.
+    pub central: Option<f64>,
+    /// Minimum film thickness, m, where the formula gives one.
+    pub minimum: Option<f64>,
+    /// Source of the constants, and what the formula assumes.
+    pub source: &'static str,
+}
+
+/// What shear thinning does to the film: both films on one and the same mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct FilmReduction {
+    /// 1 − h_c/(h_c of the Newtonian fluid).
+    pub central: Estimate,
+    /// 1 − h_min/(h_min of the Newtonian fluid).
+    pub minimum: Estimate,
+}
