@@ -1,16 +1,12 @@
 //! `ertel schema`: the keys of cases and studies for editors.
 
-mod keys;
-mod meaning;
-
 use clap::{Args, ValueEnum};
+use ertel_input::keys::{self, Kind, Laws, Row, plain};
 use ertel_rheology::database::{fluid_names, solid_names};
 use serde_json::{Map, Value, json};
 
 use crate::failure::Failure;
 use crate::print;
-use keys::{Key, Kind, MACHINES};
-use meaning::Meanings;
 
 /// The draft that editors for TOML know best: taplo reads it, and so do those that read later ones.
 const DRAFT: &str = "http://json-schema.org/draft-07/schema#";
@@ -49,15 +45,13 @@ pub fn run(arguments: &SchemaArgs) -> Result<(), Failure> {
 }
 
 fn case() -> Value {
-    let meanings = Meanings::of_case();
     let mut schema = Map::new();
     schema.insert("$schema".to_owned(), json!(DRAFT));
     schema.insert(
         "title".to_owned(),
         json!("Case of ertel: an elastohydrodynamic contact"),
     );
-    let table = table("", keys::CASE, &meanings);
-    extend(&mut schema, table);
+    extend(&mut schema, table(keys::CASE));
     schema.insert("required".to_owned(), json!(["bodies", "lubricant"]));
     schema.insert(
         "anyOf".to_owned(),
@@ -67,14 +61,13 @@ fn case() -> Value {
 }
 
 fn study() -> Value {
-    let meanings = Meanings::of_study();
     let mut schema = Map::new();
     schema.insert("$schema".to_owned(), json!(DRAFT));
     schema.insert(
         "title".to_owned(),
         json!("Study of ertel: a base case and what varies"),
     );
-    extend(&mut schema, table("", keys::STUDY, &meanings));
+    extend(&mut schema, table(keys::STUDY));
     schema.insert("required".to_owned(), json!(["case"]));
     schema.insert(
         "anyOf".to_owned(),
@@ -90,37 +83,53 @@ fn extend(schema: &mut Map<String, Value>, table: Value) {
 }
 
 /// A table with these keys and no others.
-fn table(path: &str, keys: &[Key], meanings: &Meanings) -> Value {
-    let properties: Map<String, Value> = keys
-        .iter()
-        .map(|(key, kind)| {
-            let inner = match path {
-                "" => (*key).to_owned(),
-                path => format!("{path}.{key}"),
-            };
-            let mut schema = of_kind(&inner, *kind, meanings);
-            let unit = unit(*kind);
-            let meaning = meanings.of(path, key).unwrap_or_default();
-            let description = [meaning, unit.as_str()].map(str::trim);
-            let description: Vec<&str> =
-                description.into_iter().filter(|d| !d.is_empty()).collect();
-            if !description.is_empty() {
-                schema["description"] = json!(description.join(". "));
-            }
-            ((*key).to_owned(), schema)
-        })
-        .collect();
+fn table(rows: &[Row]) -> Value {
+    table_of(Map::new(), [rows])
+}
+
+/// A table with the properties that are there and these keys.
+fn table_of<'a>(
+    mut properties: Map<String, Value>,
+    tables: impl IntoIterator<Item = &'a [Row]>,
+) -> Value {
+    (tables.into_iter()).for_each(|rows| add(&mut properties, rows));
     json!({ "type": "object", "properties": properties, "additionalProperties": false })
 }
 
-/// The units that a quantity may be written in, as a sentence.
-fn unit(kind: Kind) -> String {
-    match kind {
-        Kind::Quantity(dimensions) | Kind::Quantities(dimensions) => {
-            let units: Vec<String> = dimensions.iter().map(|d| d.examples()).collect();
-            format!("Units: {}", units.join(", "))
+/// Adds the keys that are not there.
+fn add(properties: &mut Map<String, Value>, rows: &[Row]) {
+    for row in rows {
+        let mut schema = of_kind(row);
+        schema["description"] = json!(description(row));
+        if let Some(default) = default(row) {
+            schema["default"] = default;
         }
-        _ => String::new(),
+        for key in row.keys {
+            (properties.entry(*key)).or_insert_with(|| schema.clone());
+        }
+    }
+}
+
+/// What a key means, what is usual, and the units that a quantity may be written in.
+fn description(row: &Row) -> String {
+    let mut sentences = vec![plain(&row.told())];
+    for usual in row.usual.iter().filter(|usual| usual.is_questioned) {
+        let [low, high] = usual.range;
+        sentences.push(format!("Usually {low} to {high} {}", usual.unit));
+    }
+    if let Kind::Quantity(dimensions) | Kind::Quantities(dimensions) = row.kind {
+        let units: Vec<String> = dimensions.iter().map(|d| d.examples()).collect();
+        sentences.push(format!("Units: {}", units.join(", ")));
+    }
+    sentences.join(". ")
+}
+
+/// What holds without the key, as JSON.
+fn default(row: &Row) -> Option<Value> {
+    let text = row.default?;
+    match row.kind {
+        Kind::Choice(_) | Kind::Share => Some(json!(text)),
+        _ => serde_json::from_str(text).ok(),
     }
 }
 
@@ -129,39 +138,49 @@ fn quantity() -> Value {
     json!({ "type": "string", "pattern": r"^\s*(\[\s*)?[+-]?(\d|\.\d)" })
 }
 
-/// A number, which may be a text: in per cent, or with an uncertainty.
-fn number() -> Value {
-    json!({ "anyOf": [{ "type": "number" }, quantity()] })
+/// A number between the bounds of the row, or a text: in per cent, or with an uncertainty.
+fn number(row: &Row) -> Value {
+    json!({ "anyOf": [within(row, "number"), quantity()] })
 }
 
-fn of_kind(path: &str, kind: Kind, meanings: &Meanings) -> Value {
-    match kind {
+fn within(row: &Row, kind: &str) -> Value {
+    let mut schema = json!({ "type": kind });
+    if let Some([low, high]) = row.bounds.and_then(|bounds| bounds.ends()) {
+        let number = |end: f64| match row.kind {
+            Kind::Count => json!(end as i64),
+            _ => json!(end),
+        };
+        schema["minimum"] = number(low);
+        schema["maximum"] = number(high);
+    }
+    schema
+}
+
+fn of_kind(row: &Row) -> Value {
+    match row.kind {
         Kind::Text => json!({ "type": "string" }),
         Kind::Switch => json!({ "type": "boolean" }),
-        Kind::Count => json!({ "type": "integer" }),
-        Kind::Number => number(),
-        Kind::Numbers => json!({ "type": "array", "items": number() }),
+        Kind::Count => within(row, "integer"),
+        Kind::Number | Kind::Share => number(row),
+        Kind::Numbers => json!({ "type": "array", "items": number(row) }),
         Kind::Quantity(_) => quantity(),
         Kind::Quantities(_) => json!({ "type": "array", "items": quantity() }),
         Kind::QuantityOr(words) => json!({ "anyOf": [{ "enum": words }, quantity()] }),
         Kind::Points => json!({
             "type": "array",
-            "items": { "type": "array", "items": number(), "minItems": 2, "maxItems": 2 },
+            "items": { "type": "array", "items": number(row), "minItems": 2, "maxItems": 2 },
         }),
         Kind::Choice(words) => json!({ "enum": words }),
         Kind::Choices(words) => json!({ "type": "array", "items": { "enum": words } }),
-        Kind::Table(keys) => table(path, keys, meanings),
-        Kind::Tables(keys) => json!({ "type": "array", "items": table(path, keys, meanings) }),
-        Kind::Law { laws, keys, or } => law(path, laws, keys, or, meanings),
+        Kind::Table(rows) => table(rows),
+        Kind::Tables(rows) => json!({ "type": "array", "items": table(rows) }),
+        Kind::Law(laws) => law(laws),
+        Kind::LawOr(laws, _) => json!({ "anyOf": [quantity(), law(laws)] }),
         Kind::Fluid => names(&fluid_names()),
-        Kind::FluidOrTable(keys) => {
-            json!({ "anyOf": [names(&fluid_names()), table(path, keys, meanings)] })
-        }
+        Kind::FluidOrTable(rows) => json!({ "anyOf": [names(&fluid_names()), table(rows)] }),
         Kind::Solid => names(&solid_names()),
-        Kind::SolidOrTable(keys) => {
-            json!({ "anyOf": [names(&solid_names()), table(path, keys, meanings)] })
-        }
-        Kind::Machine(keys) => machine(path, keys, meanings),
+        Kind::SolidOrTable(rows) => json!({ "anyOf": [names(&solid_names()), table(rows)] }),
+        Kind::Machine(machines) => machine(machines),
         Kind::Any => json!({}),
         Kind::List => json!({ "type": "array" }),
     }
@@ -172,37 +191,46 @@ fn names(names: &[&str]) -> Value {
     json!({ "anyOf": [{ "enum": names }, { "type": "string" }] })
 }
 
-/// A table with the key `law`, each law with keys of its own; or a constant in place of it.
-fn law(path: &str, laws: &[(&str, &[&str])], keys: &[Key], or: bool, meanings: &Meanings) -> Value {
-    let mut schema = table(path, keys, meanings);
-    schema["required"] = json!(["law"]);
-    let names: Vec<&str> = laws.iter().map(|(law, _)| *law).collect();
-    schema["properties"]["law"] = json!({ "enum": names });
-    schema["allOf"] = variants("law", laws);
-    match or {
-        true => json!({ "anyOf": [quantity(), schema] }),
-        false => schema,
-    }
+/// A table with the key `law`, each law with keys of its own.
+fn law(laws: &Laws) -> Value {
+    let keys: Vec<_> = (laws.laws.iter())
+        .map(|law| (law.name, laws.keys_of(law)))
+        .collect();
+    variants(table_of(Map::new(), laws.tables()), "law", &keys)
 }
 
-/// The keys that go with each value of a key.
-fn variants(key: &str, variants: &[(&str, &[&str])]) -> Value {
-    let one = |(name, keys): &(&str, &[&str])| {
+/// A table with the key `kind`, each kind with keys of its own.
+fn machine(machines: &[(&str, &[Row])]) -> Value {
+    let properties = Map::from_iter([("kind".to_owned(), json!({}))]);
+    let of = |rows: &[Row]| {
+        rows.iter()
+            .flat_map(|row| row.keys.iter().copied())
+            .collect()
+    };
+    let keys: Vec<_> = machines
+        .iter()
+        .map(|(kind, rows)| (*kind, of(rows)))
+        .collect();
+    let table = table_of(properties, machines.iter().map(|(_, rows)| *rows));
+    variants(table, "kind", &keys)
+}
+
+/// Lets a key of a table choose which others there are.
+fn variants(mut schema: Value, key: &str, variants: &[(&str, Vec<&str>)]) -> Value {
+    let names: Vec<&str> = variants.iter().map(|(name, _)| *name).collect();
+    let one = |(name, keys): &(&str, Vec<&str>)| {
         let keys: Vec<&str> = std::iter::once(key).chain(keys.iter().copied()).collect();
         json!({
             "if": { "properties": { key: { "const": name } }, "required": [key] },
             "then": { "propertyNames": { "enum": keys } },
         })
     };
-    variants.iter().map(one).collect()
-}
-
-fn machine(path: &str, keys: &[Key], meanings: &Meanings) -> Value {
-    let mut schema = table(path, keys, meanings);
-    let names: Vec<&str> = MACHINES.iter().map(|(kind, _)| *kind).collect();
-    schema["properties"]["kind"] = json!({ "enum": names });
-    schema["required"] = json!(["kind"]);
-    schema["allOf"] = variants("kind", MACHINES);
+    schema["properties"][key]["enum"] = json!(names);
+    if let Some(property) = schema["properties"][key].as_object_mut() {
+        property.shift_remove("type");
+    }
+    schema["required"] = json!([key]);
+    schema["allOf"] = variants.iter().map(one).collect();
     schema
 }
 
@@ -210,9 +238,8 @@ fn machine(path: &str, keys: &[Key], meanings: &Meanings) -> Value {
 mod tests {
     use super::*;
 
-    /// Descriptions come from the reference page: every key that it has in a table is described by it.
     #[test]
-    fn keys_have_the_words_of_the_reference() {
+    fn keys_have_words_units_and_defaults() {
         let schema = case();
         let of = |pointer: &str| {
             schema
@@ -225,7 +252,10 @@ mod tests {
             radius.starts_with("reduced radius of curvature R, 1 um to 1 km"),
             "{radius}"
         );
-        assert!(radius.ends_with("Units: m, mm, um, nm"), "{radius}");
+        assert!(
+            radius.ends_with("Usually 0.5 to 1000 mm. Units: m, mm, um, nm"),
+            "{radius}"
+        );
         let speed = of("/properties/machine/properties/inner_ring_speed/description");
         assert!(
             speed.contains("ω_i") && speed.ends_with("Units: rad/s, rpm"),
@@ -233,6 +263,11 @@ mod tests {
         );
         let linear = of("/properties/solver/properties/linear/description");
         assert!(linear.contains("\"condensed\" (default)"), "{linear}");
+        let order = &schema["properties"]["thermal"]["properties"]["film_order"];
+        assert_eq!(
+            (&order["maximum"], &order["default"]),
+            (&json!(10), &json!(8))
+        );
         let study = study();
         let zip = study.pointer("/properties/axis/items/properties/zip/description");
         assert!(

@@ -13,6 +13,7 @@ mod estimate;
 mod files;
 mod fit;
 mod interferogram;
+mod keys;
 mod machine;
 mod manners;
 mod mixed;

@@ -65,6 +65,12 @@ impl Bounds {
         }
     }
 
+    /// Both ends, where they are finite.
+    #[must_use]
+    pub fn ends(&self) -> Option<[f64; 2]> {
+        (self.lower.is_finite() && self.upper.is_finite()).then_some([self.lower, self.upper])
+    }
+
     /// Whether `value` is allowed.
     #[must_use]
     pub fn contains(&self, value: f64) -> bool {

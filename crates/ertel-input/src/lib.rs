@@ -23,6 +23,7 @@ pub mod csv;
 mod error;
 pub mod file;
 mod inputs;
+pub mod keys;
 mod shown;
 mod table;
 pub mod tree;

@@ -2,6 +2,7 @@
 //
 // A field has `keys(file)`, the key path that it edits; `shown(file)`, whether it belongs to the case as it is; and, where it is a choice
 // between forms of a case, `value(file)` and `choose(file, value)`, the list of changes. `file` is a view of the case file (class File).
+// Which values are numbers, what the choices are and what a key means in the reference stand in `database.keys`, from the program.
 
 /** Values of a case file by key path, as the module gives them. */
 export class File {
@@ -154,7 +155,6 @@ function body(n, what, database) {
     },
     {
       label: "Poisson’s ratio ν",
-      number: true,
       keys: (file) => `${file.body(n)}.poissons_ratio`,
       shown: (file) => name(file) === undefined || file.has(`${file.body(n)}.poissons_ratio`),
     },
@@ -175,6 +175,8 @@ function hasMore(file, key) {
 
 /** Groups of fields; `section` is the table of the case file that errors without a field of their own belong to. */
 export function groups(database) {
+  /** The choices of a key, each with a title or its own name. */
+  const choices = (key, titles = {}) => () => database.keys[key].choices.map((choice) => [choice, titles[choice] ?? choice]);
   return [
     {
       legend: "Contact",
@@ -183,7 +185,7 @@ export function groups(database) {
         {
           label: "Kind",
           wide: true,
-          options: () => [["circular", "circular: ball on plane"], ["line", "line: long cylinder on plane"], ["elliptical", "elliptical: two radii"], ["roller", "roller of finite length"]],
+          options: choices("contact.kind", { circular: "circular: ball on plane", line: "line: long cylinder on plane", elliptical: "elliptical: two radii", roller: "roller of finite length" }),
           keys: () => "contact.kind",
           shown: (file) => !ofMachine(file),
           choose: kindChanges,
@@ -273,7 +275,6 @@ export function groups(database) {
         {
           label: "Slide-to-roll ratio",
           hint: "(u₂ − u₁)/uₘ",
-          number: true,
           keys: () => "motion.slide_to_roll_ratio",
           shown: (file, field) => !ofMachine(file) && field("Given by") === "entrainment",
         },
@@ -340,11 +341,11 @@ export function groups(database) {
         { label: "Density ρ₀", keys: () => "lubricant.density.rho_0", shown: (file) => file.oilKind === "own" },
         { label: "Kinematic viscosity at 40 °C", keys: () => "lubricant.kinematic_viscosity_40", shown: (file) => file.oilKind === "sheet" },
         { label: "Kinematic viscosity at 100 °C", keys: () => "lubricant.kinematic_viscosity_100", shown: (file) => file.oilKind === "sheet" && !file.has("lubricant.viscosity_index") },
-        { label: "Viscosity index", number: true, keys: () => "lubricant.viscosity_index", shown: (file) => file.oilKind === "sheet" && file.has("lubricant.viscosity_index") },
+        { label: "Viscosity index", keys: () => "lubricant.viscosity_index", shown: (file) => file.oilKind === "sheet" && file.has("lubricant.viscosity_index") },
         { label: "Density at 15 °C", keys: () => "lubricant.density_15", shown: (file) => file.oilKind === "sheet" },
         {
           label: "Base oil",
-          options: () => [["mineral", "mineral"], ["PAO", "PAO"], ["ester", "ester"], ["PAG", "PAG"]],
+          options: choices("lubricant.base_oil"),
           keys: () => "lubricant.base_oil",
           shown: (file) => file.oilKind === "sheet",
         },

@@ -6,6 +6,7 @@ export class Form {
   /** `change(changes)` gets pairs of key path and value. */
   constructor(element, database, change) {
     this.change = change;
+    this.keys = database.keys;
     this.file = null;
     this.groups = groups(database).map((group, i) => this.#group(element, group, i));
   }
@@ -56,7 +57,7 @@ export class Form {
     }
     const key = field.keys(this.file);
     const text = input.value.trim();
-    const isNumber = field.number && text !== "" && Number.isFinite(Number(text));
+    const isNumber = this.keys[key]?.number && text !== "" && Number.isFinite(Number(text));
     this.change([[key, text === "" ? null : isNumber ? Number(text) : input.value]]);
   }
 
@@ -92,6 +93,7 @@ export class Form {
     if (!shown) return;
     const key = field.keys(this.file);
     box.dataset.key = key;
+    input.title = this.keys[key]?.words ?? "";
     const value = this.#value(field);
     // A table or a list where the form has one value: of a quantity with an uncertainty, of a law.
     const beyond = !field.value && value === undefined && this.file.tables.includes(key);
@@ -110,7 +112,7 @@ export class Form {
     if (field.options) this.#fill(field, String(value ?? ""));
     const text = beyond ? "" : String(value ?? "");
     // What the user is typing stays as typed where it means the same.
-    if (document.activeElement === input && !field.options && (input.value.trim() === text || (field.number && input.value.trim() !== "" && Number(input.value) === value))) return;
+    if (document.activeElement === input && !field.options && (input.value.trim() === text || (this.keys[key]?.number && input.value.trim() !== "" && Number(input.value) === value))) return;
     input.value = text;
   }
 

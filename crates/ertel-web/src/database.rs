@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use ertel_input::keys::{self, Kind, Row, plain};
 use ertel_rheology::database::{fluid_names, fluid_or_file, solid_names, solid_or_file};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// Case files of the repository to begin with: name and text.
 const EXAMPLES: [(&str, &str); 6] = [
@@ -33,9 +34,42 @@ const EXAMPLES: [(&str, &str); 6] = [
     ),
 ];
 
+/// Sections whose keys the form shows.
+const SECTIONS: [&str; 6] = [
+    "contact",
+    "motion",
+    "bodies",
+    "lubricant",
+    "temperature",
+    "thermal",
+];
+
+/// What the form has to know of keys, by their key paths: `{"words": "...", "number": false, "choices": [...]}`, the choices of a choice
+/// alone.
+fn described() -> Map<String, Value> {
+    let is_shown = |path: &str| SECTIONS.contains(&path.split('.').next().unwrap_or_default());
+    let describe = |row: &Row| {
+        let mut key = json!({
+            "words": plain(&row.told()),
+            "number": matches!(row.kind, Kind::Number | Kind::Share | Kind::Count),
+        });
+        if let Kind::Choice(choices) = row.kind {
+            key["choices"] = json!(choices);
+        }
+        key
+    };
+    let near = keys::all()
+        .iter()
+        .filter(|(path, _)| path.matches('.').count() < 3);
+    let shown = near.filter(|(path, _)| is_shown(path));
+    shown
+        .map(|(path, row)| (path.clone(), describe(row)))
+        .collect()
+}
+
 /// `{"ok": true, "version": "...", "fluids": [...], "solids": [...], "examples": [...]}`: lubricants and solids of the database with `name`
 /// and `title`, those of solids with `youngs_modulus` in Pa and `poissons_ratio`, of lubricants with `reference_temperature` in K or null;
-/// examples with `name` and `text`.
+/// examples with `name` and `text`; `keys` as [`described`] gives them.
 pub fn database() -> Value {
     let folder = Path::new("");
     let fluids = fluid_names().into_iter().filter_map(|name| {
@@ -63,5 +97,6 @@ pub fn database() -> Value {
         "fluids": fluids.collect::<Vec<_>>(),
         "solids": solids.collect::<Vec<_>>(),
         "examples": examples,
+        "keys": described(),
     })
 }

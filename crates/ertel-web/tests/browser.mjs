@@ -151,6 +151,8 @@ try {
   const roller = readFileSync(join(ROOT, "cases/roller.toml"), "utf8");
   assert.equal(await text(), roller);
   assert.equal(await run(`${field("contact.kind")}.value`), "line");
+  assert.match(await run(`${field("contact.radius")}.title`), /^reduced radius of curvature R/);
+  assert.equal(await run(`${field("contact.kind")}.options.length`), 4);
   assert.equal(await run(`${field("contact.load")}.value`), "100 kN/m");
   assert.equal(await solve(), "yes");
   const agreement = agreed(JSON.parse(await file("result.json")), nativeResult(roller));

@@ -27,6 +27,33 @@ fn fields_are_the_values_of_the_file() {
     assert_eq!(form("radius = ")["error"]["line"], 1);
 }
 
+/// Keys that the page names are keys of a case, and choices have titles of no others.
+#[test]
+fn keys_of_the_page_are_those_of_cases() {
+    let page = include_str!("../page/fields.js");
+    let known = database()["keys"].as_object().unwrap().clone();
+    assert_eq!(known["motion.slide_to_roll_ratio"]["number"], true);
+    assert_eq!(known["lubricant.base_oil"]["choices"][1], "PAO");
+    let sections = ["contact.", "motion.", "bodies.", "lubricant.", "thermal."];
+    let is_key = |word: &&str| sections.iter().any(|section| word.starts_with(section));
+    let mut n_keys = 0;
+    for word in page
+        .split(['"', '`'])
+        .filter(is_key)
+        .filter(|word| !word.contains('$'))
+    {
+        assert!(known.contains_key(word), "{word}");
+        n_keys += 1;
+    }
+    assert!(n_keys > 60, "{n_keys}");
+    let (_, titles) = page.split_once("choices(\"contact.kind\", {").unwrap();
+    let kinds = known["contact.kind"]["choices"].as_array().unwrap();
+    for kind in kinds {
+        let title = format!("{}: \"", kind.as_str().unwrap());
+        assert!(titles.lines().next().unwrap().contains(&title), "{title}");
+    }
+}
+
 /// One value changes; comments, order and spaces stay.
 #[test]
 fn an_edit_changes_one_value() {

@@ -27,7 +27,7 @@ fn validate(schema: &Value, value: &Value, at: &str, found: &mut Vec<String>) {
         };
         let object = value.as_object();
         let ok = match keyword.as_str() {
-            "$schema" | "title" | "description" | "then" => true,
+            "$schema" | "title" | "description" | "default" | "then" => true,
             "type" => match wanted.as_str().unwrap() {
                 "object" => value.is_object(),
                 "array" => value.is_array(),
@@ -84,6 +84,8 @@ fn validate(schema: &Value, value: &Value, at: &str, found: &mut Vec<String>) {
                 }
                 true
             }
+            "minimum" => value.as_f64().is_none_or(|v| v >= wanted.as_f64().unwrap()),
+            "maximum" => value.as_f64().is_none_or(|v| v <= wanted.as_f64().unwrap()),
             "minItems" => value
                 .as_array()
                 .is_none_or(|v| v.len() as u64 >= wanted.as_u64().unwrap()),

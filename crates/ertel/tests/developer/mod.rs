@@ -10,4 +10,5 @@ mod decisions;
 mod equations;
 mod links;
 mod pages;
+mod reference;
 mod source;

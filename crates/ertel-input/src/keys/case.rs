@@ -1,0 +1,169 @@
+//! Cases and studies as a whole, contact, bodies and motion.
+
+use ertel_quantity::Dimension as D;
+
+use super::Kind::{
+    Any, Choice, Count, FluidOrTable, List, Machine, Number, Quantities, Quantity, QuantityOr,
+    Solid, SolidOrTable, Switch, Table, Tables, Text,
+};
+use super::lubricant::{CONDUCTIVITY, HEAT_CAPACITY, LUBRICANT};
+use super::machine::MACHINES;
+use super::rows;
+use super::settings::{COMPARE, MESH, OUTPUT, SOLVER, THERMAL};
+use super::{ANGLE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE};
+use crate::usual::{
+    COATINGS, CROWNS, GROOVES, HEIGHTS, HERTZ_PRESSURE, LENGTHS, LINE_LOAD, LOAD, MODULUS,
+    OIL_LAYER, RADII, SOLID_CONDUCTIVITY, SOLID_DENSITY, SPECIFIC_HEATS, SPEEDS,
+};
+
+rows! {
+    /// A case.
+    pub CASE {
+        title: Text => "text for report and pictures; optional";
+        contact: Table(CONTACT) => "kind, size and load of the contact";
+        motion: Table(MOTION) => "speeds of both surfaces";
+        machine: Machine(MACHINES) => "dimensions, loads and speeds of a machine element, in place of `[contact]` and `[motion]`";
+        bodies: Table(BODIES) => "both bodies: elastic constants, thermal properties, radii of ellipses, composite roughness";
+        surface_roughness: Table(ROUGHNESS) => "optional: rough surfaces and their asperities, for the model of mixed lubrication";
+        inlet: Table(INLET) => "optional: how much oil reaches the contact; without this section the inlet is fully flooded";
+        lubricant: FluidOrTable(LUBRICANT) => "the lubricant by its name, its laws or its data sheet, and the temperature of the film";
+        temperature: TEMPERATURE => "temperature of the film, where `lubricant` is a name";
+        thermal: Table(THERMAL) => "optional: this section, even if empty, makes the contact thermal (energy equation of film and bodies)";
+        mesh: Table(MESH) => "optional: target of the refinement, or sizes of the cells; lengths are in Hertz half-widths";
+        solver: Table(SOLVER) => "optional: numerical method, tolerances and limits";
+        output: Table(OUTPUT) => "optional: folder, formats and additional files of the results";
+        curve: Table(CURVE) => "optional: a list or range of one quantity; the case is solved at each value in turn";
+        compare: Table(COMPARE) => "optional: how the table of `ertel compare` is read";
+        correlation: Tables(CORRELATION) => "optional: correlations between uncertain inputs";
+    }
+    /// `[contact]`.
+    pub CONTACT {
+        kind: Choice(&["circular", "line", "elliptical", "roller"]) => r#"`"circular"` (ball on plane), `"line"` (long cylinder on plane),
+            `"elliptical"` (bodies with two radii each) or [`"roller"`](#rollers) (cylinder of finite length)"#;
+        radius: LENGTH, usual [RADII] => "reduced radius of curvature R, 1 um to 1 km (circular, line, roller)";
+        radius_x, radius_y: LENGTH, usual [RADII] => r"reduced radii along x and y (elliptical), unless `[bodies]` gives the radii of both
+            bodies; ratio at most 1000 to 1";
+        entrainment_angle: ANGLE => r#"direction of the entrainment velocity from x towards y, `"30 deg"` or in rad (elliptical; along x if
+            absent)"#;
+        load: Quantity(&[D::FORCE, D::FORCE_PER_LENGTH]), usual [LOAD, LINE_LOAD] => r#"load F, a force (circular, elliptical, roller); load per
+            length w, such as `"50 kN/m"` (line)"#;
+        hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE] => r"largest pressure of the dry contact, in place of `load`; for a roller that of the
+            line contact under F/l";
+        length: LENGTH, usual [LENGTHS] => "length l; at least four half-widths of the contact";
+        profile: Table(PROFILE) => "total drop z(y) of roller and raceway from the cylinder; its `kind` is one of those below";
+        misalignment: ANGLE => r#"tilt θ of the axis, `"0.01 deg"` or in rad, at most 0.1 rad; a positive tilt loads the end y > 0 more. 0 if
+            absent"#;
+    }
+    /// The relief of a roller.
+    pub PROFILE {
+        kind: Choice(&["straight", "crown", "logarithmic", "iso-16281", "table"]), aside "form of the relief";
+        straight_length: LENGTH, aside "s of a straight profile: no drop up to |y| = s/2";
+        end_radius: LENGTH, usual [CROWNS], aside "radius of the arcs beyond it";
+        crown_radius: LENGTH, usual [CROWNS], aside "radius of a crown, one arc";
+        end_drop: LENGTH, usual [COATINGS], aside "drop of a crown at the ends, in place of its radius";
+        design_load: Quantity(&[D::FORCE]), usual [LOAD], aside "load Q under which the pressure of a logarithmic profile is uniform";
+        diameter: LENGTH, aside "diameter D of the roller, for the profile of ISO 16281";
+        position: Quantities(&[D::LENGTH]), aside "positions along the axis, increasing, three at least";
+        drop: Quantities(&[D::LENGTH]), usual [COATINGS], aside "drops at the positions";
+        file: Text, aside "table of positions and drops, in place of both lists";
+        smoothing_length: LENGTH, aside "length over which the drops are averaged";
+        level: Switch, aside "`true`: take off the straight line that fits best";
+    }
+    /// `[motion]`.
+    pub MOTION {
+        entrainment_speed: SPEED, usual [SPEEDS] => r"u_m = (u_1 + u_2)/2 of the speeds of `body_1` and `body_2`, positive: the inlet lies at
+            x < 0. Zero is an error: without entrainment there is no steady film";
+        slide_to_roll_ratio: Number => r"(u_2 - u_1)/u_m with u_2 the speed of `body_2` and u_1 that of `body_1`; any sign; above 2 in absolute
+            value the surfaces move in opposite directions, which gives a warning";
+        slide_to_roll_ratio_across: Number => r"the same for the velocities across the entrainment direction, (v_2 - v_1)/u_m, from x towards y;
+            optional, 0";
+        body_1_speed, body_2_speed: SPEED, aside "speeds of both bodies, in place of entrainment speed and slide-to-roll ratios";
+        plane_speed, ball_speed: SPEED, aside "older names of `body_1_speed` and `body_2_speed`";
+        skew_angle: ANGLE, aside "angle from the velocity of body 1 to that of body 2; optional, 0";
+        body_1_spin, body_2_spin: ROTATION => r"angular velocities of both surfaces about the contact normal, from x towards y, in `rad/s` or
+            `rpm`; optional, 0. Not in line contacts; the speed that their mean gives to the edge of the Hertz zone is at most half of u_m";
+    }
+    BODIES {
+        body_1: SolidOrTable(BODY), aside "the disc, ring, wheel or tappet";
+        body_2: SolidOrTable(BODY), aside "the ball, roller, pinion or cam";
+        plane, ball: SolidOrTable(BODY), aside "older names of `body_1` and `body_2`";
+        roughness: LENGTH, usual [HEIGHTS], aside "composite rms roughness of both surfaces σ = √(σ_1² + σ_2²), 0.01 nm to 1 mm; optional";
+        axes_angle: ANGLE, aside "from the x axis of body 1 to that of body 2";
+    }
+    BODY {
+        name: Solid, aside "a solid of the database, or your own file";
+        youngs_modulus: PRESSURE, usual [MODULUS], aside "Young's modulus E";
+        poissons_ratio: Number, aside "Poisson's ratio ν, above -1 and below 0.5";
+        hertz_pressure_limit: PRESSURE, aside "largest Hertz pressure that the body bears: beyond it a warning; optional";
+        density: Quantity(&[D::DENSITY]), usual [SOLID_DENSITY], aside "density, for thermal contacts";
+        thermal_conductivity: CONDUCTIVITY, usual [SOLID_CONDUCTIVITY], aside "thermal conductivity, for thermal contacts";
+        heat_capacity: HEAT_CAPACITY, usual [SPECIFIC_HEATS], aside "heat capacity, for thermal contacts";
+        radius_x, radius_y: QuantityOr(&["flat"]), usual [GROOVES], aside "principal radii of a body of an elliptical contact: positive for
+            convex, negative for concave";
+    }
+    /// `[surface_roughness]`.
+    pub ROUGHNESS {
+        body_1_rms_height, body_2_rms_height: LENGTH, usual [HEIGHTS] => r"rms heights of both surfaces, 0 to 1 mm, both or neither; in place of
+            `roughness` in `[bodies]`";
+        body_1_ra, body_2_ra, body_1_rq, body_2_rq, body_1_rz, body_2_rz: LENGTH, usual [HEIGHTS] => r"in place of an rms height, for each body
+            one of them: Rq is the rms height; Ra is taken as σ/1.25, as of normally distributed heights; Rz is taken as 6 Ra (DIN 3991),
+            between 4 and 8 Ra by other quotations, so σ is uncertain by −25 to +50 %. The report shows the rule";
+        asperity_group: Number => r"σβη, composite rms height times tip radius times density of asperities; above 0, below 1; usually 0.03 to
+            0.07, else a warning";
+        rms_height_to_asperity_radius: Number => r"σ/β, composite rms height over tip radius; above 0, below 1; usually 1e-4 to 1e-2, else a
+            warning";
+        boundary_friction_coefficient: Number, bounds [0.0, 2.0] => "friction of the asperities over their load{}; optional, for the friction of
+            film and asperities";
+    }
+    /// `[inlet]`.
+    pub INLET {
+        oil_layer: LENGTH, usual [OIL_LAYER] => r"thickness of the oil on both surfaces together, at ambient density (0.1 nm to 10 mm). Its
+            product with the entrainment speed is the oil supply per width. The meniscus position and the side flow around the contact are
+            computed";
+        meniscus_distance: LENGTH, usual [COATINGS] => r"distance from the centre to a straight meniscus across the motion, downstream of which
+            the gap is full; larger than the half-width of the dry contact. The mesh ends there, so `[mesh] inlet` must not be given; not for
+            ellipses whose axes are at an angle to the motion";
+    }
+    /// `[curve]`.
+    pub CURVE {
+        quantity: Choice(&[
+            "motion.entrainment_speed", "motion.slide_to_roll_ratio", "motion.body_1_speed", "motion.body_2_speed", "motion.ball_speed",
+            "motion.plane_speed", "contact.load", "contact.hertz_pressure", "contact.radius", "inlet.oil_layer", "inlet.meniscus_distance",
+            "lubricant.temperature", "temperature", "machine.entrainment_speed", "machine.slide_to_roll_ratio", "machine.ball_speed",
+            "machine.disc_speed", "machine.load", "machine.ball_load", "machine.roller_load", "machine.hertz_pressure",
+            "machine.inner_ring_speed", "machine.outer_ring_speed", "machine.pinion_speed", "machine.pinion_torque", "machine.cam_speed",
+        ]) => r"key path of what varies, which the case must contain; the values of the curve replace its value. One of";
+        values: List => "2 to 1000 different values, in the order of solving";
+        from, to: Number => "in place of `values`: a range, ends included; decreasing ranges are allowed";
+        points: Count => "number of points of the range";
+        spacing: Choice(&["linear", "log"]), default "linear" => "equal steps or equal ratios";
+        folders: Switch, default "false" => "`true`: also write the full results of each point in a separate folder";
+        newtonian: Switch, default "false" => r"`true`: each point is also solved without shear thinning, for comparison (an error for a
+            lubricant without shear thinning)";
+        isothermal: Switch, default "false" => r"`true`: each point is also solved without heat, for comparison (an error for a case without
+            heat)";
+    }
+    /// `[[correlation]]`.
+    pub CORRELATION {
+        of: Text, aside "key path of a quantity with an uncertainty";
+        with: Text, aside "key path of another one";
+        coefficient: Number, aside "coefficient of their correlation, -1 to 1";
+    }
+    /// A study.
+    pub STUDY {
+        title: Text => "text for report and pictures";
+        case: Text => "the base case";
+        points: Text => "a table of points";
+        axis: Tables(AXIS) => "what varies";
+    }
+    /// `[[axis]]` of a study.
+    pub AXIS {
+        key: Text => "path of the input: `contact.load`, `lubricant.name`, `mesh.target_error`. The base case need not contain it";
+        values: List => r#"a list: quantities with units, numbers, names, switches, tables such as `{ law = "barus", ... }`; all of one type"#;
+        from, to: Any => "a range in place of the list; values between the ends are rounded to six digits";
+        points: Count => "number of points of the range, ends included";
+        spacing: Choice(&["linear", "log"]), default "linear" => "equal steps or equal ratios";
+        zip: Text => r"axes with the same name here vary together, value by value; single values may repeat, whole points may not; all other
+            axes are combined with each other (full factorial), the last one varying fastest";
+    }
+}

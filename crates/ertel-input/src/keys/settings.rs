@@ -1,0 +1,117 @@
+//! `[thermal]`, `[mesh]`, `[solver]` and `[output]`.
+
+use ertel_quantity::Dimension as D;
+
+use super::Kind::{
+    Any, Choice, Choices, Count, Number, Points, Quantities, Quantity, Share, Switch, Table, Text,
+};
+use super::rows;
+use super::{LENGTH, TEMPERATURE};
+use crate::usual::{COATINGS, LIGHT};
+
+rows! {
+    /// `[thermal]`.
+    pub THERMAL {
+        depth: Number, bounds [0.1, 300.0], default "3.15" => "depth of both bodies in the energy equation, in half-widths";
+        body_1_temperature, body_2_temperature: TEMPERATURE => r"(`plane_temperature` and `ball_temperature` are older names) temperatures of
+            the bodies far from the contact; default the temperature of the lubricant";
+        plane_temperature, ball_temperature: TEMPERATURE, aside "older names of `body_1_temperature` and `body_2_temperature`";
+        film_order: Count, bounds [2.0, 10.0], default "8" => "polynomial order of the temperature across the film";
+        solid_elements: Count, bounds [1.0, 64.0], default "4" => "number of cubic elements over the depth of each body, thinner towards the film";
+        surface_order: Count, bounds [1.0, 2.0], default "1" => "Lagrange order of the temperature in the plane of motion";
+        tolerance: Number, bounds [1e-10, 0.1], default "1e-4" => r"convergence criterion of the film-temperature coupling: relative change of
+            temperature rise, film and pressure, and the estimated remaining error";
+        max_iterations: Count, bounds [1.0, 10_000.0], default "40" => "maximum number of rounds of that coupling";
+        profiles: Points, default "[[-1, 0], [0, 0], [0.9, 0]]" => r"points at which profiles across the film are written, in half-widths{};
+            `[]` for none. In a line contact y is 0";
+        field: Switch, default "false" => "`true`: write the temperature of the whole film and of both bodies";
+    }
+    /// `[mesh]`.
+    pub MESH {
+        target_error: Share, bounds [2e-4, 0.1], default "0.2 %" => r#"error of central and minimum film to be reached by adaptive mesh refinement,
+            in per cent, `"0.5 %"`, or as a ratio{}. Cannot be combined with `preset`, explicit cell sizes or growth"#;
+        refine_for: Choice(&["fields", "films"]), default "fields" => r#"`"fields"` (default): the mesh is refined for both films and for the
+            pressure; `"films"`: for the films only. Only with adaptive refinement"#;
+        pressure_error: Share, bounds [1e-4, 0.2] => r#"additional target, 3.5 times `target_error` if absent: root-mean-square error of the
+            pressure over the dry contact, relative to the Hertz pressure{}. Only with adaptive refinement, and not with `refine_for = "films"`"#;
+        max_unknowns: Count, bounds [1e3, 2e6] => r"approximate limit of the pressure unknowns in this refinement{}; default 100,000, with
+            finite-element bodies 8,000. If a limit is reached before the target, a warning says which, and the error bar is correspondingly
+            wider. Case files from before the half-space operator counted displacements here: their numbers are still valid, and allow finer
+            meshes";
+        preset: Choice(&["coarse", "normal", "fine"]) => r#"`"coarse"`, `"normal"` or `"fine"`: sets the cell sizes below, without refinement;
+            `"normal"` is used if a size is given or `solver.error_estimate` is off"#;
+        hertz_size, constriction_size, edge_size: Number => r"cell sizes in the Hertz zone, at the constriction and side lobes, and at the
+            edge of the contact area";
+        rim_size: Number => r"cell size around the rim of the Hertz zone, in the inlet and outlet boundary layers of the film; from the expected
+            film if absent";
+        growth, depth_growth: Number, bounds [0.05, 2.0] => r"growth of the cell size with distance along the surface, and with depth{};
+            half-spaces do not use the latter, and a warning says so";
+        inlet, outlet, side: Number => r"edges of the contact area: x < -1, x > 1, and |y| > 1 for circular and elliptical contacts (for a
+            roller its ends); chosen from the expected film if absent";
+        body_width, body_depth: Number, bounds [8.0, 600.0] => r"size of a finite-element body, in half-widths{}; 60 if absent, more for thick
+            films. No effect on half-spaces, and a warning says so";
+        pressure_order: Count, bounds [1.0, 5.0] => "Lagrange order of the pressure";
+        elastic_order: Count, bounds [1.0, 5.0] => r"Lagrange order of the deflection{}: for half-spaces that of the pressure (default) or higher;
+            for finite-element bodies 1 or 2 (default)";
+    }
+    /// `[solver]`.
+    pub SOLVER {
+        formulation: Choice(&["gls", "supg", "galerkin"]), default "gls" => "weak form of the Reynolds equation";
+        isotropic_diffusion: Number, bounds [0.0, 10.0], default "0" => "coefficient ρ_id of the isotropic diffusion";
+        ridge_diffusion: Number, bounds [0.0, 10.0] => r"coefficient ρ_r{}, of the diffusion on elements that do not resolve a ridge of the
+            pressure; it acts on meshes that are refined for the pressure, and where Newton's method fails without it. If absent, 1 in circular
+            and elliptical contacts of half-spaces with `gls` or `supg` and `elastic_stabilisation`, else 0
+            ([why](../decisions/0023-ridge-diffusion.md))";
+        elastic_stabilisation: Switch, default "true" => r"`true`: GLS and SUPG include the elastic deflection as well as the compression;
+            `false`: as printed in the thesis ([why](../decisions/0006-elastic-stabilisation.md))";
+        penalty: Number, bounds [1.0, 1e15], default "1e4" => "cavitation penalty ξ₀";
+        penalty_scaling: Choice(&["film", "constant", "element-squared", "inverse-element-squared"]), default "film"
+            => "how the penalty depends on the element size";
+        elasticity: Choice(&["half-space", "equivalent", "two-bodies"]) => r#"`"half-space"` (default): the deflection of both bodies by integrals
+            over the contact area; or finite-element bodies, as in the thesis: `"equivalent"`, one body that deflects like both, or
+            `"two-bodies"`. If the key is absent, `linear = "monolithic"` and `body_field = true` select `"equivalent"`; with `"half-space"` they
+            are errors ([why](../decisions/0011-half-space-operator.md))"#;
+        linear: Choice(&["condensed", "monolithic"]), default "condensed" => r#"`"condensed"` (default) or `"monolithic"`: both give the same
+            solution; the latter is much slower in 3D and only for finite-element bodies"#;
+        tolerance: Number, bounds [1e-11, 1e-2], default "1e-8" => "tolerance of the relative residual and the pressure update";
+        max_iterations: Count, bounds [1.0, 10_000.0], default "60" => "maximum number of Newton iterations on one mesh";
+        error_estimate: Switch, default "true" => r"estimate errors and report error bars; if `false`, the mesh is that of `preset` and only
+            the last mesh is solved with the element orders of the case";
+        newtonian: Switch, default "false" => "`true`: neglect shear thinning and use the low-shear viscosity";
+        isothermal: Switch, default "false" => "`true`: neglect the heat of a case that has `[thermal]`";
+    }
+    /// `[output]`.
+    pub OUTPUT {
+        folder: Text => "result folder; default `results/<name of the case file>`; the option `--output` has priority";
+        pictures: Choices(&["svg", "pdf", "png"]), default "[\"svg\"]" => r#"formats of pictures, a list of `"svg"`, `"pdf"` and `"png"`{}; `[]`
+            for none"#;
+        body_field: Switch, default "false" => r"`true`: write the displacement of the whole body, `body.vtu`{}. It needs a finite-element body,
+            which is used if `solver.elasticity` is absent; the solver uses only the surface, so the body is factorised once more for this file";
+        sensitivities: Switch => r"sensitivities of the results to each input ([below](#uncertain-inputs)). Default: all that cost little
+            compared with the solve, and in curves and studies only if an input has an uncertainty; `true`: also for thermal contacts and for
+            the length of rollers; `false`: none";
+        interferogram: Table(INTERFEROGRAM) => r"a table: draw the film of a point contact as an [interferogram](#interferograms),
+            `interferogram.png` and `interferogram.svg`";
+    }
+    /// `[output.interferogram]`.
+    pub INTERFEROGRAM {
+        wavelength: LENGTH, usual [LIGHT] => "wavelength of one colour, in vacuum; the image is then grey";
+        wavelengths: Quantities(&[D::LENGTH]), usual [LIGHT] => r#"in its place: the wavelengths of the red, green and blue channels,
+            `["650 nm", "550 nm", "450 nm"]`"#;
+        light: Choice(&["cie-rgb"]) => r#"in their place: `"cie-rgb"`, the primaries of CIE 1931, 700 nm, 546.1 nm and 435.8 nm"#;
+        refractive_index: Number, bounds [1.0, 4.0] => "n of the oil at ambient pressure";
+        follows_density: Switch, default "false" => "`true`: n rises with the density by Lorentz and Lorenz, (n² - 1)/(n² + 2) ∝ ρ";
+        spacer_thickness: LENGTH, usual [COATINGS] => "thickness of a transparent layer on the disc; none if absent";
+        spacer_refractive_index: Number, bounds [1.0, 4.0] => "n of that layer";
+        phase_change: Quantity(&[D::ANGLE]) => r#"phase change by the reflections: with `"180 deg"` zero film thickness is dark, with `"0 deg"` it
+            is bright"#;
+        visibility: Number, bounds [0.0, 1.0] => "contrast of the fringes{}; if absent, both beams are equally strong";
+    }
+    /// `[compare]`.
+    pub COMPARE {
+        columns: Any => r"table of quantities or keys of the case and the titles of their columns; a unit follows a colon where the title has
+            none; `#4` is the fourth column";
+        ignore: super::Kind::List => "titles of columns that are left out";
+        decimal: super::lubricant::DECIMAL => r#"`"point"` or `"comma"`: the decimal mark, where the numbers of the table leave it open"#;
+    }
+}

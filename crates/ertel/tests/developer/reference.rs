@@ -1,0 +1,51 @@
+//! The tables of the reference pages are those of the keys.
+
+use ertel_input::keys::{self, Row, table, table_of_laws};
+
+use super::pages::generated;
+
+/// Rows before and from the one with this key.
+fn split(rows: &'static [Row], key: &str) -> (&'static [Row], &'static [Row]) {
+    let at = rows.iter().position(|row| row.keys.contains(&key));
+    rows.split_at(at.unwrap_or_else(|| panic!("no row of {key}")))
+}
+
+#[test]
+fn tables_of_the_reference_are_those_of_the_keys() {
+    let (contact, rollers) = split(keys::CONTACT, "length");
+    let (lubricant, sheet) = split(keys::LUBRICANT, "kinematic_viscosity_40");
+    let page = "docs/reference/case-file.md";
+    for (name, rows) in [
+        ("sections", keys::CASE),
+        ("contact", contact),
+        ("rollers", rollers),
+        ("surface_roughness", keys::ROUGHNESS),
+        ("motion", keys::MOTION),
+        ("inlet", keys::INLET),
+        ("lubricant", lubricant),
+        ("thermal", keys::THERMAL),
+        ("mesh", keys::MESH),
+        ("solver", keys::SOLVER),
+        ("output", keys::OUTPUT),
+        ("interferogram", keys::INTERFEROGRAM),
+        ("curve", keys::CURVE),
+        ("compare", keys::COMPARE),
+    ] {
+        generated(page, name, &table(rows));
+    }
+    for (name, rows) in keys::MACHINES {
+        generated(page, name, &table(rows));
+    }
+    let page = "docs/reference/lubricant-laws.md";
+    for (name, laws) in [
+        ("density", &keys::DENSITIES),
+        ("viscosity", &keys::VISCOSITIES),
+        ("shear_thinning", &keys::SHEAR_LAWS),
+        ("thermal_conductivity", &keys::CONDUCTIVITIES),
+        ("heat_capacity", &keys::HEAT_CAPACITIES),
+    ] {
+        generated(page, name, &table_of_laws(laws));
+    }
+    generated(page, "data sheet", &table(sheet));
+    generated("docs/guide/studies.md", "axes", &table(keys::AXIS));
+}
