@@ -244,8 +244,8 @@ pub enum LinearSolver {
 /// Solver settings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SolverParams {
-    /// Finite elements or finite volumes.
-    pub method: Method,
+    /// Finite elements or finite volumes; `None`: finite elements, and finite volumes where these do not converge and those suit.
+    pub method: Option<Method>,
     /// Galerkin, SUPG or GLS.
     pub formulation: Formulation,
     /// Isotropic diffusion coefficient ρ_id of Habchi 2008, eq. 3.18; 0 for none.
@@ -280,7 +280,7 @@ pub struct SolverParams {
 impl Default for SolverParams {
     fn default() -> Self {
         SolverParams {
-            method: Method::default(),
+            method: None,
             formulation: Formulation::default(),
             isotropic_diffusion: 0.0,
             ridge_diffusion: None,

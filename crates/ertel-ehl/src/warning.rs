@@ -69,6 +69,8 @@ pub enum WarningKind {
     NoErrorBar,
     /// A largest pressure that the mesh does not resolve.
     Spike,
+    /// Another method than finite elements, which did not converge.
+    Method,
     /// Newton's method or elements that end short of what was asked for.
     Convergence,
     /// An outlet edge before the end of the film.
@@ -84,7 +86,10 @@ impl WarningKind {
     pub fn is_note(self) -> bool {
         matches!(
             self,
-            WarningKind::LawRange | WarningKind::RollingStress | WarningKind::WideAreaUnfelt
+            WarningKind::LawRange
+                | WarningKind::RollingStress
+                | WarningKind::WideAreaUnfelt
+                | WarningKind::Method
         )
     }
 }

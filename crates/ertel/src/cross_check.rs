@@ -91,8 +91,8 @@ impl CrossCheck {
 /// Why a case cannot be solved by the method that is not its own; `None` where it can.
 pub fn why_not(case: &Case) -> Option<String> {
     match case.solver.method {
-        Method::FiniteVolumes => None,
-        Method::FiniteElements => finite_volumes_refuse(case)
+        Some(Method::FiniteVolumes) => None,
+        _ => finite_volumes_refuse(case)
             .map(|reason| format!("{} {reason}", Method::FiniteVolumes.words())),
     }
 }
@@ -106,9 +106,9 @@ pub fn cross_check(
     own: &Solution,
     observer: &mut dyn Observer,
 ) -> Result<CrossCheck, SolveError> {
-    let methods = [case.solver.method, case.solver.method.other()];
+    let methods = [own.stats.method, own.stats.method.other()];
     let mut crossed = case.clone();
-    crossed.solver.method = methods[1];
+    crossed.solver.method = Some(methods[1]);
     // What is laid down for elements says nothing of volumes, and the other way round.
     if methods[1] == Method::FiniteVolumes && case.elastic_model() == ElasticModel::HalfSpace {
         crossed.mesh = MeshParams {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The modules of the solver, each above those that it may use.
-pub const SOLVER: [&str; 13] = [
+pub const SOLVER: [&str; 14] = [
     "words",
     "warning",
     "contact",
@@ -18,10 +18,11 @@ pub const SOLVER: [&str; 13] = [
     "engine",
     "solve",
     "post",
+    "volumes",
 ];
 
 /// The modules of the crate `ertel`, likewise; those of the solver are below them all.
-pub const CASES: [&str; 13] = [
+pub const CASES: [&str; 14] = [
     "files",
     "case",
     "reference",
@@ -29,6 +30,7 @@ pub const CASES: [&str; 13] = [
     "sensitivity",
     "plausible",
     "run",
+    "cross_check",
     "estimate",
     "study",
     "fit",

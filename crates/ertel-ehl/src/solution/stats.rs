@@ -1,5 +1,6 @@
 //! The meshes of a solve: what each reached, its estimated errors, and what it took.
 
+use crate::params::Method;
 use serde::Serialize;
 
 use super::{Figure, Figures, Role};
@@ -137,6 +138,8 @@ impl Timings {
 /// Solver statistics of the whole run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stats {
+    /// How the film was discretised.
+    pub method: Method,
     /// Whether it started from the solution of another case; else from the dry contact.
     pub warm: bool,
     /// One entry per mesh level, coarse to fine.

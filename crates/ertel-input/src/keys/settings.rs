@@ -56,6 +56,10 @@ rows! {
     }
     /// `[solver]`.
     pub SOLVER {
+        method: Choice(&["finite-elements", "finite-volumes"]) => r#"`"finite-elements"`, as in Habchi's thesis, or `"finite-volumes"`
+            ([theory](../theory/finite-volumes.md)), for flooded circular and elliptical contacts of half-spaces with a Newtonian lubricant of
+            one temperature. If absent: finite elements, and finite volumes where these do not converge; a note says so. With
+            `"finite-volumes"` the keys of finite elements are errors"#;
         formulation: Choice(&["gls", "supg", "galerkin"]), default "gls" => "weak form of the Reynolds equation";
         isotropic_diffusion: Number, bounds [0.0, 10.0], default "0" => "coefficient ρ_id of the isotropic diffusion";
         ridge_diffusion: Number, bounds [0.0, 10.0] => r"coefficient ρ_r{}, of the diffusion on elements that do not resolve a ridge of the

@@ -324,7 +324,7 @@ pub(super) fn finite_volumes(
     solver: Option<&Table<'_>>,
     mesh: Option<&Table<'_>>,
 ) -> Result<(), InputError> {
-    let Some(solver) = solver.filter(|_| case.solver.method == Method::FiniteVolumes) else {
+    let Some(solver) = solver.filter(|_| case.solver.method == Some(Method::FiniteVolumes)) else {
         return Ok(());
     };
     if let Some(reason) = finite_volumes_refuse(case) {

@@ -231,7 +231,7 @@ pub fn read_solver(mut table: Table<'_>) -> Result<SolverParams, InputError> {
         "method",
         &[Method::FiniteElements, Method::FiniteVolumes].map(|method| (method.name(), method)),
     )?;
-    set(&mut solver.method, method);
+    solver.method = method;
     let formulation = table.optional_choice(
         "formulation",
         &[

@@ -36,7 +36,7 @@ pub fn report(case: &CaseEcho, solution: &Solution, folder: Option<&Path>) -> St
     write_checks(&mut out, solution);
     inputs::write(&mut out, solution);
     write_formulas(&mut out, solution);
-    write_effort(&mut out, case, solution);
+    write_effort(&mut out, solution);
     out.warnings(&solution.warnings);
     if let Some(folder) = folder {
         out.heading("Files");
@@ -362,9 +362,9 @@ pub(super) fn write_formulas(out: &mut Lines, solution: &Solution) {
     }
 }
 
-pub(super) fn write_effort(out: &mut Lines, case: &CaseEcho, solution: &Solution) {
+pub(super) fn write_effort(out: &mut Lines, solution: &Solution) {
     out.heading("Effort");
-    out.row("method", case.solver.method.words());
+    out.row("method", solution.stats.method.words());
     for (i, level) in solution.stats.levels.iter().enumerate() {
         out.row(
             &format!("stage {}", i + 1),

@@ -7,7 +7,7 @@ use super::{Recorder, peak_memory};
 use crate::case::Case;
 use crate::contact::Scales;
 use crate::engine::{Engine, Solved};
-use crate::params::SensitivityDemand;
+use crate::params::{Method, SensitivityDemand};
 use crate::post;
 use crate::problem::{problem, problem_beside, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
@@ -68,6 +68,7 @@ pub(super) fn solve(
         }
     };
     let stats = Stats {
+        method: Method::FiniteElements,
         warm: warm_start.is_some(),
         levels: solved.levels().to_vec(),
         wall_seconds: 0.0,

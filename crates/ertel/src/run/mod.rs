@@ -16,13 +16,14 @@ mod describe;
 mod elements;
 mod volumes;
 
-use crate::case::Case;
+use crate::case::{Case, finite_volumes_refuse};
 use crate::contact::Supply;
 use crate::params::Method;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{HeatRound, IterationRecord, Solution};
 use crate::solve::sequence;
 use crate::solve::{Observer, SolveError};
+use crate::warning::{Warning, WarningKind};
 
 /// Version of the numerics: raised whenever the figures of some case move by more than rounding, so that points of studies that
 /// were solved before are solved anew.
@@ -108,13 +109,36 @@ fn solve_here(
     ahead: &[&Case],
     observer: &mut dyn Observer,
 ) -> Result<Ended, SolveError> {
-    match case.solver.method {
-        Method::FiniteElements => {
-            let (solution, start) = elements::solve(case, start, ahead, observer)?;
-            Ok((solution, Some(start)))
-        }
-        Method::FiniteVolumes => Ok((volumes::solve(case, observer)?, None)),
+    if case.solver.method == Some(Method::FiniteVolumes) {
+        return Ok((volumes::solve(case, observer)?, None));
     }
+    match elements::solve(case, start, ahead, observer) {
+        Ok((solution, start)) => Ok((solution, Some(start))),
+        Err(error) if may_be_tried_again(case, &error) => {
+            let Ok(mut solution) = volumes::solve(case, observer) else {
+                return Err(error);
+            };
+            let text =
+                format!("solved by finite volumes, as finite elements did not converge: {error}");
+            solution
+                .warnings
+                .push(Warning::new(WarningKind::Method, text));
+            Ok((solution, None))
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// Whether a case that finite elements did not solve is left to finite volumes.
+fn may_be_tried_again(case: &Case, error: &SolveError) -> bool {
+    let did_not_converge = matches!(
+        error,
+        SolveError::NotConverged { .. }
+            | SolveError::AllFailed { .. }
+            | SolveError::Krylov(_)
+            | SolveError::Factorisation(_)
+    );
+    did_not_converge && case.solver.method.is_none() && finite_volumes_refuse(case).is_none()
 }
 
 /// Passes everything on and keeps the iterations.

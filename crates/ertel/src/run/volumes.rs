@@ -3,12 +3,12 @@
 use ertel_fem::platform::Instant;
 
 use super::describe::{Found, describe};
-use super::elements::may_begin;
 use super::{Recorder, peak_memory};
 use crate::case::Case;
 use crate::engine::{Engine, Solved};
-use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset};
+use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method, SensitivityDemand};
 use crate::post::fields::centreline_of;
+use crate::problem::problem_by_slices;
 use crate::solution::{Solution, Stats};
 use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
@@ -24,14 +24,14 @@ const MAX_UNKNOWNS: usize = 200_000;
 /// As [`super::solve`].
 pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     let clock = Instant::now();
-    let problem = may_begin(case)?;
-    let problem = problem.with_plan(plan(case));
+    let problem = problem_by_slices(case).with_plan(plan(case));
     let mut recorder = Recorder {
         observer,
         history: Vec::new(),
     };
     let solved = FiniteVolumes.solve(&problem, &mut recorder)?;
     let stats = Stats {
+        method: Method::FiniteVolumes,
         warm: false,
         levels: solved.levels().to_vec(),
         wall_seconds: 0.0,
@@ -41,7 +41,9 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     let measured = solved.measured(&problem);
     let (surface, elements) = fields::surface(&problem, &film);
     let mut warnings = summary::warnings(&problem, &solved, &film, &measured);
-    if case.wants_sensitivities() {
+    let is_uncertain = (case.inputs().iter()).any(|input| input.uncertainty.is_some());
+    let wants_all = case.output.sensitivities == SensitivityDemand::All;
+    if wants_all || (is_uncertain && case.wants_sensitivities()) {
         warnings.push(Warning::from(
             "finite volumes compute no sensitivities yet: the uncertainty from the inputs is not told; [solver] method = \"finite-elements\" \
              tells it"

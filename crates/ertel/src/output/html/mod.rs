@@ -160,7 +160,7 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
         inputs,
         formulas: part(|out| write_formulas(out, solution), ""),
         sensitivities: part(|out| inputs::write(out, solution), ""),
-        effort: part(|out| write_effort(out, case, solution), ""),
+        effort: part(|out| write_effort(out, solution), ""),
         case_file: case.case_file.as_deref(),
         has_uncertainty: solution.uncertainty.is_some(),
         data,
