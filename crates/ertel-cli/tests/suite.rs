@@ -6,6 +6,7 @@ mod commands;
 mod common;
 mod compare;
 mod constants;
+mod cross_check;
 mod curve;
 mod data_sheet;
 mod docs;

@@ -1,0 +1,115 @@
+//! `ertel solve --cross-check`.
+
+use tempfile::TempDir;
+
+use crate::common::{read, solve, stderr, stdout, write};
+
+const CASE: &str = r#"
+[contact]
+kind = "circular"
+radius = "16 mm"
+load = "30 N"
+[bodies]
+body_1 = "steel"
+body_2 = "steel"
+[motion]
+entrainment_speed = "0.8 m/s"
+slide_to_roll_ratio = 0.05
+[lubricant]
+name = "iso-vg-32-mineral"
+temperature = "40 degC"
+[mesh]
+target_error = 0.02
+"#;
+
+/// Every figure in a table and a file, with both bars; the result folder stays one that may be replaced.
+#[test]
+fn both_methods_side_by_side() {
+    let folder = TempDir::new().unwrap();
+    write(&folder, "case.toml", CASE);
+    for extra in [&[][..], &["--set", "solver.method=\"finite-volumes\""]] {
+        let arguments = [
+            &[
+                "case.toml",
+                "--cross-check",
+                "-o",
+                "out",
+                "--accept-unresolved",
+            ],
+            extra,
+        ];
+        let output = solve(&folder, &arguments.concat());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let text = stdout(&output);
+        assert!(text.contains("Cross-check by finite"), "{text}");
+        assert!(
+            text.contains("agree within the sum of both error bars, 0 differ"),
+            "{text}"
+        );
+        let table = read(&folder, "out/cross-check.csv");
+        let head = table.lines().next().unwrap();
+        let names = match extra.is_empty() {
+            true => ["finite_elements", "finite_volumes"],
+            false => ["finite_volumes", "finite_elements"],
+        };
+        let [own, other] = names;
+        assert_eq!(
+            head,
+            format!("figure,unit,{own},{own}_bar,{other},{other}_bar,verdict")
+        );
+        let film = table
+            .lines()
+            .find(|l| l.starts_with("film_central,m,"))
+            .unwrap();
+        assert!(film.ends_with(",agrees"), "{film}");
+    }
+}
+
+/// What one method alone solves is refused before any work, and so is a key without effect.
+#[test]
+fn refusals() {
+    let folder = TempDir::new().unwrap();
+    write(&folder, "case.toml", CASE);
+    let line = CASE
+        .replace("\"circular\"", "\"line\"")
+        .replace("30 N\"", "1e5 N/m\"");
+    write(&folder, "line.toml", &line);
+    let output = solve(&folder, &["line.toml", "--cross-check"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        stderr(&output).contains("finite volumes do not solve line contacts"),
+        "{}",
+        stderr(&output)
+    );
+    for (set, words) in [
+        (
+            "solver.tolerance=1e-6",
+            "`tolerance` has no effect on finite volumes",
+        ),
+        (
+            "mesh.pressure_order=2",
+            "`pressure_order` has no effect on finite volumes",
+        ),
+    ] {
+        let arguments = [
+            "case.toml",
+            "--set",
+            "solver.method=\"finite-volumes\"",
+            "--set",
+            set,
+        ];
+        let output = solve(&folder, &arguments);
+        assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+        assert!(stderr(&output).contains(words), "{}", stderr(&output));
+    }
+    let output = solve(
+        &folder,
+        &["line.toml", "--set", "solver.method=\"finite-volumes\""],
+    );
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        stderr(&output).contains("line contacts"),
+        "{}",
+        stderr(&output)
+    );
+}
