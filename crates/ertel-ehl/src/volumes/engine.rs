@@ -124,21 +124,27 @@ fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
     [[-reach, reach]; 2]
 }
 
-/// The grid with cells of the size h, as far as the margin goes; its corners are nodes of a grid with cells of twice the size.
-fn grid(problem: &Problem<Plan>, h: f64, is_first: bool) -> Grid {
-    let reach = match is_first {
-        true => f64::INFINITY,
-        false => 1.0 + problem.plan.margin * h,
-    };
-    let region = bounds(problem).map(|[low, high]| {
-        let low = (low.max(-reach) / (2.0 * h)).ceil() * 2.0 * h;
-        let high = (high.min(reach) / (2.0 * h)).floor() * 2.0 * h;
+/// The grid with cells of the size h: the first one over the whole box, the others within it as far as the margin goes. Its corners are nodes of a
+/// grid with cells of twice the size.
+fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
+    let (unit, zone) = (2.0 * h, &problem.shape.zone);
+    let region = match first {
         // Nodes whose pressure is given stand beyond the centre at least.
-        let least = 2.0 * (RING + 1) as f64 * h;
-        [low.min(-least), high.max(least)]
-    });
+        None => {
+            let least = ((RING + 1) as f64 * h / unit).ceil() * unit;
+            bounds(problem).map(|[low, high]| {
+                let (low, high) = ((low / unit).ceil() * unit, (high / unit).floor() * unit);
+                [low.min(-least), high.max(least)]
+            })
+        }
+        Some(first) => {
+            let reach = ((1.0 + problem.plan.margin * h) / unit).floor() * unit;
+            let whole = first.bounds();
+            whole.map(|[low, high]| [low.max(-reach), high.min(reach)])
+        }
+    };
     let half = problem.shape.symmetry == Symmetry::Half;
-    Grid::covering(region, h, half, &problem.shape.zone)
+    Grid::covering(region, h, half, zone)
 }
 
 /// Newton's method on a grid, at once or over larger speeds.
@@ -223,7 +229,8 @@ impl Engine for FiniteVolumes {
         let most = problem.plan.max_unknowns;
         for n in 0..MOST_GRIDS {
             let clock = Instant::now();
-            let grid = grid(problem, h, n == 0);
+            let first = found.levels.first().map(|level| &level.system.grid);
+            let grid = grid(problem, h, first);
             let unknowns = grid
                 .nodes()
                 .filter(|[i, j]| grid.is_unknown(*i, *j))

@@ -183,6 +183,16 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64) -> Bars {
     let Some(newest) = of_grids[0] else {
         return bars;
     };
+    let of_films = [Figure::FilmCentral, Figure::FilmMinimum]
+        .map(|figure| {
+            let readings = of_grids.map(|figures| figures.and_then(|f| f.get(figure)));
+            let error = bar(readings.map(|r| r.map(|r: Reading| r.value)));
+            error
+                .zip(readings[0])
+                .map_or(0.0, |(error, film)| error / film.value.abs())
+        })
+        .into_iter()
+        .fold(0.0, f64::max);
     for figure in Figure::ALL {
         let readings = of_grids.map(|figures| figures.and_then(|f| f.get(figure)));
         let Some(value) = bar(readings.map(|r| r.map(|r: Reading| r.value))) else {
@@ -192,7 +202,9 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64) -> Bars {
         // A film below zero is none.
         let value = match figure {
             Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => f64::INFINITY,
-            _ => value.max(reading.misfit) + reading.cut,
+            Figure::FilmMinimum | Figure::FilmCentral => value,
+            // Nothing is known better than the film that it goes with.
+            _ => value.max(of_films * reading.size).max(reading.misfit) + reading.cut,
         };
         let places = readings.map(|r| r.and_then(|r| r.place));
         let place = match places {

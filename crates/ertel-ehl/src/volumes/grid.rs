@@ -35,6 +35,18 @@ impl Grid {
         }
     }
 
+    /// The box that it covers, with its mirror image, in the plane in which the zone is the unit circle.
+    pub fn bounds(&self) -> [[f64; 2]; 2] {
+        [0, 1].map(|d: usize| {
+            let h = self.spacing[0];
+            let low = self.first[d] as f64 * h;
+            match self.half && d == 1 {
+                true => [low, -low],
+                false => [low, low + (self.n[d] - 1) as f64 * h],
+            }
+        })
+    }
+
     /// Number of nodes.
     pub fn len(&self) -> usize {
         self.n[0] * self.n[1]

@@ -54,6 +54,9 @@ pub struct NewtonInfo {
     pub seconds: [f64; 3],
 }
 
+/// Share of the tolerance below which nodes that come and go by the edge of the film count for nothing.
+const SETTLED: f64 = 0.01;
+
 /// Solves on a grid from a state, which it leaves at the solution. `film_scale` is a²/R in m.
 pub fn newton(
     system: &System,
@@ -70,6 +73,8 @@ pub fn newton(
         tolerance: params.krylov_tolerance,
         max_iterations: params.max_krylov_iterations,
     };
+    let [nx, _] = system.grid.n;
+    let is_given = |k: usize| !system.grid.is_unknown(k % nx, k / nx);
     while info.iterations < params.max_iterations {
         if observer.cancelled() {
             info.interrupted = true;
@@ -84,6 +89,7 @@ pub fn newton(
         };
         info.seconds[1] += clock.elapsed().as_secs_f64();
         let clock = Instant::now();
+        let entering = (at.wetted.iter().zip(&state.wetted)).any(|(now, before)| *now && !before);
         let step = system.step(&at, state, &mut preconditioner, linear);
         info.seconds[2] += clock.elapsed().as_secs_f64();
         info.iterations += 1;
@@ -95,7 +101,12 @@ pub fn newton(
             // The set of the next step goes by what this one asks for, not by what is left of it: else nodes by the edge of the film
             // come and go.
             state.wetted[k] = at.wetted[k] && next > 0.0;
-            let next = next.max(0.0);
+            // Where it has broken there is no pressure, not even what a linear solver leaves.
+            let next = match at.wetted[k] {
+                true => next.max(0.0),
+                false if is_given(k) => *p,
+                false => 0.0,
+            };
             // No maximum: it would lose a number that is none.
             let size = (next - *p).abs();
             if size > info.change || !change.is_finite() {
@@ -125,7 +136,9 @@ pub fn newton(
         }
         // A step that the linear solver left half way says nothing.
         let exact = step.krylov_iterations < params.max_krylov_iterations;
-        if exact && info.change < params.tolerance {
+        // Mass is kept at each node once no further one has too little outflow.
+        let settled = !entering || info.change < SETTLED * params.tolerance;
+        if exact && settled && info.change < params.tolerance {
             info.converged = true;
             return info;
         }
