@@ -412,6 +412,7 @@ impl From<SolveError> for Failure {
             }
             SolveError::Discretisation(error) => Self::Other(error.to_string()),
             SolveError::NotConverged { .. }
+            | SolveError::GridNotConverged { .. }
             | SolveError::EndCarries { .. }
             | SolveError::NotCoupled { .. }
             | SolveError::Thinned { .. }

@@ -52,6 +52,19 @@ pub enum SolveError {
         /// Why it stopped.
         reason: Stopped,
     },
+    /// Newton's method of finite volumes did not converge.
+    #[error(
+        "no convergence of finite volumes on grid {}: after {iterations} Newton iterations pressures still change by {change:.1e} p_h",
+        level + 1
+    )]
+    GridNotConverged {
+        /// Grid, 0 the first.
+        level: usize,
+        /// Newton iterations in all, over all speeds that were tried.
+        iterations: usize,
+        /// Last change of a pressure over p_h.
+        change: f64,
+    },
     /// Film and temperature did not come to rest together.
     #[error(
         "no convergence in stage {}: film and temperature still change by {change:.1e} after {rounds} rounds \
@@ -159,6 +172,10 @@ impl SolveError {
     pub fn advice(&self) -> Option<&'static str> {
         match self {
             SolveError::NotConverged { reason, .. } => Some(reason.advice()),
+            SolveError::GridNotConverged { .. } => Some(
+                "[solver] method = \"finite-elements\", above all where the film is thick beside the contact, whose area the first grid then \
+                 covers with cells that are too large",
+            ),
             SolveError::NotCoupled { contraction, .. } => Some(match *contraction < 1.0 {
                 true => {
                     "more rounds ([thermal] max_iterations), since the changes shrink, or a larger [thermal] tolerance"

@@ -7,6 +7,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use rayon::prelude::*;
 use realfft::num_complex::Complex64;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use rustfft::Fft;
@@ -25,6 +26,9 @@ pub struct Convolution {
     backward: Arc<dyn ComplexToReal<f64>>,
     along: [Arc<dyn Fft<f64>>; 2],
 }
+
+/// Rows and waves that a thread takes at a time.
+const ROWS: usize = 16;
 
 /// ∫∫ 1/r over a rectangle from the origin to (x, y), with the sign of xy.
 fn corner(x: f64, y: f64) -> f64 {
@@ -123,56 +127,84 @@ impl Convolution {
 
     /// Deflection at the nodes under pressures there.
     pub fn apply(&self, pressure: &[f64]) -> Vec<f64> {
-        let ([nx, ny], [px, py]) = (self.n, self.padded);
-        let waves = px / 2 + 1;
+        let ([nx, ny], [_, py]) = (self.n, self.padded);
+        let waves = self.padded[0] / 2 + 1;
+        // Along the rows that there are.
+        let mut rows = vec![Complex64::default(); ny * waves];
+        (rows.par_chunks_exact_mut(waves))
+            .zip(pressure.par_chunks_exact(nx))
+            .with_min_len(ROWS)
+            .for_each_init(
+                || {
+                    (
+                        self.forward.make_input_vec(),
+                        self.forward.make_scratch_vec(),
+                    )
+                },
+                |(row, scratch), (spectrum, values)| {
+                    if values.iter().all(|p| *p == 0.0) {
+                        return;
+                    }
+                    row[..nx].copy_from_slice(values);
+                    row[nx..].fill(0.0);
+                    (self.forward)
+                        .process_with_scratch(row, spectrum, scratch)
+                        .expect("lengths agree");
+                },
+            );
+        // Across them there and back, wave by wave.
+        let n_scratch = (self.along.iter())
+            .map(|fft| fft.get_inplace_scratch_len())
+            .fold(0, usize::max);
         let mut lines = vec![Complex64::default(); waves * py];
-        let mut row = self.forward.make_input_vec();
-        let mut out = self.forward.make_output_vec();
-        let mut scratch = self.forward.make_scratch_vec();
-        for j in 0..ny {
-            let values = &pressure[j * nx..][..nx];
-            if values.iter().all(|p| *p == 0.0) {
-                continue;
-            }
-            row[..nx].copy_from_slice(values);
-            row[nx..].fill(0.0);
-            (self.forward)
-                .process_with_scratch(&mut row, &mut out, &mut scratch)
-                .expect("lengths agree");
-            for (k, value) in out.iter().enumerate() {
-                lines[k * py + j] = *value;
-            }
-        }
-        let mut scratch = vec![
-            Complex64::default();
-            (self.along[0].get_inplace_scratch_len())
-                .max(self.along[1].get_inplace_scratch_len())
-        ];
-        for (line, symbol) in lines.chunks_exact_mut(py).zip(self.symbol.chunks_exact(py)) {
-            if self.half {
-                for j in 1..ny {
-                    line[ny - 1 + j] = line[ny - 1 - j];
-                }
-            }
-            self.along[0].process_with_scratch(line, &mut scratch);
-            for (value, factor) in line.iter_mut().zip(symbol) {
-                *value *= *factor;
-            }
-            self.along[1].process_with_scratch(line, &mut scratch);
-        }
+        (lines.par_chunks_exact_mut(py))
+            .zip(self.symbol.par_chunks_exact(py))
+            .enumerate()
+            .with_min_len(ROWS)
+            .for_each_init(
+                || vec![Complex64::default(); n_scratch],
+                |scratch, (k, (line, symbol))| {
+                    for j in 0..ny {
+                        line[j] = rows[j * waves + k];
+                    }
+                    if self.half {
+                        for j in 1..ny {
+                            line[ny - 1 + j] = line[ny - 1 - j];
+                        }
+                    }
+                    self.along[0].process_with_scratch(line, scratch);
+                    for (value, factor) in line.iter_mut().zip(symbol) {
+                        *value *= *factor;
+                    }
+                    self.along[1].process_with_scratch(line, scratch);
+                },
+            );
         let mut deflection = vec![0.0; nx * ny];
-        let mut scratch = self.backward.make_scratch_vec();
-        for j in 0..ny {
-            for (k, value) in out.iter_mut().enumerate() {
-                *value = lines[k * py + j];
-            }
-            out[0].im = 0.0;
-            out[waves - 1].im = 0.0;
-            (self.backward)
-                .process_with_scratch(&mut out, &mut row, &mut scratch)
-                .expect("lengths agree");
-            deflection[j * nx..][..nx].copy_from_slice(&row[..nx]);
-        }
+        (deflection.par_chunks_exact_mut(nx))
+            .enumerate()
+            .with_min_len(ROWS)
+            .for_each_init(
+                || {
+                    let spectrum = self.backward.make_input_vec();
+                    (
+                        spectrum,
+                        self.backward.make_output_vec(),
+                        self.backward.make_scratch_vec(),
+                    )
+                },
+                |(spectrum, row, scratch), (j, values)| {
+                    for (k, value) in spectrum.iter_mut().enumerate() {
+                        *value = lines[k * py + j];
+                    }
+                    // Of real numbers; all but rounding.
+                    spectrum[0].im = 0.0;
+                    spectrum[waves - 1].im = 0.0;
+                    (self.backward)
+                        .process_with_scratch(spectrum, row, scratch)
+                        .expect("lengths agree");
+                    values.copy_from_slice(&row[..nx]);
+                },
+            );
         deflection
     }
 

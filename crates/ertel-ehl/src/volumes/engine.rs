@@ -3,7 +3,7 @@
 use ertel_fem::linear::lu::LuError;
 use ertel_fem::platform::Instant;
 
-use super::figures::{bar, bars, figures, films};
+use super::figures::{bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
 use super::grid::{Grid, RING};
 use super::level::{Level, first_state, first_system, refined};
@@ -14,7 +14,7 @@ use crate::contact::Symmetry;
 use crate::engine::figures::sizes;
 use crate::engine::{Engine, Film, Observer, Problem, Solved};
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading, Role, Timings};
-use crate::solve::{SolveError, Stopped};
+use crate::solve::SolveError;
 
 /// Grids from coarse to fine, Newton's method on each.
 #[derive(Clone, Copy, Debug, Default)]
@@ -195,11 +195,15 @@ fn ended(info: NewtonInfo) -> Result<NewtonInfo, SolveError> {
 
 /// Error of a level's films, relative, by those before.
 fn film_errors(stats: &[LevelStats]) -> [f64; 2] {
-    [Figure::FilmCentral, Figure::FilmMinimum].map(|figure| {
+    let values = |figure| {
         let mut values = stats.iter().rev().map(|level| level.figures.value(figure));
-        let values = [(); 3].map(|()| values.next().flatten());
+        [(); 3].map(|()| values.next().flatten())
+    };
+    let settled = is_settled(values(Figure::FilmMinimum));
+    [Figure::FilmCentral, Figure::FilmMinimum].map(|figure| {
+        let values = values(figure);
         let here = values[0].unwrap_or(f64::NAN);
-        match bar(values) {
+        match bar(values, settled) {
             Some(error) if here > 0.0 => error / here,
             _ => f64::INFINITY,
         }
@@ -257,16 +261,10 @@ impl Engine for FiniteVolumes {
                     found.stopped = true;
                     break;
                 }
-                return Err(SolveError::NotConverged {
+                return Err(SolveError::GridNotConverged {
                     level: n,
                     iterations: info.iterations,
-                    residual: info.imbalance,
-                    update: info.change,
-                    penalty_share: 1.0,
-                    reason: match info.change.is_finite() {
-                        true => Stopped::OutOfIterations,
-                        false => Stopped::NotFinite,
-                    },
+                    change: info.change,
                 });
             }
             found.levels.push(Level {

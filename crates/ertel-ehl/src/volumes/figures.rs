@@ -1,10 +1,11 @@
 //! Figures of a film on patches, and their error bars from grid to grid.
 //!
 //! ```text
-//!   bar = S max(c |f_n − f_(n−1)|, |f_(n−1) − f_(n−2)|/16),   c = r/(1 − r) within [⅓, 1],  r = |f_n − f_(n−1)| / |f_(n−1) − f_(n−2)|
+//!   bar = S max(c |d_1|, f |d_2|),   d_1 = f_n − f_(n−1),  d_2 = f_(n−1) − f_(n−2),  r = |d_1|/|d_2|
+//!   c = r/(1 − r) within [⅓, 1],  f = ⅛        c = 1,  f = ¼ where d_1 and d_2 have opposite signs
 //! ```
-//! c is what is left of a geometric series of differences: ⅓ where they fall with the square of the cell, 1 where they fall with it or not at all.
-//! A difference that vanishes by chance is held up by the one before.
+//! c is what is left of a geometric series of differences: ⅓ where they fall with the square of the cell, 1 where they fall with it or not at all,
+//! and where grids do not resolve the thinnest film. A difference that vanishes by chance is held up by the one before.
 
 use super::engine::Plan;
 use super::fields::profile;
@@ -156,25 +157,43 @@ fn note_pressures(figures: &mut Figures, problem: &Problem<Plan>, level: &Level,
 /// Factor on all bars.
 const SAFETY: f64 = 1.5;
 
-/// Share of a difference that the next one is at least, at second order twice over.
-const LEAST_SHARE: f64 = 1.0 / 16.0;
+/// Shares of a difference that the next one is at least: at second order and a half, and where the sign changes.
+const LEAST_SHARE: f64 = 1.0 / 8.0;
+const LEAST_SHARE_OF_TURNS: f64 = 1.0 / 4.0;
 
-/// Error that the last of up to three values errs by, the newest first.
-pub fn bar(values: [Option<f64>; 3]) -> Option<f64> {
+/// Change of the minimum film from grid to grid, relative, from which the grids do not resolve it.
+const THINNEST_RESOLVED: f64 = 0.05;
+
+/// What the last of up to three values errs by, the newest first; `settled`: whether differences may be taken for those of a higher order.
+pub fn bar(values: [Option<f64>; 3], settled: bool) -> Option<f64> {
     let [Some(here), Some(before), first] = values else {
         return None;
     };
-    let last = (here - before).abs();
+    let last = here - before;
     let Some(first) = first else {
-        return Some(SAFETY * last);
+        return Some(SAFETY * last.abs());
     };
-    let former = (before - first).abs();
-    let ratio = last / former;
-    let share = match ratio < 0.5 {
+    let former = before - first;
+    let ratio = (last / former).abs();
+    let turns = last * former < 0.0;
+    let share = match ratio < 0.5 && settled && !turns {
         true => (ratio / (1.0 - ratio)).max(1.0 / 3.0),
         false => 1.0,
     };
-    Some(SAFETY * (share * last).max(LEAST_SHARE * former))
+    let least = if turns {
+        LEAST_SHARE_OF_TURNS
+    } else {
+        LEAST_SHARE
+    };
+    Some(SAFETY * (share * last.abs()).max(least * former.abs()))
+}
+
+/// Whether the last two of the minimum films are alike.
+pub fn is_settled(minimum: [Option<f64>; 3]) -> bool {
+    let [Some(here), Some(before), _] = minimum else {
+        return false;
+    };
+    (here - before).abs() < THINNEST_RESOLVED * here
 }
 
 /// Error bars from the figures of up to three grids, the newest first.
@@ -183,19 +202,17 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64) -> Bars {
     let Some(newest) = of_grids[0] else {
         return bars;
     };
-    let of_films = [Figure::FilmCentral, Figure::FilmMinimum]
-        .map(|figure| {
-            let readings = of_grids.map(|figures| figures.and_then(|f| f.get(figure)));
-            let error = bar(readings.map(|r| r.map(|r: Reading| r.value)));
-            error
-                .zip(readings[0])
-                .map_or(0.0, |(error, film)| error / film.value.abs())
-        })
-        .into_iter()
-        .fold(0.0, f64::max);
+    let values = |figure| of_grids.map(|figures| Some(figures?.get(figure)?.value));
+    let settled = is_settled(values(Figure::FilmMinimum));
+    let of_film = |figure| {
+        let values = values(figure);
+        let error = bar(values, settled).zip(values[0]);
+        error.map_or(0.0, |(error, film)| (error / film).abs())
+    };
+    let [central, minimum] = [Figure::FilmCentral, Figure::FilmMinimum].map(of_film);
     for figure in Figure::ALL {
         let readings = of_grids.map(|figures| figures.and_then(|f| f.get(figure)));
-        let Some(value) = bar(readings.map(|r| r.map(|r: Reading| r.value))) else {
+        let Some(value) = bar(values(figure), settled) else {
             continue;
         };
         let reading = newest.get(figure).unwrap_or(Reading::new(0.0));
@@ -204,7 +221,8 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64) -> Bars {
             Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => f64::INFINITY,
             Figure::FilmMinimum | Figure::FilmCentral => value,
             // Nothing is known better than the film that it goes with.
-            _ => value.max(of_films * reading.size).max(reading.misfit) + reading.cut,
+            Figure::FilmCentrelineMinimum => value.max(minimum * reading.size),
+            _ => value.max(central * reading.size).max(reading.misfit) + reading.cut,
         };
         let places = readings.map(|r| r.and_then(|r| r.place));
         let place = match places {
@@ -226,19 +244,25 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// By hand: 1.16, 1.04, 1.01 fall with the square and err by 0.01; 1.4, 1.2, 1.1 with the cell and err by 0.1; a difference that vanishes counts a
-    /// sixteenth of the one before; one grid more than another has no error to tell.
+    /// By hand: 1.16, 1.04, 1.01 fall with the square and err by 0.01, held up to an eighth of 0.12; 1.4, 1.2, 1.1 with the cell and err by 0.1; a difference
+    /// that vanishes counts an eighth of the one before, one that turns a quarter; one grid more than another has no order to tell.
     #[test]
     fn bars_by_hand() {
-        let of = |values: [f64; 3]| bar(values.map(Some)).unwrap() / SAFETY;
-        assert_relative_eq!(of([1.01, 1.04, 1.16]), 0.01, max_relative = 1e-9);
+        let of = |values: [f64; 3]| bar(values.map(Some), true).unwrap() / SAFETY;
+        assert_relative_eq!(of([1.01, 1.04, 1.16]), 0.015, max_relative = 1e-9);
+        assert_relative_eq!(of([1.01, 1.04, 1.11]), 0.0225, max_relative = 1e-9);
         assert_relative_eq!(of([1.1, 1.2, 1.4]), 0.1, max_relative = 1e-9);
-        assert_relative_eq!(of([1.0, 1.0, 1.16]), 0.01, max_relative = 1e-9);
-        assert_relative_eq!(
-            bar([Some(1.1), Some(1.2), None]).unwrap(),
-            0.15,
-            max_relative = 1e-9
+        assert_relative_eq!(of([1.0, 1.0, 1.16]), 0.02, max_relative = 1e-9);
+        assert_relative_eq!(of([1.05, 1.04, 1.16]), 0.03, max_relative = 1e-9);
+        let unsettled = bar([1.01, 1.04, 1.16].map(Some), false).unwrap();
+        assert_relative_eq!(unsettled, SAFETY * 0.03, max_relative = 1e-9);
+        let two = bar([Some(1.1), Some(1.2), None], true).unwrap();
+        assert_relative_eq!(two, 0.15, max_relative = 1e-9);
+        assert_eq!(bar([Some(1.1), None, None], true), None);
+        assert!(is_settled([Some(1.0), Some(1.04), None]));
+        assert!(
+            !is_settled([Some(1.0), Some(0.9), None])
+                && !is_settled([Some(-1.0), Some(-1.0), None])
         );
-        assert_eq!(bar([Some(1.1), None, None]), None);
     }
 }

@@ -18,23 +18,18 @@ use super::system::Linearised;
 /// What all preconditioners of a grid share.
 pub struct Pattern {
     grid: Grid,
-    /// Number of each unknown.
-    number: Vec<u32>,
-    /// Nodes of the unknowns.
-    nodes: Vec<u32>,
-    entries: Vec<(u32, u32)>,
-    /// Offsets of the stencil's points.
-    points: Vec<[i64; 2]>,
+    /// Unknown nodes along each direction: a rectangle within the given ones.
+    n: [usize; 2],
     frontal: Arc<FrontalPattern>,
+    /// S at the centre, along both directions and on the diagonals.
     inverse: [f64; 4],
 }
 
-/// Nodes along each side of the blocks that are eliminated together.
+/// Nodes along each side of the blocks that are eliminated together: the stencil of A S reaches neighbouring blocks alone.
 const BLOCK: usize = 2;
-/// Reach of the stencil of A S along each direction.
-const REACH: i64 = 2;
 
-const NONE: u32 = u32::MAX;
+/// Reach of that stencil along each direction; its corners are empty.
+const REACH: i64 = 2;
 
 impl Pattern {
     /// For a grid, with the stencil S.
@@ -42,83 +37,166 @@ impl Pattern {
     /// # Errors
     /// When no order of elimination is found.
     pub fn new(grid: &Grid, inverse: [f64; 4]) -> Result<Pattern, OrderingError> {
-        let mut number = vec![NONE; grid.len()];
-        let mut nodes = Vec::new();
-        for [i, j] in grid.nodes().filter(|[i, j]| grid.is_unknown(*i, *j)) {
-            number[grid.index(i, j)] = nodes.len() as u32;
-            nodes.push(grid.index(i, j) as u32);
-        }
-        let points: Vec<[i64; 2]> = (-REACH..=REACH)
-            .flat_map(|j| (-REACH..=REACH).map(move |i| [i, j]))
-            .filter(|[i, j]| i.abs() + j.abs() < 2 * REACH)
-            .collect();
-        let nx = grid.n[0];
-        let mut entries = Vec::new();
-        for (row, k) in nodes.iter().enumerate() {
-            let (i, j) = ((*k as usize % nx) as i64, (*k as usize / nx) as i64);
-            for [di, dj] in &points {
-                let (ni, nj) = (i + di, j + dj);
-                if nj < 0 || nj >= grid.n[1] as i64 || ni < 0 || ni >= nx as i64 {
-                    continue;
-                }
-                let column = number[grid.index(ni as usize, nj as usize)];
-                if column != NONE {
-                    entries.push((row as u32, column));
-                }
-            }
-        }
-        // Blocks of nodes, whose stencils reach neighbouring blocks alone.
-        let [bx, by] = [0, 1].map(|d: usize| (grid.n[d] - RING).div_ceil(BLOCK));
-        let block = |i: usize, j: usize| ((j - RING) / BLOCK) * bx + (i - RING) / BLOCK;
-        let mut unknowns = vec![Vec::new(); bx * by];
-        for k in &nodes {
-            let (i, j) = (*k as usize % nx, *k as usize / nx);
-            unknowns[block(i, j)].push(number[*k as usize]);
-        }
-        let present: Vec<usize> = (0..bx * by).filter(|b| !unknowns[*b].is_empty()).collect();
-        let mut of = vec![NONE; bx * by];
-        for (new, old) in present.iter().enumerate() {
-            of[*old] = new as u32;
-        }
+        let [nx, ny] = grid.n;
+        let n = [nx - 2 * RING, ny - if grid.half { RING } else { 2 * RING }];
+        let blocks = n.map(|n| n.div_ceil(BLOCK));
+        let members = |block: [usize; 2]| -> Vec<u32> {
+            let along = |d: usize| block[d] * BLOCK..((block[d] + 1) * BLOCK).min(n[d]);
+            let rows = along(1);
+            rows.flat_map(|j| along(0).map(move |i| (j * n[0] + i) as u32))
+                .collect()
+        };
+        let all = (0..blocks[1]).flat_map(|j| (0..blocks[0]).map(move |i| [i, j]));
+        let near = |at: usize, n: usize| at.saturating_sub(1)..(at + 2).min(n);
         let mut graph = NodeGraph {
             offsets: vec![0],
             neighbours: Vec::new(),
         };
-        for b in &present {
-            let (i, j) = ((b % bx) as i64, (b / bx) as i64);
-            for dj in -1..=1 {
-                for di in -1..=1 {
-                    let (ni, nj) = (i + di, j + dj);
-                    if (0..bx as i64).contains(&ni) && (0..by as i64).contains(&nj) {
-                        let other = of[nj as usize * bx + ni as usize];
-                        if other != NONE {
-                            graph.neighbours.push(other);
-                        }
-                    }
-                }
+        for [i, j] in all.clone() {
+            for row in near(j, blocks[1]) {
+                let others = near(i, blocks[0]).map(|column| (row * blocks[0] + column) as u32);
+                graph.neighbours.extend(others);
             }
             graph.offsets.push(graph.neighbours.len());
         }
         let blocks = Blocks {
             graph: &graph,
-            n_inner: present.len(),
+            n_inner: blocks[0] * blocks[1],
             carriers: None,
-            unknowns: present
-                .iter()
-                .map(|b| std::mem::take(&mut unknowns[*b]))
-                .collect(),
+            unknowns: all.map(members).collect(),
         };
-        let frontal = FrontalPattern::new(&blocks, &entries)?;
+        let entries: Vec<(u32, u32)> = (0..n[0] * n[1])
+            .flat_map(|row| neighbours(n, row).map(move |(_, column)| (row as u32, column)))
+            .collect();
         Ok(Pattern {
+            frontal: Arc::new(FrontalPattern::new(&blocks, &entries)?),
             grid: grid.clone(),
-            number,
-            nodes,
-            entries,
-            points,
-            frontal: Arc::new(frontal),
+            n,
             inverse,
         })
     }
+
+    /// The node of an unknown.
+    fn node(&self, unknown: usize) -> usize {
+        let [i, j] = [unknown % self.n[0], unknown / self.n[0]];
+        self.grid.index(i + RING, j + RING)
+    }
+
+    /// Number of unknowns.
+    fn len(&self) -> usize {
+        self.n[0] * self.n[1]
+    }
+
+    /// The stencil of A S + B at a node.
+    fn square(&self, node: usize, cross: &Cross) -> [f64; (SIDE * SIDE) as usize] {
+        let [nx, ny] = self.grid.n;
+        let row = (node / nx) as i64;
+        let mut square = [0.0; (SIDE * SIDE) as usize];
+        let mut put = |[i, j]: [i64; 2], value: f64| {
+            // Beyond the centreline of a half all is mirrored.
+            let beyond = row + j - (ny as i64 - 1);
+            let j = match self.grid.half && beyond > 0 {
+                true => j - 2 * beyond,
+                false => j,
+            };
+            square[at_square([i, j])] += value;
+        };
+        for (place, (by_pressure, by_film)) in CROSS
+            .into_iter()
+            .zip(cross.by_pressure.into_iter().zip(cross.by_film))
+        {
+            put(place, by_film);
+            for dj in -1..=1_i64 {
+                for di in -1..=1_i64 {
+                    let weight = self.inverse[(di.abs() + 2 * dj.abs()) as usize];
+                    put([place[0] + di, place[1] + dj], by_pressure * weight);
+                }
+            }
+        }
+        square
+    }
+}
+
+/// Unknowns that the stencil of one reaches, with their places beside it.
+fn neighbours(n: [usize; 2], unknown: usize) -> impl Iterator<Item = ([i64; 2], u32)> {
+    let at = [unknown % n[0], unknown / n[0]].map(|i| i as i64);
+    let places = (-REACH..=REACH).flat_map(|j| (-REACH..=REACH).map(move |i| [i, j]));
+    places
+        .filter(|[i, j]| i.abs() + j.abs() < 2 * REACH)
+        .filter_map(move |place| {
+            let [i, j] = [at[0] + place[0], at[1] + place[1]];
+            let is_unknown = (0..n[0] as i64).contains(&i) && (0..n[1] as i64).contains(&j);
+            is_unknown.then(|| (place, (j * n[0] as i64 + i) as u32))
+        })
+}
+
+/// What a row of the equation has at its node and the four beside it: centre, west, east, south, north.
+#[derive(Clone, Copy, Debug, Default)]
+struct Cross {
+    by_pressure: [f64; 5],
+    by_film: [f64; 5],
+}
+
+/// Places of the entries of a [`Cross`].
+const CROSS: [[i64; 2]; 5] = [[0, 0], [-1, 0], [1, 0], [0, -1], [0, 1]];
+
+impl Cross {
+    /// Of a node where the film has broken: the equation P = 0.
+    fn broken() -> Cross {
+        let mut cross = Cross::default();
+        cross.by_pressure[0] = 1.0;
+        cross
+    }
+
+    /// Of a wetted node: the fluxes through its faces, entrainment from upstream by the first order.
+    fn wetted(grid: &Grid, at: &Linearised, k: usize) -> Cross {
+        let [nx, ny] = grid.n;
+        let mut cross = Cross::default();
+        cross.add(grid, at, (0, k), 1.0, true);
+        cross.add(grid, at, (0, k - 1), -1.0, false);
+        // Beyond the centreline of a half all is mirrored.
+        match grid.half && k / nx + 1 == ny {
+            true => cross.add(grid, at, (1, k - nx), -2.0, false),
+            false => {
+                cross.add(grid, at, (1, k), 1.0, true);
+                cross.add(grid, at, (1, k - nx), -1.0, false);
+            }
+        }
+        cross
+    }
+
+    /// Adds a face of a direction, at whose first or second end the node lies.
+    fn add(
+        &mut self,
+        grid: &Grid,
+        at: &Linearised,
+        (direction, face): (usize, usize),
+        sign: f64,
+        is_first: bool,
+    ) {
+        let f = &at.faces[direction][face];
+        let weight = sign / grid.spacing[direction];
+        let ends = [face, face + [1, grid.n[0]][direction]];
+        let other = 1 + 2 * direction + usize::from(is_first);
+        let slots = if is_first { [0, other] } else { [other, 0] };
+        for (slot, slope) in slots.into_iter().zip(f.by_pressure) {
+            self.by_pressure[slot] += weight * slope;
+            self.by_film[slot] += weight * f.by_film;
+        }
+        let upstream = usize::from(f.from_second);
+        let entrained: f64 = f.by_mass.iter().sum();
+        let [mass_by_pressure, mass_by_film] = at.nodes[ends[upstream]].mass_by;
+        self.by_pressure[slots[upstream]] += weight * entrained * mass_by_pressure;
+        self.by_film[slots[upstream]] += weight * entrained * mass_by_film;
+    }
+}
+
+/// Side of a square that holds the stencil of A S.
+const SIDE: i64 = 2 * REACH + 1;
+
+/// Position in that square of a place beside its centre.
+fn at_square([i, j]: [i64; 2]) -> usize {
+    ((j + REACH) * SIDE + i + REACH) as usize
 }
 
 /// The factorised approximation.
@@ -133,112 +211,24 @@ impl<'a> Preconditioner<'a> {
     /// Factorises at a state; `None` where the matrix is singular.
     pub fn new(pattern: &'a Pattern, at: &Linearised) -> Option<Preconditioner<'a>> {
         let grid = &pattern.grid;
-        let [nx, ny] = grid.n;
-        let [dx, dy] = grid.spacing;
-        let [s0, sx, sy, sd] = pattern.inverse;
-        let s = |i: i64, j: i64| match (i.abs(), j.abs()) {
-            (0, 0) => s0,
-            (1, 0) => sx,
-            (0, 1) => sy,
-            (1, 1) => sd,
-            _ => 0.0,
-        };
-        let mut values = vec![0.0; pattern.entries.len()];
-        let mut next = 0;
-        let width = (2 * REACH + 1) as usize;
-        let mut stencil = vec![0.0; width * width];
-        for k in &pattern.nodes {
-            let k = *k as usize;
-            let (i, j) = (k % nx, k / nx);
-            // By P and by H at the node and its four neighbours: centre, west, east, south, north.
-            let (mut by_p, mut by_h) = ([0.0; 5], [0.0; 5]);
-            if at.wetted[k] {
-                let mut add = |sign: f64, direction: usize, face: usize, here_is_first: bool| {
-                    let f = &at.faces[direction][face];
-                    let step = [1, nx][direction];
-                    let (a, b) = (face, face + step);
-                    let w = sign / [dx, dy][direction];
-                    let other = match (direction, here_is_first) {
-                        (0, false) => 1,
-                        (0, true) => 2,
-                        (_, false) => 3,
-                        (_, true) => 4,
-                    };
-                    let slot = |is_a: bool| if is_a == here_is_first { 0 } else { other };
-                    by_p[slot(true)] += w * f.by_pressure[0];
-                    by_p[slot(false)] += w * f.by_pressure[1];
-                    by_h[slot(true)] += w * f.by_film;
-                    by_h[slot(false)] += w * f.by_film;
-                    let total: f64 = f.by_mass.iter().sum();
-                    let upstream = !f.from_second;
-                    let [mass_by_p, mass_by_h] = at.nodes[if upstream { a } else { b }].mass_by;
-                    by_h[slot(upstream)] += w * total * mass_by_h;
-                    by_p[slot(upstream)] += w * total * mass_by_p;
-                };
-                add(1.0, 0, k, true);
-                add(-1.0, 0, k - 1, false);
-                match grid.half && j + 1 == ny {
-                    true => add(-2.0, 1, k - nx, false),
-                    false => {
-                        add(1.0, 1, k, true);
-                        add(-1.0, 1, k - nx, false);
-                    }
-                }
-            } else {
-                by_p[0] = 1.0;
-            }
-            stencil.fill(0.0);
-            let mirror = |dj: i64| {
-                let row = j as i64 + dj;
-                match grid.half && row >= ny as i64 {
-                    true => 2 * (ny as i64 - 1) - row - j as i64,
-                    false => dj,
-                }
-            };
-            let mut put = |di: i64, dj: i64, v: f64| {
-                let dj = mirror(dj);
-                stencil[((dj + REACH) as usize) * width + (di + REACH) as usize] += v;
-            };
-            for (slot, [ci, cj]) in [[0, 0], [-1, 0], [1, 0], [0, -1], [0, 1]]
-                .into_iter()
-                .enumerate()
-            {
-                if by_h[slot] != 0.0 {
-                    put(ci, cj, by_h[slot]);
-                }
-                if by_p[slot] == 0.0 {
-                    continue;
-                }
-                for dj in -1..=1 {
-                    for di in -1..=1 {
-                        // Mirrored about the row of the neighbour that is itself mirrored: rows beyond fold back.
-                        put(ci + di, cj + dj, by_p[slot] * s(di, dj));
-                    }
-                }
-            }
-            for [di, dj] in &pattern.points {
-                let (ni, nj) = (i as i64 + di, j as i64 + dj);
-                if ni < 0 || ni >= nx as i64 || nj < 0 || nj >= ny as i64 {
-                    continue;
-                }
-                if pattern.number[grid.index(ni as usize, nj as usize)] == NONE {
-                    continue;
-                }
-                values[next] = stencil[((dj + REACH) as usize) * width + (di + REACH) as usize];
-                next += 1;
-            }
-        }
-        // Rows of like size for single precision
-        let mut of_row = vec![0.0_f64; pattern.nodes.len()];
-        for ((row, _), v) in pattern.entries.iter().zip(&values) {
-            of_row[*row as usize] = of_row[*row as usize].max(v.abs());
-        }
-        for ((row, _), v) in pattern.entries.iter().zip(&mut values) {
-            *v /= of_row[*row as usize];
-        }
+        let mut values = Vec::new();
         let mut scale = vec![1.0; grid.len()];
-        for (k, s) in pattern.nodes.iter().zip(of_row) {
-            scale[*k as usize] = s;
+        for unknown in 0..pattern.len() {
+            let k = pattern.node(unknown);
+            let cross = match at.wetted[k] {
+                true => Cross::wetted(grid, at, k),
+                false => Cross::broken(),
+            };
+            let square = pattern.square(k, &cross);
+            let row = values.len();
+            values
+                .extend(neighbours(pattern.n, unknown).map(|(place, _)| square[at_square(place)]));
+            // Rows of like size, for single precision and for residuals that mean the same everywhere.
+            let size = values[row..]
+                .iter()
+                .fold(0.0_f64, |m: f64, v: &f64| m.max(v.abs()));
+            values[row..].iter_mut().for_each(|v| *v /= size);
+            scale[k] = size;
         }
         let lu = FrontalLu::new(&pattern.frontal, &values).ok()?;
         Some(Preconditioner { pattern, lu, scale })
@@ -248,27 +238,28 @@ impl<'a> Preconditioner<'a> {
     pub fn solve(&mut self, residual: &[f64]) -> Vec<f64> {
         let p = self.pattern;
         let grid = &p.grid;
-        let mut w: Vec<f64> = (p.nodes.iter()).map(|k| residual[*k as usize]).collect();
+        let [nx, ny] = grid.n;
+        let mut w: Vec<f64> = (0..p.len())
+            .map(|unknown| residual[p.node(unknown)])
+            .collect();
         self.lu.solve(&mut w);
         let mut film = vec![0.0; grid.len()];
-        for (k, w) in p.nodes.iter().zip(&w) {
-            film[*k as usize] = *w;
+        for (unknown, w) in w.iter().enumerate() {
+            film[p.node(unknown)] = *w;
         }
-        let [nx, ny] = grid.n;
         let [s0, sx, sy, sd] = p.inverse;
         let mut pressure = vec![0.0; grid.len()];
-        for k in &p.nodes {
-            let k = *k as usize;
-            let above = if grid.half && k / nx + 1 == ny {
-                k - nx
-            } else {
-                k + nx
-            };
+        for k in (0..p.len()).map(|unknown| p.node(unknown)) {
             let below = k - nx;
+            let above = match grid.half && k / nx + 1 == ny {
+                true => below,
+                false => k + nx,
+            };
+            let beside = |k: usize| film[k - 1] + film[k + 1];
             pressure[k] = s0 * film[k]
-                + sx * (film[k - 1] + film[k + 1])
+                + sx * beside(k)
                 + sy * (film[below] + film[above])
-                + sd * (film[below - 1] + film[below + 1] + film[above - 1] + film[above + 1]);
+                + sd * (beside(below) + beside(above));
         }
         pressure
     }
