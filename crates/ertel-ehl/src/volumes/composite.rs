@@ -40,7 +40,7 @@ impl Composite {
             let inside = (x0..=x1).contains(&i) && (y0..=y1).contains(&j);
             inside.then(|| finer[next.index(2 * (i - x0) + offset[0], 2 * (j - y0) + offset[1])])
         };
-        let mut numbers = vec![NONE; grid.len()];
+        let mut numbers = vec![NONE; grid.n_nodes()];
         for [i, j] in grid.nodes() {
             let number = match on_patch(i, j, [0; 2]) {
                 Some(number) => number,

@@ -299,7 +299,7 @@ mod tests {
     #[test]
     fn kernel_by_quadrature() {
         let grid = grid(0.25, false, 3.0);
-        let mut pressure = vec![0.0; grid.len()];
+        let mut pressure = vec![0.0; grid.n_nodes()];
         let [ci, cj] = grid.centre();
         pressure[grid.index(ci, cj)] = 1.0;
         let found = Convolution::new(&grid, PI).apply(&pressure);

@@ -157,7 +157,7 @@ fn solve_on(
 ) -> Result<NewtonInfo, SolveError> {
     let pattern = Pattern::new(&system.grid, system.convolution.inverse()).map_err(|error| {
         SolveError::Factorisation(LuError {
-            n: system.grid.len(),
+            n: system.grid.n_nodes(),
             reason: error.to_string(),
         })
     })?;
@@ -242,7 +242,7 @@ impl Engine for FiniteVolumes {
             if unknowns > most && n >= LEAST_GRIDS {
                 break;
             }
-            observer.level(n, n + 1, unknowns, grid.len());
+            observer.level(n, n + 1, unknowns, grid.n_nodes());
             let (mut system, mut state) = match found.levels.last_mut() {
                 None => {
                     let system = first_system(problem, grid);
@@ -274,7 +274,7 @@ impl Engine for FiniteVolumes {
                 info,
                 patch: None,
             });
-            let cells = found.levels[n].system.grid.len();
+            let cells = found.levels[n].system.grid.n_nodes();
             let [assembly, factorisation, krylov] = info.seconds;
             let known = operator + assembly + factorisation + krylov;
             found.stats.push(LevelStats {

@@ -48,7 +48,7 @@ impl Grid {
     }
 
     /// Number of nodes.
-    pub fn len(&self) -> usize {
+    pub fn n_nodes(&self) -> usize {
         self.n[0] * self.n[1]
     }
 

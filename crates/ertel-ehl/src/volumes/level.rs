@@ -110,7 +110,7 @@ pub fn refined<Plan>(problem: &Problem<Plan>, before: &mut Level, grid: Grid) ->
         coarse: &coarse,
         start,
     };
-    let mut pressure = vec![0.0; system.grid.len()];
+    let mut pressure = vec![0.0; system.grid.n_nodes()];
     for [i, j] in system.grid.nodes() {
         let k = system.grid.index(i, j);
         pressure[k] = sampled.linear(&own.pressure, i, j);

@@ -212,7 +212,7 @@ impl<'a> Preconditioner<'a> {
     pub fn new(pattern: &'a Pattern, at: &Linearised) -> Option<Preconditioner<'a>> {
         let grid = &pattern.grid;
         let mut values = Vec::new();
-        let mut scale = vec![1.0; grid.len()];
+        let mut scale = vec![1.0; grid.n_nodes()];
         for unknown in 0..pattern.len() {
             let k = pattern.node(unknown);
             let cross = match at.wetted[k] {
@@ -243,12 +243,12 @@ impl<'a> Preconditioner<'a> {
             .map(|unknown| residual[p.node(unknown)])
             .collect();
         self.lu.solve(&mut w);
-        let mut film = vec![0.0; grid.len()];
+        let mut film = vec![0.0; grid.n_nodes()];
         for (unknown, w) in w.iter().enumerate() {
             film[p.node(unknown)] = *w;
         }
         let [s0, sx, sy, sd] = p.inverse;
-        let mut pressure = vec![0.0; grid.len()];
+        let mut pressure = vec![0.0; grid.n_nodes()];
         for k in (0..p.len()).map(|unknown| p.node(unknown)) {
             let below = k - nx;
             let above = match grid.half && k / nx + 1 == ny {

@@ -156,7 +156,7 @@ impl System {
             _ => (RING..nx - RING, RING - 1..above),
         };
         let middle = [[0.5, 0.0], [0.0, 0.5]][direction];
-        let mut faces = vec![Face::default(); grid.len()];
+        let mut faces = vec![Face::default(); grid.n_nodes()];
         let chunks = faces.par_chunks_mut(nx).enumerate().with_min_len(ROWS);
         chunks.for_each(|(j, faces)| {
             if !rows.contains(&j) {
@@ -191,7 +191,7 @@ impl System {
         let grid = &self.grid;
         let [nx, ny] = grid.n;
         let [dx, dy] = grid.spacing;
-        let mut sums = vec![0.0; grid.len()];
+        let mut sums = vec![0.0; grid.n_nodes()];
         let rows = sums.par_chunks_mut(nx).enumerate().with_min_len(ROWS);
         rows.for_each(|(j, sums)| {
             for (i, sum) in sums.iter_mut().enumerate() {
@@ -251,7 +251,7 @@ impl System {
         params: GmresParams,
     ) -> Step {
         let grid = &self.grid;
-        let n = grid.len();
+        let n = grid.n_nodes();
         let areas: Vec<f64> = (grid.nodes())
             .map(|[i, j]| grid.share(i, j) * grid.cell())
             .collect();

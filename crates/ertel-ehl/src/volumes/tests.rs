@@ -185,7 +185,7 @@ fn second_order_for_manufactured_fields() {
         let state = State {
             pressure: values(&pressure),
             separation: 0.0,
-            wetted: vec![true; grid.len()],
+            wetted: vec![true; grid.n_nodes()],
         };
         let found = system.linearise(&state).outflow;
         let errors = grid
