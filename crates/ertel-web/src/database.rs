@@ -69,7 +69,7 @@ fn described() -> Map<String, Value> {
 
 /// `{"ok": true, "version": "...", "fluids": [...], "solids": [...], "examples": [...]}`: lubricants and solids of the database with `name`
 /// and `title`, those of solids with `youngs_modulus` in Pa and `poissons_ratio`, of lubricants with `reference_temperature` in K or null;
-/// examples with `name` and `text`; `keys` as [`described`] gives them.
+/// examples with `name` and `text`; `keys` as `described` gives them.
 pub fn database() -> Value {
     let folder = Path::new("");
     let fluids = fluid_names().into_iter().filter_map(|name| {
