@@ -51,8 +51,6 @@ pub struct Volumes {
     pub levels: Vec<Level>,
     /// Effort and figures of each.
     pub stats: Vec<LevelStats>,
-    /// Whether both films are as accurate as asked for.
-    pub on_target: bool,
     /// Whether Newton's method did not converge on a further grid.
     pub stopped: bool,
     /// What flows out of the wetted part of the finest grid less what flows in, over what passes the centre.
@@ -226,7 +224,6 @@ impl Engine for FiniteVolumes {
         let mut found = Volumes {
             levels: Vec::new(),
             stats: Vec::new(),
-            on_target: false,
             stopped: false,
             balance_error: f64::NAN,
         };
@@ -271,7 +268,6 @@ impl Engine for FiniteVolumes {
                 films: system.films(&state),
                 system,
                 state,
-                info,
                 patch: None,
             });
             let cells = found.levels[n].system.grid.n_nodes();
@@ -289,8 +285,7 @@ impl Engine for FiniteVolumes {
                 ..stats(problem, &found.levels, info, [cells, unknowns])
             });
             let [central, minimum] = film_errors(&found.stats);
-            found.on_target = central.max(minimum) <= problem.plan.target_error;
-            if found.on_target && n + 1 >= LEAST_GRIDS {
+            if central.max(minimum) <= problem.plan.target_error && n + 1 >= LEAST_GRIDS {
                 break;
             }
             h *= 0.5;

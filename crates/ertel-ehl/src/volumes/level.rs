@@ -2,7 +2,6 @@
 
 use super::convolution::Convolution;
 use super::grid::Grid;
-use super::newton::NewtonInfo;
 use super::system::{State, System};
 use crate::contact::Gap;
 use crate::elastic::compliance;
@@ -16,8 +15,6 @@ pub struct Level {
     pub state: State,
     /// H at the nodes.
     pub films: Vec<f64>,
-    /// How Newton's method went.
-    pub info: NewtonInfo,
     /// Where the next grid lies on this one: its first and last node here along each direction.
     pub patch: Option<[[usize; 2]; 2]>,
 }
