@@ -250,8 +250,8 @@ fn a_figure_is_named_in_two_files() {
         .collect();
     found.sort();
     let expected = [
+        "ertel-ehl/src/engine/figures.rs",
         "ertel-ehl/src/solution/figures.rs",
-        "ertel-ehl/src/solve/figures.rs",
     ];
     assert_eq!(found, expected);
 

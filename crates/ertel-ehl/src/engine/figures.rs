@@ -1,7 +1,7 @@
 //! Figures that any engine reads off a film in the same way.
 
 use super::friction::{friction, is_skewed};
-use super::{Film, Problem};
+use super::{Film, Problem, Profile};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, Reading, Sizes};
 
@@ -22,6 +22,34 @@ pub fn sizes<Plan>(problem: &Problem<Plan>) -> Sizes {
 /// thickness in units of the approach, `film`.
 pub fn share_of_film(pressure: f64, film: f64) -> f64 {
     (pressure - 1.0).abs().max(film.abs()).min(pressure.abs())
+}
+
+/// The mean film, and what is read off the centreline, where the film breaks at X = `outlet`.
+pub fn note_film<Plan>(
+    figures: &mut Figures,
+    problem: &Problem<Plan>,
+    film: &impl Film,
+    profile: &Profile,
+    outlet: f64,
+) {
+    let scales = &problem.scales;
+    let at = |value: f64, x: f64| Reading::new(value).at([x * scales.length, 0.0]);
+    let [mean] = film.points().mean_in_zone(|fields| Some([fields.film]));
+    figures.note(Figure::FilmMean, Reading::new(scales.film * mean));
+    let (h_line, x_line) = profile.film_minimum();
+    let thinnest = at(scales.film * h_line, x_line);
+    figures.note(Figure::FilmCentrelineMinimum, thinnest);
+    if let Some((p, x)) = profile.spike() {
+        figures.note(Figure::Spike, at(scales.pressure * p, x));
+    }
+    let outlet = Reading::new(scales.length * outlet);
+    figures.note(Figure::OutletPosition, outlet);
+    if let Some(layer) = problem.shape.inlet.layer()
+        && let Some(x) = profile.meniscus(layer.thickness)
+    {
+        let reading = Reading::new(scales.length * x);
+        figures.note(Figure::MeniscusPosition, reading);
+    }
 }
 
 /// Traction, friction power and shear of a film. `heats`: whether its temperature varies, so that its power is balanced by heat.

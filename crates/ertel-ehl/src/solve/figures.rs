@@ -12,7 +12,7 @@ use super::profile::{PER_EDGE, Profile};
 use super::sequence::{Problem, StageSolution};
 use super::system::State;
 use crate::contact::Symmetry;
-use crate::engine::figures::{note_friction, share_of_film, sizes};
+use crate::engine::figures::{note_film, note_friction, share_of_film, sizes};
 use crate::engine::{Film, PointTable};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading};
@@ -67,22 +67,7 @@ pub fn figures(
         }
     }
     let profile = Profile::new(d, state, PER_EDGE);
-    let (h_line, x_line) = profile.film_minimum();
-    let thinnest = at(scales.film * h_line, [x_line, 0.0]);
-    figures.note(Figure::FilmCentrelineMinimum, thinnest);
-    let [mean] = film.points().mean_in_zone(|fields| Some([fields.film]));
-    figures.note(Figure::FilmMean, Reading::new(scales.film * mean));
-    if let Some((p, x)) = profile.spike() {
-        figures.note(Figure::Spike, at(scales.pressure * p, [x, 0.0]));
-    }
-    let outlet = scales.length * profile.outlet();
-    figures.note(Figure::OutletPosition, Reading::new(outlet));
-    if let Some(layer) = problem.shape.inlet.layer()
-        && let Some(x) = profile.meniscus(layer.thickness)
-    {
-        let reading = Reading::new(scales.length * x);
-        figures.note(Figure::MeniscusPosition, reading);
-    }
+    note_film(&mut figures, problem, &film, &profile, profile.outlet());
     note_friction(&mut figures, problem, fluid, &film, d.heat.is_some());
     note_heat(&mut figures, problem, fluid, (d, state), film.points());
     figures

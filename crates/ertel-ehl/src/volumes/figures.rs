@@ -12,9 +12,9 @@ use super::fields::profile;
 use super::film::PatchedFilm;
 use super::grid::Grid;
 use super::level::Level;
-use crate::engine::figures::{note_friction, share_of_film};
+use crate::engine::figures::{note_film, note_friction, share_of_film};
 use crate::engine::hills::hills;
-use crate::engine::{Film, Problem, Profile};
+use crate::engine::{Problem, Profile};
 use crate::solution::{Bar, Bars, Figure, Figures, Reading};
 
 /// Central and minimum film in a²/R, the latter with its place.
@@ -80,17 +80,8 @@ pub fn figures(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     figures.note(Figure::FilmMinimum, at(scales.film * h_m, place));
     note_pressures(&mut figures, problem, finest, h_c);
     let film = PatchedFilm::new(&problem.shape, levels);
-    let [mean] = film.points().mean_in_zone(|fields| Some([fields.film]));
-    figures.note(Figure::FilmMean, Reading::new(scales.film * mean));
     let profile = profile(&film);
-    let (h_line, x_line) = profile.film_minimum();
-    let thinnest = at(scales.film * h_line, [x_line, 0.0]);
-    figures.note(Figure::FilmCentrelineMinimum, thinnest);
-    if let Some((p, x)) = profile.spike() {
-        figures.note(Figure::Spike, at(scales.pressure * p, [x, 0.0]));
-    }
-    let outlet = Reading::new(scales.length * outlet(&profile));
-    figures.note(Figure::OutletPosition, outlet);
+    note_film(&mut figures, problem, &film, &profile, outlet(&profile));
     note_friction(&mut figures, problem, &problem.fluid, &film, false);
     figures
 }
