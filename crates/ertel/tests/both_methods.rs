@@ -3,7 +3,7 @@
 
 use ertel::case::Case;
 use ertel::cross_check::{Verdict, cross_check};
-use ertel::params::Method;
+use ertel::params::{Formulation, Method};
 use ertel::run::solve;
 use ertel::solution::{Figure, Solution};
 use ertel::solve::NoObserver;
@@ -123,5 +123,9 @@ fn what_elements_do_not_solve_is_left_to_volumes() {
         .filter(|w| w.contains("solved by finite volumes"));
     assert_eq!(told.count(), 1);
     case.solver.method = Some(Method::FiniteElements);
+    assert!(solve(&case, &mut NoObserver).is_err());
+    // Nor where the case asks for elements of its own.
+    case.solver.method = None;
+    case.solver.formulation = Formulation::Supg;
     assert!(solve(&case, &mut NoObserver).is_err());
 }

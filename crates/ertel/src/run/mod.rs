@@ -18,7 +18,7 @@ mod volumes;
 
 use crate::case::{Case, finite_volumes_refuse};
 use crate::contact::Supply;
-use crate::params::Method;
+use crate::params::{Method, SolverParams};
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{HeatRound, IterationRecord, Solution};
 use crate::solve::sequence;
@@ -115,8 +115,10 @@ fn solve_here(
     match elements::solve(case, start, ahead, observer) {
         Ok((solution, start)) => Ok((solution, Some(start))),
         Err(error) if may_be_tried_again(case, &error) => {
-            let Ok(mut solution) = volumes::solve(case, observer) else {
-                return Err(error);
+            let mut solution = match volumes::solve(case, observer) {
+                Ok(solution) => solution,
+                Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+                Err(_) => return Err(error),
             };
             let text =
                 format!("solved by finite volumes, as finite elements did not converge: {error}");
@@ -129,7 +131,7 @@ fn solve_here(
     }
 }
 
-/// Whether a case that finite elements did not solve is left to finite volumes.
+/// Whether a case that finite elements did not solve is left to finite volumes: not where it asks for elements of its own.
 fn may_be_tried_again(case: &Case, error: &SolveError) -> bool {
     let did_not_converge = matches!(
         error,
@@ -138,7 +140,15 @@ fn may_be_tried_again(case: &Case, error: &SolveError) -> bool {
             | SolveError::Krylov(_)
             | SolveError::Factorisation(_)
     );
-    did_not_converge && case.solver.method.is_none() && finite_volumes_refuse(case).is_none()
+    let (own, usual) = (&case.solver, SolverParams::default());
+    let asks_for_elements = own.method.is_some()
+        || own.formulation != usual.formulation
+        || own.isotropic_diffusion != usual.isotropic_diffusion
+        || own.ridge_diffusion != usual.ridge_diffusion
+        || own.elastic_stabilisation != usual.elastic_stabilisation
+        || own.penalty != usual.penalty
+        || own.penalty_scaling != usual.penalty_scaling;
+    did_not_converge && !asks_for_elements && finite_volumes_refuse(case).is_none()
 }
 
 /// Passes everything on and keeps the iterations.
