@@ -10,13 +10,14 @@ use ertel_input::Input;
 use rayon::prelude::*;
 
 use crate::case::Case;
+use crate::engine::sensitivity::{Derivatives, Perturbed};
 use crate::params::{ElasticModel, SensitivityDemand};
 use crate::problem::{problem, problem_beside};
 use crate::solution::{Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::figures::{Scope, figures};
-use crate::solve::sensitivity::{Perturbed, Sensitivity};
-use crate::solve::sequence::{Problem, StageSolution, Start, solve_on_mesh};
+use crate::solve::sensitivity::Sensitivity;
+use crate::solve::sequence::{Plan, Problem, StageSolution, Start, solve_on_mesh};
 use crate::solve::{Observer, SolveError};
 
 /// Steps of inputs, over their size: where the equations stay on their mesh, and where the mesh changes, whose elastic response has
@@ -149,9 +150,18 @@ pub fn by_adjoint(
     resolved: impl Fn(Figure) -> bool,
 ) -> Result<Sensitivities, SolveError> {
     let adjoint = Sensitivity::new(problem, solution, rough, resolved)?;
+    Ok(by_derivatives(case, problem, &adjoint))
+}
+
+/// Derivatives of the figures of a solution by every input of an isothermal contact.
+pub fn by_derivatives(
+    case: &Case,
+    problem: &Problem,
+    solution: &impl Derivatives<Plan>,
+) -> Sensitivities {
     let modulus = ByModulus::of(case);
     let mut left_out = Vec::new();
-    let mut asked: Vec<(&Input, Perturbed)> = Vec::new();
+    let mut asked: Vec<(&Input, Perturbed<Plan>)> = Vec::new();
     let follows = |input: &Input| modulus.as_ref().is_some_and(|m| m.follows(input));
     let inputs: Vec<&Input> = case.inputs().iter().filter(|i| !follows(i)).collect();
     let both_sides: Vec<_> = (inputs.par_iter())
@@ -189,11 +199,11 @@ pub fn by_adjoint(
             _ => {}
         }
     }
-    let (inputs, sides): (Vec<&Input>, Vec<Perturbed>) = asked.into_iter().unzip();
-    let mut figures: Vec<FigureSensitivity> = (adjoint.figures())
+    let (inputs, sides): (Vec<&Input>, Vec<Perturbed<Plan>>) = asked.into_iter().unzip();
+    let mut figures: Vec<FigureSensitivity> = (solution.figures().into_iter())
         .map(|figure| FigureSensitivity {
             figure,
-            value: adjoint.value(figure),
+            value: solution.value(figure),
             derivatives: Vec::new(),
         })
         .collect();
@@ -209,7 +219,7 @@ pub fn by_adjoint(
             uncertainty: input.uncertainty,
         });
     };
-    for (input, derivatives) in inputs.into_iter().zip(adjoint.derivatives(&sides)) {
+    for (input, derivatives) in inputs.into_iter().zip(solution.derivatives(&sides)) {
         match derivatives {
             // What a law of the database has beside what counts here.
             Ok(derivatives) if !input.written && derivatives.iter().all(|by| *by == 0.0) => {}
@@ -233,12 +243,12 @@ pub fn by_adjoint(
             }
         }
     }
-    Ok(Sensitivities {
+    Sensitivities {
         by_adjoint: true,
         inputs: known,
         figures,
         left_out,
-    })
+    }
 }
 
 /// Why a derivative by the temperature of the lubricant would be zero for want of a law, and say nothing.
@@ -255,8 +265,8 @@ fn is_costly(case: &Case, input: &Input) -> bool {
 }
 
 /// The problems on either side of an input; `None` where it is of no effect that a derivative could tell.
-fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Perturbed, String>> {
-    let at = |step: f64| -> Result<Perturbed, String> {
+fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Perturbed<Plan>, String>> {
+    let at = |step: f64| -> Result<Perturbed<Plan>, String> {
         let side = |value: f64| {
             let values = BTreeMap::from([(input.key.clone(), value)]);
             let case = case.with_values(values).ok()?;
@@ -277,7 +287,7 @@ fn sides(case: &Case, own: &Problem, input: &Input) -> Option<Result<Perturbed, 
         value => value.abs(),
     };
     let sides = at(STEP * size);
-    let moves = |sides: &Perturbed| {
+    let moves = |sides: &Perturbed<Plan>| {
         let mut problems = sides.problems.iter();
         problems.any(|problem| !own.shape.is_like(&problem.shape))
     };

@@ -16,6 +16,7 @@ mod observer;
 mod problem;
 mod profile;
 pub mod region;
+pub mod sensitivity;
 pub mod shear;
 
 pub use film::{Film, Point, PointFields, PointTable};

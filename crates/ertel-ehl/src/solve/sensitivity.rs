@@ -21,13 +21,14 @@ use super::peaks::peaks;
 use super::points::{Evaluated, fields_in};
 use super::preconditioner::{NearStiffness, Preconditioner};
 use super::region::Elements;
-use super::sequence::{Problem, StageSolution};
+use super::sequence::{Plan, Problem, StageSolution};
 use super::system::{FilmConstants, State, System};
 use super::weighted::{Equations, PointFlow, point_flows, weighted_sums};
 use crate::contact::{Inlet, Scales};
 use crate::elastic::{Accuracy, BodyModel};
 use crate::engine::friction::friction;
 use crate::engine::region::Region;
+use crate::engine::sensitivity::{Derivatives, NoDerivative, Perturbed};
 use crate::film::FilmFluid;
 use crate::forms::oil_layer::{filling_length, missing};
 use crate::solution::Figure;
@@ -58,20 +59,6 @@ pub const FIGURES: [Figure; 4] = [
     Figure::TractionCoefficient,
 ];
 
-/// What keeps an input's derivatives from being known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum NoDerivative {
-    /// It changes the answer of a finite-element body.
-    #[error("it changes how bodies of finite elements deflect; with half-spaces it is known")]
-    FiniteElements,
-    /// It moves the edge of the contact area.
-    #[error("it moves the edge of the contact area")]
-    Edge,
-    /// The mesh cannot be made for the changed shape.
-    #[error("the mesh cannot be made for a changed shape")]
-    Mesh,
-}
-
 /// A figure with its adjoint.
 struct Goal {
     figure: Figure,
@@ -86,14 +73,6 @@ pub struct Sensitivity<'a> {
     flows: Vec<PointFlow>,
     /// Elements and reference coordinates of the figures that are read at a place.
     places: [Option<(usize, [f64; 3])>; 3],
-}
-
-/// A problem on either side of the solution's, by the same step of an input.
-pub struct Perturbed {
-    /// Below and above.
-    pub problems: [Problem; 2],
-    /// By how much the input differs between them.
-    pub distance: f64,
 }
 
 impl<'a> Sensitivity<'a> {
@@ -164,62 +143,8 @@ impl<'a> Sensitivity<'a> {
         })
     }
 
-    /// The figures that derivatives are of.
-    pub fn figures(&self) -> impl Iterator<Item = Figure> + '_ {
-        self.goals.iter().map(|goal| goal.figure)
-    }
-
-    /// Value of a figure at the solution, SI.
-    pub fn value(&self, figure: Figure) -> f64 {
-        let (d, state) = (&self.solution.discretisation, &self.solution.state);
-        let scales = &self.problem.scales;
-        match figure {
-            Figure::TractionCoefficient => {
-                let film = Evaluated::new(&self.problem.shape, d, state);
-                let sums = friction(self.problem, &self.problem.fluid, &film);
-                sums.here.coefficients[0][0]
-            }
-            figure => self.figure(figure, d, state, scales),
-        }
-    }
-
-    /// Derivatives of the figures, SI, for each input.
-    pub fn derivatives(&self, inputs: &[Perturbed]) -> Vec<Result<Vec<f64>, NoDerivative>> {
-        let (d, state) = (&self.solution.discretisation, &self.solution.state);
-        let here: Vec<bool> = (inputs.iter())
-            .map(|sides| {
-                (sides.problems.iter()).all(|p| self.problem.shape.is_like(&p.shape))
-                    && self.obstacle(sides).is_none()
-            })
-            .collect();
-        let on_mesh: Vec<&Problem> = (inputs.iter().zip(&here))
-            .filter(|(_, here)| **here)
-            .flat_map(|(sides, _)| &sides.problems)
-            .collect();
-        let mut lagrangians = self
-            .lagrangians(d, state, &self.flows, &on_mesh)
-            .into_iter();
-        let mut derivatives = Vec::new();
-        for (sides, here) in inputs.iter().zip(here) {
-            let values = if here {
-                [lagrangians.next(), lagrangians.next()].map(|v| v.ok_or(NoDerivative::Mesh))
-            } else if let Some(obstacle) = self.obstacle(sides) {
-                [Err(obstacle), Err(obstacle)]
-            } else {
-                (sides.problems.each_ref()).map(|problem| self.reshaped(problem))
-            };
-            let difference = |[below, above]: [Vec<f64>; 2]| {
-                let pairs = below.iter().zip(&above);
-                pairs.map(|(b, a)| (a - b) / sides.distance).collect()
-            };
-            let [below, above] = values;
-            derivatives.push(below.and_then(|below| Ok(difference([below, above?]))));
-        }
-        derivatives
-    }
-
     /// What keeps derivatives by an input from being known.
-    fn obstacle(&self, sides: &Perturbed) -> Option<NoDerivative> {
+    fn obstacle(&self, sides: &Perturbed<Plan>) -> Option<NoDerivative> {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
         let own = &self.problem.elasticity;
         for problem in &sides.problems {
@@ -330,6 +255,59 @@ impl<'a> Sensitivity<'a> {
             Figure::FilmMinimum => film(thinnest),
             _ => scales.pressure * at(top).map_or(f64::NAN, |f| f.pressure),
         }
+    }
+}
+
+impl Derivatives<Plan> for Sensitivity<'_> {
+    fn figures(&self) -> Vec<Figure> {
+        self.goals.iter().map(|goal| goal.figure).collect()
+    }
+
+    fn value(&self, figure: Figure) -> f64 {
+        let (d, state) = (&self.solution.discretisation, &self.solution.state);
+        let scales = &self.problem.scales;
+        match figure {
+            Figure::TractionCoefficient => {
+                let film = Evaluated::new(&self.problem.shape, d, state);
+                let sums = friction(self.problem, &self.problem.fluid, &film);
+                sums.here.coefficients[0][0]
+            }
+            figure => self.figure(figure, d, state, scales),
+        }
+    }
+
+    fn derivatives(&self, inputs: &[Perturbed<Plan>]) -> Vec<Result<Vec<f64>, NoDerivative>> {
+        let (d, state) = (&self.solution.discretisation, &self.solution.state);
+        let here: Vec<bool> = (inputs.iter())
+            .map(|sides| {
+                (sides.problems.iter()).all(|p| self.problem.shape.is_like(&p.shape))
+                    && self.obstacle(sides).is_none()
+            })
+            .collect();
+        let on_mesh: Vec<&Problem> = (inputs.iter().zip(&here))
+            .filter(|(_, here)| **here)
+            .flat_map(|(sides, _)| &sides.problems)
+            .collect();
+        let mut lagrangians = self
+            .lagrangians(d, state, &self.flows, &on_mesh)
+            .into_iter();
+        let mut derivatives = Vec::new();
+        for (sides, here) in inputs.iter().zip(here) {
+            let values = if here {
+                [lagrangians.next(), lagrangians.next()].map(|v| v.ok_or(NoDerivative::Mesh))
+            } else if let Some(obstacle) = self.obstacle(sides) {
+                [Err(obstacle), Err(obstacle)]
+            } else {
+                (sides.problems.each_ref()).map(|problem| self.reshaped(problem))
+            };
+            let difference = |[below, above]: [Vec<f64>; 2]| {
+                let pairs = below.iter().zip(&above);
+                pairs.map(|(b, a)| (a - b) / sides.distance).collect()
+            };
+            let [below, above] = values;
+            derivatives.push(below.and_then(|below| Ok(difference([below, above?]))));
+        }
+        derivatives
     }
 }
 

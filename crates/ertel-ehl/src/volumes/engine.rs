@@ -6,7 +6,7 @@ use ertel_fem::platform::Instant;
 use super::figures::{bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
 use super::grid::{Grid, RING};
-use super::level::{Level, first_state, first_system, refined};
+use super::level::{Level, convolution, first_state, first_system, refined};
 use super::newton::{NewtonInfo, NewtonParams, newton};
 use super::preconditioner::Pattern;
 use super::system::{State, System};
@@ -240,13 +240,14 @@ impl Engine for FiniteVolumes {
                 break;
             }
             observer.level(n, n + 1, unknowns, grid.n_nodes());
+            let deflection = convolution(problem, &grid);
             let (mut system, mut state) = match found.levels.last_mut() {
                 None => {
-                    let system = first_system(problem, grid);
+                    let system = first_system(problem, grid, deflection);
                     let state = first_state(problem, &system);
                     (system, state)
                 }
-                Some(before) => refined(problem, before, grid),
+                Some(before) => refined(problem, before, grid, deflection),
             };
             let operator = clock.elapsed().as_secs_f64();
             let info = solve_on(problem, &mut system, &mut state, n, observer)?;

@@ -7,7 +7,6 @@
 //! c is what is left of a geometric series of differences: ⅓ where they fall with the square of the cell, 1 where they fall with it or not at all,
 //! and where grids do not resolve the thinnest film. A difference that vanishes by chance is held up by the one before.
 
-use super::engine::Plan;
 use super::fields::profile;
 use super::film::PatchedFilm;
 use super::grid::Grid;
@@ -68,7 +67,7 @@ fn extreme(grid: &Grid, values: &[f64], i: usize, j: usize) -> (f64, [f64; 2]) {
 }
 
 /// Figures of the first grids of a solve, SI.
-pub fn figures(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
+pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     let scales = &problem.scales;
     let at = |value: f64, place: [f64; 2]| Reading::new(value).at(place.map(|x| x * scales.length));
     let mut figures = Figures::default();
@@ -106,7 +105,7 @@ fn outlet(profile: &Profile) -> f64 {
 }
 
 /// The largest pressure, that of the hill in the middle, and that of the ridge beside it.
-fn note_pressures(figures: &mut Figures, problem: &Problem<Plan>, level: &Level, h_c: f64) {
+fn note_pressures<Plan>(figures: &mut Figures, problem: &Problem<Plan>, level: &Level, h_c: f64) {
     let scales = &problem.scales;
     let (grid, pressure) = (&level.system.grid, &level.state.pressure);
     let [nx, ny] = grid.n;

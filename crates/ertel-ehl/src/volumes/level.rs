@@ -1,5 +1,7 @@
 //! From a grid to one with cells of half the size on a smaller patch; pressures beyond the patch stand.
 
+use std::sync::Arc;
+
 use super::convolution::Convolution;
 use super::grid::Grid;
 use super::system::{State, System};
@@ -40,13 +42,25 @@ fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
     along(x, i, true) * along(y, j, !half)
 }
 
+/// The deflection of the bodies of a problem on a grid.
+pub fn convolution<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Arc<Convolution> {
+    Arc::new(Convolution::new(
+        grid,
+        compliance(&problem.elasticity.bodies),
+    ))
+}
+
 /// Half-spaces under a grid, without pressure beyond it.
-pub fn first_system<Plan>(problem: &Problem<Plan>, grid: Grid) -> System {
+pub fn first_system<Plan>(
+    problem: &Problem<Plan>,
+    grid: Grid,
+    convolution: Arc<Convolution>,
+) -> System {
     let gap = (grid.nodes())
         .map(|[i, j]| problem.shape.gap.value(grid.place(i, j)))
         .collect();
     System {
-        convolution: Convolution::new(&grid, compliance(&problem.elasticity.bodies)),
+        convolution,
         gap,
         load: problem.load,
         fluid: problem.fluid.clone(),
@@ -79,7 +93,12 @@ pub fn first_state<Plan>(problem: &Problem<Plan>, system: &System) -> State {
 }
 
 /// System and start of a grid inside that of a level, with nodes at half the distance; the level learns where it lies.
-pub fn refined<Plan>(problem: &Problem<Plan>, before: &mut Level, grid: Grid) -> (System, State) {
+pub fn refined<Plan>(
+    problem: &Problem<Plan>,
+    before: &mut Level,
+    grid: Grid,
+    convolution: Arc<Convolution>,
+) -> (System, State) {
     let coarse = before.system.grid.clone();
     let start = [0, 1].map(|d: usize| (grid.first[d].div_euclid(2) - coarse.first[d]) as usize);
     let patch = [0, 1].map(|d: usize| [start[d], start[d] + (grid.n[d] - 1) / 2]);
@@ -101,7 +120,7 @@ pub fn refined<Plan>(problem: &Problem<Plan>, before: &mut Level, grid: Grid) ->
         * coarse.cell();
     let by_inside = before.system.convolution.apply(&inside);
     let outer = beyond(before, &problem.shape.gap, &by_inside);
-    let mut system = first_system(problem, grid);
+    let mut system = first_system(problem, grid, convolution);
     system.load = before.system.load - before.system.integral(&own.pressure) + load_inside;
     let sampled = Sampled {
         coarse: &coarse,

@@ -18,6 +18,7 @@
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
 //! | [`figures`], [`summary`] | figures, error bars, warnings |
+//! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`engine`] | grids until the films are as accurate as asked for |
 //!
 //! Theory: Finite volumes.
@@ -35,6 +36,7 @@ pub mod newton;
 pub mod preconditioner;
 pub mod summary;
 pub mod system;
+pub mod tangents;
 
 pub use engine::{About, FiniteVolumes, Plan, Volumes, why_not};
 

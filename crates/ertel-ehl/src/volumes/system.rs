@@ -6,6 +6,8 @@
 //! ```
 //! Where the film has broken P = 0, and more flows out than in; everywhere else as much as in.
 
+use std::sync::Arc;
+
 use ertel_fem::linear::gmres::{GmresParams, gmres};
 use rayon::prelude::*;
 
@@ -21,7 +23,7 @@ pub struct System {
     /// The nodes.
     pub grid: Grid,
     /// Deflection by the pressures of the grid.
-    pub convolution: Convolution,
+    pub convolution: Arc<Convolution>,
     /// Gap and deflection by pressures beyond the grid, at the nodes.
     pub gap: Vec<f64>,
     /// Load that the grid carries.
@@ -250,32 +252,56 @@ impl System {
         preconditioner: &mut Preconditioner,
         params: GmresParams,
     ) -> Step {
+        let rows: Vec<f64> = (0..self.grid.n_nodes())
+            .map(|k| match at.wetted[k] {
+                true => -at.outflow[k],
+                false => -state.pressure[k],
+            })
+            .collect();
+        let by_separation = self.by_separation(at, preconditioner);
+        let right = (rows.as_slice(), at.missing_load);
+        self.respond(at, right, &by_separation, preconditioner, params)
+    }
+
+    /// What the preconditioner makes of the change of G by the separation.
+    pub fn by_separation(&self, at: &Linearised, preconditioner: &mut Preconditioner) -> Vec<f64> {
+        let n = self.grid.n_nodes();
+        let mut rows = self.change_by(at, &vec![0.0; n], &vec![1.0; n]);
+        for (k, value) in rows.iter_mut().enumerate() {
+            *value = match at.wetted[k] {
+                true => *value / preconditioner.scale[k],
+                false => 0.0,
+            };
+        }
+        preconditioner.solve(&rows)
+    }
+
+    /// Changes of pressures and separation for which G changes by `rows` where the film is wetted, P elsewhere, and the load by `load`. What
+    /// stands at nodes whose pressure is given counts for nothing.
+    pub fn respond(
+        &self,
+        at: &Linearised,
+        (rows, missing): (&[f64], f64),
+        by_separation: &[f64],
+        preconditioner: &mut Preconditioner,
+        params: GmresParams,
+    ) -> Step {
         let grid = &self.grid;
         let n = grid.n_nodes();
         let areas: Vec<f64> = (grid.nodes())
             .map(|[i, j]| grid.share(i, j) * grid.cell())
             .collect();
         let load = |p: &[f64]| -> f64 { p.iter().zip(&areas).map(|(p, a)| p * a).sum() };
-        // Rows: G where wetted, else P, in heights of the film; the load at the end.
+        // Rows in heights of the film; the load at the end.
         let scale = preconditioner.scale.clone();
         let mut right = vec![0.0; n + 1];
         for (k, [i, j]) in grid.nodes().enumerate() {
             if grid.is_unknown(i, j) {
-                let row = if at.wetted[k] {
-                    at.outflow[k]
-                } else {
-                    state.pressure[k]
-                };
-                right[k] = -row / scale[k];
+                right[k] = rows[k] / scale[k];
             }
         }
-        right[n] = at.missing_load;
-        let mut by_separation = self.change_by(at, &vec![0.0; n], &vec![1.0; n]);
-        for (k, value) in by_separation.iter_mut().enumerate() {
-            *value = if at.wetted[k] { *value / scale[k] } else { 0.0 };
-        }
-        let by_separation = preconditioner.solve(&by_separation);
-        let load_by_separation = load(&by_separation);
+        right[n] = missing;
+        let load_by_separation = load(by_separation);
         let apply = |x: &[f64], y: &mut [f64]| {
             let change = self.change(at, &x[..n], x[n]);
             for k in 0..n {

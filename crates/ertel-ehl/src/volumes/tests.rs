@@ -7,14 +7,17 @@ use ertel_rheology::viscosity::ViscosityLaw;
 use super::composite::Composite;
 use super::convolution::Convolution;
 use super::engine::{FiniteVolumes, Plan, Volumes};
+use super::figures::figures;
 use super::film::PatchedFilm;
 use super::grid::Grid;
 use super::system::{State, System};
+use super::tangents::Tangents;
 use crate::contact::{Contact, Hertz, HertzZone, Material, Motion, Planar, Scales, Shape, Turn};
 use crate::elastic::Elasticity;
+use crate::engine::sensitivity::{Derivatives, Perturbed};
 use crate::engine::{Engine, Extents, Film, NoObserver, Problem, Solved};
 use crate::film::FilmFluid;
-use crate::solution::Figure;
+use crate::solution::{Figure, Figures};
 
 fn laws() -> (DensityLaw, ViscosityLaw) {
     let density = DensityLaw::dowson_higginson(870.0).unwrap();
@@ -88,7 +91,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         separation: -0.1,
     };
     let system = System {
-        convolution: Convolution::new(&grid, 0.3),
+        convolution: Convolution::new(&grid, 0.3).into(),
         gap,
         load: 1.0,
         fluid: problem.fluid.clone(),
@@ -171,7 +174,7 @@ fn second_order_for_manufactured_fields() {
         };
         // No compliance: the film is the gap.
         let system = System {
-            convolution: Convolution::new(&grid, 0.0),
+            convolution: Convolution::new(&grid, 0.0).into(),
             gap: values(&film),
             load: 1.0,
             fluid: fluid.clone(),
@@ -278,6 +281,45 @@ fn triangles_cover_the_area() {
                     .any(|end| (a[d] - end).abs() + (b[d] - end).abs() < 1e-9)
             });
             assert_eq!(n, if on_outline { 1 } else { 2 }, "{a:?} {b:?}");
+        }
+    }
+}
+
+/// Derivatives by the speed and by a sliding speed against differences of whole solves on as many grids: films, largest pressure, traction.
+#[test]
+fn tangents_against_differences_of_solves() {
+    let at = |speed: f64, sliding: f64| problem(&Motion::straight(speed, sliding / speed), 0.02);
+    let own = at(0.8, 0.04);
+    let found = solved(&own);
+    let tangents = Tangents::new(&own, &found, |_| true);
+    let step = 1e-5;
+    let sides = |of: &dyn Fn(f64) -> Problem<Plan>, size: f64| Perturbed {
+        problems: [of(-step * size), of(step * size)],
+        distance: 2.0 * step * size,
+    };
+    let by_speed = |d: f64| at(0.8 + d, 0.04);
+    let by_sliding = |d: f64| at(0.8, 0.04 + d);
+    let derivatives = tangents.derivatives(&[sides(&by_speed, 0.8), sides(&by_sliding, 0.04)]);
+    let figures_of = |problem: &Problem<Plan>, n: usize| {
+        let solved = solved(problem);
+        figures(problem, &solved.levels[..n])
+    };
+    let n = found.levels.len() - 2;
+    let here = figures(&own, &found.levels[..n]);
+    for ((of, size), derivatives) in [
+        (&by_speed as &dyn Fn(f64) -> Problem<Plan>, 0.8),
+        (&by_sliding, 0.04),
+    ]
+    .into_iter()
+    .zip(derivatives)
+    {
+        let wide = 0.02;
+        let [below, above] = [-wide, wide].map(|d| figures_of(&of(d * size), n));
+        for (figure, derivative) in tangents.figures().into_iter().zip(derivatives.unwrap()) {
+            let of = |figures: &Figures| figures.value(figure).unwrap();
+            let difference = (of(&above) - of(&below)) / (2.0 * wide) / of(&here);
+            let own = derivative * size / tangents.value(figure);
+            assert_relative_eq!(own, difference, max_relative = 5e-3, epsilon = 5e-4);
         }
     }
 }

@@ -9,8 +9,10 @@ use crate::post;
 use crate::problem::groups as groups_of;
 use crate::solution::{
     Asked, BodyField, Centreline, ElementFields, FilmReduction, IterationRecord, Measured,
-    Solution, Starvation, Stats, Summary, SurfaceField, Thermal, Unresolved,
+    Sensitivities, Solution, Starvation, Stats, Summary, SurfaceField, Thermal, Uncertainties,
+    Unresolved,
 };
+use crate::solve::SolveError;
 use crate::warning::Warning;
 
 /// What an engine found, SI.
@@ -149,4 +151,41 @@ pub(super) fn describe<Plan>(
 pub(super) fn side_of<Plan>(problem: &Problem<Plan>, side: f64) -> f64 {
     let roller = problem.shape.zone.roller.as_ref();
     roller.map_or(side, |roller| roller.half_length())
+}
+
+/// Adds how much each input counts, and what the uncertainty of the inputs comes to. A solution without is still one.
+///
+/// # Errors
+/// Only when the user wants to stop.
+pub(super) fn note_sensitivities(
+    solution: &mut Solution,
+    case: &Case,
+    found: Result<Sensitivities, SolveError>,
+) -> Result<(), SolveError> {
+    let found = match found {
+        Ok(found) => found,
+        Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+        Err(error) => {
+            let text = format!(
+                "sensitivities and the uncertainty from the inputs could not be computed: {error}"
+            );
+            solution.warnings.push(Warning::from(text));
+            return Ok(());
+        }
+    };
+    let is_uncertain =
+        |key: &str| (case.inputs().iter()).any(|i| i.key == key && i.uncertainty.is_some());
+    for input in found
+        .left_out
+        .iter()
+        .filter(|input| is_uncertain(&input.key))
+    {
+        solution.warnings.push(Warning::from(format!(
+            "the uncertainty of the figures leaves out that of {}: {}",
+            input.key, input.reason
+        )));
+    }
+    solution.uncertainty = Uncertainties::first_order(&found, case.correlations());
+    solution.sensitivities = Some(found);
+    Ok(())
 }

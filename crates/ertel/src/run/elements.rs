@@ -2,7 +2,7 @@
 
 use ertel_fem::platform::Instant;
 
-use super::describe::{Found, describe, side_of};
+use super::describe::{Found, describe, note_sensitivities, side_of};
 use super::{Recorder, peak_memory};
 use crate::case::Case;
 use crate::contact::Scales;
@@ -11,7 +11,7 @@ use crate::params::{Method, SensitivityDemand};
 use crate::post;
 use crate::problem::{problem, problem_beside, problem_by_slices};
 use crate::sensitivity::{by_adjoint, by_differences};
-use crate::solution::{Solution, Stats, Uncertainties};
+use crate::solution::{Sensitivities, Solution, Stats};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::newton::FilmModel;
 use crate::solve::sequence::{Problem, Start};
@@ -85,66 +85,35 @@ pub(super) fn solve(
         Some(start) => start.followed_by(&problem, finest, levels),
         None => Start::new(&problem, finest, levels),
     };
-    note_sensitivities(
-        &mut solution,
-        case,
-        &problem,
-        (&start, rough),
-        recorder.observer,
-    )?;
+    if case.wants_sensitivities() {
+        let by = (&start, rough);
+        let found = sensitivities(&solution, case, &problem, by, recorder.observer);
+        note_sensitivities(&mut solution, case, found)?;
+    }
     solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
     solution.stats.peak_memory = peak_memory();
     Ok((solution, start))
 }
 
-/// Adds how much each input counts, where that is asked for, and what the uncertainty of the inputs comes to. A solution without is still one.
+/// How much each input counts.
 ///
 /// # Errors
-/// Only when the user wants to stop.
-fn note_sensitivities(
-    solution: &mut Solution,
+/// When that cannot be computed, or the user wants to stop.
+fn sensitivities(
+    solution: &Solution,
     case: &Case,
     problem: &Problem,
     (start, rough): (&Start, Option<RoughAdjoints>),
     observer: &mut dyn Observer,
-) -> Result<(), SolveError> {
-    if !case.wants_sensitivities() {
-        return Ok(());
-    }
+) -> Result<Sensitivities, SolveError> {
     let resolved = |figure| solution.resolves(figure);
-    let found = match &problem.heat {
+    match &problem.heat {
         Some(_) => {
             let only_uncertain = case.output.sensitivities != SensitivityDemand::All;
             by_differences(case, problem, start, only_uncertain, resolved, observer)
         }
         None => by_adjoint(case, problem, start.solution(), rough, resolved),
-    };
-    let found = match found {
-        Ok(found) => found,
-        Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-        Err(error) => {
-            let text = format!(
-                "sensitivities and the uncertainty from the inputs could not be computed: {error}"
-            );
-            solution.warnings.push(Warning::from(text));
-            return Ok(());
-        }
-    };
-    let is_uncertain =
-        |key: &str| (case.inputs().iter()).any(|i| i.key == key && i.uncertainty.is_some());
-    for input in found
-        .left_out
-        .iter()
-        .filter(|input| is_uncertain(&input.key))
-    {
-        solution.warnings.push(Warning::from(format!(
-            "the uncertainty of the figures leaves out that of {}: {}",
-            input.key, input.reason
-        )));
     }
-    solution.uncertainty = Uncertainties::first_order(&found, case.correlations());
-    solution.sensitivities = Some(found);
-    Ok(())
 }
 
 /// What the elements found, SI.

@@ -2,18 +2,19 @@
 
 use ertel_fem::platform::Instant;
 
-use super::describe::{Found, describe};
+use super::describe::{Found, describe, note_sensitivities};
 use super::{Recorder, peak_memory};
 use crate::case::Case;
 use crate::engine::{Engine, Solved};
-use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method, SensitivityDemand};
+use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method};
 use crate::post::fields::centreline_of;
 use crate::problem::problem_by_slices;
+use crate::sensitivity::by_derivatives;
 use crate::solution::{Solution, Stats};
 use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
+use crate::volumes::tangents::Tangents;
 use crate::volumes::{FiniteVolumes, Plan, fields, summary};
-use crate::warning::Warning;
 
 /// Unknowns of a grid that refinement may go to unless the user allows more: some seconds.
 const MAX_UNKNOWNS: usize = 200_000;
@@ -40,16 +41,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     let film = PatchedFilm::new(&problem.shape, &solved.levels);
     let measured = solved.measured(&problem);
     let (surface, elements) = fields::surface(&problem, &film);
-    let mut warnings = summary::warnings(&problem, &solved, &film, &measured);
-    let is_uncertain = (case.inputs().iter()).any(|input| input.uncertainty.is_some());
-    let wants_all = case.output.sensitivities == SensitivityDemand::All;
-    if wants_all || (is_uncertain && case.wants_sensitivities()) {
-        warnings.push(Warning::from(
-            "finite volumes compute no sensitivities yet: the uncertainty from the inputs is not told; [solver] method = \"finite-elements\" \
-             tells it"
-                .to_owned(),
-        ));
-    }
+    let warnings = summary::warnings(&problem, &solved, &film, &measured);
     let found = Found {
         extents: problem.extents,
         summary: summary::summarise(&problem, &solved, &measured),
@@ -68,6 +60,13 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         warnings,
     };
     let mut solution = describe(case, &problem, &film, found, stats, recorder.history);
+    drop(film);
+    if case.wants_sensitivities() {
+        let own = problem_by_slices(case);
+        let tangents = Tangents::new(&own, &solved, |figure| solution.resolves(figure));
+        let found = by_derivatives(case, &own, &tangents);
+        note_sensitivities(&mut solution, case, Ok(found))?;
+    }
     solution.stats.wall_seconds = clock.elapsed().as_secs_f64();
     solution.stats.peak_memory = peak_memory();
     Ok(solution)

@@ -1,0 +1,41 @@
+//! Derivatives of figures by inputs, as any engine gives them.
+
+use super::Problem;
+use crate::solution::Figure;
+
+/// What keeps an input's derivatives from being known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum NoDerivative {
+    /// It changes the answer of a finite-element body.
+    #[error("it changes how bodies of finite elements deflect; with half-spaces it is known")]
+    FiniteElements,
+    /// It moves the edge of the contact area.
+    #[error("it moves the edge of the contact area")]
+    Edge,
+    /// The mesh cannot be made for the changed shape.
+    #[error("the mesh cannot be made for a changed shape")]
+    Mesh,
+    /// The linear equations for it are singular.
+    #[error("the linear equations for it are singular")]
+    LinearSolver,
+}
+
+/// A problem on either side of the solution's, by the same step of an input.
+pub struct Perturbed<Plan> {
+    /// Below and above.
+    pub problems: [Problem<Plan>; 2],
+    /// By how much the input differs between them.
+    pub distance: f64,
+}
+
+/// A solution that tells its derivatives.
+pub trait Derivatives<Plan> {
+    /// The figures that derivatives are of.
+    fn figures(&self) -> Vec<Figure>;
+
+    /// Value of a figure at the solution, SI.
+    fn value(&self, figure: Figure) -> f64;
+
+    /// Derivatives of the figures, SI, for each input.
+    fn derivatives(&self, inputs: &[Perturbed<Plan>]) -> Vec<Result<Vec<f64>, NoDerivative>>;
+}

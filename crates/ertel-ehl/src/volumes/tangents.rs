@@ -1,0 +1,231 @@
+//! Derivatives of the figures by inputs: how the solution on each grid moves with an input.
+//!
+//! ```text
+//!   R_l(q_l; q_(l−1), θ) = 0  on grid l, inside grid l − 1:      ∂R_l/∂q_l q̇_l = −(∂R_l/∂q_(l−1) q̇_(l−1) + ∂R_l/∂θ)
+//!   j(q_0 … q_n; θ):      dj/dθ = (j(q + s q̇; θ + s) − j(q − s q̇; θ − s))/2s
+//! ```
+//! The right sides are central differences of the equation with the pressures of the solution, so that all that an input moves is in them:
+//! scales, gap, fluid, the shape of the ellipse and with it the cells. One linear solve for each input and grid; any figure then takes two
+//! evaluations. The finest grids are left out: relative derivatives change with the error of the grid, which is far below what they are asked to.
+
+use std::sync::Arc;
+
+use ertel_fem::linear::gmres::GmresParams;
+use rayon::prelude::*;
+
+use super::engine::Volumes;
+use super::figures::figures;
+use super::grid::Grid;
+use super::level::{Level, convolution, first_system, refined};
+use super::preconditioner::{Pattern, Preconditioner};
+use super::system::{Linearised, State, System};
+use crate::contact::Inlet;
+use crate::engine::Problem;
+use crate::engine::sensitivity::{Derivatives, NoDerivative, Perturbed};
+use crate::solution::{Figure, Figures};
+
+/// Figures that have derivatives; of the pressure its smooth maximum: at a ridge, derivatives are those of the cells.
+const FIGURES: [Figure; 4] = [
+    Figure::FilmCentral,
+    Figure::FilmMinimum,
+    Figure::PressureCentral,
+    Figure::TractionCoefficient,
+];
+
+/// Grids that are left out, the finest first, of those from which errors are told.
+const LEFT_OUT: usize = 2;
+
+/// How exactly the linear systems are solved.
+const LINEAR: GmresParams = GmresParams {
+    tolerance: 1e-4,
+    max_iterations: 100,
+};
+
+/// A solution whose derivatives are asked for.
+pub struct Tangents<'a, Plan> {
+    problem: &'a Problem<Plan>,
+    levels: &'a [Level],
+    /// Figures of the solution, and as far as these grids go.
+    found: Figures,
+    coarser: Figures,
+    figures: Vec<Figure>,
+}
+
+impl<'a, Plan: Sync> Tangents<'a, Plan> {
+    /// Of those figures that are `wanted`; traction has one only where surfaces slide.
+    pub fn new(
+        problem: &'a Problem<Plan>,
+        solved: &'a Volumes,
+        wanted: impl Fn(Figure) -> bool,
+    ) -> Tangents<'a, Plan> {
+        let n = solved.levels.len();
+        let levels = &solved.levels[..n.saturating_sub(LEFT_OUT).max(1)];
+        let found = (solved.stats.last()).map_or_else(Figures::default, |level| level.figures);
+        let coarser = figures(problem, levels);
+        let figures = (FIGURES.into_iter())
+            .filter(|f| *f != Figure::TractionCoefficient || problem.fluid.slides())
+            .filter(|f| wanted(*f) && found.get(*f).is_some() && coarser.get(*f).is_some());
+        Tangents {
+            problem,
+            levels,
+            found,
+            coarser,
+            figures: figures.collect(),
+        }
+    }
+
+    /// What keeps derivatives by an input from being known.
+    fn obstacle(&self, sides: &Perturbed<Plan>) -> Option<NoDerivative> {
+        let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
+        let own = self.problem;
+        sides.problems.iter().find_map(|problem| {
+            let moves = own.shape.inlet == Inlet::Meniscus
+                && !close(own.extents.inlet, problem.extents.inlet);
+            match problem.shape.symmetry == own.shape.symmetry {
+                _ if moves => Some(NoDerivative::Edge),
+                true => None,
+                false => Some(NoDerivative::Mesh),
+            }
+        })
+    }
+}
+
+/// The grids of the solution for a problem on one side of it.
+struct Side<'a, Plan> {
+    problem: &'a Problem<Plan>,
+    levels: Vec<Level>,
+}
+
+impl<Plan> Side<'_, Plan> {
+    /// The equation on the next grid, with pressures of the solution where they are unknown there and those of this side beyond.
+    fn next(&mut self, own: &Level) -> (System, State) {
+        let zone = &self.problem.shape.zone;
+        let h = own.system.grid.spacing[0];
+        let grid = Grid {
+            spacing: [h, h * zone.axis_ratio],
+            turn: zone.turn,
+            ..own.system.grid.clone()
+        };
+        // Of the same cells, the bodies are half-spaces of the same scaled compliance.
+        let deflection = match grid.spacing == own.system.grid.spacing {
+            true => Arc::clone(&own.system.convolution),
+            false => convolution(self.problem, &grid),
+        };
+        let mut state = own.state.clone();
+        let system = match self.levels.last_mut() {
+            None => first_system(self.problem, grid, deflection),
+            Some(before) => {
+                let (system, start) = refined(self.problem, before, grid, deflection);
+                for (k, [i, j]) in system.grid.nodes().enumerate() {
+                    if !system.grid.is_unknown(i, j) {
+                        state.pressure[k] = start.pressure[k];
+                    }
+                }
+                system
+            }
+        };
+        (system, state)
+    }
+}
+
+/// A grid of the solution with what its linear systems share.
+struct Solver<'a> {
+    level: &'a Level,
+    at: Linearised,
+    preconditioner: Preconditioner<'a>,
+    by_separation: Vec<f64>,
+}
+
+impl Solver<'_> {
+    /// Moves both sides of an input on to this grid.
+    fn advance<Plan>(&mut self, sides: &mut [Side<Plan>; 2]) {
+        let own = self.level;
+        let next = sides.each_mut().map(|side| side.next(own));
+        let equations = next
+            .each_ref()
+            .map(|(system, state)| system.linearise(state));
+        let [below, above] = &equations;
+        let rows: Vec<f64> = (self.at.wetted.iter().enumerate())
+            .map(|(k, wetted)| match wetted {
+                true => -0.5 * (above.outflow[k] - below.outflow[k]),
+                false => 0.0,
+            })
+            .collect();
+        let load = 0.5 * (above.missing_load - below.missing_load);
+        let step = own.system.respond(
+            &self.at,
+            (&rows, load),
+            &self.by_separation,
+            &mut self.preconditioner,
+            LINEAR,
+        );
+        for ((side, (system, mut state)), sign) in sides.iter_mut().zip(next).zip([-1.0, 1.0]) {
+            for (p, change) in state.pressure.iter_mut().zip(&step.pressure) {
+                *p += sign * change;
+            }
+            state.separation += sign * step.separation;
+            side.levels.push(Level {
+                films: system.films(&state),
+                system,
+                state,
+                patch: None,
+            });
+        }
+    }
+}
+
+impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
+    fn figures(&self) -> Vec<Figure> {
+        self.figures.clone()
+    }
+
+    fn value(&self, figure: Figure) -> f64 {
+        self.found.value(figure).unwrap_or(f64::NAN)
+    }
+
+    fn derivatives(&self, inputs: &[Perturbed<Plan>]) -> Vec<Result<Vec<f64>, NoDerivative>> {
+        let mut sides: Vec<Result<[Side<Plan>; 2], NoDerivative>> = (inputs.iter())
+            .map(|input| match self.obstacle(input) {
+                Some(obstacle) => Err(obstacle),
+                None => Ok(input.problems.each_ref().map(|problem| Side {
+                    problem,
+                    levels: Vec::new(),
+                })),
+            })
+            .collect();
+        for level in self.levels {
+            let at = level.system.linearise(&level.state);
+            let inverse = level.system.convolution.inverse();
+            let pattern = Pattern::new(&level.system.grid, inverse).ok();
+            let preconditioner = (pattern.as_ref()).and_then(|p| Preconditioner::new(p, &at));
+            let Some(mut preconditioner) = preconditioner else {
+                return (inputs.iter())
+                    .map(|_| Err(NoDerivative::LinearSolver))
+                    .collect();
+            };
+            let by_separation = level.system.by_separation(&at, &mut preconditioner);
+            let mut solver = Solver {
+                level,
+                at,
+                preconditioner,
+                by_separation,
+            };
+            for sides in sides.iter_mut().flatten() {
+                solver.advance(sides);
+            }
+        }
+        (sides.into_par_iter().zip(inputs))
+            .map(|(sides, input)| {
+                let of_side = |side: &Side<Plan>| figures(side.problem, &side.levels);
+                let [below, above] = sides?.each_ref().map(of_side);
+                let derivative = |figure: &Figure| {
+                    let of = |figures: &Figures| figures.value(*figure).unwrap_or(f64::NAN);
+                    // Relative to the value on the same grids.
+                    let ratio = self.value(*figure) / of(&self.coarser);
+                    ratio * (of(&above) - of(&below)) / input.distance
+                };
+                Ok(self.figures.iter().map(derivative).collect())
+            })
+            .collect()
+    }
+}
