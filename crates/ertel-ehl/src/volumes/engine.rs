@@ -3,6 +3,7 @@
 use ertel_fem::linear::lu::LuError;
 use ertel_fem::platform::Instant;
 
+use super::beyond::Beyond;
 use super::figures::{bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
 use super::grid::{Grid, RING};
@@ -57,7 +58,8 @@ pub struct Volumes {
     pub balance_error: f64,
 }
 
-/// Cell of the first grid in half-widths, and cells from the centre to its edge that it has at most where the contact area is wide.
+/// Cell of the first grid in half-widths, or in widths √H of a film thicker than they are deep; and the cells from the centre that it has at
+/// most: beyond, pressures are those of rigid parabolas.
 const FIRST_CELL: f64 = 0.375;
 const FIRST_CELLS: f64 = 80.0;
 
@@ -67,7 +69,11 @@ const MOST_GRIDS: usize = 24;
 /// Grids from which the films' errors are told.
 const LEAST_GRIDS: usize = 4;
 
-/// Multiples of the speed over which a grid is solved that Newton's method does not solve at once.
+/// How Newton's method tries again on a grid where it did not converge: with shorter steps, and more of them.
+const AGAIN: (f64, usize) = (0.05, 60);
+
+/// Multiples of the speed over which a first grid is solved that it does not solve then either. On finer grids they have not helped: the films of
+/// the grid before are a better start than those of another speed.
 const SPEEDS: [f64; 4] = [64.0, 16.0, 4.0, 1.0];
 
 /// What of a contact decides whether finite volumes solve it.
@@ -113,7 +119,7 @@ pub fn why_not(about: &About) -> Option<&'static str> {
 }
 
 /// The box, in the plane in which the zone is the unit circle, that a problem is solved in.
-fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
+pub(super) fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
     let e = &problem.extents;
     if problem.shape.zone.turn.is_none() {
         return [[e.inlet, e.outlet], [-e.side, e.side]];
@@ -131,6 +137,8 @@ fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
         None => {
             let least = ((RING + 1) as f64 * h / unit).ceil() * unit;
             bounds(problem).map(|[low, high]| {
+                let most = FIRST_CELLS * h;
+                let (low, high) = (low.max(-most), high.min(most));
                 let (low, high) = ((low / unit).ceil() * unit, (high / unit).floor() * unit);
                 [low.min(-least), high.max(least)]
             })
@@ -145,7 +153,7 @@ fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
     Grid::covering(region, h, half, zone)
 }
 
-/// Newton's method on a grid, at once or over larger speeds.
+/// Newton's method on a grid: at once, with shorter steps, or over larger speeds.
 fn solve_on(
     problem: &Problem<Plan>,
     system: &mut System,
@@ -163,21 +171,34 @@ fn solve_on(
     let params = &problem.plan.newton;
     let start = state.clone();
     let mut all = newton(system, &pattern, state, params, about, observer);
-    if all.converged || all.interrupted {
-        return ended(all);
-    }
-    *state = start;
-    for factor in SPEEDS {
-        system.lambda = factor * problem.scales.lambda;
-        let info = newton(system, &pattern, state, params, about, observer);
-        all = NewtonInfo {
-            iterations: all.iterations + info.iterations,
-            krylov_iterations: all.krylov_iterations + info.krylov_iterations,
-            seconds: [0, 1, 2].map(|i: usize| all.seconds[i] + info.seconds[i]),
-            ..info
-        };
-        if info.interrupted || !info.converged {
+    let patient = NewtonParams {
+        largest_change: AGAIN.0,
+        max_iterations: AGAIN.1,
+        ..*params
+    };
+    let slowly = [(1.0, &patient)];
+    let faster = SPEEDS.map(|factor| (factor, params));
+    let attempts: [&[(f64, &NewtonParams)]; 2] = match level {
+        0 => [&slowly, &faster],
+        _ => [&slowly, &[]],
+    };
+    for attempt in attempts {
+        if all.converged || all.interrupted || attempt.is_empty() {
             break;
+        }
+        *state = start.clone();
+        for (factor, params) in attempt {
+            system.lambda = factor * problem.scales.lambda;
+            let info = newton(system, &pattern, state, params, about, observer);
+            all = NewtonInfo {
+                iterations: all.iterations + info.iterations,
+                krylov_iterations: all.krylov_iterations + info.krylov_iterations,
+                seconds: [0, 1, 2].map(|i: usize| all.seconds[i] + info.seconds[i]),
+                ..info
+            };
+            if info.interrupted || !info.converged {
+                break;
+            }
         }
     }
     system.lambda = problem.scales.lambda;
@@ -219,8 +240,7 @@ impl Engine for FiniteVolumes {
         problem: &Problem<Plan>,
         observer: &mut dyn Observer,
     ) -> Result<Volumes, SolveError> {
-        let widest = (bounds(problem).iter().flatten()).fold(0.0_f64, |w, b| w.max(b.abs()));
-        let mut h = FIRST_CELL.max(widest / FIRST_CELLS);
+        let mut h = FIRST_CELL * problem.start_film.sqrt().max(1.0);
         let mut found = Volumes {
             levels: Vec::new(),
             stats: Vec::new(),
@@ -243,8 +263,12 @@ impl Engine for FiniteVolumes {
             let deflection = convolution(problem, &grid);
             let (mut system, mut state) = match found.levels.last_mut() {
                 None => {
-                    let system = first_system(problem, grid, deflection);
-                    let state = first_state(problem, &system);
+                    let mut system = first_system(problem, grid, deflection);
+                    let mut state = first_state(problem, &system);
+                    system.beyond = Beyond::of(problem, &system.grid);
+                    if let Some(beyond) = system.beyond.clone() {
+                        beyond.note(&problem.shape, &mut system, &mut state);
+                    }
                     (system, state)
                 }
                 Some(before) => refined(problem, before, grid, deflection),

@@ -42,9 +42,24 @@ impl<'a> PatchedFilm<'a> {
         let rows: Vec<(usize, usize)> = (0..levels.len())
             .flat_map(|l| (0..levels[l].system.grid.n[1]).map(move |j| (l, j)))
             .collect();
-        let groups = (rows.into_par_iter().with_min_len(ROWS))
+        let mut groups: Vec<Vec<Point>> = (rows.into_par_iter().with_min_len(ROWS))
             .map(|(l, j)| row(l, j))
             .collect();
+        if let (Some(first), Some(last)) = (levels.first(), levels.last())
+            && let Some(beyond) = &first.system.beyond
+        {
+            let points = beyond.points(shape, last.state.separation);
+            let of_fields = |(area, fields): (f64, PointFields)| Point {
+                area,
+                within: [&whole, &shorter].map(|region| {
+                    let [x, y] = region.unit(fields.place);
+                    f64::from(u8::from(x.hypot(y) <= 1.0))
+                }),
+                in_zone: false,
+                fields,
+            };
+            groups.push(points.map(of_fields).collect());
+        }
         PatchedFilm {
             shape: shape.clone(),
             levels,

@@ -63,6 +63,7 @@ pub fn first_system<Plan>(
         convolution,
         gap,
         load: problem.load,
+        beyond: None,
         fluid: problem.fluid.clone(),
         lambda: problem.scales.lambda,
         entrainment: problem.entrainment,
@@ -88,7 +89,8 @@ pub fn first_state<Plan>(problem: &Problem<Plan>, system: &System) -> State {
         separation: 0.0,
     };
     let [i, j] = grid.centre();
-    state.separation = problem.start_film - system.films(&state)[grid.index(i, j)];
+    let films = system.films(&state);
+    state.separation = problem.start_film - films[grid.index(i, j)];
     state
 }
 

@@ -15,6 +15,7 @@
 //! | [`system`] | the equation, its linearisation and Newton's step |
 //! | [`preconditioner`] | what is factorised for it |
 //! | [`newton`] | Newton's method with active sets |
+//! | [`beyond`] | what lies beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
 //! | [`figures`], [`summary`] | figures, error bars, warnings |
@@ -23,6 +24,7 @@
 //!
 //! Theory: Finite volumes.
 
+pub mod beyond;
 pub mod composite;
 pub mod convolution;
 pub mod engine;

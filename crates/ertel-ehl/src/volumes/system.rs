@@ -11,6 +11,7 @@ use std::sync::Arc;
 use ertel_fem::linear::gmres::{GmresParams, gmres};
 use rayon::prelude::*;
 
+use super::beyond::Beyond;
 use super::convolution::Convolution;
 use super::faces::{Face, Node, face};
 use super::grid::{Grid, RING};
@@ -28,6 +29,8 @@ pub struct System {
     pub gap: Vec<f64>,
     /// Load that the grid carries.
     pub load: f64,
+    /// What lies beyond its edges, where the contact area does not end there.
+    pub beyond: Option<Beyond>,
     /// The fluid.
     pub fluid: FilmFluid,
     /// λ.

@@ -13,6 +13,7 @@ use std::sync::Arc;
 use ertel_fem::linear::gmres::GmresParams;
 use rayon::prelude::*;
 
+use super::beyond::Beyond;
 use super::engine::Volumes;
 use super::figures::figures;
 use super::grid::Grid;
@@ -37,7 +38,7 @@ const LEFT_OUT: usize = 2;
 
 /// How exactly the linear systems are solved.
 const LINEAR: GmresParams = GmresParams {
-    tolerance: 1e-4,
+    tolerance: 1e-3,
     max_iterations: 100,
 };
 
@@ -113,7 +114,16 @@ impl<Plan> Side<'_, Plan> {
         };
         let mut state = own.state.clone();
         let system = match self.levels.last_mut() {
-            None => first_system(self.problem, grid, deflection),
+            None => {
+                let mut system = first_system(self.problem, grid, deflection);
+                if own.system.beyond.is_some()
+                    && let Some(beyond) = Beyond::of(self.problem, &system.grid)
+                {
+                    beyond.note(&self.problem.shape, &mut system, &mut state);
+                    system.beyond = Some(beyond);
+                }
+                system
+            }
             Some(before) => {
                 let (system, start) = refined(self.problem, before, grid, deflection);
                 for (k, [i, j]) in system.grid.nodes().enumerate() {

@@ -94,6 +94,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         convolution: Convolution::new(&grid, 0.3).into(),
         gap,
         load: 1.0,
+        beyond: None,
         fluid: problem.fluid.clone(),
         lambda: 0.1,
         entrainment,
@@ -177,6 +178,7 @@ fn second_order_for_manufactured_fields() {
             convolution: Convolution::new(&grid, 0.0).into(),
             gap: values(&film),
             load: 1.0,
+            beyond: None,
             fluid: fluid.clone(),
             lambda,
             entrainment: Planar {

@@ -353,6 +353,17 @@ pub(super) fn finite_volumes(
     Ok(())
 }
 
+impl Case {
+    /// Whether the case file has a key of [solver] or [mesh] that finite volumes have no use for.
+    pub fn has_key_of_elements(&self) -> bool {
+        let has = |table: &str, keys: &[&str]| {
+            let table = &self.given[table];
+            keys.iter().any(|key| table.get(key).is_some())
+        };
+        has("solver", &SOLVER_KEYS_OF_ELEMENTS) || has("mesh", &MESH_KEYS_OF_ELEMENTS)
+    }
+}
+
 /// Why finite volumes do not solve a case, in words that follow "finite volumes"; `None` where they do.
 pub fn finite_volumes_refuse(case: &Case) -> Option<&'static str> {
     volumes::why_not(&volumes::About {

@@ -17,7 +17,7 @@ mod elements;
 mod volumes;
 
 use crate::case::{Case, finite_volumes_refuse};
-use crate::contact::Supply;
+use crate::contact::{ContactKind, Supply};
 use crate::params::{Method, SolverParams};
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{HeatRound, IterationRecord, Solution};
@@ -35,7 +35,11 @@ pub const NUMERICS: u32 = 12;
 /// # Errors
 /// As [`solve`] has them before any work.
 pub fn check(case: &Case) -> Result<(), SolveError> {
-    elements::may_begin(case).map(drop)
+    match first_method(case) {
+        Method::FiniteElements => elements::may_begin(case).map(drop),
+        // A first grid is always small enough.
+        Method::FiniteVolumes => Ok(()),
+    }
 }
 
 /// What the solve of a similar case can start from. Finite volumes start from the dry contact.
@@ -109,46 +113,93 @@ fn solve_here(
     ahead: &[&Case],
     observer: &mut dyn Observer,
 ) -> Result<Ended, SolveError> {
-    if case.solver.method == Some(Method::FiniteVolumes) {
-        return Ok((volumes::solve(case, observer)?, None));
-    }
-    match elements::solve(case, start, ahead, observer) {
-        Ok((solution, start)) => Ok((solution, Some(start))),
-        Err(error) if may_be_tried_again(case, &error) => {
-            let mut solution = match volumes::solve(case, observer) {
-                Ok(solution) => solution,
-                Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
-                Err(_) => return Err(error),
-            };
-            let text =
-                format!("solved by finite volumes, as finite elements did not converge: {error}");
+    let by_elements = |observer: &mut dyn Observer| -> Result<Ended, SolveError> {
+        let (solution, start) = elements::solve(case, start, ahead, observer)?;
+        Ok((solution, Some(start)))
+    };
+    let by_volumes = |observer: &mut dyn Observer| -> Result<Ended, SolveError> {
+        Ok((volumes::solve(case, observer)?, None))
+    };
+    let first = first_method(case);
+    let end = match first {
+        Method::FiniteElements => by_elements(observer),
+        Method::FiniteVolumes => by_volumes(observer),
+    };
+    let error = match end {
+        Err(error) if may_be_tried_again(case, first, &error) => error,
+        end => return end,
+    };
+    let second = match first {
+        Method::FiniteElements => by_volumes(observer),
+        Method::FiniteVolumes => by_elements(observer),
+    };
+    match second {
+        Ok((mut solution, start)) => {
+            let [first, second] = [first, first.other()].map(Method::words);
+            let text = format!("solved by {second}, as {first} did not converge: {error}");
             solution
                 .warnings
                 .push(Warning::new(WarningKind::Method, text));
-            Ok((solution, None))
+            Ok((solution, start))
         }
-        Err(error) => Err(error),
+        Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+        Err(_) => Err(error),
     }
 }
 
-/// Whether a case that finite elements did not solve is left to finite volumes: not where it asks for elements of its own.
-fn may_be_tried_again(case: &Case, error: &SolveError) -> bool {
+/// Moes' groups M and L up to which finite elements take less time for a circular contact, measured on maps of both (`benches/methods.rs`).
+const ELEMENTS_UP_TO: [f64; 2] = [400.0, 11.0];
+
+/// The method that a case asks for, or else the one that takes less time: finite volumes for elliptical contacts that they solve, and for circular
+/// ones with thin films or steep viscosities.
+pub fn first_method(case: &Case) -> Method {
+    if let Some(method) = case.solver.method {
+        return method;
+    }
+    if asks_for_elements(case) || finite_volumes_refuse(case).is_some() {
+        return Method::FiniteElements;
+    }
+    let is_easy = || {
+        let lubricant = &case.lubricant;
+        let slope = (lubricant.viscosity).pressure_viscosity_slope(lubricant.temperature);
+        let groups = groups(case, slope);
+        let [load, material] = ELEMENTS_UP_TO;
+        groups.moes_load <= load && groups.moes_material <= material
+    };
+    match case.contact.kind == ContactKind::Circular && is_easy() {
+        true => Method::FiniteElements,
+        false => Method::FiniteVolumes,
+    }
+}
+
+/// Whether a case asks for finite elements by what only they have.
+fn asks_for_elements(case: &Case) -> bool {
+    let (own, usual) = (&case.solver, SolverParams::default());
+    case.has_key_of_elements()
+        || own.formulation != usual.formulation
+        || own.isotropic_diffusion != usual.isotropic_diffusion
+        || own.ridge_diffusion != usual.ridge_diffusion
+        || own.elastic_stabilisation != usual.elastic_stabilisation
+        || own.penalty != usual.penalty
+        || own.penalty_scaling != usual.penalty_scaling
+}
+
+/// Whether a case that a method did not solve is left to the other one.
+fn may_be_tried_again(case: &Case, first: Method, error: &SolveError) -> bool {
     let did_not_converge = matches!(
         error,
         SolveError::NotConverged { .. }
             | SolveError::AllFailed { .. }
             | SolveError::Krylov(_)
             | SolveError::Factorisation(_)
+            | SolveError::GridNotConverged { .. }
     );
-    let (own, usual) = (&case.solver, SolverParams::default());
-    let asks_for_elements = own.method.is_some()
-        || own.formulation != usual.formulation
-        || own.isotropic_diffusion != usual.isotropic_diffusion
-        || own.ridge_diffusion != usual.ridge_diffusion
-        || own.elastic_stabilisation != usual.elastic_stabilisation
-        || own.penalty != usual.penalty
-        || own.penalty_scaling != usual.penalty_scaling;
-    did_not_converge && !asks_for_elements && finite_volumes_refuse(case).is_none()
+    let is_left_open = case.solver.method.is_none() && !asks_for_elements(case);
+    let other_solves = match first {
+        Method::FiniteElements => finite_volumes_refuse(case).is_none(),
+        Method::FiniteVolumes => true,
+    };
+    did_not_converge && is_left_open && other_solves
 }
 
 /// Passes everything on and keeps the iterations.
