@@ -13,7 +13,9 @@
 //! | [`convolution`] | deflection of the half-spaces |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`system`] | the equation, its linearisation and Newton's step |
-//! | [`preconditioner`] | what is factorised for it |
+//! | [`preconditioner`] | the sparse approximation of its matrix |
+//! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
+//! | [`stencil`], [`rectangle`] | its matrix, incomplete and complete factors |
 //! | [`newton`] | Newton's method with active sets |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
@@ -31,10 +33,14 @@ pub mod figures;
 pub mod film;
 pub mod grid;
 pub mod level;
+pub mod multigrid;
 pub mod newton;
 pub mod preconditioner;
+pub mod rectangle;
+pub mod stencil;
 pub mod summary;
 pub mod system;
+pub mod transfer;
 
 pub use engine::{About, FiniteVolumes, Plan, Volumes, why_not};
 
