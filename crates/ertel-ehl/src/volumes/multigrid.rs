@@ -97,7 +97,7 @@ impl Cycle {
                 || Incomplete::new(*fine, &matrix.rows),
                 || transfer.product(&matrix),
             );
-            let vector = vec![0.0; fine.len()];
+            let vector = vec![0.0; fine.size()];
             levels.push(Level {
                 transfer,
                 matrix: std::mem::replace(&mut matrix, next),
@@ -157,7 +157,7 @@ impl Cycle {
             }
             None => {
                 let (layout, (sizes, wetted)) = (self.coarsest, &self.kinds);
-                let mut b = vec![0.0; layout.len()];
+                let mut b = vec![0.0; layout.size()];
                 transfer.restrict(&level.matrix, [sizes, &level.r], wetted, &mut b);
                 let place = |k: usize| layout.at(k % layout.n[0], k / layout.n[0]);
                 let mut w: Vec<f64> = (0..layout.unknowns()).map(|k| b[place(k)].into()).collect();

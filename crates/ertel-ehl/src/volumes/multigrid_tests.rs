@@ -1,3 +1,5 @@
+//! The cycle against products step by step and against the factorisation, on grids of many sizes.
+
 use super::super::preconditioner::{Pattern, Preconditioner};
 use super::super::stencil::{Layout, REACH, Row, SIDE};
 use super::super::tests::{problem, solved};
@@ -53,22 +55,22 @@ fn coarse_matrix_is_the_product() {
         };
         let matrix = some_matrix(fine);
         let product = transfer.product(&matrix);
-        let mut w = vec![0.0; coarse.len()];
+        let mut w = vec![0.0; coarse.size()];
         for k in 0..coarse.unknowns() {
             w[coarse.at(k % coarse.n[0], k / coarse.n[0])] = scattered(k);
         }
-        let [mut x, mut r, zero] = [fine.len(), fine.len(), fine.len()].map(|n| vec![0.0; n]);
+        let [mut x, mut r, zero] = [fine.size(), fine.size(), fine.size()].map(|n| vec![0.0; n]);
         transfer.prolong(&w, &mut x);
         residual(fine, &matrix.rows, &zero, &x, &mut r);
-        let mut by_steps = vec![0.0; coarse.len()];
+        let mut by_steps = vec![0.0; coarse.size()];
         transfer.restrict(
             &matrix,
             [&product.sizes, &r],
             &product.wetted,
             &mut by_steps,
         );
-        let mut at_once = vec![0.0; coarse.len()];
-        let zero = vec![0.0; coarse.len()];
+        let mut at_once = vec![0.0; coarse.size()];
+        let zero = vec![0.0; coarse.size()];
         residual(coarse, &product.rows, &zero, &w, &mut at_once);
         for (a, b) in at_once.iter().zip(&by_steps) {
             assert!((a - b).abs() < 1e-5, "{n:?} {half}: {a} {b}");
@@ -92,7 +94,7 @@ fn cycles_converge_on_all_grids() {
         let layout = cycle.levels[0].transfer.fine;
         let all =
             || (0..layout.unknowns()).map(|k| (k, layout.at(k % layout.n[0], k / layout.n[0])));
-        let mut b = vec![0.0; layout.len()];
+        let mut b = vec![0.0; layout.size()];
         all().for_each(|(k, at)| b[at] = scattered(k));
         let (mut x, mut r) = (vec![0.0; b.len()], b.clone());
         let norm = |v: &[f32]| v.iter().map(|v| f64::from(v * v)).sum::<f64>().sqrt();

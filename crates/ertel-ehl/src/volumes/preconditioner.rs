@@ -31,7 +31,7 @@ pub struct Pattern {
 /// Unknowns up to which a factorisation is all; it costs as much as the cycle at about a half of them.
 const DIRECT: usize = 10_000;
 
-/// Unknowns up to which the coarsest grid of a cycle is factorised, in a tenth of the time that the cycle takes on the finest one.
+/// Unknowns up to which the coarsest grid of a cycle is factorised: in some milliseconds.
 const COARSEST: usize = 4_000;
 
 /// Unknowns whose rows a thread takes at a time.

@@ -50,7 +50,7 @@ impl Layout {
     }
 
     /// Length of a vector.
-    pub fn len(&self) -> usize {
+    pub fn size(&self) -> usize {
         self.width() * (self.n[1] + 2 * REACH)
     }
 
@@ -236,13 +236,13 @@ mod tests {
         ];
         for ([x, y], most) in directions {
             let rows = matrix(layout, &[([x, 0], -0.7), ([0, y], -0.3)]);
-            let mut b = vec![0.0; layout.len()];
+            let mut b = vec![0.0; layout.size()];
             for j in 0..7 {
                 for i in 0..9 {
                     b[layout.at(i, j)] = (1.3 * i as f32 + 0.4 * j as f32).sin();
                 }
             }
-            let (mut x, mut r) = (vec![0.0; layout.len()], b.clone());
+            let (mut x, mut r) = (vec![0.0; layout.size()], b.clone());
             Incomplete::new(layout, &rows).add_solution(&mut r, &mut x);
             residual(layout, &rows, &b, &x, &mut r);
             let left = r.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
@@ -255,11 +255,11 @@ mod tests {
     fn residual_by_hand() {
         let layout = Layout { n: [3, 3] };
         let rows = matrix(layout, &[([-1, 0], 0.5), ([2, 1], 0.25)]);
-        let (mut x, b) = (vec![0.0; layout.len()], vec![1.0; layout.len()]);
+        let (mut x, b) = (vec![0.0; layout.size()], vec![1.0; layout.size()]);
         for k in 0..9 {
             x[layout.at(k % 3, k / 3)] = k as f32;
         }
-        let mut r = vec![0.0; layout.len()];
+        let mut r = vec![0.0; layout.size()];
         residual(layout, &rows, &b, &x, &mut r);
         // 1 − 4 − ½·3 in the middle; 1 − 0 − ¼·5 in the first corner.
         assert_relative_eq!(r[layout.at(1, 1)], -4.5);
