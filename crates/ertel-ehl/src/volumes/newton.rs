@@ -87,7 +87,8 @@ pub fn newton(
         let clock = Instant::now();
         let approximated = match direct {
             true => Preconditioner::factorised(pattern, &at),
-            false => Preconditioner::new(pattern, &at),
+            false => Preconditioner::new(pattern, &at)
+                .or_else(|| Preconditioner::factorised(pattern, &at)),
         };
         let Some(mut preconditioner) = approximated else {
             return info;
@@ -96,7 +97,9 @@ pub fn newton(
         let clock = Instant::now();
         let entering = (at.wetted.iter().zip(&state.wetted)).any(|(now, before)| *now && !before);
         let mut step = system.step(&at, state, &mut preconditioner, linear);
-        if step.krylov_iterations >= params.max_krylov_iterations && !preconditioner.is_direct {
+        let failed =
+            step.krylov_iterations >= params.max_krylov_iterations || !step.separation.is_finite();
+        if failed && !preconditioner.is_direct {
             // Beyond the cycle: a factorisation from here on.
             direct = true;
             info.krylov_iterations += step.krylov_iterations;
