@@ -5,7 +5,7 @@
 //!   H = H_0 + G + δ,  δ = K * P                           by fast Fourier transforms
 //! ```
 //! The flux through a face takes ln μ̄ as linear between its nodes (exponential fitting): a higher pressure drives more flow out and none in,
-//! whatever the viscosity does between them. Newton's method converges from the dry contact with whole steps, without continuation.
+//! whatever the viscosity does between them. Newton's method converges from the dry contact without continuation.
 //!
 //! | module | what |
 //! |---|---|
@@ -13,7 +13,9 @@
 //! | [`convolution`] | deflection of the half-spaces |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`system`] | the equation, its linearisation and Newton's step |
-//! | [`preconditioner`] | what is factorised for it |
+//! | [`preconditioner`] | the sparse approximation of its matrix |
+//! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
+//! | [`stencil`], [`rectangle`] | its matrix, incomplete and complete factors |
 //! | [`newton`] | Newton's method with active sets |
 //! | [`beyond`] | what lies beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
@@ -34,11 +36,15 @@ pub mod figures;
 pub mod film;
 pub mod grid;
 pub mod level;
+pub mod multigrid;
 pub mod newton;
 pub mod preconditioner;
+pub mod rectangle;
+pub mod stencil;
 pub mod summary;
 pub mod system;
 pub mod tangents;
+pub mod transfer;
 
 pub use engine::{About, FiniteVolumes, Plan, Volumes, why_not};
 

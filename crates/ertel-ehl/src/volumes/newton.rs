@@ -40,7 +40,7 @@ impl Default for NewtonParams {
 pub struct NewtonInfo {
     /// Whether the last change was below the tolerance.
     pub converged: bool,
-    /// Iterations, with as many factorisations.
+    /// Iterations, with as many preconditioners.
     pub iterations: usize,
     /// Krylov iterations in all.
     pub krylov_iterations: usize,
@@ -75,6 +75,7 @@ pub fn newton(
     };
     let [nx, _] = system.grid.n;
     let is_given = |k: usize| !system.grid.is_unknown(k % nx, k / nx);
+    let mut direct = false;
     while info.iterations < params.max_iterations {
         if observer.cancelled() {
             info.interrupted = true;
@@ -84,13 +85,28 @@ pub fn newton(
         let at = system.linearise(state);
         info.seconds[0] += clock.elapsed().as_secs_f64();
         let clock = Instant::now();
-        let Some(mut preconditioner) = Preconditioner::new(pattern, &at) else {
+        let approximated = match direct {
+            true => Preconditioner::factorised(pattern, &at),
+            false => Preconditioner::new(pattern, &at)
+                .or_else(|| Preconditioner::factorised(pattern, &at)),
+        };
+        let Some(mut preconditioner) = approximated else {
             return info;
         };
         info.seconds[1] += clock.elapsed().as_secs_f64();
         let clock = Instant::now();
         let entering = (at.wetted.iter().zip(&state.wetted)).any(|(now, before)| *now && !before);
-        let step = system.step(&at, state, &mut preconditioner, linear);
+        let mut step = system.step(&at, state, &mut preconditioner, linear);
+        let failed =
+            step.krylov_iterations >= params.max_krylov_iterations || !step.separation.is_finite();
+        if failed && !preconditioner.is_direct {
+            // Beyond the cycle: a factorisation from here on.
+            direct = true;
+            info.krylov_iterations += step.krylov_iterations;
+            if let Some(mut factorised) = Preconditioner::factorised(pattern, &at) {
+                step = system.step(&at, state, &mut factorised, linear);
+            }
+        }
         info.seconds[2] += clock.elapsed().as_secs_f64();
         info.iterations += 1;
         info.krylov_iterations += step.krylov_iterations;

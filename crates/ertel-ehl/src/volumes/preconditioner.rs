@@ -1,35 +1,41 @@
-//! An approximation of the linearised film equation that can be factorised.
+//! An approximation of the linearised film equation that can be solved.
 //!
 //! ```text
 //!   δP = S w,   S ≈ K⁻¹ by nine points        (A S + B) w = r,   A: fluxes by the pressures, B: by the films, upwind of first order
 //! ```
-//! The compliance is long-range, its inverse is not.
+//! The compliance is long-range, its inverse is not. Small grids are factorised; on large ones a cycle over coarser grids does as well: GMRES takes as many iterations.
 
-use std::sync::Arc;
+use std::sync::OnceLock;
 
-use ertel_fem::assembly::NodeGraph;
-use ertel_fem::linear::frontal_lu::{FrontalLu, FrontalPattern};
-use ertel_fem::linear::fronts::Blocks;
 use ertel_fem::linear::ordering::OrderingError;
+use rayon::prelude::*;
 
 use super::grid::{Grid, RING};
+use super::multigrid::{Cycle, Grids};
+use super::stencil::{PLACES, REACH, Row, SIDE};
 use super::system::Linearised;
+use super::transfer::Matrix;
 
 /// What all preconditioners of a grid share.
 pub struct Pattern {
     grid: Grid,
     /// Unknown nodes along each direction: a rectangle within the given ones.
     n: [usize; 2],
-    frontal: Arc<FrontalPattern>,
+    pub(super) grids: Grids,
+    /// The same with a factorisation of all, once it is asked for.
+    direct: OnceLock<Option<Grids>>,
     /// S at the centre, along both directions and on the diagonals.
     inverse: [f64; 4],
 }
 
-/// Nodes along each side of the blocks that are eliminated together: the stencil of A S reaches neighbouring blocks alone.
-const BLOCK: usize = 2;
+/// Unknowns up to which a factorisation is all; it costs as much as the cycle at about a half of them.
+const DIRECT: usize = 10_000;
 
-/// Reach of that stencil along each direction; its corners are empty.
-const REACH: i64 = 2;
+/// Unknowns up to which the coarsest grid of a cycle is factorised: in some milliseconds.
+const COARSEST: usize = 4_000;
+
+/// Unknowns whose rows a thread takes at a time.
+const BATCH: usize = 1024;
 
 impl Pattern {
     /// For a grid, with the stencil S.
@@ -38,38 +44,21 @@ impl Pattern {
     /// When no order of elimination is found.
     pub fn new(grid: &Grid, inverse: [f64; 4]) -> Result<Pattern, OrderingError> {
         let [nx, ny] = grid.n;
+        let n = nx * ny;
+        Pattern::with_coarsest(grid, inverse, if n > DIRECT { COARSEST } else { n })
+    }
+
+    /// The same with this many unknowns of the coarsest grid at most.
+    pub(super) fn with_coarsest(
+        grid: &Grid,
+        inverse: [f64; 4],
+        coarsest: usize,
+    ) -> Result<Pattern, OrderingError> {
+        let [nx, ny] = grid.n;
         let n = [nx - 2 * RING, ny - if grid.half { RING } else { 2 * RING }];
-        let blocks = n.map(|n| n.div_ceil(BLOCK));
-        let members = |block: [usize; 2]| -> Vec<u32> {
-            let along = |d: usize| block[d] * BLOCK..((block[d] + 1) * BLOCK).min(n[d]);
-            let rows = along(1);
-            rows.flat_map(|j| along(0).map(move |i| (j * n[0] + i) as u32))
-                .collect()
-        };
-        let all = (0..blocks[1]).flat_map(|j| (0..blocks[0]).map(move |i| [i, j]));
-        let near = |at: usize, n: usize| at.saturating_sub(1)..(at + 2).min(n);
-        let mut graph = NodeGraph {
-            offsets: vec![0],
-            neighbours: Vec::new(),
-        };
-        for [i, j] in all.clone() {
-            for row in near(j, blocks[1]) {
-                let others = near(i, blocks[0]).map(|column| (row * blocks[0] + column) as u32);
-                graph.neighbours.extend(others);
-            }
-            graph.offsets.push(graph.neighbours.len());
-        }
-        let blocks = Blocks {
-            graph: &graph,
-            n_inner: blocks[0] * blocks[1],
-            carriers: None,
-            unknowns: all.map(members).collect(),
-        };
-        let entries: Vec<(u32, u32)> = (0..n[0] * n[1])
-            .flat_map(|row| neighbours(n, row).map(move |(_, column)| (row as u32, column)))
-            .collect();
         Ok(Pattern {
-            frontal: Arc::new(FrontalPattern::new(&blocks, &entries)?),
+            grids: Grids::new(n, grid.half, coarsest)?,
+            direct: OnceLock::new(),
             grid: grid.clone(),
             n,
             inverse,
@@ -87,11 +76,44 @@ impl Pattern {
         self.n[0] * self.n[1]
     }
 
+    /// A S + B at a state.
+    pub(super) fn matrix(&self, at: &Linearised) -> Matrix {
+        let row = |unknown: usize| {
+            let k = self.node(unknown);
+            let cross = match at.wetted[k] {
+                true => Cross::wetted(&self.grid, at, k),
+                false => Cross::broken(),
+            };
+            let mut square = self.square(k, &cross);
+            for (t, value) in square.iter_mut().enumerate() {
+                let place = [
+                    unknown % self.n[0] + t % SIDE,
+                    unknown / self.n[0] + t / SIDE,
+                ];
+                if (0..2).any(|d| !(REACH..REACH + self.n[d]).contains(&place[d])) {
+                    *value = 0.0;
+                }
+            }
+            // Rows of like size, for single precision and for residuals that mean the same everywhere.
+            let size = square.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+            let row: Row = square.map(|v| (v / size) as f32);
+            (row, (size as f32, at.wetted[k]))
+        };
+        let all = (0..self.len()).into_par_iter().with_min_len(BATCH);
+        let (rows, kinds): (Vec<Row>, Vec<(f32, bool)>) = all.map(row).unzip();
+        let (sizes, wetted) = kinds.into_iter().unzip();
+        Matrix {
+            rows,
+            sizes,
+            wetted,
+        }
+    }
+
     /// The stencil of A S + B at a node.
-    fn square(&self, node: usize, cross: &Cross) -> [f64; (SIDE * SIDE) as usize] {
+    fn square(&self, node: usize, cross: &Cross) -> [f64; PLACES] {
         let [nx, ny] = self.grid.n;
         let row = (node / nx) as i64;
-        let mut square = [0.0; (SIDE * SIDE) as usize];
+        let mut square = [0.0; PLACES];
         let mut put = |[i, j]: [i64; 2], value: f64| {
             // Beyond the centreline of a half all is mirrored.
             let beyond = row + j - (ny as i64 - 1);
@@ -115,19 +137,6 @@ impl Pattern {
         }
         square
     }
-}
-
-/// Unknowns that the stencil of one reaches, with their places beside it.
-fn neighbours(n: [usize; 2], unknown: usize) -> impl Iterator<Item = ([i64; 2], u32)> {
-    let at = [unknown % n[0], unknown / n[0]].map(|i| i as i64);
-    let places = (-REACH..=REACH).flat_map(|j| (-REACH..=REACH).map(move |i| [i, j]));
-    places
-        .filter(|[i, j]| i.abs() + j.abs() < 2 * REACH)
-        .filter_map(move |place| {
-            let [i, j] = [at[0] + place[0], at[1] + place[1]];
-            let is_unknown = (0..n[0] as i64).contains(&i) && (0..n[1] as i64).contains(&j);
-            is_unknown.then(|| (place, (j * n[0] as i64 + i) as u32))
-        })
 }
 
 /// What a row of the equation has at its node and the four beside it: centre, west, east, south, north.
@@ -191,47 +200,51 @@ impl Cross {
     }
 }
 
-/// Side of a square that holds the stencil of A S.
-const SIDE: i64 = 2 * REACH + 1;
-
-/// Position in that square of a place beside its centre.
+/// Position in a stencil of a place beside its centre.
 fn at_square([i, j]: [i64; 2]) -> usize {
-    ((j + REACH) * SIDE + i + REACH) as usize
+    let [i, j] = [i, j].map(|along| (along + REACH as i64) as usize);
+    j * SIDE + i
 }
 
-/// The factorised approximation.
+/// The approximation, ready to be solved.
 pub struct Preconditioner<'a> {
     pattern: &'a Pattern,
-    lu: FrontalLu,
+    cycle: Cycle,
+    /// Whether it is factorised as a whole.
+    pub is_direct: bool,
     /// Size of each row, by which residuals become heights of the film: 1 at nodes that are not solved for.
     pub scale: Vec<f64>,
 }
 
 impl<'a> Preconditioner<'a> {
-    /// Factorises at a state; `None` where the matrix is singular.
+    /// At a state; `None` where the matrix is singular.
     pub fn new(pattern: &'a Pattern, at: &Linearised) -> Option<Preconditioner<'a>> {
-        let grid = &pattern.grid;
-        let mut values = Vec::new();
-        let mut scale = vec![1.0; grid.n_nodes()];
-        for unknown in 0..pattern.len() {
-            let k = pattern.node(unknown);
-            let cross = match at.wetted[k] {
-                true => Cross::wetted(grid, at, k),
-                false => Cross::broken(),
-            };
-            let square = pattern.square(k, &cross);
-            let row = values.len();
-            values
-                .extend(neighbours(pattern.n, unknown).map(|(place, _)| square[at_square(place)]));
-            // Rows of like size, for single precision and for residuals that mean the same everywhere.
-            let size = values[row..]
-                .iter()
-                .fold(0.0_f64, |m: f64, v: &f64| m.max(v.abs()));
-            values[row..].iter_mut().for_each(|v| *v /= size);
-            scale[k] = size;
+        Preconditioner::with(pattern, &pattern.grids, at)
+    }
+
+    /// Factorised as a whole, whatever that costs.
+    pub fn factorised(pattern: &'a Pattern, at: &Linearised) -> Option<Preconditioner<'a>> {
+        if pattern.grids.is_direct() {
+            return Preconditioner::new(pattern, at);
         }
-        let lu = FrontalLu::new(&pattern.frontal, &values).ok()?;
-        Some(Preconditioner { pattern, lu, scale })
+        let grids = pattern
+            .direct
+            .get_or_init(|| Grids::new(pattern.n, pattern.grid.half, pattern.len()).ok());
+        Preconditioner::with(pattern, grids.as_ref()?, at)
+    }
+
+    fn with(pattern: &'a Pattern, grids: &Grids, at: &Linearised) -> Option<Preconditioner<'a>> {
+        let matrix = pattern.matrix(at);
+        let mut scale = vec![1.0; pattern.grid.n_nodes()];
+        for (unknown, size) in matrix.sizes.iter().enumerate() {
+            scale[pattern.node(unknown)] = f64::from(*size);
+        }
+        Some(Preconditioner {
+            pattern,
+            cycle: Cycle::new(grids, matrix)?,
+            is_direct: grids.is_direct(),
+            scale,
+        })
     }
 
     /// Pressures δP = S w for scaled residuals at all nodes.
@@ -242,7 +255,7 @@ impl<'a> Preconditioner<'a> {
         let mut w: Vec<f64> = (0..p.len())
             .map(|unknown| residual[p.node(unknown)])
             .collect();
-        self.lu.solve(&mut w);
+        self.cycle.solve(&mut w);
         let mut film = vec![0.0; grid.n_nodes()];
         for (unknown, w) in w.iter().enumerate() {
             film[p.node(unknown)] = *w;

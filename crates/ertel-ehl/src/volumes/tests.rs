@@ -26,7 +26,7 @@ fn laws() -> (DensityLaw, ViscosityLaw) {
 }
 
 /// Steel ball on steel disc: 16 mm, 100 N, 0.8 m/s.
-fn problem(motion: &Motion, target: f64) -> Problem<Plan> {
+pub(super) fn problem(motion: &Motion, target: f64) -> Problem<Plan> {
     let steel = Material {
         youngs_modulus: 210e9,
         poissons_ratio: 0.3,
@@ -59,7 +59,7 @@ fn problem(motion: &Motion, target: f64) -> Problem<Plan> {
     }
 }
 
-fn solved(problem: &Problem<Plan>) -> Volumes {
+pub(super) fn solved(problem: &Problem<Plan>) -> Volumes {
     FiniteVolumes.solve(problem, &mut NoObserver).unwrap()
 }
 
