@@ -3,6 +3,7 @@
 use ertel_fem::linear::lu::LuError;
 use ertel_fem::platform::Instant;
 
+use super::contents::Arrival;
 use super::figures::{bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
 use super::grid::{Grid, RING};
@@ -67,6 +68,10 @@ const MOST_GRIDS: usize = 24;
 /// Grids from which the films' errors are told.
 const LEAST_GRIDS: usize = 4;
 
+/// Share of the margin of flooded contacts that patches of starved ones have, so that cells at the meniscus are small beside its distance: with 1 the film
+/// of a layer of four times its thickness errs by 0.15 %.
+const MENISCUS: f64 = 2.0;
+
 /// Multiples of the speed over which a grid is solved that Newton's method does not solve at once.
 const SPEEDS: [f64; 4] = [64.0, 16.0, 4.0, 1.0];
 
@@ -77,8 +82,6 @@ pub struct About {
     pub is_line: bool,
     /// A roller of finite length.
     pub is_roller: bool,
-    /// The inlet is not flooded.
-    pub starves: bool,
     /// The bodies are half-spaces.
     pub has_half_spaces: bool,
     /// Its temperature varies.
@@ -92,7 +95,6 @@ pub fn why_not(about: &About) -> Option<&'static str> {
     let reasons = [
         (about.is_line, "do not solve line contacts"),
         (about.is_roller, "do not solve rollers of finite length"),
-        (about.starves, "solve flooded contacts alone"),
         (
             !about.has_half_spaces,
             "need half-spaces, no finite-element bodies",
@@ -112,11 +114,35 @@ pub fn why_not(about: &About) -> Option<&'static str> {
         .map(|(_, reason)| reason)
 }
 
-/// The box, in the plane in which the zone is the unit circle, that a problem is solved in.
+/// Largest cell of the first grid.
+fn largest_cell<P>(problem: &Problem<P>) -> f64 {
+    let e = &problem.extents;
+    let widest = e.side.max(e.inlet.abs()).max(e.outlet);
+    FIRST_CELL.max(widest / FIRST_CELLS)
+}
+
+/// Cell of the first grid; a meniscus lies on the lines of a grid with cells of twice the size.
+fn first_cell<P>(problem: &Problem<P>) -> f64 {
+    let largest = largest_cell(problem);
+    match Arrival::of(problem) {
+        Arrival::Flooded | Arrival::Layer(_) => largest,
+        Arrival::From(meniscus) => {
+            let unit = 2.0 * largest;
+            largest * meniscus.abs() / (unit * (meniscus.abs() / unit).ceil())
+        }
+    }
+}
+
+/// The box, in the plane in which the zone is the unit circle, that a problem is solved in. Beyond a meniscus it holds the nodes that fluxes there
+/// reach for.
 fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
     let e = &problem.extents;
     if problem.shape.zone.turn.is_none() {
-        return [[e.inlet, e.outlet], [-e.side, e.side]];
+        let inlet = match Arrival::of(problem) {
+            Arrival::Flooded | Arrival::Layer(_) => e.inlet,
+            Arrival::From(meniscus) => meniscus - (2 * RING) as f64 * largest_cell(problem),
+        };
+        return [[inlet, e.outlet], [-e.side, e.side]];
     }
     let reach = e.side.max(e.inlet.abs()).max(e.outlet);
     [[-reach, reach]; 2]
@@ -136,7 +162,11 @@ fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
             })
         }
         Some(first) => {
-            let reach = ((1.0 + problem.plan.margin * h) / unit).floor() * unit;
+            let margin = match Arrival::of(problem) {
+                Arrival::Flooded | Arrival::From(_) => problem.plan.margin,
+                Arrival::Layer(_) => MENISCUS * problem.plan.margin,
+            };
+            let reach = ((1.0 + margin * h) / unit).floor() * unit;
             let whole = first.bounds();
             whole.map(|[low, high]| [low.max(-reach), high.min(reach)])
         }
@@ -219,8 +249,7 @@ impl Engine for FiniteVolumes {
         problem: &Problem<Plan>,
         observer: &mut dyn Observer,
     ) -> Result<Volumes, SolveError> {
-        let widest = (bounds(problem).iter().flatten()).fold(0.0_f64, |w, b| w.max(b.abs()));
-        let mut h = FIRST_CELL.max(widest / FIRST_CELLS);
+        let mut h = first_cell(problem);
         let mut found = Volumes {
             levels: Vec::new(),
             stats: Vec::new(),
@@ -310,12 +339,14 @@ impl Engine for FiniteVolumes {
     }
 }
 
-/// Mass that a grid gains or loses in its wetted part, over what passes the section through its centre.
+/// Mass that a grid gains or loses in all nodes whose balance is solved, over what passes the section through its centre.
 fn balance_error(level: &Level) -> f64 {
     let (grid, at) = (&level.system.grid, level.system.linearise(&level.state));
-    let gained: f64 = (grid.nodes().enumerate().filter(|(k, _)| at.wetted[*k]))
-        .map(|(k, [i, j])| grid.share(i, j) * at.outflow[k])
-        .sum();
+    let gained: f64 = (grid.nodes().enumerate().filter(|(k, [i, j])| {
+        grid.is_unknown(*i, *j) && (at.wetted[*k] || !at.contents.is_empty())
+    }))
+    .map(|(k, [i, j])| grid.share(i, j) * at.outflow[k])
+    .sum();
     let [i, j] = grid.centre();
     let through = |direction: usize, nodes: &mut dyn Iterator<Item = [usize; 2]>| -> f64 {
         let other = grid.spacing[1 - direction];
@@ -328,6 +359,17 @@ fn balance_error(level: &Level) -> f64 {
     let along = through(0, &mut (0..grid.n[1]).map(|j| [i, j]));
     let across = through(1, &mut (0..grid.n[0]).map(|i| [i, j]));
     gained * grid.cell() / along.abs().max(across.abs())
+}
+
+/// Relative errors of the central film and of all else that are told at least. Where the flow crosses the grid at an angle, contents spread over a cell to
+/// the sides, which errs by the first order beside an error of second order that may have the other sign. Measured on a ball whose grid is turned: up to
+/// a fifth of a cell in the central film, up to one in the minimum film and the friction at the walls.
+fn least_shares(problem: &Problem<Plan>, cell: f64) -> [f64; 2] {
+    let is_straight = problem.shape.zone.turn.is_none() && problem.entrainment.spin == 0.0;
+    match Arrival::of(problem) {
+        Arrival::Layer(_) if !is_straight => [0.25 * cell, cell],
+        _ => [0.0; 2],
+    }
 }
 
 /// Effort and films of the last grid.
@@ -374,7 +416,11 @@ impl Solved for Volumes {
         let cell = (self.levels.last()).map_or(0.0, |level| level.system.grid.spacing[0]);
         let measured = Measured {
             figures: of_grids[0].copied().unwrap_or_default(),
-            bars: bars(of_grids, cell * problem.scales.length),
+            bars: bars(
+                of_grids,
+                cell * problem.scales.length,
+                least_shares(problem, cell),
+            ),
             half_width: problem.scales.length,
         };
         let measured = measured.without_rounding(&sizes(problem));

@@ -12,6 +12,7 @@
 //! | [`grid`] | nodes of a patch |
 //! | [`convolution`] | deflection of the half-spaces |
 //! | [`faces`] | flux through a face and its derivatives |
+//! | [`contents`] | oil in gaps that it does not fill |
 //! | [`system`] | the equation, its linearisation and Newton's step |
 //! | [`preconditioner`] | what is factorised for it |
 //! | [`newton`] | Newton's method with active sets |
@@ -23,6 +24,7 @@
 //! Theory: Finite volumes.
 
 pub mod composite;
+pub mod contents;
 pub mod convolution;
 pub mod engine;
 pub mod faces;
