@@ -11,7 +11,7 @@
 //! filled, and what flows back into it by pressure grows with its content: where gap and viscosity change slowly, the meniscus lies between the
 //! nodes where that says.
 //!
-//! Theory: Finite volumes, starved inlets.
+//! Theory: Starved inlets.
 
 use super::faces::Face;
 use super::grid::Grid;
@@ -65,14 +65,14 @@ const ON_MENISCUS: f64 = 1e-6;
 
 /// A face of a node: its direction and number, and what its flux counts in the balance of the node.
 #[derive(Clone, Copy)]
-struct Side {
-    direction: usize,
-    face: usize,
-    weight: f64,
+pub(super) struct Side {
+    pub direction: usize,
+    pub face: usize,
+    pub weight: f64,
 }
 
 /// The faces of an unknown node; beyond the centreline of a half all is mirrored.
-fn sides(grid: &Grid, k: usize) -> [Side; 4] {
+pub(super) fn sides(grid: &Grid, k: usize) -> [Side; 4] {
     let [nx, ny] = grid.n;
     let [dx, dy] = grid.spacing;
     let (north, south) = match grid.half && k / nx + 1 == ny {
@@ -133,7 +133,7 @@ pub fn distribute(
 }
 
 /// Unknown nodes that are not wetted, each behind those upstream of it, and whether the flow turns in circles among some, which come last.
-fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], wetted: &[bool]) -> (Vec<u32>, bool) {
+pub(super) fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], wetted: &[bool]) -> (Vec<u32>, bool) {
     let nx = grid.n[0];
     let is_broken = |k: usize| !wetted[k] && grid.is_unknown(k % nx, k / nx);
     // What is entrained into a node through a side comes from the node there.
@@ -185,12 +185,12 @@ fn downstream(grid: &Grid, faces: &[Vec<Face>; 2], wetted: &[bool]) -> (Vec<u32>
 }
 
 /// How often contents are passed on.
-fn rounds(turns: bool) -> usize {
+pub(super) fn rounds(turns: bool) -> usize {
     if turns { MOST_ROUNDS } else { 1 }
 }
 
 /// The node upstream of a face, whose nodes are k and k + step.
-fn upstream(face: &Face, k: usize, step: usize) -> usize {
+pub(super) fn upstream(face: &Face, k: usize, step: usize) -> usize {
     if face.from_second { k + step } else { k }
 }
 
@@ -242,96 +242,6 @@ const MOST_ROUNDS: usize = 20;
 
 /// Relative change of contents in a round that is none.
 const UNCHANGED: f64 = 1e-12;
-
-/// How contents change with what flows into their nodes.
-#[derive(Clone, Debug, Default)]
-pub struct Passing {
-    /// Nodes that are not wetted, each behind those upstream of it, then those that get something from them.
-    nodes: Vec<Passed>,
-    /// Nodes that each of them gets something from, and how its balance changes with their contents.
-    from: Vec<(u32, f64)>,
-    turns: bool,
-}
-
-/// A node of a [`Passing`].
-#[derive(Clone, Copy, Debug)]
-struct Passed {
-    node: u32,
-    /// Where its part of `from` ends.
-    end: u32,
-    /// How its balance changes with its own content; `None` where it is wetted.
-    rate: Option<f64>,
-}
-
-impl Passing {
-    /// Of faces with the fluxes of contents.
-    pub fn new(grid: &Grid, faces: &[Vec<Face>; 2], wetted: &[bool]) -> Passing {
-        let (order, turns) = downstream(grid, faces, wetted);
-        let mut passing = Passing {
-            turns,
-            ..Passing::default()
-        };
-        let full = (0..wetted.len()).filter(|k| wetted[*k]);
-        for k in order.into_iter().map(|k| k as usize).chain(full) {
-            let (mut rate, start) = (0.0, passing.from.len());
-            for side in sides(grid, k) {
-                let face = &faces[side.direction][side.face];
-                let by_content = side.weight * face.by_content;
-                if by_content > 0.0 {
-                    rate += by_content;
-                } else if by_content < 0.0 {
-                    let from = upstream(face, side.face, [1, grid.n[0]][side.direction]);
-                    passing.from.push((from as u32, by_content));
-                }
-            }
-            if wetted[k] && passing.from.len() == start {
-                continue;
-            }
-            passing.nodes.push(Passed {
-                node: k as u32,
-                end: passing.from.len() as u32,
-                rate: (!wetted[k]).then_some(rate),
-            });
-        }
-        passing
-    }
-
-    /// From changes of the balances with contents held to those where they follow: none where they do.
-    pub fn follow(&self, change: &mut [f64]) {
-        if self.nodes.is_empty() {
-            return;
-        }
-        let mut contents = vec![0.0; change.len()];
-        for _ in 0..rounds(self.turns) {
-            let mut start = 0;
-            for passed in &self.nodes {
-                let (k, end) = (passed.node as usize, passed.end as usize);
-                let arriving = (self.from[start..end].iter())
-                    .map(|(from, by_content)| by_content * contents[*from as usize])
-                    .sum::<f64>();
-                start = end;
-                if let Some(rate) = passed.rate.filter(|rate| *rate > 0.0) {
-                    contents[k] = -(change[k] + arriving) / rate;
-                }
-            }
-        }
-        let mut start = 0;
-        for passed in &self.nodes {
-            let (k, end) = (passed.node as usize, passed.end as usize);
-            change[k] = match passed.rate {
-                Some(_) => 0.0,
-                None => {
-                    let arriving = self.from[start..end].iter();
-                    change[k]
-                        + arriving
-                            .map(|(from, by_content)| by_content * contents[*from as usize])
-                            .sum::<f64>()
-                }
-            };
-            start = end;
-        }
-    }
-}
 
 /// F, what a gap H lacks with some content at the density of no pressure.
 pub fn missing(film: f64, content: f64, density: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! Finite volumes on regular grids: a monotone engine for flooded isothermal point contacts of half-spaces.
+//! Finite volumes on regular grids: a monotone engine for isothermal point contacts of half-spaces, flooded or starved.
 //!
 //! ```text
 //!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
@@ -13,6 +13,7 @@
 //! | [`convolution`] | deflection of the half-spaces |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`contents`] | oil in gaps that it does not fill |
+//! | [`passing`] | how contents change with the pressures |
 //! | [`system`] | the equation, its linearisation and Newton's step |
 //! | [`preconditioner`] | what is factorised for it |
 //! | [`newton`] | Newton's method with active sets |
@@ -34,6 +35,7 @@ pub mod film;
 pub mod grid;
 pub mod level;
 pub mod newton;
+pub mod passing;
 pub mod preconditioner;
 pub mod summary;
 pub mod system;

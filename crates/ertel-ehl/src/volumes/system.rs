@@ -9,10 +9,11 @@
 use ertel_fem::linear::gmres::{GmresParams, gmres};
 use rayon::prelude::*;
 
-use super::contents::{Arrival, Passing, distribute};
+use super::contents::{Arrival, distribute};
 use super::convolution::Convolution;
 use super::faces::{Face, Node, face};
 use super::grid::{Grid, RING};
+use super::passing::Passing;
 use super::preconditioner::Preconditioner;
 use crate::contact::Planar;
 use crate::film::FilmFluid;

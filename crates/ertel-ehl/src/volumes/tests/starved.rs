@@ -38,6 +38,8 @@ fn with_layer(half: bool, entrainment: Planar) -> (System, State) {
 }
 
 /// The linearised balances against central differences where contents follow the pressures, halves and wholes, with spin.
+///
+/// Theory: Starved inlets.
 #[test]
 fn jacobian_with_contents_against_differences() {
     let spin = Planar {
@@ -74,6 +76,8 @@ fn jacobian_with_contents_against_differences() {
 }
 
 /// A layer that meets no pressure arrives everywhere as it was, whatever the gap, along any direction and where the flow turns in circles.
+///
+/// Theory: Starved inlets.
 #[test]
 fn a_layer_arrives_unchanged() {
     let flows = [
@@ -115,6 +119,8 @@ fn a_layer_arrives_unchanged() {
 
 /// Mass is kept node by node, and what arrives in front of the contact leaves it: contents are at most what the gap holds, and where there is pressure it
 /// is full. Of a layer of a tenth of the flooded film nearly all passes the centre: ρ̄H is its thickness, but for what is pushed to the sides.
+///
+/// Theory: Starved inlets.
 #[test]
 fn what_arrives_leaves() {
     let thickness = 25e-9;
@@ -142,10 +148,12 @@ fn what_arrives_leaves() {
 
 /// Films of a ball by finite elements, an independent method with another model of the meniscus, accurate to half a per cent (see the theory of isothermal
 /// contacts): 96.8, 181.3 and 220.2 nm for layers of 120, 250 and 400 nm.
+///
+/// Theory: Starved inlets.
 #[test]
 fn films_by_finite_elements() {
     for (layer, film) in [(120e-9, 96.8e-9), (250e-9, 181.3e-9), (400e-9, 220.2e-9)] {
-        let (value, error) = central(&starved(layer, 0.005));
+        let (value, error) = central(&starved(layer, 0.01));
         assert!(
             (value - film).abs() < error + 0.005 * film,
             "{value} ± {error}, {film}"
