@@ -220,7 +220,8 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
             Figure::FilmCentral | Figure::FilmMean => least[0] * reading.size,
             _ => least[1] * reading.size,
         };
-        let value = value.max(least);
+        // No maximum: it would lose a number that is none.
+        let value = if value < least { least } else { value };
         // A film below zero is none.
         let value = match figure {
             Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => f64::INFINITY,
