@@ -1,7 +1,7 @@
 //! Figures that any engine reads off a film in the same way.
 
 use super::friction::{friction, is_skewed};
-use super::{Film, Problem, Profile};
+use super::{Film, Meniscus, Problem, Profile};
 use crate::film::FilmFluid;
 use crate::solution::{Figure, Figures, Reading, Sizes};
 
@@ -24,13 +24,14 @@ pub fn share_of_film(pressure: f64, film: f64) -> f64 {
     (pressure - 1.0).abs().max(film.abs()).min(pressure.abs())
 }
 
-/// The mean film, and what is read off the centreline, where the film breaks at X = `outlet`.
+/// The mean film, and what is read off the centreline, where the film breaks at X = `outlet` and a layer of oil fills the gap from `meniscus` on.
 pub fn note_film<Plan>(
     figures: &mut Figures,
     problem: &Problem<Plan>,
     film: &impl Film,
     profile: &Profile,
     outlet: f64,
+    meniscus: Option<Meniscus>,
 ) {
     let scales = &problem.scales;
     let at = |value: f64, x: f64| Reading::new(value).at([x * scales.length, 0.0]);
@@ -44,10 +45,11 @@ pub fn note_film<Plan>(
     }
     let outlet = Reading::new(scales.length * outlet);
     figures.note(Figure::OutletPosition, outlet);
-    if let Some(layer) = problem.shape.inlet.layer()
-        && let Some(x) = profile.meniscus(layer.thickness)
-    {
-        let reading = Reading::new(scales.length * x);
+    if let Some(meniscus) = meniscus {
+        let reading = Reading {
+            misfit: scales.length * meniscus.misfit,
+            ..Reading::new(scales.length * meniscus.place)
+        };
         figures.note(Figure::MeniscusPosition, reading);
     }
 }

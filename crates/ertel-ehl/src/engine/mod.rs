@@ -22,7 +22,7 @@ pub mod shear;
 pub use film::{Film, Point, PointFields, PointTable};
 pub use observer::{NoObserver, Observer};
 pub use problem::{Extents, Problem};
-pub use profile::Profile;
+pub use profile::{Meniscus, Profile};
 
 use crate::solution::{LevelStats, Measured};
 

@@ -11,6 +11,15 @@ pub struct Profile {
     pub fields: Vec<PointFields>,
 }
 
+/// Where a layer of oil fills the gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meniscus {
+    /// X from which on it is full.
+    pub place: f64,
+    /// How far that may be off on its grid, beside what finer grids tell.
+    pub misfit: f64,
+}
+
 /// Depth, in p_h, of a dip that sets a spike apart from the rest of the profile.
 const SPIKE_DEPTH: f64 = 2e-3;
 
@@ -41,19 +50,40 @@ impl Profile {
 
     /// Where the gap is full from on that a layer of oil does not fill upstream: the pressure in front of the place where it fills up
     /// falls off as it would to zero from the meniscus, where it has filled up by 1/e. `None` where it is full everywhere.
-    pub fn meniscus(&self, layer: f64) -> Option<f64> {
+    pub fn meniscus(&self, layer: f64) -> Option<Meniscus> {
         let full = 1.0 - (-1.0_f64).exp();
-        let share = |i: usize| {
-            let f = &self.fields[i];
-            match f.film > layer {
-                true => f.missing / (f.film - layer),
-                false => 0.0,
-            }
-        };
+        let i = self.last_lacking(layer, full)?;
+        let [here, next] = [i, i + 1].map(|i| self.lacking(layer, i));
+        Some(Meniscus {
+            place: self.x[i] + (self.x[i + 1] - self.x[i]) * (here - full) / (here - next),
+            misfit: 0.0,
+        })
+    }
+
+    /// The same where the content of each node follows from balances: what the last node before the meniscus lacks is the share of the distance to
+    /// the next one that is empty. Known to half of that distance.
+    pub fn meniscus_of_contents(&self, layer: f64) -> Option<Meniscus> {
+        let i = self.last_lacking(layer, 0.0)?;
+        let distance = self.x[i + 1] - self.x[i];
+        Some(Meniscus {
+            place: self.x[i] + distance * self.lacking(layer, i).min(1.0),
+            misfit: 0.5 * distance,
+        })
+    }
+
+    /// The last sample before the centre that lacks more than a share of what it lacks under the layer alone.
+    fn last_lacking(&self, layer: f64, share: f64) -> Option<usize> {
         let centre = self.x.iter().position(|x| *x >= 0.0)?;
-        let i = (0..centre).rev().find(|i| share(*i) > full)?;
-        let (here, next) = (share(i), share(i + 1));
-        Some(self.x[i] + (self.x[i + 1] - self.x[i]) * (here - full) / (here - next))
+        (0..centre).rev().find(|i| self.lacking(layer, *i) > share)
+    }
+
+    /// What a sample lacks over what it lacks under the layer alone.
+    fn lacking(&self, layer: f64, i: usize) -> f64 {
+        let f = &self.fields[i];
+        match f.film > layer {
+            true => f.missing / (f.film - layer),
+            false => 0.0,
+        }
     }
 
     /// Pressure spike: between the centre and the outlet, the highest pressure behind a dip that

@@ -67,7 +67,16 @@ pub fn figures(
         }
     }
     let profile = Profile::new(d, state, PER_EDGE);
-    note_film(&mut figures, problem, &film, &profile, profile.outlet());
+    let layer = problem.shape.inlet.layer();
+    let meniscus = layer.and_then(|layer| profile.meniscus(layer.thickness));
+    note_film(
+        &mut figures,
+        problem,
+        &film,
+        &profile,
+        profile.outlet(),
+        meniscus,
+    );
     note_friction(&mut figures, problem, fluid, &film, d.heat.is_some());
     note_heat(&mut figures, problem, fluid, (d, state), film.points());
     figures

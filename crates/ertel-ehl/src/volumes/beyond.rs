@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use super::engine::bounds;
 use super::grid::Grid;
 use super::system::{State, System};
-use crate::contact::{Shape, Symmetry};
+use crate::contact::{Inlet, Shape, Symmetry};
 use crate::engine::far_field::far_field;
 use crate::engine::{PointFields, Problem};
 
@@ -40,8 +40,11 @@ fn exit([x, y]: [[f64; 2]; 2], [cos, sin]: [f64; 2]) -> f64 {
 }
 
 impl Beyond {
-    /// Of a grid that ends before the contact area does.
+    /// Of a grid that ends before the contact area does; flooded contacts alone are full out there.
     pub fn of<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Option<Beyond> {
+        if problem.shape.inlet != Inlet::Flooded {
+            return None;
+        }
         let boxes = [grid.bounds(), bounds(problem)];
         // Edges lie on lines of twice the cells.
         let cells = 2.0 * grid.spacing[0];

@@ -37,6 +37,12 @@ pub struct Face {
     pub by_film: f64,
     /// ∂F by m of the nodes uu, u, d.
     pub by_mass: [f64; 3],
+    /// ∂F by the content of the node upstream, where that does not fill the face.
+    pub by_content: f64,
+    /// u.
+    pub entrainment: f64,
+    /// m at the face where the gap is full upstream.
+    pub mass: f64,
     /// Whether the flow comes from the second node.
     pub from_second: bool,
 }
@@ -105,6 +111,9 @@ pub fn face(a: &Node, b: &Node, beyond: [&Node; 2], u: f64, lambda: f64, h: f64)
         by_pressure: [conductance + by(a, by_a), -conductance + by(b, by_b)],
         by_film: -1.5 * film * film / (lambda * h) * density * phi * difference,
         by_mass: [0.0; 3],
+        by_content: 0.0,
+        entrainment: u,
+        mass: 0.0,
         from_second: u < 0.0,
     };
     if u != 0.0 {
@@ -115,6 +124,7 @@ pub fn face(a: &Node, b: &Node, beyond: [&Node; 2], u: f64, lambda: f64, h: f64)
         let (mass, by_mass) = upwind([uu.mass, up.mass, down.mass]);
         face.flux += u * mass;
         face.by_mass = by_mass.map(|slope| u * slope);
+        face.mass = mass;
     }
     face
 }

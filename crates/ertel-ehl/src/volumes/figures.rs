@@ -80,7 +80,16 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
     note_pressures(&mut figures, problem, finest, h_c);
     let film = PatchedFilm::new(&problem.shape, levels);
     let profile = profile(&film);
-    note_film(&mut figures, problem, &film, &profile, outlet(&profile));
+    let layer = problem.shape.inlet.layer();
+    let meniscus = layer.and_then(|layer| profile.meniscus_of_contents(layer.thickness));
+    note_film(
+        &mut figures,
+        problem,
+        &film,
+        &profile,
+        outlet(&profile),
+        meniscus,
+    );
     note_friction(&mut figures, problem, &problem.fluid, &film, false);
     figures
 }
@@ -186,8 +195,8 @@ pub fn is_settled(minimum: [Option<f64>; 3]) -> bool {
     (here - before).abs() < THINNEST_RESOLVED * here
 }
 
-/// Error bars from the figures of up to three grids, the newest first.
-pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64) -> Bars {
+/// Error bars from the figures of up to three grids, the newest first; `least`: relative errors of the central film and of all else at least.
+pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars {
     let mut bars = Bars::default();
     let Some(newest) = of_grids[0] else {
         return bars;
@@ -206,6 +215,12 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64) -> Bars {
             continue;
         };
         let reading = newest.get(figure).unwrap_or(Reading::new(0.0));
+        let least = match figure {
+            Figure::FilmCentral | Figure::FilmMean => least[0] * reading.size,
+            _ => least[1] * reading.size,
+        };
+        // No maximum: it would lose a number that is none.
+        let value = if value < least { least } else { value };
         // A film below zero is none.
         let value = match figure {
             Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => f64::INFINITY,

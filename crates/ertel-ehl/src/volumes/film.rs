@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::contents::missing;
 use super::grid::Grid;
 use super::level::Level;
 use crate::contact::Shape;
@@ -116,6 +117,9 @@ pub fn node_fields(shape: &Shape, level: &Level, i: usize, j: usize) -> PointFie
                 .turn
                 .to_motion(slopes(grid, &level.state.pressure, i, j)),
             film: level.films[k],
+            missing: (level.state.contents.get(k)).map_or(0.0, |content| {
+                missing(level.films[k], *content, level.ambient_density())
+            }),
             ..PointFields::default()
         },
     )
@@ -199,6 +203,7 @@ fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
             let w = wx * wy;
             fields.pressure += w * node.pressure;
             deflection += w * node.deflection;
+            fields.missing += w * node.missing;
             for (sum, slope) in fields
                 .pressure_gradient
                 .iter_mut()

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::contents::Arrival;
 use super::convolution::Convolution;
 use super::grid::Grid;
 use super::system::{State, System};
@@ -22,6 +23,11 @@ pub struct Level {
 }
 
 impl Level {
+    /// ρ̄ without pressure.
+    pub fn ambient_density(&self) -> f64 {
+        self.system.fluid.at(0.0).density[0]
+    }
+
     /// Share of its cell that a node stands for beside the next grid.
     pub fn share(&self, i: usize, j: usize) -> f64 {
         let own = self.system.grid.share(i, j);
@@ -67,6 +73,7 @@ pub fn first_system<Plan>(
         fluid: problem.fluid.clone(),
         lambda: problem.scales.lambda,
         entrainment: problem.entrainment,
+        arrival: Arrival::of(problem),
         grid,
     }
 }
@@ -83,8 +90,10 @@ pub fn first_state<Plan>(problem: &Problem<Plan>, system: &System) -> State {
     // The load of the dry contact as the grid has it.
     let factor = system.load / system.integral(&pressure);
     pressure.iter_mut().for_each(|p| *p *= factor);
+    let wetted: Vec<bool> = pressure.iter().map(|p| *p > 0.0).collect();
     let mut state = State {
-        wetted: pressure.iter().map(|p| *p > 0.0).collect(),
+        contents: system.arrival.contents(&wetted),
+        wetted,
         pressure,
         separation: 0.0,
     };
@@ -135,6 +144,15 @@ pub fn refined<Plan>(
         system.gap[k] += sampled.cubic(&outer, i, j);
     }
     let state = State {
+        contents: match own.contents.is_empty() {
+            true => Vec::new(),
+            false => (system.grid.nodes().zip(&pressure))
+                .map(|([i, j], p)| match *p > 0.0 {
+                    true => f64::INFINITY,
+                    false => sampled.content(&own.contents, i, j),
+                })
+                .collect(),
+        },
         wetted: pressure.iter().map(|p| *p > 0.0).collect(),
         pressure,
         separation: own.separation,
@@ -169,15 +187,26 @@ impl Sampled<'_> {
         values[(self.coarse).index(x.clamp(0, cx - 1) as usize, y.clamp(0, cy - 1) as usize)]
     }
 
-    /// Between the nodes by straight lines: no new extremum.
-    fn linear(&self, values: &[f64], i: usize, j: usize) -> f64 {
+    /// Values of the four nodes around, those of one or two nodes more than once.
+    fn corners(&self, values: &[f64], i: usize, j: usize) -> [f64; 4] {
         let [x, y] = [self.start[0] + i / 2, self.start[1] + j / 2].map(|n| n as i64);
         let [a, b] = [i % 2, j % 2].map(|n| n as i64);
-        let corners = [[0, 0], [a, 0], [0, b], [a, b]];
-        0.25 * corners
-            .map(|[a, b]| self.at(values, x + a, y + b))
-            .iter()
-            .sum::<f64>()
+        [[0, 0], [a, 0], [0, b], [a, b]].map(|[a, b]| self.at(values, x + a, y + b))
+    }
+
+    /// Between the nodes by straight lines: no new extremum.
+    fn linear(&self, values: &[f64], i: usize, j: usize) -> f64 {
+        0.25 * self.corners(values, i, j).iter().sum::<f64>()
+    }
+
+    /// The same of contents, from nodes that have one.
+    fn content(&self, values: &[f64], i: usize, j: usize) -> f64 {
+        let corners = self.corners(values, i, j);
+        let known = corners.iter().filter(|content| content.is_finite());
+        match known.clone().count() {
+            0 => f64::INFINITY,
+            n => known.sum::<f64>() / n as f64,
+        }
     }
 
     /// Between the nodes by cubics.

@@ -1,4 +1,4 @@
-//! Finite volumes on regular grids: a monotone engine for flooded isothermal point contacts of half-spaces.
+//! Finite volumes on regular grids: a monotone engine for isothermal point contacts of half-spaces, flooded or starved.
 //!
 //! ```text
 //!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
@@ -12,6 +12,8 @@
 //! | [`grid`] | nodes of a patch |
 //! | [`convolution`] | deflection of the half-spaces |
 //! | [`faces`] | flux through a face and its derivatives |
+//! | [`contents`] | oil in gaps that it does not fill |
+//! | [`passing`] | how contents change with the pressures |
 //! | [`system`] | the equation, its linearisation and Newton's step |
 //! | [`preconditioner`] | the sparse approximation of its matrix |
 //! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
@@ -28,6 +30,7 @@
 
 pub mod beyond;
 pub mod composite;
+pub mod contents;
 pub mod convolution;
 pub mod engine;
 pub mod faces;
@@ -38,6 +41,7 @@ pub mod grid;
 pub mod level;
 pub mod multigrid;
 pub mod newton;
+pub mod passing;
 pub mod preconditioner;
 pub mod rectangle;
 pub mod stencil;

@@ -184,6 +184,10 @@ impl Cross {
         is_first: bool,
     ) {
         let f = &at.faces[direction][face];
+        // What a gap that is not full passes on does not change with the pressure behind it: what flows back into it comes again.
+        if f.by_content != 0.0 && f.from_second == is_first {
+            return;
+        }
         let weight = sign / grid.spacing[direction];
         let ends = [face, face + [1, grid.n[0]][direction]];
         let other = 1 + 2 * direction + usize::from(is_first);

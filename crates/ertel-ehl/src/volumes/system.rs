@@ -12,9 +12,11 @@ use ertel_fem::linear::gmres::{GmresParams, gmres};
 use rayon::prelude::*;
 
 use super::beyond::Beyond;
+use super::contents::{Arrival, distribute};
 use super::convolution::Convolution;
 use super::faces::{Face, Node, face};
 use super::grid::{Grid, RING};
+use super::passing::Passing;
 use super::preconditioner::Preconditioner;
 use crate::contact::Planar;
 use crate::film::FilmFluid;
@@ -37,6 +39,8 @@ pub struct System {
     pub lambda: f64,
     /// ū.
     pub entrainment: Planar,
+    /// How oil arrives.
+    pub arrival: Arrival,
 }
 
 /// Pressures and separation.
@@ -48,6 +52,8 @@ pub struct State {
     pub separation: f64,
     /// Where the film had not broken after the last step.
     pub wetted: Vec<bool>,
+    /// What the flow carries away from each node where the film has broken, infinite where the gap is full; none where all gaps are.
+    pub contents: Vec<f64>,
 }
 
 /// The equation at a state.
@@ -60,6 +66,10 @@ pub struct Linearised {
     pub outflow: Vec<f64>,
     /// Nodes whose pressure is solved for: unknown, and not where the film has broken.
     pub wetted: Vec<bool>,
+    /// Contents that go with the pressures, none where all gaps are full.
+    pub contents: Vec<f64>,
+    /// How they change.
+    pub passing: Passing,
     /// Load missing.
     pub missing_load: f64,
 }
@@ -120,18 +130,39 @@ impl System {
             .with_min_len(BATCH)
             .map(|(p, film)| self.node(*p, *film))
             .collect();
-        let faces = [0, 1].map(|direction| self.faces(&nodes, direction));
+        let mut faces = [0, 1].map(|direction| self.faces(&nodes, direction));
+        let grid = &self.grid;
+        let contents = match state.contents.is_empty() {
+            true => Vec::new(),
+            false => distribute(grid, &mut faces, &state.wetted, &state.contents),
+        };
         let outflow = self.balance(|direction, k| faces[direction][k].flux);
-        let wetted = (self.grid.nodes().enumerate())
-            .map(|(k, [i, j])| self.grid.is_unknown(i, j) && (state.wetted[k] || outflow[k] < 0.0))
+        let fills = |k: usize| match contents.get(k) {
+            Some(content) => content.is_infinite(),
+            None => outflow[k] < 0.0,
+        };
+        let wetted: Vec<bool> = (grid.nodes().enumerate())
+            .map(|(k, [i, j])| self.may_press(i, j) && (state.wetted[k] || fills(k)))
             .collect();
+        let passing = match contents.is_empty() {
+            true => Passing::default(),
+            false => Passing::new(grid, &faces, &wetted),
+        };
         Linearised {
+            contents,
+            passing,
             missing_load: self.load - self.integral(&state.pressure),
             nodes,
             faces,
             outflow,
             wetted,
         }
+    }
+
+    /// Whether a node is unknown and there may be pressure.
+    fn may_press(&self, i: usize, j: usize) -> bool {
+        let grid = &self.grid;
+        grid.is_unknown(i, j) && (self.arrival).may_press(grid.place(i, j)[0], grid.spacing[0])
     }
 
     fn node(&self, pressure: f64, film: f64) -> Node {
@@ -216,7 +247,7 @@ impl System {
         sums
     }
 
-    /// Change of G by changes of the pressures and of the separation.
+    /// Change of G by changes of the pressures and of the separation; contents follow.
     pub fn change(&self, at: &Linearised, pressure: &[f64], separation: f64) -> Vec<f64> {
         let mut film = self.deflection(pressure);
         film.iter_mut().for_each(|h| *h += separation);
@@ -229,7 +260,7 @@ impl System {
         let mass: Vec<f64> = (at.nodes.iter().zip(pressure.iter().zip(film)))
             .map(|(node, (p, h))| node.mass_by[0] * p + node.mass_by[1] * h)
             .collect();
-        self.balance(|direction, k| {
+        let mut change = self.balance(|direction, k| {
             let face = &at.faces[direction][k];
             let step = [1, nx][direction];
             let next = k + step;
@@ -244,7 +275,9 @@ impl System {
                 + face.by_pressure[1] * pressure[next]
                 + face.by_film * (film[k] + film[next])
                 + entrained
-        })
+        });
+        at.passing.follow(&mut change);
+        change
     }
 
     /// Newton's step by preconditioned Krylov iterations in pressures and separation.

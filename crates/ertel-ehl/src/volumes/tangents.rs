@@ -116,6 +116,7 @@ impl<Plan> Side<'_, Plan> {
         let system = match self.levels.last_mut() {
             None => {
                 let mut system = first_system(self.problem, grid, deflection);
+                state.contents = system.arrival.contents(&state.wetted);
                 if own.system.beyond.is_some()
                     && let Some(beyond) = Beyond::of(self.problem, &system.grid)
                 {
@@ -129,6 +130,9 @@ impl<Plan> Side<'_, Plan> {
                 for (k, [i, j]) in system.grid.nodes().enumerate() {
                     if !system.grid.is_unknown(i, j) {
                         state.pressure[k] = start.pressure[k];
+                        if let Some(content) = state.contents.get_mut(k) {
+                            *content = start.contents[k];
+                        }
                     }
                 }
                 system
@@ -169,7 +173,9 @@ impl Solver<'_> {
             &mut self.preconditioner,
             LINEAR,
         );
-        for ((side, (system, mut state)), sign) in sides.iter_mut().zip(next).zip([-1.0, 1.0]) {
+        let moved = sides.iter_mut().zip(next).zip(equations);
+        for (((side, (system, mut state)), equation), sign) in moved.zip([-1.0, 1.0]) {
+            state.contents = equation.contents;
             for (p, change) in state.pressure.iter_mut().zip(&step.pressure) {
                 *p += sign * change;
             }

@@ -5,6 +5,7 @@ use ertel_rheology::density::DensityLaw;
 use ertel_rheology::viscosity::ViscosityLaw;
 
 use super::composite::Composite;
+use super::contents::Arrival;
 use super::convolution::Convolution;
 use super::engine::{FiniteVolumes, Plan, Volumes};
 use super::figures::figures;
@@ -27,18 +28,22 @@ fn laws() -> (DensityLaw, ViscosityLaw) {
 
 /// Steel ball on steel disc: 16 mm, 100 N, 0.8 m/s.
 pub(super) fn problem(motion: &Motion, target: f64) -> Problem<Plan> {
+    problem_of(&Contact::circular(0.016, 100.0), motion, target)
+}
+
+/// The same with bodies of some shape.
+fn problem_of(contact: &Contact, motion: &Motion, target: f64) -> Problem<Plan> {
     let steel = Material {
         youngs_modulus: 210e9,
         poissons_ratio: 0.3,
     };
-    let contact = Contact::circular(0.016, 100.0);
-    let hertz = Hertz::new(&contact, 230.769_230_77e9);
-    let scales = Scales::new(&contact, &hertz, motion, 0.04, 870.0);
+    let hertz = Hertz::new(contact, 230.769_230_77e9);
+    let scales = Scales::new(contact, &hertz, motion, 0.04, 870.0);
     let (density, viscosity) = laws();
     let sliding = motion.sliding(scales.length);
     let bodies = [steel.over(scales.elastic_stress); 2];
     Problem {
-        shape: Shape::new(&contact, &hertz, motion),
+        shape: Shape::new(contact, &hertz, motion),
         extents: Extents {
             inlet: -9.0,
             outlet: 1.5,
@@ -87,6 +92,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         .collect();
     let state = State {
         wetted: pressure.iter().map(|p| *p > 0.0).collect(),
+        contents: Vec::new(),
         pressure,
         separation: -0.1,
     };
@@ -98,6 +104,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         fluid: problem.fluid.clone(),
         lambda: 0.1,
         entrainment,
+        arrival: Arrival::Flooded,
         grid,
     };
     (system, state)
@@ -185,12 +192,14 @@ fn second_order_for_manufactured_fields() {
                 centre: u,
                 spin: 0.0,
             },
+            arrival: Arrival::Flooded,
             grid: grid.clone(),
         };
         let state = State {
             pressure: values(&pressure),
             separation: 0.0,
             wetted: vec![true; grid.n_nodes()],
+            contents: Vec::new(),
         };
         let found = system.linearise(&state).outflow;
         let errors = grid
@@ -325,3 +334,5 @@ fn tangents_against_differences_of_solves() {
         }
     }
 }
+
+mod starved;

@@ -57,7 +57,7 @@ rows! {
     /// `[solver]`.
     pub SOLVER {
         method: Choice(&["finite-elements", "finite-volumes"]) => r#"`"finite-elements"`, as in Habchi's thesis, or `"finite-volumes"`
-            ([theory](../theory/finite-volumes.md)), for flooded circular and elliptical contacts of half-spaces with a Newtonian lubricant of
+            ([theory](../theory/finite-volumes.md)), for circular and elliptical contacts of half-spaces, flooded or starved, with a Newtonian lubricant of
             one temperature. If absent: finite elements, and finite volumes where these do not converge; a note says so. With
             `"finite-volumes"` the keys of finite elements are errors"#;
         formulation: Choice(&["gls", "supg", "galerkin"]), default "gls" => "weak form of the Reynolds equation";

@@ -39,7 +39,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         peak_memory: None,
     };
     let film = PatchedFilm::new(&problem.shape, &solved.levels);
-    let measured = solved.measured(&problem);
+    let measured = solved.measured(&problem).with_meniscus(&case.supply);
     let (surface, elements) = fields::surface(&problem, &film);
     let warnings = summary::warnings(&problem, &solved, &film, &measured);
     let found = Found {
