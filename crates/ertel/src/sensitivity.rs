@@ -13,7 +13,9 @@ use crate::case::Case;
 use crate::engine::sensitivity::{Derivatives, Perturbed};
 use crate::params::{ElasticModel, SensitivityDemand};
 use crate::problem::{problem, problem_beside};
-use crate::solution::{Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
+use crate::solution::{
+    Figure, FigureSensitivity, LeftOut, Sensitivities, SensitivityInput, SensitivityMethod,
+};
 use crate::solve::adjoint::RoughAdjoints;
 use crate::solve::figures::{Scope, figures};
 use crate::solve::sensitivity::Sensitivity;
@@ -66,7 +68,7 @@ pub fn by_differences(
         .filter(|i| values[*i].is_some() && resolved(Figure::TRACED[*i]))
         .collect();
     let mut sensitivities = Sensitivities {
-        by_adjoint: false,
+        by: SensitivityMethod::Differences,
         inputs: Vec::new(),
         figures: (present.iter())
             .map(|i| FigureSensitivity {
@@ -150,7 +152,12 @@ pub fn by_adjoint(
     resolved: impl Fn(Figure) -> bool,
 ) -> Result<Sensitivities, SolveError> {
     let adjoint = Sensitivity::new(problem, solution, rough, resolved)?;
-    Ok(by_derivatives(case, problem, &adjoint))
+    Ok(by_derivatives(
+        case,
+        problem,
+        &adjoint,
+        SensitivityMethod::Adjoint,
+    ))
 }
 
 /// Derivatives of the figures of a solution by every input of an isothermal contact.
@@ -158,6 +165,7 @@ pub fn by_derivatives(
     case: &Case,
     problem: &Problem,
     solution: &impl Derivatives<Plan>,
+    by: SensitivityMethod,
 ) -> Sensitivities {
     let modulus = ByModulus::of(case);
     let mut left_out = Vec::new();
@@ -244,7 +252,7 @@ pub fn by_derivatives(
         }
     }
     Sensitivities {
-        by_adjoint: true,
+        by,
         inputs: known,
         figures,
         left_out,

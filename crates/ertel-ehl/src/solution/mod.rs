@@ -43,7 +43,9 @@ pub use mixed::{AsperityFigures, MixedFriction, MixedLubrication};
 pub use other_films::{FilmReduction, FormulaFilm};
 pub use point_fields::{BodyField, Centreline, ShearFields, SurfaceField};
 pub use role::Role;
-pub use sensitivities::{FigureSensitivity, LeftOut, Sensitivities, SensitivityInput};
+pub use sensitivities::{
+    FigureSensitivity, LeftOut, Sensitivities, SensitivityInput, SensitivityMethod,
+};
 pub use separation::{BOUNDARY_BELOW, FULL_FROM, Separation, roughness_warning};
 pub use starvation::Starvation;
 pub(crate) use stats::solved;

@@ -8,14 +8,36 @@ use super::Figure;
 /// Derivatives of figures by the inputs of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivities {
-    /// Whether they are derivatives of the discrete solution by its adjoint; else they are differences of solves, good to about a per cent.
-    pub by_adjoint: bool,
+    /// How they were found.
+    pub by: SensitivityMethod,
     /// The inputs that derivatives are by.
     pub inputs: Vec<SensitivityInput>,
     /// The figures that derivatives are of.
     pub figures: Vec<FigureSensitivity>,
     /// Inputs whose derivatives are not known.
     pub left_out: Vec<LeftOut>,
+}
+
+/// How derivatives are found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SensitivityMethod {
+    /// An adjoint for each figure: those of the discrete solution.
+    Adjoint,
+    /// A linear solve for each input on coarser grids, good to about two per cent of the largest.
+    LinearSolves,
+    /// Differences of two solves for each input, good to about a per cent.
+    Differences,
+}
+
+impl SensitivityMethod {
+    /// In words.
+    pub fn words(self) -> &'static str {
+        match self {
+            SensitivityMethod::Adjoint => "adjoint",
+            SensitivityMethod::LinearSolves => "linear solves",
+            SensitivityMethod::Differences => "differences of solves",
+        }
+    }
 }
 
 /// An input.

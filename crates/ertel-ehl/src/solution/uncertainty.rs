@@ -124,7 +124,7 @@ mod tests {
     use ertel_quantity::Uncertainty;
 
     use super::*;
-    use crate::solution::{FigureSensitivity, SensitivityInput};
+    use crate::solution::{FigureSensitivity, SensitivityInput, SensitivityMethod};
 
     fn sensitivities() -> Sensitivities {
         let input = |key: &str, value: f64, standard: Option<f64>| SensitivityInput {
@@ -134,7 +134,7 @@ mod tests {
             uncertainty: standard.map(|standard| Uncertainty::Normal { standard }),
         };
         Sensitivities {
-            by_adjoint: true,
+            by: SensitivityMethod::Adjoint,
             inputs: vec![
                 input("a", 2.0, Some(0.1)),
                 input("b", 5.0, Some(0.2)),

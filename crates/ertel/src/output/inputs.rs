@@ -2,7 +2,7 @@
 
 use super::lines::{Lines, Table};
 use crate::solution::{
-    Figure, FigureSensitivity, FigureUncertainty, Kind, Sensitivities, Solution,
+    Figure, FigureSensitivity, FigureUncertainty, Kind, Sensitivities, SensitivityMethod, Solution,
 };
 use crate::words::digits;
 
@@ -74,8 +74,16 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
             missing.join(", ")
         ));
     }
-    if !sensitivities.by_adjoint {
-        out.line("by differences of solves on one mesh, good to about a per cent");
+    match sensitivities.by {
+        SensitivityMethod::Adjoint => {}
+        SensitivityMethod::LinearSolves => {
+            out.line(
+                "by linear solves on coarser grids, good to about two per cent of the largest",
+            );
+        }
+        SensitivityMethod::Differences => {
+            out.line("by differences of solves on one mesh, good to about a per cent");
+        }
     }
 }
 

@@ -85,10 +85,7 @@ pub fn result_json(case: &CaseEcho, solution: &Solution) -> serde_json::Result<V
             })
             .collect();
         document["sensitivities_per_kelvin"] = per_kelvin.into();
-        document["sensitivities_by"] = match sensitivities.by_adjoint {
-            true => "adjoint".into(),
-            false => "differences of solves".into(),
-        };
+        document["sensitivities_by"] = sensitivities.by.words().into();
         let left_out: serde_json::Map<String, Value> = (sensitivities.left_out.iter())
             .map(|input| (input.key.clone(), input.reason.clone().into()))
             .collect();

@@ -96,10 +96,14 @@ fn solve_flooded(
     if !case.supply.is_limited() {
         return Ok(None);
     }
-    let flooded = Case {
+    let mut flooded = Case {
         supply: Supply::Flooded,
         ..case.clone()
     };
+    // Films of the same method are compared.
+    if first_method(case) == Method::FiniteVolumes {
+        flooded.solver.method = Some(Method::FiniteVolumes);
+    }
     let start = start.and_then(sequence::Start::flooded);
     match solve_here(&flooded, start, &[], observer) {
         Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
@@ -150,8 +154,8 @@ fn solve_here(
 /// Moes' groups M and L up to which finite elements take less time for a circular contact, measured on maps of both (`benches/methods.rs`).
 const ELEMENTS_UP_TO: [f64; 2] = [400.0, 11.0];
 
-/// The method that a case asks for, or else the one that takes less time: finite volumes for elliptical contacts that they solve, and for circular
-/// ones with thin films or steep viscosities.
+/// The method that a case asks for, or else the one that takes less time: finite volumes for elliptical and starved contacts that they solve, and for
+/// circular ones with thin films or steep viscosities.
 pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
@@ -166,7 +170,8 @@ pub fn first_method(case: &Case) -> Method {
         let [load, material] = ELEMENTS_UP_TO;
         groups.moes_load <= load && groups.moes_material <= material
     };
-    match case.contact.kind == ContactKind::Circular && is_easy() {
+    let is_flooded_circle = case.contact.kind == ContactKind::Circular && !case.supply.is_limited();
+    match is_flooded_circle && is_easy() {
         true => Method::FiniteElements,
         false => Method::FiniteVolumes,
     }

@@ -10,7 +10,7 @@ use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method};
 use crate::post::fields::centreline_of;
 use crate::problem::problem_by_slices;
 use crate::sensitivity::by_derivatives;
-use crate::solution::{Solution, Stats};
+use crate::solution::{SensitivityMethod, Solution, Stats};
 use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::tangents::Tangents;
@@ -64,7 +64,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     if case.wants_sensitivities() {
         let own = problem_by_slices(case);
         let tangents = Tangents::new(&own, &solved, |figure| solution.resolves(figure));
-        let found = by_derivatives(case, &own, &tangents);
+        let found = by_derivatives(case, &own, &tangents, SensitivityMethod::LinearSolves);
         note_sensitivities(&mut solution, case, Ok(found))?;
     }
     solution.stats.wall_seconds = clock.elapsed().as_secs_f64();

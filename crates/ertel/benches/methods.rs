@@ -1,0 +1,232 @@
+//! Finite volumes beside finite elements: what contacts cost by each, how far their films differ, and whether the error bars of finite volumes hold.
+//!
+//!     cargo bench -p ertel --bench methods -- [--only TEXT] [--calibrate]
+//!
+//! Prints wall seconds of both in turn, their ratio, and both films with bars. With `--calibrate` finite volumes alone, at three targets, against grids of
+//! a target of 0.03 %: how many figures differ by no more than their bars, and the median of bar over difference.
+
+use std::path::Path;
+use std::time::Instant;
+
+use clap::Parser;
+use ertel::case::Case;
+use ertel::contact::{Contact, Hertz};
+use ertel::params::{Method, SensitivityDemand};
+use ertel::run::solve;
+use ertel::solution::{Figure, Solution};
+use ertel::solve::NoObserver;
+use ertel_input::Document;
+
+#[derive(Parser)]
+struct Args {
+    /// Contacts whose name contains this.
+    #[arg(long, default_value = "")]
+    only: String,
+    /// The error bars of finite volumes in place of times.
+    #[arg(long)]
+    calibrate: bool,
+    /// Given by cargo.
+    #[arg(long, hide = true)]
+    bench: bool,
+}
+
+/// Moes' groups of balls.
+const BALLS: [[f64; 2]; 14] = [
+    [5.0, 5.0],
+    [5.0, 12.0],
+    [20.0, 5.0],
+    [20.0, 12.0],
+    [20.0, 20.0],
+    [60.0, 5.0],
+    [60.0, 12.0],
+    [200.0, 5.0],
+    [200.0, 10.4],
+    [200.0, 20.0],
+    [500.0, 5.0],
+    [500.0, 12.0],
+    [1500.0, 12.0],
+    [5000.0, 5.0],
+];
+
+/// Ellipses: R_x and R_y in mm, angle of the motion in degrees, load in N, slide-to-roll ratio, spin in rad/s, layer of oil in nm (0: flooded).
+const ELLIPSES: [[f64; 7]; 10] = [
+    [10.0, 40.0, 0.0, 60.0, 0.1, 0.0, 0.0],
+    [10.0, 40.0, 35.0, 60.0, 0.1, 0.0, 0.0],
+    [10.0, 40.0, 90.0, 60.0, 0.0, 0.0, 0.0],
+    [10.0, 100.0, 0.0, 300.0, 0.0, 0.0, 0.0],
+    [30.0, 6.0, 0.0, 100.0, 0.05, 0.0, 0.0],
+    [10.0, 40.0, 20.0, 200.0, 0.0, 300.0, 0.0],
+    [16.0, 16.0, 0.0, 100.0, 0.2, 300.0, 0.0],
+    [16.0, 16.0, 0.0, 100.0, 0.0, 0.0, 150.0],
+    [16.0, 16.0, 0.0, 30.0, 0.1, 0.0, 300.0],
+    [10.0, 40.0, 0.0, 60.0, 0.0, 0.0, 200.0],
+];
+
+/// A contact: its name and its case file without `[mesh]`.
+struct Trial {
+    name: String,
+    text: String,
+}
+
+/// The ball of 16 mm at 0.8 m/s and 40 mPa·s whose load and pressure-viscosity coefficient give Moes' groups; up to 1500 N, beyond which its speed does.
+fn ball([m, l]: [f64; 2]) -> Trial {
+    // M 199.3, L 10.36 at 100 N and 22 1/GPa: M ∝ w u^(−3/4), L ∝ α u^(1/4).
+    let load = (100.0 * m / 199.3).min(1500.0);
+    let speed = 0.8 * (m / 199.3 / (load / 100.0)).powf(-4.0 / 3.0);
+    let alpha = 22.0 * l / 10.36 * (speed / 0.8).powf(-0.25);
+    let contact = format!("kind = \"circular\"\nradius = \"16 mm\"\nload = \"{load} N\"");
+    let motion = format!("entrainment_speed = \"{speed} m/s\"\nslide_to_roll_ratio = 0.1");
+    Trial {
+        name: format!("ball M {m} L {l}"),
+        text: text(&contact, &motion, alpha, ""),
+    }
+}
+
+fn ellipse([rx, ry, angle, load, sliding, spin, layer]: [f64; 7]) -> Trial {
+    let contact = match rx == ry {
+        true => format!("kind = \"circular\"\nradius = \"{rx} mm\"\nload = \"{load} N\""),
+        false => format!(
+            "kind = \"elliptical\"\nradius_x = \"{rx} mm\"\nradius_y = \"{ry} mm\"\nentrainment_angle = \"{angle} deg\"\nload = \"{load} N\""
+        ),
+    };
+    let mut motion = format!("entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = {sliding}\n");
+    if spin != 0.0 {
+        motion += &format!("body_2_spin = \"{spin} rad/s\"");
+    }
+    let inlet = match layer > 0.0 {
+        true => format!("[inlet]\noil_layer = \"{layer} nm\""),
+        false => String::new(),
+    };
+    Trial {
+        name: format!("{rx} x {ry} mm, {angle} deg, {load} N, spin {spin}, layer {layer} nm"),
+        text: text(&contact, &motion, 22.0, &inlet),
+    }
+}
+
+fn text(contact: &str, motion: &str, alpha: f64, more: &str) -> String {
+    format!(
+        "lubricant = {{ temperature = \"40 degC\", density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}, viscosity = {{ law = \
+         \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"{alpha} 1/GPa\" }} }}\n[contact]\n{contact}\n[bodies]\nbody_1 = \"steel\"\n\
+         body_2 = \"steel\"\n[motion]\n{motion}\n{more}\n"
+    )
+}
+
+impl Trial {
+    fn case(&self, method: Method, target: Option<f64>) -> Case {
+        let document = Document::parse(self.name.as_str(), self.text.as_str()).expect("TOML");
+        let mut case = Case::from_document(&document, Path::new("")).expect("a valid case");
+        case.solver.method = Some(method);
+        case.output.sensitivities = SensitivityDemand::Off;
+        if let Some(target) = target {
+            case.mesh.target_error = Some(target);
+            case.mesh.max_unknowns = Some(1_000_000);
+        }
+        case
+    }
+}
+
+fn main() {
+    let args = Args::parse();
+    let balls = BALLS.map(ball).into_iter();
+    let trials = balls.chain(ELLIPSES.map(ellipse));
+    let chosen: Vec<Trial> = trials.filter(|t| t.name.contains(&args.only)).collect();
+    match args.calibrate {
+        true => calibrate(&chosen),
+        false => compare(&chosen),
+    }
+}
+
+/// Films of a solution in nm.
+fn films(solution: &Solution) -> String {
+    let film = |figure| {
+        let e = solution.measured.estimate(figure);
+        format!(
+            "{:.2} ± {:.2}",
+            1e9 * e.value,
+            1e9 * e.error.unwrap_or(f64::NAN)
+        )
+    };
+    format!(
+        "{} / {}",
+        film(Figure::FilmCentral),
+        film(Figure::FilmMinimum)
+    )
+}
+
+fn compare(trials: &[Trial]) {
+    println!(
+        "| contact | p_h, GPa | elements, s | volumes, s | ratio | h_c / h_min by elements, nm | by volumes, nm |\n|---|---|---|---|---|---|---|"
+    );
+    for trial in trials {
+        let mut ends = [Method::FiniteElements, Method::FiniteVolumes].map(|method| {
+            let clock = Instant::now();
+            let end = solve(&trial.case(method, None), &mut NoObserver);
+            (clock.elapsed().as_secs_f64(), end)
+        });
+        let [(elements, _), (volumes, _)] = &ends;
+        let (elements, volumes) = (*elements, *volumes);
+        let films = ends.each_mut().map(|(_, end)| match end {
+            Ok(solution) => films(solution),
+            Err(error) => error.to_string(),
+        });
+        let case = trial.case(Method::FiniteVolumes, None);
+        let contact: Contact = case.contact.along_motion();
+        let pressure = 1e-9 * Hertz::new(&contact, case.reduced_modulus()).pressure;
+        println!(
+            "| {} | {pressure:.2} | {elements:.1} | {volumes:.1} | {:.2} | {} | {} |",
+            trial.name,
+            elements / volumes,
+            films[0],
+            films[1]
+        );
+    }
+}
+
+fn calibrate(trials: &[Trial]) {
+    let (mut held, mut ratios) = (0, Vec::new());
+    for trial in trials {
+        let at = |target| solve(&trial.case(Method::FiniteVolumes, target), &mut NoObserver);
+        let Ok(reference) = at(Some(3e-4)) else {
+            println!("{}: no reference", trial.name);
+            continue;
+        };
+        for target in [0.03, 0.01, 0.002] {
+            let Ok(own) = at(Some(target)) else {
+                println!("{}: no solution at {target}", trial.name);
+                continue;
+            };
+            for (figure, located) in own.figures() {
+                let there = reference.figure(figure);
+                let (Some(bar), Some(there)) = (located.error, there) else {
+                    continue;
+                };
+                // What neither resolves says nothing.
+                if !located.resolved || !there.resolved || bar == 0.0 {
+                    continue;
+                }
+                // The reference errs, too, by about a third of its bars.
+                let own_error = there.error.unwrap_or(0.0) / 3.0;
+                let difference = (located.value - there.value).abs();
+                ratios.push(bar / difference.max(1e-3 * bar));
+                match difference <= bar + own_error {
+                    true => held += 1,
+                    false => println!(
+                        "{} at {target}: {figure:?} {:.6e} ± {bar:.1e}, {:.6e} ± {:.1e}",
+                        trial.name,
+                        located.value,
+                        there.value,
+                        there.error.unwrap_or(0.0)
+                    ),
+                }
+            }
+        }
+        println!("{}: {held} of {} so far", trial.name, ratios.len());
+    }
+    ratios.sort_by(f64::total_cmp);
+    let share = 100.0 * f64::from(held) / ratios.len() as f64;
+    println!(
+        "{held} of {} figures within their bars ({share:.1} %), median of bar over difference {:.1}",
+        ratios.len(),
+        ratios[ratios.len() / 2]
+    );
+}
