@@ -1,18 +1,25 @@
 //! Finite elements and finite volumes share the contact, the fluid and what is read off a film, and nothing of how it is found: what agrees was found
 //! twice.
 
+use std::collections::BTreeMap;
+
 use ertel::case::Case;
 use ertel::cross_check::{Verdict, cross_check};
 use ertel::params::{Formulation, Method};
-use ertel::run::solve;
-use ertel::solution::{Figure, Solution};
+use ertel::run::{first_method, solve};
+use ertel::solution::{Figure, Sensitivities, SensitivityMethod, Solution};
 use ertel::solve::NoObserver;
 use ertel_input::Document;
 
 fn case(contact: &str, motion: &str, more: &str) -> Case {
+    case_of(contact, motion, more, "22")
+}
+
+/// The same with a pressure-viscosity coefficient in 1/GPa.
+fn case_of(contact: &str, motion: &str, more: &str, alpha: &str) -> Case {
     let text = format!(
         "lubricant = {{ temperature = \"40 degC\", density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}, viscosity = {{ law = \
-         \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"22 1/GPa\" }} }}\n[contact]\n{contact}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+         \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"{alpha} 1/GPa\" }} }}\n[contact]\n{contact}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
          [motion]\n{motion}\n{more}\n"
     );
     let document = Document::parse("case.toml", text).unwrap();
@@ -22,6 +29,8 @@ fn case(contact: &str, motion: &str, more: &str) -> Case {
 fn solved(case: &Case) -> Solution {
     solve(case, &mut NoObserver).unwrap()
 }
+
+const METHODS: [Method; 2] = [Method::FiniteElements, Method::FiniteVolumes];
 
 const BALL: &str = "kind = \"circular\"\nradius = \"16 mm\"\nload = \"30 N\"";
 
@@ -124,4 +133,97 @@ fn what_elements_do_not_solve_is_left_to_volumes() {
     case.solver.method = None;
     case.solver.formulation = Formulation::Supg;
     assert!(solve(&case, &mut NoObserver).is_err());
+}
+
+/// A ball at M = 5, L = 12, whose film is thicker than the contact is deep and reaches hundreds of half-widths far, and one at M = 20, L = 20, where the
+/// viscosity grows by e⁴⁰ up to the Hertz pressure: films of both methods differ by no more than their bars, or by half a per cent.
+#[test]
+fn thick_films_and_steep_viscosities() {
+    let motion = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.0";
+    for (load, alpha) in [("2.5", "25.5"), ("10", "42.5")] {
+        let ball = BALL.replace("30 N", &format!("{load} N"));
+        let mut case = case_of(&ball, motion, "[mesh]\ntarget_error = 0.005", alpha);
+        let films = METHODS.map(|method| {
+            case.solver.method = Some(method);
+            let solution = solved(&case);
+            assert_eq!(solution.stats.method, method);
+            [Figure::FilmCentral, Figure::FilmMinimum].map(|f| solution.measured.estimate(f))
+        });
+        for (a, b) in films[0].iter().zip(&films[1]) {
+            let bars = a.error.unwrap() + b.error.unwrap();
+            let difference = (a.value - b.value).abs();
+            assert!(difference < bars.max(5e-3 * b.value), "{a:?} {b:?}");
+        }
+    }
+}
+
+/// Sensitivities of a sliding ball and of an ellipse at an angle by linear solves agree with those of the adjoint to 3 % of the largest.
+#[test]
+fn both_tell_the_same_sensitivities() {
+    let motion = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.1";
+    let ellipse = "kind = \"elliptical\"\nradius_x = \"10 mm\"\nradius_y = \"30 mm\"\nentrainment_angle = \"25 deg\"\nload = \"60 N\"";
+    let more = "[mesh]\ntarget_error = 0.005\n[output]\nsensitivities = true";
+    for contact in [BALL, ellipse] {
+        let mut case = case(contact, motion, more);
+        let [elements, volumes] = METHODS.map(|method| {
+            case.solver.method = Some(method);
+            solved(&case).sensitivities.unwrap()
+        });
+        assert_eq!(elements.by, SensitivityMethod::Adjoint);
+        assert_eq!(volumes.by, SensitivityMethod::LinearSolves);
+        for figure in [
+            Figure::FilmCentral,
+            Figure::FilmMinimum,
+            Figure::TractionCoefficient,
+        ] {
+            let of = |found: &Sensitivities| {
+                let figure = found.figures.iter().find(|f| f.figure == figure).unwrap();
+                let by = found.logarithmic(figure);
+                let by = by.into_iter().map(|(key, by)| (key.to_owned(), by));
+                by.collect::<BTreeMap<String, f64>>()
+            };
+            let (own, other) = (of(&elements), of(&volumes));
+            // The temperature is beside absolute zero, and would hide the others.
+            let is_counted = |key: &String| !key.contains("temperature");
+            let largest = (own.iter().filter(|(key, _)| is_counted(key)))
+                .fold(0.0_f64, |m, (_, by)| m.max(by.abs()));
+            for (key, by) in own.iter().filter(|(key, _)| is_counted(key)) {
+                let difference = (by - other[key]).abs();
+                assert!(
+                    difference < 0.03 * largest,
+                    "{figure:?} {key}: {by} {}",
+                    other[key]
+                );
+            }
+        }
+    }
+}
+
+/// Without a method ellipses, starved inlets and steep viscosities are solved by volumes, easy balls, lines and cases with keys of elements by elements.
+#[test]
+fn the_method_that_takes_less_time() {
+    let motion = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.0";
+    let ellipse =
+        "kind = \"elliptical\"\nradius_x = \"10 mm\"\nradius_y = \"30 mm\"\nload = \"60 N\"";
+    let line = "kind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"";
+    let layer = "[inlet]\noil_layer = \"150 nm\"";
+    let [elements, volumes] = METHODS;
+    for (case, method) in [
+        (case(ellipse, motion, ""), volumes),
+        (case(BALL, motion, layer), volumes),
+        (case_of(BALL, motion, "", "40"), volumes),
+        (case(BALL, motion, ""), elements),
+        (case(line, motion, ""), elements),
+        (case(ellipse, motion, "[mesh]\ngrowth = 1.5"), elements),
+        (
+            case(ellipse, motion, "[solver]\nformulation = \"gls\""),
+            elements,
+        ),
+        (
+            case(ellipse, motion, "[solver]\nmethod = \"finite-elements\""),
+            elements,
+        ),
+    ] {
+        assert_eq!(first_method(&case), method, "{}", case.source);
+    }
 }

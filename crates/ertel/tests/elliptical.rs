@@ -10,7 +10,7 @@ use common::{case, heated};
 use ertel::case::Case;
 use ertel::contact::{Contact, ContactKind, Hertz, Symmetry};
 use ertel::elastic::Accuracy;
-use ertel::params::{Formulation, MeshParams, MeshPreset};
+use ertel::params::{Formulation, MeshParams, MeshPreset, Method};
 use ertel::problem::predicted_film;
 use ertel::run::solve;
 use ertel::solution::Role;
@@ -27,6 +27,7 @@ fn ellipse(radii: [f64; 2], angle: f64) -> Case {
     contact.load = Hertz::load_for_pressure(&contact, case.reduced_modulus(), 0.7e9);
     case.contact = contact;
     case.mesh = MeshParams::adaptive(5e-3, ContactKind::Elliptical);
+    case.solver.method = Some(Method::FiniteElements);
     case
 }
 

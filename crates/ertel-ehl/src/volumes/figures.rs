@@ -216,7 +216,7 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
         };
         let reading = newest.get(figure).unwrap_or(Reading::new(0.0));
         let least = match figure {
-            Figure::FilmCentral | Figure::FilmMean => least[0] * reading.size,
+            Figure::FilmCentral => least[0] * reading.size,
             _ => least[1] * reading.size,
         };
         // No maximum: it would lose a number that is none.

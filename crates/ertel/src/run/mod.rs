@@ -27,7 +27,7 @@ use crate::warning::{Warning, WarningKind};
 
 /// Version of the numerics: raised whenever the figures of some case move by more than rounding, so that points of studies that
 /// were solved before are solved anew.
-pub const NUMERICS: u32 = 12;
+pub const NUMERICS: u32 = 13;
 
 /// Whether a solve of the case would begin: it has the data that it needs, and a mesh that is allowed resolves its film.
 /// Takes milliseconds.
@@ -35,10 +35,10 @@ pub const NUMERICS: u32 = 12;
 /// # Errors
 /// As [`solve`] has them before any work.
 pub fn check(case: &Case) -> Result<(), SolveError> {
-    match first_method(case) {
-        Method::FiniteElements => elements::may_begin(case).map(drop),
+    match case.solver.method {
         // A first grid is always small enough.
-        Method::FiniteVolumes => Ok(()),
+        Some(Method::FiniteVolumes) => Ok(()),
+        _ => elements::may_begin(case).map(drop),
     }
 }
 
@@ -122,6 +122,7 @@ fn solve_here(
         Ok((solution, Some(start)))
     };
     let by_volumes = |observer: &mut dyn Observer| -> Result<Ended, SolveError> {
+        check(case)?;
         Ok((volumes::solve(case, observer)?, None))
     };
     let first = first_method(case);
