@@ -354,7 +354,7 @@ pub(super) fn finite_volumes(
 }
 
 impl Case {
-    /// Whether the case file has a key of [solver] or [mesh] that finite volumes have no use for.
+    /// Whether the case file has a key of `[solver]` or `[mesh]` that finite volumes have no use for.
     pub fn has_key_of_elements(&self) -> bool {
         let has = |table: &str, keys: &[&str]| {
             let table = &self.given[table];
