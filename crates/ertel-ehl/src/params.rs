@@ -244,7 +244,7 @@ pub enum LinearSolver {
 /// Solver settings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SolverParams {
-    /// Finite elements or finite volumes; `None`: finite elements, and finite volumes where these do not converge and those suit.
+    /// Finite elements or finite volumes; `None`: the one that takes less time, and the other one where that does not converge.
     pub method: Option<Method>,
     /// Galerkin, SUPG or GLS.
     pub formulation: Formulation,

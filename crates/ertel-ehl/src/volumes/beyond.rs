@@ -7,8 +7,8 @@
 
 use std::f64::consts::PI;
 
-use super::engine::bounds;
 use super::grid::Grid;
+use super::patches::bounds;
 use super::system::{State, System};
 use crate::contact::{Inlet, Shape, Symmetry};
 use crate::engine::far_field::far_field;

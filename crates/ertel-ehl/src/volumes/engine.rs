@@ -7,12 +7,12 @@ use super::beyond::Beyond;
 use super::contents::Arrival;
 use super::figures::{bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
-use super::grid::{Grid, RING};
 use super::level::{Level, convolution, first_state, first_system, refined};
 use super::newton::{NewtonInfo, NewtonParams, newton};
+use super::patches::{first_cell, grid};
 use super::preconditioner::Pattern;
 use super::system::{State, System};
-use crate::contact::{Inlet, Symmetry};
+use crate::contact::Symmetry;
 use crate::engine::figures::sizes;
 use crate::engine::{Engine, Film, Observer, Problem, Solved};
 use crate::solution::{Figure, Figures, LevelStats, Measured, Reading, Role, Timings};
@@ -59,11 +59,6 @@ pub struct Volumes {
     pub balance_error: f64,
 }
 
-/// Cell of the first grid in half-widths, or in widths √H of a film thicker than they are deep; and the cells from the centre that it has at
-/// most: beyond, pressures of flooded contacts are those of rigid parabolas.
-const FIRST_CELL: f64 = 0.375;
-const FIRST_CELLS: f64 = 80.0;
-
 /// Most grids: cells of 1e-7 of the contact area.
 const MOST_GRIDS: usize = 24;
 
@@ -76,121 +71,9 @@ const STEEP: f64 = 4.0;
 /// How Newton's method tries again on a grid where it did not converge: with shorter steps, and more of them.
 const AGAIN: (f64, usize) = (0.05, 60);
 
-/// Share of the margin of flooded contacts that patches of starved ones have, so that cells at the meniscus are small beside its distance: with 1 the film
-/// of a layer of four times its thickness errs by 0.15 %.
-const MENISCUS: f64 = 2.0;
-
 /// Multiples of the speed over which a first grid is solved that it does not solve then either. On finer grids they have not helped: the films of
 /// the grid before are a better start than those of another speed.
 const SPEEDS: [f64; 4] = [64.0, 16.0, 4.0, 1.0];
-
-/// What of a contact decides whether finite volumes solve it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct About {
-    /// All is the same along y.
-    pub is_line: bool,
-    /// A roller of finite length.
-    pub is_roller: bool,
-    /// The bodies are half-spaces.
-    pub has_half_spaces: bool,
-    /// Its temperature varies.
-    pub heats: bool,
-    /// Stress thins its fluid.
-    pub thins: bool,
-}
-
-/// Why finite volumes do not solve a contact, in words that follow "finite volumes"; `None` where they do.
-pub fn why_not(about: &About) -> Option<&'static str> {
-    let reasons = [
-        (about.is_line, "do not solve line contacts"),
-        (about.is_roller, "do not solve rollers of finite length"),
-        (
-            !about.has_half_spaces,
-            "need half-spaces, no finite-element bodies",
-        ),
-        (
-            about.heats,
-            "solve isothermal contacts alone ([solver] isothermal = true leaves the heat out)",
-        ),
-        (
-            about.thins,
-            "do not know shear thinning ([solver] newtonian = true leaves it out)",
-        ),
-    ];
-    reasons
-        .into_iter()
-        .find(|(applies, _)| *applies)
-        .map(|(_, reason)| reason)
-}
-
-/// Largest cell of the first grid.
-fn largest_cell<P>(problem: &Problem<P>) -> f64 {
-    let e = &problem.extents;
-    let widest = e.side.max(e.inlet.abs()).max(e.outlet);
-    match problem.shape.inlet {
-        Inlet::Flooded => FIRST_CELL * problem.start_film.sqrt().max(1.0),
-        Inlet::Layer(_) | Inlet::Meniscus => FIRST_CELL.max(widest / FIRST_CELLS),
-    }
-}
-
-/// Cell of the first grid; a meniscus lies on the lines of a grid with cells of twice the size.
-fn first_cell<P>(problem: &Problem<P>) -> f64 {
-    let largest = largest_cell(problem);
-    match Arrival::of(problem) {
-        Arrival::Flooded | Arrival::Layer(_) => largest,
-        Arrival::From(meniscus) => {
-            let unit = 2.0 * largest;
-            largest * meniscus.abs() / (unit * (meniscus.abs() / unit).ceil())
-        }
-    }
-}
-
-/// The box, in the plane in which the zone is the unit circle, that a problem is solved in. Beyond a meniscus it holds the nodes that fluxes there
-/// reach for.
-pub(super) fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
-    let e = &problem.extents;
-    if problem.shape.zone.turn.is_none() {
-        let inlet = match Arrival::of(problem) {
-            Arrival::Flooded | Arrival::Layer(_) => e.inlet,
-            Arrival::From(meniscus) => meniscus - (2 * RING) as f64 * largest_cell(problem),
-        };
-        return [[inlet, e.outlet], [-e.side, e.side]];
-    }
-    let reach = e.side.max(e.inlet.abs()).max(e.outlet);
-    [[-reach, reach]; 2]
-}
-
-/// The grid with cells of the size h: the first one over the whole box, the others within it as far as the margin goes. Its corners are nodes of a
-/// grid with cells of twice the size.
-fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
-    let (unit, zone) = (2.0 * h, &problem.shape.zone);
-    let region = match first {
-        // Nodes whose pressure is given stand beyond the centre at least.
-        None => {
-            let least = ((RING + 1) as f64 * h / unit).ceil() * unit;
-            bounds(problem).map(|[low, high]| {
-                let most = match problem.shape.inlet {
-                    Inlet::Flooded => FIRST_CELLS * h,
-                    Inlet::Layer(_) | Inlet::Meniscus => f64::INFINITY,
-                };
-                let (low, high) = (low.max(-most), high.min(most));
-                let (low, high) = ((low / unit).ceil() * unit, (high / unit).floor() * unit);
-                [low.min(-least), high.max(least)]
-            })
-        }
-        Some(first) => {
-            let margin = match Arrival::of(problem) {
-                Arrival::Flooded | Arrival::From(_) => problem.plan.margin,
-                Arrival::Layer(_) => MENISCUS * problem.plan.margin,
-            };
-            let reach = ((1.0 + margin * h) / unit).floor() * unit;
-            let whole = first.bounds();
-            whole.map(|[low, high]| [low.max(-reach), high.min(reach)])
-        }
-    };
-    let half = problem.shape.symmetry == Symmetry::Half;
-    Grid::covering(region, h, half, zone)
-}
 
 /// Largest change of a pressure in a step: that of [`STEEP`] e-folds of the viscosity, where it is less than usual. By the ridge
 /// of steep viscosities longer steps lead astray.

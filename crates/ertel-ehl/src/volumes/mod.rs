@@ -24,6 +24,8 @@
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
 //! | [`figures`], [`summary`] | figures, error bars, warnings |
 //! | [`tangents`] | derivatives of the figures by inputs |
+//! | [`scope`] | which contacts it solves |
+//! | [`patches`] | which grids it solves them on |
 //! | [`engine`] | grids until the films are as accurate as asked for |
 //!
 //! Theory: Finite volumes.
@@ -42,15 +44,18 @@ pub mod level;
 pub mod multigrid;
 pub mod newton;
 pub mod passing;
+pub mod patches;
 pub mod preconditioner;
 pub mod rectangle;
+pub mod scope;
 pub mod stencil;
 pub mod summary;
 pub mod system;
 pub mod tangents;
 pub mod transfer;
 
-pub use engine::{About, FiniteVolumes, Plan, Volumes, why_not};
+pub use engine::{FiniteVolumes, Plan, Volumes};
+pub use scope::{About, why_not};
 
 #[cfg(test)]
 mod tests;
