@@ -227,3 +227,18 @@ fn the_method_that_takes_less_time() {
         assert_eq!(first_method(&case), method, "{}", case.source);
     }
 }
+
+/// The film of an ellipse at 45 degrees in a thick oil is of some hundred times the depth of the contact; a try of Newton's method on a grid that ends
+/// in no number is repeated with shorter steps and leaves none in the history.
+#[test]
+fn a_try_that_ends_in_no_number_leaves_none() {
+    let text = "lubricant = { name = \"pao-650\", temperature = \"348 K\" }\n[contact]\nkind = \"elliptical\"\nradius_x = \"36 mm\"\n\
+        radius_y = \"3 mm\"\nhertz_pressure = \"0.45 GPa\"\nentrainment_angle = \"45 deg\"\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
+        [motion]\nentrainment_speed = \"12 m/s\"\nslide_to_roll_ratio = 0.0\n[solver]\nmethod = \"finite-volumes\"\nnewtonian = true\n\
+        isothermal = true\n[output]\nsensitivities = false";
+    let document = Document::parse("case.toml", text.to_owned()).unwrap();
+    let case = Case::from_document(&document, "".as_ref()).unwrap();
+    let solution = solved(&case);
+    assert!(solution.history.iter().all(|step| step.update.is_finite()));
+    assert!(solution.summary.film_central.value > 1e-6);
+}

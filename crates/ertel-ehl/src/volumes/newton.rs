@@ -146,6 +146,10 @@ pub fn newton(
         }
         state.separation += step.separation;
         info.imbalance *= system.grid.spacing[0] / at.nodes[centre].film.abs();
+        // Nothing to tell of a step into nowhere: the next attempt begins anew.
+        if !(info.change.is_finite() && state.separation.is_finite()) {
+            return info;
+        }
         observer.iteration(&IterationRecord {
             level,
             pressure_order: 1,
@@ -158,9 +162,6 @@ pub fn newton(
             film_central: film_scale * at.nodes[centre].film,
             heat: None,
         });
-        if !(info.change.is_finite() && state.separation.is_finite()) {
-            return info;
-        }
         // A step that the linear solver left half way says nothing.
         let exact = step.krylov_iterations < params.max_krylov_iterations;
         // Mass is kept at each node once no further one has too little outflow.

@@ -34,7 +34,7 @@ rows! {
             pressure; `"films"`: for the films only. Only with adaptive refinement"#;
         pressure_error: Share, bounds [1e-4, 0.2] => r#"additional target, 3.5 times `target_error` if absent: root-mean-square error of the
             pressure over the dry contact, relative to the Hertz pressure{}. Only with adaptive refinement, and not with `refine_for = "films"`"#;
-        max_unknowns: Count, bounds [1e3, 2e6] => r"approximate limit of the pressure unknowns in this refinement{}; default 100,000, with
+        max_unknowns: Count, bounds [1e3, 2e6] => r"approximate limit of the pressure unknowns in this refinement{}; default 100,000, of finite volumes 400,000, with
             finite-element bodies 8,000. If a limit is reached before the target, a warning says which, and the error bar is correspondingly
             wider. Case files from before the half-space operator counted displacements here: their numbers are still valid, and allow finer
             meshes";

@@ -17,7 +17,7 @@ use crate::volumes::tangents::Tangents;
 use crate::volumes::{FiniteVolumes, Plan, fields, summary};
 
 /// Unknowns of a grid that refinement may go to unless the user allows more: some seconds.
-const MAX_UNKNOWNS: usize = 200_000;
+const MAX_UNKNOWNS: usize = 400_000;
 
 /// Solves a case.
 ///
