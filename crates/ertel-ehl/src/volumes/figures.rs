@@ -221,9 +221,11 @@ pub fn bars(of_grids: [Option<&Figures>; 3], cell: f64, least: [f64; 2]) -> Bars
         };
         // No maximum: it would lose a number that is none.
         let value = if value < least { least } else { value };
-        // A film below zero is none.
+        // A film below zero is none: not resolved.
         let value = match figure {
-            Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => f64::INFINITY,
+            Figure::FilmMinimum | Figure::FilmCentral if reading.value <= 0.0 => {
+                value.max(2.0 * reading.value.abs())
+            }
             Figure::FilmMinimum | Figure::FilmCentral => value,
             // Nothing is known better than the film that it goes with.
             Figure::FilmCentrelineMinimum => value.max(minimum * reading.size),

@@ -54,6 +54,9 @@ pub struct NewtonInfo {
     pub seconds: [f64; 3],
 }
 
+/// Largest pressure, in p_h, below which changes are told beside it.
+const LOW: f64 = 0.1;
+
 /// Share of the tolerance below which nodes that come and go by the edge of the film count for nothing.
 const SETTLED: f64 = 0.01;
 
@@ -145,6 +148,11 @@ pub fn newton(
             }
         }
         state.separation += step.separation;
+        // Around thick films all pressures are far below that of the dry contact.
+        let largest = state.pressure.iter().fold(0.0_f64, |m, p| m.max(*p));
+        if largest < LOW {
+            info.change /= largest;
+        }
         info.imbalance *= system.grid.spacing[0] / at.nodes[centre].film.abs();
         // Nothing to tell of a step into nowhere: the next attempt begins anew.
         if !(info.change.is_finite() && state.separation.is_finite()) {
