@@ -15,8 +15,8 @@ pub enum NoDerivative {
     /// The mesh cannot be made for the changed shape.
     #[error("the mesh cannot be made for a changed shape")]
     Mesh,
-    /// The linear equations for it are singular.
-    #[error("the linear equations for it are singular")]
+    /// Its linear equations could not be solved.
+    #[error("its linear equations could not be solved")]
     LinearSolver,
 }
 

@@ -62,8 +62,15 @@ impl Beyond {
         drag.max(0.0) / (film * film)
     }
 
-    /// Gives the edge of the grid the pressures there, and takes the load beyond it off that of the grid.
-    pub fn note(&self, shape: &Shape, system: &mut System, state: &mut State) {
+    /// Where the contact area goes beyond a first grid: gives its edge the pressures there, and takes the load beyond it off that of the grid.
+    pub fn note<Plan>(problem: &Problem<Plan>, system: &mut System, state: &mut State) {
+        system.beyond = Beyond::of(problem, &system.grid);
+        if let Some(beyond) = system.beyond.clone() {
+            beyond.give(&problem.shape, system, state);
+        }
+    }
+
+    fn give(&self, shape: &Shape, system: &mut System, state: &mut State) {
         let films = system.films(state);
         for (k, [i, j]) in system.grid.nodes().enumerate() {
             if !system.grid.is_unknown(i, j) {

@@ -198,10 +198,7 @@ impl Engine for FiniteVolumes {
                 None => {
                     let mut system = first_system(problem, grid, deflection);
                     let mut state = first_state(problem, &system);
-                    system.beyond = Beyond::of(problem, &system.grid);
-                    if let Some(beyond) = system.beyond.clone() {
-                        beyond.note(&problem.shape, &mut system, &mut state);
-                    }
+                    Beyond::note(problem, &mut system, &mut state);
                     (system, state)
                 }
                 Some(before) => refined(problem, before, grid, deflection),

@@ -80,6 +80,14 @@ pub struct Cycle {
     lu: FrontalLu,
 }
 
+impl Level {
+    /// r = b − M x.
+    fn note_residual(&mut self) {
+        let rows = &self.matrix.rows;
+        residual(self.transfer.fine, rows, &self.b, &self.x, &mut self.r);
+    }
+}
+
 impl Cycle {
     /// For a matrix on the finest of the grids; `None` where that on the coarsest is singular.
     pub fn new(grids: &Grids, matrix: Matrix) -> Option<Cycle> {
@@ -140,13 +148,7 @@ impl Cycle {
         level.x.fill(0.0);
         level.r.copy_from_slice(&level.b);
         level.factors.add_solution(&mut level.r, &mut level.x);
-        residual(
-            transfer.fine,
-            &level.matrix.rows,
-            &level.b,
-            &level.x,
-            &mut level.r,
-        );
+        level.note_residual();
         match tail.first_mut() {
             Some(next) => {
                 let of_rows = [&next.matrix.sizes, &level.r].map(Vec::as_slice);
@@ -167,13 +169,7 @@ impl Cycle {
             }
         }
         let level = &mut self.levels[l];
-        residual(
-            transfer.fine,
-            &level.matrix.rows,
-            &level.b,
-            &level.x,
-            &mut level.r,
-        );
+        level.note_residual();
         level.factors.add_solution(&mut level.r, &mut level.x);
     }
 }

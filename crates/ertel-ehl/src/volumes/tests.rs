@@ -119,29 +119,33 @@ fn jacobian_against_differences() {
     };
     for (half, entrainment) in [(true, Planar::along_x(1.0)), (false, spin)] {
         let (system, state) = system(half, entrainment);
-        let at = system.linearise(&state);
-        // A smooth change where there is pressure, so that none falls below zero.
-        let change: Vec<f64> = (system.grid.nodes().zip(&state.pressure))
-            .map(|([i, j], p)| match *p > 0.0 {
-                true => 0.3 * (i as f64).sin() + 0.2 * (1.7 * j as f64).cos(),
-                false => 0.0,
-            })
-            .collect();
-        let own = system.change(&at, &change, 0.4);
-        let moved = |step: f64| {
-            let mut state = state.clone();
-            let pairs = state.pressure.iter_mut().zip(&change);
-            pairs.for_each(|(p, c)| *p += step * c);
-            state.separation += 0.4 * step;
-            system.linearise(&state).outflow
-        };
-        let step = 1e-6;
-        let [below, above] = [-step, step].map(moved);
-        let size = own.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
-        for (k, own) in own.iter().enumerate() {
-            let difference = (above[k] - below[k]) / (2.0 * step);
-            assert_relative_eq!(*own, difference, epsilon = 2e-5 * size, max_relative = 1e-4);
-        }
+        assert_changes(&system, &state, 1e-6);
+    }
+}
+
+/// Compares changes of the balances at a state with central differences over a step.
+fn assert_changes(system: &System, state: &State, step: f64) {
+    let at = system.linearise(state);
+    // A smooth change where there is pressure, so that none falls below zero.
+    let change: Vec<f64> = (system.grid.nodes().zip(&state.pressure))
+        .map(|([i, j], p)| match *p > 0.0 {
+            true => 0.3 * (i as f64).sin() + 0.2 * (1.7 * j as f64).cos(),
+            false => 0.0,
+        })
+        .collect();
+    let own = system.change(&at, &change, 0.4);
+    let moved = |step: f64| {
+        let mut state = state.clone();
+        let pairs = state.pressure.iter_mut().zip(&change);
+        pairs.for_each(|(p, c)| *p += step * c);
+        state.separation += 0.4 * step;
+        system.linearise(&state).outflow
+    };
+    let [below, above] = [-step, step].map(moved);
+    let size = own.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
+    for (k, own) in own.iter().enumerate() {
+        let difference = (above[k] - below[k]) / (2.0 * step);
+        assert_relative_eq!(*own, difference, epsilon = 2e-5 * size, max_relative = 1e-4);
     }
 }
 
@@ -315,7 +319,7 @@ fn tangents_against_differences_of_solves() {
         let solved = solved(problem);
         figures(problem, &solved.levels[..n])
     };
-    let n = found.levels.len() - 2;
+    let n = (found.levels.len() - 2).max(5).min(found.levels.len());
     let here = figures(&own, &found.levels[..n]);
     for ((of, size), derivatives) in [
         (&by_speed as &dyn Fn(f64) -> Problem<Plan>, 0.8),
@@ -324,7 +328,8 @@ fn tangents_against_differences_of_solves() {
     .into_iter()
     .zip(derivatives)
     {
-        let wide = 0.02;
+        // So narrow that the minimum stays with its node: over 4 % what is read off between nodes differs by 0.3 % of it.
+        let wide = 0.002;
         let [below, above] = [-wide, wide].map(|d| figures_of(&of(d * size), n));
         for (figure, derivative) in tangents.figures().into_iter().zip(derivatives.unwrap()) {
             let of = |figures: &Figures| figures.value(figure).unwrap();
