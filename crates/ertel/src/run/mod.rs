@@ -152,8 +152,8 @@ fn solve_here(
     }
 }
 
-/// Moes' groups M and L up to which finite elements take less time for a circular contact, measured on maps of both (`benches/methods.rs`).
-const ELEMENTS_UP_TO: [f64; 2] = [400.0, 11.0];
+/// Moes' groups M and L up to which finite elements take less time for a circular contact, measured by `benches/methods.rs`.
+const ELEMENTS_UP_TO: [f64; 2] = [1500.0, 11.0];
 
 /// The method that a case asks for, or else the one that takes less time: finite volumes for elliptical and starved contacts that they solve, and for
 /// circular ones with thin films or steep viscosities.
