@@ -271,6 +271,21 @@ impl FilmFluid {
         Some(self.thinning_at(pressure)?.scales())
     }
 
+    /// Stresses, in units of a p_h/R, far below which nothing thins at P, and where the fluidity has grown by a number of e-folds if it grows
+    /// exponentially; `None` where the fluid is Newtonian.
+    pub fn stresses_between(&self, pressure: f64, folds: f64) -> Option<[f64; 2]> {
+        let scales = self.stress_scales(pressure)?;
+        let limit = scales.limit.map(|limit| limit.fold.min(limit.stress));
+        let smallest = [scales.knee, scales.growth, limit].into_iter().flatten();
+        let beyond = scales.limit.map(|limit| limit.joint + folds * limit.fold);
+        let growth = scales.growth.map(|growth| folds * growth);
+        let largest = [beyond, growth].into_iter().flatten();
+        Some([
+            smallest.reduce(f64::min)?,
+            largest.fold(f64::INFINITY, f64::min),
+        ])
+    }
+
     /// σ, by which Ω = σμ̄/H.
     pub fn slide(&self) -> &Planar {
         &self.slide

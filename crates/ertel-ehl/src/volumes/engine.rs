@@ -75,6 +75,9 @@ const AGAIN: (f64, usize) = (0.05, 60);
 /// the grid before are a better start than those of another speed.
 const SPEEDS: [f64; 4] = [64.0, 16.0, 4.0, 1.0];
 
+/// Softness of a law whose shear rate grows exponentially with the stress, by which a grid is solved where it does not converge at once.
+const SOFTNESS: [f64; 6] = [243.0, 81.0, 27.0, 9.0, 3.0, 1.0];
+
 /// Largest change of a pressure in a step: that of [`STEEP`] e-folds of the viscosity, where it is less than usual. By the ridge
 /// of steep viscosities longer steps lead astray.
 fn largest_change(problem: &Problem<Plan>) -> f64 {
@@ -109,19 +112,28 @@ fn solve_on(
         max_iterations: AGAIN.1,
         ..*params
     };
-    let slowly = [(1.0, &patient)];
-    let faster = SPEEDS.map(|factor| (factor, params));
-    let attempts: [&[(f64, &NewtonParams)]; 2] = match level {
-        0 => [&slowly, &faster],
-        _ => [&slowly, &[]],
+    let slowly = [(1.0, 1.0, &patient)];
+    let softly = SOFTNESS.map(|softness| (1.0, softness, params));
+    let faster = SPEEDS.map(|factor| (factor, 1.0, params));
+    let softly: &[_] = match problem.fluid.is_exponential() {
+        true => &softly,
+        false => &[],
+    };
+    let attempts: [&[(f64, f64, &NewtonParams)]; 3] = match level {
+        0 => [softly, &slowly, &faster],
+        _ => [softly, &slowly, &[]],
     };
     for attempt in attempts {
-        if all.converged || all.interrupted || attempt.is_empty() {
+        if all.converged || all.interrupted {
             break;
         }
+        if attempt.is_empty() {
+            continue;
+        }
         *state = start.clone();
-        for (factor, params) in attempt {
-            system.lambda = factor * problem.scales.lambda;
+        for (speed, softness, params) in attempt {
+            system.lambda = speed * problem.scales.lambda;
+            system.fluid = problem.fluid.with_softness(*softness);
             let info = newton(system, &pattern, state, params, about, observer);
             all = NewtonInfo {
                 iterations: all.iterations + info.iterations,
@@ -135,6 +147,7 @@ fn solve_on(
         }
     }
     system.lambda = problem.scales.lambda;
+    system.fluid = problem.fluid.clone();
     ended(all)
 }
 

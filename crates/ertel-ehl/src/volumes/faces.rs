@@ -6,8 +6,11 @@
 //!   m = m_u + ¼s((1 − ⅓s) b + (1 + ⅓s) a),  a = m_d − m_u,  b = m_u − m_uu      third-order upwind where s = 1
 //!   s = (2ab + e²)/(a² + b² + e²) or 0,  e = m/10              limited where slopes differ (van Albada et al. 1982)
 //! ```
-//! φ is exact where ln μ̄ is linear between the nodes. A film below zero lets nothing through by pressure; what is entrained keeps its sign, so that a
+//! φ is exact where ln μ̄ is linear between the nodes. Where stress thins the film, l is ln(μ̄/K) of the nodes, and −H₊³ρ̄/λ · ½(c_a + c_b) is added for the gradient
+//! across (see [`super::thinning`]). A film below zero lets nothing through by pressure; what is entrained keeps its sign, so that a
 //! grid too coarse for a film has a solution, too.
+
+use super::thinning::Thinned;
 
 /// What the film equation sees at a node.
 #[derive(Clone, Copy, Debug, Default)]
@@ -33,8 +36,12 @@ pub struct Face {
     pub flux: f64,
     /// ∂F by the pressures on either side, film and entrained mass held.
     pub by_pressure: [f64; 2],
-    /// ∂F by the film of either side, entrained mass held.
-    pub by_film: f64,
+    /// ∂F by the films on either side, entrained mass held.
+    pub by_film: [f64; 2],
+    /// ∂F by l of either side.
+    pub by_resistance: [f64; 2],
+    /// ∂F by c of either side.
+    pub by_oblique: f64,
     /// ∂F by m of the nodes uu, u, d.
     pub by_mass: [f64; 3],
     /// ∂F by the content of the node upstream, where that does not fill the face.
@@ -93,23 +100,72 @@ pub fn upwind([uu, u, d]: [f64; 3]) -> (f64, [f64; 3]) {
     (value, slopes)
 }
 
+/// What resists the pressure at a node along the direction of a face: l and c with their derivatives by P and by H.
+#[derive(Clone, Copy, Debug)]
+pub struct Resistance {
+    /// l.
+    pub ln: [f64; 3],
+    /// c.
+    pub oblique: [f64; 3],
+}
+
+impl Resistance {
+    /// Of a node, thinned or not, along a direction of the grid.
+    #[inline(always)]
+    pub fn new(node: &Node, thinned: Option<&Thinned>, direction: usize) -> Resistance {
+        let [ln, by_p] = node.ln_viscosity;
+        let Some(thinned) = thinned else {
+            return Resistance {
+                ln: [ln, by_p, 0.0],
+                oblique: [0.0; 3],
+            };
+        };
+        let [flow, flow_by_p, flow_by_film, ..] = thinned.ln_flow[direction];
+        let [c, c_by_p, c_by_film, ..] = thinned.oblique[direction];
+        Resistance {
+            ln: [ln - flow, by_p - flow_by_p, -flow_by_film],
+            oblique: [c, c_by_p, c_by_film],
+        }
+    }
+}
+
 /// Flux from node a to node b at the distance h, with the entrainment u along that direction; `beyond` are the nodes before a and behind b.
 #[inline(always)]
-pub fn face(a: &Node, b: &Node, beyond: [&Node; 2], u: f64, lambda: f64, h: f64) -> Face {
+pub fn face(
+    [a, b]: [&Node; 2],
+    resistance: [Resistance; 2],
+    beyond: [&Node; 2],
+    u: f64,
+    lambda: f64,
+    h: f64,
+) -> Face {
     let film = (0.5 * (a.film + b.film)).max(0.0);
-    let [phi, by_a, by_b] = fitted(a.ln_viscosity[0], b.ln_viscosity[0]);
+    let [from, to] = resistance;
+    let [phi, by_a, by_b] = fitted(from.ln[0], to.ln[0]);
     let density = 0.5 * (a.density[0] + b.density[0]);
     let scale = film * film * film / (lambda * h);
     let difference = b.pressure - a.pressure;
     let conductance = scale * density * phi;
-    let by = |node: &Node, slope: f64| {
-        let of_viscosity = density * slope * node.ln_viscosity[1];
-        -scale * difference * (of_viscosity + 0.5 * phi * node.density[1])
+    // Both sides weigh the same in the gradient across.
+    let across = 0.5 * scale * h * density;
+    let oblique = from.oblique[0] + to.oblique[0];
+    let by = |node: &Node, own: &Resistance, slope: f64| {
+        let by_density = 0.5 * node.density[1] / density;
+        [
+            -scale * difference * density * (slope * own.ln[1] + phi * by_density)
+                - across * (own.oblique[1] + oblique * by_density),
+            -scale * difference * density * slope * own.ln[2] - across * own.oblique[2],
+        ]
     };
+    let driven = -conductance * difference - across * oblique;
+    let by_height = if film > 0.0 { 1.5 * driven / film } else { 0.0 };
+    let [[a_by_p, a_by_film], [b_by_p, b_by_film]] = [by(a, &from, by_a), by(b, &to, by_b)];
     let mut face = Face {
-        flux: -conductance * difference,
-        by_pressure: [conductance + by(a, by_a), -conductance + by(b, by_b)],
-        by_film: -1.5 * film * film / (lambda * h) * density * phi * difference,
+        flux: driven,
+        by_pressure: [conductance + a_by_p, -conductance + b_by_p],
+        by_film: [by_height + a_by_film, by_height + b_by_film],
+        by_resistance: [by_a, by_b].map(|slope| -scale * difference * density * slope),
+        by_oblique: -across,
         by_mass: [0.0; 3],
         by_content: 0.0,
         entrainment: u,
@@ -164,7 +220,19 @@ mod tests {
         }
     }
 
-    /// All derivatives of a flux against differences, flow from either side, where it is smooth, at a kink and where it turns.
+    /// Thinned as ln K = 0.3 P − 0.4 H, c = 0.2 P H, or not at all.
+    fn resistances(nodes: [&Node; 2], thins: bool) -> [Resistance; 2] {
+        nodes.map(|node| {
+            let (p, h) = (node.pressure, node.film);
+            let thinned = Thinned {
+                ln_flow: [[0.3 * p - 0.4 * h, 0.3, -0.4, 0.0, 0.0]; 2],
+                oblique: [[0.2 * p * h, 0.2 * h, 0.2 * p, 0.0, 0.0]; 2],
+            };
+            Resistance::new(node, thins.then_some(&thinned), 0)
+        })
+    }
+
+    /// All derivatives of a flux against differences, flow from either side, where it is smooth, at a kink and where it turns, thinned and not.
     #[test]
     fn derivatives_against_differences() {
         let films = [
@@ -174,10 +242,12 @@ mod tests {
         ];
         let pressures = [0.25, 0.3, 0.36, 0.4];
         for films in films {
-            for u in [1.0, -0.7] {
+            for (u, thins) in [(1.0, false), (-0.7, true)] {
                 let at = |p: [f64; 4], h: [f64; 4]| {
                     let n = [0, 1, 2, 3].map(|i: usize| node(p[i], h[i]));
-                    face(&n[1], &n[2], [&n[0], &n[3]], u, 0.02, 0.05)
+                    let ends = [&n[1], &n[2]];
+                    let resistance = resistances(ends, thins);
+                    face(ends, resistance, [&n[0], &n[3]], u, 0.02, 0.05)
                 };
                 let f = at(pressures, films);
                 let nodes = [0, 1, 2, 3].map(|i: usize| node(pressures[i], films[i]));
@@ -189,7 +259,7 @@ mod tests {
                         .map_or(0.0, |k| f.by_mass[k]);
                     let side = [None, Some(0), Some(1), None][i];
                     let by_pressure = side.map_or(0.0, |s: usize| f.by_pressure[s]);
-                    let by_film = side.map_or(0.0, |_| f.by_film);
+                    let by_film = side.map_or(0.0, |s: usize| f.by_film[s]);
                     let step = 1e-6;
                     let moved = |dp: f64, dh: f64| {
                         let (mut p, mut h) = (pressures, films);
@@ -213,14 +283,8 @@ mod tests {
     fn fluxes_are_monotone() {
         for (a, b) in [(0.05, 0.95), (0.95, 0.05), (0.3, 0.31), (0.0001, 1.2)] {
             let nodes = [node(a, 0.01), node(b, 0.01)];
-            let f = face(
-                &nodes[0],
-                &nodes[1],
-                [&nodes[0], &nodes[1]],
-                0.0,
-                0.02,
-                0.05,
-            );
+            let ends = [&nodes[0], &nodes[1]];
+            let f = face(ends, resistances(ends, false), ends, 0.0, 0.02, 0.05);
             assert!(
                 f.by_pressure[0] > 0.0 && f.by_pressure[1] < 0.0,
                 "{a} {b} {f:?}"

@@ -133,7 +133,7 @@ fn with_film(shape: &Shape, level: &Level, mut fields: PointFields) -> PointFiel
 }
 
 /// Slopes along both directions by differences, one-sided along the edges.
-fn slopes(grid: &Grid, values: &[f64], i: usize, j: usize) -> [f64; 2] {
+pub(super) fn slopes(grid: &Grid, values: &[f64], i: usize, j: usize) -> [f64; 2] {
     let difference = |at: usize, n: usize, mirrored: bool, of: &dyn Fn(usize) -> f64, h: f64| {
         if mirrored && at + 1 == n {
             return 0.0;

@@ -12,6 +12,7 @@
 //! | [`grid`] | nodes of a patch |
 //! | [`convolution`] | deflection of the half-spaces |
 //! | [`faces`] | flux through a face and its derivatives |
+//! | [`thinning`] | how stress thins the film at a node |
 //! | [`contents`] | oil in gaps that it does not fill |
 //! | [`passing`] | how contents change with the pressures |
 //! | [`system`] | the equation, its linearisation and Newton's step |
@@ -52,6 +53,7 @@ pub mod stencil;
 pub mod summary;
 pub mod system;
 pub mod tangents;
+pub mod thinning;
 pub mod transfer;
 
 pub use engine::{FiniteVolumes, Plan, Volumes};

@@ -192,9 +192,9 @@ impl Cross {
         let ends = [face, face + [1, grid.n[0]][direction]];
         let other = 1 + 2 * direction + usize::from(is_first);
         let slots = if is_first { [0, other] } else { [other, 0] };
-        for (slot, slope) in slots.into_iter().zip(f.by_pressure) {
-            self.by_pressure[slot] += weight * slope;
-            self.by_film[slot] += weight * f.by_film;
+        for (end, slot) in slots.into_iter().enumerate() {
+            self.by_pressure[slot] += weight * f.by_pressure[end];
+            self.by_film[slot] += weight * f.by_film[end];
         }
         let upstream = usize::from(f.from_second);
         let entrained: f64 = f.by_mass.iter().sum();

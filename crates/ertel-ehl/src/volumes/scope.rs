@@ -11,8 +11,6 @@ pub struct About {
     pub has_half_spaces: bool,
     /// Its temperature varies.
     pub heats: bool,
-    /// Stress thins its fluid.
-    pub thins: bool,
 }
 
 /// Why finite volumes do not solve a contact, in words that follow "finite volumes"; `None` where they do.
@@ -27,10 +25,6 @@ pub fn why_not(about: &About) -> Option<&'static str> {
         (
             about.heats,
             "solve isothermal contacts alone ([solver] isothermal = true leaves the heat out)",
-        ),
-        (
-            about.thins,
-            "do not know shear thinning ([solver] newtonian = true leaves it out)",
         ),
     ];
     reasons

@@ -14,12 +14,15 @@ use rayon::prelude::*;
 use super::beyond::Beyond;
 use super::contents::{Arrival, distribute};
 use super::convolution::Convolution;
-use super::faces::{Face, Node, face};
+use super::faces::{Face, Node, Resistance, face};
+use super::film::slopes;
 use super::grid::{Grid, RING};
 use super::passing::Passing;
 use super::preconditioner::Preconditioner;
+use super::thinning::Thinned;
 use crate::contact::Planar;
 use crate::film::FilmFluid;
+use crate::film::cross_film::CrossFilm;
 
 /// A film on a grid: what does not change during a solve.
 pub struct System {
@@ -60,6 +63,8 @@ pub struct State {
 pub struct Linearised {
     /// Fields at the nodes.
     pub nodes: Vec<Node>,
+    /// How stress thins the film there, none where it does not.
+    pub thinned: Vec<Thinned>,
     /// Faces towards the next node along the first direction, and along the second.
     pub faces: [Vec<Face>; 2],
     /// G.
@@ -130,7 +135,8 @@ impl System {
             .with_min_len(BATCH)
             .map(|(p, film)| self.node(*p, *film))
             .collect();
-        let mut faces = [0, 1].map(|direction| self.faces(&nodes, direction));
+        let thinned = self.thinned(&nodes, &state.pressure);
+        let mut faces = [0, 1].map(|direction| self.faces(&nodes, &thinned, direction));
         let grid = &self.grid;
         let contents = match state.contents.is_empty() {
             true => Vec::new(),
@@ -153,10 +159,32 @@ impl System {
             passing,
             missing_load: self.load - self.integral(&state.pressure),
             nodes,
+            thinned,
             faces,
             outflow,
             wetted,
         }
+    }
+
+    /// How stress thins the film at the nodes.
+    fn thinned(&self, nodes: &[Node], pressure: &[f64]) -> Vec<Thinned> {
+        if self.fluid.is_newtonian() {
+            return Vec::new();
+        }
+        let grid = &self.grid;
+        let nx = grid.n[0];
+        let of_node = |rule: &mut CrossFilm, k: usize| {
+            let [i, j] = [k % nx, k / nx];
+            let gradient = slopes(grid, pressure, i, j);
+            let slide = self.fluid.slide().at(grid.place(i, j));
+            let node = (&nodes[k], grid.spacing[0]);
+            Thinned::at(&self.fluid, node, gradient, grid.turn.to_axes(slide), rule)
+        };
+        (0..nodes.len())
+            .into_par_iter()
+            .with_min_len(BATCH)
+            .map_init(CrossFilm::default, of_node)
+            .collect()
     }
 
     /// Whether a node is unknown and there may be pressure.
@@ -179,7 +207,7 @@ impl System {
     }
 
     /// Faces from each node to the next one along a direction; none where no unknown node has them.
-    fn faces(&self, nodes: &[Node], direction: usize) -> Vec<Face> {
+    fn faces(&self, nodes: &[Node], thinned: &[Thinned], direction: usize) -> Vec<Face> {
         let grid = &self.grid;
         let [nx, ny] = grid.n;
         let step = [1, nx][direction];
@@ -216,7 +244,11 @@ impl System {
                 let behind = (k + 2 * step).min(nodes.len() - 1);
                 let beyond = [&nodes[k - step], &nodes[behind]];
                 let spacing = grid.spacing[direction];
-                faces[i] = face(&nodes[k], &nodes[k + step], beyond, u, self.lambda, spacing);
+                let ends = [k, k + step];
+                let resistance =
+                    ends.map(|k| Resistance::new(&nodes[k], thinned.get(k), direction));
+                let nodes = ends.map(|k| &nodes[k]);
+                faces[i] = face(nodes, resistance, beyond, u, self.lambda, spacing);
             }
         });
         faces
@@ -260,6 +292,7 @@ impl System {
         let mass: Vec<f64> = (at.nodes.iter().zip(pressure.iter().zip(film)))
             .map(|(node, (p, h))| node.mass_by[0] * p + node.mass_by[1] * h)
             .collect();
+        let resistance = self.resistance_by_gradient(at, pressure);
         let mut change = self.balance(|direction, k| {
             let face = &at.faces[direction][k];
             let step = [1, nx][direction];
@@ -273,11 +306,36 @@ impl System {
             };
             face.by_pressure[0] * pressure[k]
                 + face.by_pressure[1] * pressure[next]
-                + face.by_film * (film[k] + film[next])
+                + face.by_film[0] * film[k]
+                + face.by_film[1] * film[next]
                 + entrained
+                + match (resistance.get(k), resistance.get(next)) {
+                    (Some(here), Some(there)) => {
+                        let [a, b] = [here, there].map(|of| of[direction]);
+                        face.by_resistance[0] * a[0]
+                            + face.by_resistance[1] * b[0]
+                            + face.by_oblique * (a[1] + b[1])
+                    }
+                    _ => 0.0,
+                }
         });
         at.passing.follow(&mut change);
         change
+    }
+
+    /// Changes of l and c along both directions at the nodes as the gradient of the pressure changes, none where nothing thins.
+    fn resistance_by_gradient(&self, at: &Linearised, pressure: &[f64]) -> Vec<[[f64; 2]; 2]> {
+        let grid = &self.grid;
+        let nx = grid.n[0];
+        let of_node = |(k, thinned): (usize, &Thinned)| {
+            let gradient = slopes(grid, pressure, k % nx, k / nx);
+            let along = |[.., x, y]: [f64; 5]| x * gradient[0] + y * gradient[1];
+            [0, 1].map(|d: usize| [-along(thinned.ln_flow[d]), along(thinned.oblique[d])])
+        };
+        (at.thinned.par_iter().enumerate())
+            .with_min_len(BATCH)
+            .map(of_node)
+            .collect()
     }
 
     /// Newton's step by preconditioned Krylov iterations in pressures and separation.

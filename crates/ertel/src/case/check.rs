@@ -371,7 +371,6 @@ pub fn finite_volumes_refuse(case: &Case) -> Option<&'static str> {
         is_roller: case.contact.roller.is_some(),
         has_half_spaces: case.elastic_model() == ElasticModel::HalfSpace,
         heats: case.thermal().is_some(),
-        thins: case.shear_thinning().is_some(),
     })
 }
 
