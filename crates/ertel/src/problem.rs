@@ -1,11 +1,12 @@
 //! From a case to its dimensionless problem: scales, equations, meshes, stages.
 
+mod outlet;
 mod thinning;
 
 use crate::case::{Case, SolidHeat};
 use crate::contact::starvation::starved_film;
 use crate::contact::{
-    Family, Groups, Hertz, Inlet, Material, OilLayer, Planar, Scales, Shape, Supply,
+    Family, Groups, Hertz, Inlet, Material, OilLayer, Outline, Planar, Scales, Shape, Supply,
     equivalent_body, hertz,
 };
 use crate::elastic::{BodyModel, Elasticity};
@@ -81,17 +82,6 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
         scales.film,
     );
     let mesh_film = thinning::film_of_mesh(case, start_film * scales.film) / scales.film;
-    let constants = FilmConstants {
-        lambda: scales.lambda,
-        entrainment: case.motion.entrainment(scales.length),
-        formulation: case.solver.formulation,
-        isotropic_diffusion: case.solver.isotropic_diffusion,
-        ridge_diffusion: 0.0,
-        elastic_stabilisation: case.solver.elastic_stabilisation,
-        penalty: case.solver.penalty,
-        penalty_scaling: case.solver.penalty_scaling,
-        film_scale: start_film,
-    };
     let materials = [&case.body_1, &case.body_2].map(|body| body.elasticity);
     let bodies = match case.elastic_model() {
         ElasticModel::Equivalent => vec![equivalent_body(materials[0], materials[1])],
@@ -133,6 +123,19 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     if let Supply::Meniscus { distance } = case.supply {
         extents.inlet = -distance / scales.length;
     }
+    let constants = FilmConstants {
+        lambda: scales.lambda,
+        entrainment: case.motion.entrainment(scales.length),
+        formulation: case.solver.formulation,
+        isotropic_diffusion: case.solver.isotropic_diffusion,
+        ridge_diffusion: 0.0,
+        elastic_stabilisation: case.solver.elastic_stabilisation,
+        penalty: case.solver.penalty,
+        penalty_scaling: case.solver.penalty_scaling,
+        film_scale: start_film,
+        far_outlet: matches!(shape.outline(), Outline::Ellipse)
+            && outlet::is_far(extents.outlet, flooded_film),
+    };
     let plan = Plan {
         stages: stages(
             (&case.mesh, rim_finesse(case)),
@@ -358,20 +361,16 @@ fn reach(family: Family, model: ElasticModel, heats: bool, film: f64) -> Reach {
 fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents {
     let inlet = mesh.inlet.unwrap_or(-reach.inlet);
     let outlet = mesh.outlet.unwrap_or_else(|| {
-        // Where thick films break off at an angle to the motion, an edge near by cuts into them (M = 0.5, R_y/R_x = 12: 12 % of the film).
-        let skewed = match shape.zone.turn.is_none() {
-            true => 0.0,
-            false => 4.0 * film,
-        };
+        if !shape.zone.turn.is_none() {
+            return outlet::at_an_angle(film, reach.inlet, shape.inlet == Inlet::Flooded);
+        }
         // The dry contact of a short or crowned roller is wider in places than that of its line (ISO profile, 12 half-widths long: 1.5).
         let widest = shape
             .zone
             .roller
             .as_ref()
             .map_or(1.0, |r| r.half_extents()[0]);
-        1.5_f64
-            .max((1.0 + 1.5 * film.sqrt() + skewed).ceil_half())
-            .max((widest + BEYOND_ROLLER).ceil_half())
+        outlet::near(film).max((widest + BEYOND_ROLLER).ceil_half())
     });
     let side = mesh.side.unwrap_or_else(|| {
         // The film ends with the roller.

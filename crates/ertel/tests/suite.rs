@@ -25,6 +25,7 @@ mod skewed;
 mod solver;
 mod starvation;
 mod thermal_results;
+mod thick_films;
 mod verify_cases;
 mod verify_coupling;
 mod verify_elasticity;

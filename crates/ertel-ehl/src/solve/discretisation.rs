@@ -73,6 +73,10 @@ pub struct Cell {
     pub size: f64,
     /// T by which diffusions are multiplied where it is shorter across the motion than along it, xx, xy, yy.
     pub diffusion_tensor: Option<[f64; 3]>,
+    /// The undeformed gap at its centre.
+    pub gap: f64,
+    /// The larger curvature of the gap, over that along the first principal direction: across slender films the rupture is as much steeper.
+    pub curvature: f64,
 }
 
 impl ContactSurface {
@@ -241,6 +245,8 @@ impl ContactSurface {
         Cell {
             size: self.sizes[element],
             diffusion_tensor: self.diffusion_tensors.get(element).copied(),
+            gap: self.shape.gap.value(self.surface.centre(element)),
+            curvature: self.shape.gap.curvature_ratio.max(1.0),
         }
     }
 

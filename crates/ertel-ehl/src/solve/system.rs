@@ -44,6 +44,9 @@ pub struct FilmConstants {
     pub penalty_scaling: PenaltyScaling,
     /// Predicted central film H_f.
     pub film_scale: f64,
+    /// Whether the penalty goes with the gap: far out a flow by pressure as H³ outweighs any constant, and behind a contact the film pulls as hard
+    /// as it pushes before it, unless the outlet edge is near (of a ball of H_f = 2.7, with this edge at 300 half-widths, 22 % of the film are lost).
+    pub far_outlet: bool,
 }
 
 impl FilmConstants {
@@ -59,7 +62,12 @@ impl FilmConstants {
             PenaltyScaling::ElementSquared => self.penalty * size * size,
             PenaltyScaling::Constant => self.penalty,
             PenaltyScaling::Film => {
-                self.penalty * (self.film_scale * self.film_scale / self.lambda).max(1.0)
+                let film = self.film_scale;
+                let squared = match self.far_outlet {
+                    true => cell.curvature * film.max(cell.gap).powi(2),
+                    false => film * film,
+                };
+                self.penalty * (squared / self.lambda).max(1.0)
             }
             PenaltyScaling::InverseElementSquared => self.penalty / (size * size),
         };

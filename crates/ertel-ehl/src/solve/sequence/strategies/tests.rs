@@ -32,6 +32,7 @@ pub(in super::super) fn outline(order: usize) -> Outline {
             penalty: 1.0,
             penalty_scaling: PenaltyScaling::default(),
             film_scale: 0.1,
+            far_outlet: false,
         },
         viscosity_exponent: 1.0,
         softness: 1.0,

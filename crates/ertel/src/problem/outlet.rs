@@ -1,0 +1,38 @@
+//! Where the outlet edge of the contact area lies, and how the film is kept from pulling before it.
+//!
+//! Around rigid parabolas pressure goes on far to the sides, and there further downstream than the centre. Far out, with H = r²/2 and the angle ψ from
+//! the inlet, P = λf(ψ)/r³ solves Reynolds' equation where
+//!
+//! ```text
+//!   f'' = 9f − 8 cos ψ,     f = 0.8 cos ψ − A cosh 3ψ,     f = f' = 0 at the rupture:  tan ψ = −3 tanh 3ψ,  ψ = 108.4°
+//! ```
+//! (particular solution: Kapitza 1955): between 90° and that, an outlet edge X cuts off a load that falls with 1/X.
+
+use super::CeilHalf;
+
+/// Film, in a²/R, from which on far pressures count. Measured, all but round, at 45 degrees: at 0.2 and 0.45 the film with the outlet edge near and
+/// far, and with either penalty, is the same within 0.03 %; at 2.7 it is 6 % apart.
+const THICK: f64 = 0.3;
+
+/// Distance of a far outlet edge in lengths √H_f of the rupture. Measured around a ball: the film is short of its limit by 1.6 % over this number
+/// (H_f = 2.7, edges at 2 to 300 half-widths, and 4000).
+const FAR: f64 = 60.0;
+
+/// Where the outlet edge lies along the axes of ellipses, in lines, and around circles: behind the rupture on the centreline.
+pub(super) fn near(film: f64) -> f64 {
+    1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half())
+}
+
+/// Where it lies for an ellipse at an angle: flooded, `inlet` far at most; thin films break off at an angle to the motion, too.
+pub(super) fn at_an_angle(film: f64, inlet: f64, flooded: bool) -> f64 {
+    let skewed = 1.5_f64.max((1.0 + 1.5 * film.sqrt() + 4.0 * film).ceil_half());
+    match flooded && film > THICK {
+        true => (FAR * film.sqrt()).ceil_half().min(inlet).max(near(film)),
+        false => skewed,
+    }
+}
+
+/// Whether an edge lies so far behind a thick film that a penalty of one size does not keep the film before it from pulling.
+pub(super) fn is_far(outlet: f64, film: f64) -> bool {
+    film > THICK && outlet > near(film)
+}
