@@ -57,14 +57,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
     let lubricant = &case.lubricant;
-    let viscosity = lubricant.ambient_viscosity();
-    let scales = Scales::new(
-        &contact,
-        &hertz,
-        &case.motion,
-        viscosity,
-        lubricant.ambient_density(),
-    );
+    let scales = scales(case, &hertz);
     let shape = Shape::new(&contact, &hertz, &case.motion).with_inlet(match case.supply {
         Supply::Flooded => Inlet::Flooded,
         Supply::Meniscus { .. } => Inlet::Meniscus,
@@ -302,6 +295,23 @@ pub fn predicted_film(case: &Case) -> f64 {
     h * along * (2.0 * g.speed).sqrt()
 }
 
+/// Whether that film is so thick beside the contact that pressures far from it count.
+pub fn has_thick_film(case: &Case) -> bool {
+    outlet::is_thick(predicted_film(case) / scales(case, &case.hertz()).film)
+}
+
+/// Scales of the variables of a case with a dry contact.
+fn scales(case: &Case, hertz: &Hertz) -> Scales {
+    let lubricant = &case.lubricant;
+    Scales::new(
+        &case.contact,
+        hertz,
+        &case.motion,
+        lubricant.ambient_viscosity(),
+        lubricant.ambient_density(),
+    )
+}
+
 /// The same of the lubricant as it is compressed: divided by its relative density at the Hertz pressure.
 pub fn estimated_film(case: &Case) -> f64 {
     predicted_film(case) / case.relative_density()
@@ -361,8 +371,13 @@ fn reach(family: Family, model: ElasticModel, heats: bool, film: f64) -> Reach {
 fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents {
     let inlet = mesh.inlet.unwrap_or(-reach.inlet);
     let outlet = mesh.outlet.unwrap_or_else(|| {
+        let is_flooded =
+            shape.inlet == Inlet::Flooded && matches!(shape.outline(), Outline::Ellipse);
+        if let Some(far) = outlet::behind_thick(film, reach.inlet).filter(|_| is_flooded) {
+            return far;
+        }
         if !shape.zone.turn.is_none() {
-            return outlet::at_an_angle(film, reach.inlet, shape.inlet == Inlet::Flooded);
+            return outlet::at_an_angle(film);
         }
         // The dry contact of a short or crowned roller is wider in places than that of its line (ISO profile, 12 half-widths long: 1.5).
         let widest = shape

@@ -356,7 +356,7 @@ impl FilmFluid {
 
     /// Whether the shear rate grows exponentially with the stress: beyond a limit, or in Eyring's fluid.
     pub fn is_exponential(&self) -> bool {
-        (self.shear_thinning.as_ref()).is_some_and(|law| law.is_exponential())
+        (self.shear_thinning.as_ref()).is_some_and(|law| law.law.is_exponential())
     }
 
     /// ρ̄, μ̄ and their first two derivatives by P.

@@ -115,11 +115,6 @@ impl Thinning {
         }
     }
 
-    /// Whether the shear rate grows exponentially with the stress.
-    pub fn is_exponential(&self) -> bool {
-        self.law.limit.is_some() || matches!(self.law.law, Some(ShearLaw::ReeEyring(_)))
-    }
-
     /// The law at P, in units of a stress and a pressure, both in Pa.
     pub fn at(&self, pressure: f64, stress_unit: f64, pressure_unit: f64) -> PointThinning<'_> {
         let p = Dual2_64::from_re(pressure).derivative() * pressure_unit;

@@ -31,6 +31,8 @@ pub struct Plan {
     pub max_unknowns: usize,
     /// Newton's method.
     pub newton: NewtonParams,
+    /// Grids at most.
+    pub most_grids: usize,
     /// Half-widths by which a patch goes beyond the dry contact, in cells of it.
     pub margin: f64,
 }
@@ -42,6 +44,7 @@ impl Plan {
             target_error,
             max_unknowns,
             newton: NewtonParams::default(),
+            most_grids: MOST_GRIDS,
             margin: 45.0,
         }
     }
@@ -194,7 +197,7 @@ impl Engine for FiniteVolumes {
             balance_error: f64::NAN,
         };
         let most = problem.plan.max_unknowns;
-        for n in 0..MOST_GRIDS {
+        for n in 0..problem.plan.most_grids {
             let clock = Instant::now();
             let first = found.levels.first().map(|level| &level.system.grid);
             let grid = grid(problem, h, first);

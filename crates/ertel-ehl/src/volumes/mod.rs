@@ -1,4 +1,4 @@
-//! Finite volumes on regular grids: a monotone engine for isothermal point contacts of half-spaces, flooded or starved.
+//! Finite volumes on regular grids: a monotone engine for isothermal point contacts of half-spaces, flooded or starved, Newtonian or thinned by stress.
 //!
 //! ```text
 //!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
@@ -20,10 +20,11 @@
 //! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
 //! | [`stencil`], [`rectangle`] | its matrix, incomplete and complete factors |
 //! | [`newton`] | Newton's method with active sets |
-//! | [`beyond`] | what lies beyond the first grid |
+//! | [`beyond`], [`far_pressure`] | what lies beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
 //! | [`figures`], [`summary`] | figures, error bars, warnings |
+//! | [`reduction`] | the film beside that of the Newtonian fluid |
 //! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`scope`] | which contacts it solves |
 //! | [`patches`] | which grids it solves them on |
@@ -37,6 +38,7 @@ pub mod contents;
 pub mod convolution;
 pub mod engine;
 pub mod faces;
+pub mod far_pressure;
 pub mod fields;
 pub mod figures;
 pub mod film;
@@ -48,6 +50,7 @@ pub mod passing;
 pub mod patches;
 pub mod preconditioner;
 pub mod rectangle;
+pub mod reduction;
 pub mod scope;
 pub mod stencil;
 pub mod summary;

@@ -60,6 +60,11 @@ pub struct StressScales {
 }
 
 impl ShearThinning {
+    /// Whether the shear rate grows exponentially with the stress: beyond a limit, or in Eyring's fluid.
+    pub fn is_exponential(&self) -> bool {
+        self.limit.is_some() || matches!(self.law, Some(ShearLaw::ReeEyring(_)))
+    }
+
     /// A law without limiting stress.
     pub fn of(law: ShearLaw) -> Self {
         Self {

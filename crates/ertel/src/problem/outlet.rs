@@ -18,18 +18,24 @@ const THICK: f64 = 0.3;
 /// (H_f = 2.7, edges at 2 to 300 half-widths, and 4000).
 const FAR: f64 = 60.0;
 
-/// Where the outlet edge lies along the axes of ellipses, in lines, and around circles: behind the rupture on the centreline.
+/// Where the outlet edge lies behind thin films, in lines and along rollers: behind the rupture on the centreline.
 pub(super) fn near(film: f64) -> f64 {
     1.5_f64.max((1.0 + 1.5 * film.sqrt()).ceil_half())
 }
 
-/// Where it lies for an ellipse at an angle: flooded, `inlet` far at most; thin films break off at an angle to the motion, too.
-pub(super) fn at_an_angle(film: f64, inlet: f64, flooded: bool) -> f64 {
-    let skewed = 1.5_f64.max((1.0 + 1.5 * film.sqrt() + 4.0 * film).ceil_half());
-    match flooded && film > THICK {
-        true => (FAR * film.sqrt()).ceil_half().min(inlet).max(near(film)),
-        false => skewed,
-    }
+/// Where it lies for ellipses at an angle, whose thin films break off at an angle to the motion.
+pub(super) fn at_an_angle(film: f64) -> f64 {
+    1.5_f64.max((1.0 + 1.5 * film.sqrt() + 4.0 * film).ceil_half())
+}
+
+/// Where it lies for flooded circles and ellipses with a thick film, no farther than the inlet; `None` for thin films.
+pub(super) fn behind_thick(film: f64, inlet: f64) -> Option<f64> {
+    (film > THICK).then(|| (FAR * film.sqrt()).ceil_half().min(inlet).max(near(film)))
+}
+
+/// Whether a contact has a film so thick that pressures far out count.
+pub(super) fn is_thick(film: f64) -> bool {
+    film > THICK
 }
 
 /// Whether an edge lies so far behind a thick film that a penalty of one size does not keep the film before it from pulling.

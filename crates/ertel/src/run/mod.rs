@@ -19,11 +19,13 @@ mod volumes;
 use crate::case::{Case, finite_volumes_refuse};
 use crate::contact::{ContactKind, Supply};
 use crate::params::{Method, SolverParams};
+use crate::problem::has_thick_film;
 pub use crate::problem::{estimated_film, groups, predicted_film, problem};
 use crate::solution::{HeatRound, IterationRecord, Solution};
 use crate::solve::sequence;
 use crate::solve::{Observer, SolveError};
 use crate::warning::{Warning, WarningKind};
+use ertel_rheology::shear::ShearThinning;
 
 /// Version of the numerics: raised whenever the figures of some case move by more than rounding, so that points of studies that
 /// were solved before are solved anew.
@@ -156,7 +158,8 @@ fn solve_here(
 const ELEMENTS_UP_TO: [f64; 2] = [1500.0, 11.0];
 
 /// The method that a case asks for, or else the one that takes less time: finite volumes for elliptical and starved contacts that they solve, and for
-/// circular ones with thin films or steep viscosities.
+/// circular ones with thin films, with films so thick that pressures far away count, with steep viscosities, or with shear rates that grow
+/// exponentially with the stress.
 pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
@@ -169,7 +172,11 @@ pub fn first_method(case: &Case) -> Method {
         let slope = (lubricant.viscosity).pressure_viscosity_slope(lubricant.temperature);
         let groups = groups(case, slope);
         let [load, material] = ELEMENTS_UP_TO;
-        groups.moes_load <= load && groups.moes_material <= material
+        let thins_steeply = (case.shear_thinning()).is_some_and(ShearThinning::is_exponential);
+        groups.moes_load <= load
+            && groups.moes_material <= material
+            && !thins_steeply
+            && !has_thick_film(case)
     };
     let is_flooded_circle = case.contact.kind == ContactKind::Circular && !case.supply.is_limited();
     match is_flooded_circle && is_easy() {

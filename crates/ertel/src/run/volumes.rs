@@ -14,7 +14,7 @@ use crate::solution::{SensitivityMethod, Solution, Stats};
 use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::tangents::Tangents;
-use crate::volumes::{FiniteVolumes, Plan, fields, summary};
+use crate::volumes::{FiniteVolumes, Plan, fields, reduction, summary};
 
 /// Unknowns of a grid that refinement may go to unless the user allows more: some seconds.
 const MAX_UNKNOWNS: usize = 400_000;
@@ -38,6 +38,15 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         wall_seconds: 0.0,
         peak_memory: None,
     };
+    let film_reduction = match case.shear_thinning() {
+        None => None,
+        Some(_) => {
+            let mut newtonian = case.clone();
+            newtonian.solver.newtonian = true;
+            let newtonian = problem_by_slices(&newtonian).with_plan(plan(case));
+            reduction::film_reduction(&solved, newtonian, recorder.observer)?
+        }
+    };
     let film = PatchedFilm::new(&problem.shape, &solved.levels);
     let measured = solved.measured(&problem).with_meniscus(&case.supply);
     let (surface, elements) = fields::surface(&problem, &film);
@@ -45,7 +54,7 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
     let found = Found {
         extents: problem.extents,
         summary: summary::summarise(&problem, &solved, &measured),
-        film_reduction: None,
+        film_reduction,
         thermal: None,
         centreline: centreline_of(
             &fields::profile(&film),
