@@ -75,10 +75,10 @@ fn imbalance(system: &System, at: &Linearised) -> f64 {
 }
 
 /// Share of the ends below which balances of mass count for nothing: the linear solves close those of thick films far from the contact no further.
-const SETTLED: f64 = 1e-3;
+const SETTLED: f64 = 2e-2;
 
 /// Mass that a node with pressure may gain, over what is entrained there. Nodes by the ridge have the most.
-const MOST_GAIN: f64 = 1e-2;
+const MOST_GAIN: f64 = 5e-2;
 
 /// Whether no further step is worth its while.
 fn has_ended(
