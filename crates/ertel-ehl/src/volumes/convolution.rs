@@ -5,7 +5,7 @@
 //! ```
 
 use std::f64::consts::PI;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use rayon::prelude::*;
 use realfft::num_complex::Complex64;
@@ -25,6 +25,15 @@ pub struct Convolution {
     forward: Arc<dyn RealToComplex<f64>>,
     backward: Arc<dyn ComplexToReal<f64>>,
     along: [Arc<dyn Fft<f64>>; 2],
+    /// Room for transforms, kept from one to the next: as much as all other vectors of a grid together.
+    room: Mutex<Room>,
+}
+
+/// Waves of the rows, and lines across them.
+#[derive(Default)]
+struct Room {
+    rows: Vec<Complex64>,
+    lines: Vec<Complex64>,
 }
 
 /// Rows and waves that a thread takes at a time.
@@ -80,6 +89,7 @@ impl Convolution {
             forward,
             backward,
             along,
+            room: Mutex::default(),
         };
         convolution.symbol = convolution.transformed(grid.spacing, compliance / PI, rows);
         convolution
@@ -129,8 +139,13 @@ impl Convolution {
     pub fn apply(&self, pressure: &[f64]) -> Vec<f64> {
         let ([nx, ny], [_, py]) = (self.n, self.padded);
         let waves = self.padded[0] / 2 + 1;
+        // Where another thread has it, for this time.
+        let mut own = Room::default();
+        let mut kept = self.room.try_lock();
+        let Room { rows, lines } = kept.as_deref_mut().unwrap_or(&mut own);
+        rows.resize(ny * waves, Complex64::default());
+        lines.resize(waves * py, Complex64::default());
         // Along the rows that there are.
-        let mut rows = vec![Complex64::default(); ny * waves];
         (rows.par_chunks_exact_mut(waves))
             .zip(pressure.par_chunks_exact(nx))
             .with_min_len(ROWS)
@@ -143,6 +158,7 @@ impl Convolution {
                 },
                 |(row, scratch), (spectrum, values)| {
                     if values.iter().all(|p| *p == 0.0) {
+                        spectrum.fill(Complex64::default());
                         return;
                     }
                     row[..nx].copy_from_slice(values);
@@ -156,7 +172,6 @@ impl Convolution {
         let n_scratch = (self.along.iter())
             .map(|fft| fft.get_inplace_scratch_len())
             .fold(0, usize::max);
-        let mut lines = vec![Complex64::default(); waves * py];
         (lines.par_chunks_exact_mut(py))
             .zip(self.symbol.par_chunks_exact(py))
             .enumerate()
@@ -167,6 +182,7 @@ impl Convolution {
                     for j in 0..ny {
                         line[j] = rows[j * waves + k];
                     }
+                    line[ny..].fill(Complex64::default());
                     if self.half {
                         for j in 1..ny {
                             line[ny - 1 + j] = line[ny - 1 - j];

@@ -5,6 +5,7 @@ use ertel_fem::platform::Instant;
 
 use super::beyond::Beyond;
 use super::contents::Arrival;
+use super::ending::{Ends, balance_error};
 use super::figures::{bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
 use super::level::{Level, convolution, first_state, first_system, refined};
@@ -43,8 +44,11 @@ impl Plan {
         Plan {
             target_error,
             max_unknowns,
-            newton: NewtonParams::default(),
             most_grids: MOST_GRIDS,
+            newton: NewtonParams {
+                ends: Ends::of(target_error),
+                ..NewtonParams::default()
+            },
             margin: 45.0,
         }
     }
@@ -266,7 +270,9 @@ impl Engine for FiniteVolumes {
         for l in n.saturating_sub(3)..n {
             found.stats[l].figures = figures(problem, &found.levels[..=l]);
         }
-        found.balance_error = found.levels.last().map_or(f64::NAN, balance_error);
+        found.balance_error = (found.levels.last()).map_or(f64::NAN, |level| {
+            balance_error(&level.system, &level.system.linearise(&level.state))
+        });
         Ok(found)
     }
 
@@ -279,28 +285,6 @@ impl Engine for FiniteVolumes {
         // The dry contact is as good a start as any.
         Ok(None)
     }
-}
-
-/// Mass that a grid gains or loses in all nodes whose balance is solved, over what passes the section through its centre.
-fn balance_error(level: &Level) -> f64 {
-    let (grid, at) = (&level.system.grid, level.system.linearise(&level.state));
-    let gained: f64 = (grid.nodes().enumerate().filter(|(k, [i, j])| {
-        grid.is_unknown(*i, *j) && (at.wetted[*k] || !at.contents.is_empty())
-    }))
-    .map(|(k, [i, j])| grid.share(i, j) * at.outflow[k])
-    .sum();
-    let [i, j] = grid.centre();
-    let through = |direction: usize, nodes: &mut dyn Iterator<Item = [usize; 2]>| -> f64 {
-        let other = grid.spacing[1 - direction];
-        let flux = |[i, j]: [usize; 2]| at.faces[direction][grid.index(i, j)].flux;
-        nodes
-            .map(|at| grid.share(at[0], at[1]) * flux(at))
-            .sum::<f64>()
-            * other
-    };
-    let along = through(0, &mut (0..grid.n[1]).map(|j| [i, j]));
-    let across = through(1, &mut (0..grid.n[0]).map(|i| [i, j]));
-    gained * grid.cell() / along.abs().max(across.abs())
 }
 
 /// Relative errors of the central film and of all else that are told at least. Where the flow crosses the grid at an angle, contents spread over a cell to

@@ -19,7 +19,7 @@
 //! | [`preconditioner`] | the sparse approximation of its matrix |
 //! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
 //! | [`stencil`], [`rectangle`] | its matrix, incomplete and complete factors |
-//! | [`newton`] | Newton's method with active sets |
+//! | [`newton`], [`ending`] | Newton's method with active sets, and when it ends |
 //! | [`beyond`], [`far_pressure`] | what lies beyond the first grid |
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
@@ -36,6 +36,7 @@ pub mod beyond;
 pub mod composite;
 pub mod contents;
 pub mod convolution;
+pub mod ending;
 pub mod engine;
 pub mod faces;
 pub mod far_pressure;

@@ -15,7 +15,7 @@ use ertel_fem::linear::frontal_lu::{FrontalLu, FrontalPattern};
 use ertel_fem::linear::ordering::OrderingError;
 
 use super::rectangle;
-use super::stencil::{Incomplete, Layout, residual};
+use super::stencil::{Incomplete, Layout, Lines, residual};
 use super::transfer::{Matrix, Transfer};
 
 /// The rectangles of unknowns of a cycle.
@@ -63,7 +63,9 @@ impl Grids {
 /// One grid of the cycle.
 struct Level {
     transfer: Transfer,
+    /// Sizes and kinds of the rows.
     matrix: Matrix,
+    lines: Lines,
     factors: Incomplete,
     /// Right-hand side, solution and residual.
     b: Vec<f32>,
@@ -83,8 +85,7 @@ pub struct Cycle {
 impl Level {
     /// r = b − M x.
     fn note_residual(&mut self) {
-        let rows = &self.matrix.rows;
-        residual(self.transfer.fine, rows, &self.b, &self.x, &mut self.r);
+        residual(&self.lines, &self.b, &self.x, &mut self.r);
     }
 }
 
@@ -106,9 +107,11 @@ impl Cycle {
                 || transfer.product(&matrix),
             );
             let vector = vec![0.0; fine.size()];
+            let mut own = std::mem::replace(&mut matrix, next);
             levels.push(Level {
                 transfer,
-                matrix: std::mem::replace(&mut matrix, next),
+                lines: Lines::new(*fine, &std::mem::take(&mut own.rows)),
+                matrix: own,
                 factors,
                 b: vector.clone(),
                 x: vector.clone(),

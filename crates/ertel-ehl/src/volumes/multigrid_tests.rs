@@ -1,7 +1,7 @@
 //! The cycle against products step by step and against the factorisation, on grids of many sizes.
 
 use super::super::preconditioner::{Pattern, Preconditioner};
-use super::super::stencil::{Layout, REACH, Row, SIDE};
+use super::super::stencil::{Layout, Lines, REACH, Row, SIDE};
 use super::super::tests::{problem, solved};
 use super::*;
 use crate::contact::Motion;
@@ -61,7 +61,7 @@ fn coarse_matrix_is_the_product() {
         }
         let [mut x, mut r, zero] = [fine.size(), fine.size(), fine.size()].map(|n| vec![0.0; n]);
         transfer.prolong(&w, &mut x);
-        residual(fine, &matrix.rows, &zero, &x, &mut r);
+        residual(&Lines::new(fine, &matrix.rows), &zero, &x, &mut r);
         let mut by_steps = vec![0.0; coarse.size()];
         transfer.restrict(
             &matrix,
@@ -71,7 +71,8 @@ fn coarse_matrix_is_the_product() {
         );
         let mut at_once = vec![0.0; coarse.size()];
         let zero = vec![0.0; coarse.size()];
-        residual(coarse, &product.rows, &zero, &w, &mut at_once);
+        let product_lines = Lines::new(coarse, &product.rows);
+        residual(&product_lines, &zero, &w, &mut at_once);
         for (a, b) in at_once.iter().zip(&by_steps) {
             assert!((a - b).abs() < 1e-5, "{n:?} {half}: {a} {b}");
         }
@@ -102,7 +103,7 @@ fn cycles_converge_on_all_grids() {
             let mut w: Vec<f64> = all().map(|(_, at)| r[at].into()).collect();
             cycle.solve(&mut w);
             all().for_each(|(k, at)| x[at] += w[k] as f32);
-            residual(layout, &cycle.levels[0].matrix.rows, &b, &x, &mut r);
+            residual(&cycle.levels[0].lines, &b, &x, &mut r);
         }
         let left = norm(&r) / norm(&b);
         assert!(left < 0.5_f64.powi(6), "{}: {left:.1e}", grid.n_nodes());

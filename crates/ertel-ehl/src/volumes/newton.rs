@@ -3,16 +3,17 @@
 use ertel_fem::linear::gmres::GmresParams;
 use ertel_fem::platform::Instant;
 
+use super::ending::{Ends, Progress, balance_error, entered};
 use super::preconditioner::{Pattern, Preconditioner};
-use super::system::{State, System};
+use super::system::{Linearised, State, System};
 use crate::engine::Observer;
 use crate::solution::IterationRecord;
 
 /// When to stop, and what steps are cut to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NewtonParams {
-    /// Largest change of a pressure, in p_h, at which it ends: the next one would be its square.
-    pub tolerance: f64,
+    /// What may be left at the end.
+    pub ends: Ends,
     /// Most iterations.
     pub max_iterations: usize,
     /// Largest change of a pressure in one step, in p_h.
@@ -26,9 +27,9 @@ pub struct NewtonParams {
 impl Default for NewtonParams {
     fn default() -> NewtonParams {
         NewtonParams {
-            tolerance: 1e-3,
+            ends: Ends::of(0.0),
             max_iterations: 30,
-            largest_change: 0.2,
+            largest_change: 0.4,
             krylov_tolerance: 1e-2,
             max_krylov_iterations: 60,
         }
@@ -38,7 +39,7 @@ impl Default for NewtonParams {
 /// How it went.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct NewtonInfo {
-    /// Whether the last change was below the tolerance.
+    /// Whether what a further step would change is small.
     pub converged: bool,
     /// Iterations, with as many preconditioners.
     pub iterations: usize,
@@ -57,11 +58,51 @@ pub struct NewtonInfo {
 /// Largest pressure, in p_h, below which changes are told beside it.
 const LOW: f64 = 0.1;
 
-/// Share of the tolerance below which nodes that come and go by the edge of the film count for nothing.
-const SETTLED: f64 = 0.01;
+/// Imbalance of a node, over what is entrained, below which mass is kept where contents are unknown: pressures before a meniscus are so low that their
+/// changes do not tell of the mass that moves it.
+const MOST_IMBALANCE: f64 = 1e-3;
 
-/// Imbalance of a node below which a step, which leaves a hundredth of it, keeps mass where contents are unknown.
-const MOST_IMBALANCE: f64 = 0.02;
+/// Largest imbalance of mass of a wetted node, over what is entrained.
+fn imbalance(system: &System, at: &Linearised) -> f64 {
+    let [i, j] = system.grid.centre();
+    let wetted = at
+        .outflow
+        .iter()
+        .zip(&at.wetted)
+        .filter(|(_, wetted)| **wetted);
+    let largest = wetted.fold(0.0_f64, |m, (outflow, _)| m.max(outflow.abs()));
+    largest * system.grid.spacing[0] / at.nodes[system.grid.index(i, j)].film.abs()
+}
+
+/// Share of the ends below which balances of mass count for nothing: the linear solves close those of thick films far from the contact no further.
+const SETTLED: f64 = 2e-2;
+
+/// Mass that a node with pressure may gain, over what is entrained there. Nodes by the ridge have the most.
+const MOST_GAIN: f64 = 5e-2;
+
+/// Whether no further step is worth its while.
+fn has_ended(
+    system: &System,
+    state: &State,
+    at: &Linearised,
+    progress: &Progress,
+    ends: &Ends,
+) -> bool {
+    let [film, pressure] = progress.left();
+    let is_kept = at.contents.is_empty() || imbalance(system, at) < MOST_IMBALANCE;
+    if !(film < ends.film && pressure < ends.pressure && is_kept) {
+        return false;
+    }
+    let h = system.grid.spacing[0];
+    let is_kept_by_nodes =
+        (at.nodes.iter().zip(&at.outflow).zip(&at.wetted)).all(|((node, outflow), wetted)| {
+            !wetted || (outflow * h).abs() < MOST_GAIN * node.mass.abs()
+        });
+    let is_balanced = is_kept_by_nodes
+        && balance_error(system, at).abs() < ends.balance
+        && entered(system, state, at) < ends.balance;
+    is_balanced || (film < SETTLED * ends.film && pressure < SETTLED * ends.pressure)
+}
 
 /// Solves on a grid from a state, which it leaves at the solution. `film_scale` is a²/R in m.
 pub fn newton(
@@ -82,14 +123,27 @@ pub fn newton(
     let [nx, _] = system.grid.n;
     let is_given = |k: usize| !system.grid.is_unknown(k % nx, k / nx);
     let mut direct = false;
-    while info.iterations < params.max_iterations {
+    let mut progress = Progress::default();
+    // A step that the linear solver left half way says nothing.
+    let mut exact = false;
+    loop {
         if observer.cancelled() {
             info.interrupted = true;
             return info;
         }
         let clock = Instant::now();
         let at = system.linearise(state);
+        progress.note_films(system, &at);
+        let ended = exact && has_ended(system, state, &at, &progress, &params.ends);
         info.seconds[0] += clock.elapsed().as_secs_f64();
+        if ended {
+            state.contents = at.contents;
+            info.converged = true;
+            return info;
+        }
+        if info.iterations == params.max_iterations {
+            return info;
+        }
         let clock = Instant::now();
         let approximated = match direct {
             true => Preconditioner::factorised(pattern, &at),
@@ -101,7 +155,6 @@ pub fn newton(
         };
         info.seconds[1] += clock.elapsed().as_secs_f64();
         let clock = Instant::now();
-        let entering = (at.wetted.iter().zip(&state.wetted)).any(|(now, before)| *now && !before);
         state.contents.clone_from(&at.contents);
         let mut step = system.step(&at, state, &mut preconditioner, linear);
         let failed =
@@ -118,7 +171,6 @@ pub fn newton(
         info.iterations += 1;
         info.krylov_iterations += step.krylov_iterations;
         info.change = 0.0;
-        info.imbalance = 0.0;
         for (k, (p, change)) in state.pressure.iter_mut().zip(&step.pressure).enumerate() {
             let most = params.largest_change;
             // No clamp: it would lose a number that is none.
@@ -143,9 +195,6 @@ pub fn newton(
                 info.change = if change.is_finite() { size } else { f64::NAN };
             }
             *p = next;
-            if at.wetted[k] {
-                info.imbalance = info.imbalance.max(at.outflow[k].abs());
-            }
         }
         state.separation += step.separation;
         // Around thick films all pressures are far below that of the dry contact.
@@ -153,7 +202,7 @@ pub fn newton(
         if largest < LOW {
             info.change /= largest;
         }
-        info.imbalance *= system.grid.spacing[0] / at.nodes[centre].film.abs();
+        info.imbalance = imbalance(system, &at);
         // Nothing to tell of a step into nowhere: the next attempt begins anew.
         if !(info.change.is_finite() && state.separation.is_finite()) {
             return info;
@@ -170,17 +219,7 @@ pub fn newton(
             film_central: film_scale * at.nodes[centre].film,
             heat: None,
         });
-        // A step that the linear solver left half way says nothing.
-        let exact = step.krylov_iterations < params.max_krylov_iterations;
-        // Mass is kept at each node once no further one has too little outflow.
-        let settled = !entering || info.change < SETTLED * params.tolerance;
-        // Pressures before a meniscus are so low that their changes do not tell of the mass that moves it.
-        let is_kept = at.contents.is_empty() || info.imbalance < MOST_IMBALANCE;
-        if exact && settled && is_kept && info.change < params.tolerance {
-            state.contents = system.linearise(state).contents;
-            info.converged = true;
-            return info;
-        }
+        exact = step.krylov_iterations < params.max_krylov_iterations;
+        progress.note_step(info.change);
     }
-    info
 }

@@ -66,43 +66,77 @@ impl Layout {
             .contains(&of_vector)
             .then(|| of_vector - REACH)
     }
+}
 
-    /// The first place of a row.
+/// Rows of a matrix by lines of unknowns, in each the entries of one place after the other: products go along the lines.
+pub struct Lines {
+    layout: Layout,
+    values: Vec<f32>,
+}
+
+impl Lines {
+    /// Of rows one after the other.
+    pub fn new(layout: Layout, rows: &[Row]) -> Lines {
+        let nx = layout.n[0];
+        let mut values = vec![0.0; layout.unknowns() * PLACES];
+        let lines = values.par_chunks_mut(nx * PLACES);
+        lines
+            .zip(rows.par_chunks(nx))
+            .with_min_len(BATCH)
+            .for_each(|(line, rows)| {
+                for (i, row) in rows.iter().enumerate() {
+                    for (t, value) in row.iter().enumerate() {
+                        line[t * nx + i] = *value;
+                    }
+                }
+            });
+        Lines { layout, values }
+    }
+
+    /// Entries of a place along a line.
     #[inline(always)]
-    fn corner(&self, i: usize, j: usize) -> usize {
-        j * self.width() + i
+    fn of(&self, line: usize, place: usize) -> &[f32] {
+        let nx = self.layout.n[0];
+        &self.values[(line * PLACES + place) * nx..][..nx]
+    }
+
+    /// What stands at a place of the rows of a line, in a vector that begins at the line `from` of vectors.
+    #[inline(always)]
+    fn at<'a>(&self, x: &'a [f32], from: usize, line: usize, place: usize) -> &'a [f32] {
+        let layout = self.layout;
+        let start = (line + place / SIDE - from) * layout.width() + place % SIDE;
+        &x[start..][..layout.n[0]]
     }
 }
 
-/// Sum over a line of places: entries times the values that stand there.
+/// Takes products off a line, value by value.
 #[inline(always)]
-fn along(entries: &[f32], values: &[f32]) -> f32 {
-    entries.iter().zip(values).map(|(v, x)| v * x).sum()
+fn take_off(line: &mut [f32], entries: &[f32], values: &[f32]) {
+    for (r, (v, x)) in line.iter_mut().zip(entries.iter().zip(values)) {
+        *r -= v * x;
+    }
 }
 
 /// b − M x.
-pub fn residual(layout: Layout, rows: &[Row], b: &[f32], x: &[f32], r: &mut [f32]) {
-    let width = layout.width();
+pub fn residual(matrix: &Lines, b: &[f32], x: &[f32], r: &mut [f32]) {
+    let layout = matrix.layout;
+    let [nx, _] = layout.n;
     let lines = r.par_chunks_mut(layout.width()).enumerate();
     lines.with_min_len(BATCH).for_each(|(of_vector, r)| {
         let Some(j) = layout.line(of_vector) else {
             return;
         };
-        for i in 0..layout.n[0] {
-            let (row, corner) = (&rows[j * layout.n[0] + i], layout.corner(i, j));
-            let lines = row.chunks_exact(SIDE).enumerate();
-            let product: f32 = lines
-                .map(|(d, row)| along(row, &x[corner + d * width..][..SIDE]))
-                .sum();
-            r[i + REACH] = b[layout.at(i, j)] - product;
+        let r = &mut r[REACH..][..nx];
+        r.copy_from_slice(&b[layout.at(0, j)..][..nx]);
+        for t in 0..PLACES {
+            take_off(r, matrix.of(j, t), matrix.at(x, 0, j, t));
         }
     });
 }
 
 /// L and U; the pivots are inverted.
 pub struct Incomplete {
-    layout: Layout,
-    rows: Vec<Row>,
+    lines: Lines,
 }
 
 /// What the elimination by one lower place adds to.
@@ -166,37 +200,49 @@ impl Incomplete {
                 done.push(row);
             }
         }
-        Incomplete { layout, rows: done }
+        Incomplete {
+            lines: Lines::new(layout, &done),
+        }
     }
 
     /// Adds (L U)⁻¹ r to x; r is overwritten.
     pub fn add_solution(&self, r: &mut [f32], x: &mut [f32]) {
-        let layout = self.layout;
-        let [nx, ny] = layout.n;
-        let width = layout.width();
-        // A line of places of the row, from one on.
-        let part = |row: &Row, r: &[f32], corner: usize, from: usize, to: usize| {
-            let start = corner + from / SIDE * width + from % SIDE;
-            along(&row[from..to], &r[start..start + to - from])
-        };
+        let rows = &self.lines;
+        let layout = rows.layout;
+        let ([nx, ny], width) = (layout.n, layout.width());
+        // The lines before and behind, then what depends on the values beside.
+        let [before, behind] = [REACH * SIDE, (REACH + 1) * SIDE];
         for j in 0..ny {
-            for i in 0..nx {
-                let (row, corner) = (&self.rows[j * nx + i], layout.corner(i, j));
-                let sum = part(row, r, corner, 0, SIDE)
-                    + part(row, r, corner, SIDE, 2 * SIDE)
-                    + part(row, r, corner, 2 * SIDE, CENTRE);
-                r[layout.at(i, j)] -= sum;
+            let (done, line) = r.split_at_mut((j + REACH) * width);
+            let line = &mut line[..width];
+            for t in 0..before {
+                take_off(
+                    &mut line[REACH..][..nx],
+                    rows.of(j, t),
+                    rows.at(done, 0, j, t),
+                );
+            }
+            let [far, near] = [before, before + 1].map(|t| rows.of(j, t));
+            let [mut second, mut last] = [0.0; 2];
+            for ((r, far), near) in line[REACH..].iter_mut().zip(far).zip(near) {
+                *r = (*r - far * second) - near * last;
+                [second, last] = [last, *r];
             }
         }
         for j in (0..ny).rev() {
+            let (line, done) = r.split_at_mut((j + REACH + 1) * width);
+            let line = &mut line[(j + REACH) * width..][REACH..][..nx];
+            for t in behind..PLACES {
+                take_off(line, rows.of(j, t), rows.at(done, j + REACH + 1, j, t));
+            }
+            let [pivot, near, far] = [CENTRE, CENTRE + 1, CENTRE + 2].map(|t| rows.of(j, t));
+            let [mut second, mut last] = [0.0; 2];
             for i in (0..nx).rev() {
-                let (row, corner) = (&self.rows[j * nx + i], layout.corner(i, j));
-                let sum = part(row, r, corner, CENTRE + 1, 3 * SIDE)
-                    + part(row, r, corner, 3 * SIDE, 4 * SIDE)
-                    + part(row, r, corner, 4 * SIDE, PLACES);
-                let k = layout.at(i, j);
-                r[k] = (r[k] - sum) * row[CENTRE];
-                x[k] += r[k];
+                line[i] = ((line[i] - far[i] * second) - near[i] * last) * pivot[i];
+                [second, last] = [last, line[i]];
+            }
+            for (x, r) in x[layout.at(0, j)..].iter_mut().zip(line) {
+                *x += *r;
             }
         }
     }
@@ -244,7 +290,7 @@ mod tests {
             }
             let (mut x, mut r) = (vec![0.0; layout.size()], b.clone());
             Incomplete::new(layout, &rows).add_solution(&mut r, &mut x);
-            residual(layout, &rows, &b, &x, &mut r);
+            residual(&Lines::new(layout, &rows), &b, &x, &mut r);
             let left = r.iter().fold(0.0_f32, |m, v| m.max(v.abs()));
             assert!(left < most, "{y}: {left}");
         }
@@ -260,7 +306,7 @@ mod tests {
             x[layout.at(k % 3, k / 3)] = k as f32;
         }
         let mut r = vec![0.0; layout.size()];
-        residual(layout, &rows, &b, &x, &mut r);
+        residual(&Lines::new(layout, &rows), &b, &x, &mut r);
         // 1 − 4 − ½·3 in the middle; 1 − 0 − ¼·5 in the first corner.
         assert_relative_eq!(r[layout.at(1, 1)], -4.5);
         assert_relative_eq!(r[layout.at(0, 0)], -0.25);
