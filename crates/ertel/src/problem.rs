@@ -6,8 +6,8 @@ mod thinning;
 use crate::case::{Case, SolidHeat};
 use crate::contact::starvation::starved_film;
 use crate::contact::{
-    Family, Groups, Hertz, Inlet, Material, OilLayer, Outline, Planar, Scales, Shape, Supply,
-    equivalent_body, hertz,
+    Contact, Family, Groups, Hertz, Inlet, Material, OilLayer, Outline, Planar, Scales, Shape,
+    Supply, equivalent_body, hertz,
 };
 use crate::elastic::{BodyModel, Elasticity};
 use crate::film::FilmFluid;
@@ -57,7 +57,7 @@ fn make(case: &Case, zone: Zone, own: Option<&FilmFluid>) -> Problem {
     let contact = case.contact.along_motion();
     let hertz = Hertz::new(&contact, case.reduced_modulus());
     let lubricant = &case.lubricant;
-    let scales = scales(case, &hertz);
+    let scales = scales(case, &contact, &hertz);
     let shape = Shape::new(&contact, &hertz, &case.motion).with_inlet(match case.supply {
         Supply::Flooded => Inlet::Flooded,
         Supply::Meniscus { .. } => Inlet::Meniscus,
@@ -297,14 +297,16 @@ pub fn predicted_film(case: &Case) -> f64 {
 
 /// Whether that film is so thick beside the contact that pressures far from it count.
 pub fn has_thick_film(case: &Case) -> bool {
-    outlet::is_thick(predicted_film(case) / scales(case, &case.hertz()).film)
+    let contact = case.contact.along_motion();
+    let hertz = Hertz::new(&contact, case.reduced_modulus());
+    outlet::is_thick(predicted_film(case) / scales(case, &contact, &hertz).film)
 }
 
-/// Scales of the variables of a case with a dry contact.
-fn scales(case: &Case, hertz: &Hertz) -> Scales {
+/// Scales of the variables of a case whose first principal direction is the one nearest to the motion.
+fn scales(case: &Case, contact: &Contact, hertz: &Hertz) -> Scales {
     let lubricant = &case.lubricant;
     Scales::new(
-        &case.contact,
+        contact,
         hertz,
         &case.motion,
         lubricant.ambient_viscosity(),

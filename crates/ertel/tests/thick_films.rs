@@ -29,7 +29,7 @@ fn film(contact: &str, mesh: &str) -> Estimate {
 fn all_but_round_is_a_ball_at_any_angle() {
     let circle = "kind = \"circular\"\nradius = \"10 mm\"";
     let ball = film(circle, "outlet = 100.0");
-    for degrees in [20.0, 45.0, 70.0] {
+    for degrees in [20.0, 45.0, 70.0, 90.0] {
         let turned = film(
             &format!(
                 "kind = \"elliptical\"\nradius_x = \"10 mm\"\nradius_y = \"10.01 mm\"\nentrainment_angle = \"{degrees} deg\""
