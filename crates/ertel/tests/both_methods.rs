@@ -17,13 +17,20 @@ fn case(contact: &str, motion: &str, more: &str) -> Case {
 
 /// The same with a pressure-viscosity coefficient in 1/GPa.
 fn case_of(contact: &str, motion: &str, more: &str, alpha: &str) -> Case {
-    let text = format!(
+    parsed(text_of(contact, motion, more, alpha))
+}
+
+fn parsed(text: String) -> Case {
+    let document = Document::parse("case.toml", text).unwrap();
+    Case::from_document(&document, "".as_ref()).unwrap()
+}
+
+fn text_of(contact: &str, motion: &str, more: &str, alpha: &str) -> String {
+    format!(
         "lubricant = {{ temperature = \"40 degC\", density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}, viscosity = {{ law = \
          \"roelands\", mu_0 = \"40 mPa.s\", alpha = \"{alpha} 1/GPa\" }} }}\n[contact]\n{contact}\n[bodies]\nbody_1 = \"steel\"\nbody_2 = \"steel\"\n\
          [motion]\n{motion}\n{more}\n"
-    );
-    let document = Document::parse("case.toml", text).unwrap();
-    Case::from_document(&document, "".as_ref()).unwrap()
+    )
 }
 
 fn solved(case: &Case) -> Solution {
@@ -71,6 +78,55 @@ fn both_engines_agree() {
             let (_, bars) = crossed.difference().unwrap();
             assert!(bars < 0.03 * crossed.own.value, "{crossed:?}");
         }
+    }
+}
+
+/// Fluids that thin by shear, as above and with what thinning does to the film: Eyring's with sliding across and spin, Carreau's in an ellipse at an angle, a limiting stress.
+#[test]
+fn both_engines_agree_on_thinning() {
+    let straight = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.3";
+    let spin = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.2\nslide_to_roll_ratio_across = 0.1\nbody_2_spin = \"300 rad/s\"";
+    let ellipse = "kind = \"elliptical\"\nradius_x = \"10 mm\"\nradius_y = \"40 mm\"\nentrainment_angle = \"35 deg\"\nload = \"60 N\"";
+    let mesh = "[mesh]\ntarget_error = 0.005";
+    let eyring = "law = \"ree-eyring\", tau_0 = \"5 MPa\"";
+    let carreau = "law = \"carreau\", g_c = \"0.1 MPa\", n = 0.5, beta_c = 2.0, mu_2 = \"0 Pa.s\"";
+    let limit = "law = \"limiting-stress\", tau_l0 = \"2 MPa\", lambda = 0.05";
+    for (contact, motion, law) in [
+        (BALL, spin, eyring),
+        (ellipse, straight, carreau),
+        (BALL, straight, limit),
+    ] {
+        let newtonian = text_of(contact, motion, mesh, "22");
+        let mut case = parsed(newtonian.replace(
+            "} }\n[contact]",
+            &format!("}}, shear_thinning = {{ {law} }} }}\n[contact]"),
+        ));
+        case.solver.method = Some(Method::FiniteVolumes);
+        let own = solved(&case);
+        assert_eq!(own.stats.method, Method::FiniteVolumes);
+        let found = cross_check(&case, &own, &mut NoObserver).unwrap();
+        for figure in [
+            Figure::FilmCentral,
+            Figure::FilmMinimum,
+            Figure::FilmMean,
+            Figure::TractionCoefficient,
+            Figure::TractionCoefficientBody2,
+            Figure::FrictionPower,
+        ] {
+            let crossed = found.figures.iter().find(|c| c.figure == figure);
+            let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
+            assert_eq!(crossed.verdict(), Verdict::Agrees, "{law} {crossed:?}");
+            let (_, bars) = crossed.difference().unwrap();
+            assert!(bars < 0.03 * crossed.own.value.abs(), "{law} {crossed:?}");
+        }
+        case.solver.method = Some(Method::FiniteElements);
+        let other = solved(&case).film_reduction.unwrap().central;
+        let own = own.film_reduction.unwrap().central;
+        let bars = own.error.unwrap() + other.error.unwrap();
+        assert!(
+            (own.value - other.value).abs() < bars,
+            "{law} {own:?} {other:?}"
+        );
     }
 }
 

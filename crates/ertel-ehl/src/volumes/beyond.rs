@@ -86,6 +86,31 @@ impl Beyond {
             .sum::<f64>();
     }
 
+    /// Where these pressures are above those of a start, so are its own: far from the contact the film would spread by a node in a step.
+    pub fn start<Plan>(problem: &Problem<Plan>, system: &System, state: &mut State) {
+        let Some(beyond) = &system.beyond else {
+            return;
+        };
+        let films = system.films(state);
+        for (k, [i, j]) in system.grid.nodes().enumerate() {
+            let place = system.grid.place(i, j);
+            if system.grid.is_unknown(i, j) && place != [0.0; 2] {
+                let pressure = beyond.pressure(&problem.shape, place, films[k]).value;
+                state.pressure[k] = state.pressure[k].max(pressure);
+                state.wetted[k] = state.pressure[k] > 0.0;
+            }
+        }
+        // In a film thinner than that of the solution they carry too much.
+        let share = system.load / system.integral(&state.pressure);
+        if share < 1.0 {
+            for (k, [i, j]) in system.grid.nodes().enumerate() {
+                if system.grid.is_unknown(i, j) {
+                    state.pressure[k] *= share;
+                }
+            }
+        }
+    }
+
     /// Points with the areas that they stand for, and the fields there.
     pub fn points<'a>(
         &'a self,

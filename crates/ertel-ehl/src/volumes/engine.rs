@@ -219,6 +219,7 @@ impl Engine for FiniteVolumes {
                     let mut system = first_system(problem, grid, deflection);
                     let mut state = first_state(problem, &system);
                     Beyond::note(problem, &mut system, &mut state);
+                    Beyond::start(problem, &system, &mut state);
                     (system, state)
                 }
                 Some(before) => refined(problem, before, grid, deflection),

@@ -57,9 +57,9 @@ rows! {
     /// `[solver]`.
     pub SOLVER {
         method: Choice(&["finite-elements", "finite-volumes"]) => r#"`"finite-elements"`, as in Habchi's thesis, or `"finite-volumes"`
-            ([theory](../theory/finite-volumes.md)), for circular and elliptical contacts of half-spaces, flooded or starved, with a Newtonian lubricant of
-            one temperature. If absent: finite volumes for elliptical and starved contacts that they solve, and for circular ones with M above 1500 or L above 11;
-            finite elements for all others and where a key is given that only they have. What one does not solve is left to the other; a note says so. With
+            ([theory](../theory/finite-volumes.md)), for circular and elliptical contacts of half-spaces, flooded or starved, with a lubricant of
+            one temperature. If absent: finite volumes for elliptical and starved contacts that they solve, and for circular ones with M above 1500 or L above 11,
+            with thick films, or with `ree-eyring` or a limiting stress; finite elements for all others and where a key is given that only they have. What one does not solve is left to the other; a note says so. With
             `"finite-volumes"` the keys of finite elements are errors"#;
         formulation: Choice(&["gls", "supg", "galerkin"]), default "gls" => "weak form of the Reynolds equation";
         isotropic_diffusion: Number, bounds [0.0, 10.0], default "0" => "coefficient ρ_id of the isotropic diffusion";
