@@ -62,6 +62,35 @@ const ELLIPSES: [[f64; 7]; 10] = [
     [10.0, 40.0, 0.0, 60.0, 0.0, 0.0, 200.0],
 ];
 
+/// Laws of the shear, with the slide-to-roll ratio at which a ball of M 60, L 10 is sheared.
+const LAWS: [(&str, &str, f64); 5] = [
+    (
+        "Eyring 5 MPa",
+        "law = \"ree-eyring\", tau_0 = \"5 MPa\"",
+        0.05,
+    ),
+    (
+        "Eyring 5 MPa",
+        "law = \"ree-eyring\", tau_0 = \"5 MPa\"",
+        1.0,
+    ),
+    (
+        "limit 2 MPa + 0.05 p",
+        "law = \"limiting-stress\", tau_l0 = \"2 MPa\", lambda = 0.05",
+        0.2,
+    ),
+    (
+        "Carreau 0.1 MPa, 0.5",
+        "law = \"carreau\", g_c = \"0.1 MPa\", n = 0.5, beta_c = 2.0, mu_2 = \"0 Pa.s\"",
+        0.2,
+    ),
+    (
+        "Carreau 5 MPa, 0.5",
+        "law = \"carreau\", g_c = \"5 MPa\", n = 0.5, beta_c = 2.0, mu_2 = \"0 Pa.s\"",
+        1.0,
+    ),
+];
+
 /// A contact: its name and its case file without `[mesh]`.
 struct Trial {
     name: String,
@@ -103,6 +132,19 @@ fn ellipse([rx, ry, angle, load, sliding, spin, layer]: [f64; 7]) -> Trial {
     }
 }
 
+fn thinned((name, law, sliding): (&str, &str, f64)) -> Trial {
+    let newtonian = ball([60.0, 10.0]);
+    let slides = format!("slide_to_roll_ratio = {sliding}");
+    let text = newtonian.text.replace("slide_to_roll_ratio = 0.1", &slides);
+    Trial {
+        name: format!("{name}, sliding {sliding}"),
+        text: text.replace(
+            "} }\n[contact]",
+            &format!("}}, shear_thinning = {{ {law} }} }}\n[contact]"),
+        ),
+    }
+}
+
 fn text(contact: &str, motion: &str, alpha: f64, more: &str) -> String {
     format!(
         "lubricant = {{ temperature = \"40 degC\", density = {{ law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }}, viscosity = {{ law = \
@@ -128,7 +170,7 @@ impl Trial {
 fn main() {
     let args = Args::parse();
     let balls = BALLS.map(ball).into_iter();
-    let trials = balls.chain(ELLIPSES.map(ellipse));
+    let trials = balls.chain(ELLIPSES.map(ellipse)).chain(LAWS.map(thinned));
     let chosen: Vec<Trial> = trials.filter(|t| t.name.contains(&args.only)).collect();
     match args.calibrate {
         true => calibrate(&chosen),
