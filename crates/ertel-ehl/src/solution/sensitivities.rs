@@ -23,7 +23,7 @@ pub struct Sensitivities {
 pub enum SensitivityMethod {
     /// An adjoint for each figure: those of the discrete solution.
     Adjoint,
-    /// A linear solve for each input on coarser grids, good to about two per cent of the largest.
+    /// A linear solve for each input on coarser grids, good to a few per cent of the largest.
     LinearSolves,
     /// Differences of two solves for each input, good to about a per cent.
     Differences,

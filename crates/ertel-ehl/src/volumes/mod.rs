@@ -15,7 +15,7 @@
 //! | [`thinning`] | how stress thins the film at a node |
 //! | [`contents`] | oil in gaps that it does not fill |
 //! | [`passing`] | how contents change with the pressures |
-//! | [`system`] | the equation, its linearisation and Newton's step |
+//! | [`system`], [`step`] | the equation and its linearisation; Newton's step |
 //! | [`preconditioner`] | the sparse approximation of its matrix |
 //! | [`multigrid`], [`transfer`] | a cycle over coarser grids that solves it |
 //! | [`stencil`], [`rectangle`] | its matrix, incomplete and complete factors |
@@ -54,6 +54,7 @@ pub mod rectangle;
 pub mod reduction;
 pub mod scope;
 pub mod stencil;
+pub mod step;
 pub mod summary;
 pub mod system;
 pub mod tangents;

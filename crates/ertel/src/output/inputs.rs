@@ -29,11 +29,11 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
         return;
     };
     out.heading("Sensitivities: per cent of the figure for one per cent of the input, for one kelvin of a temperature");
-    // A traction that is zero has no per cent.
+    // A traction that is zero has no per cent; figures without a symbol are in result.json.
     let figures: Vec<&FigureSensitivity> = sensitivities
         .figures
         .iter()
-        .filter(|f| f.value != 0.0)
+        .filter(|f| f.value != 0.0 && !f.figure.symbol().is_empty())
         .collect();
     if figures.is_empty() {
         out.line("not computed: the mesh resolves none of the figures");
@@ -77,9 +77,7 @@ pub(super) fn write(out: &mut Lines, solution: &Solution) {
     match sensitivities.by {
         SensitivityMethod::Adjoint => {}
         SensitivityMethod::LinearSolves => {
-            out.line(
-                "by linear solves on coarser grids, good to about two per cent of the largest",
-            );
+            out.line("by linear solves on coarser grids, good to a few per cent of the largest");
         }
         SensitivityMethod::Differences => {
             out.line("by differences of solves on one mesh, good to about a per cent");
@@ -132,6 +130,14 @@ fn left_out(sensitivities: &Sensitivities) -> Vec<(&str, Vec<&str>)> {
     reasons
 }
 
+/// Its symbol, or its words where it has none.
+fn short(figure: Figure) -> &'static str {
+    match figure.symbol() {
+        "" => figure.words(),
+        symbol => symbol,
+    }
+}
+
 fn write_uncertainty(out: &mut Lines, solution: &Solution) {
     let Some(uncertainty) = &solution.uncertainty else {
         return;
@@ -154,7 +160,7 @@ fn write_uncertainty(out: &mut Lines, solution: &Solution) {
             ),
         };
         out.row(
-            figure.figure.symbol(),
+            short(figure.figure),
             format!("± {size:<14} {}", shares.join(", ")),
         );
     }
@@ -163,7 +169,7 @@ fn write_uncertainty(out: &mut Lines, solution: &Solution) {
         .0
         .iter()
         .filter(wide)
-        .map(|u| u.figure.symbol())
+        .map(|u| short(u.figure))
         .collect();
     if !far.is_empty() {
         out.line(&format!(
