@@ -25,6 +25,7 @@ const TUNING_RIDGE: &str = "solve/tuning/ridge.rs";
 const TUNING_STAGES: &str = "solve/tuning/stages.rs";
 const PANELS: &str = "film/cross_film/panels.rs";
 
+const OUTLET: &str = "crates/ertel/src/problem/outlet.rs";
 const PROBLEM: &str = "crates/ertel/src/problem.rs";
 const PARAMS: &str = "params.rs";
 const REYNOLDS: &str = "forms/reynolds.rs";
@@ -36,6 +37,7 @@ const RHEOLOGY: &str = "theory/rheology.md";
 const ISOTHERMAL: &str = "theory/isothermal-contact.md";
 const HEAT: &str = "theory/heat.md";
 const THINNING: &str = "theory/shear-thinning.md";
+const VOLUMES: &str = "theory/finite-volumes.md";
 
 pub const ROWS: &[Row] = &[
     (
@@ -424,9 +426,14 @@ pub const ROWS: &[Row] = &[
         "X from −{} to {}, |Y| ≤ {} as in the thesis",
         &[
             (PROBLEM, "let mut inlet: f64 = {};", 0, 1.0),
-            (PROBLEM, "{}_f64 .max((1.0 + ", 0, 1.0),
+            (OUTLET, "{}_f64.max((1.0 + ", 0, 1.0),
             (PROBLEM, "{}_f64.max(reach.side", 0, 1.0),
         ],
+    ),
+    (
+        ISOTHERMAL,
+        "elliptical contacts with H_f > {} it is at {}√H_f",
+        &[(OUTLET, "THICK", 0, 1.0), (OUTLET, "FAR", 0, 1.0)],
     ),
     (
         ISOTHERMAL,
@@ -443,8 +450,8 @@ pub const ROWS: &[Row] = &[
         ISOTHERMAL,
         "The outlet edge is at {} + {}√H_f",
         &[
-            (PROBLEM, ".max(({} + {} * film.sqrt()", 0, 1.0),
-            (PROBLEM, ".max(({} + {} * film.sqrt()", 1, 1.0),
+            (OUTLET, ".max(({} + {} * film.sqrt()", 0, 1.0),
+            (OUTLET, ".max(({} + {} * film.sqrt()", 1, 1.0),
         ],
     ),
     (
@@ -711,5 +718,24 @@ pub const ROWS: &[Row] = &[
             0,
             1.0,
         )],
+    ),
+    (
+        VOLUMES,
+        "μ̄/K levels off below e^−{}, far below what a solution has",
+        &[("volumes/thinning.rs", "GONE", 0, 1.0)],
+    ),
+    (
+        VOLUMES,
+        "No pressure changes by more than {} p_h in a step",
+        &[("volumes/newton.rs", "largest_change", 0, 1.0)],
+    ),
+    (
+        VOLUMES,
+        "with M above {} or L above {}, with a flooded film above {} a²/R",
+        &[
+            ("crates/ertel/src/run/mod.rs", "ELEMENTS_UP_TO", 0, 1.0),
+            ("crates/ertel/src/run/mod.rs", "ELEMENTS_UP_TO", 1, 1.0),
+            (OUTLET, "THICK", 0, 1.0),
+        ],
     ),
 ];
