@@ -27,12 +27,11 @@ use crate::solution::{Figure, Figures};
 
 /// Figures that have derivatives; of the pressure its smooth maximum: at a ridge, derivatives are those of the cells. That of the minimum on the
 /// centreline, which moves from node to node on the grids that are taken, is half of what solves of a ball in its groove have.
-const FIGURES: [Figure; 8] = [
+const FIGURES: [Figure; 7] = [
     Figure::FilmCentral,
     Figure::FilmMinimum,
     Figure::PressureCentral,
     Figure::TractionCoefficient,
-    Figure::FilmMean,
     Figure::TractionCoefficientBody1,
     Figure::TractionCoefficientBody2,
     Figure::FrictionPower,
