@@ -62,7 +62,7 @@ const ELLIPSES: [[f64; 7]; 10] = [
     [10.0, 40.0, 0.0, 60.0, 0.0, 0.0, 200.0],
 ];
 
-/// Laws of the shear, with the slide-to-roll ratio at which a ball of M 60, L 10 is sheared.
+/// Laws of the shear, with the slide-to-roll ratio at which a ball of M 60, L 10 is sheared. With the limiting stress elements take minutes.
 const LAWS: [(&str, &str, f64); 5] = [
     (
         "Eyring 5 MPa",

@@ -33,6 +33,12 @@ fn text_of(contact: &str, motion: &str, more: &str, alpha: &str) -> String {
     )
 }
 
+/// The same with a law of the shear.
+fn thinned_by(law: &str, text: &str) -> String {
+    let thinning = format!("}}, shear_thinning = {{ {law} }} }}\n[contact]");
+    text.replace("} }\n[contact]", &thinning)
+}
+
 fn solved(case: &Case) -> Solution {
     solve(case, &mut NoObserver).unwrap()
 }
@@ -92,11 +98,7 @@ fn both_engines_agree_on_thinning() {
     let eyring = "law = \"ree-eyring\", tau_0 = \"5 MPa\"";
     let carreau = "law = \"carreau\", g_c = \"0.1 MPa\", n = 0.5, beta_c = 2.0, mu_2 = \"0 Pa.s\"";
     for (contact, motion, law) in [(BALL, spin, eyring), (ellipse, straight, carreau)] {
-        let newtonian = text_of(contact, motion, mesh, "22");
-        let mut case = parsed(newtonian.replace(
-            "} }\n[contact]",
-            &format!("}}, shear_thinning = {{ {law} }} }}\n[contact]"),
-        ));
+        let mut case = parsed(thinned_by(law, &text_of(contact, motion, mesh, "22")));
         case.solver.method = Some(Method::FiniteVolumes);
         let own = solved(&case);
         assert_eq!(own.stats.method, Method::FiniteVolumes);
@@ -256,7 +258,7 @@ fn both_tell_the_same_sensitivities() {
     }
 }
 
-/// Without a method ellipses, starved inlets and steep viscosities are solved by volumes, easy balls, lines and cases with keys of elements by elements.
+/// Without a method ellipses, starved inlets, steep viscosities, thick films and exponential laws of the shear are solved by volumes, easy balls, lines and cases with keys of elements by elements.
 #[test]
 fn the_method_that_takes_less_time() {
     let motion = "entrainment_speed = \"0.8 m/s\"\nslide_to_roll_ratio = 0.0";
@@ -265,10 +267,17 @@ fn the_method_that_takes_less_time() {
     let line = "kind = \"line\"\nradius = \"10 mm\"\nload = \"100 kN/m\"";
     let layer = "[inlet]\noil_layer = \"150 nm\"";
     let [elements, volumes] = METHODS;
+    let thinned = |law: &str| parsed(thinned_by(law, &text_of(BALL, motion, "", "22")));
     for (case, method) in [
         (case(ellipse, motion, ""), volumes),
         (case(BALL, motion, layer), volumes),
         (case_of(BALL, motion, "", "40"), volumes),
+        (case(&BALL.replace("30 N", "0.5 N"), motion, ""), volumes),
+        (thinned("law = \"ree-eyring\", tau_0 = \"5 MPa\""), volumes),
+        (
+            thinned("law = \"rabinowitsch\", tau_0 = \"5 MPa\", n = 0.5"),
+            elements,
+        ),
         (case(BALL, motion, ""), elements),
         (case(line, motion, ""), elements),
         (case(ellipse, motion, "[mesh]\ngrowth = 1.5"), elements),

@@ -55,7 +55,7 @@ impl Beyond {
         })
     }
 
-    /// P and its slopes, at a separation.
+    /// P and its slopes in a film of this height.
     fn pressure(&self, shape: &Shape, place: [f64; 2], film: f64) -> PressureThere {
         let there = self.far.at(place, film, shape.gap.at(place).gradient);
         PressureThere {

@@ -88,6 +88,11 @@ impl<'a, Plan: Sync> Tangents<'a, Plan> {
         }
     }
 
+    /// How many grids are taken, from the coarsest on.
+    pub fn grids(&self) -> usize {
+        self.levels.len()
+    }
+
     /// What keeps derivatives by an input from being known.
     fn obstacle(&self, sides: &Perturbed<Plan>) -> Option<NoDerivative> {
         let close = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();

@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use ertel_rheology::density::DensityLaw;
+use ertel_rheology::shear::{ReeEyring, ShearLaw, ShearThinning};
 use ertel_rheology::viscosity::ViscosityLaw;
 
 use super::composite::Composite;
@@ -120,6 +121,26 @@ fn jacobian_against_differences() {
     };
     for (half, entrainment) in [(true, Planar::along_x(1.0)), (false, spin)] {
         let (system, state) = system(half, entrainment);
+        assert_changes(&system, &state, 1e-6);
+    }
+}
+
+/// The same where Eyring's fluid thins, sliding along the grid, or at an angle to it with spin: the gradients beside a node count, too.
+#[test]
+fn jacobian_of_thinned_films_against_differences() {
+    let motion = Motion::straight(0.8, 0.0);
+    let scales = problem(&motion, 0.01).scales;
+    let eyring = ShearThinning::of(ShearLaw::ReeEyring(ReeEyring { eyring_stress: 1e6 }));
+    let angle = Planar {
+        centre: [0.01, 0.02],
+        spin: 0.02,
+    };
+    for (half, sliding) in [(true, Planar::along_x(0.02)), (false, angle)] {
+        let (mut system, state) = system(half, Planar::along_x(1.0));
+        system.fluid = system.fluid.with_shear(Some(&eyring), &sliding, &scales);
+        let thinned = system.linearise(&state).thinned;
+        let most = thinned.iter().map(|t| t.ln_flow[0][0]).fold(0.0, f64::max);
+        assert!(most > 1.0, "{most}");
         assert_changes(&system, &state, 1e-6);
     }
 }
@@ -322,7 +343,7 @@ fn tangents_against_differences_of_solves() {
         let solved = solved(problem);
         figures(problem, &solved.levels[..n])
     };
-    let n = (found.levels.len() - 2).max(5).min(found.levels.len());
+    let n = tangents.grids();
     let here = figures(&own, &found.levels[..n]);
     for ((of, size), derivatives) in [
         (&by_speed as &dyn Fn(f64) -> Problem<Plan>, 0.8),

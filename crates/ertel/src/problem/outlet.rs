@@ -30,7 +30,7 @@ pub(super) fn at_an_angle(film: f64) -> f64 {
 
 /// Where it lies for flooded circles and ellipses with a thick film, no farther than the inlet; `None` for thin films.
 pub(super) fn behind_thick(film: f64, inlet: f64) -> Option<f64> {
-    (film > THICK).then(|| (FAR * film.sqrt()).ceil_half().min(inlet).max(near(film)))
+    is_thick(film).then(|| (FAR * film.sqrt()).ceil_half().min(inlet).max(near(film)))
 }
 
 /// Whether a contact has a film so thick that pressures far out count.
@@ -40,5 +40,5 @@ pub(super) fn is_thick(film: f64) -> bool {
 
 /// Whether an edge lies so far behind a thick film that a penalty of one size does not keep the film before it from pulling.
 pub(super) fn is_far(outlet: f64, film: f64) -> bool {
-    film > THICK && outlet > near(film)
+    is_thick(film) && outlet > near(film)
 }
