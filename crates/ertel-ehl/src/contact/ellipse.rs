@@ -8,13 +8,13 @@ use ellip::{ellipe, elliprd};
 ///
 /// ```text
 ///   R_l/R_s = [κ²E(m) − K(m)]/[K(m) − E(m)] = B(m)/[(1 − m) D(m)],   κ = a_l/a_s,  m = 1 − 1/κ²
-///   a_l³ = 6κ²E(m) F R/(πE'),   1/R = 1/R_x + 1/R_y,   p_h = 3F/(2π a_l a_s)
+///   a_l³ = 6κ²E(m) F R/(πE'),   1/R = 1/R_x + 1/R_y,   p_h = 3F/(2π a_l a_s),   δ = 3F K(m)/(π a_l E')
 /// ```
 /// l and s: along the larger and the smaller radius. D = (K − E)/m and B = K − D lose no digits near circles.
 ///
 /// Source: Johnson 1985, eqs. 4.25 to 4.28; D = R_D(0, 1 − m, 1)/3: DLMF 19.25.1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ellipse {
+pub struct Ellipse {
     radii: [f64; 2],
     /// κ ≥ 1.
     axis_ratio: f64,
@@ -71,6 +71,14 @@ impl Ellipse {
             false => [long / kappa, long],
         }
     }
+
+    /// By how much the bodies approach each other under a load (N) for the reduced modulus E' (Pa), δ, m.
+    pub fn approach(&self, load: f64, reduced_modulus: f64) -> f64 {
+        let [x, y] = self.semi_axes(load, reduced_modulus);
+        let one_less_m = self.axis_ratio.powi(-2);
+        let [b, d] = integrals(one_less_m);
+        3.0 * load * (b + d) / (PI * x.max(y) * reduced_modulus)
+    }
 }
 
 #[cfg(test)]
@@ -111,6 +119,22 @@ mod tests {
         assert_relative_eq!(kappa - 1.0, 2.0 / 3.0 * 1e-6, max_relative = 1e-4);
     }
 
+    /// Of circles δ = a²/R, and δ grows with F^(2/3).
+    #[test]
+    fn approach() {
+        let (r, f, e) = (0.016, 100.0, 230.769e9);
+        let circle = Ellipse::of_radii([r, r]);
+        let [a, _] = circle.semi_axes(f, e);
+        assert_relative_eq!(circle.approach(f, e), a * a / r, max_relative = 1e-12);
+        let twenty_one = Ellipse::of_radii([r, 21.0 * r]);
+        // δ ∝ F^(2/3)
+        assert_relative_eq!(
+            twenty_one.approach(8.0 * f, e),
+            4.0 * twenty_one.approach(f, e),
+            max_relative = 1e-12
+        );
+    }
+
     /// Axes of twenty ellipses from long to wide, against data/hertz_ellipse.csv.
     #[test]
     fn ellipses_of_the_closed_form() {
@@ -139,6 +163,9 @@ mod tests {
             let [b, d] = integrals(1.0 / ratio);
             assert_relative_eq!(b + d / ratio, e, max_relative = 1e-6);
             assert_relative_eq!(b + d, k, max_relative = 1e-6);
+            let approach = 3.0 * load * k / (PI * long * modulus);
+            let found = Ellipse::of_radii([small, small * radii]).approach(load, modulus);
+            assert_relative_eq!(found, approach, max_relative = 2e-6);
         }
     }
 }

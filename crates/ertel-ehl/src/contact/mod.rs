@@ -18,6 +18,7 @@ pub mod turn;
 pub mod zone;
 
 pub use curvature::Curvatures;
+pub use ellipse::Ellipse;
 pub use equivalent::equivalent_body;
 pub use gap::{Gap, GapTerm};
 pub use groups::Groups;
@@ -163,7 +164,7 @@ impl Contact {
             return 1.0;
         }
         let [along, across] = self.radii_along_and_across();
-        let [a, b] = ellipse::Ellipse::of_radii([along, across]).semi_axes(1.0, 1.0);
+        let [a, b] = Ellipse::of_radii([along, across]).semi_axes(1.0, 1.0);
         b / a
     }
 
