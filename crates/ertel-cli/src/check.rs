@@ -15,7 +15,7 @@ use crate::args::SolveArgs;
 use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::print;
-use crate::solve::{Job, input_warnings, warn};
+use crate::solve::{Job, input_warnings, n_points, warn};
 
 /// Says of a case, or of the points of its curve, what a solve would refuse before it begins; then what was checked.
 ///
@@ -84,6 +84,13 @@ fn rows(rows: &[(&str, String)]) -> String {
 fn check(case: &Case, file: &str) -> Result<(), Failure> {
     let Some(curve) = &case.curve else {
         let refused = |error| Failure::Argument(format!("{file}: {}", Failure::from(error)));
+        for point in case
+            .contacts
+            .iter()
+            .flat_map(|contacts| &contacts.study.points)
+        {
+            run::check(&point.case).map_err(refused)?;
+        }
         return run::check(case).map_err(refused);
     };
     for (i, point) in curve.points.iter().enumerate() {
@@ -109,7 +116,7 @@ struct Checked {
 impl Checked {
     fn of(case: &Case) -> Self {
         let (n_points, n_solves) = match &case.curve {
-            None => (1, 1),
+            None => (n_points(case), n_points(case)),
             Some(curve) => {
                 let n = curve.points.len();
                 let beside = usize::from(curve.newtonian) + usize::from(curve.isothermal);
@@ -125,6 +132,9 @@ impl Checked {
 
     fn points(&self, case: &Case) -> String {
         match &case.curve {
+            None if self.n_points > 1 => {
+                format!("{}, those of the machine that differ", self.n_points)
+            }
             None => "1".to_owned(),
             Some(curve) => format!("{}, over {}", self.n_points, curve.quantity.path),
         }

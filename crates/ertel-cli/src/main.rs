@@ -17,6 +17,7 @@ mod fluids;
 mod given;
 mod init;
 mod inputs;
+mod machine;
 mod manual;
 mod monte_carlo;
 mod own_data;

@@ -10,7 +10,7 @@ use ertel::params::SensitivityDemand;
 use ertel::run;
 use ertel::solution::{Solution, Unresolved};
 use ertel::solve::{DiscretisationError, SolveError};
-use ertel::study::{CurveSolution, solve_curve};
+use ertel::study::{CurveSolution, solve_curve, solve_machine};
 use ertel::warning::{Warning, by_kind};
 use serde_json::{Value, json};
 
@@ -19,6 +19,7 @@ use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::given::Given;
 use crate::inputs;
+use crate::machine;
 use crate::monte_carlo;
 use crate::print;
 use crate::progress::Progress;
@@ -27,7 +28,7 @@ use crate::{cases, check};
 /// Set by Ctrl-C; the solver looks at it before each iteration.
 pub static CANCELLED: AtomicBool = AtomicBool::new(false);
 /// While results are written a second Ctrl-C waits for the moment this takes.
-static WRITING: AtomicBool = AtomicBool::new(false);
+pub static WRITING: AtomicBool = AtomicBool::new(false);
 
 /// A case to be solved, and where its results go.
 pub struct Job {
@@ -94,7 +95,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     if arguments.cross_check {
         may_cross_check(case)?;
     }
-    let n_points = case.curve.as_ref().map_or(1, |curve| curve.points.len());
+    let n_points = n_points(case);
     events.emit(
         "started",
         json!({
@@ -117,6 +118,12 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         let solution = solve_curve(curve, &mut progress);
         drop(progress);
         return write_curve(case, curve, &solution, folder, arguments, events);
+    }
+    if let Some(contacts) = &case.contacts {
+        events.warn(&case.warnings);
+        let solution = solve_machine(contacts, &mut progress);
+        drop(progress);
+        return machine::write(case, &solution, folder, arguments, events);
     }
     events.warn(&case.warnings);
     let solution = run::solve(case, &mut progress);
@@ -164,8 +171,21 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     Ok(films(&solution))
 }
 
+/// Contacts of a case: those of a curve or a machine, or one.
+pub fn n_points(case: &Case) -> usize {
+    match (&case.curve, &case.contacts) {
+        (Some(curve), _) => curve.points.len(),
+        (None, Some(contacts)) => contacts.study.points.len(),
+        (None, None) => 1,
+    }
+}
+
 /// Refuses a cross-check of what one method alone solves.
 fn may_cross_check(case: &Case) -> Result<(), Failure> {
+    if case.contacts.is_some() {
+        let text = "--cross-check takes one contact, and the case is a whole machine: choose one of its contacts with --set, such as machine.element=0";
+        return Err(Failure::Argument(text.to_owned()));
+    }
     if case.curve.is_some() {
         let text = "--cross-check takes one contact, and the case has a [curve]: --set or a file of its own makes one of it";
         return Err(Failure::Argument(text.to_owned()));
@@ -225,7 +245,7 @@ fn short(mut result: Value) -> Value {
     result
 }
 
-fn not_shown(error: serde_json::Error) -> Failure {
+pub fn not_shown(error: serde_json::Error) -> Failure {
     Failure::Other(format!("cannot show the result: {error}"))
 }
 
@@ -249,7 +269,7 @@ pub fn points_not_resolved(n: usize, all: usize, table: &Path) -> Failure {
 }
 
 /// What to do about figures that are not resolved.
-const RESOLVE: &str = "raise [mesh] max_unknowns, or accept such figures with --accept-unresolved; the warnings say \
+pub const RESOLVE: &str = "raise [mesh] max_unknowns, or accept such figures with --accept-unresolved; the warnings say \
     what the mesh lacks";
 
 /// Writes what was solved of a curve; says what was not.

@@ -227,15 +227,20 @@ pub fn by_kind<'a>(warnings: impl IntoIterator<Item = (usize, &'a Warning)>) -> 
 impl Merged {
     /// In one line, points counted from 1: `points 2 to 5: the film …`; `of` is how many points there are.
     pub fn line(&self, of: usize) -> String {
+        self.line_of(of, "point")
+    }
+
+    /// The same of what is called something else: `contacts 2 to 5: the film …`.
+    pub fn line_of(&self, of: usize, what: &str) -> String {
         let text = &self.worst.text;
         let place = match self.points[..] {
-            [one] => format!("point {}", one + 1),
-            _ if self.points.len() == of => format!("all {of} points"),
-            _ => format!("points {}", ranges(&self.points)),
+            [one] => format!("{what} {}", one + 1),
+            _ if self.points.len() == of => format!("all {of} {what}s"),
+            _ => format!("{what}s {}", ranges(&self.points)),
         };
         match self.alike || self.points.len() == 1 {
             true => format!("{place}: {text}"),
-            false => format!("{place}, here of point {}: {text}", self.worst_point + 1),
+            false => format!("{place}, here of {what} {}: {text}", self.worst_point + 1),
         }
     }
 }

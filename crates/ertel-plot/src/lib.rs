@@ -10,9 +10,11 @@ pub mod legend;
 mod path;
 mod pdf;
 pub mod png;
+pub mod polar;
 mod simplify;
 mod svg;
 
 pub use axis::{Axis, AxisScale};
 pub use chart::{Chart, ErrorBars, Look, Marker, PALETTE, Series, Side, side_by_side};
 pub use drawing::{Drawing, DrawingError};
+pub use polar::{Polar, polar_row};

@@ -7,7 +7,7 @@ use ertel_input::{InputError, Table};
 use super::bodies::Shapes;
 use super::machine::{self, Machine};
 use super::{check, contact, motion, sections};
-use crate::case::MachineEcho;
+use crate::case::{MachineEcho, WholeMachine};
 use crate::contact::motion::ROUNDING;
 use crate::contact::{Contact, Hertz, Motion};
 use crate::warning::Warning;
@@ -18,6 +18,8 @@ pub(super) struct Geometry<'t> {
     pub contact: Contact,
     pub motion: Motion,
     pub machine: Option<MachineEcho>,
+    /// All contacts of the machine.
+    pub whole: Option<WholeMachine>,
     pub hertz: Hertz,
     /// Smallest radius of curvature of either body along x and along y, m, convex or concave; infinite where none is known or both are flat.
     pub body_radii: [f64; 2],
@@ -72,6 +74,7 @@ impl<'t> Tables<'t> {
         folder: &Path,
     ) -> Result<Geometry<'t>, InputError> {
         let mut warnings = Vec::new();
+        let mut whole = None;
         let (contact, motion, machine, hertz, body_radii) = match &mut self {
             Tables::Plain(table, motion_table) => {
                 let contact = contact::read_contact(table, reduced_modulus, shapes, folder)?;
@@ -110,8 +113,10 @@ impl<'t> Tables<'t> {
                     body_radii,
                     warnings: own,
                     echo,
+                    whole: all,
                 } = machine::read(table, reduced_modulus, folder)?;
                 warnings = own;
+                whole = all;
                 let hertz = check::hertz(table, load_key, &contact, reduced_modulus)
                     .map_err(|error| error.with_help(computed(&contact)))?;
                 motion::check_spin(
@@ -130,6 +135,7 @@ impl<'t> Tables<'t> {
             contact: without_rounding(contact),
             motion: motion.without_rounding(),
             machine,
+            whole,
             hertz,
             body_radii,
             warnings,

@@ -81,6 +81,7 @@ pub use described::{
 use geometry::Geometry;
 pub use inputs::Origin;
 pub use lubricant::Lubricant;
+pub use machine::{MachineAxis, MachineContact, MachineContacts, Mechanics, RINGS, WholeMachine};
 pub use params::{read_mesh, read_solver};
 pub use study::Study;
 pub use study::read_named;
@@ -133,6 +134,11 @@ pub struct Case {
     pub origin: Option<Arc<Origin>>,
     /// The points of `[curve]`, each a case of its own; [`crate::run`] solves the case without them.
     pub curve: Option<Curve>,
+    /// The machine of which the contact is the governing one, if the file describes one without a choice of its contacts.
+    pub whole: Option<Arc<WholeMachine>>,
+    /// The contacts of that machine, each a case of its own, as [`crate::study::solve_machine`] solves them; `None` with a `[curve]` and for
+    /// points of studies, which follow the governing contact.
+    pub contacts: Option<Arc<MachineContacts>>,
 }
 
 impl Case {
@@ -169,6 +175,13 @@ impl Case {
     pub fn from_document(document: &Document, folder: &Path) -> Result<Self, InputError> {
         let mut case = Self::without_curve(document, folder, BTreeMap::new())?;
         case.curve = curve::read(document, folder, &case)?;
+        case.contacts = match (&case.whole, &case.curve) {
+            (Some(whole), None) => {
+                let contacts = machine::contacts(document, folder, &case, whole)?;
+                Some(Arc::new(contacts))
+            }
+            _ => None,
+        };
         Ok(case)
     }
 
@@ -210,6 +223,7 @@ impl Case {
             contact,
             motion,
             machine,
+            whole,
             hertz,
             body_radii,
             warnings: of_machine,
@@ -273,6 +287,8 @@ impl Case {
             given: echo::json_of(document.tree()),
             origin: None,
             curve: None,
+            whole: whole.map(Arc::new),
+            contacts: None,
         };
         check::body_of_wide_contact(&case, tables.main())?;
         check::finite_elements_of_soft_bodies(&case, &document.root())?;

@@ -15,6 +15,7 @@ mod heat;
 pub mod html;
 mod inputs;
 mod lines;
+mod machine;
 mod mixed;
 mod monte_carlo;
 pub mod pictures;
@@ -40,6 +41,7 @@ pub use curve::{curve_files, curve_json, curve_report, curve_table, point_json, 
 pub use estimate::{ESTIMATE_FORMAT, estimate_json, estimate_report};
 pub use figure::unresolved;
 pub use folder::{OutputFile, clear_leftovers};
+pub use machine::{machine_json, machine_report, machine_table, write_machine};
 pub use monte_carlo::{MONTE_CARLO, monte_carlo_report, write_monte_carlo};
 pub use report::report;
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};

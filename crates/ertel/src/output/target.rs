@@ -9,10 +9,11 @@ use ertel_input::file::{LARGEST_OWN, open};
 
 use super::OutputError;
 use super::curve::CURVE_FORMAT;
+use super::machine::MACHINE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 55] = [
+pub(super) const OWN_FILES: [&str; 63] = [
     "result.json",
     super::html::REPORT_PAGE,
     "curve.json",
@@ -60,6 +61,14 @@ pub(super) const OWN_FILES: [&str; 55] = [
     "interferogram.pdf",
     "cross-film.pdf",
     "cross-check.csv",
+    "machine.json",
+    "machine.csv",
+    "around.svg",
+    "around.png",
+    "around.pdf",
+    "path.svg",
+    "path.png",
+    "path.pdf",
     // As they were called before.
     "temperature-plane.svg",
     "temperature-plane.png",
@@ -109,13 +118,14 @@ pub(super) fn foreign(folder: &Path) -> io::Result<Option<String>> {
     if fs::read_dir(folder)?.next().is_none() {
         return Ok(None);
     }
-    let is_curve = has_format(&folder.join("curve.json"), CURVE_FORMAT);
-    if !is_curve && !has_format(&folder.join("result.json"), FORMAT) {
+    let has_points = has_format(&folder.join("curve.json"), CURVE_FORMAT)
+        || has_format(&folder.join("machine.json"), MACHINE_FORMAT);
+    if !has_points && !has_format(&folder.join("result.json"), FORMAT) {
         return Ok(Some("it holds files, but no result of ertel".into()));
     }
     let stray = match stray(folder)? {
         // A result of one contact has no points, and each point has a result of its own.
-        None if folder.join(POINTS).is_dir() => match is_curve {
+        None if folder.join(POINTS).is_dir() => match has_points {
             true => point_without_result(folder)?,
             false => Some(POINTS.into()),
         },

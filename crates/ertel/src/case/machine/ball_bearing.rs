@@ -85,6 +85,7 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         body_radii: [0.5 * diameter; 2],
         warnings: Vec::new(),
         echo: rows.echo(),
+        whole: None,
     })
 }
 

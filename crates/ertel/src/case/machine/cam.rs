@@ -76,5 +76,6 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         body_radii: [f64::INFINITY; 2],
         warnings: Vec::new(),
         echo: rows.echo(),
+        whole: None,
     })
 }

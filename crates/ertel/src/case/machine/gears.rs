@@ -162,6 +162,7 @@ pub(super) fn read(table: &mut Table<'_>, kind: Teeth) -> Result<Machine, InputE
         body_radii: [f64::INFINITY; 2],
         warnings,
         echo: rows.echo(),
+        whole: None,
     })
 }
 

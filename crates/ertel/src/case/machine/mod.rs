@@ -11,6 +11,10 @@ mod gears;
 mod involute;
 mod roller_bearing;
 mod spin;
+mod whole;
+
+pub(super) use whole::contacts;
+pub use whole::{Axis as MachineAxis, MachineContact, MachineContacts, RINGS, WholeMachine};
 
 use std::path::Path;
 
@@ -50,7 +54,13 @@ pub(super) struct Machine {
     /// What to know.
     pub warnings: Vec<Warning>,
     pub echo: MachineEcho,
+    /// All contacts, where the file asks for no single one.
+    pub whole: Option<WholeMachine>,
 }
+
+/// What the mechanics of a machine say of it.
+#[derive(Clone, Debug)]
+pub enum Mechanics {}
 
 /// Reads `[machine]`; `reduced_modulus` in Pa converts a Hertz pressure to a load.
 pub(super) fn read(

@@ -54,5 +54,6 @@ pub(super) fn read(
         body_radii: [0.5 * diameter, f64::INFINITY],
         warnings: Vec::new(),
         echo: rows.echo(),
+        whole: None,
     })
 }

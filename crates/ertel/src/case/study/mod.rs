@@ -42,7 +42,7 @@ use crate::contact::ContactKind;
 use axis::Group;
 pub use beside::PointColumn;
 pub(crate) use points::split_title;
-pub(super) use text::{inline, quoted};
+pub(super) use text::{inline, quoted, to_toml};
 pub use values::AxisValue;
 pub(crate) use values::header;
 

@@ -3,7 +3,7 @@
 use ertel_input::tree::{Entry, Node, Value};
 
 /// A document: scalars and arrays first, then tables.
-pub(super) fn to_toml(root: &Node) -> String {
+pub(in crate::case) fn to_toml(root: &Node) -> String {
     let mut text = String::new();
     table(root, "", &mut text);
     text

@@ -5,6 +5,8 @@
 
 mod data;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, context};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -12,11 +14,15 @@ use serde_json::{Value, json};
 pub use data::{DATA_FORMAT, DATA_VERSION};
 
 use super::lines::{Block, Lines};
+use super::machine::{
+    machine_pictures, machine_table, warning_texts, write_contacts, write_figures,
+};
 use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
 use super::{curve_report, curve_table, heat, inputs};
 use crate::case::CaseEcho;
+use crate::machine::MachineFigure;
 use crate::solution::Solution;
-use crate::study::CurveSolution;
+use crate::study::{CurveSolution, MachineSolution};
 use crate::warning::texts;
 use crate::words::{digits, pressure};
 
@@ -163,6 +169,7 @@ pub fn report_page(case: &CaseEcho, solution: &Solution, tolerance: f64) -> Stri
         effort: part(|out| write_effort(out, solution), ""),
         case_file: case.case_file.as_deref(),
         has_uncertainty: solution.uncertainty.is_some(),
+        pictures: Vec::new(),
         data,
     })
 }
@@ -190,6 +197,39 @@ pub fn curve_page(case: &CaseEcho, curve: &CurveSolution) -> String {
             "Case (of the file, before the curve's values)",
         ),
         case_file: case.case_file.as_deref(),
+        data,
+        ..Page::default()
+    })
+}
+
+/// The page of a machine: its figures, the pictures of its contacts, and their table.
+pub fn machine_page(
+    case: &CaseEcho,
+    machine: &MachineSolution,
+    figures: &[MachineFigure],
+) -> String {
+    let whole = &machine.machine;
+    let n_axes = if whole.has_sides() { 2 } else { 1 };
+    let data = json!({
+        "version": DATA_VERSION,
+        "table": table(&machine_table(machine), n_axes),
+    });
+    let results = part(
+        |out| {
+            write_figures(out, figures);
+            write_contacts(out, machine);
+        },
+        "",
+    );
+    let pictures = machine_pictures(&case.title, machine).into_iter();
+    page(Page {
+        title: &case.title,
+        subtitle: whole.title.clone(),
+        warnings: warning_texts(machine),
+        results,
+        inputs: part(|out| write_case(out, case), "Governing contact"),
+        case_file: case.case_file.as_deref(),
+        pictures: pictures.map(|p| STANDARD.encode(p.svg)).collect(),
         data,
         ..Page::default()
     })
@@ -333,6 +373,8 @@ struct Page<'a> {
     effort: Vec<Section>,
     case_file: Option<&'a str>,
     has_uncertainty: bool,
+    /// SVG files in base 64.
+    pictures: Vec<String>,
     #[serde(skip)]
     data: Value,
 }

@@ -1,0 +1,82 @@
+//! `ertel solve` of a whole machine: its results, and what was not solved.
+
+use std::path::Path;
+use std::sync::atomic::Ordering;
+
+use ertel::case::Case;
+use ertel::machine::figures;
+use ertel::output;
+use ertel::study::MachineSolution;
+use serde_json::json;
+
+use crate::args::SolveArgs;
+use crate::events::{Events, path_text};
+use crate::failure::Failure;
+use crate::print;
+use crate::solve::{RESOLVE, WRITING, not_shown};
+
+/// Writes what was solved of a machine; returns in words what that is.
+///
+/// # Errors
+///
+/// Results that cannot be written, contacts that failed or are not resolved, an interruption.
+pub fn write(
+    case: &Case,
+    solution: &MachineSolution,
+    folder: &Path,
+    arguments: &SolveArgs,
+    events: &Events,
+) -> Result<String, Failure> {
+    if solution.solved().next().is_none() {
+        return Err(Failure::Interrupted);
+    }
+    let figures = figures(case, solution);
+    let echo = case.echo();
+    WRITING.store(true, Ordering::SeqCst);
+    output::write_machine(&echo, solution, &figures, folder, &case.output)?;
+    WRITING.store(false, Ordering::SeqCst);
+    let shown = if events.is_on() {
+        let mut result = output::machine_json(&echo, solution, &figures).map_err(not_shown)?;
+        // Each contact was told when it was solved.
+        if let Some(keys) = result.as_object_mut() {
+            keys.remove("contacts");
+            keys.remove("case");
+        }
+        events.emit(
+            "result",
+            json!({ "folder": path_text(folder), "result": result }),
+        );
+        Ok(())
+    } else if arguments.quiet {
+        Ok(())
+    } else {
+        let text = output::machine_report(&echo, solution, &figures, Some(folder));
+        print::stdout(&text)
+    };
+    let (all, failed) = (solution.n_contacts(), solution.n_failed());
+    let solved = solution.solved().count();
+    if solution.is_partial() {
+        return Err(Failure::InterruptedCurve(format!(
+            "interrupted after {solved} of {all} contacts; these are in {}",
+            folder.display()
+        )));
+    }
+    let table = folder.join("machine.csv");
+    if failed > 0 {
+        return Err(Failure::NotConverged(format!(
+            "{failed} of {all} contacts failed, and no sums are given; the reasons are in {}",
+            folder.join("report.txt").display()
+        )));
+    }
+    let solutions = solution.solved().filter_map(|(_, p)| p.outcome.solution());
+    let unresolved = solutions.filter(|s| !s.unresolved.is_empty()).count();
+    if unresolved > 0 && !arguments.accept_unresolved {
+        return Err(Failure::Unresolved(format!(
+            "{unresolved} of {all} contacts are not resolved: the error bar of a figure exceeds half its value, or is missing; see the column \
+             `unresolved` of {}\n  = help: {RESOLVE}",
+            table.display()
+        )));
+    }
+    shown?;
+    Ok(format!("{all} different contacts"))
+}

@@ -1,0 +1,78 @@
+//! `machine.json`: figures of the machine, and its contacts with all that `result.json` has of each but its iterations.
+
+use serde_json::{Map, Value, json};
+
+use super::super::curve::point_json;
+use super::super::result_json::{FORMAT_VERSION, units};
+use crate::case::CaseEcho;
+use crate::machine::MachineFigure;
+use crate::run::NUMERICS;
+use crate::study::MachineSolution;
+
+/// Value of the key `format` by which the results of a machine are recognised.
+pub const MACHINE_FORMAT: &str = "ertel-machine";
+
+/// The document; SI throughout.
+///
+/// # Errors
+/// Those of serde.
+pub fn machine_json(
+    case: &CaseEcho,
+    machine: &MachineSolution,
+    figures: &[MachineFigure],
+) -> serde_json::Result<Value> {
+    let whole = &machine.machine;
+    let figures: Map<String, Value> = (figures.iter())
+        .map(|figure| {
+            let value = json!({
+                "value": figure.estimate.value,
+                "error": figure.estimate.error,
+                "unit": figure.unit,
+                "words": figure.words,
+                "source": figure.source,
+            });
+            (figure.name.to_owned(), value)
+        })
+        .collect();
+    let contacts = (whole.contacts.iter().enumerate())
+        .map(|(i, contact)| {
+            let mut value = json!({
+                "contact": i + 1,
+                "name": contact.name,
+                (whole.axis.name()): contact.place,
+                "load": contact.load,
+                "hertz_pressure": contact.hertz_pressure,
+                "solved_as": contact.like.map(|like| like + 1),
+            });
+            if let Some(point) = &machine.contacts[i] {
+                let mut point = point_json(i, point)?;
+                if let Some(keys) = point.as_object_mut() {
+                    keys.remove("point");
+                    keys.remove("value");
+                }
+                value["solution"] = point;
+            }
+            Ok(value)
+        })
+        .collect::<serde_json::Result<Vec<Value>>>()?;
+    let rows = case.machine.iter().flat_map(|machine| &machine.rows);
+    let rows: Vec<Value> = rows.map(|(name, value)| json!([name, value])).collect();
+    Ok(json!({
+        "format": MACHINE_FORMAT,
+        "format_version": FORMAT_VERSION,
+        "ertel_version": env!("CARGO_PKG_VERSION"),
+        "numerics_version": NUMERICS,
+        "title": case.title,
+        "machine": rows,
+        "governing_contact": whole.governing + 1,
+        "figures": figures,
+        "n_contacts": whole.contacts.len(),
+        "n_solved": machine.n_contacts(),
+        "n_failed": machine.n_failed(),
+        "complete": !machine.is_partial(),
+        "wall_seconds": machine.wall_seconds,
+        "contacts": contacts,
+        "case": { "given": case.given, "si": serde_json::to_value(case)? },
+        "units": units(whole.is_line),
+    }))
+}

@@ -1,0 +1,99 @@
+//! Results of a machine: `machine.json`, `machine.csv`, pictures, a report, and folders of its contacts.
+
+mod json;
+mod picture;
+mod report;
+mod table;
+
+pub use json::{MACHINE_FORMAT, machine_json};
+pub(super) use picture::pictures as machine_pictures;
+pub use report::machine_report;
+pub(super) use report::{warning_texts, write_contacts, write_figures};
+pub use table::machine_table;
+
+use std::path::Path;
+
+use super::folder::{NewFolder, Part};
+use super::html::{REPORT_PAGE, machine_page};
+use super::{OutputError, finite, write_files, write_picture};
+use crate::case::CaseEcho;
+use crate::machine::MachineFigure;
+use crate::params::OutputParams;
+use crate::study::MachineSolution;
+
+/// Writes the results of a machine into one folder, as [`super::write`] does; where the machine asks for folders, the results of each contact into a
+/// folder of its own, too: `points/01`, by its place among the contacts.
+///
+/// # Errors
+/// [`OutputError`]; the target is then as it was before.
+pub fn write_machine(
+    case: &CaseEcho,
+    machine: &MachineSolution,
+    figures: &[MachineFigure],
+    target: &Path,
+    params: &OutputParams,
+) -> Result<(), OutputError> {
+    check(machine, figures)?;
+    let folder = NewFolder::beside(target)?;
+    write_files_of_machine(folder.root(), case, machine, figures, params)?;
+    if machine.machine.folders {
+        let width = machine.machine.contacts.len().to_string().len();
+        for (i, point) in machine.solved() {
+            if let Some(solution) = point.outcome.solution() {
+                let part = folder.point(&format!("{:0width$}", i + 1))?;
+                write_files(&part, &point.case, solution, params)?;
+            }
+        }
+    }
+    folder.finish()
+}
+
+/// Refuses numbers that are none.
+fn check(machine: &MachineSolution, figures: &[MachineFigure]) -> Result<(), OutputError> {
+    for (i, point) in machine.solved() {
+        let found =
+            (point.outcome.solution()).and_then(|s| finite::first_not_finite(&point.case, s));
+        if let Some(what) = found {
+            let what = format!("{what}, of {}", machine.machine.contacts[i].name);
+            return Err(OutputError::NotFinite { what });
+        }
+    }
+    let is_bad = |f: &&MachineFigure| {
+        !f.estimate.value.is_finite() || f.estimate.error.is_some_and(|e| !e.is_finite())
+    };
+    match figures.iter().find(is_bad) {
+        Some(figure) => Err(OutputError::NotFinite {
+            what: figure.words.to_owned(),
+        }),
+        None => Ok(()),
+    }
+}
+
+fn write_files_of_machine(
+    root: &Part,
+    case: &CaseEcho,
+    machine: &MachineSolution,
+    figures: &[MachineFigure],
+    params: &OutputParams,
+) -> Result<(), OutputError> {
+    let json = machine_json(case, machine, figures)
+        .and_then(|json| serde_json::to_string_pretty(&json))
+        .map_err(|e| OutputError::io(&root.shown("machine.json"), e.into()))?;
+    root.file("machine.json", |out| writeln!(out, "{json}"))?;
+    root.file("machine.csv", |out| {
+        out.write_all(machine_table(machine).as_bytes())
+    })?;
+    root.file("report.txt", |out| {
+        out.write_all(machine_report(case, machine, figures, None).as_bytes())
+    })?;
+    root.file(REPORT_PAGE, |out| {
+        out.write_all(machine_page(case, machine, figures).as_bytes())
+    })?;
+    if let Some(text) = &case.case_file {
+        root.file("case.toml", |out| out.write_all(text.as_bytes()))?;
+    }
+    for picture in machine_pictures(&case.title, machine) {
+        write_picture(root, &picture, params.pictures)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,201 @@
+//! Loads and films around a bearing, or along a path of contact and over a turn of a cam.
+
+use ertel_plot::{
+    Axis, Chart, Drawing, Look, PALETTE, Polar, Series, Side, polar_row, side_by_side,
+};
+
+use super::super::pictures::{Picture, film_unit};
+use crate::case::{MachineAxis, RINGS};
+use crate::solution::{Figure, Solution};
+use crate::study::MachineSolution;
+use crate::words::pressure_unit;
+
+/// Every picture of a machine.
+pub(in crate::output) fn pictures(title: &str, machine: &MachineSolution) -> Vec<Picture> {
+    let drawing = match machine.machine.axis {
+        MachineAxis::Around => Picture::new("around", around(title, machine)),
+        MachineAxis::LineOfAction | MachineAxis::CamAngle => {
+            Picture::new("path", along(title, machine))
+        }
+    };
+    vec![drawing]
+}
+
+fn ring(side: usize) -> String {
+    format!("{} ring", RINGS[side])
+}
+
+/// A value of each contact of a side with its place; without those that were not solved.
+fn values(
+    machine: &MachineSolution,
+    side: usize,
+    value: impl Fn(usize) -> Option<f64>,
+) -> Vec<[f64; 2]> {
+    let contacts = machine.machine.contacts.iter().enumerate();
+    let of = contacts.filter(|(_, contact)| contact.side == side);
+    of.filter_map(|(i, contact)| Some([contact.place, value(i)?]))
+        .collect()
+}
+
+fn film(machine: &MachineSolution, contact: usize, figure: Figure) -> Option<f64> {
+    let found = machine.solution(contact)?.figure(figure)?;
+    found.resolved.then_some(found.value)
+}
+
+fn largest(of: &[Vec<[f64; 2]>]) -> f64 {
+    of.iter().flatten().map(|p| p[1].abs()).fold(0.0, f64::max)
+}
+
+/// Loads, and central and minimum films, around a bearing.
+fn around(title: &str, machine: &MachineSolution) -> Drawing {
+    let whole = &machine.machine;
+    let first: Vec<f64> = (whole.contacts.iter())
+        .filter(|contact| contact.side == 0)
+        .map(|contact| contact.place)
+        .collect();
+    let labels: Vec<(f64, String)> = (first.iter().enumerate())
+        .map(|(i, angle)| (*angle, i.to_string()))
+        .collect();
+    let polar = |heading: &str, label: String, high: f64| Polar {
+        title: title.to_owned(),
+        heading: heading.to_owned(),
+        radius: Axis::linear_around(&label, [0.0, high]),
+        series: Vec::new(),
+        labels: labels.clone(),
+    };
+    let load = |side| values(machine, side, |i| Some(whole.contacts[i].load));
+    let loads = [load(0), load(1)];
+    let unit = if whole.is_line { "N/m" } else { "N" };
+    let mut of_loads = polar(
+        "Load of each element",
+        format!("load ({unit})"),
+        largest(&loads),
+    );
+    let looks = [Look::Dots, Look::Circles];
+    for (side, points) in loads.into_iter().enumerate() {
+        of_loads.add(&ring(side), points, looks[side], PALETTE[side]);
+    }
+    let films: Vec<[Vec<[f64; 2]>; 2]> = [0, 1]
+        .map(|side| {
+            [Figure::FilmCentral, Figure::FilmMinimum]
+                .map(|figure| values(machine, side, |i| film(machine, i, figure)))
+        })
+        .to_vec();
+    let all: Vec<Vec<[f64; 2]>> = films.iter().flatten().cloned().collect();
+    let (factor, unit) = film_unit(largest(&all));
+    let high = factor * largest(&all);
+    let mut of_films = polar("Film thickness", format!("*h* ({unit})"), high);
+    for (side, [central, minimum]) in films.into_iter().enumerate() {
+        let scaled = |points: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
+            points
+                .into_iter()
+                .map(|[angle, h]| [angle, factor * h])
+                .collect()
+        };
+        let label = |what: &str| format!("{what}, {}", ring(side));
+        of_films.add(
+            &label("central"),
+            scaled(central),
+            looks[side],
+            PALETTE[side],
+        );
+        of_films.add(
+            &label("minimum"),
+            scaled(minimum),
+            Look::Crosses,
+            PALETTE[side],
+        );
+    }
+    polar_row(title, &[of_loads, of_films])
+}
+
+/// Films, pressures, speeds and friction over the place.
+fn along(title: &str, machine: &MachineSolution) -> Drawing {
+    let whole = &machine.machine;
+    let (scale, label) = match whole.axis {
+        MachineAxis::LineOfAction => (1e3, "distance from the pitch point (mm)"),
+        _ => (1f64.to_degrees(), "angle of the cam (deg)"),
+    };
+    let shown = |points: Vec<[f64; 2]>, factor: f64| -> Vec<[f64; 2]> {
+        points
+            .into_iter()
+            .map(|[x, y]| [scale * x, factor * y])
+            .collect()
+    };
+    let places: Vec<f64> = whole
+        .contacts
+        .iter()
+        .map(|contact| scale * contact.place)
+        .collect();
+    let low = places.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let chart = |y: &str, series: Vec<(String, Vec<[f64; 2]>, Look)>| {
+        let heights = series
+            .iter()
+            .flat_map(|(_, points, _)| points.iter().map(|p| p[1]));
+        let axis = Axis::linear_around(y, heights.chain([0.0]));
+        let mut chart = Chart::new(title, Axis::linear(label, low, high), axis);
+        chart.series = (series.into_iter().zip(PALETTE))
+            .map(|((label, points, look), colour)| Series {
+                label,
+                points,
+                look,
+                colour: colour.into(),
+                side: Side::Left,
+            })
+            .collect();
+        chart
+    };
+    let of = |figure| values(machine, 0, |i| film(machine, i, figure));
+    let films = [of(Figure::FilmCentral), of(Figure::FilmMinimum)];
+    let (factor, unit) = film_unit(largest(&films));
+    let [central, minimum] = films;
+    let mut charts = vec![chart(
+        &format!("Film thickness *h* ({unit})"),
+        vec![
+            ("central".into(), shown(central, factor), Look::LineAndDots),
+            ("minimum".into(), shown(minimum, factor), Look::LineAndRings),
+        ],
+    )];
+    let hertz = values(machine, 0, |i| Some(whole.contacts[i].hertz_pressure));
+    let (factor, unit) = pressure_unit(largest(&[hertz.clone()]));
+    let label = format!("Hertz pressure *p*_{{h}} ({unit})");
+    charts.push(chart(
+        &label,
+        vec![(String::new(), shown(hertz, factor), Look::LineAndDots)],
+    ));
+    let speeds = |value: fn(&crate::contact::Motion) -> f64| {
+        values(machine, 0, |i| Some(value(&machine.of(i)?.case.motion)))
+    };
+    charts.push(chart(
+        "Surface speeds (m/s)",
+        vec![
+            (
+                "body 1".into(),
+                shown(speeds(|m| m.body_1_speed()), 1.0),
+                Look::Line,
+            ),
+            (
+                "body 2".into(),
+                shown(speeds(|m| m.body_2_speed()), 1.0),
+                Look::Dashed,
+            ),
+        ],
+    ));
+    let friction = |value: fn(&Solution) -> Option<f64>| {
+        values(machine, 0, |i| machine.solution(i).and_then(value))
+    };
+    let traction = friction(|s| Some(s.figure(Figure::TractionCoefficient)?.value));
+    charts.push(chart(
+        "Traction coefficient",
+        vec![(String::new(), shown(traction, 1.0), Look::LineAndDots)],
+    ));
+    let hottest = friction(|s| Some(s.figure(Figure::FilmTemperatureMaximum)?.value - 273.15));
+    if !hottest.is_empty() {
+        charts.push(chart(
+            "Hottest film (°C)",
+            vec![(String::new(), shown(hottest, 1.0), Look::LineAndDots)],
+        ));
+    }
+    side_by_side(title, &charts, 2)
+}

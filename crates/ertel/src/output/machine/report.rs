@@ -1,0 +1,225 @@
+//! What a user reads of a machine.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use super::super::figure::{estimate, in_unit, number, temperature};
+use super::super::lines::{Lines, Table};
+use super::super::report::write_case;
+use crate::case::CaseEcho;
+use crate::machine::{MachineFigure, Section};
+use crate::solution::{Estimate, Figure, Solution};
+use crate::study::{MachineSolution, Outcome};
+use crate::warning::{Warning, by_kind};
+use crate::words::{digits, pressure};
+
+/// The machine, its figures, its contacts as a table, failures, warnings.
+pub fn machine_report(
+    case: &CaseEcho,
+    machine: &MachineSolution,
+    figures: &[MachineFigure],
+    folder: Option<&Path>,
+) -> String {
+    let mut out = Lines::default();
+    out.title(&case.title);
+    write_case(&mut out, case);
+    write_figures(&mut out, figures);
+    write_contacts(&mut out, machine);
+    out.warnings(&warnings(machine));
+    let mut text = out.text();
+    let n = machine.n_contacts();
+    let _ = writeln!(
+        text,
+        "\n{} of {n} different contacts solved in {} s",
+        n - machine.n_failed(),
+        digits(machine.wall_seconds, 3)
+    );
+    if let Some(folder) = folder {
+        let _ = writeln!(text, "Results in {}", folder.display());
+    }
+    text
+}
+
+/// Figures of the machine, section by section.
+pub(in crate::output) fn write_figures(out: &mut Lines, figures: &[MachineFigure]) {
+    for section in Section::ALL {
+        let of: Vec<&MachineFigure> = figures.iter().filter(|f| f.section == section).collect();
+        if of.is_empty() {
+            continue;
+        }
+        out.heading(section.heading());
+        for figure in &of {
+            out.row(figure.words, shown(figure));
+        }
+        let mut told: Vec<&str> = Vec::new();
+        for figure in of.iter().filter(|f| !f.source.is_empty()) {
+            if !told.contains(&figure.source) {
+                told.push(figure.source);
+                out.note(figure.source);
+            }
+        }
+    }
+}
+
+/// A figure with its unit as people read it.
+fn shown(figure: &MachineFigure) -> String {
+    let e = figure.estimate;
+    match figure.unit {
+        "m" => estimate(&e),
+        "K" => temperature(e, None),
+        "Pa" => match e.error {
+            Some(_) => super::super::figure::pressure_estimate(e),
+            None => pressure(e.value),
+        },
+        "W" if e.value.abs() < 1.0 => in_unit(e, 1e3, "mW"),
+        "N m" if e.value.abs() < 1.0 => in_unit(e, 1e3, "N mm"),
+        "s" => format!("{} h", digits(e.value / 3600.0, 4)),
+        unit => in_unit(e, 1.0, unit),
+    }
+}
+
+/// A row for each contact; those that are alike in one.
+pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSolution) {
+    let whole = &machine.machine;
+    out.heading("Contacts");
+    let solutions = || (0..whole.contacts.len()).filter_map(|i| machine.solution(i));
+    let is_rough = solutions().any(|s| s.mixed.is_some());
+    let is_hot = solutions().any(|s| s.thermal.is_some());
+    let slides = machine.solved().any(|(_, p)| p.case.motion.slides());
+    let load = if whole.is_line {
+        "load per length"
+    } else {
+        "load"
+    };
+    let columns = [
+        (true, "contact"),
+        (true, load),
+        (true, "Hertz pressure"),
+        (true, "entrainment"),
+        (slides, "slide-to-roll"),
+        (true, "central film"),
+        (true, "minimum film"),
+        (is_rough, "lambda"),
+        (slides, "traction"),
+        (true, "friction power"),
+        (is_hot, "hottest film"),
+    ];
+    let keep = |cells: [String; 11]| -> Vec<String> {
+        let cells = cells.into_iter().zip(&columns);
+        cells
+            .filter_map(|(cell, (shown, _))| shown.then_some(cell))
+            .collect()
+    };
+    let none = || "-".to_owned();
+    let mut rows = Vec::new();
+    for (i, contact) in whole.contacts.iter().enumerate() {
+        if contact.like.is_some_and(|like| like != i) {
+            continue;
+        }
+        let name = match whole.count(i) {
+            0 | 1 => contact.name.clone(),
+            n => format!("{} and {} more", contact.name, n - 1),
+        };
+        let unit = if whole.is_line { "N/m" } else { "N" };
+        let load = format!("{} {unit}", digits(contact.load, 4));
+        let hertz = match contact.load > 0.0 {
+            true => pressure(contact.hertz_pressure),
+            false => none(),
+        };
+        let motion = machine.of(i).map(|point| point.case.motion);
+        let speed = motion.map_or_else(none, |m| format!("{} m/s", digits(m.entrainment_speed, 4)));
+        let ratio = motion.map_or_else(none, |m| digits(m.slide_to_roll_ratio, 3));
+        let Some(point) = machine.of(i) else {
+            let text = if contact.like.is_some() {
+                "not begun"
+            } else {
+                "unloaded"
+            };
+            let mut cells = std::array::from_fn(|_| none());
+            cells[0] = name;
+            cells[1] = if contact.load > 0.0 {
+                load
+            } else {
+                text.to_owned()
+            };
+            rows.push(keep(cells));
+            continue;
+        };
+        let cells = match &point.outcome {
+            Outcome::Solved(s) => [
+                name,
+                load,
+                hertz,
+                speed,
+                ratio,
+                estimate(&s.summary.film_central),
+                estimate(&s.summary.film_minimum),
+                (s.mixed.as_ref()).map_or_else(none, |m| number(m.lambda_minimum)),
+                number(s.traction.size()),
+                power(s, whole.is_line),
+                (s.thermal.as_ref())
+                    .map_or_else(none, |t| temperature(t.film_maximum.estimate(), None)),
+            ],
+            Outcome::Failed(_) => {
+                let mut cells = std::array::from_fn(|_| none());
+                [cells[0], cells[1], cells[2], cells[3], cells[4]] =
+                    [name, load, hertz, speed, ratio];
+                cells[5] = "failed".to_owned();
+                cells
+            }
+        };
+        rows.push(keep(cells));
+    }
+    let head: Vec<String> = (columns.iter())
+        .filter(|(shown, _)| *shown)
+        .map(|(_, title)| (*title).to_owned())
+        .collect();
+    let width = |j: usize| {
+        let cells = rows.iter().map(|r: &Vec<String>| r[j].chars().count());
+        cells.chain([head[j].chars().count()]).max().unwrap_or(0)
+    };
+    let widths = (0..head.len()).map(|j| (width(j), 2)).collect();
+    out.table(Table { head, rows, widths });
+}
+
+/// Friction power of a contact.
+fn power(solution: &Solution, is_line: bool) -> String {
+    let found = solution.figure(Figure::FrictionPower);
+    let Some(found) = found else {
+        return "-".to_owned();
+    };
+    let e: Estimate = found.estimate();
+    let unit = if is_line { "/m" } else { "" };
+    match e.value.abs() < 1.0 {
+        true => in_unit(e, 1e3, &format!("mW{unit}")),
+        false => in_unit(e, 1.0, &format!("W{unit}")),
+    }
+}
+
+/// Failures, and warnings of the contacts, those of one kind together.
+fn warnings(machine: &MachineSolution) -> Vec<Warning> {
+    let mut failures = Vec::new();
+    let mut told = Vec::new();
+    let n = machine.n_contacts();
+    for (place, point) in machine.solved() {
+        match &point.outcome {
+            Outcome::Failed(reason) => failures.push(Warning::from(format!(
+                "{} failed: {reason}",
+                machine.machine.contacts[place].name
+            ))),
+            Outcome::Solved(s) => told.extend(s.warnings.iter().map(|w| (place, w))),
+        }
+    }
+    let merged = by_kind(told);
+    failures.extend((merged.iter()).map(|m| Warning::new(m.worst.kind, m.line_of(n, "contact"))));
+    failures
+}
+
+/// The warnings as sentences, for pages.
+pub(in crate::output) fn warning_texts(machine: &MachineSolution) -> Vec<String> {
+    let all = warnings(machine);
+    all.iter()
+        .filter(|w| !w.kind.is_note())
+        .map(|w| w.text.clone())
+        .collect()
+}

@@ -1,0 +1,51 @@
+//! `machine.csv`: one line for each contact.
+
+use std::fmt::Write;
+
+use crate::case::RINGS;
+use crate::files::text_field;
+use crate::study::{MachineSolution, columns};
+
+/// The table as text, SI. Contacts that are alike repeat the figures of the one that was solved; those that nothing presses have none.
+pub fn machine_table(machine: &MachineSolution) -> String {
+    let whole = &machine.machine;
+    let is_line = whole.is_line;
+    let unit = if is_line { "N_per_m" } else { "N" };
+    let axis = format!("{}_{}", whole.axis.name(), whole.axis.unit());
+    let ring = if whole.has_sides() { "ring," } else { "" };
+    let mut text = format!("contact,{axis},{ring}name,load_{unit},hertz_pressure_Pa,solved_as");
+    for column in columns() {
+        for title in std::iter::once(column.title(is_line)).chain(column.error_title(is_line)) {
+            let _ = write!(text, ",{title}");
+        }
+    }
+    text.push('\n');
+    let width = text
+        .lines()
+        .next()
+        .map_or(0, |head| head.split(',').count());
+    for (i, contact) in whole.contacts.iter().enumerate() {
+        let like = contact
+            .like
+            .map_or(String::new(), |like| (like + 1).to_string());
+        let mut row = vec![(i + 1).to_string(), format!("{:e}", contact.place)];
+        if whole.has_sides() {
+            row.push(RINGS[contact.side].to_owned());
+        }
+        row.extend([
+            contact.name.clone(),
+            format!("{:e}", contact.load),
+            format!("{:e}", contact.hertz_pressure),
+            like,
+        ]);
+        if let Some(point) = machine.of(i) {
+            let cells = columns().flat_map(|column| column.fields(point, is_line));
+            row.extend(cells.map(|(_, cell)| cell.to_string()));
+        }
+        row.resize(width, String::new());
+        let fields: Vec<_> = row.iter().map(|field| text_field(field)).collect();
+        text.push_str(&fields.join(","));
+        text.push('\n');
+    }
+    text
+}
