@@ -85,6 +85,10 @@ const SPEEDS: [f64; 4] = [64.0, 16.0, 4.0, 1.0];
 /// Softness of a law whose shear rate grows exponentially with the stress, by which a grid is solved where it does not converge at once.
 const SOFTNESS: [f64; 6] = [243.0, 81.0, 27.0, 9.0, 3.0, 1.0];
 
+/// Imbalance of a node, over what is entrained, beyond which a law whose shear rate grows exponentially with the stress is solved over softer ones
+/// at once. Attempts that converge stay below 10, others go beyond 1e6 within two iterations and do not come back.
+const ASTRAY: f64 = 1e4;
+
 /// Largest change of a pressure in a step: that of [`STEEP`] e-folds of the viscosity, where it is less than usual. By the ridge
 /// of steep viscosities longer steps lead astray.
 fn largest_change(problem: &Problem<Plan>) -> f64 {
@@ -113,7 +117,14 @@ fn solve_on(
         ..problem.plan.newton
     };
     let start = state.clone();
-    let mut all = newton(system, &pattern, state, params, about, observer);
+    let at_once = NewtonParams {
+        most_imbalance: match problem.fluid.is_exponential() {
+            true => ASTRAY,
+            false => f64::INFINITY,
+        },
+        ..*params
+    };
+    let mut all = newton(system, &pattern, state, &at_once, about, observer);
     let patient = NewtonParams {
         largest_change: AGAIN.0,
         max_iterations: AGAIN.1,

@@ -22,6 +22,8 @@ pub struct NewtonParams {
     pub krylov_tolerance: f64,
     /// Most Krylov iterations in a step.
     pub max_krylov_iterations: usize,
+    /// Imbalance of a node, over what is entrained, beyond which it is given up.
+    pub most_imbalance: f64,
 }
 
 impl Default for NewtonParams {
@@ -32,6 +34,7 @@ impl Default for NewtonParams {
             largest_change: 0.4,
             krylov_tolerance: 1e-2,
             max_krylov_iterations: 60,
+            most_imbalance: f64::INFINITY,
         }
     }
 }
@@ -203,6 +206,9 @@ pub fn newton(
             info.change /= largest;
         }
         info.imbalance = imbalance(system, &at);
+        if info.imbalance > params.most_imbalance {
+            return info;
+        }
         // Nothing to tell of a step into nowhere: the next attempt begins anew.
         if !(info.change.is_finite() && state.separation.is_finite()) {
             return info;

@@ -5,7 +5,7 @@ use std::path::Path;
 use ertel_input::{InputError, Table};
 
 use super::bodies::Shapes;
-use super::machine::{self, Machine};
+use super::machine::{self, Machine, Steel};
 use super::{check, contact, motion, sections};
 use crate::case::{MachineEcho, WholeMachine};
 use crate::contact::motion::ROUNDING;
@@ -62,17 +62,18 @@ impl<'t> Tables<'t> {
         Ok(Tables::Machine(machine))
     }
 
-    /// Reads them; `reduced_modulus` in Pa, `shapes` those of the bodies, files that they name in `folder`.
+    /// Reads them; `steel` is what the bodies are made of, `shapes` those of the bodies, files that they name in `folder`.
     ///
     /// # Errors
     /// Missing keys, wrong units, and contacts that Hertz theory does not cover.
     pub fn read(
         mut self,
         root: &mut Table<'t>,
-        reduced_modulus: f64,
+        steel: &Steel,
         shapes: Option<&Shapes>,
         folder: &Path,
     ) -> Result<Geometry<'t>, InputError> {
+        let reduced_modulus = steel.reduced_modulus;
         let mut warnings = Vec::new();
         let mut whole = None;
         let (contact, motion, machine, hertz, body_radii) = match &mut self {
@@ -114,7 +115,7 @@ impl<'t> Tables<'t> {
                     warnings: own,
                     echo,
                     whole: all,
-                } = machine::read(table, reduced_modulus, folder)?;
+                } = machine::read(table, steel, folder)?;
                 warnings = own;
                 whole = all;
                 let hertz = check::hertz(table, load_key, &contact, reduced_modulus)

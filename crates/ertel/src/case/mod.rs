@@ -81,7 +81,9 @@ pub use described::{
 use geometry::Geometry;
 pub use inputs::Origin;
 pub use lubricant::Lubricant;
-pub use machine::{MachineAxis, MachineContact, MachineContacts, Mechanics, RINGS, WholeMachine};
+pub use machine::{
+    BearingMechanics, MachineAxis, MachineContact, MachineContacts, Mechanics, RINGS, WholeMachine,
+};
 pub use params::{read_mesh, read_solver};
 pub use study::Study;
 pub use study::read_named;
@@ -219,6 +221,10 @@ impl Case {
             },
         };
         let modulus = reduced_modulus(body_1.elasticity, body_2.elasticity);
+        let steel = machine::Steel {
+            reduced_modulus: modulus,
+            density: body_2.density,
+        };
         let Geometry {
             contact,
             motion,
@@ -228,7 +234,7 @@ impl Case {
             body_radii,
             warnings: of_machine,
             tables,
-        } = tables.read(&mut root, modulus, shapes.as_ref(), folder)?;
+        } = tables.read(&mut root, &steel, shapes.as_ref(), folder)?;
         let solver_table = root.optional_table("solver")?;
         let solver = match solver_table.clone() {
             Some(table) => params::read_solver(table)?,

@@ -1,10 +1,11 @@
 //! Figures of whole machines: from the solutions of their contacts to friction, heat, safety and life.
 
+mod bearing;
 mod slip;
 
-use crate::case::Case;
-use crate::solution::Estimate;
-use crate::study::MachineSolution;
+use crate::case::{Case, Mechanics};
+use crate::solution::{Estimate, Figure};
+use crate::study::{MachineSolution, PointSolution};
 
 /// A figure of a whole machine.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,6 +66,69 @@ impl Section {
 }
 
 /// The figures of a machine; those that are sums over its contacts only where all of them are solved.
-pub fn figures(_case: &Case, _solution: &MachineSolution) -> Vec<MachineFigure> {
-    Vec::new()
+pub fn figures(case: &Case, solved: &MachineSolution) -> Vec<MachineFigure> {
+    let mut figures = films(solved);
+    match &solved.machine.mechanics {
+        Mechanics::Bearing(bearing) => figures.extend(bearing::figures(case, bearing, solved)),
+    }
+    figures
+}
+
+/// A figure of a contact.
+fn figure_of(point: &PointSolution, figure: Figure) -> Option<Estimate> {
+    let found = point.outcome.solution()?.figure(figure)?;
+    Some(found.estimate())
+}
+
+/// Sum over all contacts that something presses, those that are alike counted as often as they are there. Bars of contacts that are solved in one
+/// way err in one way: they add. `None` where one of them has no value.
+fn sum(
+    solved: &MachineSolution,
+    value: impl Fn(usize, &PointSolution) -> Option<Estimate>,
+) -> Option<Estimate> {
+    let machine = &solved.machine;
+    let mut sum = Estimate {
+        value: 0.0,
+        error: Some(0.0),
+    };
+    let own = machine.contacts.iter().enumerate();
+    for (i, _) in own.filter(|(i, contact)| contact.like == Some(*i)) {
+        let of = value(i, solved.of(i)?)?;
+        let n = machine.count(i) as f64;
+        sum.value += n * of.value;
+        sum.error = sum.error.zip(of.error).map(|(sum, error)| sum + n * error);
+    }
+    Some(sum)
+}
+
+/// The smallest film of all, and the smallest film over roughness.
+fn films(solved: &MachineSolution) -> Vec<MachineFigure> {
+    let smallest = |value: &dyn Fn(&PointSolution) -> Option<Estimate>| {
+        let of = solved.solved().filter_map(|(_, point)| value(point));
+        of.min_by(|a, b| a.value.total_cmp(&b.value))
+    };
+    let film = smallest(&|point| figure_of(point, Figure::FilmMinimum));
+    let central = smallest(&|point| figure_of(point, Figure::FilmCentral));
+    let lambda = smallest(&|point| {
+        let mixed = point.outcome.solution()?.mixed.as_ref()?;
+        Some(mixed.lambda_minimum)
+    });
+    let figure = |name, words, unit, estimate: Option<Estimate>| {
+        Some(MachineFigure {
+            name,
+            words,
+            estimate: estimate?,
+            unit,
+            section: Section::Films,
+            source: "",
+        })
+    };
+    [
+        figure("film_central", "smallest central film", "m", central),
+        figure("film_minimum", "smallest film", "m", film),
+        figure("lambda_minimum", "smallest film over roughness", "", lambda),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }

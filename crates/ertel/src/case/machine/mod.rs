@@ -12,9 +12,11 @@ mod involute;
 mod roller_bearing;
 mod spin;
 mod whole;
+mod whole_bearing;
 
 pub(super) use whole::contacts;
 pub use whole::{Axis as MachineAxis, MachineContact, MachineContacts, RINGS, WholeMachine};
+pub use whole_bearing::BearingMechanics;
 
 use std::path::Path;
 
@@ -60,14 +62,26 @@ pub(super) struct Machine {
 
 /// What the mechanics of a machine say of it.
 #[derive(Clone, Debug)]
-pub enum Mechanics {}
+pub enum Mechanics {
+    /// A rolling bearing.
+    Bearing(Box<BearingMechanics>),
+}
 
-/// Reads `[machine]`; `reduced_modulus` in Pa converts a Hertz pressure to a load.
+/// What the bodies of a machine are made of.
+pub(super) struct Steel {
+    /// Reduced modulus of both, Pa.
+    pub reduced_modulus: f64,
+    /// Density of body 2, kg/m³, if known.
+    pub density: Option<f64>,
+}
+
+/// Reads `[machine]`; the reduced modulus converts a Hertz pressure to a load.
 pub(super) fn read(
     table: &mut Table<'_>,
-    reduced_modulus: f64,
+    steel: &Steel,
     folder: &Path,
 ) -> Result<Machine, InputError> {
+    let reduced_modulus = steel.reduced_modulus;
     let kind = table.required_choice(
         "kind",
         &[
@@ -81,6 +95,9 @@ pub(super) fn read(
     )?;
     match kind {
         MachineKind::BallOnDisc => ball_on_disc::read(table, reduced_modulus),
+        MachineKind::BallBearing if whole_bearing::LOADS.iter().any(|key| table.contains(key)) => {
+            whole_bearing::read(table, steel)
+        }
         MachineKind::BallBearing => ball_bearing::read(table, reduced_modulus),
         MachineKind::RollerBearing => roller_bearing::read(table, reduced_modulus, folder),
         MachineKind::SpurGear => gears::read(table, gears::Teeth::Straight),
