@@ -4,25 +4,14 @@ use crate::bearing::geometry::Ring;
 
 use super::Speeds;
 
-/// On which raceway a ball rolls without spin, and which one resists its gyroscopic moment.
+/// On which raceway a ball rolls without spin.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RacewayControl {
-    /// The ball rolls on the outer raceway and spins on the inner one: usual at high speed.
+    /// The ball rolls on the outer raceway and spins on the inner one: usual at speed.
     #[default]
     Outer,
     /// The other way round: usual of slow and dry bearings.
     Inner,
-}
-
-impl RacewayControl {
-    /// Shares λ of the gyroscopic moment that friction at the inner and outer raceway takes, λ_i + λ_o = 2: all of it where the ball does not
-    /// spin.
-    pub fn shares(self) -> [f64; 2] {
-        match self {
-            RacewayControl::Outer => [0.0, 2.0],
-            RacewayControl::Inner => [2.0, 0.0],
-        }
-    }
 }
 
 /// Motion of a ball under the contact angles α_i and α_o, which differ at speed.
@@ -74,26 +63,17 @@ impl BallMotion {
         }
     }
 
-    /// Its derivatives by α_i and α_o.
-    pub(crate) fn slopes(
+    /// Its derivatives by α_i and α_o under outer control.
+    pub(crate) fn slopes_under_outer_control(
         &self,
         ratio: f64,
         angles: [f64; 2],
         speeds: Speeds,
-        control: RacewayControl,
     ) -> [BallMotion; 2] {
         let [inner, outer] = angles;
         let square = ratio * ratio;
-        let attitude = match control {
-            RacewayControl::Outer => {
-                let c = ratio * outer.cos();
-                [0.0, 1.0 - (c + square) / (1.0 + 2.0 * c + square)]
-            }
-            RacewayControl::Inner => {
-                let c = ratio * inner.cos();
-                [1.0 + (c - square) / (1.0 - 2.0 * c + square), 0.0]
-            }
-        };
+        let c = ratio * outer.cos();
+        let attitude = [0.0, 1.0 - (c + square) / (1.0 + 2.0 * c + square)];
         let k = ratios(ratio, angles, self.attitude);
         let sum = k[0] + k[1];
         let factor = [1.0 - ratio * inner.cos(), 1.0 + ratio * outer.cos()];
@@ -227,26 +207,24 @@ mod tests {
     #[test]
     fn slopes_are_differences() {
         let (ratio, angles, step) = (0.2, [0.8, 0.65], 1e-6);
-        for control in [RacewayControl::Outer, RacewayControl::Inner] {
-            let of = |angles| BallMotion::new(ratio, angles, SPEEDS, control);
-            let slopes = of(angles).slopes(ratio, angles, SPEEDS, control);
-            for by in [0, 1] {
-                let shifted = |sign: f64| {
-                    let mut moved = angles;
-                    moved[by] += sign * step;
-                    of(moved)
-                };
-                let (low, high) = (shifted(-1.0), shifted(1.0));
-                let difference = |a: f64, b: f64| (b - a) / (2.0 * step);
-                let [cage, element, attitude] = [
-                    difference(low.cage, high.cage),
-                    difference(low.element, high.element),
-                    difference(low.attitude, high.attitude),
-                ];
-                assert_abs_diff_eq!(slopes[by].cage, cage, epsilon = 1e-4);
-                assert_abs_diff_eq!(slopes[by].element, element, epsilon = 1e-4);
-                assert_abs_diff_eq!(slopes[by].attitude, attitude, epsilon = 1e-8);
-            }
+        let of = |angles| BallMotion::new(ratio, angles, SPEEDS, RacewayControl::Outer);
+        let slopes = of(angles).slopes_under_outer_control(ratio, angles, SPEEDS);
+        for by in [0, 1] {
+            let shifted = |sign: f64| {
+                let mut moved = angles;
+                moved[by] += sign * step;
+                of(moved)
+            };
+            let (low, high) = (shifted(-1.0), shifted(1.0));
+            let difference = |a: f64, b: f64| (b - a) / (2.0 * step);
+            let [cage, element, attitude] = [
+                difference(low.cage, high.cage),
+                difference(low.element, high.element),
+                difference(low.attitude, high.attitude),
+            ];
+            assert_abs_diff_eq!(slopes[by].cage, cage, epsilon = 1e-4);
+            assert_abs_diff_eq!(slopes[by].element, element, epsilon = 1e-4);
+            assert_abs_diff_eq!(slopes[by].attitude, attitude, epsilon = 1e-8);
         }
     }
 }

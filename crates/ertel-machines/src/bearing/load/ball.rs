@@ -1,7 +1,7 @@
 //! A ball between its grooves: at rest, and at speed under centrifugal force and gyroscopic moment.
 
 use ertel_ehl::contact::Ellipse;
-use nalgebra::{Matrix2, Matrix3x2, RowVector2, Vector2, Vector3};
+use nalgebra::{Matrix2, RowVector2, Vector2};
 
 use super::CurvatureAngle;
 use crate::bearing::geometry::{BallGeometry, Ring};
@@ -15,7 +15,6 @@ pub(crate) struct Ball<'a> {
     /// kg.
     pub mass: f64,
     pub speeds: Speeds,
-    pub control: RacewayControl,
     pub curvature_angle: CurvatureAngle,
     /// δ/Q^(2/3) of both contacts at the free contact angle.
     compliance: [f64; 2],
@@ -28,13 +27,14 @@ pub(crate) struct BallState {
     pub loads: [f64; 2],
     /// α_i, α_o, rad.
     pub angles: [f64; 2],
+    /// Under outer control.
     pub motion: BallMotion,
     pub centrifugal_force: f64,
     pub gyroscopic_moment: f64,
-    /// On the inner ring: radial and axial force, N, and the moment of friction about the tangent, N·m.
-    pub force: Vector3<f64>,
+    /// On the inner ring, radial and axial, N.
+    pub force: Vector2<f64>,
     /// Change of the force with the shift of the inner groove, radial and axial.
-    pub stiffness: Matrix3x2<f64>,
+    pub stiffness: Matrix2<f64>,
 }
 
 /// Load of a contact and its slopes by approach and angle.
@@ -77,6 +77,10 @@ impl Side {
 /// Steps of the equilibrium of a ball at the most, and what may be left over the largest force.
 const STEPS: usize = 100;
 const REST: f64 = 1e-12;
+/// Rounds for the place of a loose ball.
+const ROUNDS: usize = 20;
+/// Steepest angle towards the inner ring that counts for the speed of cage and ball, rad: balls that touch nothing may lie anywhere to it.
+const STEEP: f64 = 1.4;
 /// What is accepted where round-off allows no less.
 const ACCEPTED: f64 = 1e-9;
 
@@ -94,7 +98,6 @@ impl Ball<'_> {
             reduced_modulus: modulus,
             mass: geometry.mass(material.density),
             speeds,
-            control: params.control,
             curvature_angle: params.curvature_angle,
             compliance: Ring::BOTH
                 .map(|ring| Ellipse::of_radii(geometry.radii(ring, angle)).approach(1.0, modulus)),
@@ -141,8 +144,9 @@ impl Ball<'_> {
     /// F_c = m d_m ω_m²/2,  M_g = J ω_m ω_R sin β,  J = m D²/10
     fn inertia(&self, angles: [f64; 2]) -> (BallMotion, f64, f64) {
         let g = self.geometry;
+        let angles = [angles[0].clamp(-STEEP, STEEP), angles[1]];
         let ratio = g.ball_diameter / g.pitch_diameter;
-        let motion = BallMotion::new(ratio, angles, self.speeds, self.control);
+        let motion = BallMotion::new(ratio, angles, self.speeds, RacewayControl::Outer);
         let moment_of_inertia = self.mass * g.ball_diameter.powi(2) / 10.0;
         (
             motion,
@@ -155,9 +159,16 @@ impl Ball<'_> {
     fn inertia_slopes(&self, motion: &BallMotion, angles: [f64; 2]) -> [[f64; 2]; 2] {
         let g = self.geometry;
         let ratio = g.ball_diameter / g.pitch_diameter;
-        let slopes = motion.slopes(ratio, angles, self.speeds, self.control);
+        let mut slopes = motion.slopes_under_outer_control(ratio, angles, self.speeds);
         let moment_of_inertia = self.mass * g.ball_diameter.powi(2) / 10.0;
         let (s, c) = motion.attitude.sin_cos();
+        if angles[0].abs() > STEEP {
+            slopes[0] = BallMotion {
+                cage: 0.0,
+                element: 0.0,
+                attitude: 0.0,
+            };
+        }
         let force = slopes.map(|d| self.mass * g.pitch_diameter * motion.cage * d.cage);
         let moment = slopes.map(|d| {
             let product = d.cage * motion.element + motion.cage * d.element;
@@ -197,40 +208,25 @@ impl Ball<'_> {
             motion,
             centrifugal_force: 0.0,
             gyroscopic_moment: 0.0,
-            force: Vector3::new(force[0], force[1], 0.0),
-            stiffness: Matrix3x2::from_rows(&[
-                change.row(0).into(),
-                change.row(1).into(),
-                RowVector2::zeros(),
-            ]),
+            force,
+            stiffness: change,
         }
     }
 
     /// At speed, with d_i from the ball's centre to that of the inner groove, d_o from that of the outer groove to the ball's:
     ///
     /// ```text
-    ///   0 = T_i − T_o + F_c r,   T = Q n + λ (M_g/D) e,   n = d/|d|,  e = dn/dα
+    ///   0 = Q_i n_i − Q_o n_o − 2 (M_g/D) e_o + F_c r,   n = d/|d|,  e = dn/dα
     ///   M_g t = dH/dt = ω_m z × J ω_R (sin β r − cos β z)
     /// ```
-    /// Friction at the contacts, on the ball λ_i (M_g/D) e_i and −λ_o (M_g/D) e_o, turns the ball's angular momentum along with the cage; its
-    /// direction follows from dH/dt as it stands here. A ball that touches the outer ring alone lies at α_o = 0 and Q_o = F_c.
+    /// The outer raceway, which controls the ball, resists the gyroscopic moment alone: its friction turns the ball's angular momentum along with the
+    /// cage, and its direction follows from dH/dt as it stands here. (Harris and Kotzalas 2007, Advanced Concepts, chapter 3, with λ_o = 2, λ_i = 0.)
+    /// A ball that touches the outer ring alone lies at α_o = 0 and Q_o = F_c.
     fn at_speed(&self, centre: Vector2<f64>) -> Option<BallState> {
         let g = self.geometry;
-        let (motion, centrifugal, _) = self.inertia([0.0; 2]);
-        let [c_o, _] = self.compliance(Ring::Outer, 0.0);
-        let alone = g.reach(Ring::Outer) + c_o * centrifugal.powf(2.0 / 3.0);
-        let mut place = Vector2::new(alone, 0.0);
+        let (loose, mut place) = self.loose(centre);
         if (centre - place).norm() <= g.reach(Ring::Inner) {
-            let inner = centre - place;
-            return Some(BallState {
-                loads: [0.0, centrifugal],
-                angles: [inner[1].atan2(inner[0]), 0.0],
-                motion,
-                centrifugal_force: centrifugal,
-                gyroscopic_moment: 0.0,
-                force: Vector3::zeros(),
-                stiffness: Matrix3x2::zeros(),
-            });
+            return Some(loose);
         }
         // A ball that both rings hold starts from the line between the grooves.
         let squeeze = centre.norm() - g.centre_distance();
@@ -262,6 +258,36 @@ impl Ball<'_> {
         (here.size() <= ACCEPTED).then(|| here.state())?
     }
 
+    /// A ball that touches the outer ring alone, and where its centre is. Its cage speed is that of the angle at which it would touch the inner ring,
+    /// so that forces do not jump where it does.
+    fn loose(&self, centre: Vector2<f64>) -> (BallState, Vector2<f64>) {
+        let [compliance, _] = self.compliance(Ring::Outer, 0.0);
+        let reach = self.geometry.reach(Ring::Outer);
+        let mut place = Vector2::new(reach, 0.0);
+        let (mut angles, mut motion, mut force) = ([0.0; 2], self.inertia([0.0; 2]).0, 0.0);
+        // The ball moves by nanometres with its own angle.
+        for _ in 0..ROUNDS {
+            let inner = centre - place;
+            angles = [inner[1].atan2(inner[0]), 0.0];
+            (motion, force, _) = self.inertia(angles);
+            let next = reach + compliance * force.powf(2.0 / 3.0);
+            if next == place[0] {
+                break;
+            }
+            place[0] = next;
+        }
+        let state = BallState {
+            loads: [0.0, force],
+            angles,
+            motion,
+            centrifugal_force: force,
+            gyroscopic_moment: 0.0,
+            force: Vector2::zeros(),
+            stiffness: Matrix2::zeros(),
+        };
+        (state, place)
+    }
+
     fn out_of_balance(&self, centre: Vector2<f64>, place: Vector2<f64>) -> Imbalance {
         let g = self.geometry;
         let sides = [
@@ -271,8 +297,9 @@ impl Ball<'_> {
         let angles = [sides[0].angle, sides[1].angle];
         let (motion, centrifugal, moment) = self.inertia(angles);
         let [force_by, moment_by] = self.inertia_slopes(&motion, angles);
-        let shares = self.control.shares().map(|share| share / g.ball_diameter);
-        let [inner, outer] = [0, 1].map(|k| sides[k].force(shares[k] * moment));
+        let share = 2.0 / g.ball_diameter;
+        let inner = sides[0].force(0.0);
+        let outer = sides[1].force(share * moment);
         let turns = [sides[0].turn(), sides[1].turn()];
         // Slopes of moment and centrifugal force by the place of the ball and by that of the groove.
         let by = |slopes: [f64; 2]| {
@@ -281,20 +308,14 @@ impl Ball<'_> {
         };
         let (moment_by_place, moment_by_centre) = by(moment_by);
         let (force_by_place, force_by_centre) = by(force_by);
-        let friction = shares[0] * sides[0].e - shares[1] * sides[1].e;
+        let friction = -share * sides[1].e;
         let radial = Vector2::new(1.0, 0.0);
-        let arm = g.groove[0] * g.ball_diameter * shares[0];
-        let with_arm = |change: Matrix2<f64>, row: RowVector2<f64>| {
-            let all = change + shares[0] * sides[0].e * row;
-            Matrix3x2::from_rows(&[all.row(0).into(), all.row(1).into(), row * arm])
-        };
         Imbalance {
             rest: inner.0 - outer.0 + centrifugal * radial,
             by_place: -inner.1 - outer.1 + friction * moment_by_place + radial * force_by_place,
             by_centre: inner.1 + friction * moment_by_centre + radial * force_by_centre,
-            ring_by_place: with_arm(-inner.1, moment_by_place),
-            ring_by_centre: with_arm(inner.1, moment_by_centre),
-            force: Vector3::new(inner.0[0], inner.0[1], arm * moment),
+            inner: inner.1,
+            force: inner.0,
             loads: [sides[0].pressed.load, sides[1].pressed.load],
             angles,
             motion,
@@ -327,9 +348,9 @@ struct Imbalance {
     rest: Vector2<f64>,
     by_place: Matrix2<f64>,
     by_centre: Matrix2<f64>,
-    ring_by_place: Matrix3x2<f64>,
-    ring_by_centre: Matrix3x2<f64>,
-    force: Vector3<f64>,
+    /// Change of the inner ring's force with the distance of its groove from the ball.
+    inner: Matrix2<f64>,
+    force: Vector2<f64>,
     loads: [f64; 2],
     angles: [f64; 2],
     motion: BallMotion,
@@ -353,7 +374,7 @@ impl Imbalance {
             centrifugal_force: self.centrifugal,
             gyroscopic_moment: self.moment,
             force: self.force,
-            stiffness: self.ring_by_centre + self.ring_by_place * follow,
+            stiffness: self.inner - self.inner * follow,
         })
     }
 }

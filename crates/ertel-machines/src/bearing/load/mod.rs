@@ -78,7 +78,8 @@ pub enum CurvatureAngle {
 pub struct Params {
     /// Where the stiffness of a ball's contacts is taken.
     pub curvature_angle: CurvatureAngle,
-    /// Which raceway controls the balls.
+    /// Which raceway controls the balls: decides spin and speeds. Forces of inertia are always those of outer control, since they count only at
+    /// speeds where it rules.
     pub control: RacewayControl,
     /// Slices of a roller; 30 at least.
     pub slices: usize,
@@ -172,7 +173,7 @@ pub struct RingContact {
     pub ring: Ring,
     /// Normal load, N; 0 where they do not touch.
     pub load: f64,
-    /// Contact angle, rad.
+    /// Contact angle, rad; that of the outer ring where a ball does not touch the inner one.
     pub angle: f64,
     /// Reduced radii along and across rolling, m; infinite across rollers.
     pub radii: [f64; 2],

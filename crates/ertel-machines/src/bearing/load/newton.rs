@@ -30,17 +30,18 @@ pub(crate) trait Row {
     fn typical_stiffness(&self) -> f64;
 }
 
-/// Smallest part of a step that is tried.
-const SMALLEST_PART: f64 = 1e-6;
-/// How far the work of the force out of balance may go beyond zero along a step.
-const OVERSHOOT: f64 = 0.9;
-/// Stiffness added to a direction without any, in the typical one: keeps the matrix regular where nothing touches.
-const SOFT: f64 = 1e-10;
+/// Trials along a step at the most.
+const TRIALS: usize = 50;
+/// What the force out of balance along a step may be where it ends, in that where it begins.
+const SLACK: f64 = 0.5;
+/// Stiffness added to all directions, in the typical one and times the force out of balance: directions without any are none where nothing touches.
+const SOFT: f64 = 1e-6;
 
 /// Shifts in balance with the given loads.
 ///
-/// The elastic energy of the elements is convex in the shifts, and the force out of balance its slope: along a Newton step the force only grows, so
-/// that a step is halved until its end lies at most a little beyond the balance. Steps are no longer than [`Row::longest_step`].
+/// The elastic energy of the elements is convex in the shifts, and the force out of balance its slope, which only grows along a step. Where a
+/// step ends beyond the balance by more than [`SLACK`], the place of balance along it is enclosed by halves until it is not: the energy falls with
+/// each step, also where elements come into touch. Steps are no longer than [`Row::longest_step`].
 pub(crate) fn balance(
     row: &impl Row,
     given: [Given; 5],
@@ -87,7 +88,7 @@ pub(crate) fn balance(
         if info.residual <= tolerance && reaction.largest > 0.0 {
             return Ok((shift, reaction, info));
         }
-        let soft = SOFT * row.typical_stiffness();
+        let soft = SOFT * info.residual.min(1.0) * row.typical_stiffness();
         let matrix = Matrix::from_fn(|i, j| match (free[i] && free[j], i == j) {
             (true, true) => reaction.stiffness[(i, i)] + soft * scale[i] * scale[i],
             (true, false) => reaction.stiffness[(i, j)],
@@ -105,16 +106,21 @@ pub(crate) fn balance(
             step *= row.longest_step() / length;
         }
         let before = step.dot(&residual).abs();
-        let mut part = 1.0;
-        loop {
+        let (mut low, mut part, mut high) = (0.0, 1.0, 1.0);
+        for trial in 1..=TRIALS {
             let next = shift + step * part;
             let there = row.reaction(&next)?;
-            let work = step.dot(&rest(&there));
-            if work <= OVERSHOOT * before || part < SMALLEST_PART || size(&there) <= info.residual {
+            let work = step.dot(&rest(&there)) / before;
+            let is_short = work < -SLACK && part < high;
+            if trial == TRIALS || (work <= SLACK && !is_short) || size(&there) <= tolerance {
                 (shift, reaction) = (next, there);
                 break;
             }
-            part *= 0.5;
+            match is_short {
+                true => low = part,
+                false => high = part,
+            }
+            part = 0.5 * (low + high);
         }
     }
     Err(Error::NoConvergence {

@@ -10,7 +10,7 @@ use super::newton::{Matrix, Reaction, Row, Vector, balance};
 use super::roller::{Roller, RollerState};
 use super::{Distribution, Element, Error, Given, Loads, Params, RingContact, Slice};
 use crate::bearing::geometry::{BallGeometry, Ring, RollerGeometry};
-use crate::bearing::kinematics::{RollerMotion, Speeds};
+use crate::bearing::kinematics::{BallMotion, RacewayControl, RollerMotion, Speeds};
 use crate::bearing::{Bearing, Geometry, Material};
 
 /// Solves the equilibrium of the inner ring.
@@ -101,6 +101,15 @@ fn angles(number: usize, params: &Params) -> Vec<f64> {
         .collect()
 }
 
+/// Contact angles of a ball, both that of the outer ring where the ball does not touch the inner one.
+fn motion_angles(state: &BallState) -> [f64; 2] {
+    let [_, outer] = state.angles;
+    match state.loads[0] > 0.0 {
+        true => state.angles,
+        false => [outer; 2],
+    }
+}
+
 /// Direction of the radial load; x where there is none.
 fn direction(load: &Vector) -> [f64; 2] {
     match load[0].hypot(load[1]) {
@@ -116,11 +125,11 @@ struct Balls<'a> {
 }
 
 impl Balls<'_> {
-    /// Radial and axial shift of the groove at ψ, and the moment's work.
-    fn map(&self, angle: f64) -> SMatrix<f64, 3, 5> {
+    /// Radial and axial shift of the groove at ψ.
+    fn map(&self, angle: f64) -> SMatrix<f64, 2, 5> {
         let (s, c) = angle.sin_cos();
         let arm = self.geometry.arm();
-        SMatrix::<f64, 3, 5>::from_row_slice(&[
+        SMatrix::<f64, 2, 5>::from_row_slice(&[
             c,
             s,
             0.0,
@@ -130,12 +139,7 @@ impl Balls<'_> {
             0.0,
             1.0,
             arm * s,
-            -arm * c, //
-            0.0,
-            0.0,
-            0.0,
-            -s,
-            c,
+            -arm * c,
         ])
     }
 
@@ -190,7 +194,7 @@ impl Balls<'_> {
             .iter()
             .map(|angle| {
                 let state = self.state(*angle, &shift)?;
-                Ok(self.element(*angle, &state, material, speeds))
+                Ok(self.element(*angle, &state, material, speeds, params.control))
             })
             .collect::<Result<Vec<_>, Error>>()?;
         finish(elements, &shift, &reaction, info)
@@ -202,14 +206,17 @@ impl Balls<'_> {
         state: &BallState,
         material: Material,
         speeds: Speeds,
+        control: RacewayControl,
     ) -> Element {
         let g = self.geometry;
+        let ratio = g.ball_diameter / g.pitch_diameter;
+        let angles = motion_angles(state);
+        let motion = BallMotion::new(ratio, angles, speeds, control);
         let contacts = Ring::BOTH.map(|ring| {
-            let (load, angle) = (state.loads[ring.index()], state.angles[ring.index()]);
+            let (load, angle) = (state.loads[ring.index()], angles[ring.index()]);
             let radii = g.radii(ring, angle);
             let semi_axes = Ellipse::of_radii(radii).semi_axes(load, material.reduced_modulus);
             let area = PI * semi_axes[0] * semi_axes[1];
-            let ratio = g.ball_diameter / g.pitch_diameter;
             RingContact {
                 ring,
                 load,
@@ -218,23 +225,23 @@ impl Balls<'_> {
                 curvatures: g.curvatures(ring, angle),
                 semi_axes,
                 pressure: if load > 0.0 { 1.5 * load / area } else { 0.0 },
-                entrainment_speed: state.motion.entrainment_speed(
+                entrainment_speed: motion.entrainment_speed(
                     ring,
                     ratio,
                     g.pitch_diameter,
                     angle,
                     speeds,
                 ),
-                spin: state.motion.spin(ring, angle, speeds),
+                spin: motion.spin(ring, angle, speeds),
                 slices: Vec::new(),
             }
         });
         Element {
             position,
             contacts,
-            cage_speed: state.motion.cage,
-            own_speed: state.motion.element,
-            attitude: state.motion.attitude,
+            cage_speed: motion.cage,
+            own_speed: motion.element,
+            attitude: motion.attitude,
             centrifugal_force: state.centrifugal_force,
             gyroscopic_moment: state.gyroscopic_moment,
         }
@@ -248,8 +255,7 @@ impl Row for Balls<'_> {
             let map = self.map(*angle);
             let state = self.state(*angle, shift)?;
             sum.force += map.transpose() * state.force;
-            let by_groove = map.fixed_rows::<2>(0);
-            sum.stiffness += map.transpose() * state.stiffness * by_groove;
+            sum.stiffness += map.transpose() * state.stiffness * map;
             sum.largest = sum.largest.max(state.loads[0]);
         }
         Ok(sum)
