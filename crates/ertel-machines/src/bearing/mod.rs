@@ -9,8 +9,10 @@
 //! Rolling Bearing Analysis, 5th ed., 2007 (Essential Concepts; Advanced Concepts) for geometry, speeds and equilibrium at speed; Jones, J. Basic
 //! Eng. 81 (1959) 1-12 and 82 (1960) 309-320 for balls that spin. Each file names its own.
 
+pub mod friction;
 pub mod geometry;
 pub mod kinematics;
+pub mod life;
 pub mod load;
 
 use geometry::{BallGeometry, GeometryError, RollerGeometry};
