@@ -1,1 +1,123 @@
-//! Rolling bearings.
+//! Rolling bearings: geometry, load distribution, speeds, rating lives and friction models, in SI.
+//!
+//! A [`Bearing`] under [`Loads`](load::Loads) at [`Speeds`](kinematics::Speeds) is solved for the load of each element on each ring: what comes
+//! out per contact are load, angle, radii, speeds, spin and the Hertz ellipse, from which a lubricated contact can be set up.
+//!
+//! Axes: z along the bearing, x and y radial; elements at ψ from x towards y. Forces and shifts are those of the inner ring against the outer.
+//!
+//! Sources: ISO/TS 16281 and ISO 281 for load distribution and life, as public implementations and textbooks quote them; Harris and Kotzalas,
+//! Rolling Bearing Analysis, 5th ed., 2007 (Essential Concepts; Advanced Concepts) for geometry, speeds and equilibrium at speed; Jones, J. Basic
+//! Eng. 81 (1959) 1-12 and 82 (1960) 309-320 for balls that spin. Each file names its own.
+
+pub mod friction;
+pub mod geometry;
+pub mod kinematics;
+pub mod life;
+pub mod load;
+
+use geometry::{BallGeometry, GeometryError, RollerGeometry};
+use kinematics::Speeds;
+use load::{Distribution, Loads, Params};
+
+/// What rings and elements are made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// Reduced modulus E' of ring and element, Pa: 2/E' = Σ (1 − ν²)/E.
+    pub reduced_modulus: f64,
+    /// Density of the elements, kg/m³.
+    pub density: f64,
+}
+
+impl Material {
+    /// Bearing steel on bearing steel as bearing standards take it: E = 206 GPa, ν = 0.3, 7850 kg/m³.
+    pub const STEEL: Material = Material {
+        reduced_modulus: 206e9 / (1.0 - 0.3 * 0.3),
+        density: 7850.0,
+    };
+}
+
+/// Internal geometry of one of the kinds of bearings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Geometry {
+    /// Deep groove and angular contact ball bearings.
+    Ball(BallGeometry),
+    /// Cylindrical roller bearings.
+    CylindricalRoller(RollerGeometry),
+}
+
+impl Geometry {
+    /// Whether such a bearing can exist.
+    ///
+    /// # Errors
+    /// Lengths, ratios or angles out of range.
+    pub fn check(&self) -> Result<(), GeometryError> {
+        match self {
+            Geometry::Ball(ball) => ball.check(),
+            Geometry::CylindricalRoller(roller) => roller.check(),
+        }
+    }
+
+    /// Number of elements Z.
+    pub fn number(&self) -> usize {
+        match self {
+            Geometry::Ball(ball) => ball.number,
+            Geometry::CylindricalRoller(roller) => roller.number,
+        }
+    }
+
+    /// Pitch diameter d_m, m.
+    pub fn pitch_diameter(&self) -> f64 {
+        match self {
+            Geometry::Ball(ball) => ball.pitch_diameter,
+            Geometry::CylindricalRoller(roller) => roller.pitch_diameter,
+        }
+    }
+
+    /// Diameter of the elements D, m.
+    pub fn element_diameter(&self) -> f64 {
+        match self {
+            Geometry::Ball(ball) => ball.ball_diameter,
+            Geometry::CylindricalRoller(roller) => roller.roller_diameter,
+        }
+    }
+
+    /// Nominal contact angle, rad: the free one of balls, 0 of cylindrical rollers.
+    pub fn free_angle(&self) -> f64 {
+        match self {
+            Geometry::Ball(ball) => ball.free_angle(),
+            Geometry::CylindricalRoller(_) => 0.0,
+        }
+    }
+}
+
+/// A bearing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bearing {
+    /// Its internal geometry.
+    pub geometry: Geometry,
+    /// Its material.
+    pub material: Material,
+}
+
+impl Bearing {
+    /// Of steel.
+    pub fn steel(geometry: Geometry) -> Bearing {
+        Bearing {
+            geometry,
+            material: Material::STEEL,
+        }
+    }
+
+    /// Loads, angles, speeds and dry contacts of all elements.
+    ///
+    /// # Errors
+    /// Geometries and loads that make no sense, no load at all, and no convergence.
+    pub fn solve(
+        &self,
+        loads: &Loads,
+        speeds: Speeds,
+        params: &Params,
+    ) -> Result<Distribution, load::Error> {
+        load::solve(self, loads, speeds, params)
+    }
+}
