@@ -7,9 +7,14 @@
 //! Sources: ISO 21771:2007 (geometry); ISO 6336-1 (mesh stiffness); ISO/TR 15144-1 (local radii, speeds and loads).
 
 pub mod geometry;
+pub mod path;
 #[cfg(test)]
 mod test_data;
 
 pub use geometry::{
-    GearDimensions, GearError, GearPair, GearWarning, Member, Meshing, TipAlteration,
+    BasicRack, GearDimensions, GearError, GearPair, GearWarning, LinePoints, Member, Meshing,
+    Relief, ReliefShape, TipAlteration,
+};
+pub use path::{
+    Buttressing, LoadSharing, Operation, PathLabel, PathParams, PathPoint, ToothStiffness,
 };

@@ -8,6 +8,7 @@ mod pair;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use dimensions::in_range;
 pub use dimensions::{BasicRack, GearDimensions, Meshing, Relief, ReliefShape, TipAlteration};
 pub use error::{GearError, GearWarning, Member};
 pub use involute::{inverse_involute, involute};

@@ -1,0 +1,15 @@
+//! Contacts along the line of action.
+
+mod lines;
+mod operation;
+mod point;
+mod sharing;
+mod stiffness;
+#[cfg(test)]
+mod tests;
+
+pub use lines::{line_length, mean_line_length};
+pub use operation::Operation;
+pub use point::{PathLabel, PathParams, PathPoint};
+pub use sharing::{Buttressing, LoadSharing};
+pub use stiffness::{ToothStiffness, iso_single_stiffness, mean_mesh_stiffness};
