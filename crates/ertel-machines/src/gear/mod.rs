@@ -6,15 +6,22 @@
 //!
 //! Sources: ISO 21771:2007 (geometry); ISO 6336-1 (mesh stiffness); ISO/TR 15144-1 (local radii, speeds and loads).
 
+pub mod flash;
+pub mod friction;
+pub mod fzg;
 pub mod geometry;
+mod loss;
 pub mod path;
+pub mod safety;
 #[cfg(test)]
 mod test_data;
 
+pub use flash::{Flash, FlashMethod, ThermalBody, flash};
 pub use geometry::{
     BasicRack, GearDimensions, GearError, GearPair, GearWarning, LinePoints, Member, Meshing,
     Relief, ReliefShape, TipAlteration,
 };
+pub use loss::MeshLoss;
 pub use path::{
     Buttressing, LoadSharing, Operation, PathLabel, PathParams, PathPoint, ToothStiffness,
 };

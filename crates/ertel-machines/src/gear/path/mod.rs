@@ -11,5 +11,6 @@ mod tests;
 pub use lines::{line_length, mean_line_length};
 pub use operation::Operation;
 pub use point::{PathLabel, PathParams, PathPoint};
+pub(crate) use sharing::Sharing;
 pub use sharing::{Buttressing, LoadSharing};
 pub use stiffness::{ToothStiffness, iso_single_stiffness, mean_mesh_stiffness};
