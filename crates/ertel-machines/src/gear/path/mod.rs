@@ -1,5 +1,6 @@
 //! Contacts along the line of action.
 
+mod beam;
 mod lines;
 mod operation;
 mod point;
@@ -7,6 +8,7 @@ mod sharing;
 mod stiffness;
 #[cfg(test)]
 mod tests;
+mod tooth;
 
 pub use lines::{line_length, mean_line_length};
 pub use operation::Operation;

@@ -1,6 +1,7 @@
 //! How pairs of teeth share the load.
 
 use super::lines::{line_length, others};
+use super::stiffness::StiffnessCurve;
 use super::{Operation, ToothStiffness};
 use crate::gear::geometry::{GearError, GearPair, in_range};
 
@@ -29,7 +30,7 @@ pub enum LoadSharing {
     },
     /// By the stiffness of the pairs: they approach each other by the same δ, less the reliefs C(s), in slices across the face that do not support each other.
     ///
-    /// w(s) = c' (δ − C(s)) where positive,  Σ_pairs ∫ w dy = F_bt
+    /// w(s) = c'(s) (δ − C(s)) where positive,  Σ_pairs ∫ w dy = F_bt
     ///
     /// Contact before A and after E, to which deflected teeth tend, is left out.
     Stiffness(ToothStiffness),
@@ -44,8 +45,8 @@ pub(crate) struct Sharing<'a> {
     law: LoadSharing,
     /// Load per face width F_bt/b, N/m.
     load: f64,
-    /// c', N/m²; 0 unless needed.
-    stiffness: f64,
+    /// c', N/m², where the law asks for it.
+    stiffness: Option<StiffnessCurve>,
 }
 
 impl<'a> Sharing<'a> {
@@ -54,7 +55,7 @@ impl<'a> Sharing<'a> {
         operation: &Operation,
         law: LoadSharing,
     ) -> Result<Sharing<'a>, GearError> {
-        let mut stiffness = 0.0;
+        let mut stiffness = None;
         match law {
             LoadSharing::Uniform => {}
             LoadSharing::Thirds => {
@@ -71,7 +72,7 @@ impl<'a> Sharing<'a> {
                     in_range("buttressing length", length, length > 0.0, "positive")?;
                 }
             }
-            LoadSharing::Stiffness(model) => stiffness = model.value(pair)?,
+            LoadSharing::Stiffness(model) => stiffness = Some(model.curve(pair, operation)?),
         }
         Ok(Sharing {
             pair,
@@ -99,39 +100,39 @@ impl<'a> Sharing<'a> {
                 });
                 extra / pair.contact_ratio
             }
-            LoadSharing::Stiffness(_) => {
-                let approach = self.approach(s, y);
-                self.stiffness * (approach - pair.relief(s)).max(0.0) / self.load
-            }
+            LoadSharing::Stiffness(_) => self.stiffness.as_ref().map_or(0.0, |stiffness| {
+                let approach = self.approach(stiffness, s, y);
+                stiffness.at(s) * (approach - pair.relief(s)).max(0.0) / self.load
+            }),
         }
     }
 
-    /// The approach δ (m) at the moment at which the slice at y (m) touches at s (m): c' Σ (δ − C)⁺ = F_bt over all slices and pairs.
+    /// The approach δ (m) at the moment at which the slice at y (m) touches at s (m): Σ c' (δ − C)⁺ = F_bt over all slices and pairs.
     ///
-    /// With the reliefs in ascending order the first n of them are in contact: δ = (load/c' + Σ C)/n, each slice one part of the face width.
-    fn approach(&self, s: f64, y: f64) -> f64 {
+    /// With the reliefs in ascending order the first n of them are in contact: δ = (load + Σ c' C)/Σ c', each slice one part of the face width.
+    fn approach(&self, stiffness: &StiffnessCurve, s: f64, y: f64) -> f64 {
         let pair = self.pair;
         let tangent = pair.base_helix_angle.tan();
-        let mut reliefs = Vec::new();
+        let mut springs = Vec::new();
         let slices = if tangent == 0.0 { 1 } else { SLICES };
         for slice in 0..slices {
             let at = ((slice as f64 + 0.5) / slices as f64 - 0.5) * pair.face_width;
             let place = s + (at - y) * tangent;
-            if tangent == 0.0 || (place >= pair.points.a && place <= pair.points.e) {
-                reliefs.push(pair.relief(place));
-            }
-            reliefs.extend(others(pair, place).map(|other| pair.relief(other)));
+            let inside = place >= pair.points.a && place <= pair.points.e;
+            let own = (tangent == 0.0 || inside).then_some(place);
+            let places = own.into_iter().chain(others(pair, place));
+            springs.extend(places.map(|place| (pair.relief(place), stiffness.at(place))));
         }
-        reliefs.sort_by(f64::total_cmp);
-        let target = self.load / self.stiffness * slices as f64;
-        let mut sum = 0.0;
-        let mut approach = 0.0;
-        for (n, relief) in reliefs.iter().enumerate() {
-            if n > 0 && approach <= *relief {
+        springs.sort_by(|one, other| one.0.total_cmp(&other.0));
+        let mut force = self.load * slices as f64;
+        let (mut sum, mut approach) = (0.0, f64::INFINITY);
+        for (relief, spring) in springs {
+            if approach <= relief {
                 break;
             }
-            sum += relief;
-            approach = (target + sum) / (n + 1) as f64;
+            force += spring * relief;
+            sum += spring;
+            approach = force / sum;
         }
         approach
     }

@@ -1,5 +1,7 @@
 //! Stiffness of a pair of teeth.
 
+use super::Operation;
+use super::beam::Beams;
 use crate::gear::geometry::{GearError, GearPair, Meshing, in_range};
 
 /// Stiffness of one pair of teeth per face width, along the path of contact.
@@ -14,21 +16,62 @@ pub enum ToothStiffness {
         /// Basic rack factor C_B.
         rack_factor: f64,
     },
+    /// From the energies of bending, shear and compression of the teeth as a rack cuts them, of their foundations on rings, and of the Hertz contact; external spur
+    /// gears. It changes along the path: a pair is softest where it touches a tip.
+    Beams {
+        /// Radii of the bores of the pinion and the wheel, m.
+        bore_radii: [f64; 2],
+    },
+}
+
+/// Places on the path at which the stiffness of beams is computed; linear between them.
+const PLACES: usize = 400;
+
+/// Stiffness per face width (N/m²) over the path of contact.
+pub(super) struct StiffnessCurve {
+    a: f64,
+    length: f64,
+    values: Vec<f64>,
+}
+
+impl StiffnessCurve {
+    /// Stiffness at the place s (m).
+    pub fn at(&self, s: f64) -> f64 {
+        let last = self.values.len() - 1;
+        let place = ((s - self.a) / self.length).clamp(0.0, 1.0) * last as f64;
+        let before = (place as usize).min(last.saturating_sub(1));
+        let after = (before + 1).min(last);
+        let share = place - before as f64;
+        self.values[before] * (1.0 - share) + self.values[after] * share
+    }
 }
 
 impl ToothStiffness {
-    /// Stiffness per face width (N/m²) of the teeth of a pair.
-    pub(super) fn value(self, pair: &GearPair) -> Result<f64, GearError> {
-        match self {
+    /// The stiffness of the teeth of a pair.
+    pub(super) fn curve(
+        self,
+        pair: &GearPair,
+        operation: &Operation,
+    ) -> Result<StiffnessCurve, GearError> {
+        let (a, length) = (pair.points.a, pair.points.e - pair.points.a);
+        let values = match self {
             ToothStiffness::Given(stiffness) => {
                 in_range("tooth stiffness", stiffness, stiffness > 0.0, "positive")?;
-                Ok(stiffness)
+                vec![stiffness]
             }
             ToothStiffness::Iso6336 {
                 blank_factor,
                 rack_factor,
-            } => iso_single_stiffness(pair, blank_factor, rack_factor),
-        }
+            } => vec![iso_single_stiffness(pair, blank_factor, rack_factor)?],
+            ToothStiffness::Beams { bore_radii } => {
+                let beams = Beams::new(pair, operation, bore_radii)?;
+                let place = |i: usize| a + length * i as f64 / PLACES as f64;
+                (0..=PLACES)
+                    .map(|i| beams.stiffness(pair, place(i)))
+                    .collect()
+            }
+        };
+        Ok(StiffnessCurve { a, length, values })
     }
 }
 

@@ -200,6 +200,37 @@ fn relief_takes_load_from_the_tips() {
     assert_eq!((tip.load_share, tip.hertz_pressure), (0.0, 0.0));
 }
 
+/// Without relief two pairs share as their stiffness: at A of C14 9.66329e9 (a separate program) to 13.01077e9 at D, which carries the rest; the pitch point is alone.
+#[test]
+fn beams_share_by_stiffness() {
+    let pair = GearPair::new(&c14()).expect("a pair");
+    let operation = steel_operation(200.0, 1500.0);
+    let model = ToothStiffness::Beams {
+        bore_radii: [15e-3; 2],
+    };
+    let params = PathParams {
+        sharing: LoadSharing::Stiffness(model),
+        ..PathParams::default()
+    };
+    let path = pair.path(&operation, &params).expect("a path");
+    let law = sharing::Sharing::new(&pair, &operation, params.sharing).expect("a law");
+    let at_a = labelled(&path, PathLabel::A).load_share;
+    // Next to D, where A is still in contact.
+    let at_d = law.share(pair.points.d + 1e-7, 0.0);
+    assert_relative_eq!(at_a + at_d, 1.0, max_relative = 1e-4);
+    assert_relative_eq!(at_a, 9.663293 / (9.663293 + 13.010767), max_relative = 1e-4);
+    assert_relative_eq!(
+        labelled(&path, PathLabel::C).load_share,
+        1.0,
+        max_relative = 1e-12
+    );
+    let helical = GearPair::new(&h501()).expect("a pair");
+    assert!(matches!(
+        helical.path(&operation, &params),
+        Err(GearError::Sharing { .. })
+    ));
+}
+
 /// By hand: z = 20/40 without shift, spur: q' = 0.04723 + 0.15551/20 + 0.25791/40 = 0.06145325 mm µm/N; c' = 0.8/q' = 13.0180 N/(mm µm).
 #[test]
 fn single_stiffness_by_hand() {
