@@ -126,58 +126,125 @@ fn round_followers_against_the_envelope() {
     ])
     .expect("a law");
     let speed = 100.0;
-    let follower = Follower::Curved {
+    let finger = |pivot| Follower::Finger {
+        pivot,
+        arm: 45e-3,
         radius: 12e-3,
-        offset: 2e-3,
+        roller_slip: None,
     };
-    let cam = Cam::new(law, follower, 24e-3).expect("a cam");
-    let operation = operation(speed);
-    let mut concave = 0;
-    for i in 0..60 {
-        let angle = 0.013 + TAU * f64::from(i) / 60.0;
-        let step = 1e-4;
-        let points =
-            [-step, 0.0, step].map(|turn| cam.at(&operation, angle + turn).expect("a contact"));
-        let in_cam = points.map(|point| {
-            let (sine, cosine) = point.angle.sin_cos();
+    for follower in [
+        Follower::Curved {
+            radius: 12e-3,
+            offset: 2e-3,
+        },
+        finger([-44e-3, 35e-3]),
+        finger([41e-3, 30e-3]),
+    ] {
+        let cam = Cam::new(law.clone(), follower, 24e-3).expect("a cam");
+        let operation = operation(speed);
+        let mut concave = 0;
+        for i in 0..60 {
+            let angle = 0.013 + TAU * f64::from(i) / 60.0;
+            let step = 1e-4;
+            let points =
+                [-step, 0.0, step].map(|turn| cam.at(&operation, angle + turn).expect("a contact"));
+            let in_cam = points.map(|point| {
+                let (sine, cosine) = point.angle.sin_cos();
+                let [x, y] = point.contact;
+                [x * cosine + y * sine, -x * sine + y * cosine]
+            });
+            let side = |i: usize, j: usize| {
+                (in_cam[i][0] - in_cam[j][0]).hypot(in_cam[i][1] - in_cam[j][1])
+            };
+            let (a, b, c) = (side(0, 1), side(1, 2), side(0, 2));
+            let area = 0.5
+                * ((in_cam[1][0] - in_cam[0][0]) * (in_cam[2][1] - in_cam[0][1])
+                    - (in_cam[1][1] - in_cam[0][1]) * (in_cam[2][0] - in_cam[0][0]));
+            // The contact goes around the cam against its turning: clockwise where convex.
+            let curvature = -4.0 * area / (a * b * c);
+            let point = points[1];
+            assert_relative_eq!(
+                point.radius_body_2.recip(),
+                curvature,
+                max_relative = 2e-4,
+                epsilon = 2e-2
+            );
+            concave += usize::from(point.concave);
+            assert_eq!(point.concave, curvature < 0.0);
+            let on_cam = speed * c / (2.0 * step);
+            assert_relative_eq!(point.u_2, on_cam, max_relative = 1e-4);
+            // On the face the contact moves as the normal turns against it, which the pressure angle tells: the motion turns with the finger.
+            let turned = points[2].pressure_angle - points[0].pressure_angle;
+            let on_face = speed * 12e-3 * turned / (2.0 * step);
+            assert_relative_eq!(point.u_1, on_face, max_relative = 1e-4, epsilon = 1e-6);
+            // Velocity over ω of the cam at the contact less that of the follower: nothing along the normal, the sliding along the face.
             let [x, y] = point.contact;
-            [x * cosine + y * sine, -x * sine + y * cosine]
-        });
-        let side =
-            |i: usize, j: usize| (in_cam[i][0] - in_cam[j][0]).hypot(in_cam[i][1] - in_cam[j][1]);
-        let (a, b, c) = (side(0, 1), side(1, 2), side(0, 2));
-        let area = 0.5
-            * ((in_cam[1][0] - in_cam[0][0]) * (in_cam[2][1] - in_cam[0][1])
-                - (in_cam[1][1] - in_cam[0][1]) * (in_cam[2][0] - in_cam[0][0]));
-        // The contact goes around the cam against its turning: clockwise where convex.
-        let curvature = -4.0 * area / (a * b * c);
-        let point = points[1];
-        assert_relative_eq!(
-            point.radius_body_2.recip(),
-            curvature,
-            max_relative = 2e-4,
-            epsilon = 2e-2
-        );
-        concave += usize::from(point.concave);
-        assert_eq!(point.concave, curvature < 0.0);
-        let on_cam = speed * c / (2.0 * step);
-        assert_relative_eq!(point.u_2, on_cam, max_relative = 1e-4);
-        // On the face the contact moves with the normal, against the sense of u.
-        let turned = points[2].pressure_angle - points[0].pressure_angle;
-        let on_face = speed * 12e-3 * turned / (2.0 * step);
-        assert_relative_eq!(point.u_1, on_face, max_relative = 1e-4, epsilon = 1e-6);
-        // Both surfaces approach each other nowhere: they move alike along the normal.
-        let sliding = point.u_2 - point.u_1;
-        let [x, y] = point.contact;
-        let (sine, cosine) = point.pressure_angle.sin_cos();
-        // Velocity of the cam there less that of the follower, over ω: (−y, x − s').
-        let relative = [-y, x - point.lift_velocity];
-        let along = relative[0] * cosine + relative[1] * sine;
-        let across = -relative[0] * sine + relative[1] * cosine;
-        assert_relative_eq!(across, 0.0, epsilon = 1e-12);
-        assert_relative_eq!(sliding, -speed * along, max_relative = 1e-9);
+            let (body, motion_angle) = body_velocity(follower, &point);
+            let relative = [-y - body[0], x - body[1]];
+            let (sine, cosine) = (motion_angle + point.pressure_angle).sin_cos();
+            let along = relative[0] * cosine + relative[1] * sine;
+            let across = -relative[0] * sine + relative[1] * cosine;
+            assert_relative_eq!(across, 0.0, epsilon = 1e-12);
+            assert_relative_eq!(point.sliding_speed, -speed * along, max_relative = 1e-9);
+        }
+        assert!(concave > 0);
     }
-    assert!(concave > 0);
+}
+
+/// Velocity over ω of the follower's face at the contact as that of a rigid body, and the angle of its motion from y.
+fn body_velocity(follower: Follower, point: &CamPoint) -> ([f64; 2], f64) {
+    let Follower::Finger {
+        pivot, arm, radius, ..
+    } = follower
+    else {
+        return ([0.0, point.lift_velocity], 0.0);
+    };
+    // The finger of a pivot on the left lifts counter-clockwise. Its arm at s = 0 closes the triangle of axis, pivot and face's centre.
+    let sense = -pivot[0].signum();
+    let (distance, sum) = (pivot[0].hypot(pivot[1]), 24e-3 + radius);
+    let at_pivot = ((arm * arm + distance * distance - sum * sum) / (2.0 * arm * distance)).acos();
+    let towards_axis = (-pivot[1]).atan2(-pivot[0]);
+    let arm_angle = towards_axis + sense * (at_pivot + point.lift / arm);
+    let turning = sense * point.lift_velocity / arm;
+    let lever = [point.contact[0] - pivot[0], point.contact[1] - pivot[1]];
+    let motion_angle = if sense > 0.0 {
+        arm_angle
+    } else {
+        arm_angle - PI
+    };
+    ([-turning * lever[1], turning * lever[0]], motion_angle)
+}
+
+/// The tangent of an arm of 100 m is a line: a finger that moves along y there.
+#[test]
+fn long_fingers_are_straight() {
+    let law = LiftLaw::Harmonic {
+        lift: 4e-3,
+        lobes: 2,
+    };
+    let straight = Follower::Curved {
+        radius: 12e-3,
+        offset: 0.0,
+    };
+    for side in [-100.0, 100.0] {
+        let long = Follower::Finger {
+            pivot: [side, 30e-3],
+            arm: 100.0,
+            radius: 12e-3,
+            roller_slip: None,
+        };
+        let [one, other] =
+            [straight, long].map(|follower| Cam::new(law.clone(), follower, 18e-3).expect("a cam"));
+        for i in 0..20 {
+            let angle = 0.3 * f64::from(i);
+            let [a, b] =
+                [&one, &other].map(|cam| cam.at(&operation(100.0), angle).expect("a contact"));
+            assert_relative_eq!(a.reduced_radius, b.reduced_radius, max_relative = 2e-3);
+            assert_relative_eq!(a.u_1, b.u_1, max_relative = 2e-3, epsilon = 1e-3);
+            assert_relative_eq!(a.u_2, b.u_2, max_relative = 2e-3);
+            assert_relative_eq!(a.load_per_length, b.load_per_length, max_relative = 2e-3);
+        }
+    }
 }
 
 /// A face of 1 km is flat.
@@ -334,6 +401,13 @@ fn refusals() {
         slip: 0.0,
     };
     assert!(Cam::new(law.clone(), roller, 18e-3).is_err());
+    let finger = Follower::Finger {
+        pivot: [-80e-3, 0.0],
+        arm: 40e-3,
+        radius: 10e-3,
+        roller_slip: Some(0.0),
+    };
+    assert!(Cam::new(law.clone(), finger, 18e-3).is_err());
     let cam = Cam::new(law, Follower::Flat, 18e-3).expect("a cam");
     assert!(cam.turn(&operation(0.0), 10).is_err());
     assert!(cam.turn(&operation(1.0), 0).is_err());
