@@ -296,7 +296,17 @@ fn forces_by_hand() {
     assert_relative_eq!(point.load_per_length, load, max_relative = 1e-12);
     let pressure = (load * 226.4e9 / (TAU * 14e-3)).sqrt();
     assert_relative_eq!(point.hertz_pressure, pressure, max_relative = 1e-9);
+    // At the nose 2 s'' outweighs r_b + s where u_m < 0: 18 + 4 − 16 = 6 mm > 0 here.
+    let motion = point.motion().expect("a motion");
+    assert_relative_eq!(motion.entrainment_speed, 0.6, max_relative = 1e-9);
+    assert_relative_eq!(motion.body_1_speed(), point.u_1, max_relative = 1e-9);
+    let contact = point.line_contact().expect("a contact");
+    assert_eq!(
+        contact.body_curvatures,
+        Some([[0.0, 0.0], [14e-3_f64.recip(), 0.0]])
+    );
     let lost = at(700.0);
+    assert_eq!(lost.line_contact(), None);
     assert!(lost.contact_lost && lost.hertz_pressure == 0.0 && lost.load_per_length == 0.0);
     // A roller under the pressure angle φ: the normal force is F/cos φ.
     let roller = Follower::Roller {

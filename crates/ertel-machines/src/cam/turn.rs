@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use ertel_ehl::contact::{Contact, Hertz};
+use ertel_ehl::contact::{Contact, Hertz, Motion};
 
 use super::error::in_range;
 use super::{CamError, Follower, LiftLaw};
@@ -81,6 +81,23 @@ pub struct CamPoint {
     pub undercut: bool,
     /// Whether the follower leaves the cam.
     pub contact_lost: bool,
+}
+
+impl CamPoint {
+    /// The line contact of this angle, x being along the motion; `None` where contact is lost or the cam undercut.
+    pub fn line_contact(&self) -> Option<Contact> {
+        if self.contact_lost || self.undercut {
+            return None;
+        }
+        let curvatures = [self.radius_body_1, self.radius_body_2].map(|r| [r.recip(), 0.0]);
+        Some(Contact::line(self.reduced_radius, self.load_per_length).between(curvatures))
+    }
+
+    /// The motion of the surfaces in it, x turned so that the entrainment is positive; `None` where it vanishes.
+    pub fn motion(&self) -> Option<Motion> {
+        let entrainment = self.entrainment_speed.abs();
+        (entrainment > 0.0).then(|| Motion::straight(entrainment, self.slide_to_roll_ratio))
+    }
 }
 
 impl Cam {

@@ -178,6 +178,9 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+    use crate::gear::geometry::GearPair;
+    use crate::gear::path::PathParams;
+    use crate::gear::test_data::{c14, steel_operation};
 
     const STEEL: ThermalBody = ThermalBody {
         conductivity: 46.0,
@@ -224,6 +227,30 @@ mod tests {
             / ((2.0 * 0.3e-3_f64).sqrt() * 12941.6 * (40.0_f64.sqrt() + 70.0_f64.sqrt()));
         assert_relative_eq!(fast.rise, by_norm, max_relative = 2e-3);
         assert_relative_eq!(fast.heat_shares[0], 0.430501, max_relative = 1e-5);
+    }
+
+    /// C14 at its point E, 200 N·m and 1500 1/min, μ = 0.05, the wheel of a metal that conducts four times as well: by hand from the point's load and speeds.
+    #[test]
+    fn teeth_have_their_own_bodies() {
+        let pair = GearPair::new(&c14()).expect("a pair");
+        let operation = steel_operation(200.0, 1500.0);
+        let path = pair
+            .path(&operation, &PathParams::default())
+            .expect("a path");
+        let end = path.last().expect("E");
+        let wheel = ThermalBody {
+            conductivity: 4.0 * STEEL.conductivity,
+            ..STEEL
+        };
+        let found = end.flash(0.05, [STEEL, wheel], FlashMethod::FastBand);
+        // e = 12941.6 J/(m² K √s) of the pinion and twice that of the wheel.
+        let parts = [2.0 * 12941.6 * end.u_1.sqrt(), 12941.6 * end.u_2.sqrt()];
+        let heat = 0.05 * end.load_per_length * (end.u_2 - end.u_1);
+        let rise = 0.7859834 * heat / (end.half_width.sqrt() * (parts[0] + parts[1]));
+        assert_relative_eq!(found.rise, rise, max_relative = 1e-5);
+        let share = parts[0] / (parts[0] + parts[1]);
+        assert_relative_eq!(found.heat_shares[0], share, max_relative = 1e-5);
+        assert!(found.rise > 10.0 && found.rise < 100.0, "{}", found.rise);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use ertel_ehl::contact::{Contact, Hertz};
+use ertel_ehl::contact::{Contact, Hertz, Motion};
 
 use super::lines::line_length;
 use super::sharing::Sharing;
@@ -84,6 +84,19 @@ pub struct PathPoint {
     pub half_width: f64,
     /// Largest Hertz pressure, Pa; infinite at a tangent point under load, where the radius vanishes.
     pub hertz_pressure: f64,
+}
+
+impl PathPoint {
+    /// The line contact of this place, x being across the contact line and along the motion.
+    pub fn contact(&self) -> Contact {
+        let curvatures = [self.radius_body_1, self.radius_body_2].map(|r| [r.recip(), 0.0]);
+        Contact::line(self.reduced_radius, self.load_per_length).between(curvatures)
+    }
+
+    /// The motion of the surfaces in it.
+    pub fn motion(&self) -> Motion {
+        Motion::straight(self.entrainment_speed, self.slide_to_roll_ratio)
+    }
 }
 
 impl GearPair {

@@ -274,6 +274,29 @@ fn internal_wheel() {
     assert!(end.radius_body_1 < 0.0 && end.reduced_radius > end.radius_body_2);
 }
 
+/// Body 1 is the wheel: its surface moves at the speed that the motion of the contact gives to body 1, and its curvature comes first.
+#[test]
+fn bodies_of_the_contact() {
+    let pair = GearPair::new(&c14()).expect("a pair");
+    let operation = steel_operation(200.0, 1500.0);
+    let path = pair
+        .path(&operation, &PathParams::default())
+        .expect("a path");
+    let end = labelled(&path, PathLabel::E);
+    let (contact, motion) = (end.contact(), end.motion());
+    // At its tip the pinion has the larger radius of curvature, and is faster.
+    assert_relative_eq!(motion.body_1_speed(), end.u_1, max_relative = 1e-12);
+    assert_relative_eq!(motion.body_2_speed(), end.u_2, max_relative = 1e-12);
+    assert!(end.u_2 > end.u_1);
+    let [wheel, pinion] = contact.body_curvatures.expect("curvatures");
+    assert!(wheel[0] > pinion[0]);
+    assert_relative_eq!(
+        wheel[0] + pinion[0],
+        contact.radius.recip(),
+        max_relative = 1e-12
+    );
+}
+
 #[test]
 fn buttressing_at_the_ends() {
     let pair = GearPair::new(&h501()).expect("a pair");
