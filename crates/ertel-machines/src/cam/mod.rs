@@ -1,1 +1,19 @@
-//! Cams and their followers.
+//! Cams and their followers: lift laws, the place and the motion of the contact, forces and pressures over a turn.
+//!
+//! The cam is body 2 and the follower body 1. The cam turns by the angle θ, its axis is the origin, and the follower moves along y; a point (x, y) of
+//! the cam moves at ω (−y, x). Speeds are those of the surfaces relative to the contact, positive as for a cam and a flat face: u_2 = ω (r_b + s + s'')
+//! and u_1 = ω s''. ' is the derivative by θ.
+//!
+//! Sources: Norton, Cam Design and Manufacturing Handbook, 2002, chapters 2, 3 and 7; Müller, Motortechnische Zeitschrift 27, 1966, 58–61 (entrainment).
+
+mod error;
+mod follower;
+mod lift;
+#[cfg(test)]
+mod tests;
+mod turn;
+
+pub use error::CamError;
+pub use follower::{Follower, Place};
+pub use lift::{LiftLaw, MotionLaw, PeriodicSpline, Segment};
+pub use turn::{Cam, CamOperation, CamPoint};

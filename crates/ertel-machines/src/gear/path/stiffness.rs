@@ -1,0 +1,124 @@
+//! Stiffness of a pair of teeth.
+
+use super::Operation;
+use super::beam::Beams;
+use crate::gear::geometry::{GearError, GearPair, Meshing, in_range};
+
+/// Stiffness of one pair of teeth per face width, along the path of contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ToothStiffness {
+    /// The same everywhere, N/m².
+    Given(f64),
+    /// The single stiffness c' of ISO 6336-1 everywhere; the factors are C_R (1 of solid discs) and C_B (1 of the basic rack that the regression is for).
+    Iso6336 {
+        /// Gear blank factor C_R.
+        blank_factor: f64,
+        /// Basic rack factor C_B.
+        rack_factor: f64,
+    },
+    /// From the energies of bending, shear and compression of the teeth as a rack cuts them, of their foundations on rings, and of the Hertz contact; external spur
+    /// gears. It changes along the path: a pair is softest where it touches a tip.
+    Beams {
+        /// Radii of the bores of the pinion and the wheel, m.
+        bore_radii: [f64; 2],
+    },
+}
+
+/// Places on the path at which the stiffness of beams is computed; linear between them.
+const PLACES: usize = 400;
+
+/// Stiffness per face width (N/m²) over the path of contact.
+pub(super) struct StiffnessCurve {
+    a: f64,
+    length: f64,
+    values: Vec<f64>,
+}
+
+impl StiffnessCurve {
+    /// Stiffness at the place s (m).
+    pub fn at(&self, s: f64) -> f64 {
+        let last = self.values.len() - 1;
+        let place = ((s - self.a) / self.length).clamp(0.0, 1.0) * last as f64;
+        let before = (place as usize).min(last.saturating_sub(1));
+        let after = (before + 1).min(last);
+        let share = place - before as f64;
+        self.values[before] * (1.0 - share) + self.values[after] * share
+    }
+}
+
+impl ToothStiffness {
+    /// The stiffness of the teeth of a pair.
+    pub(super) fn curve(
+        self,
+        pair: &GearPair,
+        operation: &Operation,
+    ) -> Result<StiffnessCurve, GearError> {
+        let (a, length) = (pair.points.a, pair.points.e - pair.points.a);
+        let values = match self {
+            ToothStiffness::Given(stiffness) => {
+                in_range("tooth stiffness", stiffness, stiffness > 0.0, "positive")?;
+                vec![stiffness]
+            }
+            ToothStiffness::Iso6336 {
+                blank_factor,
+                rack_factor,
+            } => vec![iso_single_stiffness(pair, blank_factor, rack_factor)?],
+            ToothStiffness::Beams { bore_radii } => {
+                let beams = Beams::new(pair, operation, bore_radii)?;
+                let place = |i: usize| a + length * i as f64 / PLACES as f64;
+                (0..=PLACES)
+                    .map(|i| beams.stiffness(pair, place(i)))
+                    .collect()
+            }
+        };
+        Ok(StiffnessCurve { a, length, values })
+    }
+}
+
+/// Single stiffness c' of steel teeth per face width, N/m², of ISO 6336-1, method B.
+///
+/// q' = 0.04723 + 0.15551/z_n1 + 0.25791/z_n2 − 0.00635 x_1 − 0.11654 x_1/z_n1 − 0.00193 x_2 − 0.24188 x_2/z_n2 + 0.00529 x_1² + 0.00182 x_2²
+/// c' = C_M C_R C_B cos β/q',  C_M = 0.8,  z_n = z/(cos² β_b cos β)
+///
+/// with q' in mm·µm/N. Of internal wheels z_n2 = ∞. For loads per width of 100 N/mm and more; below them teeth are softer.
+/// Range: x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2.
+///
+/// Source: ISO 6336-1:2006, 9.3; the constants as in two open programs (GEARpie; gearbox), of which the first has x_1 for x_2 in the term of z_n2.
+pub fn iso_single_stiffness(
+    pair: &GearPair,
+    blank_factor: f64,
+    rack_factor: f64,
+) -> Result<f64, GearError> {
+    let [x_1, x_2] = pair.shifts;
+    let sum = x_1 + x_2;
+    if x_1 < x_2 || !(-0.5..=2.0).contains(&sum) {
+        return Err(GearError::Sharing {
+            law: "by the stiffness of ISO 6336-1",
+            requirement: "x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2",
+        });
+    }
+    let unit = |name, value: f64| in_range(name, value, value > 0.0, "positive");
+    unit("blank factor", blank_factor)?;
+    unit("basic rack factor", rack_factor)?;
+    let beta = pair.dimensions.helix_angle;
+    let virtual_teeth = |z: f64| z / (pair.base_helix_angle.cos().powi(2) * beta.cos());
+    let per_z_1 = virtual_teeth(pair.teeth[0]).recip();
+    let per_z_2 = match pair.dimensions.meshing {
+        Meshing::External => virtual_teeth(pair.teeth[1]).recip(),
+        Meshing::Internal => 0.0,
+    };
+    let flexibility = 0.04723 + 0.15551 * per_z_1 + 0.25791 * per_z_2
+        - 0.00635 * x_1
+        - 0.11654 * x_1 * per_z_1
+        - 0.00193 * x_2
+        - 0.24188 * x_2 * per_z_2
+        + 0.00529 * x_1 * x_1
+        + 0.00182 * x_2 * x_2;
+    // 1 N/(mm µm) = 1e9 N/m².
+    Ok(1e9 * 0.8 * blank_factor * rack_factor * beta.cos() / flexibility)
+}
+
+/// Mean mesh stiffness per face width, N/m²: c_γα = c' (0.75 ε_α + 0.25), for ε_α ≥ 1.2. Source: ISO 6336-1:2006, 9.3.
+pub fn mean_mesh_stiffness(pair: &GearPair, single_stiffness: f64) -> f64 {
+    single_stiffness * (0.75 * pair.contact_ratio + 0.25)
+}
