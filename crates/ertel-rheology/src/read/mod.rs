@@ -15,6 +15,7 @@ macro_rules! laws {
 mod conductivity;
 mod data_sheet;
 mod density;
+mod estimates;
 mod fluid;
 mod heat_capacity;
 mod shear;
@@ -135,6 +136,8 @@ fn density_beside(
 
 #[cfg(test)]
 mod data_sheet_tests;
+#[cfg(test)]
+mod estimates_tests;
 #[cfg(test)]
 mod high_pressure_tests;
 #[cfg(test)]

@@ -57,6 +57,16 @@ impl Lubricant {
         self.viscosity.viscosity(0.0, self.temperature)
     }
 
+    /// Whether the oil itself is known by its data sheet, and not only heat or shear by its kind.
+    pub fn is_of_data_sheet(&self) -> bool {
+        let by_kind = |key: &str| {
+            ["thermal_conductivity.", "heat_capacity.", "shear_thinning."]
+                .iter()
+                .any(|part| key.starts_with(part))
+        };
+        self.estimates.iter().any(|datum| !by_kind(&datum.key))
+    }
+
     /// Density at ambient pressure, kg/m³.
     pub fn ambient_density(&self) -> f64 {
         self.density.density(0.0, self.temperature)
@@ -133,8 +143,11 @@ pub(super) fn read(
         lubricant.map_err(|error| super::sections::missing(root, "lubricant", error))?;
     match lubricant {
         StrOrTable::Str(name) => {
-            let fluid = database::fluid_or_file(name, folder, root.recorder("lubricant"))
+            let mut fluid = database::fluid_or_file(name, folder, root.recorder("lubricant"))
                 .map_err(super::unknown(root, "lubricant"))?;
+            if heat {
+                fluid.estimate_heat(root, "lubricant")?;
+            }
             let temperature = root
                 .required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)
                 .map_err(|error| {
@@ -158,7 +171,7 @@ pub(super) fn read(
             let temperature =
                 table.required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)?;
             let name = table.optional_str("name")?;
-            let fluid = match name {
+            let mut fluid = match name {
                 Some(name) => {
                     let mut fluid = database::fluid_or_file(name, folder, table.own_recorder())
                         .map_err(super::unknown(&table, "name"))?;
@@ -174,6 +187,9 @@ pub(super) fn read(
                     Fluid::from_table(&mut table, "the lubricant", Files::Folder(folder))?
                 }
             };
+            if heat {
+                fluid.estimate_heat(&table, "")?;
+            }
             let key = if name.is_some() { "name" } else { "viscosity" };
             let lubricant = check(&table, (key, name), fluid, temperature, pressure, heat)?;
             table.finish()?;
