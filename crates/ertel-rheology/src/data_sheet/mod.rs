@@ -4,12 +4,14 @@
 //! [`Estimate`]: a number with the range in which the truth is expected, and where both come from.
 
 mod base_oil;
+mod blend;
 mod heat;
 mod index_table;
 mod shear;
 mod viscosity_index;
 
 pub use base_oil::BaseOil;
+pub use blend::{BLENDING_TEMPERATURES, Blend, BlendError};
 pub use heat::HeatEstimate;
 pub use shear::ShearEstimate;
 pub use viscosity_index::{viscosity_at_40, viscosity_at_100, viscosity_index};

@@ -12,6 +12,7 @@ macro_rules! laws {
     };
 }
 
+mod blend;
 mod conductivity;
 mod data_sheet;
 mod density;
@@ -134,6 +135,8 @@ fn density_beside(
     })
 }
 
+#[cfg(test)]
+mod blend_tests;
 #[cfg(test)]
 mod data_sheet_tests;
 #[cfg(test)]

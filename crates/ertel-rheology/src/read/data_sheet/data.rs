@@ -16,7 +16,7 @@ pub(in crate::read) fn given(table: &Table<'_>, key: &str, value: String, unit: 
 }
 
 /// A number that follows from given ones.
-pub(super) fn computed(key: &str, value: String, unit: &str, source: &str) -> Datum {
+pub(in crate::read) fn computed(key: &str, value: String, unit: &str, source: &str) -> Datum {
     datum(key, value, unit, source.to_owned(), Status::Computed, None)
 }
 
@@ -76,7 +76,7 @@ fn datum(
 }
 
 /// Four figures, without zeros at the end.
-pub(super) fn figures(value: f64) -> String {
+pub(in crate::read) fn figures(value: f64) -> String {
     let decimals = (3.0 - value.abs().log10().floor()).clamp(0.0, 12.0) as usize;
     let text = format!("{value:.decimals$}");
     if text.contains('.') {

@@ -6,11 +6,11 @@ mod data;
 mod viscosity;
 
 pub(super) use self::base_oil::read_base_oil;
-pub(super) use self::data::{datum_of, given};
+pub(super) use self::data::{computed, datum_of, figures, given};
 
 use self::base_oil::needs_base_oil;
 use self::coefficient::COEFFICIENTS;
-use self::data::{estimated, figures};
+use self::data::estimated;
 use self::viscosity::{DYNAMIC, KINEMATIC, has_dynamic, points};
 use super::{density::reference_temperature, locate};
 use crate::data_sheet::{BaseOil, WATER_AT_15, viscosity_index};
