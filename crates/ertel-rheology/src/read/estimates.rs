@@ -1,7 +1,7 @@
 //! Heat and shear by the kind of the base oil, where a case asks for them.
 
 use super::data_sheet::datum_of;
-use crate::data_sheet::{BaseOil, Estimate};
+use crate::data_sheet::{BaseOil, Estimate, HeatEstimate, ShearEstimate};
 use crate::provenance::Datum;
 use crate::shear::{ReeEyring, ShearLaw, StressLimit};
 use crate::{ConductivityLaw, Fluid, HeatCapacityLaw, LawError, ShearThinning};
@@ -43,11 +43,7 @@ pub(super) fn shear(
     };
     let law = law(tau_0, lambda).map_err(|error| inner.error("law", error.to_string()))?;
     inner.finish()?;
-    let data = vec![
-        datum_of("shear_thinning.tau_0", &stress, 1e-6, "MPa"),
-        datum_of("shear_thinning.limit.lambda", &growth, 1.0, "1"),
-    ];
-    Ok((law, data))
+    Ok((law, shear_data(&estimate).to_vec()))
 }
 
 /// The kinds, as a list in words.
@@ -55,7 +51,58 @@ fn kinds() -> String {
     BaseOil::NAMES.map(|(name, _)| name).join(", ")
 }
 
+/// The data of an estimate of heat, and of shear.
+fn heat_data(heat: &HeatEstimate) -> [Datum; 2] {
+    [
+        datum_of(
+            "thermal_conductivity.k_0",
+            &heat.conductivity,
+            1.0,
+            "W/(m.K)",
+        ),
+        datum_of(
+            "heat_capacity.rho_c_0",
+            &heat.volumetric_heat,
+            1e-6,
+            "MJ/(m^3.K)",
+        ),
+    ]
+}
+
+fn shear_data(shear: &ShearEstimate) -> [Datum; 2] {
+    [
+        datum_of("shear_thinning.tau_0", &shear.eyring_stress, 1e-6, "MPa"),
+        datum_of(
+            "shear_thinning.limit.lambda",
+            &shear.pressure_coefficient,
+            1.0,
+            "1",
+        ),
+    ]
+}
+
 impl Fluid {
+    /// What a case that asks for heat and shear would estimate by the kind of the base oil, of what the fluid does not have.
+    #[must_use]
+    pub fn estimates_by_kind(&self) -> Vec<Datum> {
+        let Some(base_oil) = self.base_oil else {
+            return Vec::new();
+        };
+        let [conductivity, heat_capacity] = heat_data(&base_oil.heat());
+        let has_density = self.density.is_some();
+        let mut data = Vec::new();
+        if has_density && self.thermal_conductivity.is_none() {
+            data.push(conductivity);
+        }
+        if has_density && self.heat_capacity.is_none() {
+            data.push(heat_capacity);
+        }
+        if self.shear_thinning.is_none() {
+            data.extend(shear_data(&base_oil.shear()));
+        }
+        data
+    }
+
     /// Fills in what of conductivity and heat capacity is missing, by the kind of the base oil where it is known
     /// ([`BaseOil::heat`]); such numbers have [`crate::provenance::Status::Estimated`] in the provenance. An oil without a density law or
     /// of unknown kind stays as it is.
@@ -70,6 +117,7 @@ impl Fluid {
             return Ok(());
         };
         let heat = base_oil.heat();
+        let [of_conductivity, of_heat] = heat_data(&heat);
         let refused = |error: LawError| table.error_here(error.to_string());
         let noted = |key: &str, of: &Estimate, dimension| {
             let path = match path {
@@ -84,7 +132,7 @@ impl Fluid {
             let law = conductivity::LarssonAndersson::new(k_0, heat.d_1, heat.d_2);
             let law = ConductivityLaw::LarssonAndersson(law.map_err(refused)?);
             self.thermal_conductivity = Some(law);
-            (self.provenance).push(datum_of(key, estimate, 1.0, "W/(m.K)"));
+            self.provenance.push(of_conductivity);
         }
         if self.heat_capacity.is_none() {
             let (key, estimate) = ("heat_capacity.rho_c_0", &heat.volumetric_heat);
@@ -100,7 +148,7 @@ impl Fluid {
             let law = heat_capacity::LarssonAndersson::new(constants, density.clone());
             let law = HeatCapacityLaw::LarssonAndersson(law.map_err(refused)?);
             self.heat_capacity = Some(law);
-            (self.provenance).push(datum_of(key, estimate, 1e-6, "MJ/(m^3.K)"));
+            self.provenance.push(of_heat);
         }
         Ok(())
     }

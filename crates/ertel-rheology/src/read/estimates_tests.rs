@@ -149,3 +149,51 @@ fn estimates_are_uncertain_inputs() {
     assert_eq!(of("lubricant.shear_thinning.tau_0").value, 5e6);
     assert_eq!(of("lubricant.shear_thinning.limit.lambda").value, 0.056);
 }
+
+/// What `ertel fluids show` tells beforehand is what a case gets.
+#[test]
+fn estimates_are_told_beforehand() {
+    for (name, n) in [
+        ("iso-vg-46-mineral", 4),
+        ("fva-3", 3),
+        ("pao-4", 2),
+        ("pao-650", 2),
+        ("water", 0),
+    ] {
+        let told = database::fluid(name).unwrap().estimates_by_kind();
+        assert_eq!(told.len(), n, "{name}");
+        assert!(told.iter().all(|datum| datum.status == Status::Estimated));
+    }
+    let with_all = oil(&format!("{SHEET}{THINNING}")).unwrap();
+    assert!(with_all.estimates_by_kind().is_empty());
+    let sheet = document(SHEET);
+    let mut table = sheet.root().required_table("lubricant").unwrap();
+    let told = Fluid::from_table(&mut table, "", Files::Embedded(&[])).unwrap();
+    for datum in told.estimates_by_kind() {
+        assert!(with_all.provenance.contains(&datum), "{}", datum.key);
+    }
+}
+
+/// Every oil of the database that has a temperature can be heated and sheared, by its own data or those of its kind; the others have a law
+/// without temperature, or no kind that is known.
+#[test]
+fn oils_of_the_database_have_heat_and_shear() {
+    let without = |name: &str| {
+        let mut fluid = database::fluid(name).unwrap();
+        let empty = Document::parse("case.toml", "").unwrap();
+        fluid.estimate_heat(&empty.root(), "").unwrap();
+        let heat = fluid.thermal_conductivity.is_some() && fluid.heat_capacity.is_some();
+        let shear = fluid.shear_thinning.is_some() || fluid.base_oil.is_some();
+        (!heat, !shear)
+    };
+    for name in database::fluid_names() {
+        let is_oil = [
+            "iso-vg", "pao", "ester", "pag", "nynas", "fva", "gear", "turbine",
+        ]
+        .iter()
+        .any(|part| name.contains(part));
+        if is_oil {
+            assert_eq!(without(name), (false, false), "{name}");
+        }
+    }
+}
