@@ -132,6 +132,17 @@ fn depends_on_temperature(fluid: &Fluid) -> bool {
 fn show(fluid: &Fluid, temperature: f64) -> String {
     let mut text = format!("{}: {}\n\n", fluid.name, fluid.title);
     text += &data(&fluid.provenance);
+    if let Some(base_oil) = fluid.base_oil {
+        let estimates = fluid.estimates_by_kind();
+        if !estimates.is_empty() {
+            text += &format!(
+                "\nEstimates by the kind of the base oil ({}), where a case asks for them: `[thermal]`, `shear_thinning = {{ law = \"estimate\" \
+                 }}`\n",
+                base_oil.name()
+            );
+            text += &data(&estimates);
+        }
+    }
     text += "\nRange of the data\n";
     text += &range(fluid);
     text += &notes(&fluid.notes);

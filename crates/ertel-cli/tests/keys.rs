@@ -140,7 +140,9 @@ cases/machine/roller-bearing.toml
 
 /// Keys in tables of a list, which cannot be set by their path.
 fn is_in_list(path: &str) -> bool {
-    path.contains(".isotherms.") || path.contains("correlation.")
+    ["isotherms.", "correlation.", "blend."]
+        .iter()
+        .any(|list| path.contains(list))
 }
 
 /// The laws of the property at a key path.

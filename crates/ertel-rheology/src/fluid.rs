@@ -2,6 +2,7 @@
 
 use thiserror::Error;
 
+use crate::data_sheet::BaseOil;
 use crate::provenance::{Datum, RangeWarning, TemperatureRange, ValidityRange};
 use crate::viscosity::NoAsymptote;
 use crate::{ConductivityLaw, DensityLaw, HeatCapacityLaw, Scalar, ShearThinning, ViscosityLaw};
@@ -25,6 +26,8 @@ pub struct Fluid {
     pub thermal_conductivity: Option<ConductivityLaw>,
     /// Law of the heat capacity.
     pub heat_capacity: Option<HeatCapacityLaw>,
+    /// Kind of the base oil, if known: by it heat and shear are estimated where they are asked for.
+    pub base_oil: Option<BaseOil>,
     /// Range of the data; `None` if nothing is known about it.
     pub validity: Option<ValidityRange>,
     /// What to know before using this fluid.

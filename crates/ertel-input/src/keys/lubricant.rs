@@ -72,6 +72,7 @@ laws! {
         "ree-eyring": "`tau_0`", optional "`limit`";
         "rabinowitsch": "`tau_0`, `n` (0.01 to below 1; 1/3 is the cubic law)", optional "`limit`";
         "limiting-stress": "`tau_l0`, `lambda` (0 to 10)";
+        "estimate": "the kind of the base oil, by `base_oil` beside it or of the database: `ree-eyring` with a limit";
     }
     /// Laws of the thermal conductivity.
     CONDUCTIVITIES of CONDUCTIVITY_KEYS {
@@ -96,6 +97,7 @@ rows! {
     pub LUBRICANT {
         temperature: TEMPERATURE => "temperature of the film, required";
         name: Fluid => "a fluid of the database (`ertel fluids` lists them), or your own file, see below";
+        blend: Tables(BLEND) => "oil blended of others, each with its share of the mass; see [blends](lubricant-laws.md#blends)";
         density: OfLaw(&DENSITIES) => "density [law](lubricant-laws.md#density); with `name` optional, in place of that of the fluid";
         viscosity: OfLaw(&VISCOSITIES) => "viscosity [law](lubricant-laws.md#viscosity), likewise";
         shear_thinning: OfLaw(&SHEAR_LAWS) => "[law](lubricant-laws.md#shear_thinning) of shear thinning, likewise; without it the lubricant is
@@ -118,15 +120,16 @@ rows! {
             dynamic_viscosity_80, dynamic_viscosity_100: VISCOSITY => r"dynamic viscosity at that temperature, divided by the density there";
         viscosity_index: Number, bounds [-200.0, 500.0] => r"viscosity index of ASTM D2270{}; if absent, 95 for a mineral oil, 150 for a PAO;
             required for others";
-        density_15, density_20: DENSITY, usual [OIL_DENSITY] => r"density at 15 or 20 °C; if absent, 902, 859, 915 or 1059 kg/m³ for the base
+        density_15, density_20: DENSITY, usual [OIL_DENSITY] => r"density at 15 or 20 °C; if absent, 902, 859, 915, 1059, 902 or 880 kg/m³ for the base
             oils below, ± 5 %";
         relative_density_15: Number => "density at 15 °C relative to that of water at 15 °C, dimensionless";
-        base_oil: Choice(&["mineral", "PAO", "ester", "PAG"]) => r#"`"mineral"`, `"PAO"`, `"ester"` or `"PAG"`, in any case of letters, also
-            `"Group I"` and `"Group IV"`; not needed if nothing is to be estimated. There is no correlation with a source for naphthenic oils,
-            Groups II and III, silicones, PFPE and water-glycol: their error says what to give instead, that of other names also the nearest
-            kind"#;
+        base_oil: Choice(&["mineral", "PAO", "ester", "PAG", "naphthenic", "Group III"]) => r#"kind of the base oil:
+            `"mineral"`, `"PAO"`, `"ester"`, `"PAG"`, `"naphthenic"` or `"Group III"`, in any case of letters, also `"Group I"` and `"Group II"`
+            (mineral) and `"Group IV"` (PAO) of API 1509; needed if something is to be estimated. It may stand beside
+            laws, too: [heat and shear](#heat-and-shear-by-the-kind-of-oil) are estimated by it. There is no correlation with a source for
+            silicones, PFPE and water-glycol: their error says what to give instead, that of other names also the nearest kind"#;
         pressure_viscosity_coefficient: PER_PRESSURE, usual [COEFFICIENT] => r"measured initial slope of ln μ at `reference_temperature`; if
-            absent, correlation of Gold and others for the type of base oil, centred in 44 measured slopes, ± 21 % (PAG ± 30 %)";
+            absent, correlation of Gold and others for the type of base oil, centred in 44 measured slopes, ± 21 % (PAG ± 30 %, Group III about −34 to +40 %)";
         pressure_viscosity_coefficient_20, pressure_viscosity_coefficient_25, pressure_viscosity_coefficient_30,
             pressure_viscosity_coefficient_40, pressure_viscosity_coefficient_50, pressure_viscosity_coefficient_60,
             pressure_viscosity_coefficient_80, pressure_viscosity_coefficient_100: PER_PRESSURE, usual [COEFFICIENT] => r"the same at that
@@ -135,6 +138,10 @@ rows! {
         reference_temperature: TEMPERATURE => r"temperature of `pressure_viscosity_coefficient`, preferably the temperature of the contact;
             40 °C if absent";
         pressure_law: PRESSURE_LAW, default "roelands" => "law of the pressure dependence";
+    }
+    BLEND {
+        name: Fluid, aside "part of the blend, a fluid of the database or your own file";
+        share: Number, aside "its share of the mass, above 0 and below 1";
     }
     VALIDITY {
         pressure: Quantities(&[D::PRESSURE]), aside "lowest and highest pressure";

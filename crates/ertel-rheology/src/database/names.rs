@@ -71,6 +71,7 @@ const FLUIDS: &[(&str, &str)] = &[
 /// Words of base oils in a name, and what `base_oil` calls them.
 const BASE_OILS: &[(&str, &str)] = &[
     ("mineral", "mineral"),
+    ("naphthen", "naphthenic"),
     ("paraffin", "mineral"),
     ("hlp", "mineral"),
     ("clp", "mineral"),
@@ -113,7 +114,7 @@ pub(crate) fn base_oil_in(text: &str) -> Option<&'static str> {
         let words = BASE_OILS.iter().filter(|(_, oil)| oil == kind);
         words.into_iter().any(|(word, _)| plain.contains(word))
     };
-    let kinds = ["mineral", "PAO", "ester", "PAG"];
+    let kinds = ["mineral", "PAO", "ester", "PAG", "naphthenic"];
     match kinds.iter().filter(|kind| found(kind)).collect::<Vec<_>>()[..] {
         [kind] => Some(kind),
         _ => None,

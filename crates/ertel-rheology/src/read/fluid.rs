@@ -1,6 +1,7 @@
 //! Fluids from a table.
 
-use super::{Files, Material, data_sheet};
+use super::{Files, Material, data_sheet, estimates};
+use crate::data_sheet::BaseOil;
 use crate::provenance::{Datum, Status, ValidityRange};
 use crate::{ConductivityLaw, DensityLaw, Fluid, HeatCapacityLaw, ShearThinning, ViscosityLaw};
 use ertel_input::{Bounds, InputError, Table};
@@ -26,7 +27,8 @@ impl Fluid {
     /// `kinematic_viscosity_40`, `kinematic_viscosity_100` or `viscosity_index`, `density_15`, `density_20` or
     /// `relative_density_15`, `base_oil`, `pressure_viscosity_coefficient` or those at one or two temperatures
     /// (`pressure_viscosity_coefficient_40`), `pressure_law`. What they leave open is
-    /// estimated ([`crate::data_sheet`]); such numbers have [`Status::Estimated`] in the provenance.
+    /// estimated ([`crate::data_sheet`]); such numbers have [`Status::Estimated`] in the provenance. `base_oil` may also stand beside
+    /// `viscosity`: `shear_thinning = { law = "estimate" }` and [`Fluid::estimate_heat`] go by it.
     ///
     /// The table may have further keys; its owner calls [`Table::finish`]. `name` is what the fluid is called in
     /// messages.
@@ -40,7 +42,9 @@ impl Fluid {
         files: Files<'_>,
     ) -> Result<Self, InputError> {
         let mut density = read_density(table, files)?;
-        let sheet = match data_sheet::first_key(table) {
+        let base_oil = data_sheet::read_base_oil(table)?;
+        let by_kind = base_oil.filter(|_| !table.contains("viscosity"));
+        let sheet = match data_sheet::first_key(table).or(by_kind.map(|_| "base_oil")) {
             Some(key) if table.contains("viscosity") => {
                 return Err(table.error(
                     key,
@@ -78,6 +82,7 @@ impl Fluid {
             reference_temperature: None,
             thermal_conductivity: None,
             heat_capacity: None,
+            base_oil,
             validity: None,
             notes: Vec::new(),
             provenance: Vec::new(),
@@ -86,16 +91,21 @@ impl Fluid {
             fluid.reference_temperature = Some(sheet.reference_temperature);
             fluid.validity = Some(sheet.validity);
             fluid.provenance = sheet.provenance;
+        } else if let Some(base_oil) = base_oil {
+            let name = base_oil.name().to_owned();
+            let datum = data_sheet::given(table, "base_oil", name, "");
+            fluid.provenance.push(datum);
         }
         fluid.read_numbers(table)?;
         fluid.read_thermal(table, files)?;
-        fluid.read_shear_thinning(table)?;
+        let estimates = fluid.read_shear_thinning(table)?;
         table.read_correlations()?;
         for key in Self::KEYS {
             if table.contains(key) {
                 fluid.record_override(table, key);
             }
         }
+        fluid.provenance.extend(estimates);
         Ok(fluid)
     }
 
@@ -134,6 +144,9 @@ impl Fluid {
                 ),
             ));
         }
+        if let Some(base_oil) = data_sheet::read_base_oil(table)? {
+            self.take_base_oil(table, base_oil)?;
+        }
         if let Some(density) = read_density(table, files)? {
             self.follow(&density);
             self.density = Some(density);
@@ -143,7 +156,7 @@ impl Fluid {
         }
         self.read_numbers(table)?;
         self.read_thermal(table, files)?;
-        self.read_shear_thinning(table)?;
+        let estimates = self.read_shear_thinning(table)?;
         table.read_correlations()?;
         for key in Self::KEYS {
             if table.contains(key) {
@@ -151,6 +164,31 @@ impl Fluid {
                 self.provenance
                     .retain(|datum| datum.key != key && !datum.key.starts_with(&prefix));
                 self.record_override(table, key);
+            }
+        }
+        self.provenance.extend(estimates);
+        Ok(())
+    }
+
+    /// The kind that the user names, of an oil of which it is not known.
+    fn take_base_oil(&mut self, table: &Table<'_>, base_oil: BaseOil) -> Result<(), InputError> {
+        match self.base_oil {
+            Some(own) if own != base_oil => {
+                let name = &self.name;
+                let problem = format!(
+                    "the base oil of {name} is `{}`, not `{}`",
+                    own.name(),
+                    base_oil.name()
+                );
+                return Err(table.error("base_oil", problem).with_help(
+                    "leave it out, or describe an oil of your own by its data sheet without `name`",
+                ));
+            }
+            Some(_) => {}
+            None => {
+                self.base_oil = Some(base_oil);
+                let name = base_oil.name().to_owned();
+                (self.provenance).push(data_sheet::given(table, "base_oil", name, ""));
             }
         }
         Ok(())
@@ -179,18 +217,26 @@ impl Fluid {
         }
     }
 
-    /// After the viscosity and the reference temperature, which the second plateau refers to.
-    fn read_shear_thinning(&mut self, table: &mut Table<'_>) -> Result<(), InputError> {
+    /// After the viscosity and the reference temperature, which the second plateau refers to. Returns what of it is estimated.
+    fn read_shear_thinning(&mut self, table: &mut Table<'_>) -> Result<Vec<Datum>, InputError> {
         let thinning = table.optional_table("shear_thinning").map_err(|error| {
             error
                 .with_help("`newtonian = true` in the [solver] of a case leaves shear thinning out")
         })?;
-        if let Some(table) = thinning {
-            let law =
-                ShearThinning::from_table(table, &self.viscosity, self.reference_temperature)?;
-            self.shear_thinning = Some(law);
-        }
-        Ok(())
+        let Some(inner) = thinning else {
+            return Ok(Vec::new());
+        };
+        let law = inner.unnoted().optional_str("law");
+        let (law, estimates) = match law {
+            Ok(Some("estimate")) => estimates::shear(inner, self.base_oil)?,
+            _ => {
+                let temperature = self.reference_temperature;
+                let law = ShearThinning::from_table(inner, &self.viscosity, temperature)?;
+                (law, Vec::new())
+            }
+        };
+        self.shear_thinning = Some(law);
+        Ok(estimates)
     }
 
     fn read_numbers(&mut self, table: &mut Table<'_>) -> Result<(), InputError> {

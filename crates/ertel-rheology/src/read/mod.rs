@@ -12,9 +12,11 @@ macro_rules! laws {
     };
 }
 
+mod blend;
 mod conductivity;
 mod data_sheet;
 mod density;
+mod estimates;
 mod fluid;
 mod heat_capacity;
 mod shear;
@@ -134,7 +136,11 @@ fn density_beside(
 }
 
 #[cfg(test)]
+mod blend_tests;
+#[cfg(test)]
 mod data_sheet_tests;
+#[cfg(test)]
+mod estimates_tests;
 #[cfg(test)]
 mod high_pressure_tests;
 #[cfg(test)]

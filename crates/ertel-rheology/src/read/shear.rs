@@ -12,6 +12,7 @@ laws! {
     ReeEyring = "ree-eyring",
     Rabinowitsch = "rabinowitsch",
     LimitingStress = "limiting-stress",
+    Estimate = "estimate",
 }
 
 impl ShearThinning {
@@ -29,6 +30,8 @@ impl ShearThinning {
     /// | `rabinowitsch` | `tau_0`, `n` |
     /// | `limiting-stress` | `tau_l0`, `lambda` |
     ///
+    /// `estimate`, by the base oil, is one of the table of a fluid alone ([`crate::Fluid::from_table`]).
+    ///
     /// The first four may have a `limit = { tau_l0 = ..., lambda = ... }`.
     ///
     /// # Errors
@@ -41,6 +44,12 @@ impl ShearThinning {
         fluid_temperature: Option<f64>,
     ) -> Result<Self, InputError> {
         let law = match table.required_choice("law", LAWS)? {
+            Law::Estimate => {
+                return Err(table.error(
+                    "law",
+                    "this law is an estimate by the kind of a base oil, which only the table of a fluid has",
+                ));
+            }
             Law::LimitingStress => {
                 let limit = limit(&mut table)?;
                 table.finish()?;

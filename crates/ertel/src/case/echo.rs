@@ -29,10 +29,10 @@ impl Case {
             asperities: self.asperities,
             fluid: FluidEcho {
                 name: lubricant.name.clone().unwrap_or_else(|| {
-                    let by = if lubricant.estimates.is_empty() {
-                        "laws"
-                    } else {
+                    let by = if lubricant.is_of_data_sheet() {
                         "data sheet"
+                    } else {
+                        "laws"
                     };
                     format!("given by its {by}")
                 }),

@@ -31,7 +31,7 @@ const SAME_TEMPERATURE: f64 = 0.5;
 /// The lubricant of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lubricant {
-    /// Name in the database, or file of the user; `None` for laws written in the case file.
+    /// Name in the database, file of the user, or the parts of a blend; `None` for laws written in the case file.
     pub name: Option<String>,
     /// Temperature, K.
     pub temperature: f64,
@@ -55,6 +55,16 @@ impl Lubricant {
     /// Viscosity at ambient pressure and low shear, Pa·s.
     pub fn ambient_viscosity(&self) -> f64 {
         self.viscosity.viscosity(0.0, self.temperature)
+    }
+
+    /// Whether the oil itself is known by its data sheet, and not only heat or shear by its kind.
+    pub fn is_of_data_sheet(&self) -> bool {
+        let by_kind = |key: &str| {
+            ["thermal_conductivity.", "heat_capacity.", "shear_thinning."]
+                .iter()
+                .any(|part| key.starts_with(part))
+        };
+        self.estimates.iter().any(|datum| !by_kind(&datum.key))
     }
 
     /// Density at ambient pressure, kg/m³.
@@ -133,8 +143,11 @@ pub(super) fn read(
         lubricant.map_err(|error| super::sections::missing(root, "lubricant", error))?;
     match lubricant {
         StrOrTable::Str(name) => {
-            let fluid = database::fluid_or_file(name, folder, root.recorder("lubricant"))
+            let mut fluid = database::fluid_or_file(name, folder, root.recorder("lubricant"))
                 .map_err(super::unknown(root, "lubricant"))?;
+            if heat {
+                fluid.estimate_heat(root, "lubricant")?;
+            }
             let temperature = root
                 .required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)
                 .map_err(|error| {
@@ -157,13 +170,27 @@ pub(super) fn read(
             }
             let temperature =
                 table.required_quantity("temperature", Dimension::TEMPERATURE, TEMPERATURE)?;
-            let name = table.optional_str("name")?;
-            let fluid = match name {
+            let name = table.optional_str("name")?.map(str::to_owned);
+            let is_blend = table.contains("blend");
+            if let (Some(_), true) = (&name, is_blend) {
+                return Err(table
+                    .error("blend", "`name` and `blend` both say which oil it is")
+                    .with_help("keep one of them; a part of a blend has its own `name`"));
+            }
+            let named = match &name {
                 Some(name) => {
-                    let mut fluid = database::fluid_or_file(name, folder, table.own_recorder())
+                    let fluid = database::fluid_or_file(name, folder, table.own_recorder())
                         .map_err(super::unknown(&table, "name"))?;
+                    Some(("name", fluid))
+                }
+                None if is_blend => Some(("blend", Fluid::from_blend(&mut table, folder)?)),
+                None => None,
+            };
+            let (key, name, mut fluid) = match named {
+                Some((key, mut fluid)) => {
                     fluid.override_from(&mut table, Files::Folder(folder))?;
-                    fluid
+                    let name = name.unwrap_or_else(|| fluid.name.clone());
+                    (key, Some(name), fluid)
                 }
                 None => {
                     if table.contains("viscosity") && !table.contains("density") {
@@ -171,11 +198,22 @@ pub(super) fn read(
                             "such as density = { law = \"dowson-higginson\", rho_0 = \"870 kg/m^3\" }",
                         ));
                     }
-                    Fluid::from_table(&mut table, "the lubricant", Files::Folder(folder))?
+                    let fluid =
+                        Fluid::from_table(&mut table, "the lubricant", Files::Folder(folder))?;
+                    ("viscosity", None, fluid)
                 }
             };
-            let key = if name.is_some() { "name" } else { "viscosity" };
-            let lubricant = check(&table, (key, name), fluid, temperature, pressure, heat)?;
+            if heat {
+                fluid.estimate_heat(&table, "")?;
+            }
+            let lubricant = check(
+                &table,
+                (key, name.as_deref()),
+                fluid,
+                temperature,
+                pressure,
+                heat,
+            )?;
             table.finish()?;
             Ok(lubricant)
         }

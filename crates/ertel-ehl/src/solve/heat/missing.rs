@@ -71,8 +71,15 @@ impl MissingHeatData {
         } else {
             ""
         };
+        // A kind that the case names is not known by the time of this error.
+        let kind = if self.missing.iter().any(|datum| datum.part == "lubricant") {
+            "; what the lubricant lacks is estimated where `base_oil` in [lubricant] names its kind: \"mineral\", \"PAO\", \"ester\", \
+             \"PAG\", \"naphthenic\" or \"Group III\""
+        } else {
+            ""
+        };
         format!(
-            "{}{database}; `isothermal = true` in [solver] leaves heat out",
+            "{}{database}{kind}; `isothermal = true` in [solver] leaves heat out",
             places.join("; ")
         )
     }

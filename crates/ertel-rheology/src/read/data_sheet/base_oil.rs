@@ -5,18 +5,9 @@ use crate::database::names::{base_oil_in, plain};
 use ertel_input::{InputError, Table};
 
 /// Kinds of oils for which no correlation with a source is known here, in small letters and digits.
-const WITHOUT_CORRELATION: [&str; 30] = [
-    "naphthenic",
-    "naphthenicoil",
-    "naphthenisch",
-    "groupii",
-    "groupiii",
+const WITHOUT_CORRELATION: [&str; 21] = [
     "groupv",
-    "apigroupii",
-    "apigroupiii",
     "apigroupv",
-    "gruppeii",
-    "gruppeiii",
     "gruppev",
     "silicone",
     "silikon",
@@ -43,7 +34,7 @@ const INSTEAD: &str = "leave `base_oil` out and give what it would estimate: `pr
                        one with `viscosity_index`, and a law of the density, such as density = { law = \"dowson-higginson\", rho_0 = \
                        \"870 kg/m^3\" }";
 
-pub(super) fn read_base_oil(table: &mut Table<'_>) -> Result<Option<BaseOil>, InputError> {
+pub(in crate::read) fn read_base_oil(table: &mut Table<'_>) -> Result<Option<BaseOil>, InputError> {
     let key = "base_oil";
     let Some(text) = table.optional_str(key)? else {
         return Ok(None);

@@ -6,7 +6,7 @@ use ertel_input::Table;
 use ertel_quantity::Dimension;
 
 /// A number that the table gives.
-pub(super) fn given(table: &Table<'_>, key: &str, value: String, unit: &str) -> Datum {
+pub(in crate::read) fn given(table: &Table<'_>, key: &str, value: String, unit: &str) -> Datum {
     let source = if table.path().is_empty() {
         "given".to_owned()
     } else {
@@ -16,7 +16,7 @@ pub(super) fn given(table: &Table<'_>, key: &str, value: String, unit: &str) -> 
 }
 
 /// A number that follows from given ones.
-pub(super) fn computed(key: &str, value: String, unit: &str, source: &str) -> Datum {
+pub(in crate::read) fn computed(key: &str, value: String, unit: &str, source: &str) -> Datum {
     datum(key, value, unit, source.to_owned(), Status::Computed, None)
 }
 
@@ -33,7 +33,8 @@ pub(super) fn estimated(
     table.estimated_quantity(key, estimate.value, dimension, estimate.uncertainty())
 }
 
-fn datum_of(key: &str, estimate: &Estimate, scale: f64, unit: &str) -> Datum {
+/// The datum of an estimate: times `scale` in `unit`.
+pub(in crate::read) fn datum_of(key: &str, estimate: &Estimate, scale: f64, unit: &str) -> Datum {
     let percent = |share: f64| format!("{:.0} %", 100.0 * share);
     let range = if estimate.below == estimate.above {
         format!("± {}", percent(estimate.above))
@@ -75,7 +76,7 @@ fn datum(
 }
 
 /// Four figures, without zeros at the end.
-pub(super) fn figures(value: f64) -> String {
+pub(in crate::read) fn figures(value: f64) -> String {
     let decimals = (3.0 - value.abs().log10().floor()).clamp(0.0, 12.0) as usize;
     let text = format!("{value:.decimals$}");
     if text.contains('.') {

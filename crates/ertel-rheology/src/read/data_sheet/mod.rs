@@ -5,12 +5,15 @@ mod coefficient;
 mod data;
 mod viscosity;
 
-use self::base_oil::{needs_base_oil, read_base_oil};
+pub(super) use self::base_oil::read_base_oil;
+pub(super) use self::data::{computed, datum_of, figures, given};
+
+use self::base_oil::needs_base_oil;
 use self::coefficient::COEFFICIENTS;
-use self::data::{estimated, figures, given};
+use self::data::estimated;
 use self::viscosity::{DYNAMIC, KINEMATIC, has_dynamic, points};
 use super::{density::reference_temperature, locate};
-use crate::data_sheet::{BaseOil, WATER_AT_15};
+use crate::data_sheet::{BaseOil, WATER_AT_15, viscosity_index};
 use crate::density::{DowsonHigginson, ThermalExpansion};
 use crate::provenance::{Datum, ValidityRange};
 use crate::viscosity::{PressureLaw, Walther};
@@ -18,14 +21,13 @@ use crate::{DensityLaw, ViscosityLaw};
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
 
-/// Keys of a data sheet. `reference_temperature` is one of the fluid.
-const KEYS: [&str; 8] = [
+/// Keys of a data sheet. `reference_temperature` is one of the fluid, and so is `base_oil`, of which heat and shear are estimated.
+const KEYS: [&str; 7] = [
     "iso_vg",
     "viscosity_index",
     "density_15",
     "density_20",
     "relative_density_15",
-    "base_oil",
     "pressure_viscosity_coefficient",
     "pressure_law",
 ];
@@ -33,6 +35,8 @@ const KEYS: [&str; 8] = [
 /// Those of the density.
 const DENSITY_KEYS: [&str; 3] = ["density_15", "density_20", "relative_density_15"];
 
+/// 120, with what the rounding of viscosities may take off.
+const LOWEST_INDEX_OF_GROUP_III: f64 = 115.0;
 const ZERO_CELSIUS: f64 = 273.15;
 const CELSIUS_15: f64 = 288.15;
 const CELSIUS_20: f64 = 293.15;
@@ -79,6 +83,7 @@ pub(super) fn read(
         false => None,
     };
     let points = points(table, first.as_ref(), base_oil, &mut data)?;
+    check_group(table, base_oil, points)?;
     let density = match first {
         Some(law) => law,
         None => density_law(table, density, base_oil, &mut data)?,
@@ -115,6 +120,26 @@ pub(super) fn read(
         },
         provenance: data,
     })
+}
+
+/// Refuses an oil of Group III with a lower viscosity index than such oils have.
+fn check_group(
+    table: &Table<'_>,
+    base_oil: Option<BaseOil>,
+    points: [viscosity::Point; 2],
+) -> Result<(), InputError> {
+    let [nu_40, nu_100] = [CELSIUS_40, CELSIUS_100].map(|t| viscosity::viscosity_of(points, t));
+    match (base_oil, viscosity_index(nu_40, nu_100)) {
+        (Some(BaseOil::GroupIII), Some(index)) if index < LOWEST_INDEX_OF_GROUP_III => {
+            let problem = format!(
+                "an oil of Group III has a viscosity index of 120 and above (API 1509), the viscosities make {index:.0}"
+            );
+            Err(table.error("base_oil", problem).with_help(
+                "a mineral oil with a lower index is of Group I or II, `base_oil = \"mineral\"`",
+            ))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The law that the table has, or the one by the density of the sheet.

@@ -295,7 +295,7 @@ fn by_one(
 }
 
 /// Kinematic viscosity (m²/s) at `temperature` (K) of Walther's equation through two points.
-fn viscosity_of(points: [Point; 2], temperature: f64) -> f64 {
+pub(super) fn viscosity_of(points: [Point; 2], temperature: f64) -> f64 {
     let (a, b) = Walther::constants(points);
     Walther::kinematic_viscosity_of(a, b, temperature)
 }
