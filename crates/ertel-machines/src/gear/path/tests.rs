@@ -198,6 +198,9 @@ fn relief_takes_load_from_the_tips() {
     let path = pair.path(&light, &params).expect("a path");
     let tip = labelled(&path, PathLabel::A);
     assert_eq!((tip.load_share, tip.hertz_pressure), (0.0, 0.0));
+    let law = sharing::Sharing::new(&pair, &light, params.sharing).expect("a law");
+    let partner = law.share(pair.points.d + 1e-7, 0.0);
+    assert_relative_eq!(partner, 1.0, max_relative = 1e-12);
 }
 
 /// Without relief two pairs share as their stiffness: at A of C14 9.66329e9 (a separate program) to 13.01077e9 at D, which carries the rest; the pitch point is alone.
@@ -248,6 +251,15 @@ fn single_stiffness_by_hand() {
     let pair = GearPair::new(&c14()).expect("a pair");
     let single = iso_single_stiffness(&pair, 1.0, 1.0).expect("in range");
     assert_relative_eq!(single, 0.8e9 / 0.06338713, max_relative = 1e-6);
+    // Internal: the terms of z_n2 fall away: 0.04723 + 0.15551/20.
+    let internal = GearDimensions {
+        meshing: Meshing::Internal,
+        tip_diameters: [None, Some(117e-3)],
+        ..GearDimensions::spur(2e-3, [20, 60], PI / 9.0, 20e-3)
+    };
+    let pair = GearPair::new(&internal).expect("a pair");
+    let single = iso_single_stiffness(&pair, 1.0, 1.0).expect("in range");
+    assert_relative_eq!(single, 0.8e9 / 0.0550055, max_relative = 1e-9);
 }
 
 /// An internal wheel turns the same way: both surfaces move on, the wheel's by z_1/z_2 at its radius; at the pitch point they roll.
