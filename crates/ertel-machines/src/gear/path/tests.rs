@@ -160,6 +160,29 @@ fn pairs_carry_the_torque() {
     }
 }
 
+/// Without relief even springs share evenly, on wide faces with many lines too.
+#[test]
+fn wide_faces() {
+    for width in [23e-3, 200e-3] {
+        let mut dimensions = h501();
+        dimensions.face_widths = [width; 2];
+        let pair = GearPair::new(&dimensions).expect("a pair");
+        let operation = steel_operation(200.0, 1500.0);
+        let even = LoadSharing::Stiffness(ToothStiffness::Given(14e9));
+        let [one, other] = [LoadSharing::Uniform, even].map(|sharing| {
+            let params = PathParams {
+                points: 9,
+                sharing,
+                axial_position: 0.2,
+            };
+            pair.path(&operation, &params).expect("a path")
+        });
+        for (a, b) in one.iter().zip(&other) {
+            assert_relative_eq!(a.load_share, b.load_share, max_relative = 1e-2);
+        }
+    }
+}
+
 /// By hand: at the middle of AB and of DE of teeth with 10 µm of linear relief over AB at both tips each of the two pairs has 5 µm: halves. At the
 /// tip A the first pair has 10 µm and the second, at D, none: X_A = 1/2 − c' C_a/(2 F_bt/b).
 #[test]
