@@ -1,6 +1,7 @@
 //! Laws of lift.
 
 mod segments;
+mod smoothing;
 mod spline;
 
 pub use segments::{MotionLaw, Segment};
@@ -50,6 +51,27 @@ impl LiftLaw {
     /// Tables out of order or of unfit size.
     pub fn table(angles: &[f64], lifts: &[f64]) -> Result<LiftLaw, CamError> {
         Ok(LiftLaw::Table(PeriodicSpline::new(angles, lifts, TAU)?))
+    }
+
+    /// A smooth law near a table whose lifts have errors, such as of rounding, of the root mean square `tolerance` (m).
+    ///
+    /// Errors of a table grow by about 4/Δθ² in s'': lifts that are rounded to 1 µm at each degree make s'' uncertain by several mm if the law goes through all of them.
+    ///
+    /// # Errors
+    ///
+    /// Tables out of order or of unfit size, and negative tolerances.
+    pub fn smooth_table(
+        angles: &[f64],
+        lifts: &[f64],
+        tolerance: f64,
+    ) -> Result<LiftLaw, CamError> {
+        let inside = tolerance >= 0.0;
+        in_range("tolerance of the lifts", tolerance, inside, "not negative")?;
+        if tolerance == 0.0 {
+            return LiftLaw::table(angles, lifts);
+        }
+        let spline = smoothing::smooth(angles, lifts, TAU, tolerance)?;
+        Ok(LiftLaw::Table(spline))
     }
 
     /// s, s' and s'' (m, per rad and rad²) at the angle θ (rad).

@@ -6,7 +6,7 @@ use super::super::CamError;
 use super::super::error::in_range;
 
 /// Degree: the curve has four continuous derivatives, so s'' is smooth and not made of straight lines.
-const DEGREE: usize = 5;
+pub(super) const DEGREE: usize = 5;
 /// Fewest and most rows.
 const ROWS: [usize; 2] = [DEGREE + 3, 2000];
 
@@ -27,6 +27,29 @@ impl PeriodicSpline {
     ///
     /// Places out of order, numbers that are not finite, and tables of unfit size.
     pub fn new(places: &[f64], values: &[f64], period: f64) -> Result<PeriodicSpline, CamError> {
+        let mut spline = PeriodicSpline::unset(places, values, period)?;
+        let rows = places.len();
+        let mut matrix = DMatrix::zeros(rows, rows);
+        for row in 0..rows {
+            for (k, value) in spline.basis(row, places[row]).into_iter().enumerate() {
+                matrix[(row, spline.column(row, k))] += value;
+            }
+        }
+        let solution = matrix.lu().solve(&DVector::from_column_slice(values));
+        let Some(coefficients) = solution.filter(|c| c.iter().all(|value| value.is_finite()))
+        else {
+            return Err(CamError::Spline);
+        };
+        spline.coefficients = coefficients.as_slice().to_vec();
+        Ok(spline)
+    }
+
+    /// A spline with its knots at the places and without coefficients yet.
+    pub(super) fn unset(
+        places: &[f64],
+        values: &[f64],
+        period: f64,
+    ) -> Result<PeriodicSpline, CamError> {
         let rows = places.len().min(values.len());
         if rows < ROWS[0] || rows > ROWS[1] || places.len() != values.len() {
             return Err(CamError::TableSize {
@@ -46,24 +69,19 @@ impl PeriodicSpline {
                 });
             }
         }
-        let mut spline = PeriodicSpline {
+        Ok(PeriodicSpline {
             places: places.to_vec(),
             coefficients: vec![0.0; rows],
             period,
-        };
-        let mut matrix = DMatrix::zeros(rows, rows);
-        for row in 0..rows {
-            for (k, value) in spline.basis(row, places[row]).into_iter().enumerate() {
-                matrix[(row, spline.column(row, k))] += value;
-            }
+        })
+    }
+
+    /// The same with other coefficients.
+    pub(super) fn with(self, coefficients: Vec<f64>) -> PeriodicSpline {
+        PeriodicSpline {
+            coefficients,
+            ..self
         }
-        let solution = matrix.lu().solve(&DVector::from_column_slice(values));
-        let Some(coefficients) = solution.filter(|c| c.iter().all(|value| value.is_finite()))
-        else {
-            return Err(CamError::Spline);
-        };
-        spline.coefficients = coefficients.as_slice().to_vec();
-        Ok(spline)
     }
 
     /// The value and its first two derivatives.
@@ -71,10 +89,20 @@ impl PeriodicSpline {
         let first = self.places[0];
         let x = first + (place - first).rem_euclid(self.period);
         let interval = self.places.partition_point(|t| *t <= x).max(1) - 1;
-        let mut local: Vec<f64> = (0..=DEGREE)
-            .map(|k| self.coefficients[self.column(interval, k)])
-            .collect();
-        let mut values = [0.0; 3];
+        let local = std::array::from_fn(|k| self.coefficients[self.column(interval, k)]);
+        let [value, first, second, _] = self.derivatives(interval, local, x);
+        [value, first, second]
+    }
+
+    /// The value and three derivatives from the coefficients of an interval.
+    pub(super) fn derivatives(
+        &self,
+        interval: usize,
+        local: [f64; DEGREE + 1],
+        x: f64,
+    ) -> [f64; 4] {
+        let mut local = local.to_vec();
+        let mut values = [0.0; 4];
         for (derivative, value) in values.iter_mut().enumerate() {
             let degree = DEGREE - derivative;
             *value = self.de_boor(interval, degree, &local, x);
@@ -91,13 +119,13 @@ impl PeriodicSpline {
     }
 
     /// Knots of all turns: t_{j+n} = t_j + period.
-    fn knot(&self, j: isize) -> f64 {
+    pub(super) fn knot(&self, j: isize) -> f64 {
         let n = self.places.len() as isize;
         self.places[j.rem_euclid(n) as usize] + self.period * j.div_euclid(n) as f64
     }
 
     /// Which coefficient the k-th B-spline of an interval has.
-    fn column(&self, interval: usize, k: usize) -> usize {
+    pub(super) fn column(&self, interval: usize, k: usize) -> usize {
         let n = self.places.len();
         (interval + n + k - DEGREE) % n
     }
@@ -117,7 +145,7 @@ impl PeriodicSpline {
     }
 
     /// The B-splines of an interval at a place: de Boor's algorithm on unit coefficients.
-    fn basis(&self, interval: usize, x: f64) -> [f64; DEGREE + 1] {
+    pub(super) fn basis(&self, interval: usize, x: f64) -> [f64; DEGREE + 1] {
         std::array::from_fn(|k| {
             let mut unit = [0.0; DEGREE + 1];
             unit[k] = 1.0;

@@ -276,6 +276,65 @@ fn undercut() {
     }));
 }
 
+/// By hand: z = 20/40, m = 2 mm, a = 60 mm, r_f = 17.5 and 37.5 mm. A wheel of the tip radius 43 mm leaves 60 − 43 − 17.5 = −0.5 mm at the pinion's root.
+/// One of r_a2 touches the pinion down to 60 sin 20° − √(r_a2² − r_b2²) from the tangent point, and the rack leaves an involute from
+/// 20 sin 20° − 2 (1.25 − 0.38 (1 − sin 20°))/sin 20° on: that is at r_a2 between 42.3 and 42.4 mm.
+#[test]
+fn roots() {
+    let mut dimensions = GearDimensions::spur(2e-3, [20, 40], ALPHA, 20e-3);
+    assert!(
+        GearPair::new(&dimensions)
+            .expect("a pair")
+            .warnings
+            .is_empty()
+    );
+    dimensions.tip_diameters[1] = Some(86e-3);
+    dimensions.root_diameters[1] = Some(75e-3);
+    let pair = GearPair::new(&dimensions).expect("a pair");
+    let clearance = pair.warnings.iter().find_map(|warning| match warning {
+        GearWarning::NoClearance { member, clearance } => Some((*member, *clearance)),
+        _ => None,
+    });
+    let (member, clearance) = clearance.expect("a warning");
+    assert_eq!(member, Member::Pinion);
+    assert_relative_eq!(clearance, -0.5e-3, max_relative = 1e-9);
+    let form = |tip: f64| {
+        let mut dimensions = GearDimensions::spur(2e-3, [20, 40], ALPHA, 20e-3);
+        dimensions.tip_diameters[1] = Some(2.0 * tip);
+        let warnings = GearPair::new(&dimensions).expect("a pair").warnings;
+        warnings.iter().find_map(|warning| match warning {
+            GearWarning::BelowForm {
+                member: Member::Pinion,
+                form_diameter,
+                contact_diameter,
+            } => Some([*form_diameter, *contact_diameter]),
+            _ => None,
+        })
+    };
+    let sine = ALPHA.sin();
+    let bases = [20.0, 40.0].map(|r: f64| r * ALPHA.cos());
+    let flank_end: f64 = 20.0 * sine - 2.0 * (1.25 - 0.38 * (1.0 - sine)) / sine;
+    let start = |tip: f64| 60.0 * sine - (tip * tip - bases[1] * bases[1]).sqrt();
+    assert!(
+        start(42.3) > flank_end && start(42.4) < flank_end,
+        "{} {} {flank_end}",
+        start(42.3),
+        start(42.4)
+    );
+    assert_eq!(form(42.3e-3), None);
+    let [form_diameter, contact_diameter] = form(42.4e-3).expect("a warning");
+    assert_relative_eq!(
+        1e3 * form_diameter,
+        2.0 * bases[0].hypot(flank_end),
+        max_relative = 1e-9
+    );
+    assert_relative_eq!(
+        1e3 * contact_diameter,
+        2.0 * bases[0].hypot(start(42.4)),
+        max_relative = 1e-9
+    );
+}
+
 /// C_a = 20 µm over 2 mm: halfway 10 µm if linear, 5 µm if parabolic.
 #[test]
 fn reliefs() {

@@ -138,7 +138,23 @@ mod tests {
         assert_relative_eq!(inclined, (0.75 * 38.24 + 0.5) / 206e9, max_relative = 1e-5);
     }
 
-    /// C14 with bores of 15 mm, at the pitch point. By a separate program, with the fillet and the involute in 20 000 parts.
+    /// The same pair at the pitch point: 1.77593485394790e-5 and 2.54978012234434e-5 mm²/N of a separate program.
+    #[test]
+    fn foundations() {
+        let pair = GearPair::new(&c14()).expect("a pair");
+        let operation = steel_operation(200.0, 1500.0);
+        let beams = Beams::new(&pair, &operation, [15e-3; 2]).expect("beams");
+        for (member, right) in [
+            (Member::Pinion, 1.77593485394790e-11),
+            (Member::Wheel, 2.54978012234434e-11),
+        ] {
+            let tooth = &beams.teeth[member.index()];
+            let found = foundation(tooth, pair.radius_at(member, 0.0), steel(), 15e-3);
+            assert_relative_eq!(found, right, max_relative = 1e-8);
+        }
+    }
+
+    /// C14 with bores of 15 mm, at three places. By a separate program, with the fillet and the involute in 20 000 parts.
     #[test]
     fn against_a_separate_program() {
         let pair = GearPair::new(&c14()).expect("a pair");

@@ -9,10 +9,12 @@ pub(super) fn others(pair: &GearPair, s: f64) -> impl Iterator<Item = f64> {
     let (a, e) = (pair.points.a, pair.points.e);
     let slack = 1e-9 * pair.base_pitch;
     let pitch = pair.base_pitch;
-    let reach = ((e - a) / pitch).ceil() as i32 + 1;
-    (-reach..=reach)
+    // The place itself may be far outside the path: a slice of a wide helical face.
+    let first = ((a - s) / pitch).floor() as i64;
+    let last = ((e - s) / pitch).ceil() as i64;
+    (first..=last)
         .filter(|k| *k != 0)
-        .map(move |k| s + f64::from(k) * pitch)
+        .map(move |k| s + k as f64 * pitch)
         .filter(move |place| *place > a + slack && *place < e - slack)
 }
 

@@ -36,8 +36,8 @@ pub enum LoadSharing {
     Stiffness(ToothStiffness),
 }
 
-/// Slices across the face of helical teeth, each of them with its own place on the path.
-const SLICES: usize = 200;
+/// Slices across the face of helical teeth for each base pitch that their lines cross, and in addition; each slice has its own place on the path.
+const SLICES: f64 = 100.0;
 
 /// A law of load sharing made ready for a pair under a load.
 pub(crate) struct Sharing<'a> {
@@ -114,7 +114,11 @@ impl<'a> Sharing<'a> {
         let pair = self.pair;
         let tangent = pair.base_helix_angle.tan();
         let mut springs = Vec::new();
-        let slices = if tangent == 0.0 { 1 } else { SLICES };
+        let slices = if tangent == 0.0 {
+            1
+        } else {
+            (SLICES * (1.0 + pair.overlap_ratio)) as usize
+        };
         for slice in 0..slices {
             let at = ((slice as f64 + 0.5) / slices as f64 - 0.5) * pair.face_width;
             let place = s + (at - y) * tangent;

@@ -9,12 +9,10 @@ use crate::gear::geometry::{GearError, GearPair, Meshing, in_range};
 pub enum ToothStiffness {
     /// The same everywhere, N/m².
     Given(f64),
-    /// The single stiffness c' of ISO 6336-1 everywhere; the factors are C_R (1 of solid discs) and C_B (1 of the basic rack that the regression is for).
+    /// The single stiffness c' of ISO 6336-1 everywhere.
     Iso6336 {
-        /// Gear blank factor C_R.
+        /// Gear blank factor C_R; 1 of solid discs.
         blank_factor: f64,
-        /// Basic rack factor C_B.
-        rack_factor: f64,
     },
     /// From the energies of bending, shear and compression of the teeth as a rack cuts them, of their foundations on rings, and of the Hertz contact; external spur
     /// gears. It changes along the path: a pair is softest where it touches a tip.
@@ -59,10 +57,11 @@ impl ToothStiffness {
                 in_range("tooth stiffness", stiffness, stiffness > 0.0, "positive")?;
                 vec![stiffness]
             }
-            ToothStiffness::Iso6336 {
-                blank_factor,
-                rack_factor,
-            } => vec![iso_single_stiffness(pair, blank_factor, rack_factor)?],
+            ToothStiffness::Iso6336 { blank_factor } => {
+                let tangential = operation.pinion_torque / pair.reference_radii[0];
+                let load = tangential / pair.face_width;
+                vec![iso_single_stiffness(pair, load, blank_factor)?]
+            }
             ToothStiffness::Beams { bore_radii } => {
                 let beams = Beams::new(pair, operation, bore_radii)?;
                 let place = |i: usize| a + length * i as f64 / PLACES as f64;
@@ -75,19 +74,24 @@ impl ToothStiffness {
     }
 }
 
-/// Single stiffness c' of steel teeth per face width, N/m², of ISO 6336-1, method B.
+/// Single stiffness c' of steel teeth per face width, N/m², under the tangential load per face width F_t/b (N/m) with the gear blank factor C_R.
 ///
 /// q' = 0.04723 + 0.15551/z_n1 + 0.25791/z_n2 − 0.00635 x_1 − 0.11654 x_1/z_n1 − 0.00193 x_2 − 0.24188 x_2/z_n2 + 0.00529 x_1² + 0.00182 x_2²
-/// c' = C_M C_R C_B cos β/q',  C_M = 0.8,  z_n = z/(cos² β_b cos β)
+/// c' = C_M C_R C_B cos β/q',  C_M = 0.8,  C_B = [1 + 0.5 (1.2 − h_fP*)][1 − 0.02 (20° − α_n)],  z_n = z/(cos² β_b cos β)
 ///
-/// with q' in mm·µm/N. Of internal wheels z_n2 = ∞. For loads per width of 100 N/mm and more; below them teeth are softer.
+/// with q' in mm·µm/N. Of internal wheels z_n2 = ∞. Below F_t/b = 100 N/mm times (F_t/b/100)^1/4.
 /// Range: x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2.
 ///
-/// Source: ISO 6336-1:2006, 9.3; the constants as in two open programs (GEARpie; gearbox), of which the first has x_1 for x_2 in the term of z_n2.
+/// Source: ISO 6336-1:2006, 9.3, method B, as in three open programs (GEARpie; python-gearbox; Drivetrain). GEARpie has x_1 for x_2 in the term of z_n2 and
+/// Drivetrain in that of x_2²; python-gearbox has neither, and the worked example of ISO/TR 6336-30 agrees.
+///
+/// # Errors
+///
+/// Profile shifts outside the range, and numbers that are not positive.
 pub fn iso_single_stiffness(
     pair: &GearPair,
+    load: f64,
     blank_factor: f64,
-    rack_factor: f64,
 ) -> Result<f64, GearError> {
     let [x_1, x_2] = pair.shifts;
     let sum = x_1 + x_2;
@@ -97,9 +101,9 @@ pub fn iso_single_stiffness(
             requirement: "x_1 ≥ x_2 and −0.5 ≤ x_1 + x_2 ≤ 2",
         });
     }
-    let unit = |name, value: f64| in_range(name, value, value > 0.0, "positive");
-    unit("blank factor", blank_factor)?;
-    unit("basic rack factor", rack_factor)?;
+    let positive = |name, value: f64| in_range(name, value, value > 0.0, "positive");
+    positive("blank factor", blank_factor)?;
+    positive("load per face width", load)?;
     let beta = pair.dimensions.helix_angle;
     let virtual_teeth = |z: f64| z / (pair.base_helix_angle.cos().powi(2) * beta.cos());
     let per_z_1 = virtual_teeth(pair.teeth[0]).recip();
@@ -114,8 +118,12 @@ pub fn iso_single_stiffness(
         - 0.24188 * x_2 * per_z_2
         + 0.00529 * x_1 * x_1
         + 0.00182 * x_2 * x_2;
+    let angle = pair.dimensions.normal_pressure_angle.to_degrees();
+    let rack =
+        (1.0 + 0.5 * (1.2 - pair.dimensions.basic_rack.dedendum)) * (1.0 - 0.02 * (20.0 - angle));
+    let light = (load / 1e5).min(1.0).powf(0.25);
     // 1 N/(mm µm) = 1e9 N/m².
-    Ok(1e9 * 0.8 * blank_factor * rack_factor * beta.cos() / flexibility)
+    Ok(1e9 * 0.8 * blank_factor * rack * beta.cos() * light / flexibility)
 }
 
 /// Mean mesh stiffness per face width, N/m²: c_γα = c' (0.75 ε_α + 0.25), for ε_α ≥ 1.2. Source: ISO 6336-1:2006, 9.3.

@@ -160,6 +160,29 @@ fn pairs_carry_the_torque() {
     }
 }
 
+/// Without relief even springs share evenly, on wide faces with many lines too.
+#[test]
+fn wide_faces() {
+    for width in [23e-3, 200e-3] {
+        let mut dimensions = h501();
+        dimensions.face_widths = [width; 2];
+        let pair = GearPair::new(&dimensions).expect("a pair");
+        let operation = steel_operation(200.0, 1500.0);
+        let even = LoadSharing::Stiffness(ToothStiffness::Given(14e9));
+        let [one, other] = [LoadSharing::Uniform, even].map(|sharing| {
+            let params = PathParams {
+                points: 9,
+                sharing,
+                axial_position: 0.2,
+            };
+            pair.path(&operation, &params).expect("a path")
+        });
+        for (a, b) in one.iter().zip(&other) {
+            assert_relative_eq!(a.load_share, b.load_share, max_relative = 1e-2);
+        }
+    }
+}
+
 /// By hand: at the middle of AB and of DE of teeth with 10 µm of linear relief over AB at both tips each of the two pairs has 5 µm: halves. At the
 /// tip A the first pair has 10 µm and the second, at D, none: X_A = 1/2 − c' C_a/(2 F_bt/b).
 #[test]
@@ -198,6 +221,9 @@ fn relief_takes_load_from_the_tips() {
     let path = pair.path(&light, &params).expect("a path");
     let tip = labelled(&path, PathLabel::A);
     assert_eq!((tip.load_share, tip.hertz_pressure), (0.0, 0.0));
+    let law = sharing::Sharing::new(&pair, &light, params.sharing).expect("a law");
+    let partner = law.share(pair.points.d + 1e-7, 0.0);
+    assert_relative_eq!(partner, 1.0, max_relative = 1e-12);
 }
 
 /// Without relief two pairs share as their stiffness: at A of C14 9.66329e9 (a separate program) to 13.01077e9 at D, which carries the rest; the pitch point is alone.
@@ -231,23 +257,56 @@ fn beams_share_by_stiffness() {
     ));
 }
 
-/// By hand: z = 20/40 without shift, spur: q' = 0.04723 + 0.15551/20 + 0.25791/40 = 0.06145325 mm µm/N; c' = 0.8/q' = 13.0180 N/(mm µm).
+/// Worked example 1 of ISO/TR 6336-30 (as quoted by the program Drivetrain): m_n = 8 mm, z = 17/103, β = 15.8°, x = 0.145/0, rack D with h_fP* = 1.4, a = 500 mm:
+/// c' = 12.37047 and c_γα = 17.46485 N/(mm µm), the latter with ε_α to three digits.
+#[test]
+fn single_stiffness_of_the_norm() {
+    let mut dimensions = GearDimensions {
+        helix_angle: 15.8_f64.to_radians(),
+        pinion_shift: 0.145,
+        wheel_shift: Some(0.0),
+        centre_distance: Some(0.5),
+        ..GearDimensions::spur(8e-3, [17, 103], PI / 9.0, 0.1)
+    };
+    dimensions.basic_rack.dedendum = 1.4;
+    let pair = GearPair::new(&dimensions).expect("a pair");
+    let load = 127352.0 / 0.1;
+    let single = iso_single_stiffness(&pair, load, 1.0).expect("in range");
+    assert_relative_eq!(single, 12.37047e9, max_relative = 1e-6);
+    let mean = mean_mesh_stiffness(&pair, single);
+    assert_relative_eq!(mean, 17.46485e9, max_relative = 4e-4);
+    // A sixteenth of 100 N/mm halves it.
+    let light = iso_single_stiffness(&pair, 1e5 / 16.0, 1.0).expect("in range");
+    assert_relative_eq!(light, 0.5 * single, max_relative = 1e-12);
+}
+
+/// By hand, C14: z = 16/24, x = 0.1817/0.1715, h_fP* = 1.25, so C_B = 0.975:
+/// 0.04723 + 0.009719375 + 0.01074625 − 0.001153795 − 0.0013234574 − 0.000330995 − 0.0017284342 + 0.0001746488 + 0.0000535303 = 0.0633871225.
+/// Internal, z = 20/−60: 0.04723 + 0.15551/20 = 0.0550055.
 #[test]
 fn single_stiffness_by_hand() {
-    let spur = GearDimensions::spur(2e-3, [20, 40], PI / 9.0, 20e-3);
-    let pair = GearPair::new(&spur).expect("a pair");
-    let single = iso_single_stiffness(&pair, 1.0, 1.0).expect("in range");
-    assert_relative_eq!(single, 13.0180e9, max_relative = 1e-5);
+    let pair = GearPair::new(&c14()).expect("a pair");
+    let single = iso_single_stiffness(&pair, 1e5, 1.0).expect("in range");
+    assert_relative_eq!(single, 0.78e9 / 0.0633871225, max_relative = 1e-8);
+    let internal = GearDimensions {
+        meshing: Meshing::Internal,
+        tip_diameters: [None, Some(117e-3)],
+        ..GearDimensions::spur(2e-3, [20, 60], PI / 9.0, 20e-3)
+    };
+    let pair = GearPair::new(&internal).expect("a pair");
+    let single = iso_single_stiffness(&pair, 1e5, 1.0).expect("in range");
+    assert_relative_eq!(single, 0.78e9 / 0.0550055, max_relative = 1e-9);
+    let operation = steel_operation(200.0, 1500.0);
+    let params = PathParams {
+        sharing: LoadSharing::Stiffness(ToothStiffness::Iso6336 { blank_factor: 1.0 }),
+        ..PathParams::default()
+    };
+    let path = pair.path(&operation, &params).expect("a path");
     assert_relative_eq!(
-        mean_mesh_stiffness(&pair, single),
-        single * (0.75 * pair.contact_ratio + 0.25),
+        labelled(&path, PathLabel::A).load_share,
+        0.5,
         max_relative = 1e-12
     );
-    // C14: z = 16/24, x = 0.1817/0.1715:
-    // 0.04723 + 0.009719375 + 0.01074625 − 0.0011537950 − 0.0013234573 − 0.000330995 − 0.0017284350 + 0.000174653 + 0.000053531 = 0.06338713.
-    let pair = GearPair::new(&c14()).expect("a pair");
-    let single = iso_single_stiffness(&pair, 1.0, 1.0).expect("in range");
-    assert_relative_eq!(single, 0.8e9 / 0.06338713, max_relative = 1e-6);
 }
 
 /// An internal wheel turns the same way: both surfaces move on, the wheel's by z_1/z_2 at its radius; at the pitch point they roll.
@@ -360,7 +419,7 @@ fn refusals() {
     };
     let pair = GearPair::new(&plain).expect("a pair");
     assert!(matches!(
-        iso_single_stiffness(&pair, 1.0, 1.0),
+        iso_single_stiffness(&pair, 1e5, 1.0),
         Err(GearError::Sharing { .. })
     ));
 }
