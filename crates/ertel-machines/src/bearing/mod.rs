@@ -1,6 +1,6 @@
 //! Rolling bearings: geometry, load distribution, speeds, rating lives and friction models, in SI.
 //!
-//! A [`Bearing`] under [`Loads`](load::Loads) at [`Speeds`](kinematics::Speeds) is solved for the load of each element on each ring: what comes
+//! A [`Bearing`] under [`Loads`] at [`Speeds`] is solved for the load of each element on each ring: what comes
 //! out per contact are load, angle, radii, speeds, spin and the Hertz ellipse, from which a lubricated contact can be set up.
 //!
 //! Axes: z along the bearing, x and y radial; elements at ψ from x towards y. Forces and shifts are those of the inner ring against the outer.
@@ -9,6 +9,7 @@
 //! Rolling Bearing Analysis, 5th ed., 2007 (Essential Concepts; Advanced Concepts) for geometry, speeds and equilibrium at speed; Jones, J. Basic
 //! Eng. 81 (1959) 1-12 and 82 (1960) 309-320 for balls that spin. Each file names its own.
 
+pub mod catalogue;
 pub mod friction;
 pub mod geometry;
 pub mod kinematics;

@@ -55,14 +55,20 @@ impl RollerGeometry {
         }
     }
 
+    /// Relief of a roller as solvers of lubricated contacts take it; none of a cylinder.
+    pub fn relief(&self) -> Option<Profile> {
+        match self.profile {
+            RollerProfile::Cylinder => None,
+            RollerProfile::Crown(crown_radius) => Some(Profile::Crown { crown_radius }),
+            RollerProfile::Logarithmic => {
+                Some(Profile::iso_16281(self.length, self.roller_diameter))
+            }
+        }
+    }
+
     /// Drop from the cylinder at z from the middle (m), m.
     pub fn drop(&self, z: f64) -> f64 {
-        let profile = match self.profile {
-            RollerProfile::Cylinder => return 0.0,
-            RollerProfile::Crown(crown_radius) => Profile::Crown { crown_radius },
-            RollerProfile::Logarithmic => Profile::iso_16281(self.length, self.roller_diameter),
-        };
-        profile.drop(self.length, z)[0]
+        (self.relief()).map_or(0.0, |profile| profile.drop(self.length, z)[0])
     }
 
     /// γ = D/d_m.

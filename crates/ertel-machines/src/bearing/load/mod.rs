@@ -9,9 +9,13 @@
 //! Source: ISO/TS 16281 (as MESYS's manual and public implementations quote it); Harris and Kotzalas 2007, Advanced Concepts, chapters 1 and 3.
 
 mod ball;
+mod ball_row;
 mod newton;
 mod roller;
+mod roller_row;
 mod solve;
+#[cfg(test)]
+mod tests;
 
 pub use solve::solve;
 

@@ -1,7 +1,11 @@
+use std::f64::consts::PI;
+
 use super::*;
-use crate::bearing::geometry::{Play, RollerProfile};
-use crate::bearing::load::{CurvatureAngle, Loads};
+use crate::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile};
+use crate::bearing::kinematics::Speeds;
+use crate::bearing::{Bearing, Geometry, Material};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use ertel_ehl::contact::Ellipse;
 
 fn free_angle() -> Params {
     Params {
@@ -161,6 +165,47 @@ fn sjoevalls_integrals() {
             integral,
             max_relative = 2e-4
         );
+    }
+}
+
+/// Harris and Kotzalas, Essential Concepts of Bearing Technology, 5th ed., 2007, table 7.4, point contact, single row: J_r and J_a of F_r = Z Q_max J_r cos α and
+/// F_a = Z Q_max J_a sin α under ε = ½ (1 + δ_a tan α/δ_r), to the printed digits (1.67 stands for 5/3), with so many balls and such small shifts that loads are integrals and all
+/// angles one.
+#[test]
+fn table_of_harris() {
+    let table = [
+        [0.2, 0.1590, 0.1707],
+        [0.3, 0.1892, 0.2110],
+        [0.4, 0.2117, 0.2462],
+        [0.5, 0.2288, 0.2782],
+        [0.6, 0.2416, 0.3084],
+        [0.7, 0.2505, 0.3374],
+        [0.8, 0.2559, 0.3658],
+        [0.9, 0.2576, 0.3945],
+        [1.0, 0.2546, 0.4244],
+        [1.25, 0.2289, 0.5044],
+        [5.0 / 3.0, 0.1871, 0.6060],
+        [2.5, 0.1339, 0.7240],
+        [5.0, 0.0711, 0.8558],
+    ];
+    let angle = 40_f64.to_radians();
+    let geometry = BallGeometry {
+        ball_diameter: 1e-3,
+        number: 200,
+        play: Play::FreeAngle(angle),
+        ..typical(0.0)
+    };
+    for [epsilon, j_r, j_a] in table {
+        let (radial, tan) = (1e-10, angle.tan());
+        let loads = Loads {
+            radial: [Given::Shift(radial), Given::Shift(0.0)],
+            axial: Given::Shift(radial * (2.0 * epsilon - 1.0) / tan),
+            tilt: [Given::Shift(0.0); 2],
+        };
+        let found = at_rest(Geometry::Ball(geometry), &loads, &free_angle());
+        let all = 200.0 * found.heaviest(Ring::Inner).unwrap().load;
+        assert_abs_diff_eq!(found.force[0] / (all * angle.cos()), j_r, epsilon = 6e-5);
+        assert_abs_diff_eq!(found.force[2] / (all * angle.sin()), j_a, epsilon = 6e-5);
     }
 }
 

@@ -1,0 +1,241 @@
+//! Internal geometry, published or estimated.
+
+use std::f64::consts::PI;
+
+use super::clearance::{ClearanceClass, radial_clearance};
+use super::{Boundary, Designation, Series};
+use crate::bearing::Geometry;
+use crate::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile};
+
+/// How a value is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// From this public source.
+    Published(&'static str),
+    /// By this rule.
+    Estimated(&'static str),
+    /// By whoever replaced it.
+    Given,
+}
+
+/// A value and how it is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sourced<T> {
+    /// The value, SI.
+    pub value: T,
+    /// How it is known.
+    pub origin: Origin,
+}
+
+impl<T> Sourced<T> {
+    /// A value that replaces one of the catalogue.
+    pub fn given(value: T) -> Sourced<T> {
+        Sourced {
+            value,
+            origin: Origin::Given,
+        }
+    }
+
+    fn published(value: T, source: &'static str) -> Sourced<T> {
+        Sourced {
+            value,
+            origin: Origin::Published(source),
+        }
+    }
+
+    fn estimated(value: T, rule: &'static str) -> Sourced<T> {
+        Sourced {
+            value,
+            origin: Origin::Estimated(rule),
+        }
+    }
+}
+
+/// What lies inside a bearing; each value can be replaced by [`Sourced::given`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Internal {
+    /// Of ball bearings.
+    Ball {
+        /// Ball diameter D_w, m.
+        ball_diameter: Sourced<f64>,
+        /// Pitch diameter d_m, m.
+        pitch_diameter: Sourced<f64>,
+        /// Number of balls Z.
+        number: Sourced<usize>,
+        /// Radius of the inner and outer groove over the ball diameter.
+        groove: Sourced<[f64; 2]>,
+        /// Clearance, or free contact angle.
+        play: Sourced<Play>,
+    },
+    /// Of cylindrical roller bearings.
+    Cylindrical {
+        /// Roller diameter D_w, m.
+        roller_diameter: Sourced<f64>,
+        /// Contact length of a roller, m.
+        length: Sourced<f64>,
+        /// Pitch diameter d_m, m.
+        pitch_diameter: Sourced<f64>,
+        /// Number of rollers Z.
+        number: Sourced<usize>,
+        /// Radial clearance, m.
+        clearance: Sourced<f64>,
+        /// Relief of the rollers.
+        profile: Sourced<RollerProfile>,
+    },
+}
+
+impl Internal {
+    /// The geometry to calculate with.
+    pub fn geometry(&self) -> Geometry {
+        match *self {
+            Internal::Ball {
+                ball_diameter,
+                pitch_diameter,
+                number,
+                groove,
+                play,
+            } => Geometry::Ball(BallGeometry {
+                ball_diameter: ball_diameter.value,
+                pitch_diameter: pitch_diameter.value,
+                number: number.value,
+                groove: groove.value,
+                play: play.value,
+            }),
+            Internal::Cylindrical {
+                roller_diameter,
+                length,
+                pitch_diameter,
+                number,
+                clearance,
+                profile,
+            } => Geometry::CylindricalRoller(RollerGeometry {
+                roller_diameter: roller_diameter.value,
+                length: length.value,
+                pitch_diameter: pitch_diameter.value,
+                number: number.value,
+                clearance: clearance.value,
+                profile: profile.value,
+            }),
+        }
+    }
+}
+
+/// There is no model of the inside of such a bearing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("tapered roller bearings have dimensions here, but no model of their inside")]
+pub struct NoModel;
+
+impl super::Entry {
+    /// The geometry to calculate with.
+    ///
+    /// # Errors
+    /// Tapered roller bearings.
+    pub fn geometry(&self) -> Result<Geometry, NoModel> {
+        self.internal.map(|i| i.geometry()).ok_or(NoModel)
+    }
+}
+
+const CWRU: &str = "bearing data of the Case Western Reserve University Bearing Data Center";
+const TABLES: &str = "public tables of bearing frequencies, two of which agree";
+/// Series, bore code, ball diameter and pitch diameter, mm, number of balls.
+const PUBLISHED: [(Series, u8, f64, f64, usize, &str); 4] = [
+    // 0.2656 in, 1.122 in; 0.3126 in, 1.537 in
+    (Series::DeepGroove62, 3, 6.746, 28.5, 8, CWRU),
+    (Series::DeepGroove62, 5, 7.94, 39.04, 9, CWRU),
+    (Series::DeepGroove62, 6, 9.525, 46.0, 9, TABLES),
+    (Series::DeepGroove62, 7, 11.112, 53.5, 9, TABLES),
+];
+
+const BALL_RULE: &str = "D_w = 0.3 (D − d)";
+const PITCH_RULE: &str = "d_m = (d + D)/2";
+const NUMBER_RULE: &str =
+    "Z = 0.6 π d_m/D_w, rounded: what goes in between rings that are moved aside";
+const FULL_NUMBER_RULE: &str = "Z = 0.8 π d_m/D_w, rounded: elements and bars of a cage";
+const GROOVE_RULE: &str = "f_i = 0.52, f_o = 0.53: the largest that ratings of ISO 281 go with";
+const CLEARANCE_RULE: &str = "middle of the class of ISO 5753-1 before mounting";
+const NO_CLASS_RULE: &str = "no clearance: the class has no values for this bearing";
+const RACEWAYS: &str = "raceway diameters F and E in Schaeffler, Rolling Bearings, HR 1, 2006";
+const LENGTH_RULE: &str = "L = 0.62 B";
+const PROFILE_RULE: &str = "reference profile of ISO/TS 16281";
+const ANGLE_SOURCE: &str = "suffix B: 40 degrees";
+
+fn middle(rollers: bool, class: ClearanceClass, bore: f64) -> Sourced<f64> {
+    match radial_clearance(rollers, class, bore) {
+        Some([low, high]) => Sourced::estimated(0.5 * (low + high), CLEARANCE_RULE),
+        None => Sourced::estimated(0.0, NO_CLASS_RULE),
+    }
+}
+
+fn filled(share: f64, pitch: f64, diameter: f64) -> usize {
+    (share * PI * pitch / diameter).round() as usize
+}
+
+/// Internal geometry of a bearing of the catalogue.
+pub(super) fn internal(designation: &Designation, boundary: &Boundary) -> Option<Internal> {
+    let clearance = |rollers| middle(rollers, designation.clearance, boundary.bore);
+    match designation.series {
+        Series::DeepGroove60 | Series::DeepGroove62 | Series::DeepGroove63 => {
+            let gap = clearance(false);
+            let play = Sourced {
+                value: Play::Clearance(gap.value),
+                origin: gap.origin,
+            };
+            let groove = Sourced::estimated([0.52, 0.53], GROOVE_RULE);
+            let known = (PUBLISHED.iter())
+                .find(|row| row.0 == designation.series && row.1 == designation.code);
+            if let Some(&(_, _, ball, pitch, number, source)) = known {
+                return Some(Internal::Ball {
+                    ball_diameter: Sourced::published(ball * 1e-3, source),
+                    pitch_diameter: Sourced::published(pitch * 1e-3, source),
+                    number: Sourced::published(number, source),
+                    groove,
+                    play,
+                });
+            }
+            Some(estimated_balls(boundary, 0.6, NUMBER_RULE, groove, play))
+        }
+        Series::Angular72B | Series::Angular73B => {
+            let play = Sourced::published(Play::FreeAngle(40_f64.to_radians()), ANGLE_SOURCE);
+            let groove = Sourced::estimated([0.52, 0.53], GROOVE_RULE);
+            Some(estimated_balls(
+                boundary,
+                0.8,
+                FULL_NUMBER_RULE,
+                groove,
+                play,
+            ))
+        }
+        Series::CylindricalNu10 | Series::CylindricalNu2 | Series::CylindricalNu3 => {
+            let [inner, outer] = boundary.raceways?;
+            let (diameter, pitch) = (0.5 * (outer - inner), 0.5 * (outer + inner));
+            let number = filled(0.8, pitch, diameter);
+            Some(Internal::Cylindrical {
+                roller_diameter: Sourced::published(diameter, RACEWAYS),
+                length: Sourced::estimated(0.62 * boundary.width, LENGTH_RULE),
+                pitch_diameter: Sourced::published(pitch, RACEWAYS),
+                number: Sourced::estimated(number, FULL_NUMBER_RULE),
+                clearance: clearance(true),
+                profile: Sourced::estimated(RollerProfile::Logarithmic, PROFILE_RULE),
+            })
+        }
+        Series::Tapered302 | Series::Tapered303 => None,
+    }
+}
+
+fn estimated_balls(
+    boundary: &Boundary,
+    share: f64,
+    rule: &'static str,
+    groove: Sourced<[f64; 2]>,
+    play: Sourced<Play>,
+) -> Internal {
+    let diameter = 0.3 * (boundary.outside - boundary.bore);
+    let pitch = boundary.mean_diameter();
+    Internal::Ball {
+        ball_diameter: Sourced::estimated(diameter, BALL_RULE),
+        pitch_diameter: Sourced::estimated(pitch, PITCH_RULE),
+        number: Sourced::estimated(filled(share, pitch, diameter), rule),
+        groove,
+        play,
+    }
+}

@@ -1,0 +1,77 @@
+//! Common bearings by their designation: boundary dimensions, and an internal geometry to calculate with.
+//!
+//! Makers publish little of what lies inside. Where a public source gives it, it is [`Origin::Published`]; all else follows a stated rule,
+//! [`Origin::Estimated`], and every value can be replaced before the geometry is made.
+
+mod clearance;
+mod designation;
+mod dimensions;
+mod internal;
+
+pub use clearance::{ClearanceClass, radial_clearance};
+pub use designation::{Designation, DesignationError, Series};
+pub use internal::{Internal, NoModel, Origin, Sourced};
+
+/// Boundary dimensions, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Boundary {
+    /// Bore d.
+    pub bore: f64,
+    /// Outside diameter D.
+    pub outside: f64,
+    /// Width B; of tapered roller bearings that of the cone.
+    pub width: f64,
+    /// Diameters of the inner and outer raceway, F and E, of cylindrical roller bearings.
+    pub raceways: Option<[f64; 2]>,
+    /// Widths of the cup C and of the whole bearing T of tapered roller bearings.
+    pub taper_widths: Option<[f64; 2]>,
+}
+
+impl Boundary {
+    /// Mean diameter (d + D)/2, m.
+    pub fn mean_diameter(&self) -> f64 {
+        0.5 * (self.bore + self.outside)
+    }
+}
+
+/// A bearing of the catalogue.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entry {
+    /// What was asked for.
+    pub designation: Designation,
+    /// Its boundary dimensions.
+    pub boundary: Boundary,
+    /// Its internal geometry; `None` of tapered roller bearings, for which there is no model.
+    pub internal: Option<Internal>,
+}
+
+/// The bearing of a designation such as `6206-2RS/C3`, `7210 B`, `NU 206 E` or `30206`.
+///
+/// # Errors
+/// Designations that are not known, with those nearest to them.
+pub fn find(designation: &str) -> Result<Entry, DesignationError> {
+    let designation = designation::parse(designation)?;
+    let boundary = designation
+        .series
+        .boundary(designation.code)
+        .ok_or_else(|| designation::unknown(&designation.name()))?;
+    let internal = internal::internal(&designation, &boundary);
+    Ok(Entry {
+        designation,
+        boundary,
+        internal,
+    })
+}
+
+/// Designations of all bearings of the catalogue, by series.
+pub fn all() -> impl Iterator<Item = String> {
+    Series::ALL.into_iter().flat_map(|series| {
+        series
+            .codes()
+            .map(move |code| Designation::plain(series, code).name())
+    })
+}
+
+#[cfg(test)]
+#[path = "tests.rs"]
+mod tests;
