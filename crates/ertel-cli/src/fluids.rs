@@ -137,7 +137,7 @@ fn show(fluid: &Fluid, temperature: f64) -> String {
         if !estimates.is_empty() {
             text += &format!(
                 "\nEstimates by the kind of the base oil ({}), where a case asks for them: `[thermal]`, `shear_thinning = {{ law = \"estimate\" \
-                 }}`\n",
+                 }}`\n\n",
                 base_oil.name()
             );
             text += &data(&estimates);

@@ -98,6 +98,35 @@ fn estimates_of_the_database_are_shown_as_such() {
     assert_eq!(given, ["45.81", "cSt", "code"]);
 }
 
+/// What a case would estimate of an oil's heat and shear is told beforehand, apart from its data, with the range of its kind.
+#[test]
+fn estimates_by_kind_are_shown_apart() {
+    let shown = report(&["fluids", "show", "iso-vg-46-pao"]);
+    let (own, by_kind) = shown
+        .split_once("Estimates by the kind of the base oil (PAO)")
+        .unwrap_or_else(|| panic!("{shown}"));
+    assert!(!own.contains("thermal_conductivity"), "{own}");
+    for (key, value) in [
+        (
+            "thermal_conductivity.k_0",
+            ["0.157", "W/(m.K)", "estimated"],
+        ),
+        (
+            "heat_capacity.rho_c_0",
+            ["1.725", "MJ/(m^3.K)", "estimated"],
+        ),
+        ("shear_thinning.tau_0", ["4", "MPa", "estimated"]),
+    ] {
+        assert_eq!(datum(by_kind, key), value);
+    }
+    assert!(
+        by_kind.contains("shear_thinning.limit.lambda: estimate, ± 30 %:"),
+        "{by_kind}"
+    );
+    let shown = report(&["fluids", "show", "water"]);
+    assert!(!shown.contains("kind of the base oil"), "{shown}");
+}
+
 /// Each file of the database has one line.
 #[test]
 fn every_fluid_is_listed() {

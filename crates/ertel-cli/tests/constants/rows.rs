@@ -30,7 +30,10 @@ const PROBLEM: &str = "crates/ertel/src/problem.rs";
 const PARAMS: &str = "params.rs";
 const REYNOLDS: &str = "forms/reynolds.rs";
 const ENDS: &str = "contact/roller/ends.rs";
-const OILS: &str = "crates/ertel-rheology/src/data_sheet/mod.rs";
+const SHEETS: &str = "crates/ertel-rheology/src/data_sheet/mod.rs";
+const OILS: &str = "crates/ertel-rheology/src/data_sheet/base_oil.rs";
+const OIL_HEAT: &str = "crates/ertel-rheology/src/data_sheet/heat.rs";
+const OIL_SHEAR: &str = "crates/ertel-rheology/src/data_sheet/shear.rs";
 const POWERS: &str = "crates/ertel-rheology/src/shear/numbers.rs";
 
 const RHEOLOGY: &str = "theory/rheology.md";
@@ -674,7 +677,7 @@ pub const ROWS: &[Row] = &[
         RHEOLOGY,
         "a relative decrease per kelvin of {}, {}, {} and {} (mineral",
         &[
-            (OILS, "Self::Mineral => {}, ", 0, 1.0),
+            (OILS, "Self::Mineral | Self::Naphthenic => {}, ", 0, 1.0),
             (OILS, "Self::Pao => {}, ", 0, 1.0),
             (OILS, "Self::Ester => {}, ", 0, 1.0),
             (OILS, "Self::Pag => {}, ", 0, 1.0),
@@ -689,8 +692,18 @@ pub const ROWS: &[Row] = &[
         RHEOLOGY,
         "| mineral | {} | {} | | PAO | {} | {} | | ester | {} | {} | | PAG | {} | {} |",
         &[
-            (OILS, "Self::Mineral => ({}, {}),", 0, 1.0),
-            (OILS, "Self::Mineral => ({}, {}),", 1, 1.0),
+            (
+                OILS,
+                "Self::Mineral | Self::Naphthenic => ({}, {}),",
+                0,
+                1.0,
+            ),
+            (
+                OILS,
+                "Self::Mineral | Self::Naphthenic => ({}, {}),",
+                1,
+                1.0,
+            ),
             (OILS, "Self::Pao => ({}, {}),", 0, 1.0),
             (OILS, "Self::Pao => ({}, {}),", 1, 1.0),
             (OILS, "Self::Ester => ({}, {}),", 0, 1.0),
@@ -702,12 +715,201 @@ pub const ROWS: &[Row] = &[
     (
         RHEOLOGY,
         "ISO 3448: the middle of the grade, ± {} %",
-        &[(OILS, "ISO_VG_TOLERANCE", 0, 100.0)],
+        &[(SHEETS, "ISO_VG_TOLERANCE", 0, 100.0)],
     ),
     (
         RHEOLOGY,
         "hence a range of ± {} % (95 %)",
         &[(OILS, "_ => ( {}, \"44 measured", 0, 100.0)],
+    ),
+    (
+        RHEOLOGY,
+        "mineral oils with {} in place of {}",
+        &[
+            (OILS, "SLOPES_OF_LOW_INDEX", 0, 1.0),
+            (OILS, "SLOPES_OVER_FORMULA", 0, 1.0),
+        ],
+    ),
+    (
+        RHEOLOGY,
+        "| mineral, naphthenic | {} | −{} to +{} % | {} at {} K | −{} to +{} % | {} | {} | −{} to +{} % |",
+        &[
+            (
+                OIL_HEAT,
+                "conductivity: estimate( {}, [{}, {}], \"larsson_andersson2000, paraffinic",
+                0,
+                1.0,
+            ),
+            (
+                OIL_HEAT,
+                "conductivity: estimate( {}, [{}, {}], \"larsson_andersson2000, paraffinic",
+                1,
+                100.0,
+            ),
+            (
+                OIL_HEAT,
+                "conductivity: estimate( {}, [{}, {}], \"larsson_andersson2000, paraffinic",
+                2,
+                100.0,
+            ),
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"larsson_andersson2000, paraffinic",
+                2,
+                1e-6,
+            ),
+            (
+                OIL_HEAT,
+                "reference_temperature: {}, beta_0: {}, b_1: {}, b_2: {}, k_1: {}, k_2: {}, }",
+                0,
+                1.0,
+            ),
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"larsson_andersson2000, paraffinic",
+                3,
+                100.0,
+            ),
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"larsson_andersson2000, paraffinic",
+                4,
+                100.0,
+            ),
+            (
+                OIL_SHEAR,
+                "eyring_stress: stress({}), pressure_coefficient: limit( {}",
+                0,
+                1e-6,
+            ),
+            (
+                OIL_SHEAR,
+                "pressure_coefficient: limit( {}, [{}, {}], \"feup_gear, full film of a thrust ball bearing in mineral",
+                0,
+                1.0,
+            ),
+            (
+                OIL_SHEAR,
+                "pressure_coefficient: limit( {}, [{}, {}], \"feup_gear, full film of a thrust ball bearing in mineral",
+                1,
+                100.0,
+            ),
+            (
+                OIL_SHEAR,
+                "pressure_coefficient: limit( {}, [{}, {}], \"feup_gear, full film of a thrust ball bearing in mineral",
+                2,
+                100.0,
+            ),
+        ],
+    ),
+    (
+        RHEOLOGY,
+        "| PAO | {} | ± {} % | {} at 40 °C | −{} to +{} % | {} | {} | ± {} % |",
+        &[
+            (
+                OIL_HEAT,
+                "conductivity: estimate( {}, [{}, {}], \"kreuz_pao",
+                0,
+                1.0,
+            ),
+            (
+                OIL_HEAT,
+                "conductivity: estimate( {}, [{}, {}], \"kreuz_pao",
+                1,
+                100.0,
+            ),
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"kreuz_pao",
+                2,
+                1e-6,
+            ),
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"kreuz_pao",
+                3,
+                100.0,
+            ),
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"kreuz_pao",
+                4,
+                100.0,
+            ),
+            (OIL_SHEAR, "..stress({}) }", 0, 1e-6),
+            (
+                OIL_SHEAR,
+                "pressure_coefficient: limit( {}, [{}, {}], \"kreuz_pao",
+                0,
+                1.0,
+            ),
+            (
+                OIL_SHEAR,
+                "pressure_coefficient: limit( {}, [{}, {}], \"kreuz_pao",
+                1,
+                100.0,
+            ),
+        ],
+    ),
+    (
+        RHEOLOGY,
+        "| `d₁`, `d₂`, 1/GPa | {}, {} | {}, {} | as PAO |",
+        &[
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"larsson_andersson2000, paraffinic",
+                0,
+                1e9,
+            ),
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"larsson_andersson2000, paraffinic",
+                1,
+                1e9,
+            ),
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"kreuz_pao",
+                0,
+                1e9,
+            ),
+            (
+                OIL_HEAT,
+                "d_1: {}, d_2: {}, volumetric_heat: estimate( {}, [{}, {}], \"kreuz_pao",
+                1,
+                1e9,
+            ),
+        ],
+    ),
+    (
+        RHEOLOGY,
+        "| `k₁`, `k₂`, 1/GPa | {}, {} | {}, {} | as PAO |",
+        &[
+            (
+                OIL_HEAT,
+                "reference_temperature: {}, beta_0: {}, b_1: {}, b_2: {}, k_1: {}, k_2: {}, }",
+                4,
+                1e9,
+            ),
+            (
+                OIL_HEAT,
+                "reference_temperature: {}, beta_0: {}, b_1: {}, b_2: {}, k_1: {}, k_2: {}, }",
+                5,
+                1e9,
+            ),
+            (
+                OIL_HEAT,
+                "beta_0: {}, b_1: {}, b_2: {}, k_1: {}, k_2: {}, };",
+                3,
+                1e9,
+            ),
+            (
+                OIL_HEAT,
+                "beta_0: {}, b_1: {}, b_2: {}, k_1: {}, k_2: {}, };",
+                4,
+                1e9,
+            ),
+        ],
     ),
     (
         RHEOLOGY,

@@ -92,12 +92,11 @@ impl BaseOil {
     ///
     /// Theory: Pressure-viscosity coefficient.
     pub fn pressure_viscosity(self, nu: f64) -> Estimate {
-        let (factor, s, t) = match self {
-            Self::Mineral => (SLOPES_OVER_FORMULA, 0.9904, 0.1390),
-            Self::Naphthenic => (SLOPES_OF_LOW_INDEX, 0.9904, 0.1390),
-            Self::Pao => (SLOPES_OVER_FORMULA, 0.7382, 0.1335),
-            Self::Ester => (SLOPES_OVER_FORMULA, 0.6605, 0.1360),
-            Self::Pag => (SLOPES_OVER_FORMULA, 0.5489, 0.1485),
+        let (s, t) = match self {
+            Self::Mineral | Self::Naphthenic => (0.9904, 0.1390),
+            Self::Pao => (0.7382, 0.1335),
+            Self::Ester => (0.6605, 0.1360),
+            Self::Pag => (0.5489, 0.1485),
             Self::GroupIII => {
                 return Estimate::midway(
                     &Self::Mineral.pressure_viscosity(nu),
@@ -107,25 +106,29 @@ impl BaseOil {
                 );
             }
         };
+        let factor = match self {
+            Self::Naphthenic => SLOPES_OF_LOW_INDEX,
+            _ => SLOPES_OVER_FORMULA,
+        };
         // Two standard deviations of the slopes; no slope of a polyglycol is among them: down to the formula itself.
-        let (share, source, basis) = match self {
+        let (share, basis, source) = match self {
             Self::Pag => (
                 0.3,
-                "gold2001, constants read in feup_gear, times 1.36",
                 "no measured slope of a polyalkylene glycol was found: the formula times 1.36 as for the other oils, with a range \
                  that holds the formula itself",
+                "gold2001, constants read in feup_gear, times 1.36",
             ),
             Self::Naphthenic => (
                 0.21,
-                "gold2001, constants read in feup_gear, times 1.42",
                 "15 measured initial slopes of five mineral oils with a viscosity index below 20 are 1.13 to 1.61 times the formula of \
                  mineral oils, on average 1.42 times (stachowiak_batchelor, table 2.3)",
+                "gold2001, constants read in feup_gear, times 1.42",
             ),
             _ => (
                 0.21,
-                "gold2001, constants read in feup_gear, times 1.36",
                 "44 measured initial slopes of 19 oils are 1.05 to 1.64 times the formula, on average 1.36 times \
                  (stachowiak_batchelor, table 2.3; kreuz_pao; baomaokuan_bearing)",
+                "gold2001, constants read in feup_gear, times 1.36",
             ),
         };
         Estimate {

@@ -331,6 +331,76 @@ fn shear_thinning_comes_with_the_fluid_and_can_be_left_out() {
     assert_eq!(read(STEEL).unwrap().shear_thinning(), None);
 }
 
+/// Figures of a mineral oil stand in for what the case asks for and does not give; its given conductivity stays.
+#[test]
+fn heat_and_shear_are_estimated_where_asked() {
+    let steel = STEEL.replace(
+        "{ youngs_modulus = \"210 GPa\", poissons_ratio = 0.3 }",
+        "\"steel\"",
+    );
+    let head = &steel[..steel.find("[lubricant]").unwrap()];
+    let keys = |case: &Case| -> Vec<String> {
+        let estimates = case.echo().fluid.estimates;
+        estimates.into_iter().map(|estimate| estimate.key).collect()
+    };
+    let hot = "shear_thinning = { law = \"estimate\" }\n[thermal]\n";
+    let sheet = "[lubricant]\ntemperature = \"40 degC\"\niso_vg = 46\nbase_oil = \"mineral\"\n";
+    let asked = read(&format!("{head}{sheet}{hot}")).unwrap();
+    let heat = asked.heat().unwrap().unwrap();
+    assert_relative_eq!(
+        heat.conductivity.conductivity(0.0, 313.15),
+        0.137,
+        max_relative = 1e-12
+    );
+    let by_kind = [
+        "shear_thinning.tau_0",
+        "shear_thinning.limit.lambda",
+        "thermal_conductivity.k_0",
+        "heat_capacity.rho_c_0",
+    ];
+    assert_eq!(keys(&asked)[4..], by_kind);
+    let noted = |key: &str| asked.inputs().iter().any(|i| i.key == key && i.estimated);
+    assert!(noted("lubricant.thermal_conductivity.k_0") && noted("lubricant.shear_thinning.tau_0"));
+    let unasked = read(&format!("{head}{sheet}")).unwrap();
+    assert_eq!(keys(&unasked), keys(&asked)[..4]);
+    assert_eq!(unasked.lubricant.thermal_conductivity, None);
+    let isothermal = format!("{head}{sheet}[thermal]\n[solver]\nisothermal = true\n");
+    assert_eq!(keys(&read(&isothermal).unwrap()), keys(&unasked));
+
+    let laws = read(&format!("{steel}base_oil = \"PAO\"\n{hot}")).unwrap();
+    assert_eq!(keys(&laws), by_kind);
+    assert_eq!(laws.echo().fluid.name, "given by its laws");
+    let named = format!("lubricant = \"pao-650\"\ntemperature = \"348 K\"\n{head}[thermal]\n");
+    let named = read(&named).unwrap();
+    assert_eq!(keys(&named), by_kind[2..]);
+    assert!((named.inputs().iter()).any(|i| i.key == "lubricant.heat_capacity.rho_c_0"));
+    let given = format!("{head}{sheet}thermal_conductivity = \"0.12 W/(m.K)\"\n[thermal]\n");
+    assert_eq!(keys(&read(&given).unwrap())[4..], by_kind[3..]);
+    let unknown = message(read(&format!("{steel}[thermal]\n")));
+    assert!(
+        unknown.contains("`base_oil` in [lubricant] names its kind"),
+        "{unknown}"
+    );
+}
+
+#[test]
+fn a_blend_is_named_by_its_parts() {
+    let head = &STEEL[..STEEL.find("[lubricant]").unwrap()];
+    let blend = "[lubricant]\ntemperature = \"40 degC\"\nblend = [{ name = \"iso-vg-220-mineral\", share = 0.6 }, { name = \"pao-40\", share \
+                 = 0.4 }]\n";
+    let case = read(&format!("{head}{blend}")).unwrap();
+    let name = "blend of iso-vg-220-mineral 60 %, pao-40 40 %";
+    assert_eq!(case.echo().fluid.name, name);
+    let mu = case.lubricant.ambient_viscosity();
+    // Between 0.19 and 0.35 Pa·s of the parts; ertel-rheology has the law.
+    assert!((0.2..0.3).contains(&mu), "{mu}");
+    let replaced = read(&format!(
+        "{head}{blend}thermal_conductivity = \"0.14 W/(m.K)\"\n"
+    ))
+    .unwrap();
+    assert!(replaced.lubricant.thermal_conductivity.is_some());
+}
+
 const SPEEDS: &str = "
 [curve]
 quantity = \"motion.entrainment_speed\"

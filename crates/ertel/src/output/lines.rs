@@ -111,7 +111,14 @@ impl Block {
                 writeln!(out, "{title}\n{rule}")
             }
             Block::Heading(heading) => writeln!(out, "\n{heading}"),
-            Block::Row(name, value) => writeln!(out, "  {name:<NAME_WIDTH$}{value}"),
+            Block::Row(name, value) => {
+                let gap = if name.chars().count() < NAME_WIDTH {
+                    ""
+                } else {
+                    "  "
+                };
+                writeln!(out, "  {name:<NAME_WIDTH$}{gap}{value}")
+            }
             Block::Line(text) => writeln!(out, "  {}", text.trim_end()),
             Block::Note(text) => writeln!(out, "  · {text}"),
             Block::Table(table) => (std::iter::once(&table.head).chain(&table.rows))
