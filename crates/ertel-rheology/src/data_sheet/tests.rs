@@ -189,14 +189,15 @@ fn heat_of_the_kinds_holds_what_is_known() {
                 0.111,
                 0.0961,
             ],
-            // Larsson and Andersson, Modelica, Gambill, FEUP, Shell T9, SAE 30.
+            // Larsson and Andersson, Modelica, Gambill, FEUP, Shell T9, SAE 30, Paratherm NF (872.4 kg/m³, 1941 J/(kg·K)).
             &[
                 1.739,
                 868.0 * 2.010e-3,
                 gambill,
                 870.0 * 2.307e-3,
-                1.58,
+                1.561,
                 1.70,
+                1.693,
             ],
         ),
         (
