@@ -337,7 +337,9 @@ fn motion(table: &Table<'_>, contact: &RingContact) -> Result<Motion, InputError
 
 /// Rows of the report: how the elements share the load.
 fn tell(rows: &mut Rows, found: &Distribution, (governing, word): (Place, &str)) {
-    let [x, y, z] = found.shift.map(|shift| digits(1e6 * shift, 4));
+    // Nothing of less than a picometre: rounding.
+    let shown = |shift: f64| digits(1e6 * if shift.abs() < 1e-12 { 0.0 } else { shift }, 4);
+    let [x, y, z] = found.shift.map(shown);
     rows.text(
         "shift of the inner ring",
         format!("{x} and {y} µm radially, {z} µm axially"),
