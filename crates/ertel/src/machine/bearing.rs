@@ -146,7 +146,7 @@ fn friction(
         None => warnings.push(Warning::new(
             WarningKind::Friction,
             "differential slip is left out of the friction: with this lubricant its traction would be beyond 0.15, for its laws do not limit the shear \
-             stress; give `shear_thinning`, such as `{ law = "estimate" }` beside `base_oil`",
+             stress; give `shear_thinning`, such as `{ law = \"estimate\" }` beside `base_oil`",
         )),
     }
     let power = Estimate {
