@@ -129,7 +129,7 @@ fn collect(
             let basic = life::basic_life(rating, equivalent, life::BALL_EXPONENT)?;
             lives(
                 out,
-                ("basic_rating_life", "basic_rating_life_hours"),
+                ("basic_rating_life", "basic_rating_life_time"),
                 basic,
                 relative,
             );
@@ -146,7 +146,7 @@ fn collect(
                 let basic = life::basic_life(rating, radial, life::ROLLER_EXPONENT)?;
                 lives(
                     out,
-                    ("basic_rating_life", "basic_rating_life_hours"),
+                    ("basic_rating_life", "basic_rating_life_time"),
                     basic,
                     relative,
                 );
@@ -204,7 +204,7 @@ fn collect(
     }
     let (basis, equivalent) = match reference {
         Some(found) => {
-            let keys = ("reference_rating_life", "reference_rating_life_hours");
+            let keys = ("reference_rating_life", "reference_rating_life_time");
             lives(out, keys, found.life, relative);
             out.add(
                 Section::Life,
@@ -291,14 +291,14 @@ fn collect(
         ISO_281,
     );
     let modified = life::modified_life(basis, a_1, a_iso);
-    let keys = ("modified_rating_life", "modified_rating_life_hours");
+    let keys = ("modified_rating_life", "modified_rating_life_time");
     lives(out, keys, modified, relative);
     Ok(())
 }
 
 /// A life in revolutions and in hours.
-fn lives(out: &mut Collected, (name, hours): (&'static str, &'static str), life: f64, speed: f64) {
-    let (words, of_hours, source) = match name {
+fn lives(out: &mut Collected, (name, time): (&'static str, &'static str), life: f64, speed: f64) {
+    let (words, of_time, source) = match name {
         "basic_rating_life" => ("basic rating life L_10", "  the same in time", ISO_281),
         "reference_rating_life" => (
             "reference rating life L_10r",
@@ -321,7 +321,7 @@ fn lives(out: &mut Collected, (name, hours): (&'static str, &'static str), life:
     if speed > 0.0 {
         out.add(
             Section::Life,
-            (hours, of_hours),
+            (time, of_time),
             life * TAU / speed,
             "s",
             source,

@@ -9,6 +9,7 @@ use crate::case::Case;
 
 mod bad;
 mod helical;
+mod loaded;
 use bad::refused;
 
 const REST: &str = r#"
