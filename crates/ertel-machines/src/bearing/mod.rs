@@ -16,7 +16,7 @@ pub mod kinematics;
 pub mod life;
 pub mod load;
 
-use geometry::{BallGeometry, GeometryError, RollerGeometry};
+use geometry::{BallGeometry, GeometryError, Ring, RollerGeometry, TaperedGeometry};
 use kinematics::Speeds;
 use load::{Distribution, Loads, Params};
 
@@ -44,6 +44,8 @@ pub enum Geometry {
     Ball(BallGeometry),
     /// Cylindrical roller bearings.
     CylindricalRoller(RollerGeometry),
+    /// Tapered roller bearings.
+    TaperedRoller(TaperedGeometry),
 }
 
 impl Geometry {
@@ -55,6 +57,7 @@ impl Geometry {
         match self {
             Geometry::Ball(ball) => ball.check(),
             Geometry::CylindricalRoller(roller) => roller.check(),
+            Geometry::TaperedRoller(roller) => roller.check(),
         }
     }
 
@@ -63,6 +66,7 @@ impl Geometry {
         match self {
             Geometry::Ball(ball) => ball.number,
             Geometry::CylindricalRoller(roller) => roller.number,
+            Geometry::TaperedRoller(roller) => roller.number,
         }
     }
 
@@ -71,6 +75,7 @@ impl Geometry {
         match self {
             Geometry::Ball(ball) => ball.pitch_diameter,
             Geometry::CylindricalRoller(roller) => roller.pitch_diameter,
+            Geometry::TaperedRoller(roller) => roller.pitch_diameter,
         }
     }
 
@@ -79,14 +84,16 @@ impl Geometry {
         match self {
             Geometry::Ball(ball) => ball.ball_diameter,
             Geometry::CylindricalRoller(roller) => roller.roller_diameter,
+            Geometry::TaperedRoller(roller) => roller.roller_diameter,
         }
     }
 
-    /// Nominal contact angle, rad: the free one of balls, 0 of cylindrical rollers.
+    /// Nominal contact angle, rad: the free one of balls, 0 of cylindrical rollers, that of the cup of tapered ones.
     pub fn free_angle(&self) -> f64 {
         match self {
             Geometry::Ball(ball) => ball.free_angle(),
             Geometry::CylindricalRoller(_) => 0.0,
+            Geometry::TaperedRoller(roller) => roller.angle(Ring::Outer),
         }
     }
 }

@@ -141,6 +141,11 @@ pub enum Error {
         "a cylindrical roller bearing carries no axial load here, but {0} N are given: ribs are not part of the model"
     )]
     AxialLoad(f64),
+    /// Nothing holds the rings of a tapered roller bearing together.
+    #[error(
+        "a tapered roller bearing needs an axial load that presses its rings together, or a given axial shift: its axial load is {0} N"
+    )]
+    Separation(f64),
     /// Newton's method came to no end.
     #[error(
         "no equilibrium of the rings within {iterations} steps: force out of balance {residual:.1e} of the largest force"
@@ -219,8 +224,10 @@ pub struct Element {
     pub attitude: f64,
     /// Centrifugal force, N.
     pub centrifugal_force: f64,
-    /// Gyroscopic moment, N·m.
+    /// Gyroscopic moment, N·m; 0 of rollers, whose raceways and ribs guide them.
     pub gyroscopic_moment: f64,
+    /// Load on the rib of the inner ring, N, along the roller's axis; 0 of all but tapered rollers.
+    pub rib_load: f64,
 }
 
 /// The solution.

@@ -85,6 +85,9 @@ pub(crate) fn balance(
             iterations: iteration,
             residual: size(&reaction),
         };
+        if reaction.largest <= 0.0 && largest_load == 0.0 {
+            return Err(Error::Unloaded);
+        }
         if info.residual <= tolerance && reaction.largest > 0.0 {
             return Ok((shift, reaction, info));
         }

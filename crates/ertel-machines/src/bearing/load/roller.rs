@@ -3,7 +3,6 @@
 use nalgebra::{Matrix2, Vector2};
 
 use crate::bearing::Material;
-use crate::bearing::geometry::RollerGeometry;
 
 /// Exponent of the load of a slice.
 const EXPONENT: f64 = 10.0 / 9.0;
@@ -56,20 +55,20 @@ const REST: f64 = 1e-12;
 const ACCEPTED: f64 = 1e-9;
 
 impl Roller {
+    /// Of a length (m), a drop (m) along it, and a force outwards (N) along the normal.
     pub fn new(
-        geometry: &RollerGeometry,
+        length: f64,
+        drop: impl Fn(f64) -> f64,
         material: Material,
         centrifugal: f64,
         slices: usize,
     ) -> Roller {
-        let width = geometry.length / slices as f64;
-        let middle = |k: usize| (k as f64 + 0.5) * width - 0.5 * geometry.length;
+        let width = length / slices as f64;
+        let middle = |k: usize| (k as f64 + 0.5) * width - 0.5 * length;
         // Both contacts in series: δ = 2 (q/c)^(9/10).
-        let one = stiffness(geometry.length, material) * 2_f64.powf(EXPONENT);
+        let one = stiffness(length, material) * 2_f64.powf(EXPONENT);
         Roller {
-            slices: (0..slices)
-                .map(|k| [middle(k), geometry.drop(middle(k))])
-                .collect(),
+            slices: (0..slices).map(|k| [middle(k), drop(middle(k))]).collect(),
             width,
             stiffness: one / slices as f64,
             centrifugal,
@@ -175,7 +174,7 @@ impl Roller {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bearing::geometry::RollerProfile;
+    use crate::bearing::geometry::{RollerGeometry, RollerProfile};
     use approx::assert_relative_eq;
 
     fn roller(profile: RollerProfile, centrifugal: f64) -> Roller {
@@ -187,7 +186,8 @@ mod tests {
             clearance: 0.0,
             profile,
         };
-        Roller::new(&geometry, Material::STEEL, centrifugal, 41)
+        let drop = |z| geometry.drop(z);
+        Roller::new(10e-3, drop, Material::STEEL, centrifugal, 41)
     }
 
     /// By hand: 35948 · 10^(8/9) · 0.01^(10/9) = 278355 · 0.00599484 = 1668.7 N at 10 µm and L = 10 mm.

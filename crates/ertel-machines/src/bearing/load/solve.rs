@@ -5,10 +5,9 @@ use std::f64::consts::TAU;
 use super::ball::Ball;
 use super::ball_row::Balls;
 use super::newton::{Matrix, Reaction, Vector};
-use super::roller::Roller;
 use super::roller_row::Rollers;
 use super::{Distribution, Element, Error, Given, Info, Loads, Params};
-use crate::bearing::kinematics::{RollerMotion, Speeds};
+use crate::bearing::kinematics::Speeds;
 use crate::bearing::{Bearing, Geometry, Material};
 
 /// Solves the equilibrium of the inner ring.
@@ -47,15 +46,17 @@ pub fn solve(
             if !given[..2].iter().any(is_loaded) && geometry.clearance >= 0.0 {
                 return Err(Error::Unloaded);
             }
-            let motion = RollerMotion::new(geometry.gamma(), geometry.pitch_diameter, speeds);
-            let mass = geometry.mass(bearing.material.density);
-            let centrifugal = 0.5 * mass * geometry.pitch_diameter * motion.cage.powi(2);
-            let row = Rollers {
-                geometry,
-                roller: Roller::new(geometry, bearing.material, centrifugal, params.slices),
-                angles: angles(geometry.number, params),
-            };
-            row.solve(given, bearing.material, motion, centrifugal, params)
+            let row = Rollers::cylindrical(geometry, bearing.material, speeds, params);
+            row.solve(given, bearing.material, params)
+        }
+        Geometry::TaperedRoller(geometry) => {
+            if let Given::Load(load) = given[2]
+                && load <= 0.0
+            {
+                return Err(Error::Separation(load));
+            }
+            let row = Rollers::tapered(geometry, bearing.material, speeds, params);
+            row.solve(given, bearing.material, params)
         }
     }
 }
@@ -93,7 +94,7 @@ fn check(bearing: &Bearing, loads: &Loads, speeds: Speeds, params: &Params) -> R
     Ok(())
 }
 
-fn angles(number: usize, params: &Params) -> Vec<f64> {
+pub(super) fn angles(number: usize, params: &Params) -> Vec<f64> {
     (0..number)
         .map(|j| params.first_element + TAU * j as f64 / number as f64)
         .collect()

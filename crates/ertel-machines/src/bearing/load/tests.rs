@@ -1,7 +1,9 @@
 use std::f64::consts::PI;
 
 use super::*;
-use crate::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile};
+use crate::bearing::geometry::{
+    BallGeometry, Play, RollerGeometry, RollerProfile, TaperedGeometry,
+};
 use crate::bearing::kinematics::Speeds;
 use crate::bearing::{Bearing, Geometry, Material};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
@@ -31,6 +33,17 @@ fn cylindrical(clearance: f64) -> RollerGeometry {
         pitch_diameter: 54e-3,
         number: 14,
         clearance,
+        profile: RollerProfile::Logarithmic,
+    }
+}
+
+fn tapered() -> TaperedGeometry {
+    TaperedGeometry {
+        roller_diameter: 8e-3,
+        length: 11e-3,
+        pitch_diameter: 46e-3,
+        number: 16,
+        cup_angle: 14_f64.to_radians(),
         profile: RollerProfile::Logarithmic,
     }
 }
@@ -216,6 +229,7 @@ fn stiffness_of_the_ring() {
     for geometry in [
         Geometry::Ball(typical(15e-6)),
         Geometry::CylindricalRoller(cylindrical(5e-6)),
+        Geometry::TaperedRoller(tapered()),
     ] {
         for inner in [0.0, 2000.0] {
             let at = |shift: [f64; 5]| {
@@ -401,6 +415,57 @@ fn rollers() {
     assert!(tilted.moment[1] > 0.0);
 }
 
+/// Tapered rollers under an axial load alone: Z Q_o sin α_o = F_a, and the forces of cone, cup, rib and inertia on a roller are in balance.
+#[test]
+fn tapered_rollers() {
+    let bearing = Bearing::steel(Geometry::TaperedRoller(tapered()));
+    let angle = 14_f64.to_radians();
+    for inner_speed in [0.0, 1000.0] {
+        let speeds = Speeds {
+            inner: inner_speed,
+            outer: 0.0,
+        };
+        let loads = Loads::forces(0.0, 4000.0);
+        let found = bearing.solve(&loads, speeds, &Params::default()).unwrap();
+        let element = &found.elements[2];
+        let [inner, outer] = &element.contacts;
+        if inner_speed == 0.0 {
+            assert_relative_eq!(16.0 * outer.load * angle.sin(), 4000.0, max_relative = 1e-8);
+        }
+        // (r, z) on the roller: the cone pushes out, the cup in, the rib along the axis towards the apex.
+        let beta = element.attitude;
+        let sum = [
+            inner.load * inner.angle.cos()
+                - outer.load * angle.cos()
+                - element.rib_load * beta.sin()
+                + element.centrifugal_force,
+            inner.load * inner.angle.sin() - outer.load * angle.sin()
+                + element.rib_load * beta.cos(),
+        ];
+        for part in sum {
+            assert_abs_diff_eq!(part, 0.0, epsilon = 1e-8 * outer.load);
+        }
+        // The ring bears cone and rib.
+        let axial = inner.load * inner.angle.sin() + element.rib_load * beta.cos();
+        assert_relative_eq!(16.0 * axial, 4000.0, max_relative = 1e-8);
+        assert_relative_eq!(inner.spin[0], inner.spin[1], max_relative = 1e-12);
+    }
+    let combined = Loads::forces(6000.0, 3000.0);
+    let found = bearing
+        .solve(&combined, Speeds::default(), &Params::default())
+        .unwrap();
+    let radial: f64 = (found.elements.iter())
+        .map(|e| e.contacts[1].load * angle.cos() * e.position.cos())
+        .sum();
+    assert_relative_eq!(radial, 6000.0, max_relative = 1e-8);
+    let loose = bearing.solve(
+        &Loads::forces(1000.0, 0.0),
+        Speeds::default(),
+        &Params::default(),
+    );
+    assert_eq!(loose, Err(Error::Separation(0.0)));
+}
+
 #[test]
 fn what_cannot_be_solved() {
     let ball = Bearing::steel(Geometry::Ball(typical(15e-6)));
@@ -426,6 +491,11 @@ fn what_cannot_be_solved() {
     assert_eq!(solve(&roller, loose, &defaults), Error::Unloaded);
     let axial = solve(&roller, Loads::forces(100.0, 50.0), &defaults);
     assert_eq!(axial, Error::AxialLoad(50.0));
+    let held = Loads {
+        axial: Given::Shift(0.0),
+        ..Loads::forces(0.0, 0.0)
+    };
+    assert_eq!(solve(&ball, held, &defaults), Error::Unloaded);
     let nan = solve(&ball, Loads::forces(f64::NAN, 0.0), &defaults);
     assert!(matches!(nan, Error::Value { .. }));
     let hasty = Params {
