@@ -3,11 +3,12 @@
 //! A [`Bearing`] under [`Loads`] at [`Speeds`] is solved for the load of each element on each ring: what comes
 //! out per contact are load, angle, radii, speeds, spin and the Hertz ellipse, from which a lubricated contact can be set up.
 //!
-//! Axes: z along the bearing, x and y radial; elements at ψ from x towards y. Forces and shifts are those of the inner ring against the outer.
+//! Axes: z along the bearing, x and y radial; elements at ψ from x towards y. Forces and shifts are those of the inner ring against the
+//! outer.
 //!
 //! Sources: ISO/TS 16281 and ISO 281 for load distribution and life, as public implementations and textbooks quote them; Harris and Kotzalas,
-//! Rolling Bearing Analysis, 5th ed., 2007 (Essential Concepts; Advanced Concepts) for geometry, speeds and equilibrium at speed; Jones, J. Basic
-//! Eng. 81 (1959) 1-12 and 82 (1960) 309-320 for balls that spin. Each file names its own.
+//! Rolling Bearing Analysis, 5th ed., 2007 (Essential Concepts; Advanced Concepts) for geometry, speeds and equilibrium at speed; Jones, J.
+//! Basic Eng. 81 (1959) 1-12 and 82 (1960) 309-320 for balls that spin. Each file names its own.
 
 pub mod catalogue;
 pub mod friction;
@@ -88,7 +89,8 @@ impl Geometry {
         }
     }
 
-    /// Nominal contact angle, rad: the free one of balls, 0 of cylindrical rollers, that of the cup of tapered ones.
+    /// Free contact angle, rad: 0 of cylindrical rollers, that of the cup of tapered ones. Ratings go with the nominal one, which is 0 of deep
+    /// groove ball bearings.
     pub fn free_angle(&self) -> f64 {
         match self {
             Geometry::Ball(ball) => ball.free_angle(),

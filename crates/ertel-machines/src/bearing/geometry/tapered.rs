@@ -10,8 +10,8 @@ const STEEPEST: f64 = std::f64::consts::FRAC_PI_4;
 
 /// Internal geometry of a single-row tapered roller bearing.
 ///
-/// Rollers and both raceways are cones with one apex on the axis. With the cup angle α_o and the roller's half angle ν, the roller's axis is inclined at α_o − ν to that
-/// of the bearing, and the inner raceway at α_i = α_o − 2ν.
+/// Rollers and both raceways are cones with one apex on the axis. With the cup angle α_o and the roller's half angle ν, the roller's axis
+/// is inclined at α_o − ν to that of the bearing, and the inner raceway at α_i = α_o − 2ν.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaperedGeometry {
     /// Diameter of the rollers in their middle D, m.
@@ -52,7 +52,7 @@ impl TaperedGeometry {
 
     /// Half angle of a roller ν, rad.
     ///
-    /// tan ν/sin(α_o − ν) = D/d_m: roller and pitch circle seen from the apex; tan ν = γ' sin α_o/(1 + γ' cos α_o) to the third order, by Newton's method in full
+    /// tan ν/sin(α_o − ν) = D/d_m: roller and pitch circle seen from the apex; by Newton's method
     pub fn half_angle(&self) -> f64 {
         let ratio = self.roller_diameter / self.pitch_diameter;
         let (s, c) = self.cup_angle.sin_cos();
@@ -85,7 +85,8 @@ impl TaperedGeometry {
         0.5 * self.pitch_diameter / (self.axis_angle().sin() * self.half_angle().cos())
     }
 
-    /// Curvatures of raceway and roller themselves along and across rolling, 1/m: those of the cones in the middle of the contact; the relief is left out.
+    /// Curvatures of raceway and roller themselves along and across rolling, 1/m: those of the cones in the middle of the contact; the
+    /// relief is left out.
     ///
     /// roller 1/(s tan ν),  inner raceway 1/(s tan α_i),  outer raceway −1/(s tan α_o)
     pub fn curvatures(&self, ring: Ring) -> [Curvatures; 2] {
@@ -137,8 +138,9 @@ pub(crate) mod tests {
         }
     }
 
-    /// By hand: tan ν = (8/46) sin(14° − ν) at ν = 2.0579°: 0.035933 and 0.173913 · sin 11.9421° = 0.173913 · 0.206922 = 0.035986; at ν = 2.0605° 0.0359782 and 0.173913 · 0.2068777 =
-    /// 0.0359787. The middle of the roller then lies at 23/sin 11.9395° = 111.178 mm from the apex, and its radius is 111.178 tan ν = 4.000 mm.
+    /// By hand: tan ν = (8/46) sin(14° − ν) at ν = 2.0579°: 0.035933 and 0.173913 · sin 11.9421° = 0.173913 · 0.206922 = 0.035986; at ν =
+    /// 2.0605° 0.0359782 and 0.173913 · 0.2068777 = 0.0359787. The middle of the roller then lies at 23/sin 11.9395° = 111.178 mm from the
+    /// apex, and its radius is 111.178 tan ν = 4.000 mm.
     #[test]
     fn cones_by_hand() {
         let bearing = tapered();
@@ -154,8 +156,8 @@ pub(crate) mod tests {
         );
     }
 
-    /// Near the formula of cylinders with γ = D cos α/d_m, which takes one angle for both: R_x = D/2 (1 ∓ γ) within 2 %; exactly, raceway and roller of the outer ring have
-    /// the radii s tan α_o and s tan ν.
+    /// Near the formula of cylinders with γ = D cos α/d_m, which takes one angle for both: R_x = D/2 (1 ∓ γ) within 2 %; exactly, raceway
+    /// and roller of the outer ring have the radii s tan α_o and s tan ν.
     #[test]
     fn radii() {
         let bearing = tapered();

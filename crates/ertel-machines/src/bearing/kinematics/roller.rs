@@ -31,8 +31,8 @@ impl RollerMotion {
         }
     }
 
-    /// Of a tapered roller of the half angle ν between raceways of the angles α_i and α_o (rad), all with one apex, at the distance s (m) from it: it rolls
-    /// without sliding or spin all along.
+    /// Of a tapered roller of the half angle ν between raceways of the angles α_i and α_o (rad), all with one apex, at the distance s (m)
+    /// from it: it rolls without sliding all along, and spins with the raceways.
     ///
     /// ```text
     ///   (ω_i − ω_m) sin α_i = (ω_m − ω_o) sin α_o = ω_R sin ν,   u = |ω_R| s sin ν
@@ -73,7 +73,8 @@ mod tests {
         assert_relative_eq!(288.0 * 0.005, 1.44, max_relative = 1e-12);
     }
 
-    /// Angular velocities by vectors in the plane of r and z: seen from the cage, ring and roller differ by a rotation about the generator that they share.
+    /// Angular velocities by vectors in the plane of r and z: seen from the cage, ring and roller differ by a rotation about the generator
+    /// that they share.
     #[test]
     fn cones_roll_about_their_generators() {
         use nalgebra::Vector2;

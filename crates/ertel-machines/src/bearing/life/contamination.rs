@@ -34,8 +34,9 @@ impl Cleanliness {
 ///
 /// e_C = c_1 κ^0.68 d_m^0.55 (1 − c_2/d_m^(1/3)),  d_m in mm
 ///
-/// c_1 κ^0.68 d_m^0.55 and e_C itself are 1 at the most, negative values count as 0. Source: ISO 281:2007, annex A, as a public implementation for slewing
-/// bearings quotes it, without its further factor 0.173, which belongs to no formula of the standard. Constants of oil lubrication were not found in a source.
+/// c_1 κ^0.68 d_m^0.55 and e_C itself are 1 at the most, negative values count as 0. Source: ISO 281:2007, annex A, as a public
+/// implementation for slewing bearings quotes it, without its further factor 0.173, which belongs to no formula of the standard. Constants
+/// of oil lubrication were not found in a source.
 ///
 /// # Errors
 /// Numbers that are not positive.
@@ -56,8 +57,8 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// By hand, κ = 1, d_m = 64 mm: 64^0.55 = 9.84916, 64^(1/3) = 4: high 0.850967 (1 − 0.1699) = 0.706388, normal 0.425484 (1 − 0.28525) = 0.304115; very severe
-    /// below zero: 0.
+    /// By hand, κ = 1, d_m = 64 mm: 64^0.55 = 9.84916, 64^(1/3) = 4: high 0.850967 (1 − 0.1699) = 0.706388, normal 0.425484 (1 − 0.28525) =
+    /// 0.304115; very severe below zero: 0.
     #[test]
     fn by_hand() {
         let at = |c| contamination_factor(c, 1.0, 0.064).unwrap();

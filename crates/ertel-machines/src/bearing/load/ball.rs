@@ -219,9 +219,9 @@ impl Ball<'_> {
     ///   0 = Q_i n_i − Q_o n_o − 2 (M_g/D) e_o + F_c r,   n = d/|d|,  e = dn/dα
     ///   M_g t = dH/dt = ω_m z × J ω_R (sin β r − cos β z)
     /// ```
-    /// The outer raceway, which controls the ball, resists the gyroscopic moment alone: its friction turns the ball's angular momentum along with the
-    /// cage, and its direction follows from dH/dt as it stands here. (Harris and Kotzalas 2007, Advanced Concepts, chapter 3, with λ_o = 2, λ_i = 0.)
-    /// A ball that touches the outer ring alone lies at α_o = 0 and Q_o = F_c.
+    /// The outer raceway, which controls the ball, resists the gyroscopic moment alone: its friction turns the ball's angular momentum
+    /// along with the cage, and its direction follows from dH/dt as it stands here. (Harris and Kotzalas 2007, Advanced Concepts, chapter
+    /// 3, with λ_o = 2, λ_i = 0.) A ball that touches the outer ring alone lies at α_o = 0 and Q_o = F_c.
     fn at_speed(&self, centre: Vector2<f64>) -> Option<BallState> {
         let g = self.geometry;
         let (loose, mut place) = self.loose(centre);
@@ -258,8 +258,8 @@ impl Ball<'_> {
         (here.size() <= ACCEPTED).then(|| here.state())?
     }
 
-    /// A ball that touches the outer ring alone, and where its centre is. Its cage speed is that of the angle at which it would touch the inner ring,
-    /// so that forces do not jump where it does.
+    /// A ball that touches the outer ring alone, and where its centre is. Its cage speed is that of the angle at which it would touch the
+    /// inner ring, so that forces do not jump where it does.
     fn loose(&self, centre: Vector2<f64>) -> (BallState, Vector2<f64>) {
         let [compliance, _] = self.compliance(Ring::Outer, 0.0);
         let reach = self.geometry.reach(Ring::Outer);

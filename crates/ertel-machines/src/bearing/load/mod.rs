@@ -1,12 +1,14 @@
 //! How the elements of a bearing share its load, after ISO/TS 16281, with forces of inertia.
 //!
-//! Rings are rigid and round. The inner ring moves by δ_x, δ_y, δ_z and tilts by θ_x, θ_y against the outer; at an element at ψ, its groove moves by
+//! Rings are rigid and round. The inner ring moves by δ_x, δ_y, δ_z and tilts by θ_x, θ_y against the outer; at an element at ψ, its groove
+//! moves by
 //! ```text
 //!   δ_r = δ_x cos ψ + δ_y sin ψ,   δ_a = δ_z + ℛ (θ_x sin ψ − θ_y cos ψ)
 //! ```
 //! and loads and moments follow from the elements' by virtual work.
 //!
-//! Source: ISO/TS 16281 (as MESYS's manual and public implementations quote it); Harris and Kotzalas 2007, Advanced Concepts, chapters 1 and 3.
+//! Source: ISO/TS 16281 (as MESYS's manual and public implementations quote it); Harris and Kotzalas 2007, Advanced Concepts, chapters 1
+//! and 3.
 
 mod ball;
 mod ball_row;
@@ -82,8 +84,8 @@ pub enum CurvatureAngle {
 pub struct Params {
     /// Where the stiffness of a ball's contacts is taken.
     pub curvature_angle: CurvatureAngle,
-    /// Which raceway controls the balls: decides spin and speeds. Forces of inertia are always those of outer control, since they count only at
-    /// speeds where it rules.
+    /// Which raceway controls the balls: decides spin and speeds. Forces of inertia are always those of outer control, since they count
+    /// only at speeds where it rules.
     pub control: RacewayControl,
     /// Slices of a roller; 30 at least.
     pub slices: usize,

@@ -11,8 +11,8 @@ const EXPONENT: f64 = 10.0 / 9.0;
 ///
 /// q = c_L δ^(10/9),  c_L = 35948 L^(8/9) with L and δ in mm
 ///
-/// Source: ISO/TS 16281, as MESYS's manual and public implementations quote it; it stands for E' = 226 GPa, and other materials are taken to be stiffer
-/// or softer in proportion to E'.
+/// Source: ISO/TS 16281, as MESYS's manual and public implementations quote it; it stands for E' = 226 GPa, and other materials are taken
+/// to be stiffer or softer in proportion to E'.
 fn stiffness(length: f64, material: Material) -> f64 {
     // mm^(−8/9) mm^(−10/9) = mm^(−2)
     let steel = 35_948.0 * 1e6 * length.powf(8.0 / 9.0);
@@ -103,7 +103,8 @@ impl Roller {
 
     /// The roller in balance under shift (m) and tilt (rad) of the inner raceway towards the outer, from where both touch a cylinder.
     ///
-    /// Without centrifugal force, it lies in the middle: each contact takes half of shift and tilt. With it, outwards shift v and tilt φ follow from
+    /// Without centrifugal force, it lies in the middle: each contact takes half of shift and tilt. With it, outwards shift v and tilt φ
+    /// follow from
     /// ```text
     ///   Σ q_o − Σ q_i = F_c,   Σ z (q_o − q_i) = 0,   δ_i = shift − v + (tilt − φ) z − drop,  δ_o = v + φ z − drop
     /// ```

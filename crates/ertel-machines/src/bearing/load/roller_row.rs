@@ -72,7 +72,8 @@ impl Rollers {
     ///   across the roller's axis:  Q_o cos ν = Q_i cos ν + F_c cos β       along it:  Q_f = (Q_i + Q_o) sin ν + F_c sin β,   β = α_o − ν
     ///   δ_i + δ_o = δ_r cos α_o + δ_a sin α_o
     /// ```
-    /// The rib without friction pushes along the axis; ring and rib together then bear Q_o at the cup's angle less F_c. Both contacts are taken to be alike stiff.
+    /// The rib without friction pushes along the axis; ring and rib together then bear Q_o at the cup's angle less F_c. Both contacts are
+    /// taken to be alike stiff.
     pub fn tapered(
         geometry: &TaperedGeometry,
         material: Material,
@@ -125,7 +126,8 @@ impl Rollers {
         ])
     }
 
-    /// What the inner ring bears through its rib besides Q_i along the normal of the cup: Q_o − Q_i along that normal, less F_c. Nothing of cylindrical rollers.
+    /// What the inner ring bears through its rib besides Q_i along the normal of the cup: Q_o − Q_i along that normal, less F_c. Nothing of
+    /// cylindrical rollers.
     fn thrust(&self, angle: f64) -> Vector {
         let (s, c) = angle.sin_cos();
         let normal = self.centrifugal * self.axis_angle.cos() / self.half_angle.cos();
@@ -173,7 +175,8 @@ impl Rollers {
         finish(elements, &shift, &reaction, info)
     }
 
-    /// Spin of ring and roller about the normal from ring to roller, seen from the cage: cones with one apex have the same, ω_R sin ν, at both rings.
+    /// Spin of ring and roller about the normal from ring to roller, seen from the cage: cones with one apex have the same, ω_R sin ν, at
+    /// both rings.
     fn spin(&self) -> [f64; 2] {
         [self.motion.element * self.half_angle.sin(); 2]
     }

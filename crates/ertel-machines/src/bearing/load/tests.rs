@@ -95,8 +95,8 @@ fn loads_of_an_independent_program() {
     }
 }
 
-/// With stiffnesses at the loaded angle the same bearings carry almost alike: the curvature along rolling changes by γ (1 − cos α), 6 % of 0.2 at
-/// 20 degrees, and the stiffness by less.
+/// With stiffnesses at the loaded angle the same bearings carry almost alike: the curvature along rolling changes by γ (1 − cos α), 6 % of
+/// 0.2 at 20 degrees, and the stiffness by less.
 #[test]
 fn loaded_and_free_angle_differ_little() {
     let geometry = Geometry::Ball(typical(15e-6));
@@ -181,9 +181,9 @@ fn sjoevalls_integrals() {
     }
 }
 
-/// Harris and Kotzalas, Essential Concepts of Bearing Technology, 5th ed., 2007, table 7.4, point contact, single row: J_r and J_a of F_r = Z Q_max J_r cos α and
-/// F_a = Z Q_max J_a sin α under ε = ½ (1 + δ_a tan α/δ_r), to the printed digits (1.67 stands for 5/3), with so many balls and such small shifts that loads are integrals and all
-/// angles one.
+/// Harris and Kotzalas, Essential Concepts of Bearing Technology, 5th ed., 2007, table 7.4, point contact, single row: J_r and J_a of F_r =
+/// Z Q_max J_r cos α and F_a = Z Q_max J_a sin α under ε = ½ (1 + δ_a tan α/δ_r), to the printed digits (1.67 stands for 5/3), with so many
+/// balls and such small shifts that loads are integrals and all angles one.
 #[test]
 fn table_of_harris() {
     let table = [
@@ -351,8 +351,8 @@ fn axial_loads_mirror() {
     }
 }
 
-/// At speed the outer ring carries the centrifugal force besides: Σ over balls of (Q_o cos α_o − Q_i cos α_i) = F_c each under outer control but
-/// for the part of the gyroscopic moment.
+/// At speed the outer ring carries the centrifugal force besides: Σ over balls of (Q_o cos α_o − Q_i cos α_i) = F_c each under outer
+/// control but for the part of the gyroscopic moment.
 #[test]
 fn balls_at_speed() {
     let geometry = BallGeometry {
