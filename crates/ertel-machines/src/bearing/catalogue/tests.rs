@@ -244,3 +244,51 @@ fn a_designation_can_be_solved() {
         assert_relative_eq!(found.force[0], 2000.0, max_relative = 1e-6);
     }
 }
+/// Every bearing at rest, and fast and tilted (d_m n of half a million mm/min) under a light load and a heavy one.
+#[test]
+fn the_whole_catalogue_is_solved() {
+    use crate::bearing::load::Given;
+    for name in all() {
+        let Ok(geometry) = find(&name).unwrap().geometry() else {
+            continue;
+        };
+        let pitch = geometry.pitch_diameter() * 1e3;
+        let fast = 0.5e6 / pitch * std::f64::consts::PI / 30.0;
+        for (inner, tilt, stress) in [(0.0, 0.0, 1.0), (fast, 5e-4, 0.01), (fast, 5e-4, 1.0)] {
+            // N/mm² of the square of the pitch diameter
+            let radial = stress * pitch * pitch;
+            let axial = match geometry {
+                Geometry::CylindricalRoller(_) => 0.0,
+                _ => 0.3 * radial,
+            };
+            let speeds = Speeds { inner, outer: 0.0 };
+            let loads = Loads {
+                tilt: [Given::Shift(tilt), Given::Shift(0.0)],
+                ..Loads::forces(radial, axial)
+            };
+            let found = Bearing::steel(geometry).solve(&loads, speeds, &Params::default());
+            let found = found.unwrap_or_else(|e| panic!("{name}: {e} {loads:?} {speeds:?}"));
+            assert!(!found.info.gyroscopic_slip && found.info.iterations <= 40);
+        }
+    }
+}
+
+/// Rings that turn against each other: the balls turn fast on a slow orbit, and light ones find no balance with their gyroscopic moment.
+#[test]
+fn gyroscopic_slip_is_told() {
+    use crate::bearing::load::Given;
+    let geometry = find("7224B").unwrap().geometry().unwrap();
+    let loads = Loads {
+        tilt: [Given::Load(0.0); 2],
+        ..Loads::forces(4050.0, -520.0)
+    };
+    let speeds = Speeds {
+        inner: 597.0,
+        outer: -597.0,
+    };
+    let found = Bearing::steel(geometry).solve(&loads, speeds, &Params::default());
+    let found = found.unwrap();
+    assert!(found.info.gyroscopic_slip);
+    assert!(found.elements.iter().all(|e| e.gyroscopic_moment == 0.0));
+    assert_relative_eq!(found.force[2], -520.0, max_relative = 1e-5);
+}

@@ -87,6 +87,9 @@ pub struct Params {
     /// Which raceway controls the balls: decides spin and speeds. Forces of inertia are always those of outer control, since they count
     /// only at speeds where it rules.
     pub control: RacewayControl,
+    /// Whether the gyroscopic moment acts on balls. Where they find no balance with it, as light ones between rings that turn against each other
+    /// may not, it is left out of all of them.
+    pub gyroscopic_moment: bool,
     /// Slices of a roller; 30 at least.
     pub slices: usize,
     /// Angle of the first element, rad.
@@ -102,10 +105,11 @@ impl Default for Params {
         Params {
             curvature_angle: CurvatureAngle::Loaded,
             control: RacewayControl::Outer,
+            gyroscopic_moment: true,
             slices: 41,
             first_element: 0.0,
             tolerance: 1e-9,
-            iterations: 200,
+            iterations: 60,
         }
     }
 }
@@ -117,6 +121,8 @@ pub struct Info {
     pub iterations: usize,
     /// Force out of balance over the largest force in the bearing.
     pub residual: f64,
+    /// Whether the gyroscopic moment had to be left out: the balls slip about the tangent of their orbit then.
+    pub gyroscopic_slip: bool,
 }
 
 /// Why there is no load distribution.

@@ -85,6 +85,7 @@ pub(crate) fn balance(
         info = Info {
             iterations: iteration,
             residual: size(&reaction),
+            gyroscopic_slip: false,
         };
         if reaction.largest <= 0.0 && largest_load == 0.0 {
             return Err(Error::Unloaded);

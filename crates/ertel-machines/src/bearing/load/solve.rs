@@ -29,12 +29,28 @@ pub fn solve(
             if !given[..3].iter().any(is_loaded) && geometry.clearance() >= 0.0 {
                 return Err(Error::Unloaded);
             }
-            let row = Balls {
-                geometry,
-                ball: Ball::new(geometry, bearing.material, speeds, params),
-                angles: angles(geometry.number, params),
+            let solved = |params: &Params| {
+                let row = Balls {
+                    geometry,
+                    ball: Ball::new(geometry, bearing.material, speeds, params),
+                    angles: angles(geometry.number, params),
+                };
+                row.solve(given, bearing.material, speeds, params)
             };
-            row.solve(given, bearing.material, speeds, params)
+            match solved(params) {
+                Err(Error::Element { .. } | Error::NoConvergence { .. })
+                    if params.gyroscopic_moment && speeds != Speeds::default() =>
+                {
+                    let without = Params {
+                        gyroscopic_moment: false,
+                        ..*params
+                    };
+                    let mut found = solved(&without)?;
+                    found.info.gyroscopic_slip = true;
+                    Ok(found)
+                }
+                other => other,
+            }
         }
         Geometry::CylindricalRoller(geometry) => {
             let mut given = given;
