@@ -3,6 +3,22 @@
 //! A [`Bearing`] under [`Loads`] at [`Speeds`] is solved for the load of each element on each ring: what comes
 //! out per contact are load, angle, radii, speeds, spin and the Hertz ellipse, from which a lubricated contact can be set up.
 //!
+//! ```
+//! use ertel_machines::bearing::geometry::Ring;
+//! use ertel_machines::bearing::kinematics::Speeds;
+//! use ertel_machines::bearing::load::{Loads, Params};
+//! use ertel_machines::bearing::{Bearing, catalogue};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let geometry = catalogue::find("6206-2RS/C3")?.geometry()?;
+//! let speeds = Speeds { inner: 150.0, outer: 0.0 };
+//! let solved = Bearing::steel(geometry).solve(&Loads::forces(2000.0, 500.0), speeds, &Params::default())?;
+//! let heaviest = solved.heaviest(Ring::Inner).expect("nine balls");
+//! assert!(heaviest.pressure > 1e9 && heaviest.entrainment_speed > 1.0);
+//! # Ok(())
+//! # }
+//! ```
+//!
 //! Axes: z along the bearing, x and y radial; elements at ψ from x towards y. Forces and shifts are those of the inner ring against the
 //! outer.
 //!

@@ -23,12 +23,8 @@ pub fn solve(
     bearing.geometry.check()?;
     check(bearing, loads, speeds, params)?;
     let given = loads.all();
-    let is_loaded = |given: &Given| *given != Given::Load(0.0);
     match &bearing.geometry {
         Geometry::Ball(geometry) => {
-            if !given[..3].iter().any(is_loaded) && geometry.clearance() >= 0.0 {
-                return Err(Error::Unloaded);
-            }
             let solved = |params: &Params| {
                 let row = Balls {
                     geometry,
@@ -58,9 +54,6 @@ pub fn solve(
                 Given::Load(load) if load != 0.0 => return Err(Error::AxialLoad(load)),
                 // No force follows from an axial shift.
                 _ => given[2] = Given::Shift(0.0),
-            }
-            if !given[..2].iter().any(is_loaded) && geometry.clearance >= 0.0 {
-                return Err(Error::Unloaded);
             }
             let row = Rollers::cylindrical(geometry, bearing.material, speeds, params);
             row.solve(given, bearing.material, params)

@@ -304,6 +304,42 @@ fn five_loads() {
     }
 }
 
+/// A moment alone presses balls and rollers on opposite sides, and a preload needs no load at all: shifts that follow from it are zero.
+#[test]
+fn moments_and_preloads_alone() {
+    let squeezed = BallGeometry {
+        play: Play::Clearance(-6e-6),
+        ..typical(0.0)
+    };
+    for geometry in [
+        Geometry::Ball(typical(15e-6)),
+        Geometry::Ball(squeezed),
+        Geometry::CylindricalRoller(cylindrical(5e-6)),
+        Geometry::CylindricalRoller(cylindrical(-5e-6)),
+    ] {
+        let loads = Loads {
+            tilt: [Given::Load(0.0), Given::Load(15.0)],
+            ..Loads::forces(0.0, 0.0)
+        };
+        let found = at_rest(geometry, &loads, &Params::default());
+        assert_relative_eq!(found.moment[1], 15.0, max_relative = 1e-7);
+        assert!(found.tilt[1] > 0.0);
+    }
+    let still = at_rest(
+        Geometry::Ball(squeezed),
+        &Loads::forces(0.0, 0.0),
+        &Params::default(),
+    );
+    assert_abs_diff_eq!(still.shift[0], 0.0, epsilon = 1e-12);
+    let loads = still.loads(Ring::Inner);
+    assert!(loads[0] > 0.0 && loads.iter().all(|q| (q - loads[0]).abs() < 1e-6 * loads[0]));
+    // δ = 3 µm of both contacts
+    let approach: f64 = (still.elements[0].contacts.iter())
+        .map(|c| Ellipse::of_radii(c.radii).approach(c.load, Material::STEEL.reduced_modulus))
+        .sum();
+    assert_relative_eq!(approach, 3e-6, max_relative = 1e-6);
+}
+
 /// Bearings of all kinds under loads of many sizes and directions converge, in few steps.
 #[test]
 fn a_sweep_of_loads_converges() {
