@@ -244,11 +244,11 @@ fn a_designation_can_be_solved() {
         assert_relative_eq!(found.force[0], 2000.0, max_relative = 1e-6);
     }
 }
-/// Every bearing at rest, and fast and tilted (d_m n of half a million mm/min) under a light load and a heavy one.
+/// Every third bearing at rest, and fast and tilted (d_m n of half a million mm/min) under a light load and a heavy one.
 #[test]
-fn the_whole_catalogue_is_solved() {
+fn the_catalogue_is_solved() {
     use crate::bearing::load::Given;
-    for name in all() {
+    for name in all().step_by(3) {
         let Ok(geometry) = find(&name).unwrap().geometry() else {
             continue;
         };

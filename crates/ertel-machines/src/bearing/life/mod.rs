@@ -12,7 +12,7 @@ mod rating;
 mod reference;
 mod table;
 
-pub use contamination::{Cleanliness, contamination_factor};
+pub use contamination::{Cleanliness, GuideCleanliness, contamination_factor, contamination_guide};
 pub use equivalent::{Factors, dynamic_equivalent_load, factors, static_equivalent_load};
 pub use factor::{
     Kind, Lubrication, life_factor, reference_viscosity, reliability_factor, viscosity_ratio,
