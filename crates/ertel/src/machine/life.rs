@@ -141,32 +141,34 @@ fn collect(
             let found = life::reference_life(geometry, nominal, rating, [&inner, &outer], turning)?;
             (life::Kind::Ball, rating, Some(found))
         }
-        Geometry::CylindricalRoller(_) => match inputs.dynamic_rating {
-            Some(rating) => {
-                let basic = life::basic_life(rating, radial, life::ROLLER_EXPONENT)?;
-                lives(
-                    out,
-                    ("basic_rating_life", "basic_rating_life_time"),
-                    basic,
-                    relative,
-                );
-                (life::Kind::Roller, rating, None)
-            }
-            None => {
-                out.warnings.push(Warning::new(
+        Geometry::CylindricalRoller(_) | Geometry::TaperedRoller(_) => {
+            match inputs.dynamic_rating {
+                Some(rating) => {
+                    let basic = life::basic_life(rating, radial, life::ROLLER_EXPONENT)?;
+                    lives(
+                        out,
+                        ("basic_rating_life", "basic_rating_life_time"),
+                        basic,
+                        relative,
+                    );
+                    (life::Kind::Roller, rating, None)
+                }
+                None => {
+                    out.warnings.push(Warning::new(
                     WarningKind::Other,
                     "no rating life: the rating of a roller bearing is not computed; give `dynamic_load_rating` of its catalogue",
                 ));
-                return Ok(());
+                    return Ok(());
+                }
             }
-        },
+        }
     };
     let static_rating = match (&mechanics.bearing.geometry, inputs.static_rating) {
         (_, Some(given)) => Some(given),
         (Geometry::Ball(geometry), None) => {
             life::deep_groove_static_rating(geometry, nominal_angle(geometry)).ok()
         }
-        (Geometry::CylindricalRoller(_), None) => None,
+        (Geometry::CylindricalRoller(_) | Geometry::TaperedRoller(_), None) => None,
     };
     if let Some(static_rating) = static_rating {
         out.add(
