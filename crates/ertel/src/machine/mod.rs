@@ -1,6 +1,9 @@
 //! Figures of whole machines: from the solutions of their contacts to friction, heat, safety and life.
 
 mod bearing;
+mod cam;
+mod curve;
+mod gears;
 mod slip;
 
 use crate::case::{Case, Mechanics};
@@ -70,6 +73,8 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> Vec<MachineFigure> {
     let mut figures = films(solved);
     match &solved.machine.mechanics {
         Mechanics::Bearing(bearing) => figures.extend(bearing::figures(case, bearing, solved)),
+        Mechanics::Gears(gears) => figures.extend(gears::figures(case, gears, solved)),
+        Mechanics::Cam(cam) => figures.extend(cam::figures(cam, solved)),
     }
     figures
 }
