@@ -13,7 +13,6 @@ use super::whole::{Axis, Choice, MachineContact, WholeMachine, like};
 use super::{ANGULAR_SPEED, Machine, Mechanics, Rows, required_length};
 use crate::case::check::HERTZ_PRESSURE;
 use crate::case::contact::RADIUS;
-use crate::contact::Contact;
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length, pressure};
 
@@ -339,7 +338,7 @@ fn single(
     rows.text("source", "Norton 2002, chapters 2, 3 and 7; Müller 1966");
     Ok(Machine {
         body_radii: [smallest_radius(point), f64::INFINITY],
-        contact: Contact { ..contact },
+        contact,
         motion,
         load_key,
         warnings: Vec::new(),
