@@ -90,7 +90,8 @@ impl Polar {
             self.draw_series(drawing, centre, series);
         }
         // On top of the lines, so that they can be read.
-        for (value, label) in ticks.iter().filter(|(value, _)| *value > self.radius.low) {
+        let inside = |value: f64| value > self.radius.low && self.radius.position(value) < 0.95;
+        for (value, label) in ticks.iter().filter(|(value, _)| inside(*value)) {
             let [x, y] = self.place(centre, 0.5 * TAU - 0.12, *value);
             drawing.text(
                 [x + 2.0, y + 4.0],

@@ -10,6 +10,8 @@ use crate::usual::{
     HERTZ_PRESSURE, LENGTHS, LIFT_ACCELERATION, LOAD, MODULES, RADII, ROTATIONS, SPEEDS, TORQUE,
 };
 
+/// Of thermal resistances.
+const PER_WATT: D = D::TEMPERATURE_DIFFERENCE.per(D::POWER);
 const RINGS: super::Kind = Choice(&["inner", "outer"]);
 const POSITION: super::Kind = QuantityOr(&["pitch point", "path"]);
 const CAM_ANGLE: super::Kind = QuantityOr(&["turn"]);
@@ -56,7 +58,29 @@ rows! {
         ball_load: FORCE, usual [LOAD] => "load of the ball, normal to the contact; or `hertz_pressure`";
         hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, in place of the load";
         raceway_control: Choice(&["outer", "inner"]) => r#"optional: `"outer"` or `"inner"`, the raceway on which the ball rolls without spin
-            (Jones 1959). Without this key, spin is neglected"#;
+            (Jones 1959). Without this key the spin of a single contact is neglected; under bearing loads it is `"outer"`"#;
+        designation: Text => r#"a bearing of the catalogue, such as `"6206"`, `"6306-2RS/C3"` or `"7210 B"`, in place of dimensions; each of them may
+            still be given and then replaces that of the catalogue"#;
+        balls: Count => "number of balls Z";
+        radial_clearance: LENGTH => "radial internal clearance, negative where the balls are squeezed; in place of `contact_angle`";
+        radial_load: FORCE => r#"force on the inner ring across the axis, at ball 0; with this key, `axial_load` or `axial_preload` the file describes
+            [a bearing under its loads](#a-bearing-under-its-loads)"#;
+        axial_load: FORCE => "force on the inner ring along the axis; optional, 0";
+        axial_preload: LENGTH => "axial shift of the rings against each other beyond first touch, in place of `axial_load`";
+        moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring in the plane of the radial load; optional: the rings do not tilt";
+        misalignment: ANGLE => "tilt of the inner ring in that plane, in place of `moment`";
+        element: Count => "number of one ball, from 0 at the radial load on: with `ring`, its contact alone";
+        folders: Switch => "whether the results of each contact are written into a folder of its own, too; optional, false";
+        dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the catalogue; optional, computed by ISO 281 and ISO 76";
+        contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it or `grease_cleanliness` there is no modified life";
+        grease_cleanliness: Choice(&["high", "normal", "typical-contamination", "severe-contamination", "very-severe-contamination"]) => r"e_C of a
+            grease by its cleanliness, in place of `contamination_factor`";
+        reliability: Number => "per cent, 90 to 99.95; optional, 90";
+        ep_additives: Switch => "whether effective extreme-pressure additives are in the lubricant; optional, false";
+        lubrication: Choice(&["oil-bath", "grease"]) => "how it comes to the bearing, for the models of friction beside the result; optional";
+        thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional: the report tells the temperature
+            that the heat of the contacts leads to"#;
+        ambient_temperature: Quantity(&[D::TEMPERATURE]) => "of the surroundings, with `thermal_resistance`";
     }
     ROLLER_BEARING {
         ring: RINGS => "the raceway of the contact";
@@ -67,7 +91,25 @@ rows! {
         roller_load: FORCE, usual [LOAD] => "load Q of the roller; or `hertz_pressure`";
         hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, in place of the load";
         profile: Table(PROFILE) => "as for [rollers](#rollers); optional";
-        misalignment: ANGLE => "as for [rollers](#rollers); optional, only with a profile";
+        misalignment: ANGLE => "as for [rollers](#rollers), only with a profile; under bearing loads the tilt of the inner ring; optional";
+        designation: Text => r#"a bearing of the catalogue, such as `"NU 206 E"`, in place of dimensions"#;
+        rollers: Count => "number of rollers Z";
+        radial_clearance: LENGTH => "radial internal clearance";
+        roller_profile: Choice(&["cylinder", "logarithmic"]) => "relief of the rollers under bearing loads: none, or the reference profile of ISO/TS 16281";
+        radial_load: FORCE => r#"force on the inner ring across the axis, at roller 0; with this key the file describes
+            [a bearing under its loads](#a-bearing-under-its-loads)"#;
+        moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring, in place of `misalignment`";
+        element: Count => "number of one roller, from 0 at the radial load on: with `ring`, its contact alone";
+        folders: Switch => "whether the results of each contact are written into a folder of its own, too; optional, false";
+        dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the catalogue; without C there is no rating life";
+        contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it or `grease_cleanliness` there is no modified life";
+        grease_cleanliness: Choice(&["high", "normal", "typical-contamination", "severe-contamination", "very-severe-contamination"]) => r"e_C of a
+            grease by its cleanliness, in place of `contamination_factor`";
+        reliability: Number => "per cent, 90 to 99.95; optional, 90";
+        ep_additives: Switch => "whether effective extreme-pressure additives are in the lubricant; optional, false";
+        lubrication: Choice(&["oil-bath", "grease"]) => "how it comes to the bearing, for the models of friction beside the result; optional";
+        thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional"#;
+        ambient_temperature: Quantity(&[D::TEMPERATURE]) => "of the surroundings, with `thermal_resistance`";
     }
     SPUR_GEAR {
         module: LENGTH, usual [MODULES] => "m";

@@ -106,9 +106,9 @@ impl BaseOil {
                 d_2: 0.54e-9,
                 volumetric_heat: estimate(
                     1.71e6,
-                    [0.1, 0.16],
+                    [0.11, 0.16],
                     "larsson_andersson2000, paraffinic mineral oil, as read in habchi_tehl",
-                    "six mineral oils and correlations have 0.91 to 1.16 times as much at 40 degC (docs/theory/rheology.md)",
+                    "seven mineral oils and correlations have 0.90 to 1.16 times as much at 40 degC (docs/theory/rheology.md)",
                 ),
                 reference_temperature: 295.0,
                 beta_0: 9.3e-4,

@@ -358,11 +358,11 @@ fn heat_and_shear_are_estimated_where_asked() {
         "thermal_conductivity.k_0",
         "heat_capacity.rho_c_0",
     ];
-    assert_eq!(keys(&asked)[4..], by_kind);
+    assert_eq!(keys(&asked)[5..], by_kind);
     let noted = |key: &str| asked.inputs().iter().any(|i| i.key == key && i.estimated);
     assert!(noted("lubricant.thermal_conductivity.k_0") && noted("lubricant.shear_thinning.tau_0"));
     let unasked = read(&format!("{head}{sheet}")).unwrap();
-    assert_eq!(keys(&unasked), keys(&asked)[..4]);
+    assert_eq!(keys(&unasked), keys(&asked)[..5]);
     assert_eq!(unasked.lubricant.thermal_conductivity, None);
     let isothermal = format!("{head}{sheet}[thermal]\n[solver]\nisothermal = true\n");
     assert_eq!(keys(&read(&isothermal).unwrap()), keys(&unasked));
@@ -375,7 +375,7 @@ fn heat_and_shear_are_estimated_where_asked() {
     assert_eq!(keys(&named), by_kind[2..]);
     assert!((named.inputs().iter()).any(|i| i.key == "lubricant.heat_capacity.rho_c_0"));
     let given = format!("{head}{sheet}thermal_conductivity = \"0.12 W/(m.K)\"\n[thermal]\n");
-    assert_eq!(keys(&read(&given).unwrap())[4..], by_kind[3..]);
+    assert_eq!(keys(&read(&given).unwrap())[5..], by_kind[3..]);
     let unknown = message(read(&format!("{steel}[thermal]\n")));
     assert!(
         unknown.contains("`base_oil` in [lubricant] names its kind"),

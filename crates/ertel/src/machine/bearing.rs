@@ -9,98 +9,214 @@
 use ertel_machines::bearing::Geometry;
 use ertel_machines::bearing::kinematics::deformed_radius;
 
-use super::slip::{Slip, stress};
+use super::slip::{Slip, SlipFriction, stress};
 use super::{MachineFigure, Section, figure_of, sum};
 use crate::case::{BearingMechanics, Case};
 use crate::solution::{Estimate, Figure};
 use crate::study::{MachineSolution, PointSolution};
+use crate::warning::{Warning, WarningKind};
 
-/// The figures, of a bearing all of whose contacts are solved.
+/// Ratio of shear stress to pressure, mean over a contact, that no lubricant transmits.
+const IMPOSSIBLE: f64 = 0.15;
+
+/// Difference of the temperature that heat leads to from that of the lubricant, K, from which on it is told.
+const SAME: f64 = 2.0;
+
+/// The figures; sums over the contacts only where all of them are solved.
 pub(super) fn figures(
     case: &Case,
     mechanics: &BearingMechanics,
     solved: &MachineSolution,
+    warnings: &mut Vec<Warning>,
 ) -> Vec<MachineFigure> {
     let mut figures = Vec::new();
-    let film = sum(solved, |_, point| figure_of(point, Figure::FrictionPower));
-    let rolling = sum(solved, |_, point| rolling_power(point));
-    let slip = sum(solved, |i, point| {
-        let side = solved.machine.contacts[i].side;
-        Some(Estimate {
-            value: slip_power(case, mechanics, side, point)?,
-            error: None,
-        })
+    let heaviest = mechanics.distribution.elements.iter();
+    let heaviest = heaviest.flat_map(|e| e.contacts.iter().map(|c| [c.load, c.pressure]));
+    let [load, pressure] = heaviest.fold([0.0_f64; 2], |[q, p], [load, pressure]| {
+        [q.max(load), p.max(pressure)]
     });
-    let (Some(film), Some(rolling), Some(slip)) = (film, rolling, slip) else {
-        return figures;
-    };
-    let slip = slip.value;
-    let power = Estimate {
-        value: film.value + slip,
-        error: film.error,
-    };
-    let relative = mechanics.speeds.relative().abs();
-    let figure = |name, words, estimate, unit, source| MachineFigure {
+    let plain = |section, name, words, value, unit| MachineFigure {
         name,
         words,
-        estimate,
+        estimate: Estimate { value, error: None },
         unit,
-        section: Section::Friction,
-        source,
+        section,
+        source: "",
     };
-    let of_model = |value| Estimate { value, error: None };
-    figures.push(figure(
+    let mechanics_of =
+        |name, words, value, unit| plain(Section::Mechanics, name, words, value, unit);
+    figures.push(mechanics_of(
+        "element_load_maximum",
+        "largest load of an element",
+        load,
+        "N",
+    ));
+    figures.push(mechanics_of(
+        "hertz_pressure_maximum",
+        "largest Hertz pressure",
+        pressure,
+        "Pa",
+    ));
+    let length = match &mechanics.bearing.geometry {
+        Geometry::Ball(_) => 1.0,
+        // Lines are solved per length.
+        Geometry::CylindricalRoller(roller) => roller.length,
+    };
+    let film = sum(solved, |_, point| {
+        scaled(figure_of(point, Figure::FrictionPower)?, length)
+    });
+    let rolling = sum(solved, |_, point| scaled(rolling_power(point)?, length));
+    if let (Some(film), Some(rolling)) = (film, rolling) {
+        figures.extend(friction(case, mechanics, solved, [film, rolling], warnings));
+    }
+    figures.extend(super::life::figures(case, mechanics, warnings));
+    figures
+}
+
+fn scaled(estimate: Estimate, factor: f64) -> Option<Estimate> {
+    Some(Estimate {
+        value: factor * estimate.value,
+        error: estimate.error.map(|error| factor * error),
+    })
+}
+
+/// Friction by its parts, torque and temperature, from the powers of films and of rolling.
+fn friction(
+    case: &Case,
+    mechanics: &BearingMechanics,
+    solved: &MachineSolution,
+    [film, rolling]: [Estimate; 2],
+    warnings: &mut Vec<Warning>,
+) -> Vec<MachineFigure> {
+    let mut figures = Vec::new();
+    let mut add = |section, name, words, estimate, unit, source| {
+        figures.push(MachineFigure {
+            name,
+            words,
+            estimate,
+            unit,
+            section,
+            source,
+        });
+    };
+    let is_ball = matches!(mechanics.bearing.geometry, Geometry::Ball(_));
+    add(
+        Section::Friction,
         "friction_power_rolling",
         "power lost by rolling",
         rolling,
         "W",
-        "rolling: what both walls of the film resist at equal speeds",
-    ));
-    if mechanics
-        .distribution
-        .elements
+        "rolling: what both walls of the films resist at equal speeds",
+    );
+    let elements = &mechanics.distribution.elements;
+    let spins = elements
         .iter()
-        .any(|e| e.contacts.iter().any(|c| c.spin[0] != c.spin[1]))
-    {
-        figures.push(figure(
+        .any(|e| e.contacts.iter().any(|c| c.spin[0] != c.spin[1]));
+    if spins {
+        let spin = Estimate {
+            value: film.value - rolling.value,
+            error: film.error.zip(rolling.error).map(|(a, b)| a + b),
+        };
+        add(
+            Section::Friction,
             "friction_power_spin",
             "power lost by spin",
-            Estimate {
-                value: film.value - rolling.value,
-                error: film.error,
-            },
+            spin,
             "W",
             "",
-        ));
+        );
     }
-    figures.push(figure(
-        "friction_power_differential_slip",
-        "power lost by differential slip",
-        of_model(slip),
-        "W",
-        "differential slip: Heathcote 1921, by the laws of the lubricant at the dry pressure and the central film of each contact",
-    ));
-    figures.push(figure(
+    let slip = match is_ball {
+        true => differential_slip(case, mechanics, solved),
+        false => Some(0.0),
+    };
+    match slip {
+        Some(slip) if is_ball => add(
+            Section::Friction,
+            "friction_power_differential_slip",
+            "power lost by differential slip",
+            Estimate {
+                value: slip,
+                error: None,
+            },
+            "W",
+            "differential slip (Heathcote 1921): by the laws of the lubricant at the dry pressure and the central film of each contact",
+        ),
+        Some(_) => {}
+        None => warnings.push(Warning::new(
+            WarningKind::Friction,
+            "differential slip is left out of the friction: with this lubricant its traction would be beyond 0.15, for its laws do not limit the shear \
+             stress; give `shear_thinning`, such as `{ law = \"estimate\" }` beside `base_oil`",
+        )),
+    }
+    let power = Estimate {
+        value: film.value + slip.unwrap_or(0.0),
+        error: film.error,
+    };
+    add(
+        Section::Friction,
         "friction_power",
         "power lost in all contacts",
         power,
         "W",
         "",
-    ));
+    );
+    let relative = mechanics.speeds.relative().abs();
     if relative > 0.0 {
-        let torque = Estimate {
-            value: power.value / relative,
-            error: power.error.map(|e| e / relative),
-        };
-        figures.push(figure(
+        add(
+            Section::Friction,
             "friction_torque",
             "friction torque of all contacts",
-            torque,
+            Estimate {
+                value: power.value / relative,
+                error: power.error.map(|error| error / relative),
+            },
             "N m",
-            "without cage, seals and churning of the oil",
-        ));
+            "torque of the contacts: without cage, seals and churning of the oil",
+        );
+    }
+    if let Some([resistance, ambient]) = mechanics.life.cooling {
+        let value = ambient + resistance * power.value;
+        add(
+            Section::Temperature,
+            "bearing_temperature",
+            "temperature that this heat leads to",
+            Estimate {
+                value,
+                error: power.error.map(|error| resistance * error),
+            },
+            "K",
+            "temperature: that of the surroundings and the thermal resistance times the power of all contacts",
+        );
+        let own = case.lubricant.temperature;
+        if (value - own).abs() > SAME {
+            warnings.push(Warning::new(
+                WarningKind::Other,
+                format!(
+                    "the heat of the contacts leads to {value:.1} K by the thermal resistance, but the lubricant is taken at {own:.1} K: solve once more at a \
+                     temperature between"
+                ),
+            ));
+        }
     }
     figures
+}
+
+/// Power of the differential slip in all contacts, W; `None` where it cannot be true.
+fn differential_slip(
+    case: &Case,
+    mechanics: &BearingMechanics,
+    solved: &MachineSolution,
+) -> Option<f64> {
+    let slip = sum(solved, |i, point| {
+        let side = solved.machine.contacts[i].side;
+        let found = slip_power(case, mechanics, side, point)?;
+        (found.mean_traction < IMPOSSIBLE).then_some(Estimate {
+            value: found.power,
+            error: None,
+        })
+    });
+    slip.map(|slip| slip.value)
 }
 
 /// Power that rolling alone takes: (µ_2 − µ_1) Q u.
@@ -121,7 +237,7 @@ fn slip_power(
     mechanics: &BearingMechanics,
     side: usize,
     point: &PointSolution,
-) -> Option<f64> {
+) -> Option<SlipFriction> {
     let Geometry::Ball(geometry) = &mechanics.bearing.geometry else {
         return None;
     };
@@ -135,8 +251,9 @@ fn slip_power(
         curvature: 0.5 / (deformed * point.case.contact.radius),
     };
     let lubricant = &case.lubricant;
-    let thinning = case.shear_thinning();
-    Some(slip.power(|pressure, rate| {
+    // The stress is limited in slip, whether or not the films are solved as Newtonian.
+    let thinning = lubricant.shear_thinning.as_ref();
+    Some(slip.friction(|pressure, rate| {
         let viscosity = lubricant
             .viscosity
             .viscosity(pressure, lubricant.temperature);

@@ -4,11 +4,13 @@ mod bearing;
 mod cam;
 mod curve;
 mod gears;
+mod life;
 mod slip;
 
 use crate::case::{Case, Mechanics};
 use crate::solution::{Estimate, Figure};
 use crate::study::{MachineSolution, PointSolution};
+use crate::warning::Warning;
 
 /// A figure of a whole machine.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,15 +70,34 @@ impl Section {
     }
 }
 
-/// The figures of a machine; those that are sums over its contacts only where all of them are solved.
-pub fn figures(case: &Case, solved: &MachineSolution) -> Vec<MachineFigure> {
-    let mut figures = films(solved);
-    match &solved.machine.mechanics {
-        Mechanics::Bearing(bearing) => figures.extend(bearing::figures(case, bearing, solved)),
-        Mechanics::Gears(gears) => figures.extend(gears::figures(case, gears, solved)),
-        Mechanics::Cam(cam) => figures.extend(cam::figures(cam, solved)),
+/// The figures of a machine, and what to know about them.
+#[derive(Clone, Debug, Default)]
+pub struct MachineFigures {
+    /// The figures in their order.
+    pub all: Vec<MachineFigure>,
+    /// What to know.
+    pub warnings: Vec<Warning>,
+}
+
+impl MachineFigures {
+    /// A figure by its name.
+    pub fn find(&self, name: &str) -> Option<&MachineFigure> {
+        self.all.iter().find(|figure| figure.name == name)
     }
-    figures
+}
+
+/// The figures of a machine; those that are sums over its contacts only where all of them are solved.
+pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
+    let mut all = films(solved);
+    let mut warnings = Vec::new();
+    match &solved.machine.mechanics {
+        Mechanics::Bearing(bearing) => {
+            all.extend(bearing::figures(case, bearing, solved, &mut warnings));
+        }
+        Mechanics::Gears(gears) => all.extend(gears::figures(case, gears, solved)),
+        Mechanics::Cam(cam) => all.extend(cam::figures(cam, solved)),
+    }
+    MachineFigures { all, warnings }
 }
 
 /// A figure of a contact.

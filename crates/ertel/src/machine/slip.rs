@@ -34,9 +34,18 @@ const POINTS: usize = 48;
 /// Steps for s and for the stress: each halves what it may be off by.
 const STEPS: usize = 60;
 
+/// What comes of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct SlipFriction {
+    /// P, W.
+    pub power: f64,
+    /// ∫|τ| dA over the load.
+    pub mean_traction: f64,
+}
+
 impl Slip {
-    /// P in W, for a lubricant whose shear stress (Pa) follows from pressure (Pa) and shear rate (1/s).
-    pub fn power(&self, stress: impl Fn(f64, f64) -> f64) -> f64 {
+    /// For a lubricant whose shear stress (Pa) follows from pressure (Pa) and shear rate (1/s).
+    pub fn friction(&self, stress: impl Fn(f64, f64) -> f64) -> SlipFriction {
         let [a, b] = self.half_widths;
         let step = FRAC_PI_2 / POINTS as f64;
         // y = b sin t, x = a cos t sin q: smooth up to the edge, p = p_h cos t cos q.
@@ -53,10 +62,10 @@ impl Slip {
         let sums = |s: f64| {
             points
                 .iter()
-                .fold([0.0; 2], |[force, power], [y, p, area]| {
+                .fold([0.0; 3], |[force, power, size], [y, p, area]| {
                     let slide = rate(*y, s);
                     let pull = stress(*p, slide / self.film) * area;
-                    [force + pull, power + pull * slide]
+                    [force + pull, power + pull * slide, size + pull.abs()]
                 })
         };
         let (mut low, mut high) = (0.0, self.curvature * b * b);
@@ -67,7 +76,12 @@ impl Slip {
                 false => high = middle,
             }
         }
-        sums(0.5 * (low + high))[1]
+        let [_, power, size] = sums(0.5 * (low + high));
+        let load = points.iter().map(|[_, p, area]| p * area).sum::<f64>();
+        SlipFriction {
+            power,
+            mean_traction: size / load,
+        }
     }
 }
 
@@ -114,7 +128,7 @@ mod tests {
     fn constant_viscosity() {
         let [a, b] = SLIP.half_widths;
         let (u, c, h) = (SLIP.speed, SLIP.curvature, SLIP.film);
-        let power = SLIP.power(|_, rate| 0.02 * rate);
+        let power = SLIP.friction(|_, rate| 0.02 * rate).power;
         let expected = PI * 0.02 * (u * c).powi(2) * a * b.powi(5) / (16.0 * h);
         assert_relative_eq!(power, expected, max_relative = 1e-3);
     }
@@ -124,7 +138,10 @@ mod tests {
     #[test]
     fn constant_stress() {
         let [a, b] = SLIP.half_widths;
-        let power = SLIP.power(|_, rate| 40e6 * rate.signum());
+        let found = SLIP.friction(|_, rate| 40e6 * rate.signum());
+        let power = found.power;
+        // τ πab over ⅔ p_h πab
+        assert_relative_eq!(found.mean_traction, 60e6 / 2e9, max_relative = 1e-3);
         let within = |n: usize| {
             // ∫_0^1 |y² − η²| √(1 − y²) dy by Simpson's rule in y = sin t.
             let f = |t: f64| (t.sin().powi(2) - 0.403_973_f64.powi(2)).abs() * t.cos().powi(2);

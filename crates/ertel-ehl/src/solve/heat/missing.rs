@@ -71,7 +71,7 @@ impl MissingHeatData {
         } else {
             ""
         };
-        // A kind that the case names is not known by the time of this error.
+        // The kind is not known: otherwise the numbers would have been estimated.
         let kind = if self.missing.iter().any(|datum| datum.part == "lubricant") {
             "; what the lubricant lacks is estimated where `base_oil` in [lubricant] names its kind: \"mineral\", \"PAO\", \"ester\", \
              \"PAG\", \"naphthenic\" or \"Group III\""

@@ -9,21 +9,23 @@ mod bearing;
 mod cam;
 mod cam_turn;
 mod gears;
+mod loaded_bearing;
 mod roller_bearing;
 mod spin;
 mod whole;
-mod whole_bearing;
 
 pub use cam_turn::CamMechanics;
 pub use gears::{GearLimits, GearMechanics};
+pub use loaded_bearing::{BearingMechanics, Contamination, LifeInputs};
 pub(super) use whole::contacts;
 pub use whole::{Axis as MachineAxis, MachineContact, MachineContacts, RINGS, WholeMachine};
-pub use whole_bearing::BearingMechanics;
 
 use std::path::Path;
 
 use ertel_input::{Bounds, InputError, Table};
 use ertel_quantity::Dimension;
+
+use loaded_bearing::Elements;
 
 use super::contact::{MOST_SLENDER, RADIUS, load_of_pressure, too_slender};
 use super::motion::{MAX_SPEED, check_entrainment};
@@ -113,8 +115,11 @@ pub(super) fn read(
     let reduced_modulus = steel.reduced_modulus;
     match kind(table)? {
         MachineKind::BallOnDisc => ball_on_disc::read(table, reduced_modulus),
-        MachineKind::BallBearing if whole_bearing::LOADS.iter().any(|key| table.contains(key)) => {
-            whole_bearing::read(table, steel)
+        MachineKind::BallBearing if is_loaded(table) => {
+            loaded_bearing::read(table, Elements::Balls, steel)
+        }
+        MachineKind::RollerBearing if is_loaded(table) => {
+            loaded_bearing::read(table, Elements::Rollers, steel)
         }
         MachineKind::BallBearing => ball_bearing::read(table, reduced_modulus),
         MachineKind::RollerBearing => roller_bearing::read(table, reduced_modulus, folder),
@@ -123,6 +128,12 @@ pub(super) fn read(
         MachineKind::CamAndFlatTappet => cam::read(table, reduced_modulus),
         MachineKind::Cam => cam_turn::read(table, reduced_modulus, folder),
     }
+}
+
+/// Whether the file describes a bearing under its loads, and not a single contact of one.
+fn is_loaded(table: &mut Table<'_>) -> bool {
+    let loads = &loaded_bearing::LOADS;
+    table.contains("designation") || loads.iter().any(|key| table.contains(key))
 }
 
 /// Rows of the echo: what was computed, by which formula.

@@ -20,7 +20,7 @@ use super::machine::{
 use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
 use super::{curve_report, curve_table, heat, inputs};
 use crate::case::CaseEcho;
-use crate::machine::MachineFigure;
+use crate::machine::MachineFigures;
 use crate::solution::Solution;
 use crate::study::{CurveSolution, MachineSolution};
 use crate::warning::texts;
@@ -206,7 +206,7 @@ pub fn curve_page(case: &CaseEcho, curve: &CurveSolution) -> String {
 pub fn machine_page(
     case: &CaseEcho,
     machine: &MachineSolution,
-    figures: &[MachineFigure],
+    figures: &MachineFigures,
 ) -> String {
     let whole = &machine.machine;
     let n_axes = if whole.has_sides() { 2 } else { 1 };
@@ -225,7 +225,7 @@ pub fn machine_page(
     page(Page {
         title: &case.title,
         subtitle: whole.title.clone(),
-        warnings: warning_texts(machine),
+        warnings: warning_texts(machine, figures),
         results,
         inputs: part(|out| write_case(out, case), "Governing contact"),
         case_file: case.case_file.as_deref(),

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 use super::super::curve::point_json;
 use super::super::result_json::{FORMAT_VERSION, units};
 use crate::case::CaseEcho;
-use crate::machine::MachineFigure;
+use crate::machine::MachineFigures;
 use crate::run::NUMERICS;
 use crate::study::MachineSolution;
 
@@ -19,10 +19,10 @@ pub const MACHINE_FORMAT: &str = "ertel-machine";
 pub fn machine_json(
     case: &CaseEcho,
     machine: &MachineSolution,
-    figures: &[MachineFigure],
+    figures: &MachineFigures,
 ) -> serde_json::Result<Value> {
     let whole = &machine.machine;
-    let figures: Map<String, Value> = (figures.iter())
+    let figures: Map<String, Value> = (figures.all.iter())
         .map(|figure| {
             let value = json!({
                 "value": figure.estimate.value,

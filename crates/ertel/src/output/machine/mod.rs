@@ -17,7 +17,7 @@ use super::folder::{NewFolder, Part};
 use super::html::{REPORT_PAGE, machine_page};
 use super::{OutputError, finite, write_files, write_picture};
 use crate::case::CaseEcho;
-use crate::machine::MachineFigure;
+use crate::machine::MachineFigures;
 use crate::params::OutputParams;
 use crate::study::MachineSolution;
 
@@ -29,7 +29,7 @@ use crate::study::MachineSolution;
 pub fn write_machine(
     case: &CaseEcho,
     machine: &MachineSolution,
-    figures: &[MachineFigure],
+    figures: &MachineFigures,
     target: &Path,
     params: &OutputParams,
 ) -> Result<(), OutputError> {
@@ -49,7 +49,7 @@ pub fn write_machine(
 }
 
 /// Refuses numbers that are none.
-fn check(machine: &MachineSolution, figures: &[MachineFigure]) -> Result<(), OutputError> {
+fn check(machine: &MachineSolution, figures: &MachineFigures) -> Result<(), OutputError> {
     for (i, point) in machine.solved() {
         let found =
             (point.outcome.solution()).and_then(|s| finite::first_not_finite(&point.case, s));
@@ -58,10 +58,10 @@ fn check(machine: &MachineSolution, figures: &[MachineFigure]) -> Result<(), Out
             return Err(OutputError::NotFinite { what });
         }
     }
-    let is_bad = |f: &&MachineFigure| {
+    let is_bad = |f: &&crate::machine::MachineFigure| {
         !f.estimate.value.is_finite() || f.estimate.error.is_some_and(|e| !e.is_finite())
     };
-    match figures.iter().find(is_bad) {
+    match figures.all.iter().find(is_bad) {
         Some(figure) => Err(OutputError::NotFinite {
             what: figure.words.to_owned(),
         }),
@@ -73,7 +73,7 @@ fn write_files_of_machine(
     root: &Part,
     case: &CaseEcho,
     machine: &MachineSolution,
-    figures: &[MachineFigure],
+    figures: &MachineFigures,
     params: &OutputParams,
 ) -> Result<(), OutputError> {
     let json = machine_json(case, machine, figures)

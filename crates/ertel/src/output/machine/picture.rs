@@ -59,7 +59,8 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
     let polar = |heading: &str, label: String, high: f64| Polar {
         title: title.to_owned(),
         heading: heading.to_owned(),
-        radius: Axis::linear_around(&label, [0.0, high]),
+        // Room for the points at the rim.
+        radius: Axis::linear(&label, 0.0, 1.08 * high),
         series: Vec::new(),
         labels: labels.clone(),
     };

@@ -7,7 +7,7 @@ use super::super::figure::{estimate, in_unit, number, temperature};
 use super::super::lines::{Lines, Table};
 use super::super::report::write_case;
 use crate::case::CaseEcho;
-use crate::machine::{MachineFigure, Section};
+use crate::machine::{MachineFigure, MachineFigures, Section};
 use crate::solution::{Estimate, Figure, Solution};
 use crate::study::{MachineSolution, Outcome};
 use crate::warning::{Warning, by_kind};
@@ -17,7 +17,7 @@ use crate::words::{digits, pressure};
 pub fn machine_report(
     case: &CaseEcho,
     machine: &MachineSolution,
-    figures: &[MachineFigure],
+    figures: &MachineFigures,
     folder: Option<&Path>,
 ) -> String {
     let mut out = Lines::default();
@@ -25,7 +25,7 @@ pub fn machine_report(
     write_case(&mut out, case);
     write_figures(&mut out, figures);
     write_contacts(&mut out, machine);
-    out.warnings(&warnings(machine));
+    out.warnings(&warnings(machine, figures));
     let mut text = out.text();
     let n = machine.n_contacts();
     let _ = writeln!(
@@ -41,9 +41,13 @@ pub fn machine_report(
 }
 
 /// Figures of the machine, section by section.
-pub(in crate::output) fn write_figures(out: &mut Lines, figures: &[MachineFigure]) {
+pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures) {
     for section in Section::ALL {
-        let of: Vec<&MachineFigure> = figures.iter().filter(|f| f.section == section).collect();
+        let of: Vec<&MachineFigure> = figures
+            .all
+            .iter()
+            .filter(|f| f.section == section)
+            .collect();
         if of.is_empty() {
             continue;
         }
@@ -114,7 +118,7 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
     let none = || "-".to_owned();
     let mut rows = Vec::new();
     for (i, contact) in whole.contacts.iter().enumerate() {
-        if contact.like.is_some_and(|like| like != i) {
+        if contact.like != Some(i) {
             continue;
         }
         let name = match whole.count(i) {
@@ -131,18 +135,9 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
         let speed = motion.map_or_else(none, |m| format!("{} m/s", digits(m.entrainment_speed, 4)));
         let ratio = motion.map_or_else(none, |m| digits(m.slide_to_roll_ratio, 3));
         let Some(point) = machine.of(i) else {
-            let text = if contact.like.is_some() {
-                "not begun"
-            } else {
-                "unloaded"
-            };
             let mut cells = std::array::from_fn(|_| none());
-            cells[0] = name;
-            cells[1] = if contact.load > 0.0 {
-                load
-            } else {
-                text.to_owned()
-            };
+            [cells[0], cells[1], cells[2]] = [name, load, hertz];
+            cells[5] = "not begun".to_owned();
             rows.push(keep(cells));
             continue;
         };
@@ -181,6 +176,17 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
     };
     let widths = (0..head.len()).map(|j| (width(j), 2)).collect();
     out.table(Table { head, rows, widths });
+    let idle = whole
+        .contacts
+        .iter()
+        .filter(|contact| contact.like.is_none());
+    match idle.count() {
+        0 => {}
+        n => out.note(&format!(
+            "{n} of {} contacts are not solved: nothing presses there, or inertia alone",
+            whole.contacts.len()
+        )),
+    }
 }
 
 /// Friction power of a contact.
@@ -198,8 +204,8 @@ fn power(solution: &Solution, is_line: bool) -> String {
 }
 
 /// Failures, and warnings of the contacts, those of one kind together.
-fn warnings(machine: &MachineSolution) -> Vec<Warning> {
-    let mut failures = Vec::new();
+fn warnings(machine: &MachineSolution, figures: &MachineFigures) -> Vec<Warning> {
+    let mut failures = figures.warnings.clone();
     let mut told = Vec::new();
     let n = machine.n_contacts();
     for (place, point) in machine.solved() {
@@ -217,8 +223,11 @@ fn warnings(machine: &MachineSolution) -> Vec<Warning> {
 }
 
 /// The warnings as sentences, for pages.
-pub(in crate::output) fn warning_texts(machine: &MachineSolution) -> Vec<String> {
-    let all = warnings(machine);
+pub(in crate::output) fn warning_texts(
+    machine: &MachineSolution,
+    figures: &MachineFigures,
+) -> Vec<String> {
+    let all = warnings(machine, figures);
     all.iter()
         .filter(|w| !w.kind.is_note())
         .map(|w| w.text.clone())

@@ -1,15 +1,22 @@
-//! A ball bearing under its loads: how its balls share them, and the contact of each with both rings.
+//! A bearing under its loads: how its elements share them, and the contact of each with both rings.
+
+mod geometry;
+mod life;
 
 use ertel_input::{Bounds, InputError, Table};
-use ertel_machines::bearing::geometry::{BallGeometry, Play, Ring};
+use ertel_machines::bearing::catalogue::Entry;
+use ertel_machines::bearing::geometry::Ring;
 use ertel_machines::bearing::kinematics::{RacewayControl, Speeds};
 use ertel_machines::bearing::load::{Distribution, Error, Given, Loads, Params, RingContact};
 use ertel_machines::bearing::{Bearing, Geometry, Material};
 use ertel_quantity::Dimension;
 
+pub(super) use geometry::Elements;
+pub use life::{Contamination, LifeInputs};
+
 use super::whole::{Axis, Choice, MachineContact, WholeMachine, like};
-use super::{ANGULAR_SPEED, Machine, Mechanics, Rows, Steel, required_length};
-use crate::contact::Motion;
+use super::{ANGULAR_SPEED, Machine, Mechanics, Rows, Steel};
+use crate::contact::{Contact, Motion};
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length, pressure};
 
@@ -22,58 +29,49 @@ const LOAD: Bounds = Bounds::closed(-1e9, 1e9);
 const TILT: Bounds = Bounds::closed(-0.1, 0.1);
 /// Axial shifts, m.
 const SHIFT: Bounds = Bounds::closed(0.0, 1e-2);
-/// Clearances, m; negative where the balls are squeezed.
-const CLEARANCE: Bounds = Bounds::closed(-1e-3, 1e-2);
-/// Free contact angles, rad.
-const ANGLE: Bounds = Bounds::closed(0.0, std::f64::consts::FRAC_PI_2);
-/// Radius of a groove over the diameter of the ball.
-const CURVATURE: Bounds = Bounds::open(0.5, f64::INFINITY);
 
-/// A bearing, what acts on it, and how its balls share that.
+/// A bearing, what acts on it, and how its elements share that.
 #[derive(Clone, Debug)]
 pub struct BearingMechanics {
     /// The bearing.
     pub bearing: Bearing,
-    /// Radial and axial force on the inner ring that are in balance with the balls, N.
+    /// What the catalogue says of it, if it has a designation.
+    pub entry: Option<Entry>,
+    /// Radial and axial force on the inner ring that are in balance with the elements, N.
     pub loads: [f64; 2],
     /// Speeds of both rings.
     pub speeds: Speeds,
-    /// Loads, angles and speeds of all balls.
+    /// Loads, angles and speeds of all elements.
     pub distribution: Distribution,
+    /// Ratings, cleanliness, cooling.
+    pub life: LifeInputs,
 }
 
-/// A ball, by its number from the load on, and a ring.
+/// An element, by its number from the load on, and a ring.
 type Place = (usize, Ring);
 
-/// Reads the keys of a bearing under its loads; `steel` is what rings and balls are made of.
-pub(super) fn read(table: &mut Table<'_>, steel: &Steel) -> Result<Machine, InputError> {
-    let geometry = geometry(table)?;
-    geometry
-        .check()
-        .map_err(|error| table.error_here(error.to_string()))?;
+/// Reads the keys of a bearing under its loads; `steel` is what rings and elements are made of.
+pub(super) fn read(
+    table: &mut Table<'_>,
+    elements: Elements,
+    steel: &Steel,
+) -> Result<Machine, InputError> {
+    let inside = geometry::read(table, elements)?;
+    let speed = |table: &mut Table<'_>, key: &str| {
+        table.optional_quantity(key, Dimension::ANGULAR_SPEED, ANGULAR_SPEED)
+    };
     let speeds = Speeds {
         inner: table.required_quantity(
             "inner_ring_speed",
             Dimension::ANGULAR_SPEED,
             ANGULAR_SPEED,
         )?,
-        outer: table
-            .optional_quantity("outer_ring_speed", Dimension::ANGULAR_SPEED, ANGULAR_SPEED)?
-            .unwrap_or(0.0),
+        outer: speed(table, "outer_ring_speed")?.unwrap_or(0.0),
     };
-    let loads = loads(table)?;
-    let controls = [
-        ("outer", RacewayControl::Outer),
-        ("inner", RacewayControl::Inner),
-    ];
-    let params = Params {
-        control: table
-            .optional_choice("raceway_control", &controls)?
-            .unwrap_or_default(),
-        ..Params::default()
-    };
+    let loads = loads(table, elements)?;
+    let params = params(table, elements)?;
     let bearing = Bearing {
-        geometry: Geometry::Ball(geometry),
+        geometry: inside.geometry,
         material: Material {
             reduced_modulus: steel.reduced_modulus,
             density: steel.density.unwrap_or(0.0),
@@ -83,94 +81,114 @@ pub(super) fn read(table: &mut Table<'_>, steel: &Steel) -> Result<Machine, Inpu
     if steel.density.is_none() {
         warnings.push(Warning::new(
             WarningKind::Other,
-            "the centrifugal force of the balls is left out: [bodies] gives no density of body_2",
+            "the centrifugal force of the elements is left out: [bodies] gives no density of body_2",
         ));
     }
     let distribution = bearing
         .solve(&loads, speeds, &params)
         .map_err(|error| not_distributed(table, &error))?;
-    let chosen = chosen(table, distribution.elements.len())?;
+    let word = word(elements);
+    let chosen = chosen(table, distribution.elements.len(), word)?;
     let governing = chosen.unwrap_or_else(|| heaviest(&distribution));
     let found = at(&distribution, governing);
-    let contact = found
-        .ellipse()
-        .ok_or_else(|| table.error("element", format!("{} carries no load", name(governing))))?;
+    let contact = contact(&inside.geometry, found).ok_or_else(|| {
+        table.error(
+            "element",
+            format!("{} carries no load", name(governing, word)),
+        )
+    })?;
     let motion = motion(table, found)?;
-    let mut rows = Rows::default();
-    tell(&mut rows, &geometry, &distribution, governing);
+    let life = life::read(table)?;
     let folders = table.optional_bool("folders")?.unwrap_or(false);
+    let mut rows = Rows::default();
+    rows.text(
+        "machine",
+        format!("bearing: {word}s (body 2) on the rings (body 1)"),
+    );
+    rows.0.extend(inside.rows);
+    tell(&mut rows, &distribution, (governing, word));
     let [x, y, axial] = distribution.force;
     let whole = chosen.is_none().then(|| {
-        let contacts = contacts(&distribution);
-        let is_it = |c: &MachineContact| c.name == name(governing);
+        let contacts = contacts(&inside.geometry, &distribution, word);
+        let is_it = |c: &MachineContact| c.name == name(governing, word);
+        let named = inside.entry.as_ref().map(|e| e.designation.name());
         WholeMachine {
             title: format!(
-                "ball bearing, {} balls of {} on {}",
-                geometry.number,
-                length(geometry.ball_diameter),
-                length(geometry.pitch_diameter)
+                "{}bearing with {} {word}s of {}",
+                named.map_or(String::new(), |name| format!("{name}, ")),
+                inside.geometry.number(),
+                length(inside.geometry.element_diameter()),
             ),
             axis: Axis::Around,
             governing: contacts.iter().position(is_it).unwrap_or(0),
             contacts,
-            is_line: false,
+            is_line: elements == Elements::Rollers,
             folders,
             mechanics: Mechanics::Bearing(Box::new(BearingMechanics {
                 bearing,
+                entry: inside.entry.clone(),
                 loads: [x.hypot(y), axial],
                 speeds,
-                distribution,
+                distribution: distribution.clone(),
+                life,
             })),
         }
     });
+    let across = match elements {
+        Elements::Balls => 0.5 * inside.geometry.element_diameter(),
+        Elements::Rollers => f64::INFINITY,
+    };
     Ok(Machine {
         contact,
         motion,
         load_key: "radial_load",
-        body_radii: [0.5 * geometry.ball_diameter; 2],
+        body_radii: [0.5 * inside.geometry.element_diameter(), across],
         warnings,
         echo: rows.echo(),
         whole,
     })
 }
 
-/// The internal geometry, from dimensions.
-fn geometry(table: &mut Table<'_>) -> Result<BallGeometry, InputError> {
-    let curvature = |table: &mut Table<'_>, key: &str| table.required_number(key, CURVATURE);
-    Ok(BallGeometry {
-        ball_diameter: required_length(table, "ball_diameter")?,
-        pitch_diameter: required_length(table, "pitch_diameter")?,
-        number: table.required_integer("balls", 3..=1000)? as usize,
-        groove: [
-            curvature(table, "inner_groove_curvature")?,
-            curvature(table, "outer_groove_curvature")?,
-        ],
-        play: play(table)?,
-    })
-}
-
-/// `radial_clearance` or `contact_angle`.
-fn play(table: &mut Table<'_>) -> Result<Play, InputError> {
-    let angle = table.optional_quantity("contact_angle", Dimension::ANGLE, ANGLE)?;
-    let clearance = table.optional_quantity("radial_clearance", Dimension::LENGTH, CLEARANCE)?;
-    match (angle, clearance) {
-        (Some(angle), None) => Ok(Play::FreeAngle(angle)),
-        (None, Some(clearance)) => Ok(Play::Clearance(clearance)),
-        (Some(_), Some(_)) => Err(table.error(
-            "radial_clearance",
-            "`contact_angle` and `radial_clearance` say the same thing twice; keep one of them",
-        )),
-        (None, None) => Err(table.missing("radial_clearance").with_help(
-            "the radial internal clearance, such as \"10 um\", or `contact_angle`, the contact angle without load",
-        )),
+/// What its elements are called.
+fn word(elements: Elements) -> &'static str {
+    match elements {
+        Elements::Balls => "ball",
+        Elements::Rollers => "roller",
     }
 }
 
+/// Which raceway controls balls; rollers have none.
+fn params(table: &mut Table<'_>, elements: Elements) -> Result<Params, InputError> {
+    let controls = [
+        ("outer", RacewayControl::Outer),
+        ("inner", RacewayControl::Inner),
+    ];
+    let control = match elements {
+        Elements::Balls => table.optional_choice("raceway_control", &controls)?,
+        Elements::Rollers => None,
+    };
+    Ok(Params {
+        control: control.unwrap_or_default(),
+        ..Params::default()
+    })
+}
+
 /// What acts on the inner ring.
-fn loads(table: &mut Table<'_>) -> Result<Loads, InputError> {
+fn loads(table: &mut Table<'_>, elements: Elements) -> Result<Loads, InputError> {
     let radial = table
         .optional_quantity("radial_load", Dimension::FORCE, LOAD)?
         .unwrap_or(0.0);
+    if elements == Elements::Rollers {
+        let key = ["axial_load", "axial_preload"]
+            .into_iter()
+            .find(|key| table.contains(key));
+        if let Some(key) = key {
+            return Err(table.error(
+                key,
+                "cylindrical rollers carry no axial load here: ribs are not part of the model",
+            ));
+        }
+    }
     let axial = table.optional_quantity("axial_load", Dimension::FORCE, LOAD)?;
     let preload = table.optional_quantity("axial_preload", Dimension::LENGTH, SHIFT)?;
     let axial = match (axial, preload) {
@@ -217,7 +235,7 @@ fn not_distributed(table: &Table<'_>, error: &Error) -> InputError {
 }
 
 /// The single contact that the file asks for.
-fn chosen(table: &mut Table<'_>, n: usize) -> Result<Option<Place>, InputError> {
+fn chosen(table: &mut Table<'_>, n: usize, word: &str) -> Result<Option<Place>, InputError> {
     let most = i64::try_from(n).unwrap_or(i64::MAX) - 1;
     let element = table.optional_integer("element", 0..=most)?;
     let ring = table.optional_choice("ring", &[("inner", Ring::Inner), ("outer", Ring::Outer)])?;
@@ -225,8 +243,8 @@ fn chosen(table: &mut Table<'_>, n: usize) -> Result<Option<Place>, InputError> 
         (Some(element), Some(ring)) => Ok(Some((element as usize, ring))),
         (None, None) => Ok(None),
         (Some(_), None) => Err(table.missing("ring")),
-        (None, Some(_)) => Err(table.error("ring", "which ball is not said").with_help(
-            "a bearing under its loads has a contact of each ball with both rings: give `element`, the number of the ball, or leave `ring` out",
+        (None, Some(_)) => Err(table.error("ring", format!("which {word} is not said")).with_help(
+            "a bearing under its loads has a contact of each element with both rings: give `element`, its number, or leave `ring` out",
         )),
     }
 }
@@ -236,8 +254,18 @@ fn at(distribution: &Distribution, (element, ring): Place) -> &RingContact {
 }
 
 /// What a contact is called.
-fn name((element, ring): Place) -> String {
-    format!("ball {element}, {} ring", ring.name())
+fn name((element, ring): Place, word: &str) -> String {
+    format!("{word} {element}, {} ring", ring.name())
+}
+
+/// The contact for a solver: an ellipse of a ball; of a roller the line under its mean load per length. `None` where nothing presses.
+fn contact(geometry: &Geometry, found: &RingContact) -> Option<Contact> {
+    match geometry {
+        Geometry::Ball(_) => found.ellipse(),
+        Geometry::CylindricalRoller(roller) => (found.load > 0.0).then(|| {
+            Contact::line(found.radii[0], found.load / roller.length).between(found.curvatures)
+        }),
+    }
 }
 
 /// The contact under the largest pressure.
@@ -255,19 +283,24 @@ fn heaviest(distribution: &Distribution) -> Place {
     best
 }
 
-/// Every ball at both rings.
-fn contacts(distribution: &Distribution) -> Vec<MachineContact> {
+/// Every element at both rings. An element that the inner ring does not touch is pressed by its inertia alone: such contacts are told, not solved.
+fn contacts(geometry: &Geometry, distribution: &Distribution, word: &str) -> Vec<MachineContact> {
     let places = || (0..distribution.elements.len()).flat_map(|e| Ring::BOTH.map(|r| (e, r)));
     let apart: Vec<Option<[f64; 6]>> = places()
         .map(|place| {
-            let contact = at(distribution, place);
-            let [along, across] = contact.radii;
-            let [own, other] = contact.spin;
-            (contact.load > 0.0).then_some([
-                contact.load,
-                along,
-                across,
-                contact.entrainment_speed,
+            let found = at(distribution, place);
+            let is_held = at(distribution, (place.0, Ring::Inner)).load > 0.0;
+            let solved = contact(geometry, found).filter(|_| is_held)?;
+            let [own, other] = found.spin;
+            Some([
+                solved.load,
+                solved.radius,
+                if solved.radius_y.is_finite() {
+                    solved.radius_y
+                } else {
+                    0.0
+                },
+                found.entrainment_speed,
                 own,
                 other,
             ])
@@ -275,17 +308,17 @@ fn contacts(distribution: &Distribution) -> Vec<MachineContact> {
         .collect();
     (places().zip(like(&apart)))
         .map(|((element, ring), like)| {
-            let contact = at(distribution, (element, ring));
+            let found = at(distribution, (element, ring));
             MachineContact {
-                name: name((element, ring)),
+                name: name((element, ring), word),
                 keys: vec![
                     ("element", Choice::Number(element as i64)),
                     ("ring", Choice::Name(ring.name())),
                 ],
                 place: distribution.elements[element].position,
                 side: ring.index(),
-                load: contact.load,
-                hertz_pressure: contact.pressure,
+                load: contact(geometry, found).map_or(0.0, |contact| contact.load),
+                hertz_pressure: found.pressure,
                 like,
             }
         })
@@ -302,30 +335,14 @@ fn motion(table: &Table<'_>, contact: &RingContact) -> Result<Motion, InputError
     })
 }
 
-/// Rows of the report.
-fn tell(rows: &mut Rows, geometry: &BallGeometry, found: &Distribution, governing: Place) {
-    rows.text(
-        "machine",
-        "ball bearing: balls (body 2) on the rings (body 1)",
-    );
-    rows.length("ball diameter D", geometry.ball_diameter);
-    rows.length("pitch diameter d_m", geometry.pitch_diameter);
-    rows.number("balls Z", geometry.number as f64, "");
-    let [inner, outer] = geometry.groove;
-    rows.text(
-        "groove radii over D",
-        format!("{} inner, {} outer", digits(inner, 4), digits(outer, 4)),
-    );
-    rows.number("radial clearance", 1e6 * geometry.clearance(), "µm");
-    rows.number(
-        "contact angle without load",
-        geometry.free_angle().to_degrees(),
-        "deg",
-    );
-    let [x, y, z] = found.shift.map(|shift| digits(1e6 * shift, 4));
+/// Rows of the report: how the elements share the load.
+fn tell(rows: &mut Rows, found: &Distribution, (governing, word): (Place, &str)) {
+    // Nothing of less than a picometre: rounding.
+    let shown = |shift: f64| digits(1e6 * if shift.abs() < 1e-12 { 0.0 } else { shift }, 4);
+    let [x, y, z] = found.shift.map(shown);
     rows.text(
         "shift of the inner ring",
-        format!("{x}, {y} radially, {z} µm axially"),
+        format!("{x} and {y} µm radially, {z} µm axially"),
     );
     let [rx, ry, axial] = found.force;
     rows.text(
@@ -336,17 +353,23 @@ fn tell(rows: &mut Rows, geometry: &BallGeometry, found: &Distribution, governin
             digits(axial, 5)
         ),
     );
+    let loaded = (found.elements.iter()).filter(|element| element.contacts[0].load > 0.0);
+    let loaded = loaded.count();
+    rows.text(
+        "loaded elements",
+        format!("{loaded} of {}", found.elements.len()),
+    );
     let of = &found.elements[governing.0];
     rows.number("cage speed", of.cage_speed, "rad/s");
-    rows.number("centrifugal force of a ball", of.centrifugal_force, "N");
+    rows.number("centrifugal force of an element", of.centrifugal_force, "N");
     if of.gyroscopic_moment != 0.0 {
         rows.number("gyroscopic moment", 1e3 * of.gyroscopic_moment, "N mm");
     }
     let contact = at(found, governing);
-    rows.text("governing contact", name(governing));
-    rows.number("load", contact.load, "N");
-    rows.text("Hertz pressure", pressure(contact.pressure));
-    rows.number("contact angle", contact.angle.to_degrees(), "deg");
+    rows.text("governing contact", name(governing, word));
+    rows.number("  its load", contact.load, "N");
+    rows.text("  its Hertz pressure", pressure(contact.pressure));
+    rows.number("  its contact angle", contact.angle.to_degrees(), "deg");
     rows.text(
         "source",
         "loads: ISO/TS 16281 with forces of inertia; motion: Jones 1959, Harris and Kotzalas 2007",

@@ -1,0 +1,304 @@
+//! What lies inside a bearing: from its designation, with every value open to be replaced, or from dimensions.
+
+use std::f64::consts::FRAC_PI_2;
+
+use ertel_input::{Bounds, InputError, Table};
+use ertel_machines::bearing::Geometry;
+use ertel_machines::bearing::catalogue::{self, Entry, Internal, Origin, Sourced};
+use ertel_machines::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile};
+use ertel_quantity::Dimension;
+
+use super::super::{Rows, required_length};
+use crate::case::contact::RADIUS;
+use crate::words::{digits, length};
+
+/// Clearances, m; negative where the elements are squeezed.
+const CLEARANCE: Bounds = Bounds::closed(-1e-3, 1e-2);
+/// Free contact angles, rad.
+const ANGLE: Bounds = Bounds::closed(0.0, FRAC_PI_2);
+/// Radius of a groove over the diameter of the ball.
+const CURVATURE: Bounds = Bounds::open(0.5, f64::INFINITY);
+
+/// Balls or rollers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::case::machine) enum Elements {
+    /// Balls.
+    Balls,
+    /// Cylindrical rollers.
+    Rollers,
+}
+
+/// A bearing as the file describes it.
+pub(super) struct Inside {
+    /// Its geometry.
+    pub geometry: Geometry,
+    /// What the catalogue says of it, if it has a designation.
+    pub entry: Option<Entry>,
+    /// Rows of the report: values, and how they are known.
+    pub rows: Vec<(String, String)>,
+}
+
+/// Reads designation and dimensions.
+pub(super) fn read(table: &mut Table<'_>, elements: Elements) -> Result<Inside, InputError> {
+    let entry = match table.optional_str("designation")? {
+        Some(given) => Some(find(table, given, elements)?),
+        None => None,
+    };
+    let known = entry.as_ref().and_then(|entry| entry.internal);
+    let mut rows = Rows::default();
+    if let Some(entry) = &entry {
+        let boundary = &entry.boundary;
+        let [d, outside, b] =
+            [boundary.bore, boundary.outside, boundary.width].map(|v| digits(1e3 * v, 4));
+        rows.text("bearing", entry.designation.name());
+        rows.text(
+            "bore, outside, width",
+            format!("{d}, {outside}, {b} mm (ISO 15)"),
+        );
+        let ignored = &entry.designation.ignored;
+        if !ignored.is_empty() {
+            rows.text("suffixes without effect here", ignored.join(", "));
+        }
+    }
+    let geometry = match elements {
+        Elements::Balls => Geometry::Ball(balls(table, known, &mut rows)?),
+        Elements::Rollers => Geometry::CylindricalRoller(rollers(table, known, &mut rows)?),
+    };
+    geometry
+        .check()
+        .map_err(|error| table.error_here(error.to_string()))?;
+    Ok(Inside {
+        geometry,
+        entry,
+        rows: rows.0,
+    })
+}
+
+/// The bearing of a designation, of the kind that the file says.
+fn find(table: &Table<'_>, given: &str, elements: Elements) -> Result<Entry, InputError> {
+    let entry = catalogue::find(given).map_err(|error| {
+        let near = error.nearest.join(", ");
+        table
+            .error("designation", format!("no bearing `{given}` in the catalogue"))
+            .with_help(format!(
+                "the nearest ones are {near}; a bearing that is not in it is described by its dimensions"
+            ))
+    })?;
+    let kind = match entry.internal {
+        Some(Internal::Ball { .. }) => Some(Elements::Balls),
+        Some(Internal::Cylindrical { .. }) => Some(Elements::Rollers),
+        None => None,
+    };
+    match kind {
+        Some(kind) if kind == elements => Ok(entry),
+        Some(_) => {
+            let (own, other) = match elements {
+                Elements::Balls => ("cylindrical rollers", "roller-bearing"),
+                Elements::Rollers => ("balls", "ball-bearing"),
+            };
+            Err(table
+                .error("designation", format!("{given} has {own}"))
+                .with_help(format!("use kind = \"{other}\"")))
+        }
+        None => Err(table
+            .error(
+                "designation",
+                format!("{given} is a tapered roller bearing, whose inside has no model here"),
+            )
+            .with_help("deep groove and angular contact ball bearings and cylindrical roller bearings have one")),
+    }
+}
+
+/// How a value is known, in words.
+fn origin(origin: Origin) -> String {
+    match origin {
+        Origin::Published(source) => format!("published: {source}"),
+        Origin::Estimated(rule) => format!("estimated: {rule}"),
+        Origin::Given => "given".to_owned(),
+    }
+}
+
+/// A length of the file, or else that of the catalogue.
+fn length_or(
+    table: &mut Table<'_>,
+    key: &str,
+    known: Option<Sourced<f64>>,
+) -> Result<Sourced<f64>, InputError> {
+    let given = table.optional_quantity(key, Dimension::LENGTH, RADIUS)?;
+    match (given, known) {
+        (Some(given), _) => Ok(Sourced::given(given)),
+        (None, Some(known)) => Ok(known),
+        (None, None) => required_length(table, key).map(Sourced::given),
+    }
+}
+
+/// The number of elements, likewise.
+fn number_or(
+    table: &mut Table<'_>,
+    key: &str,
+    known: Option<Sourced<usize>>,
+) -> Result<Sourced<usize>, InputError> {
+    match (table.contains(key), known) {
+        (false, Some(known)) => Ok(known),
+        _ => Ok(Sourced::given(
+            table.required_integer(key, 3..=1000)? as usize
+        )),
+    }
+}
+
+fn balls(
+    table: &mut Table<'_>,
+    known: Option<Internal>,
+    rows: &mut Rows,
+) -> Result<BallGeometry, InputError> {
+    let (mut d, mut pitch, mut number, mut groove, mut play) = (None, None, None, None, None);
+    if let Some(Internal::Ball {
+        ball_diameter,
+        pitch_diameter,
+        number: n,
+        groove: f,
+        play: p,
+    }) = known
+    {
+        (d, pitch, number) = (Some(ball_diameter), Some(pitch_diameter), Some(n));
+        (groove, play) = (Some(f), Some(p));
+    }
+    let ball_diameter = length_or(table, "ball_diameter", d)?;
+    let pitch_diameter = length_or(table, "pitch_diameter", pitch)?;
+    let number = number_or(table, "balls", number)?;
+    let mut curvature = |k: usize, key: &str| -> Result<Sourced<f64>, InputError> {
+        let known = groove.map(|f| Sourced {
+            value: f.value[k],
+            origin: f.origin,
+        });
+        match (table.optional_number(key, CURVATURE)?, known) {
+            (Some(given), _) => Ok(Sourced::given(given)),
+            (None, Some(known)) => Ok(known),
+            (None, None) => Err(table
+                .missing(key)
+                .with_help("the radius of the groove over the diameter of the ball, such as 0.52")),
+        }
+    };
+    let grooves = [
+        curvature(0, "inner_groove_curvature")?,
+        curvature(1, "outer_groove_curvature")?,
+    ];
+    let play = read_play(table, play)?;
+    let told = |value: String, how: Origin| format!("{value} ({})", origin(how));
+    rows.text(
+        "ball diameter D",
+        told(length(ball_diameter.value), ball_diameter.origin),
+    );
+    rows.text(
+        "pitch diameter d_m",
+        told(length(pitch_diameter.value), pitch_diameter.origin),
+    );
+    rows.text("balls Z", told(number.value.to_string(), number.origin));
+    for (name, f) in ["inner", "outer"].iter().zip(&grooves) {
+        let name = format!("{name} groove radius over D");
+        rows.text(&name, told(digits(f.value, 4), f.origin));
+    }
+    let geometry = BallGeometry {
+        ball_diameter: ball_diameter.value,
+        pitch_diameter: pitch_diameter.value,
+        number: number.value,
+        groove: grooves.map(|f| f.value),
+        play: play.value,
+    };
+    let clearance = format!("{} µm", digits(1e6 * geometry.clearance(), 4));
+    rows.text("radial clearance", told(clearance, play.origin));
+    let angle = digits(geometry.free_angle().to_degrees(), 4);
+    rows.text("contact angle without load", format!("{angle} deg"));
+    Ok(geometry)
+}
+
+/// `radial_clearance` or `contact_angle`.
+fn read_play(
+    table: &mut Table<'_>,
+    known: Option<Sourced<Play>>,
+) -> Result<Sourced<Play>, InputError> {
+    let angle = table.optional_quantity("contact_angle", Dimension::ANGLE, ANGLE)?;
+    let clearance = table.optional_quantity("radial_clearance", Dimension::LENGTH, CLEARANCE)?;
+    match (angle, clearance, known) {
+        (Some(_), Some(_), _) => Err(table.error(
+            "radial_clearance",
+            "`contact_angle` and `radial_clearance` say the same thing twice; keep one of them",
+        )),
+        (Some(angle), None, _) => Ok(Sourced::given(Play::FreeAngle(angle))),
+        (None, Some(clearance), _) => Ok(Sourced::given(Play::Clearance(clearance))),
+        (None, None, Some(known)) => Ok(known),
+        (None, None, None) => Err(table.missing("radial_clearance").with_help(
+            "the radial internal clearance, such as \"10 um\", or `contact_angle`, the contact angle without load",
+        )),
+    }
+}
+
+fn rollers(
+    table: &mut Table<'_>,
+    known: Option<Internal>,
+    rows: &mut Rows,
+) -> Result<RollerGeometry, InputError> {
+    let (mut d, mut l, mut pitch, mut number) = (None, None, None, None);
+    let (mut gap, mut profile) = (None, Sourced::given(RollerProfile::Cylinder));
+    if let Some(Internal::Cylindrical {
+        roller_diameter,
+        length,
+        pitch_diameter,
+        number: n,
+        clearance,
+        profile: p,
+    }) = known
+    {
+        (d, l, pitch) = (Some(roller_diameter), Some(length), Some(pitch_diameter));
+        (number, gap, profile) = (Some(n), Some(clearance), p);
+    }
+    let roller_diameter = length_or(table, "roller_diameter", d)?;
+    let roller_length = length_or(table, "roller_length", l)?;
+    let pitch_diameter = length_or(table, "pitch_diameter", pitch)?;
+    let number = number_or(table, "rollers", number)?;
+    let given = table.optional_quantity("radial_clearance", Dimension::LENGTH, CLEARANCE)?;
+    let clearance = match (given, gap) {
+        (Some(given), _) => Sourced::given(given),
+        (None, Some(known)) => known,
+        (None, None) => return Err(table.missing("radial_clearance")),
+    };
+    if let Some(chosen) = table.optional_choice(
+        "roller_profile",
+        &[
+            ("cylinder", RollerProfile::Cylinder),
+            ("logarithmic", RollerProfile::Logarithmic),
+        ],
+    )? {
+        profile = Sourced::given(chosen);
+    }
+    let told = |value: String, how: Origin| format!("{value} ({})", origin(how));
+    rows.text(
+        "roller diameter D",
+        told(length(roller_diameter.value), roller_diameter.origin),
+    );
+    rows.text(
+        "roller length L",
+        told(length(roller_length.value), roller_length.origin),
+    );
+    rows.text(
+        "pitch diameter d_m",
+        told(length(pitch_diameter.value), pitch_diameter.origin),
+    );
+    rows.text("rollers Z", told(number.value.to_string(), number.origin));
+    let gap = format!("{} µm", digits(1e6 * clearance.value, 4));
+    rows.text("radial clearance", told(gap, clearance.origin));
+    let shape = match profile.value {
+        RollerProfile::Cylinder => "a cylinder",
+        RollerProfile::Crown(_) => "crowned",
+        RollerProfile::Logarithmic => "logarithmic (ISO/TS 16281)",
+    };
+    rows.text("profile", told(shape.to_owned(), profile.origin));
+    Ok(RollerGeometry {
+        roller_diameter: roller_diameter.value,
+        length: roller_length.value,
+        pitch_diameter: pitch_diameter.value,
+        number: number.value,
+        clearance: clearance.value,
+        profile: profile.value,
+    })
+}
