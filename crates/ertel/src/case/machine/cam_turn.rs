@@ -109,7 +109,7 @@ pub(super) fn read(
             .at(&operation, angle)
             .map_err(|error| refused(table, &error))?;
         check_undercut(table, &[point])?;
-        return single(table, &told, &point, load_key, None);
+        return single(table, &told, &point, load_key, None, Vec::new());
     }
     let turn = cam
         .turn(&operation, points)
@@ -125,7 +125,7 @@ pub(super) fn read(
             "no contact of the turn can be solved: the follower leaves the cam everywhere, or pressures are out of range",
         ));
     };
-    let warnings = unsolved(&turn, &contacts, &reversals);
+    let (reversing, warnings) = unsolved(&turn, &contacts, &reversals);
     let title = format!(
         "cam on {follower_words}, base radius {}",
         length(base_radius)
@@ -145,7 +145,7 @@ pub(super) fn read(
         is_line: true,
         folders,
     };
-    let machine = single(table, &told, &point, load_key, Some(whole))?;
+    let machine = single(table, &told, &point, load_key, Some(whole), reversing)?;
     Ok(Machine {
         warnings,
         ..machine
@@ -295,6 +295,7 @@ fn single(
     point: &CamPoint,
     load_key: &'static str,
     whole: Option<WholeMachine>,
+    of_turn: Vec<(&str, String)>,
 ) -> Result<Machine, InputError> {
     let Some(contact) = point.line_contact() else {
         return Err(table
@@ -322,6 +323,9 @@ fn single(
     if let Some(whole) = &whole {
         let name = whole.contacts[whole.governing].name.clone();
         rows.text("governing contact", name);
+    }
+    for (name, text) in of_turn {
+        rows.text(name, text);
     }
     rows.number("angle θ", point.angle.to_degrees(), "deg");
     rows.number("lift s", 1e3 * point.lift, "mm");
@@ -401,31 +405,31 @@ fn heaviest(contacts: &[MachineContact]) -> Option<usize> {
     })
 }
 
-/// Says where nothing is solved, and why.
-fn unsolved(turn: &[CamPoint], contacts: &[MachineContact], reversals: &[f64]) -> Vec<Warning> {
+/// Says where the entrainment reverses, in rows of the report, and where nothing is solved, and why.
+fn unsolved(
+    turn: &[CamPoint],
+    contacts: &[MachineContact],
+    reversals: &[f64],
+) -> (Vec<(&'static str, String)>, Vec<Warning>) {
     let is_unsolved = |point: &CamPoint| {
         let found = turn.iter().position(|other| other.angle == point.angle);
         found.is_some_and(|i| contacts[i].like.is_none())
     };
-    let mut warnings = Vec::new();
-    let mut warn = |text: String| warnings.push(Warning::new(WarningKind::Other, text));
+    let mut rows = Vec::new();
     if !reversals.is_empty() {
         let at: Vec<String> = reversals
             .iter()
             .map(|angle| digits(angle.to_degrees(), 4))
             .collect();
-        let slow = ranges(turn, |point| {
-            is_unsolved(point) && is_contact(point)
-        });
-        let left = match slow.is_empty() {
-            true => String::new(),
-            false => format!("; contacts too slow for a film of their own are not solved: {slow}"),
-        };
-        warn(format!(
-            "the entrainment reverses at {} deg, where the film is what squeeze leaves of it, and steady solutions nearby are thinner{left}",
-            at.join(", ")
-        ));
+        rows.push(("entrainment reverses", format!("at {} deg", at.join(", "))));
     }
+    let slow = ranges(turn, |point| is_unsolved(point) && is_contact(point));
+    if !slow.is_empty() {
+        let text = format!("{slow}: there the film is what squeeze leaves of it");
+        rows.push(("too slow for a steady film, not solved", text));
+    }
+    let mut warnings = Vec::new();
+    let mut warn = |text: String| warnings.push(Warning::new(WarningKind::Other, text));
     let lost = ranges(turn, |point| point.contact_lost);
     if !lost.is_empty() {
         warn(format!("the follower leaves the cam: {lost}"));
@@ -438,7 +442,7 @@ fn unsolved(turn: &[CamPoint], contacts: &[MachineContact], reversals: &[f64]) -
             "not solved, as Hertz theory does not cover these radii, or pressures are outside 1 kPa to 5 GPa: {others}"
         ));
     }
-    warnings
+    (rows, warnings)
 }
 
 /// The angles of consecutive points with a property, in words: `12 to 16 deg, 90 deg`.

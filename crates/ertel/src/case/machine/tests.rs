@@ -9,6 +9,8 @@ use crate::case::Case;
 
 mod bad;
 mod helical;
+mod path;
+mod turn;
 use bad::refused;
 
 const REST: &str = r#"
