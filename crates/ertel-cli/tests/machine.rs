@@ -49,7 +49,13 @@ fn every_machine_is_estimated_and_checked() {
         // Radii and pressures of the program that the path of these gears is tested against.
         (
             "fzg-c",
-            &["C, pitch point", "91.5 mm", "22.4388 deg", "8.382 mm", "1.437"],
+            &[
+                "C, pitch point",
+                "91.5 mm",
+                "22.4388 deg",
+                "8.382 mm",
+                "1.437",
+            ],
         ),
         ("cam-turn", &["flat follower", "16 mm", "104.72 rad/s"]),
         ("bearing-6206", &[]),

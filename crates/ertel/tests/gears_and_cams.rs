@@ -71,7 +71,12 @@ fn value(found: &MachineFigures, name: &str) -> f64 {
 }
 
 fn figure(solved: &MachineSolution, contact: usize, figure: Figure) -> f64 {
-    solved.solution(contact).unwrap().figure(figure).unwrap().value
+    solved
+        .solution(contact)
+        .unwrap()
+        .figure(figure)
+        .unwrap()
+        .value
 }
 
 /// Losses by a sum of 20 000 parts with the shares 1/3 to 2/3 and 1; the flash temperature of fast bodies by the formula of ISO/TS 6336-20 with its factor 1.11.
@@ -129,8 +134,16 @@ fn a_short_path_of_gears() {
         let mean = 0.5 * omega * (one + two / 1.5);
         rolling += between(&resistance, s) * mean * 14e-3 * step;
     }
-    assert_relative_eq!(value(&found, "friction_power_rolling"), rolling, max_relative = 2e-3);
-    assert_relative_eq!(value(&found, "friction_power_sliding"), sliding, max_relative = 2e-3);
+    assert_relative_eq!(
+        value(&found, "friction_power_rolling"),
+        rolling,
+        max_relative = 2e-3
+    );
+    assert_relative_eq!(
+        value(&found, "friction_power_sliding"),
+        sliding,
+        max_relative = 2e-3
+    );
     assert_relative_eq!(
         value(&found, "friction_coefficient_mean"),
         sliding / weight,
@@ -139,7 +152,11 @@ fn a_short_path_of_gears() {
     let total = value(&found, "friction_power");
     assert_relative_eq!(total, sliding + rolling, max_relative = 2e-3);
     let efficiency = 1.0 - total / (40.0 * omega);
-    assert_relative_eq!(value(&found, "mesh_efficiency"), efficiency, max_relative = 1e-9);
+    assert_relative_eq!(
+        value(&found, "mesh_efficiency"),
+        efficiency,
+        max_relative = 1e-9
+    );
     assert!(efficiency > 0.97 && efficiency < 0.9999, "{efficiency}");
 
     let steel = |body: &ertel::case::Body| {
@@ -157,9 +174,17 @@ fn a_short_path_of_gears() {
     });
     let flash = flashes.fold(0.0, f64::max);
     // The norm's formula is that of infinite Péclet numbers.
-    assert_relative_eq!(value(&found, "flash_temperature"), flash, max_relative = 0.05);
+    assert_relative_eq!(
+        value(&found, "flash_temperature"),
+        flash,
+        max_relative = 0.05
+    );
     let hottest = value(&found, "contact_temperature");
-    assert_relative_eq!(hottest, 373.15 + value(&found, "flash_temperature"), max_relative = 1e-9);
+    assert_relative_eq!(
+        hottest,
+        373.15 + value(&found, "flash_temperature"),
+        max_relative = 1e-9
+    );
     // Oil at 90 °C, teeth at 100 °C, scuffing at 300 °C.
     assert_relative_eq!(
         value(&found, "scuffing_safety"),
@@ -169,12 +194,24 @@ fn a_short_path_of_gears() {
     let thinnest = (0..5).map(|i| figure(&solved, i, Figure::FilmMinimum));
     let thinnest = thinnest.fold(f64::INFINITY, f64::min);
     let lambda = thinnest / 0.4e-6;
-    assert_relative_eq!(value(&found, "specific_film_minimum"), lambda, max_relative = 1e-9);
-    assert_relative_eq!(value(&found, "micropitting_safety"), lambda / 0.2, max_relative = 1e-9);
+    assert_relative_eq!(
+        value(&found, "specific_film_minimum"),
+        lambda,
+        max_relative = 1e-9
+    );
+    assert_relative_eq!(
+        value(&found, "micropitting_safety"),
+        lambda / 0.2,
+        max_relative = 1e-9
+    );
     // GEARpie has H_V = 0.1950 of C14 after Ohlendorf.
     assert!((value(&found, "loss_factor_ohlendorf") - 0.1950).abs() < 6e-5);
     assert!(found.find("friction_coefficient_schlenk").is_some());
-    let highest = gears.path.iter().map(|p| p.hertz_pressure).fold(0.0, f64::max);
+    let highest = gears
+        .path
+        .iter()
+        .map(|p| p.hertz_pressure)
+        .fold(0.0, f64::max);
     assert_eq!(value(&found, "hertz_pressure_maximum"), highest);
 }
 
@@ -189,12 +226,20 @@ fn a_turn_of_a_cam() {
         .sum();
     assert_relative_eq!(value(&found, "friction_power"), power, max_relative = 1e-9);
     let omega = 1500.0 * std::f64::consts::TAU / 60.0;
-    assert_relative_eq!(value(&found, "friction_torque"), power / omega, max_relative = 1e-9);
+    assert_relative_eq!(
+        value(&found, "friction_torque"),
+        power / omega,
+        max_relative = 1e-9
+    );
     // F e of a disc beside its centre, at 90°.
     assert_relative_eq!(value(&found, "torque_maximum"), 2.0, max_relative = 1e-9);
     let films = (0..4).map(|i| figure(&solved, i, Figure::FilmMinimum));
     let thinnest = films.fold(f64::INFINITY, f64::min);
-    assert_relative_eq!(value(&found, "film_minimum"), thinnest, max_relative = 1e-12);
+    assert_relative_eq!(
+        value(&found, "film_minimum"),
+        thinnest,
+        max_relative = 1e-12
+    );
     // u_m = (ω/2)(r_b − e cos θ) is least at 0°, the nose.
     assert_eq!(value(&found, "film_minimum_angle"), 0.0);
 }

@@ -273,12 +273,8 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
         resistance.push((at.position, rubbing.resistance));
     }
     let (coefficient, resistance) = (Curve::new(coefficient)?, Curve::new(resistance)?);
-    let sum = |of: &dyn Fn(&PathPoint) -> f64| {
-        gears
-            .pair
-            .loss(&gears.operation, gears.sharing, of)
-            .ok()
-    };
+    let sum =
+        |of: &dyn Fn(&PathPoint) -> f64| gears.pair.loss(&gears.operation, gears.sharing, of).ok();
     let sliding = sum(&|p| coefficient.at(p.position))?;
     let sliding_bar = sum(&|p| coefficient.bar_at(p.position))?.power;
     // The sum is over µ w |u_2 − u_1|: what is not sliding is divided by it.
@@ -406,7 +402,9 @@ fn temperatures(
     let blok = "flash temperature: Blok 1937, from the solved friction, at the smooth-surface pressure of Hertz";
     let at_bulk = match gears.limits.bulk_temperature {
         Some(_) => "contact temperature: the bulk temperature given, and the flash temperature",
-        None => "contact temperature: no `bulk_temperature` is given, and that of the lubricant is taken; teeth are hotter",
+        None => {
+            "contact temperature: no `bulk_temperature` is given, and that of the lubricant is taken; teeth are hotter"
+        }
     };
     let temperature = Section::Temperature;
     let mut figures = vec![
@@ -465,12 +463,7 @@ fn specific_film(
         return Vec::new();
     };
     let films: Vec<(f64, Estimate)> = (gears.path.iter().enumerate())
-        .filter_map(|(i, at)| {
-            Some((
-                at.position,
-                figure_of(solved.of(i)?, Figure::FilmMinimum)?,
-            ))
-        })
+        .filter_map(|(i, at)| Some((at.position, figure_of(solved.of(i)?, Figure::FilmMinimum)?)))
         .collect();
     let values: Vec<f64> = films.iter().map(|(_, film)| film.value).collect();
     let limit = gears.limits.permissible_lambda;
@@ -495,7 +488,9 @@ fn specific_film(
         "smallest specific film λ_GF",
         found.specific_film,
         match source {
-            RoughnessFrom::Gears => "λ_GF = h/Ra, Ra = (Ra_1 + Ra_2)/2, of the smallest solved film: ISO/TS 6336-22",
+            RoughnessFrom::Gears => {
+                "λ_GF = h/Ra, Ra = (Ra_1 + Ra_2)/2, of the smallest solved film: ISO/TS 6336-22"
+            }
             RoughnessFrom::Composite => {
                 "λ_GF = h/Ra of the smallest solved film: ISO/TS 6336-22; Ra = σ/(1.25 √2) of surfaces alike"
             }

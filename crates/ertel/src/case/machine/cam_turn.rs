@@ -92,7 +92,9 @@ pub(super) fn read(
             table
                 .required_quantity("angle", Dimension::ANGLE, ANGLE)
                 .map_err(|error| {
-                    error.with_help("`angle` is that of one contact, or \"turn\" for all over a turn")
+                    error.with_help(
+                        "`angle` is that of one contact, or \"turn\" for all over a turn",
+                    )
                 })?,
         ),
     };

@@ -62,7 +62,9 @@ const KINDS: [(&str, MachineKind); 7] = [
 
 /// Reads `kind`.
 fn kind(table: &mut Table<'_>) -> Result<MachineKind, InputError> {
-    let text = table.optional_str("kind")?.map(|text| text.replace('_', "-"));
+    let text = table
+        .optional_str("kind")?
+        .map(|text| text.replace('_', "-"));
     match KINDS.iter().find(|(name, _)| text.as_deref() == Some(name)) {
         Some((_, kind)) => Ok(*kind),
         None => table.required_choice("kind", &KINDS),

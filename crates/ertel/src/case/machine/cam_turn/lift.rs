@@ -141,7 +141,9 @@ fn of_parts(
                     digits((TURN - rest).to_degrees(), 6)
                 ),
             )
-            .with_help("they must leave something of 360 deg, or nothing: the rest is the base circle"));
+            .with_help(
+                "they must leave something of 360 deg, or nothing: the rest is the base circle",
+            ));
     }
     let mut segments = vec![Segment::Move {
         angle: rise.angle,
@@ -168,7 +170,8 @@ fn of_parts(
         degrees(dwell),
         degrees(angle)
     );
-    let law = LiftLaw::segments(segments).map_err(|error| table.error("rise", error.to_string()))?;
+    let law =
+        LiftLaw::segments(segments).map_err(|error| table.error("rise", error.to_string()))?;
     Ok((law, words))
 }
 
@@ -190,9 +193,9 @@ fn of_table(
     LiftLaw::smooth_table(&angles, &lifts, tolerance).map_err(|error| {
         let told = table.error("lift_table", error.to_string());
         match error {
-            CamError::TableOrder { .. } => {
-                told.with_help("one turn, its first row not once more at 360 deg unless the lift is the same")
-            }
+            CamError::TableOrder { .. } => told.with_help(
+                "one turn, its first row not once more at 360 deg unless the lift is the same",
+            ),
             _ => told,
         }
     })

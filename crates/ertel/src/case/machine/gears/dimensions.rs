@@ -10,8 +10,8 @@ use ertel_machines::gear::{
 };
 use ertel_quantity::Dimension;
 
-use crate::case::contact::RADIUS;
 use super::Teeth;
+use crate::case::contact::RADIUS;
 use crate::warning::{Warning, WarningKind};
 use crate::words::length;
 
@@ -223,8 +223,7 @@ fn tip(
     reference: f64,
     sign: f64,
 ) -> Result<Option<f64>, InputError> {
-    let addendum =
-        table.optional_quantity(ADDENDA[gear], Dimension::LENGTH, Bounds::POSITIVE)?;
+    let addendum = table.optional_quantity(ADDENDA[gear], Dimension::LENGTH, Bounds::POSITIVE)?;
     let diameter = table.optional_quantity(TIPS[gear], Dimension::LENGTH, RADIUS)?;
     match (addendum, diameter) {
         (Some(_), Some(_)) => Err(table.error(
@@ -262,14 +261,16 @@ fn shifts(
 
 /// Face widths, m.
 fn widths(table: &mut Table<'_>, base: Option<&GearDimensions>) -> Result<[f64; 2], InputError> {
-    let [pinion, wheel] =
-        WIDTHS.map(|key| table.optional_quantity(key, Dimension::LENGTH, RADIUS));
+    let [pinion, wheel] = WIDTHS.map(|key| table.optional_quantity(key, Dimension::LENGTH, RADIUS));
     let own = [pinion?, wheel?];
     let common = table.optional_quantity("face_width", Dimension::LENGTH, RADIUS)?;
     if let (Some(_), Some(i)) = (common, own.iter().position(Option::is_some)) {
         return Err(table.error(
             WIDTHS[i],
-            format!("`face_width` is that of both gears, and `{}` is given, too", WIDTHS[i]),
+            format!(
+                "`face_width` is that of both gears, and `{}` is given, too",
+                WIDTHS[i]
+            ),
         ));
     }
     let mut widths = [0.0; 2];

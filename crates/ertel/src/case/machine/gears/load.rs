@@ -4,8 +4,8 @@ use ertel_input::{Bounds, InputError, Table};
 use ertel_machines::gear::{GearError, GearPair, LoadSharing, Operation, ToothStiffness};
 use ertel_quantity::Dimension;
 
-use crate::case::contact::RADIUS;
 use super::Teeth;
+use crate::case::contact::RADIUS;
 use crate::warning::{Warning, WarningKind};
 use crate::words::length;
 
@@ -92,7 +92,9 @@ pub(super) fn name(law: LoadSharing) -> &'static str {
         LoadSharing::Uniform => "even over all contact lines of the moment",
         LoadSharing::Thirds => "1/3 to 2/3 with two pairs, 1 with one: ISO/TR 15144-1",
         LoadSharing::MeanLength { .. } => "over the mean length of the contact lines: ISO 6336-2",
-        LoadSharing::Stiffness(ToothStiffness::Given(_)) => "by the stiffness of the teeth as given",
+        LoadSharing::Stiffness(ToothStiffness::Given(_)) => {
+            "by the stiffness of the teeth as given"
+        }
         LoadSharing::Stiffness(ToothStiffness::Iso6336 { .. }) => {
             "by the stiffness of the teeth of ISO 6336-1"
         }

@@ -219,10 +219,7 @@ fn tell(
         let [one, two] = pair.tip_radii.map(|r| format!("{:.3}", 2e3 * r.abs()));
         rows.text("tip diameters", format!("{one} mm, {two} mm"));
     }
-    rows.text(
-        "path of contact",
-        interval([pair.points.a, pair.points.e]),
-    );
+    rows.text("path of contact", interval([pair.points.a, pair.points.e]));
     rows.number(names.contact_ratio, pair.contact_ratio, "");
     if kind == Teeth::Helical {
         rows.number("overlap ratio b sin β/(π m_n)", pair.overlap_ratio, "");

@@ -56,8 +56,7 @@ pub struct GearLimits {
 
 /// Reads them.
 pub(super) fn limits(table: &mut Table<'_>) -> Result<GearLimits, InputError> {
-    let bulk =
-        table.optional_quantity("bulk_temperature", Dimension::TEMPERATURE, TEMPERATURE)?;
+    let bulk = table.optional_quantity("bulk_temperature", Dimension::TEMPERATURE, TEMPERATURE)?;
     let scuffing =
         table.optional_quantity("scuffing_temperature", Dimension::TEMPERATURE, TEMPERATURE)?;
     let lambda = table.optional_number("permissible_lambda", LAMBDA)?;
@@ -124,7 +123,9 @@ pub(super) fn read(table: &mut Table<'_>, given: Given<'_>) -> Result<Machine, I
         .map_err(|error| load::refused(table, &error))?;
     let contacts = contacts(&path, given.sharing.is_none());
     let Some(governing) = governing(&path, &contacts) else {
-        return Err(table.error_here("no contact along the path can be solved: loads and radii are out of range"));
+        return Err(table.error_here(
+            "no contact along the path can be solved: loads and radii are out of range",
+        ));
     };
     let point = &path[governing];
     let contact = point.contact();
@@ -182,9 +183,7 @@ fn governing(path: &[PathPoint], contacts: &[MachineContact]) -> Option<usize> {
     let solved = || (0..path.len()).filter(|i| contacts[*i].like.is_some());
     let pitch = solved().find(|i| path[*i].label == Some(PathLabel::C));
     pitch.or_else(|| {
-        solved().max_by(|a, b| {
-            path[*a].hertz_pressure.total_cmp(&path[*b].hertz_pressure)
-        })
+        solved().max_by(|a, b| path[*a].hertz_pressure.total_cmp(&path[*b].hertz_pressure))
     })
 }
 

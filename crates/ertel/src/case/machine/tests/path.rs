@@ -169,7 +169,11 @@ fn templates_and_load_stages() {
     assert_relative_eq!(distance, 91.5e-3, max_relative = 1e-12);
     assert_eq!(width, 20e-3);
     let both = "pinion_profile_shift = 0.0\nwheel_profile_shift = 0.0\npoints";
-    assert_relative_eq!(torque(&FZG.replace("points", both)).2, 90e-3, max_relative = 1e-12);
+    assert_relative_eq!(
+        torque(&FZG.replace("points", both)).2,
+        90e-3,
+        max_relative = 1e-12
+    );
 }
 
 /// Pinion and wheel of 20 and 60 teeth inside, m = 4 mm: 13.68081 mm convex in 41.04242 mm concave is R = 20.52121 mm; both move at
@@ -179,7 +183,11 @@ fn an_internal_wheel() {
     let text = GEAR.replace("wheel_teeth = 40", "wheel_teeth = 60\ninternal = true");
     let case = read(&text).unwrap();
     assert_relative_eq!(case.contact.radius, 20.521_21e-3, max_relative = 1e-6);
-    assert_relative_eq!(case.motion.entrainment_speed, 2.148_976, max_relative = 1e-6);
+    assert_relative_eq!(
+        case.motion.entrainment_speed,
+        2.148_976,
+        max_relative = 1e-6
+    );
     assert!(case.motion.slide_to_roll_ratio.abs() < 1e-12);
     assert!(row(&case, "R_2").contains("concave"));
     let [wheel, pinion] = case.contact.body_curvatures.unwrap();
@@ -207,7 +215,10 @@ fn tip_diameters_in_place_of_addenda() {
         row(&addendum, "path of contact"),
         row(&diameter, "path of contact")
     );
-    assert_eq!(row(&diameter, "path of contact"), "from -10.117 mm to 12.836 mm");
+    assert_eq!(
+        row(&diameter, "path of contact"),
+        "from -10.117 mm to 12.836 mm"
+    );
 }
 
 /// Kinds may be written with underscores.
@@ -239,8 +250,14 @@ fn relief_takes_the_load_off_the_ends() {
     // Only stiffness knows of relief.
     let even = text.replace("\"stiffness\"", "\"uniform\"");
     let warned = read(&even).unwrap();
-    let told = warned.warnings.iter().filter(|w| w.kind == WarningKind::Gears);
-    assert!(told.map(|w| w.text.clone()).any(|text| text.contains("no effect")));
+    let told = warned
+        .warnings
+        .iter()
+        .filter(|w| w.kind == WarningKind::Gears);
+    assert!(
+        told.map(|w| w.text.clone())
+            .any(|text| text.contains("no effect"))
+    );
 }
 
 #[test]

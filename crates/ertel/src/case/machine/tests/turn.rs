@@ -43,13 +43,20 @@ fn contacts_of_a_turn() {
     let at = alone("40");
     assert_relative_eq!(at.contact.radius, 21.041_889_07e-3, max_relative = 1e-9);
     assert_relative_eq!(at.motion.body_2_speed(), 4.407_002_94, max_relative = 1e-8);
-    assert_relative_eq!(at.motion.body_1_speed(), 0.290_950_314_3, max_relative = 1e-8);
+    assert_relative_eq!(
+        at.motion.body_1_speed(),
+        0.290_950_314_3,
+        max_relative = 1e-8
+    );
     let [tappet, cam] = at.contact.body_curvatures.unwrap();
     assert_eq!(tappet[0], 0.0);
     assert_relative_eq!(1.0 / cam[0], 21.041_889_07e-3, max_relative = 1e-9);
     assert_relative_eq!(alone("90").contact.load, 27_909.0, max_relative = 1e-5);
     // The contact of the turn at 40° is the same, and those half a turn on are like it.
-    let place = whole(&case).contacts.iter().position(|c| c.name == "40 deg");
+    let place = whole(&case)
+        .contacts
+        .iter()
+        .position(|c| c.name == "40 deg");
     let place = place.unwrap();
     let contact = &whole(&case).contacts[place];
     assert_relative_eq!(contact.load, at.contact.load, max_relative = 1e-12);
@@ -67,7 +74,11 @@ fn contacts_of_a_turn() {
     let pressures = whole(&case).contacts.iter().map(|c| c.hertz_pressure);
     assert_eq!(pressures.fold(0.0, f64::max), governing.hertz_pressure);
     assert_eq!(row(&case, "governing contact"), governing.name);
-    assert_relative_eq!(case.hertz().pressure, governing.hertz_pressure, max_relative = 1e-9);
+    assert_relative_eq!(
+        case.hertz().pressure,
+        governing.hertz_pressure,
+        max_relative = 1e-9
+    );
 }
 
 /// With a lift of 8 mm, u_m = (ω/2)(r_b + h/2 + 3.5 h cos 2θ) vanishes at cos 2θ = −22/28, θ = 70.893°. Beyond, about the nose, x is turned.
@@ -109,8 +120,17 @@ fn the_follower_leaves_the_cam() {
     let nose = whole(&case).contacts.iter().find(|c| c.name == "90 deg");
     let nose = nose.unwrap();
     assert_eq!((nose.load, nose.like), (0.0, None));
-    assert!(case.warnings.iter().any(|w| w.text.contains("leaves the cam")));
-    refused(&text, "\"turn\"", "\"90 deg\"", &["the follower leaves the cam"]);
+    assert!(
+        case.warnings
+            .iter()
+            .any(|w| w.text.contains("leaves the cam"))
+    );
+    refused(
+        &text,
+        "\"turn\"",
+        "\"90 deg\"",
+        &["the follower leaves the cam"],
+    );
 }
 
 /// On the base circle all contacts are alike.
@@ -144,7 +164,10 @@ fn a_roller() {
     let text = CAM
         .replace("\"flat\"", "\"roller\"\nfollower_radius = \"10 mm\"")
         .replace("\"turn\"", "\"0 deg\"")
-        .replace("lobes = 2\n", "rise = { angle = \"60 deg\", law = \"3-4-5\" }\n");
+        .replace(
+            "lobes = 2\n",
+            "rise = { angle = \"60 deg\", law = \"3-4-5\" }\n",
+        );
     let case = read(&text).unwrap();
     assert_relative_eq!(case.contact.radius, 180.0e-3 / 28.0, max_relative = 1e-9);
     assert_relative_eq!(
@@ -171,7 +194,10 @@ fn tables_of_lifts() {
     std::fs::write(folder.join("plain.csv"), "angle,lift\n0,0\n").unwrap();
     let read_with = |file: &str| -> Result<Case, InputError> {
         let text = CAM
-            .replace("lift = \"4 mm\"\nlobes = 2", &format!("lift_table = \"{file}\""))
+            .replace(
+                "lift = \"4 mm\"\nlobes = 2",
+                &format!("lift_table = \"{file}\""),
+            )
             .replace("\"turn\"", "\"40 deg\"");
         let text = format!("[machine]{text}{REST}");
         Case::from_document(&Document::parse("machine.toml", text)?, &folder)
