@@ -130,6 +130,8 @@ cases/ball-on-disc.toml
 cases/machine/ball-on-disc.toml
     machine={ kind = "ball-on-disc", ball_radius = "10 mm", load = "20 N", entrainment_speed = "1 m/s", slide_to_roll_ratio = 0.0 }
     machine={ kind = "ball-on-disc", ball_radius = "10 mm", load = "20 N", body_1_speed = "1 m/s", body_2_speed = "1 m/s" }
+cases/machine/cam-turn.toml
+    machine={ kind = "cam", follower = "flat", base_radius = "16 mm", eccentricity = "4 mm", cam_speed = "100 rad/s", width = "14 mm", load = "200 N", angle = "40 deg" }
 cases/machine/roller-bearing.toml
     machine.profile={ kind = "crown", crown_radius = "1 m" }
     machine.profile={ kind = "crown", end_drop = "1 um" }

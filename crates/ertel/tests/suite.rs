@@ -15,6 +15,7 @@ mod fit_film_ellipses;
 mod fit_film_table;
 mod fit_laws;
 mod fit_walther;
+mod gears_and_cams;
 mod limiting_stress;
 mod machines;
 mod main_case;

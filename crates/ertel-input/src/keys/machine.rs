@@ -4,7 +4,7 @@ use ertel_quantity::Dimension as D;
 
 use super::Kind::{Choice, Count, Number, Quantity, QuantityOr, Switch, Table, Text};
 use super::case::PROFILE;
-use super::{ANGLE, FORCE, LENGTH, PRESSURE, ROTATION, SPEED};
+use super::{ANGLE, FORCE, LENGTH, PRESSURE, ROTATION, SPEED, TEMPERATURE};
 use super::{Row, rows};
 use crate::usual::{
     HERTZ_PRESSURE, LENGTHS, LIFT_ACCELERATION, LOAD, MODULES, RADII, ROTATIONS, SPEEDS, TORQUE,
@@ -13,7 +13,13 @@ use crate::usual::{
 /// Of thermal resistances.
 const PER_WATT: D = D::TEMPERATURE_DIFFERENCE.per(D::POWER);
 const RINGS: super::Kind = Choice(&["inner", "outer"]);
-const POSITION: super::Kind = QuantityOr(&["pitch point"]);
+const POSITION: super::Kind = QuantityOr(&["pitch point", "path"]);
+const CAM_ANGLE: super::Kind = QuantityOr(&["turn"]);
+const TEMPLATES: super::Kind = Choice(&[
+    "FZG-A", "FZG-C", "FZG-C14", "FZG-C40", "FZG-H501", "FZG-H701",
+]);
+const SHARING: super::Kind = Choice(&["uniform", "thirds", "mean-length", "stiffness", "beams"]);
+const LIFT_LAWS: super::Kind = Choice(&["3-4-5", "4-5-6-7", "cycloidal", "harmonic"]);
 
 /// The kinds of machines and the keys of each, without `kind`.
 pub static MACHINES: &[(&str, &[Row])] = &[
@@ -22,7 +28,8 @@ pub static MACHINES: &[(&str, &[Row])] = &[
     ("roller-bearing", ROLLER_BEARING),
     ("spur-gear", SPUR_GEAR),
     ("helical-gear", HELICAL_GEAR),
-    ("cam-and-flat-tappet", CAM),
+    ("cam-and-flat-tappet", CAM_AND_TAPPET),
+    ("cam", CAM),
 ];
 
 rows! {
@@ -111,11 +118,41 @@ rows! {
         face_width: LENGTH, usual [LENGTHS] => "b";
         pinion_torque: Quantity(&[D::ENERGY]), usual [TORQUE] => r#"T_1 (`"100 N.m"`), positive"#;
         pinion_speed: ROTATION, usual [ROTATIONS] => "ω_1, positive";
-        position: POSITION => r#"`"pitch point"`, or the distance s from it along the line of action, negative towards the pinion's root. A
-            position off the path of contact is an error, which shows the allowed interval"#;
-        load_share: Number => "share X of the load that this pair of teeth carries, above 0 and up to 1";
+        position: POSITION => r#"`"path"` for all contacts along the path of contact, `"pitch point"`, or the distance s from it along the line of
+            action, negative towards the pinion's root. A position off the path is an error, which shows the allowed interval"#;
+        load_share: Number => r"of a single contact: share X of the load that this pair of teeth carries, above 0 and up to 1; or
+            `load_sharing`";
         addendum_pinion, addendum_wheel: LENGTH => r"h_a, optional; the module if absent. Pointed teeth and contact ratios below 1 are errors;
             undercut is a warning";
+        template: TEMPLATES => "optional: test gears of the FZG rig; every other key takes the place of a dimension of theirs";
+        load_stage: Count => "stage of the FZG rig, 1 to 14, in place of `pinion_torque`; only with a template";
+        lever_arm: Choice(&["long", "short"]), default "long" => r#"of a load stage: `"long"` (0.5 m, ISO 14635-1) or `"short"` (0.35 m)"#;
+        pinion_profile_shift, wheel_profile_shift: Number => r"x_1 and x_2, optional; that of the pinion is 0 if absent, that of the wheel
+            follows from the centre distance, or is 0";
+        centre_distance: LENGTH, usual [LENGTHS] => "a_w, optional; that without backlash if absent";
+        pinion_tip_diameter, wheel_tip_diameter: LENGTH, usual [RADII] => r"d_a, optional, in place of the addenda; from the basic rack of ISO 53 if both are
+            absent";
+        pinion_root_diameter, wheel_root_diameter: LENGTH, usual [RADII] => "d_f, optional; from the basic rack if absent";
+        keep_tip_clearance: Switch => "tips from the basic rack are shortened so as to keep its clearance; optional";
+        internal: Switch => "whether the teeth of the wheel are inside; optional";
+        pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, in place of `face_width`";
+        tip_relief: LENGTH => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
+        pinion_tip_relief, wheel_tip_relief: LENGTH, aside "of one gear, in place of `tip_relief`";
+        tip_relief_length: LENGTH => "along the path of contact, from its ends";
+        tip_relief_shape: Choice(&["linear", "parabolic"]), default "linear" => "optional";
+        load_sharing: SHARING => r#"optional: how pairs of teeth share the load. `"uniform"`: evenly over the contact lines (default of a path);
+            `"thirds"`: 1/3 to 2/3 with two pairs (ISO/TR 15144-1); `"mean-length"`: over the mean length of the lines; `"stiffness"`: by that of
+            ISO 6336-1 or `tooth_stiffness`; `"beams"`: by the stiffness of teeth as beams"#;
+        tooth_stiffness: PRESSURE => "c' per face width (`\"14 GPa\"` is 14 N/(mm µm)); optional";
+        blank_factor: Number => "C_R of ISO 6336-1; optional, 1";
+        pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "of the rings that teeth as beams stand on";
+        points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
+        folders: Switch => "of a path: whether each contact has a folder of its results; optional";
+        bulk_temperature: TEMPERATURE => "of the teeth; optional, that of the lubricant";
+        scuffing_temperature: TEMPERATURE => "contact temperature at which teeth scuff with this oil; optional, for a safety";
+        permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
+        pinion_ra, wheel_ra: LENGTH => "roughness Ra of the flanks; optional, for specific films and models of friction";
+        oil_factor: Number => "X_L of models of friction; optional, 1 (mineral oils)";
     }
     HELICAL_GEAR {
         normal_module: LENGTH, usual [MODULES] => "m_n, in the section across the teeth";
@@ -125,11 +162,41 @@ rows! {
         face_width: LENGTH, usual [LENGTHS] => "b";
         pinion_torque: Quantity(&[D::ENERGY]), usual [TORQUE] => "T_1, positive";
         pinion_speed: ROTATION, usual [ROTATIONS] => "ω_1, positive";
-        position: POSITION => r#"`"pitch point"`, or the distance s from it along the line of action in a transverse section"#;
-        load_share: Number => "optional: X in w = X T_1/(r_b1 b); 1/ε_α if absent";
+        position: POSITION => r#"`"path"` for all contacts along the path of contact, `"pitch point"`, or the distance s from it along the line of
+            action in a transverse section"#;
+        load_share: Number => "of a single contact, optional: X in w = X T_1/(r_b1 b); `load_sharing` or 1/ε_α if absent";
         addendum_pinion, addendum_wheel: LENGTH => "h_a, optional; the normal module if absent";
+        template: TEMPLATES => "optional: test gears of the FZG rig; every other key takes the place of a dimension of theirs";
+        load_stage: Count => "stage of the FZG rig, 1 to 14, in place of `pinion_torque`; only with a template";
+        lever_arm: Choice(&["long", "short"]), default "long" => r#"of a load stage: `"long"` (0.5 m, ISO 14635-1) or `"short"` (0.35 m)"#;
+        pinion_profile_shift, wheel_profile_shift: Number => r"x_1 and x_2, optional; that of the pinion is 0 if absent, that of the wheel
+            follows from the centre distance, or is 0";
+        centre_distance: LENGTH, usual [LENGTHS] => "a_w, optional; that without backlash if absent";
+        pinion_tip_diameter, wheel_tip_diameter: LENGTH, usual [RADII] => r"d_a, optional, in place of the addenda; from the basic rack of ISO 53 if both are
+            absent";
+        pinion_root_diameter, wheel_root_diameter: LENGTH, usual [RADII] => "d_f, optional; from the basic rack if absent";
+        keep_tip_clearance: Switch => "tips from the basic rack are shortened so as to keep its clearance; optional";
+        internal: Switch => "whether the teeth of the wheel are inside; optional";
+        pinion_face_width, wheel_face_width: LENGTH, usual [LENGTHS], aside "of gears of two widths, in place of `face_width`";
+        tip_relief: LENGTH => "C_a of both gears, normal to the flank; optional. Load sharing by stiffness knows of it";
+        pinion_tip_relief, wheel_tip_relief: LENGTH, aside "of one gear, in place of `tip_relief`";
+        tip_relief_length: LENGTH => "along the path of contact, from its ends";
+        tip_relief_shape: Choice(&["linear", "parabolic"]), default "linear" => "optional";
+        load_sharing: SHARING => r#"optional: how pairs of teeth share the load. `"uniform"`: evenly over the contact lines (default of a path);
+            `"thirds"`: 1/3 to 2/3 with two pairs (ISO/TR 15144-1); `"mean-length"`: over the mean length of the lines; `"stiffness"`: by that of
+            ISO 6336-1 or `tooth_stiffness`; `"beams"`: by the stiffness of teeth as beams"#;
+        tooth_stiffness: PRESSURE => "c' per face width (`\"14 GPa\"` is 14 N/(mm µm)); optional";
+        blank_factor: Number => "C_R of ISO 6336-1; optional, 1";
+        pinion_bore_diameter, wheel_bore_diameter: LENGTH, usual [RADII] => "of the rings that teeth as beams stand on";
+        points: Count => "equally spaced points of a path, with B, C and D besides; optional, 30";
+        folders: Switch => "of a path: whether each contact has a folder of its results; optional";
+        bulk_temperature: TEMPERATURE => "of the teeth; optional, that of the lubricant";
+        scuffing_temperature: TEMPERATURE => "contact temperature at which teeth scuff with this oil; optional, for a safety";
+        permissible_lambda: Number => "specific film λ_GFP without micropitting; optional, for a safety";
+        pinion_ra, wheel_ra: LENGTH => "roughness Ra of the flanks; optional, for specific films and models of friction";
+        oil_factor: Number => "X_L of models of friction; optional, 1 (mineral oils)";
     }
-    CAM {
+    CAM_AND_TAPPET {
         base_radius: LENGTH, usual [RADII] => "radius r_b of the base circle";
         lift: LENGTH => "s(θ)";
         lift_acceleration: LENGTH, usual [LIFT_ACCELERATION] => "s'' = d²s/dθ², a length, with θ in rad; negative about the nose";
@@ -137,5 +204,36 @@ rows! {
         width: LENGTH, usual [LENGTHS] => "width b of the contact";
         load: FORCE, usual [LOAD] => "load F; or `hertz_pressure`";
         hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, in place of the load";
+    }
+    CAM {
+        base_radius: LENGTH, usual [RADII] => "radius r_b of the base circle";
+        lift: LENGTH => "full lift of `rise` or `lobes`";
+        rise: Table(PART) => "the rise from θ = 0 on: `angle` and `law`";
+        top_dwell: ANGLE => "angle at full lift; optional, 0";
+        return: Table(PART) => "the return; optional, as the rise. The rest of the turn is the base circle";
+        lobes: Count => "in place of `rise`: harmonic lobes, s = (h/2)(1 − cos nθ)";
+        lift_table: Text => "in place of these: a CSV table with the columns `angle` and `lift`, each with its unit";
+        lift_tolerance: LENGTH => "by which the lifts of a table may be smoothed, as they are rounded; optional";
+        eccentricity: LENGTH => "in place of these: a disc on an axis beside its centre, s = e cos θ";
+        follower: Choice(&["flat", "roller", "curved", "finger"]) => "kind of the follower";
+        follower_radius: LENGTH, usual [RADII] => "of a roller, a curved face, or the face of a finger";
+        follower_offset: LENGTH => "of the path of a roller or a curved face from the axis of the cam; optional, 0";
+        roller_slip: Number => "1 − u_1/u_2, optional: 0 of a roller; a finger with this key has a roller";
+        pivot_x, pivot_y: LENGTH => "place of the pivot of a finger from the axis of the cam; the follower is at larger y";
+        arm_length: LENGTH, usual [LENGTHS] => "from the pivot of a finger to the centre of its face";
+        cam_speed: ROTATION, usual [ROTATIONS] => "ω, of either sign";
+        width: LENGTH, usual [LENGTHS] => "width b of the contact";
+        spring_rate: Quantity(&[D::FORCE_PER_LENGTH]) => "c, optional";
+        preload: FORCE, usual [LOAD] => "force of the spring at s = 0";
+        moving_mass: Quantity(&[D::MASS]) => "of the follower and what moves with it; optional";
+        extra_force: FORCE => "other force towards the cam; optional";
+        load: FORCE, usual [LOAD] => "in place of these: a force at all angles";
+        angle: CAM_ANGLE => r#"`"turn"` for all contacts over a turn, or the angle θ of one"#;
+        points: Count => "equal steps of a turn; optional, 90";
+        folders: Switch => "of a turn: whether each contact has a folder of its results; optional";
+    }
+    PART {
+        angle: ANGLE => "angle of the cam that it takes";
+        law: LIFT_LAWS => "";
     }
 }

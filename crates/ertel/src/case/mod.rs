@@ -82,8 +82,8 @@ use geometry::Geometry;
 pub use inputs::Origin;
 pub use lubricant::Lubricant;
 pub use machine::{
-    BearingMechanics, Contamination, LifeInputs, MachineAxis, MachineContact, MachineContacts,
-    Mechanics, RINGS, WholeMachine,
+    BearingMechanics, CamMechanics, Contamination, GearLimits, GearMechanics, LifeInputs,
+    MachineAxis, MachineContact, MachineContacts, Mechanics, RINGS, WholeMachine,
 };
 pub use params::{read_mesh, read_solver};
 pub use study::Study;
@@ -229,6 +229,7 @@ impl Case {
         let steel = machine::Steel {
             reduced_modulus: modulus,
             density: body_2.density,
+            materials: [body_1.elasticity, body_2.elasticity],
         };
         let Geometry {
             contact,

@@ -25,7 +25,10 @@ const STEEP: f64 = 27.5;
 
 /// The nominal contact angle that ratings take, rad: that of the series; else 0 of deep groove ball bearings, whose free angle comes from their clearance.
 fn nominal_angle(mechanics: &BearingMechanics, geometry: &BallGeometry) -> f64 {
-    let series = mechanics.entry.as_ref().map(|entry| entry.designation.series);
+    let series = mechanics
+        .entry
+        .as_ref()
+        .map(|entry| entry.designation.series);
     let of_series = series.and_then(Series::nominal_angle);
     of_series.unwrap_or(match geometry.play {
         Play::FreeAngle(angle) => angle,

@@ -1,6 +1,9 @@
 //! Figures of whole machines: from the solutions of their contacts to friction, heat, safety and life.
 
 mod bearing;
+mod cam;
+mod curve;
+mod gears;
 mod life;
 mod slip;
 
@@ -91,6 +94,8 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
         Mechanics::Bearing(bearing) => {
             all.extend(bearing::figures(case, bearing, solved, &mut warnings));
         }
+        Mechanics::Gears(gears) => all.extend(gears::figures(case, gears, solved)),
+        Mechanics::Cam(cam) => all.extend(cam::figures(cam, solved)),
     }
     MachineFigures { all, warnings }
 }

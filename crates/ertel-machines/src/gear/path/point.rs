@@ -126,6 +126,24 @@ impl GearPair {
         Ok(self.places(params.points).into_iter().map(place).collect())
     }
 
+    /// The contact at the place s (m) from the pitch point, in the middle of the face.
+    ///
+    /// # Errors
+    ///
+    /// As [`GearPair::path`], and places off the path.
+    pub fn contact_at(
+        &self,
+        operation: &Operation,
+        sharing: LoadSharing,
+        s: f64,
+    ) -> Result<PathPoint, GearError> {
+        operation.check()?;
+        let inside = s >= self.points.a && s <= self.points.e;
+        in_range("place on the line of action", s, inside, "from A to E")?;
+        let sharing = Sharing::new(self, operation, sharing)?;
+        Ok(self.contact(operation, &sharing, s, 0.0, None))
+    }
+
     /// The contact at the place s (m) of the slice at y (m).
     pub(crate) fn contact(
         &self,

@@ -7,13 +7,15 @@ mod ball_bearing;
 mod ball_on_disc;
 mod bearing;
 mod cam;
+mod cam_turn;
 mod gears;
-mod involute;
 mod loaded_bearing;
 mod roller_bearing;
 mod spin;
 mod whole;
 
+pub use cam_turn::CamMechanics;
+pub use gears::{GearLimits, GearMechanics};
 pub use loaded_bearing::{BearingMechanics, Contamination, LifeInputs};
 pub(super) use whole::contacts;
 pub use whole::{Axis as MachineAxis, MachineContact, MachineContacts, RINGS, WholeMachine};
@@ -28,7 +30,7 @@ use loaded_bearing::Elements;
 use super::contact::{MOST_SLENDER, RADIUS, load_of_pressure, too_slender};
 use super::motion::{MAX_SPEED, check_entrainment};
 use crate::case::MachineEcho;
-use crate::contact::{Contact, Motion};
+use crate::contact::{Contact, Material, Motion};
 use crate::warning::Warning;
 use crate::words::{digits, length};
 
@@ -44,6 +46,29 @@ enum MachineKind {
     SpurGear,
     HelicalGear,
     CamAndFlatTappet,
+    Cam,
+}
+
+/// Their names; underscores may stand in place of hyphens.
+const KINDS: [(&str, MachineKind); 7] = [
+    ("ball-on-disc", MachineKind::BallOnDisc),
+    ("ball-bearing", MachineKind::BallBearing),
+    ("roller-bearing", MachineKind::RollerBearing),
+    ("spur-gear", MachineKind::SpurGear),
+    ("helical-gear", MachineKind::HelicalGear),
+    ("cam-and-flat-tappet", MachineKind::CamAndFlatTappet),
+    ("cam", MachineKind::Cam),
+];
+
+/// Reads `kind`.
+fn kind(table: &mut Table<'_>) -> Result<MachineKind, InputError> {
+    let text = table
+        .optional_str("kind")?
+        .map(|text| text.replace('_', "-"));
+    match KINDS.iter().find(|(name, _)| text.as_deref() == Some(name)) {
+        Some((_, kind)) => Ok(*kind),
+        None => table.required_choice("kind", &KINDS),
+    }
 }
 
 /// What a machine makes of its contact.
@@ -67,6 +92,10 @@ pub(super) struct Machine {
 pub enum Mechanics {
     /// A rolling bearing.
     Bearing(Box<BearingMechanics>),
+    /// A pair of gears.
+    Gears(Box<GearMechanics>),
+    /// A cam over a turn.
+    Cam(Box<CamMechanics>),
 }
 
 /// What the bodies of a machine are made of.
@@ -75,6 +104,8 @@ pub(super) struct Steel {
     pub reduced_modulus: f64,
     /// Density of body 2, kg/m³, if known.
     pub density: Option<f64>,
+    /// Elastic constants of body 1 and body 2.
+    pub materials: [Material; 2],
 }
 
 /// Reads `[machine]`; the reduced modulus converts a Hertz pressure to a load.
@@ -84,18 +115,7 @@ pub(super) fn read(
     folder: &Path,
 ) -> Result<Machine, InputError> {
     let reduced_modulus = steel.reduced_modulus;
-    let kind = table.required_choice(
-        "kind",
-        &[
-            ("ball-on-disc", MachineKind::BallOnDisc),
-            ("ball-bearing", MachineKind::BallBearing),
-            ("roller-bearing", MachineKind::RollerBearing),
-            ("spur-gear", MachineKind::SpurGear),
-            ("helical-gear", MachineKind::HelicalGear),
-            ("cam-and-flat-tappet", MachineKind::CamAndFlatTappet),
-        ],
-    )?;
-    match kind {
+    match kind(table)? {
         MachineKind::BallOnDisc => ball_on_disc::read(table, reduced_modulus),
         MachineKind::BallBearing if is_loaded(table) => {
             loaded_bearing::read(table, Elements::Balls, steel)
@@ -105,9 +125,10 @@ pub(super) fn read(
         }
         MachineKind::BallBearing => ball_bearing::read(table, reduced_modulus),
         MachineKind::RollerBearing => roller_bearing::read(table, reduced_modulus, folder),
-        MachineKind::SpurGear => gears::read(table, gears::Teeth::Straight),
-        MachineKind::HelicalGear => gears::read(table, gears::Teeth::Helical),
+        MachineKind::SpurGear => gears::read(table, gears::Teeth::Straight, steel),
+        MachineKind::HelicalGear => gears::read(table, gears::Teeth::Helical, steel),
         MachineKind::CamAndFlatTappet => cam::read(table, reduced_modulus),
+        MachineKind::Cam => cam_turn::read(table, reduced_modulus, folder),
     }
 }
 

@@ -10,6 +10,8 @@ use crate::case::Case;
 mod bad;
 mod helical;
 mod loaded;
+mod path;
+mod turn;
 use bad::refused;
 
 const REST: &str = r#"

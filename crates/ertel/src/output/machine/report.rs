@@ -78,6 +78,7 @@ fn shown(figure: &MachineFigure) -> String {
         "W" if e.value.abs() < 1.0 => in_unit(e, 1e3, "mW"),
         "N m" if e.value.abs() < 1.0 => in_unit(e, 1e3, "N mm"),
         "s" => format!("{} h", digits(e.value / 3600.0, 4)),
+        "rad" => in_unit(e, 1f64.to_degrees(), "deg"),
         unit => in_unit(e, 1.0, unit),
     }
 }

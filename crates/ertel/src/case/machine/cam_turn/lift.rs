@@ -1,0 +1,225 @@
+//! The law of lift of a cam: a disc beside its centre, lobes, a rise and a return, or a table.
+
+use std::path::Path;
+
+use ertel_input::csv::{CsvError, CsvTable};
+use ertel_input::file::{LARGEST_TABLE, read_text};
+use ertel_input::{Bounds, InputError, Table};
+use ertel_machines::cam::{CamError, LiftLaw, MotionLaw, Segment};
+use ertel_quantity::Dimension;
+
+use super::TURN;
+use crate::words::{digits, length};
+
+/// Lifts, m.
+const LIFT: Bounds = Bounds::above_to(0.0, 1e3);
+/// Eccentricities, m; the angle is counted from the nose.
+const ECCENTRICITY: Bounds = Bounds::above_to(0.0, 1e3);
+/// Errors of a table, m.
+const TOLERANCE: Bounds = Bounds::closed(0.0, 1e-2);
+/// Angles of a part of a turn, rad.
+const PART: Bounds = Bounds::open(0.0, TURN);
+const DWELL: Bounds = Bounds::closed(0.0, TURN);
+
+const LAWS: [(&str, MotionLaw); 4] = [
+    ("3-4-5", MotionLaw::Polynomial345),
+    ("4-5-6-7", MotionLaw::Polynomial4567),
+    ("cycloidal", MotionLaw::Cycloidal),
+    ("harmonic", MotionLaw::Harmonic),
+];
+
+/// A rise or a return.
+struct Part {
+    angle: f64,
+    law: MotionLaw,
+    name: &'static str,
+}
+
+/// Reads the law of lift, and what it is in words.
+pub(super) fn read(table: &mut Table<'_>, folder: &Path) -> Result<(LiftLaw, String), InputError> {
+    let eccentricity = table.optional_quantity("eccentricity", Dimension::LENGTH, ECCENTRICITY)?;
+    let lift = table.optional_quantity("lift", Dimension::LENGTH, LIFT)?;
+    let lobes = table.optional_integer("lobes", 1..=1000)?;
+    let rise = part(table, "rise")?;
+    let dwell = table.optional_quantity("top_dwell", Dimension::ANGLE, DWELL)?;
+    let back = part(table, "return")?;
+    let file = table.optional_str("lift_table")?;
+    let tolerance = table.optional_quantity("lift_tolerance", Dimension::LENGTH, TOLERANCE)?;
+    let laws = [
+        ("eccentricity", eccentricity.is_some()),
+        ("lobes", lobes.is_some()),
+        ("rise", rise.is_some()),
+        ("lift_table", file.is_some()),
+    ];
+    let mut given = laws.iter().filter(|(_, is_given)| *is_given);
+    let Some((law, _)) = given.next() else {
+        return Err(table
+            .error_here("the lift of the cam is not said")
+            .with_help(
+                "give `lift` with `rise` (and `top_dwell`, `return`) or with `lobes`; or `lift_table = \"cam.csv\"`; or `eccentricity`",
+            ));
+    };
+    if let Some((other, _)) = given.next() {
+        return Err(table.error(
+            other,
+            format!("`{law}` and `{other}` both say the lift of the cam; keep one of them"),
+        ));
+    }
+    let law = *law;
+    for (key, is_given, laws) in [
+        ("lift", lift.is_some(), &["lobes", "rise"][..]),
+        ("top_dwell", dwell.is_some(), &["rise"]),
+        ("return", back.is_some(), &["rise"]),
+        ("lift_tolerance", tolerance.is_some(), &["lift_table"]),
+    ] {
+        if is_given && !laws.contains(&law) {
+            return Err(table.error(key, format!("a lift by `{law}` has no such key")));
+        }
+    }
+    if let Some(eccentricity) = eccentricity {
+        let words = format!("e cos θ, e = {}", length(eccentricity));
+        return Ok((LiftLaw::Eccentric { eccentricity }, words));
+    }
+    if let Some(file) = file {
+        let law = of_table(table, folder, file, tolerance.unwrap_or(0.0))?;
+        let words = match tolerance {
+            Some(tolerance) if tolerance > 0.0 => {
+                format!("{file}, smoothed by {}", length(tolerance))
+            }
+            _ => file.to_owned(),
+        };
+        return Ok((law, words));
+    }
+    let Some(lift) = lift else {
+        return Err(table.missing("lift"));
+    };
+    if let Some(lobes) = lobes.and_then(|n| u32::try_from(n).ok()) {
+        let words = format!("{} lobes of {}, harmonic", lobes, length(lift));
+        return Ok((LiftLaw::Harmonic { lift, lobes }, words));
+    }
+    match rise {
+        Some(rise) => of_parts(table, lift, &rise, dwell.unwrap_or(0.0), back),
+        None => Err(table.missing("rise")),
+    }
+}
+
+/// A rise or a return, if it is there.
+fn part(table: &mut Table<'_>, key: &str) -> Result<Option<Part>, InputError> {
+    let Some(mut keys) = table.optional_table(key)? else {
+        return Ok(None);
+    };
+    let angle = keys.required_quantity("angle", Dimension::ANGLE, PART)?;
+    let law = keys.required_choice("law", &LAWS)?;
+    keys.finish()?;
+    let name = LAWS.iter().find(|(_, other)| *other == law);
+    Ok(Some(Part {
+        angle,
+        law,
+        name: name.map_or("", |(name, _)| name),
+    }))
+}
+
+/// A rise from θ = 0 on, a dwell on top (rad), the return, and the rest of the turn on the base circle.
+fn of_parts(
+    table: &Table<'_>,
+    lift: f64,
+    rise: &Part,
+    dwell: f64,
+    back: Option<Part>,
+) -> Result<(LiftLaw, String), InputError> {
+    let (angle, law, name) = match &back {
+        Some(back) => (back.angle, back.law, back.name),
+        None => (rise.angle, rise.law, rise.name),
+    };
+    let rest = TURN - rise.angle - dwell - angle;
+    if rest < -1e-9 {
+        return Err(table
+            .error(
+                "rise",
+                format!(
+                    "rise, dwell and return take {} deg of the turn",
+                    digits((TURN - rest).to_degrees(), 6)
+                ),
+            )
+            .with_help(
+                "they must leave something of 360 deg, or nothing: the rest is the base circle",
+            ));
+    }
+    let mut segments = vec![Segment::Move {
+        angle: rise.angle,
+        lift,
+        law: rise.law,
+    }];
+    if dwell > 0.0 {
+        segments.push(Segment::Dwell { angle: dwell });
+    }
+    segments.push(Segment::Move {
+        angle,
+        lift: -lift,
+        law,
+    });
+    if rest > 1e-9 {
+        segments.push(Segment::Dwell { angle: rest });
+    }
+    let degrees = |angle: f64| digits(angle.to_degrees(), 5);
+    let words = format!(
+        "rise of {} ({}, {} deg), dwell {} deg, return ({name}, {} deg)",
+        length(lift),
+        rise.name,
+        degrees(rise.angle),
+        degrees(dwell),
+        degrees(angle)
+    );
+    let law =
+        LiftLaw::segments(segments).map_err(|error| table.error("rise", error.to_string()))?;
+    Ok((law, words))
+}
+
+/// A law through a table of angles and lifts, or near one whose lifts have errors (m).
+fn of_table(
+    table: &Table<'_>,
+    folder: &Path,
+    file: &str,
+    tolerance: f64,
+) -> Result<LiftLaw, InputError> {
+    let path = folder.join(file);
+    let text = read_text(&path, LARGEST_TABLE)
+        .map_err(|error| table.error("lift_table", format!("{} {error}", path.display())))?;
+    let (angles, lifts) = rows(file, &text).map_err(|error| {
+        table.error("lift_table", error.to_string()).with_help(
+            "lifts are a CSV table with the columns `angle` and `lift`, each with its unit: angle [deg], lift [mm]",
+        )
+    })?;
+    LiftLaw::smooth_table(&angles, &lifts, tolerance).map_err(|error| {
+        let told = table.error("lift_table", error.to_string());
+        match error {
+            CamError::TableOrder { .. } => told.with_help(
+                "one turn, its first row not once more at 360 deg unless the lift is the same",
+            ),
+            _ => told,
+        }
+    })
+}
+
+/// Angles (rad) and lifts (m) of a CSV file. A last row one turn behind the first, with its lift, is the first once more.
+fn rows(file: &str, text: &str) -> Result<(Vec<f64>, Vec<f64>), CsvError> {
+    let csv = CsvTable::parse(file, text)?;
+    let missing = |name: &str| csv.error(csv.header(), 0, format!("there is no column `{name}`"));
+    let angle = csv
+        .find_with_unit("angle", Dimension::ANGLE)?
+        .ok_or_else(|| missing("angle"))?;
+    let lift = csv
+        .find_with_unit("lift", Dimension::LENGTH)?
+        .ok_or_else(|| missing("lift"))?;
+    let (mut angles, mut lifts) = (Vec::new(), Vec::new());
+    for row in csv.rows() {
+        angles.push(csv.required_number(row, &angle)?);
+        lifts.push(csv.required_number(row, &lift)?);
+    }
+    let n = angles.len();
+    if n > 1 && (angles[n - 1] - angles[0] - TURN).abs() < 1e-9 && lifts[n - 1] == lifts[0] {
+        angles.pop();
+        lifts.pop();
+    }
+    Ok((angles, lifts))
+}

@@ -1,0 +1,508 @@
+//! Figures of a pair of gears: pressures, friction and losses, temperatures, and safety.
+//!
+//! ```text
+//!   P = (1/p_bt) ∫ (p/cos β_b) b ds               p: friction power per length of the solved contacts (W/m), over the path of contact
+//!   p = µ w |u_2 − u_1| + f u_m                   sliding, and what both walls of the film resist at equal speeds
+//!   µ_m = ∫ µ w |u_2 − u_1| ds/∫ w |u_2 − u_1| ds
+//!   Θ = Θ_M + max Θ_fl(µ(s))                      Θ_fl: Blok
+//! ```
+//!
+//! µ and f are linear between the contacts that are solved, while loads and speeds are those of each place: they jump where a pair of teeth
+//! takes over.
+
+use ertel_machines::gear::friction::schlenk;
+use ertel_machines::gear::safety::{micropitting, scuffing};
+use ertel_machines::gear::{FlashMethod, PathPoint, ThermalBody};
+
+use super::curve::Curve;
+use super::{MachineFigure, Section, figure_of};
+use crate::case::{Body, Case, GearMechanics};
+use crate::solution::{Estimate, Figure};
+use crate::study::{MachineSolution, PointSolution};
+
+/// σ over Ra of normally distributed heights, as quoted.
+const RMS_OVER_RA: f64 = 1.25;
+
+/// A figure without bar.
+fn of_model(value: f64) -> Estimate {
+    Estimate { value, error: None }
+}
+
+/// The figures of a pair of gears.
+pub(super) fn figures(
+    case: &Case,
+    gears: &GearMechanics,
+    solved: &MachineSolution,
+) -> Vec<MachineFigure> {
+    let mut figures = mechanics(gears);
+    figures.extend(thinnest(gears, solved));
+    figures.extend(friction(case, gears, solved));
+    let hot = temperatures(case, gears, solved);
+    figures.extend(hot);
+    figures.extend(specific_film(case, gears, solved));
+    figures
+}
+
+/// Contact ratios and the largest pressure.
+fn mechanics(gears: &GearMechanics) -> Vec<MachineFigure> {
+    let figure = |name, words, value, unit| MachineFigure {
+        name,
+        words,
+        estimate: of_model(value),
+        unit,
+        section: Section::Mechanics,
+        source: "",
+    };
+    let pair = &gears.pair;
+    let mut figures = vec![figure(
+        "transverse_contact_ratio",
+        "transverse contact ratio",
+        pair.contact_ratio,
+        "",
+    )];
+    if pair.overlap_ratio > 0.0 {
+        figures.push(figure(
+            "overlap_ratio",
+            "overlap ratio",
+            pair.overlap_ratio,
+            "",
+        ));
+        let total = pair.contact_ratio + pair.overlap_ratio;
+        figures.push(figure(
+            "total_contact_ratio",
+            "total contact ratio",
+            total,
+            "",
+        ));
+    }
+    let finite = gears.path.iter().filter(|p| p.hertz_pressure.is_finite());
+    let highest = finite.max_by(|a, b| a.hertz_pressure.total_cmp(&b.hertz_pressure));
+    if let Some(highest) = highest {
+        figures.push(figure(
+            "hertz_pressure_maximum",
+            "largest Hertz pressure",
+            highest.hertz_pressure,
+            "Pa",
+        ));
+        figures.push(figure(
+            "hertz_pressure_maximum_position",
+            "at the distance from the pitch point",
+            highest.position,
+            "m",
+        ));
+    }
+    figures
+}
+
+/// Where the film is thinnest.
+fn thinnest(gears: &GearMechanics, solved: &MachineSolution) -> Option<MachineFigure> {
+    let films = solved
+        .solved()
+        .filter_map(|(i, point)| Some((i, figure_of(point, Figure::FilmMinimum)?.value)));
+    let (i, _) = films.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(MachineFigure {
+        name: "film_minimum_position",
+        words: "smallest film at the distance from the pitch point",
+        estimate: of_model(gears.path[i].position),
+        unit: "m",
+        section: Section::Films,
+        source: "",
+    })
+}
+
+/// A solved contact: its coefficient of traction, and the resistance to rolling f per length, N/m.
+struct Rubbing {
+    coefficient: Estimate,
+    resistance: Estimate,
+}
+
+/// Friction of a contact at a point of the path.
+///
+/// f = (p − µ w |u_2 − u_1|)/u_m
+fn rubbing(at: &PathPoint, point: &PointSolution) -> Option<Rubbing> {
+    let coefficient = figure_of(point, Figure::TractionCoefficient)?;
+    let power = figure_of(point, Figure::FrictionPower)?;
+    let sliding = at.load_per_length * at.sliding_speed.abs();
+    let coefficient = Estimate {
+        value: coefficient.value.abs(),
+        error: coefficient.error,
+    };
+    let resistance = Estimate {
+        value: (power.value - coefficient.value * sliding) / at.entrainment_speed,
+        error: (power.error.zip(coefficient.error))
+            .map(|(power, mu)| (power + mu * sliding) / at.entrainment_speed),
+    };
+    Some(Rubbing {
+        coefficient,
+        resistance,
+    })
+}
+
+/// Losses of the mesh, from the solved contacts and from models beside them.
+fn friction(case: &Case, gears: &GearMechanics, solved: &MachineSolution) -> Vec<MachineFigure> {
+    let figure = |name, words, estimate, unit, source| MachineFigure {
+        name,
+        words,
+        estimate,
+        unit,
+        section: Section::Friction,
+        source,
+    };
+    let mut figures = Vec::new();
+    if let Some(loss) = loss(gears, solved) {
+        let input = gears.operation.power();
+        let scaled = |e: Estimate, factor: f64| Estimate {
+            value: factor * e.value,
+            error: e.error.map(|error| factor * error),
+        };
+        figures.extend([
+            figure(
+                "friction_coefficient_mean",
+                "mean coefficient of friction of sliding",
+                loss.mean_friction,
+                "",
+                "over the path of contact, by load and sliding speed",
+            ),
+            figure(
+                "friction_power_sliding",
+                "power lost by sliding",
+                loss.sliding,
+                "W",
+                "",
+            ),
+            figure(
+                "friction_power_rolling",
+                "power lost by rolling",
+                loss.rolling,
+                "W",
+                "rolling: what both walls of the film resist at equal speeds",
+            ),
+            figure(
+                "friction_power",
+                "power lost in the mesh",
+                loss.total,
+                "W",
+                "without bearings, seals and churning of the oil",
+            ),
+            figure(
+                "mesh_loss",
+                "over the power at the pinion",
+                scaled(loss.total, 1.0 / input),
+                "",
+                "",
+            ),
+            figure(
+                "mesh_efficiency",
+                "efficiency of the mesh",
+                Estimate {
+                    value: 1.0 - loss.total.value / input,
+                    error: loss.total.error.map(|e| e / input),
+                },
+                "",
+                "",
+            ),
+            figure(
+                "loss_factor",
+                "loss factor H_V of this load sharing",
+                of_model(loss.factor),
+                "",
+                "H_V: Wimmer 2006",
+            ),
+        ]);
+    }
+    let ohlendorf = gears.pair.ohlendorf_loss_factor();
+    figures.push(figure(
+        "loss_factor_ohlendorf",
+        "loss factor H_V after Ohlendorf",
+        of_model(ohlendorf),
+        "",
+        "Ohlendorf 1958, for even load sharing",
+    ));
+    if let Some((roughness, source)) = roughness(case, gears) {
+        let model = schlenk_coefficient(case, gears, 0.5 * (roughness[0] + roughness[1]));
+        figures.push(figure(
+            "friction_coefficient_schlenk",
+            "mean coefficient of friction after Schlenk",
+            of_model(model),
+            "",
+            match (gears.limits.oil_factor, source) {
+                (Some(_), RoughnessFrom::Gears) => {
+                    "Schlenk 1994, a fit to tests, from the Ra and the oil factor X_L given"
+                }
+                (None, RoughnessFrom::Gears) => {
+                    "Schlenk 1994, a fit to tests, from the Ra given and the oil factor X_L = 1 of mineral oils"
+                }
+                (Some(_), RoughnessFrom::Composite) => {
+                    "Schlenk 1994, a fit to tests, of surfaces alike: Ra = σ/(1.25 √2), and the oil factor X_L given"
+                }
+                (None, RoughnessFrom::Composite) => {
+                    "Schlenk 1994, a fit to tests, of surfaces alike: Ra = σ/(1.25 √2), and the oil factor X_L = 1 of mineral oils"
+                }
+            },
+        ));
+        figures.push(figure(
+            "friction_power_models",
+            "power lost after Ohlendorf and Schlenk",
+            of_model(gears.operation.power() * ohlendorf * model),
+            "W",
+            "",
+        ));
+    }
+    figures
+}
+
+/// Losses from the solved contacts.
+struct Loss {
+    sliding: Estimate,
+    rolling: Estimate,
+    total: Estimate,
+    mean_friction: Estimate,
+    factor: f64,
+}
+
+/// Losses where all contacts are solved; bars of contacts that are solved in one way add.
+fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
+    let mut coefficient = Vec::new();
+    let mut resistance = Vec::new();
+    for (i, at) in gears.path.iter().enumerate() {
+        if solved.machine.contacts[i].like.is_none() {
+            continue;
+        }
+        let rubbing = rubbing(at, solved.of(i)?)?;
+        coefficient.push((at.position, rubbing.coefficient));
+        resistance.push((at.position, rubbing.resistance));
+    }
+    let (coefficient, resistance) = (Curve::new(coefficient)?, Curve::new(resistance)?);
+    let sum =
+        |of: &dyn Fn(&PathPoint) -> f64| gears.pair.loss(&gears.operation, gears.sharing, of).ok();
+    let sliding = sum(&|p| coefficient.at(p.position))?;
+    let sliding_bar = sum(&|p| coefficient.bar_at(p.position))?.power;
+    // The sum is over µ w |u_2 − u_1|: what is not sliding is divided by it.
+    let per_slide = |p: &PathPoint, value: f64| {
+        let slide = p.load_per_length * p.sliding_speed.abs();
+        match slide > 0.0 {
+            true => value * p.entrainment_speed / slide,
+            false => 0.0,
+        }
+    };
+    let rolling = sum(&|p| per_slide(p, resistance.at(p.position)))?.power;
+    let rolling_bar = sum(&|p| per_slide(p, resistance.bar_at(p.position)))?.power;
+    let bar = |value: f64| coefficient.has_bars().then_some(value);
+    let at_friction_1 = sliding.loss_factor * gears.operation.power();
+    Some(Loss {
+        sliding: Estimate {
+            value: sliding.power,
+            error: bar(sliding_bar),
+        },
+        rolling: Estimate {
+            value: rolling,
+            error: bar(rolling_bar),
+        },
+        total: Estimate {
+            value: sliding.power + rolling,
+            error: bar(sliding_bar + rolling_bar),
+        },
+        mean_friction: Estimate {
+            value: sliding.mean_friction,
+            error: bar(sliding_bar / at_friction_1),
+        },
+        factor: sliding.loss_factor,
+    })
+}
+
+/// What a roughness Ra comes from.
+#[derive(Clone, Copy)]
+enum RoughnessFrom {
+    /// The Ra of both gears.
+    Gears,
+    /// The composite roughness of the case.
+    Composite,
+}
+
+/// Ra of the pinion and the wheel, m: as given, or of surfaces alike with the composite roughness σ, Ra = σ/(1.25 √2).
+fn roughness(case: &Case, gears: &GearMechanics) -> Option<([f64; 2], RoughnessFrom)> {
+    if let Some(own) = gears.limits.roughness {
+        return Some((own, RoughnessFrom::Gears));
+    }
+    let ra = case.roughness? / (RMS_OVER_RA * std::f64::consts::SQRT_2);
+    (ra > 0.0).then_some(([ra; 2], RoughnessFrom::Composite))
+}
+
+/// [`schlenk`] with the load on the shortest contact lines.
+fn schlenk_coefficient(case: &Case, gears: &GearMechanics, roughness: f64) -> f64 {
+    let (pair, operation) = (&gears.pair, &gears.operation);
+    let shortest = gears.path.iter().map(|point| point.line_length);
+    let shortest = shortest.fold(f64::INFINITY, f64::min);
+    let force = operation.base_force(pair) / pair.base_helix_angle.cos();
+    let [pinion, wheel] = operation.surface_speeds(pair, 0.0);
+    let radius = pair.reduced_radius(0.0) * pair.base_helix_angle.cos();
+    let lubricant = &case.lubricant;
+    let viscosity = lubricant.viscosity.viscosity(0.0, lubricant.temperature);
+    schlenk(
+        force / shortest,
+        pinion + wheel,
+        radius,
+        viscosity,
+        roughness,
+        gears.limits.oil_factor.unwrap_or(1.0),
+    )
+}
+
+/// Thermal constants of a body at a temperature (K), if all are known.
+fn thermal_body(body: &Body, temperature: f64) -> Option<ThermalBody> {
+    let conductivity = body.thermal_conductivity.as_ref()?;
+    let heat_capacity = body.heat_capacity.as_ref()?;
+    let density = body.density?;
+    Some(ThermalBody {
+        conductivity: conductivity.conductivity(0.0, temperature),
+        density,
+        heat_capacity: heat_capacity.heat_capacity(0.0, temperature),
+    })
+}
+
+/// Flash and contact temperatures, and safety against scuffing.
+fn temperatures(
+    case: &Case,
+    gears: &GearMechanics,
+    solved: &MachineSolution,
+) -> Vec<MachineFigure> {
+    let oil = case.lubricant.temperature;
+    let bulk = gears.limits.bulk_temperature.unwrap_or(oil);
+    let bodies = [&case.body_2, &case.body_1].map(|body| thermal_body(body, bulk));
+    let [Some(pinion), Some(wheel)] = bodies else {
+        return Vec::new();
+    };
+    let mut at = Vec::new();
+    let mut flashes = Vec::new();
+    let mut bars = Vec::new();
+    for (i, point) in gears.path.iter().enumerate() {
+        let friction = (solved.of(i)).and_then(|p| figure_of(p, Figure::TractionCoefficient));
+        let Some(friction) = friction else { continue };
+        let rise = |mu: f64| {
+            let flash = point.flash(mu, [pinion, wheel], FlashMethod::AnySpeed);
+            flash.rise
+        };
+        at.push(point.position);
+        flashes.push(rise(friction.value.abs()));
+        bars.push(friction.error.map(rise));
+    }
+    let largest = (0..flashes.len()).max_by(|a, b| flashes[*a].total_cmp(&flashes[*b]));
+    let Some(hottest) = largest else {
+        return Vec::new();
+    };
+    let figure = |name, words, value, error, unit, section, source| MachineFigure {
+        name,
+        words,
+        estimate: Estimate { value, error },
+        unit,
+        section,
+        source,
+    };
+    let (flash, bar) = (flashes[hottest], bars[hottest]);
+    let blok = "flash temperature: Blok 1937, from the solved friction, at the smooth-surface pressure of Hertz";
+    let at_bulk = match gears.limits.bulk_temperature {
+        Some(_) => "contact temperature: the bulk temperature given, and the flash temperature",
+        None => {
+            "contact temperature: no `bulk_temperature` is given, and that of the lubricant is taken; teeth are hotter"
+        }
+    };
+    let temperature = Section::Temperature;
+    let mut figures = vec![
+        figure(
+            "flash_temperature",
+            "largest flash temperature (rise)",
+            flash,
+            bar,
+            "K",
+            temperature,
+            blok,
+        ),
+        figure(
+            "flash_temperature_position",
+            "at the distance from the pitch point",
+            at[hottest],
+            None,
+            "m",
+            temperature,
+            "",
+        ),
+        figure(
+            "contact_temperature",
+            "largest contact temperature",
+            bulk + flash,
+            bar,
+            "K",
+            temperature,
+            at_bulk,
+        ),
+    ];
+    if let Some(limit) = gears.limits.scuffing_temperature {
+        // Without heat, or an oil as hot as the limit, there is no safety to tell.
+        if let Ok(found) = scuffing(&flashes, bulk, oil, limit) {
+            figures.push(figure(
+                "scuffing_safety",
+                "safety against scuffing S_B",
+                found.safety,
+                None,
+                "",
+                Section::Safety,
+                "S_B = (Θ_S − Θ_oil)/(Θ_B,max − Θ_oil): ISO/TS 6336-20",
+            ));
+        }
+    }
+    figures
+}
+
+/// Specific film and safety against micropitting.
+fn specific_film(
+    case: &Case,
+    gears: &GearMechanics,
+    solved: &MachineSolution,
+) -> Vec<MachineFigure> {
+    let Some((roughness, source)) = roughness(case, gears) else {
+        return Vec::new();
+    };
+    let films: Vec<(f64, Estimate)> = (gears.path.iter().enumerate())
+        .filter_map(|(i, at)| Some((at.position, figure_of(solved.of(i)?, Figure::FilmMinimum)?)))
+        .collect();
+    let values: Vec<f64> = films.iter().map(|(_, film)| film.value).collect();
+    let limit = gears.limits.permissible_lambda;
+    let Ok(found) = micropitting(&values, roughness, limit.unwrap_or(1.0)) else {
+        return Vec::new();
+    };
+    let bar = films[found.index].1.error;
+    let relative = bar.map(|bar| bar / values[found.index]);
+    let figure = |name, words, value: f64, source| MachineFigure {
+        name,
+        words,
+        estimate: Estimate {
+            value,
+            error: relative.map(|r| r * value),
+        },
+        unit: "",
+        section: Section::Safety,
+        source,
+    };
+    let mut figures = vec![figure(
+        "specific_film_minimum",
+        "smallest specific film λ_GF",
+        found.specific_film,
+        match source {
+            RoughnessFrom::Gears => {
+                "λ_GF = h/Ra, Ra = (Ra_1 + Ra_2)/2, of the smallest solved film: ISO/TS 6336-22"
+            }
+            RoughnessFrom::Composite => {
+                "λ_GF = h/Ra of the smallest solved film: ISO/TS 6336-22; Ra = σ/(1.25 √2) of surfaces alike"
+            }
+        },
+    )];
+    if limit.is_some() {
+        figures.push(figure(
+            "micropitting_safety",
+            "safety against micropitting S_λ",
+            found.safety,
+            "S_λ = λ_GF/λ_GFP",
+        ));
+    }
+    figures
+}

@@ -1,0 +1,245 @@
+//! Pairs of gears and cams from a case file to their figures.
+
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use ertel::case::{Case, Mechanics};
+use ertel::machine::{MachineFigures, figures};
+use ertel::solution::Figure;
+use ertel::solve::NoObserver;
+use ertel::study::{MachineSolution, solve_machine};
+use ertel_input::Document;
+
+const REST: &str = r#"
+[bodies]
+body_1 = "steel"
+body_2 = "steel"
+[lubricant]
+temperature = "90 degC"
+density = { law = "dowson-higginson", rho_0 = "860 kg/m^3" }
+viscosity = { law = "roelands", mu_0 = "20 mPa.s", alpha = "16 1/GPa" }
+shear_thinning = { law = "eyring", tau_0 = "5 MPa" }
+[mesh]
+preset = "coarse"
+"#;
+
+/// FZG gears under a light load.
+const GEARS: &str = r#"
+title = "FZG C14"
+[machine]
+kind = "spur-gear"
+template = "FZG-C14"
+pinion_torque = "40 N.m"
+pinion_speed = "2000 rpm"
+position = "path"
+points = 2
+load_sharing = "thirds"
+bulk_temperature = "100 degC"
+scuffing_temperature = "300 degC"
+pinion_ra = "0.3 um"
+wheel_ra = "0.5 um"
+permissible_lambda = 0.2
+"#;
+
+const CAM: &str = r#"
+title = "Eccentric disc"
+[machine]
+kind = "cam"
+follower = "flat"
+base_radius = "18 mm"
+eccentricity = "4 mm"
+cam_speed = "1500 rpm"
+width = "12 mm"
+load = "500 N"
+angle = "turn"
+points = 4
+"#;
+
+fn solve(machine: &str) -> (Case, MachineSolution, MachineFigures) {
+    let text = format!("{machine}{REST}");
+    let document = Document::parse("machine.toml", text).unwrap();
+    let case = Case::from_document(&document, Path::new("")).unwrap();
+    let solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
+    assert_eq!(solved.n_failed(), 0);
+    let found = figures(&case, &solved);
+    (case, solved, found)
+}
+
+fn value(found: &MachineFigures, name: &str) -> f64 {
+    let figure = found.find(name).unwrap_or_else(|| panic!("no {name}"));
+    figure.estimate.value
+}
+
+fn figure(solved: &MachineSolution, contact: usize, figure: Figure) -> f64 {
+    solved
+        .solution(contact)
+        .unwrap()
+        .figure(figure)
+        .unwrap()
+        .value
+}
+
+/// Losses by a sum of 20 000 parts with the shares 1/3 to 2/3 and 1; the flash temperature of fast bodies by the formula of ISO/TS 6336-20 with its factor 1.11.
+#[test]
+fn a_short_path_of_gears() {
+    let (case, solved, found) = solve(GEARS);
+    let Mechanics::Gears(gears) = &case.whole.as_ref().unwrap().mechanics else {
+        panic!("gears")
+    };
+    // A, B, C, D and E.
+    assert_eq!(gears.path.len(), 5);
+    let at = |figure_: Figure| -> Vec<(f64, f64)> {
+        let path = gears.path.iter().enumerate();
+        path.map(|(i, p)| (p.position, figure(&solved, i, figure_)))
+            .collect()
+    };
+    let friction = at(Figure::TractionCoefficient);
+    let power = at(Figure::FrictionPower);
+    let between = |of: &[(f64, f64)], s: f64| {
+        let after = of.iter().position(|(x, _)| *x >= s).unwrap_or(4).max(1);
+        let ((from, a), (to, b)) = (of[after - 1], of[after]);
+        a + (b - a) * (s - from) / (to - from)
+    };
+    let [a, b, d, e] = [0, 1, 3, 4].map(|i| gears.path[i].position);
+    // 16 and 24 teeth, α = 20°, m = 4.5 mm: r_b1 = 33.8289 mm, p = 13.2846 mm.
+    let base = 36e-3 * 20_f64.to_radians().cos();
+    let pitch = std::f64::consts::PI * 4.5e-3 * 20_f64.to_radians().cos();
+    let omega = 2000.0 * std::f64::consts::TAU / 60.0;
+    let force = 40.0 / base;
+    let load = |s: f64| {
+        let share = match s {
+            s if s < b => (1.0 + (s - a) / (b - a)) / 3.0,
+            s if s > d => (1.0 + (e - s) / (e - d)) / 3.0,
+            _ => 1.0,
+        };
+        share * force
+    };
+    let resistance: Vec<(f64, f64)> = (gears.path.iter().zip(&friction).zip(&power))
+        .map(|((p, (s, mu)), (_, lost))| {
+            let rest = lost - mu.abs() * p.load_per_length * (p.u_2 - p.u_1).abs();
+            (*s, rest / p.entrainment_speed)
+        })
+        .collect();
+    // Friction has one sign before the pitch point and the other behind it: its size is what is linear between the contacts.
+    let sizes: Vec<(f64, f64)> = friction.iter().map(|(s, mu)| (*s, mu.abs())).collect();
+    let (mut sliding, mut rolling, mut weight) = (0.0, 0.0, 0.0);
+    let n = 20_000;
+    for i in 0..n {
+        let s = a + (f64::from(i) + 0.5) / f64::from(n) * (e - a);
+        let step = (e - a) / f64::from(n) / pitch;
+        let slide = omega * (1.0 + 16.0 / 24.0) * s.abs() * load(s) * step;
+        sliding += between(&sizes, s) * slide;
+        weight += slide;
+        let [one, two] = gears.pair.curvature_radii(s);
+        let mean = 0.5 * omega * (one + two / 1.5);
+        rolling += between(&resistance, s) * mean * 14e-3 * step;
+    }
+    assert_relative_eq!(
+        value(&found, "friction_power_rolling"),
+        rolling,
+        max_relative = 2e-3
+    );
+    assert_relative_eq!(
+        value(&found, "friction_power_sliding"),
+        sliding,
+        max_relative = 2e-3
+    );
+    assert_relative_eq!(
+        value(&found, "friction_coefficient_mean"),
+        sliding / weight,
+        max_relative = 2e-3
+    );
+    let total = value(&found, "friction_power");
+    assert_relative_eq!(total, sliding + rolling, max_relative = 2e-3);
+    let efficiency = 1.0 - total / (40.0 * omega);
+    assert_relative_eq!(
+        value(&found, "mesh_efficiency"),
+        efficiency,
+        max_relative = 1e-9
+    );
+    assert!(efficiency > 0.97 && efficiency < 0.9999, "{efficiency}");
+
+    let steel = |body: &ertel::case::Body| {
+        let conductivity = body.thermal_conductivity.as_ref().unwrap();
+        let capacity = body.heat_capacity.as_ref().unwrap();
+        (conductivity.conductivity(0.0, 373.15)
+            * body.density.unwrap()
+            * capacity.heat_capacity(0.0, 373.15))
+        .sqrt()
+    };
+    let effusivity = steel(&case.body_1);
+    let flashes = gears.path.iter().zip(&friction).map(|(p, (_, mu))| {
+        let heat = mu.abs() * p.load_per_length * (p.u_2 - p.u_1).abs();
+        1.11 * heat / ((2.0 * p.half_width).sqrt() * effusivity * (p.u_1.sqrt() + p.u_2.sqrt()))
+    });
+    let flash = flashes.fold(0.0, f64::max);
+    // The norm's formula is that of infinite Péclet numbers.
+    assert_relative_eq!(
+        value(&found, "flash_temperature"),
+        flash,
+        max_relative = 0.05
+    );
+    let hottest = value(&found, "contact_temperature");
+    assert_relative_eq!(
+        hottest,
+        373.15 + value(&found, "flash_temperature"),
+        max_relative = 1e-9
+    );
+    // Oil at 90 °C, teeth at 100 °C, scuffing at 300 °C.
+    assert_relative_eq!(
+        value(&found, "scuffing_safety"),
+        210.0 / (hottest - 363.15),
+        max_relative = 1e-9
+    );
+    let thinnest = (0..5).map(|i| figure(&solved, i, Figure::FilmMinimum));
+    let thinnest = thinnest.fold(f64::INFINITY, f64::min);
+    let lambda = thinnest / 0.4e-6;
+    assert_relative_eq!(
+        value(&found, "specific_film_minimum"),
+        lambda,
+        max_relative = 1e-9
+    );
+    assert_relative_eq!(
+        value(&found, "micropitting_safety"),
+        lambda / 0.2,
+        max_relative = 1e-9
+    );
+    // GEARpie has H_V = 0.1950 of C14 after Ohlendorf.
+    assert!((value(&found, "loss_factor_ohlendorf") - 0.1950).abs() < 6e-5);
+    assert!(found.find("friction_coefficient_schlenk").is_some());
+    let highest = gears
+        .path
+        .iter()
+        .map(|p| p.hertz_pressure)
+        .fold(0.0, f64::max);
+    assert_eq!(value(&found, "hertz_pressure_maximum"), highest);
+}
+
+/// The mean of four angles; those at 90° and 270° are alike but for the direction of the follower, which does not matter to speeds.
+#[test]
+fn a_turn_of_a_cam() {
+    let (case, solved, found) = solve(CAM);
+    let contacts = &case.whole.as_ref().unwrap().contacts;
+    assert_eq!(contacts.len(), 4);
+    let power: f64 = (0..4)
+        .map(|i| figure(&solved, i, Figure::FrictionPower) * 12e-3 / 4.0)
+        .sum();
+    assert_relative_eq!(value(&found, "friction_power"), power, max_relative = 1e-9);
+    let omega = 1500.0 * std::f64::consts::TAU / 60.0;
+    assert_relative_eq!(
+        value(&found, "friction_torque"),
+        power / omega,
+        max_relative = 1e-9
+    );
+    // F e of a disc beside its centre, at 90°.
+    assert_relative_eq!(value(&found, "torque_maximum"), 2.0, max_relative = 1e-9);
+    let films = (0..4).map(|i| figure(&solved, i, Figure::FilmMinimum));
+    let thinnest = films.fold(f64::INFINITY, f64::min);
+    assert_relative_eq!(
+        value(&found, "film_minimum"),
+        thinnest,
+        max_relative = 1e-12
+    );
+    // u_m = (ω/2)(r_b − e cos θ) is least at 0°, the nose.
+    assert_eq!(value(&found, "film_minimum_angle"), 0.0);
+}
