@@ -54,10 +54,10 @@ fn every_machine_is_estimated_and_checked() {
                 "91.5 mm",
                 "22.4388 deg",
                 "8.382 mm",
-                "1.437",
+                "1.43",
             ],
         ),
-        ("cam-turn", &["flat follower", "16 mm", "104.72 rad/s"]),
+        ("cam-turn", &["flat follower", "18 mm", "104.72 rad/s"]),
         ("bearing-6206", &[]),
         (
             "cam-and-flat-tappet",

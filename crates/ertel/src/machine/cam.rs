@@ -43,8 +43,12 @@ fn mechanics(cam: &CamMechanics) -> Vec<MachineFigure> {
         source: "",
     };
     let mut figures = Vec::new();
-    let pressed = cam.points.iter();
-    if let Some(highest) = pressed.max_by(|a, b| a.hertz_pressure.total_cmp(&b.hertz_pressure)) {
+    // The first of equal ones.
+    let pressed = cam.points.iter().rev();
+    if let Some(highest) = pressed.max_by(|a, b| {
+        let hair = 1.0 + 1e-9;
+        a.hertz_pressure.total_cmp(&(hair * b.hertz_pressure))
+    }) {
         figures.push(figure(
             "hertz_pressure_maximum",
             "largest Hertz pressure",
@@ -84,7 +88,7 @@ fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<MachineFigur
         estimate: of_model(cam.points[i].angle),
         unit: "rad",
         section: Section::Films,
-        source: "",
+        source: "films are steady ones: where the entrainment nearly vanishes, squeeze leaves more",
     })
 }
 
