@@ -43,12 +43,13 @@ fn mechanics(cam: &CamMechanics) -> Vec<MachineFigure> {
         source: "",
     };
     let mut figures = Vec::new();
-    // The first of equal ones.
-    let pressed = cam.points.iter().rev();
-    if let Some(highest) = pressed.max_by(|a, b| {
-        let hair = 1.0 + 1e-9;
-        a.hertz_pressure.total_cmp(&(hair * b.hertz_pressure))
-    }) {
+    // A hair more, so that of equal ones the first is taken.
+    let is_higher = |a: &CamPoint, b: &CamPoint| a.hertz_pressure > b.hertz_pressure * (1.0 + 1e-9);
+    let highest = (cam.points.iter()).reduce(|best, point| match is_higher(point, best) {
+        true => point,
+        false => best,
+    });
+    if let Some(highest) = highest {
         figures.push(figure(
             "hertz_pressure_maximum",
             "largest Hertz pressure",
