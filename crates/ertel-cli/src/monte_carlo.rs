@@ -39,6 +39,12 @@ pub fn samples(
             "{file}: --monte-carlo samples the inputs of one contact, but this case has a [curve]"
         )));
     }
+    if case.contacts.is_some() {
+        return Err(Failure::Argument(format!(
+            "{file}: --monte-carlo samples the inputs of one contact, but this case is a whole machine: choose one of its contacts with --set, such as \
+             machine.element=0 and machine.ring=inner"
+        )));
+    }
     let params = MonteCarloParams {
         n,
         seed: arguments.seed,

@@ -183,7 +183,7 @@ pub fn n_points(case: &Case) -> usize {
 /// Refuses a cross-check of what one method alone solves.
 fn may_cross_check(case: &Case) -> Result<(), Failure> {
     if case.contacts.is_some() {
-        let text = "--cross-check takes one contact, and the case is a whole machine: choose one of its contacts with --set, such as machine.element=0";
+        let text = "--cross-check takes one contact, and the case is a whole machine: choose one of its contacts with --set, such as machine.element=0 and machine.ring=inner";
         return Err(Failure::Argument(text.to_owned()));
     }
     if case.curve.is_some() {

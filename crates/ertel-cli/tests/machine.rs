@@ -58,7 +58,11 @@ fn every_machine_is_estimated_and_checked() {
             ],
         ),
         ("cam-turn", &["flat follower", "18 mm", "104.72 rad/s"]),
-        ("bearing-6206", &[]),
+        // Boundary dimensions of ISO 15, and the cage speed ω_i (1 − γ)/2 by hand.
+        (
+            "bearing-6206",
+            &["30, 62, 16 mm", "ball 0, inner ring", "124.554 rad/s"],
+        ),
         (
             "cam-and-flat-tappet",
             &["20 mm", "41666.7 N/m", "2.0944 m/s"],
@@ -98,5 +102,19 @@ fn every_machine_is_estimated_and_checked() {
         for words in words {
             assert!(machine.contains(words), "{name}: {words}: {report}");
         }
+    }
+}
+
+/// What takes one contact alone refuses a whole machine and says how to choose one.
+#[test]
+fn whole_machines_are_no_single_contact() {
+    for arguments in [
+        &["solve", "--monte-carlo", "10"][..],
+        &["solve", "--cross-check"],
+    ] {
+        let refused = ertel(arguments, &shipped("bearing-6206"));
+        assert_eq!(refused.status.code(), Some(2));
+        let message = text(&refused.stderr);
+        assert!(message.contains("machine.element=0"), "{message}");
     }
 }

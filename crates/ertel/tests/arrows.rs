@@ -22,7 +22,7 @@ pub const SOLVER: [&str; 14] = [
 ];
 
 /// The modules of the crate `ertel`, likewise; those of the solver are below them all.
-pub const CASES: [&str; 14] = [
+pub const CASES: [&str; 15] = [
     "files",
     "case",
     "reference",
@@ -33,6 +33,7 @@ pub const CASES: [&str; 14] = [
     "cross_check",
     "estimate",
     "study",
+    "machine",
     "fit",
     "compare",
     "output",

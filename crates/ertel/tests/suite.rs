@@ -17,6 +17,7 @@ mod fit_laws;
 mod fit_walther;
 mod gears_and_cams;
 mod limiting_stress;
+mod machines;
 mod main_case;
 mod plausible;
 mod rollers;

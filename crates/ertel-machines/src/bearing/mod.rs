@@ -3,11 +3,28 @@
 //! A [`Bearing`] under [`Loads`] at [`Speeds`] is solved for the load of each element on each ring: what comes
 //! out per contact are load, angle, radii, speeds, spin and the Hertz ellipse, from which a lubricated contact can be set up.
 //!
-//! Axes: z along the bearing, x and y radial; elements at ψ from x towards y. Forces and shifts are those of the inner ring against the outer.
+//! ```
+//! use ertel_machines::bearing::geometry::Ring;
+//! use ertel_machines::bearing::kinematics::Speeds;
+//! use ertel_machines::bearing::load::{Loads, Params};
+//! use ertel_machines::bearing::{Bearing, catalogue};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let geometry = catalogue::find("6206-2RS/C3")?.geometry()?;
+//! let speeds = Speeds { inner: 150.0, outer: 0.0 };
+//! let solved = Bearing::steel(geometry).solve(&Loads::forces(2000.0, 500.0), speeds, &Params::default())?;
+//! let heaviest = solved.heaviest(Ring::Inner).expect("nine balls");
+//! assert!(heaviest.pressure > 1e9 && heaviest.entrainment_speed > 1.0);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Axes: z along the bearing, x and y radial; elements at ψ from x towards y. Forces and shifts are those of the inner ring against the
+//! outer.
 //!
 //! Sources: ISO/TS 16281 and ISO 281 for load distribution and life, as public implementations and textbooks quote them; Harris and Kotzalas,
-//! Rolling Bearing Analysis, 5th ed., 2007 (Essential Concepts; Advanced Concepts) for geometry, speeds and equilibrium at speed; Jones, J. Basic
-//! Eng. 81 (1959) 1-12 and 82 (1960) 309-320 for balls that spin. Each file names its own.
+//! Rolling Bearing Analysis, 5th ed., 2007 (Essential Concepts; Advanced Concepts) for geometry, speeds and equilibrium at speed; Jones, J.
+//! Basic Eng. 81 (1959) 1-12 and 82 (1960) 309-320 for balls that spin. Each file names its own.
 
 pub mod catalogue;
 pub mod friction;
@@ -16,7 +33,7 @@ pub mod kinematics;
 pub mod life;
 pub mod load;
 
-use geometry::{BallGeometry, GeometryError, RollerGeometry};
+use geometry::{BallGeometry, GeometryError, Ring, RollerGeometry, TaperedGeometry};
 use kinematics::Speeds;
 use load::{Distribution, Loads, Params};
 
@@ -44,6 +61,8 @@ pub enum Geometry {
     Ball(BallGeometry),
     /// Cylindrical roller bearings.
     CylindricalRoller(RollerGeometry),
+    /// Tapered roller bearings.
+    TaperedRoller(TaperedGeometry),
 }
 
 impl Geometry {
@@ -55,6 +74,7 @@ impl Geometry {
         match self {
             Geometry::Ball(ball) => ball.check(),
             Geometry::CylindricalRoller(roller) => roller.check(),
+            Geometry::TaperedRoller(roller) => roller.check(),
         }
     }
 
@@ -63,6 +83,7 @@ impl Geometry {
         match self {
             Geometry::Ball(ball) => ball.number,
             Geometry::CylindricalRoller(roller) => roller.number,
+            Geometry::TaperedRoller(roller) => roller.number,
         }
     }
 
@@ -71,6 +92,7 @@ impl Geometry {
         match self {
             Geometry::Ball(ball) => ball.pitch_diameter,
             Geometry::CylindricalRoller(roller) => roller.pitch_diameter,
+            Geometry::TaperedRoller(roller) => roller.pitch_diameter,
         }
     }
 
@@ -79,14 +101,17 @@ impl Geometry {
         match self {
             Geometry::Ball(ball) => ball.ball_diameter,
             Geometry::CylindricalRoller(roller) => roller.roller_diameter,
+            Geometry::TaperedRoller(roller) => roller.roller_diameter,
         }
     }
 
-    /// Nominal contact angle, rad: the free one of balls, 0 of cylindrical rollers.
+    /// Free contact angle, rad: 0 of cylindrical rollers, that of the cup of tapered ones. Ratings go with the nominal one, which is 0 of deep
+    /// groove ball bearings.
     pub fn free_angle(&self) -> f64 {
         match self {
             Geometry::Ball(ball) => ball.free_angle(),
             Geometry::CylindricalRoller(_) => 0.0,
+            Geometry::TaperedRoller(roller) => roller.angle(Ring::Outer),
         }
     }
 }

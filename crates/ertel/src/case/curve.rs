@@ -53,7 +53,7 @@ pub struct Quantity {
 }
 
 /// The quantities in order of the documentation; the load is a force here, in line contacts a force per length.
-const QUANTITIES: [Quantity; 26] = [
+const QUANTITIES: [Quantity; 28] = [
     quantity(
         "motion.entrainment_speed",
         "entrainment speed",
@@ -131,6 +131,18 @@ const QUANTITIES: [Quantity; 26] = [
     ),
     quantity("machine.load", "load", "*F*", Dimension::FORCE),
     quantity("machine.ball_load", "ball load", "*F*", Dimension::FORCE),
+    quantity(
+        "machine.radial_load",
+        "radial load of the bearing",
+        "*F*_{r}",
+        Dimension::FORCE,
+    ),
+    quantity(
+        "machine.axial_load",
+        "axial load of the bearing",
+        "*F*_{a}",
+        Dimension::FORCE,
+    ),
     quantity(
         "machine.roller_load",
         "roller load",

@@ -69,7 +69,7 @@ use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
 };
 
-use crate::warning::Warning;
+use crate::warning::{Warning, WarningKind};
 use bodies::Bodies;
 pub use bodies::Body;
 pub use builder::{CaseBuilder, Setting};
@@ -178,13 +178,17 @@ impl Case {
     pub fn from_document(document: &Document, folder: &Path) -> Result<Self, InputError> {
         let mut case = Self::without_curve(document, folder, BTreeMap::new())?;
         case.curve = curve::read(document, folder, &case)?;
-        case.contacts = match (&case.whole, &case.curve) {
+        match (&case.whole, &case.curve) {
             (Some(whole), None) => {
                 let contacts = machine::contacts(document, folder, &case, whole)?;
-                Some(Arc::new(contacts))
+                case.contacts = Some(Arc::new(contacts));
             }
-            _ => None,
-        };
+            (Some(_), Some(_)) => case.warnings.push(Warning::new(
+                WarningKind::Other,
+                "the curve follows the governing contact of the machine at each of its points, not the sums over all contacts",
+            )),
+            (None, _) => {}
+        }
         Ok(case)
     }
 

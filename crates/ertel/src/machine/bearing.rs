@@ -61,6 +61,7 @@ pub(super) fn figures(
         Geometry::Ball(_) => 1.0,
         // Lines are solved per length.
         Geometry::CylindricalRoller(roller) => roller.length,
+        Geometry::TaperedRoller(roller) => roller.length,
     };
     let film = sum(solved, |_, point| {
         scaled(figure_of(point, Figure::FrictionPower)?, length)

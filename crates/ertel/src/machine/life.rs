@@ -1,7 +1,7 @@
 //! Rating lives of a bearing, and the models of friction that catalogues give, beside what the films say.
 //!
 //! ```text
-//!   κ = ν/ν_1     L_nmr = a_1 a_ISO L_10r     hours = L/(60 n)
+//!   κ = ν/ν_1     L_nmr = a_1 a_ISO L_10r     time = 2π L/ω
 //! ```
 //! Sources: ISO 281:2007, ISO/TS 16281:2008; SKF and Schaeffler catalogues for the moments.
 
@@ -20,15 +20,20 @@ use crate::case::{BearingMechanics, Case, Contamination};
 use crate::solution::Estimate;
 use crate::warning::{Warning, WarningKind};
 
-/// 40 degrees and less than one away from it: bearings of the suffix B.
-const NOMINAL: f64 = 40.0;
+/// Degrees from which on X_0 and Y_0 are those of steep angular contact bearings, halfway from 15 degrees to the 40 of the suffix B.
+const STEEP: f64 = 27.5;
 
-/// The nominal contact angle that ratings take, rad: 0 of deep groove ball bearings, whose free angle comes from their clearance.
-fn nominal_angle(geometry: &BallGeometry) -> f64 {
-    match geometry.play {
+/// The nominal contact angle that ratings take, rad: that of the series; else 0 of deep groove ball bearings, whose free angle comes from their clearance.
+fn nominal_angle(mechanics: &BearingMechanics, geometry: &BallGeometry) -> f64 {
+    let series = mechanics
+        .entry
+        .as_ref()
+        .map(|entry| entry.designation.series);
+    let of_series = series.and_then(Series::nominal_angle);
+    of_series.unwrap_or(match geometry.play {
         Play::FreeAngle(angle) => angle,
         Play::Clearance(_) => 0.0,
-    }
+    })
 }
 
 /// Ratings, loads and lives; what is out of the range of a norm is left out and told.
@@ -106,7 +111,7 @@ fn collect(
     // Rollers: no source of f_c, so the rating must be given.
     let (kind, rating, reference) = match &mechanics.bearing.geometry {
         Geometry::Ball(geometry) => {
-            let nominal = nominal_angle(geometry);
+            let nominal = nominal_angle(mechanics, geometry);
             let rating = match inputs.dynamic_rating {
                 Some(rating) => rating,
                 None => life::ball_rating(geometry, nominal)?,
@@ -129,7 +134,7 @@ fn collect(
             let basic = life::basic_life(rating, equivalent, life::BALL_EXPONENT)?;
             lives(
                 out,
-                ("basic_rating_life", "basic_rating_life_hours"),
+                ("basic_rating_life", "basic_rating_life_time"),
                 basic,
                 relative,
             );
@@ -141,32 +146,34 @@ fn collect(
             let found = life::reference_life(geometry, nominal, rating, [&inner, &outer], turning)?;
             (life::Kind::Ball, rating, Some(found))
         }
-        Geometry::CylindricalRoller(_) => match inputs.dynamic_rating {
-            Some(rating) => {
-                let basic = life::basic_life(rating, radial, life::ROLLER_EXPONENT)?;
-                lives(
-                    out,
-                    ("basic_rating_life", "basic_rating_life_hours"),
-                    basic,
-                    relative,
-                );
-                (life::Kind::Roller, rating, None)
-            }
-            None => {
-                out.warnings.push(Warning::new(
+        Geometry::CylindricalRoller(_) | Geometry::TaperedRoller(_) => {
+            match inputs.dynamic_rating {
+                Some(rating) => {
+                    let basic = life::basic_life(rating, radial, life::ROLLER_EXPONENT)?;
+                    lives(
+                        out,
+                        ("basic_rating_life", "basic_rating_life_time"),
+                        basic,
+                        relative,
+                    );
+                    (life::Kind::Roller, rating, None)
+                }
+                None => {
+                    out.warnings.push(Warning::new(
                     WarningKind::Other,
                     "no rating life: the rating of a roller bearing is not computed; give `dynamic_load_rating` of its catalogue",
                 ));
-                return Ok(());
+                    return Ok(());
+                }
             }
-        },
+        }
     };
     let static_rating = match (&mechanics.bearing.geometry, inputs.static_rating) {
         (_, Some(given)) => Some(given),
         (Geometry::Ball(geometry), None) => {
-            life::deep_groove_static_rating(geometry, nominal_angle(geometry)).ok()
+            life::deep_groove_static_rating(geometry, nominal_angle(mechanics, geometry)).ok()
         }
-        (Geometry::CylindricalRoller(_), None) => None,
+        (Geometry::CylindricalRoller(_) | Geometry::TaperedRoller(_), None) => None,
     };
     if let Some(static_rating) = static_rating {
         out.add(
@@ -177,7 +184,7 @@ fn collect(
             ISO_281,
         );
         let is_steep = matches!(&mechanics.bearing.geometry,
-            Geometry::Ball(g) if (nominal_angle(g).to_degrees() - NOMINAL).abs() < 1.0);
+            Geometry::Ball(g) if nominal_angle(mechanics, g).to_degrees() > STEEP);
         let factors = match (kind, is_steep) {
             (life::Kind::Roller, _) => [1.0, 0.0],
             (life::Kind::Ball, true) => [0.5, 0.26],
@@ -204,7 +211,7 @@ fn collect(
     }
     let (basis, equivalent) = match reference {
         Some(found) => {
-            let keys = ("reference_rating_life", "reference_rating_life_hours");
+            let keys = ("reference_rating_life", "reference_rating_life_time");
             lives(out, keys, found.life, relative);
             out.add(
                 Section::Life,
@@ -232,7 +239,7 @@ fn collect(
         (Geometry::Ball(geometry), None, _) => Some(life::fatigue_limit(
             geometry,
             mechanics.bearing.material,
-            nominal_angle(geometry),
+            nominal_angle(mechanics, geometry),
         )),
         (_, None, Some(static_rating)) => {
             Some(life::simple_fatigue_limit(kind, static_rating, pitch)?)
@@ -291,14 +298,14 @@ fn collect(
         ISO_281,
     );
     let modified = life::modified_life(basis, a_1, a_iso);
-    let keys = ("modified_rating_life", "modified_rating_life_hours");
+    let keys = ("modified_rating_life", "modified_rating_life_time");
     lives(out, keys, modified, relative);
     Ok(())
 }
 
-/// A life in revolutions and in hours.
-fn lives(out: &mut Collected, (name, hours): (&'static str, &'static str), life: f64, speed: f64) {
-    let (words, of_hours, source) = match name {
+/// A life in revolutions and in time.
+fn lives(out: &mut Collected, (name, time): (&'static str, &'static str), life: f64, speed: f64) {
+    let (words, of_time, source) = match name {
         "basic_rating_life" => ("basic rating life L_10", "  the same in time", ISO_281),
         "reference_rating_life" => (
             "reference rating life L_10r",
@@ -321,7 +328,7 @@ fn lives(out: &mut Collected, (name, hours): (&'static str, &'static str), life:
     if speed > 0.0 {
         out.add(
             Section::Life,
-            (hours, of_hours),
+            (time, of_time),
             life * TAU / speed,
             "s",
             source,

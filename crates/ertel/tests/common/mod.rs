@@ -75,6 +75,8 @@ pub fn case(kind: ContactKind, load: f64) -> Case {
         source: String::new(),
         given: serde_json::Value::Null,
         curve: None,
+        whole: None,
+        contacts: None,
         origin: None,
         machine: None,
         supply: ertel::contact::Supply::Flooded,

@@ -42,8 +42,8 @@ impl ClearanceClass {
     }
 }
 
-/// Deep groove ball bearings: bore over and up to, mm; least and largest clearance of C2, CN, C3 and C4, µm. DIN 620-4 in Schaeffler, Rolling Bearings, catalogue
-/// HR 1, 2006.
+/// Deep groove ball bearings: bore over and up to, mm; least and largest clearance of C2, CN, C3 and C4, µm. DIN 620-4 in Schaeffler,
+/// Rolling Bearings, catalogue HR 1, 2006.
 const DEEP_GROOVE: [([f64; 2], [[f64; 2]; 4]); 11] = [
     (
         [6.0, 10.0],
@@ -110,8 +110,8 @@ const CYLINDRICAL: [([f64; 2], [[f64; 2]; 3]); 9] = [
     ),
 ];
 
-/// Least and largest radial internal clearance before mounting, m, of deep groove ball bearings or cylindrical roller bearings of the bore (m); `None` outside of the
-/// tables.
+/// Least and largest radial internal clearance before mounting, m, of deep groove ball bearings or cylindrical roller bearings of the bore
+/// (m); `None` outside of the tables.
 pub fn radial_clearance(rollers: bool, class: ClearanceClass, bore: f64) -> Option<[f64; 2]> {
     let bore = bore * 1e3;
     let holds = |[over, up_to]: [f64; 2]| bore > over - 1e-9 && bore <= up_to + 1e-9;

@@ -3,6 +3,7 @@
 use super::Boundary;
 use super::clearance::ClearanceClass;
 use super::dimensions as table;
+use crate::bearing::friction::{PalmgrenSeries, SkfSeries};
 
 /// Series of the catalogue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +77,57 @@ impl Series {
             Series::CylindricalNu3 => all(&table::CYLINDRICAL_NU3),
             Series::Tapered302 => all(&table::TAPERED_302),
             Series::Tapered303 => all(&table::TAPERED_303),
+        }
+    }
+
+    /// Nominal contact angle of ratings, rad; `None` of tapered roller bearings, whose angles differ.
+    pub fn nominal_angle(self) -> Option<f64> {
+        match self {
+            Series::DeepGroove60
+            | Series::DeepGroove62
+            | Series::DeepGroove63
+            | Series::CylindricalNu10
+            | Series::CylindricalNu2
+            | Series::CylindricalNu3 => Some(0.0),
+            Series::Angular72B | Series::Angular73B => Some(40_f64.to_radians()),
+            Series::Tapered302 | Series::Tapered303 => None,
+        }
+    }
+
+    /// Its series in SKF's model of friction, which is here for deep groove ball bearings.
+    pub fn skf(self) -> Option<SkfSeries> {
+        match self {
+            Series::DeepGroove60 => Some(SkfSeries::S60),
+            Series::DeepGroove62 => Some(SkfSeries::S62),
+            Series::DeepGroove63 => Some(SkfSeries::S63),
+            _ => None,
+        }
+    }
+
+    /// Its series in Palmgren's model of friction.
+    pub fn palmgren(self) -> PalmgrenSeries {
+        match self {
+            Series::DeepGroove60 => PalmgrenSeries::DeepGroove60,
+            Series::DeepGroove62 => PalmgrenSeries::DeepGroove62,
+            Series::DeepGroove63 => PalmgrenSeries::DeepGroove63,
+            Series::Angular72B => PalmgrenSeries::Angular72B,
+            Series::Angular73B => PalmgrenSeries::Angular73B,
+            Series::CylindricalNu10 => PalmgrenSeries::Cylindrical10,
+            Series::CylindricalNu2 => PalmgrenSeries::Cylindrical2,
+            Series::CylindricalNu3 => PalmgrenSeries::Cylindrical3,
+            Series::Tapered302 | Series::Tapered303 => PalmgrenSeries::Tapered302,
+        }
+    }
+
+    /// X_0 and Y_0 of the static equivalent load; `None` of tapered roller bearings, whose factors differ. Schaeffler, HR 1, 2006.
+    pub fn static_factors(self) -> Option<[f64; 2]> {
+        match self {
+            Series::DeepGroove60 | Series::DeepGroove62 | Series::DeepGroove63 => Some([0.6, 0.5]),
+            Series::Angular72B | Series::Angular73B => Some([0.5, 0.26]),
+            Series::CylindricalNu10 | Series::CylindricalNu2 | Series::CylindricalNu3 => {
+                Some([1.0, 0.0])
+            }
+            Series::Tapered302 | Series::Tapered303 => None,
         }
     }
 

@@ -1,7 +1,7 @@
 //! Dimensions of series, mm. Rows begin with the bore code.
 //!
-//! Boundary dimensions are those of ISO 15 and ISO 355; raceway diameters F and E of cylindrical roller bearings are the maker's. All from the tables of Schaeffler, Rolling
-//! Bearings, catalogue HR 1, 2006.
+//! Boundary dimensions are those of ISO 15 and ISO 355; raceway diameters F and E of cylindrical roller bearings are the maker's. All from
+//! the tables of Schaeffler, Rolling Bearings, catalogue HR 1, 2006.
 
 /// 60: code, d, D, B.
 pub(super) const DEEP_GROOVE_60: [[f64; 4]; 24] = [

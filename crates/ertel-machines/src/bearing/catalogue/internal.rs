@@ -120,9 +120,9 @@ impl Internal {
     }
 }
 
-/// There is no model of the inside of such a bearing.
+/// The inside of such a bearing is not known here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("tapered roller bearings have dimensions here, but no model of their inside")]
+#[error("the internal geometry of tapered roller bearings is not in the catalogue")]
 pub struct NoModel;
 
 impl super::Entry {

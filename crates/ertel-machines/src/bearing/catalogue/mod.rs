@@ -41,7 +41,7 @@ pub struct Entry {
     pub designation: Designation,
     /// Its boundary dimensions.
     pub boundary: Boundary,
-    /// Its internal geometry; `None` of tapered roller bearings, for which there is no model.
+    /// Its internal geometry; `None` of tapered roller bearings, for which neither a source nor a rule was found.
     pub internal: Option<Internal>,
 }
 

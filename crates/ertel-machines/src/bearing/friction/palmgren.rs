@@ -108,7 +108,8 @@ impl PalmgrenMoment {
 ///
 /// deep groove: max(3.3 F_a − 0.1 F_r, F_r); 40-degree angular contact: max(F_a − 0.1 F_r, F_r); rollers: F_r
 ///
-/// Source: Schaeffler, HR 1, 2006, page 60. Tapered roller bearings: max(2 Y F_a, F_r) there, with the Y of the bearing, which is not known here.
+/// Source: Schaeffler, HR 1, 2006, page 60. Tapered roller bearings: max(2 Y F_a, F_r) there, with the Y of the bearing, which is not known
+/// here.
 pub fn palmgren_load(series: PalmgrenSeries, radial: f64, axial: f64) -> f64 {
     let (radial, axial) = (radial.abs(), axial.abs());
     match series {
@@ -126,8 +127,8 @@ pub fn palmgren_load(series: PalmgrenSeries, radial: f64, axial: f64) -> f64 {
     }
 }
 
-/// Frictional moment of a bearing of the mean diameter d_m (m) at a speed (rad/s), with an oil of the kinematic viscosity (m²/s) at temperature, under the
-/// decisive load P_1 (N).
+/// Frictional moment of a bearing of the mean diameter d_m (m) at a speed (rad/s), with an oil of the kinematic viscosity (m²/s) at
+/// temperature, under the decisive load P_1 (N).
 ///
 /// ```text
 ///   M_0 = f_0 (ν n)^(2/3) d_m³ 10⁻⁷   where ν n ≥ 2000, else f_0 160 · 10⁻⁷ d_m³        M_1 = f_1 P_1 d_m
@@ -164,8 +165,8 @@ mod tests {
 
     const PER_MINUTE: f64 = std::f64::consts::PI / 30.0;
 
-    /// 6206 in an oil bath by hand: f_0 = 2, f_1 = 0.0009 √(2000/11200) = 3.80319e-4; ν n = 30 · 1000, 30000^(2/3) = 965.489; M_0 = 2 · 965.489 · 46³ · 10⁻⁷ = 18.7953
-    /// N·mm, M_1 = 3.80319e-4 · 2000 · 46 = 34.9893 N·mm. SKF's model has 42.0 N·mm for the same bearing.
+    /// 6206 in an oil bath by hand: f_0 = 2, f_1 = 0.0009 √(2000/11200) = 3.80319e-4; ν n = 30 · 1000, 30000^(2/3) = 965.489; M_0 = 2 ·
+    /// 965.489 · 46³ · 10⁻⁷ = 18.7953 N·mm, M_1 = 3.80319e-4 · 2000 · 46 = 34.9893 N·mm. SKF's model has 42.0 N·mm for the same bearing.
     #[test]
     fn deep_groove_by_hand() {
         let series = PalmgrenSeries::DeepGroove62;

@@ -119,8 +119,8 @@ impl SkfMoment {
 ///   φ_ish = 1/[1 + 1.84e-9 (n d_m)^1.28 ν^0.64]     φ_rs = exp{−K_rs ν n (d + D) √[K_z/(2(D − d))]}
 ///   φ_bl = exp[−2.6e-8 (n ν)^1.4 d_m]
 /// ```
-/// in mm, N, 1/min, mm²/s, N·mm. Source: SKF, Rolling Bearings (general catalogue), as a public implementation quotes it; there, loads enter in kN, which
-/// these formulas do not allow.
+/// in mm, N, 1/min, mm²/s, N·mm. Source: SKF, Rolling Bearings (general catalogue), as a public implementation quotes it; there, loads
+/// enter in kN, which these formulas do not allow.
 ///
 /// # Errors
 /// Numbers that are not positive.

@@ -2,9 +2,11 @@
 
 mod ball;
 mod roller;
+mod tapered;
 
 pub use ball::{BallGeometry, Play};
 pub use roller::{RollerGeometry, RollerProfile};
+pub use tapered::TaperedGeometry;
 
 /// A ring of a bearing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

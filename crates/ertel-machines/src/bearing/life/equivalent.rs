@@ -102,8 +102,8 @@ mod tests {
     use crate::bearing::geometry::Play;
     use approx::assert_relative_eq;
 
-    /// Entries of the table, and both interpolations by hand: 2.5 degrees as 0; 12.5 degrees at 0.345 MPa Y = (1.71 + 1.40)/2; 0 degrees at 0.517 MPa
-    /// Y = (1.99 + 1.71)/2.
+    /// Entries of the table, and both interpolations by hand: 2.5 degrees as 0; 12.5 degrees at 0.345 MPa Y = (1.71 + 1.40)/2; 0 degrees at
+    /// 0.517 MPa Y = (1.99 + 1.71)/2.
     #[test]
     fn table_three() {
         let at = |degrees: f64, load: f64| factors(degrees.to_radians(), load * 1e6).unwrap();
@@ -116,8 +116,8 @@ mod tests {
         assert!(factors(50_f64.to_radians(), 1e6).is_err());
     }
 
-    /// 6206 under 2 kN and 1 kN: F_a/(Z D²) = 1.2247 MPa, between 1.03 and 1.38: Y = 1.55 − 0.5562 · 0.1 = 1.49438, P = 1120 + 1494.4 N; under 2 kN and 0.4 kN
-    /// (0.4899 MPa, e = 0.2368) P = F_r.
+    /// 6206 under 2 kN and 1 kN: F_a/(Z D²) = 1.2247 MPa, between 1.03 and 1.38: Y = 1.55 − 0.5562 · 0.1 = 1.49438, P = 1120 + 1494.4 N;
+    /// under 2 kN and 0.4 kN (0.4899 MPa, e = 0.2368) P = F_r.
     #[test]
     fn equivalent_loads_by_hand() {
         let bearing = BallGeometry {

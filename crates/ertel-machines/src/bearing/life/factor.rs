@@ -64,8 +64,8 @@ pub fn viscosity_ratio(viscosity: f64, speed: f64, pitch_diameter: f64) -> Resul
 ///     0.4 ≤ κ < 1:    c = 1.9987, 1.2348 over κ^0.19087
 ///     1 ≤ κ ≤ 4:      c = 1.9987, 1.2348 over κ^0.071739
 /// ```
-/// 50 at the most; κ above 4 counts as 4. Additives let κ < 1 count as 1 where e_C ≥ 0.2; the factor is then 3 at the most, and no less than it was.
-/// Source: ISO 281:2007, eqs. 31 to 36 and section 9.3.3.4.
+/// 50 at the most; κ above 4 counts as 4. Additives let κ < 1 count as 1 where e_C ≥ 0.2; the factor is then 3 at the most, and no less
+/// than it was. Source: ISO 281:2007, eqs. 31 to 36 and section 9.3.3.4.
 ///
 /// # Errors
 /// κ below 0.1, e_C outside of 0 to 1, loads that are not positive.

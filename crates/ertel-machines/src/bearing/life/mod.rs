@@ -1,8 +1,8 @@
 //! Load ratings and rating lives after ISO 281, ISO 76 and ISO/TS 16281.
 //!
-//! Lengths in m and forces in N go in and come out; the standards' formulas stand in mm and N, and numbers are turned over inside. Constants and tables
-//! are those of the standards as public implementations quote them; the standards themselves were not at hand. Ratings of a real bearing are its maker's:
-//! those computed from a geometry suit comparisons.
+//! Lengths in m and forces in N go in and come out; the standards' formulas stand in mm and N, and numbers are turned over inside.
+//! Constants and tables are those of the standards as public implementations quote them; the standards themselves were not at hand. Ratings
+//! of a real bearing are its maker's: those computed from a geometry suit comparisons.
 
 mod contamination;
 mod equivalent;
@@ -12,7 +12,7 @@ mod rating;
 mod reference;
 mod table;
 
-pub use contamination::{Cleanliness, contamination_factor};
+pub use contamination::{Cleanliness, GuideCleanliness, contamination_factor, contamination_guide};
 pub use equivalent::{Factors, dynamic_equivalent_load, factors, static_equivalent_load};
 pub use factor::{
     Kind, Lubrication, life_factor, reference_viscosity, reliability_factor, viscosity_ratio,

@@ -18,8 +18,8 @@ const F_C: [f64; 40] = [
     53.9, 53.2, 52.4, 51.7, 50.9, 50.0, 49.2, 48.4,
 ];
 
-/// f_0 of ISO 76 at γ = 0, 0.01, … 0.40: radial and angular contact ball bearings. From a public implementation, whose seventh entry, 15.7 like the sixth, is
-/// taken for a misprint of 15.9: all other steps of that part are 0.2.
+/// f_0 of ISO 76 at γ = 0, 0.01, … 0.40: radial and angular contact ball bearings. From a public implementation, whose seventh entry, 15.7
+/// like the sixth, is taken for a misprint of 15.9: all other steps of that part are 0.2.
 const F_0: [f64; 41] = [
     14.7, 14.9, 15.1, 15.3, 15.5, 15.7, 15.9, 16.1, 16.3, 16.5, 16.4, 16.1, 15.9, 15.6, 15.4, 15.2,
     14.9, 14.7, 14.4, 14.2, 14.0, 13.7, 13.5, 13.2, 13.0, 12.8, 12.5, 12.3, 12.1, 11.8, 11.6, 11.4,
@@ -60,7 +60,8 @@ pub fn ball_rating(geometry: &BallGeometry, nominal_angle: f64) -> Result<f64, E
 ///
 /// C_r = b_m f_c L^(7/9) Z^(3/4) D^(29/27),  L and D in mm
 ///
-/// Source: ISO 281:2007, eq. for radial roller bearings, as a public implementation for slewing bearings quotes it. The table of f_c was not found in a source.
+/// Source: ISO 281:2007, eq. for radial roller bearings, as a public implementation for slewing bearings quotes it. The table of f_c was
+/// not found in a source.
 ///
 /// # Errors
 /// f_c that is not positive.
@@ -106,8 +107,8 @@ mod tests {
         }
     }
 
-    /// 6206 by hand: γ = 0.207065, f_c = 59.82935, 1.3 · 59.82935 · 9^(2/3) · 9.525^1.8 = 77.7782 · 4.326749 · 57.8035 = 19452.5 N. C_0 = 13.788 · 9 · 90.7256 =
-    /// 11258 N.
+    /// 6206 by hand: γ = 0.207065, f_c = 59.82935, 1.3 · 59.82935 · 9^(2/3) · 9.525^1.8 = 77.7782 · 4.326749 · 57.8035 = 19452.5 N. C_0 =
+    /// 13.788 · 9 · 90.7256 = 11258 N.
     #[test]
     fn deep_groove_by_hand() {
         let bearing = of(9.525e-3, 46e-3, 9);

@@ -29,8 +29,8 @@ pub fn equivalent_element_load(loads: &[f64], turns: bool) -> f64 {
     (sum / loads.len().max(1) as f64).powf(p.recip())
 }
 
-/// Basic reference rating life of a single-row ball bearing with the rating C_r (N) at the nominal contact angle (rad), under the loads of all balls on
-/// inner and outer ring (N); `turning` is the ring that turns against the load.
+/// Basic reference rating life of a single-row ball bearing with the rating C_r (N) at the nominal contact angle (rad), under the loads of
+/// all balls on inner and outer ring (N); `turning` is the ring that turns against the load.
 ///
 /// ```text
 ///   T = 1.044 ((1 − γ)/(1 + γ))^1.72 [(r_i/r_e)(2r_e − D)/(2r_i − D)]^0.41

@@ -16,6 +16,10 @@ pub(crate) struct Ball<'a> {
     pub mass: f64,
     pub speeds: Speeds,
     pub curvature_angle: CurvatureAngle,
+    /// Moment of inertia J = m D²/10, kg m²; 0 where the gyroscopic moment is left out.
+    moment_of_inertia: f64,
+    /// A force that does not count, N.
+    negligible: f64,
     /// δ/Q^(2/3) of both contacts at the free contact angle.
     compliance: [f64; 2],
 }
@@ -83,6 +87,8 @@ const ROUNDS: usize = 20;
 const STEEP: f64 = 1.4;
 /// What is accepted where round-off allows no less.
 const ACCEPTED: f64 = 1e-9;
+/// Approach whose force does not count, in ball diameters: round-off of the ball's place is not far below.
+const NEGLIGIBLE: f64 = 1e-6;
 
 impl Ball<'_> {
     pub fn new<'a>(
@@ -93,14 +99,22 @@ impl Ball<'_> {
     ) -> Ball<'a> {
         let angle = geometry.free_angle();
         let modulus = material.reduced_modulus;
+        let mass = geometry.mass(material.density);
+        let compliance = Ring::BOTH
+            .map(|ring| Ellipse::of_radii(geometry.radii(ring, angle)).approach(1.0, modulus));
+        let squeeze = NEGLIGIBLE * geometry.ball_diameter;
         Ball {
             geometry,
             reduced_modulus: modulus,
-            mass: geometry.mass(material.density),
+            mass,
+            moment_of_inertia: match params.gyroscopic_moment {
+                true => mass * geometry.ball_diameter.powi(2) / 10.0,
+                false => 0.0,
+            },
+            negligible: (squeeze / compliance[0]).powf(1.5),
+            compliance,
             speeds,
             curvature_angle: params.curvature_angle,
-            compliance: Ring::BOTH
-                .map(|ring| Ellipse::of_radii(geometry.radii(ring, angle)).approach(1.0, modulus)),
         }
     }
 
@@ -147,11 +161,10 @@ impl Ball<'_> {
         let angles = [angles[0].clamp(-STEEP, STEEP), angles[1]];
         let ratio = g.ball_diameter / g.pitch_diameter;
         let motion = BallMotion::new(ratio, angles, self.speeds, RacewayControl::Outer);
-        let moment_of_inertia = self.mass * g.ball_diameter.powi(2) / 10.0;
         (
             motion,
             0.5 * self.mass * g.pitch_diameter * motion.cage.powi(2),
-            moment_of_inertia * motion.cage * motion.element * motion.attitude.sin(),
+            self.moment_of_inertia * motion.cage * motion.element * motion.attitude.sin(),
         )
     }
 
@@ -160,7 +173,6 @@ impl Ball<'_> {
         let g = self.geometry;
         let ratio = g.ball_diameter / g.pitch_diameter;
         let mut slopes = motion.slopes_under_outer_control(ratio, angles, self.speeds);
-        let moment_of_inertia = self.mass * g.ball_diameter.powi(2) / 10.0;
         let (s, c) = motion.attitude.sin_cos();
         if angles[0].abs() > STEEP {
             slopes[0] = BallMotion {
@@ -172,7 +184,7 @@ impl Ball<'_> {
         let force = slopes.map(|d| self.mass * g.pitch_diameter * motion.cage * d.cage);
         let moment = slopes.map(|d| {
             let product = d.cage * motion.element + motion.cage * d.element;
-            moment_of_inertia * (product * s + motion.cage * motion.element * c * d.attitude)
+            self.moment_of_inertia * (product * s + motion.cage * motion.element * c * d.attitude)
         });
         [force, moment]
     }
@@ -219,9 +231,9 @@ impl Ball<'_> {
     ///   0 = Q_i n_i − Q_o n_o − 2 (M_g/D) e_o + F_c r,   n = d/|d|,  e = dn/dα
     ///   M_g t = dH/dt = ω_m z × J ω_R (sin β r − cos β z)
     /// ```
-    /// The outer raceway, which controls the ball, resists the gyroscopic moment alone: its friction turns the ball's angular momentum along with the
-    /// cage, and its direction follows from dH/dt as it stands here. (Harris and Kotzalas 2007, Advanced Concepts, chapter 3, with λ_o = 2, λ_i = 0.)
-    /// A ball that touches the outer ring alone lies at α_o = 0 and Q_o = F_c.
+    /// The outer raceway, which controls the ball, resists the gyroscopic moment alone: its friction turns the ball's angular momentum
+    /// along with the cage, and its direction follows from dH/dt as it stands here. (Harris and Kotzalas 2007, Advanced Concepts, chapter
+    /// 3, with λ_o = 2, λ_i = 0.) A ball that touches the outer ring alone lies at α_o = 0 and Q_o = F_c.
     fn at_speed(&self, centre: Vector2<f64>) -> Option<BallState> {
         let g = self.geometry;
         let (loose, mut place) = self.loose(centre);
@@ -258,8 +270,8 @@ impl Ball<'_> {
         (here.size() <= ACCEPTED).then(|| here.state())?
     }
 
-    /// A ball that touches the outer ring alone, and where its centre is. Its cage speed is that of the angle at which it would touch the inner ring,
-    /// so that forces do not jump where it does.
+    /// A ball that touches the outer ring alone, and where its centre is. Its cage speed is that of the angle at which it would touch the
+    /// inner ring, so that forces do not jump where it does.
     fn loose(&self, centre: Vector2<f64>) -> (BallState, Vector2<f64>) {
         let [compliance, _] = self.compliance(Ring::Outer, 0.0);
         let reach = self.geometry.reach(Ring::Outer);
@@ -321,6 +333,7 @@ impl Ball<'_> {
             motion,
             centrifugal,
             moment,
+            negligible: self.negligible,
         }
     }
 }
@@ -356,12 +369,13 @@ struct Imbalance {
     motion: BallMotion,
     centrifugal: f64,
     moment: f64,
+    negligible: f64,
 }
 
 impl Imbalance {
     fn size(&self) -> f64 {
         let largest = self.loads[0].max(self.loads[1]).max(self.centrifugal);
-        self.rest.amax() / largest
+        self.rest.amax() / largest.max(self.negligible)
     }
 
     /// The ball's place follows the groove's centre: dV/dX = −(∂g/∂V)⁻¹ ∂g/∂X.

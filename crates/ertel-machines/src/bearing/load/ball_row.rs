@@ -148,6 +148,7 @@ impl Balls<'_> {
             attitude: motion.attitude,
             centrifugal_force: state.centrifugal_force,
             gyroscopic_moment: state.gyroscopic_moment,
+            rib_load: 0.0,
         }
     }
 }

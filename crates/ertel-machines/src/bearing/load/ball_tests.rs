@@ -80,8 +80,8 @@ fn stiffness_is_the_slope() {
     }
 }
 
-/// Newton and Euler for the ball in three dimensions, with the forces of friction and the normal loads as found: Σ F = −m ω_m² r and Σ M = dH/dt, the
-/// latter by turning the angular momentum about the bearing's axis by a small angle.
+/// Newton and Euler for the ball in three dimensions, with the forces of friction and the normal loads as found: Σ F = −m ω_m² r and Σ M =
+/// dH/dt, the latter by turning the angular momentum about the bearing's axis by a small angle.
 #[test]
 fn newton_and_euler() {
     let geometry = angular();

@@ -1,12 +1,14 @@
 //! How the elements of a bearing share its load, after ISO/TS 16281, with forces of inertia.
 //!
-//! Rings are rigid and round. The inner ring moves by δ_x, δ_y, δ_z and tilts by θ_x, θ_y against the outer; at an element at ψ, its groove moves by
+//! Rings are rigid and round. The inner ring moves by δ_x, δ_y, δ_z and tilts by θ_x, θ_y against the outer; at an element at ψ, its groove
+//! moves by
 //! ```text
 //!   δ_r = δ_x cos ψ + δ_y sin ψ,   δ_a = δ_z + ℛ (θ_x sin ψ − θ_y cos ψ)
 //! ```
 //! and loads and moments follow from the elements' by virtual work.
 //!
-//! Source: ISO/TS 16281 (as MESYS's manual and public implementations quote it); Harris and Kotzalas 2007, Advanced Concepts, chapters 1 and 3.
+//! Source: ISO/TS 16281 (as MESYS's manual and public implementations quote it); Harris and Kotzalas 2007, Advanced Concepts, chapters 1
+//! and 3.
 
 mod ball;
 mod ball_row;
@@ -82,9 +84,12 @@ pub enum CurvatureAngle {
 pub struct Params {
     /// Where the stiffness of a ball's contacts is taken.
     pub curvature_angle: CurvatureAngle,
-    /// Which raceway controls the balls: decides spin and speeds. Forces of inertia are always those of outer control, since they count only at
-    /// speeds where it rules.
+    /// Which raceway controls the balls: decides spin and speeds. Forces of inertia are always those of outer control, since they count
+    /// only at speeds where it rules.
     pub control: RacewayControl,
+    /// Whether the gyroscopic moment acts on balls. Where they find no balance with it, as light ones between rings that turn against each other
+    /// may not, it is left out of all of them.
+    pub gyroscopic_moment: bool,
     /// Slices of a roller; 30 at least.
     pub slices: usize,
     /// Angle of the first element, rad.
@@ -100,10 +105,11 @@ impl Default for Params {
         Params {
             curvature_angle: CurvatureAngle::Loaded,
             control: RacewayControl::Outer,
+            gyroscopic_moment: true,
             slices: 41,
             first_element: 0.0,
             tolerance: 1e-9,
-            iterations: 200,
+            iterations: 60,
         }
     }
 }
@@ -115,6 +121,8 @@ pub struct Info {
     pub iterations: usize,
     /// Force out of balance over the largest force in the bearing.
     pub residual: f64,
+    /// Whether the gyroscopic moment had to be left out: the balls slip about the tangent of their orbit then.
+    pub gyroscopic_slip: bool,
 }
 
 /// Why there is no load distribution.
@@ -141,6 +149,11 @@ pub enum Error {
         "a cylindrical roller bearing carries no axial load here, but {0} N are given: ribs are not part of the model"
     )]
     AxialLoad(f64),
+    /// Nothing holds the rings of a tapered roller bearing together.
+    #[error(
+        "a tapered roller bearing needs an axial load that presses its rings together, or a given axial shift: its axial load is {0} N"
+    )]
+    Separation(f64),
     /// Newton's method came to no end.
     #[error(
         "no equilibrium of the rings within {iterations} steps: force out of balance {residual:.1e} of the largest force"
@@ -219,8 +232,10 @@ pub struct Element {
     pub attitude: f64,
     /// Centrifugal force, N.
     pub centrifugal_force: f64,
-    /// Gyroscopic moment, N·m.
+    /// Gyroscopic moment, N·m; 0 of rollers, whose raceways and ribs guide them.
     pub gyroscopic_moment: f64,
+    /// Load on the rib of the inner ring, N, along the roller's axis; 0 of all but tapered rollers.
+    pub rib_load: f64,
 }
 
 /// The solution.

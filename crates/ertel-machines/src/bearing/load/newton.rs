@@ -34,14 +34,15 @@ pub(crate) trait Row {
 const TRIALS: usize = 50;
 /// What the force out of balance along a step may be where it ends, in that where it begins.
 const SLACK: f64 = 0.5;
-/// Stiffness added to all directions, in the typical one and times the force out of balance: directions without any are none where nothing touches.
+/// Stiffness added to all directions, in the typical one and times the force out of balance: directions without any are none where nothing
+/// touches.
 const SOFT: f64 = 1e-6;
 
 /// Shifts in balance with the given loads.
 ///
 /// The elastic energy of the elements is convex in the shifts, and the force out of balance its slope, which only grows along a step. Where a
-/// step ends beyond the balance by more than [`SLACK`], the place of balance along it is enclosed by halves until it is not: the energy falls with
-/// each step, also where elements come into touch. Steps are no longer than [`Row::longest_step`].
+/// step ends beyond the balance by more than [`SLACK`], the place of balance along it is enclosed by halves until it is not: the energy
+/// falls with each step, also where elements come into touch. Steps are no longer than [`Row::longest_step`].
 pub(crate) fn balance(
     row: &impl Row,
     given: [Given; 5],
@@ -84,7 +85,11 @@ pub(crate) fn balance(
         info = Info {
             iterations: iteration,
             residual: size(&reaction),
+            gyroscopic_slip: false,
         };
+        if reaction.largest <= 0.0 && largest_load == 0.0 {
+            return Err(Error::Unloaded);
+        }
         if info.residual <= tolerance && reaction.largest > 0.0 {
             return Ok((shift, reaction, info));
         }

@@ -3,7 +3,6 @@
 use nalgebra::{Matrix2, Vector2};
 
 use crate::bearing::Material;
-use crate::bearing::geometry::RollerGeometry;
 
 /// Exponent of the load of a slice.
 const EXPONENT: f64 = 10.0 / 9.0;
@@ -12,8 +11,8 @@ const EXPONENT: f64 = 10.0 / 9.0;
 ///
 /// q = c_L δ^(10/9),  c_L = 35948 L^(8/9) with L and δ in mm
 ///
-/// Source: ISO/TS 16281, as MESYS's manual and public implementations quote it; it stands for E' = 226 GPa, and other materials are taken to be stiffer
-/// or softer in proportion to E'.
+/// Source: ISO/TS 16281, as MESYS's manual and public implementations quote it; it stands for E' = 226 GPa, and other materials are taken
+/// to be stiffer or softer in proportion to E'.
 fn stiffness(length: f64, material: Material) -> f64 {
     // mm^(−8/9) mm^(−10/9) = mm^(−2)
     let steel = 35_948.0 * 1e6 * length.powf(8.0 / 9.0);
@@ -52,24 +51,27 @@ struct Contact {
 }
 
 const STEPS: usize = 100;
+const TRIALS: usize = 40;
 const REST: f64 = 1e-12;
 const ACCEPTED: f64 = 1e-9;
+/// Approach whose force does not count, in lengths of the roller.
+const NEGLIGIBLE: f64 = 1e-6;
 
 impl Roller {
+    /// Of a length (m), a drop (m) along it, and a force outwards (N) along the normal.
     pub fn new(
-        geometry: &RollerGeometry,
+        length: f64,
+        drop: impl Fn(f64) -> f64,
         material: Material,
         centrifugal: f64,
         slices: usize,
     ) -> Roller {
-        let width = geometry.length / slices as f64;
-        let middle = |k: usize| (k as f64 + 0.5) * width - 0.5 * geometry.length;
+        let width = length / slices as f64;
+        let middle = |k: usize| (k as f64 + 0.5) * width - 0.5 * length;
         // Both contacts in series: δ = 2 (q/c)^(9/10).
-        let one = stiffness(geometry.length, material) * 2_f64.powf(EXPONENT);
+        let one = stiffness(length, material) * 2_f64.powf(EXPONENT);
         Roller {
-            slices: (0..slices)
-                .map(|k| [middle(k), geometry.drop(middle(k))])
-                .collect(),
+            slices: (0..slices).map(|k| [middle(k), drop(middle(k))]).collect(),
             width,
             stiffness: one / slices as f64,
             centrifugal,
@@ -104,7 +106,8 @@ impl Roller {
 
     /// The roller in balance under shift (m) and tilt (rad) of the inner raceway towards the outer, from where both touch a cylinder.
     ///
-    /// Without centrifugal force, it lies in the middle: each contact takes half of shift and tilt. With it, outwards shift v and tilt φ follow from
+    /// Without centrifugal force, it lies in the middle: each contact takes half of shift and tilt. With it, outwards shift v and tilt φ
+    /// follow from
     /// ```text
     ///   Σ q_o − Σ q_i = F_c,   Σ z (q_o − q_i) = 0,   δ_i = shift − v + (tilt − φ) z − drop,  δ_o = v + φ z − drop
     /// ```
@@ -118,20 +121,26 @@ impl Roller {
             });
         }
         let push = Vector2::new(self.centrifugal, 0.0);
-        let mut place = Vector2::new(0.5 * shift, 0.5 * tilt);
-        // A roller that the inner ring does not reach is pressed outwards alone.
+        // A roller that the inner ring hardly reaches lies flat on the outer one.
         let total = self.stiffness * self.slices.len() as f64;
         let alone = (self.centrifugal / total).powf(1.0 / EXPONENT);
-        place[0] = place[0].max(alone);
+        let mut place = match 0.5 * shift > alone {
+            true => Vector2::new(0.5 * shift, 0.5 * tilt),
+            false => Vector2::new(alone, 0.0),
+        };
+        // A roller on one slice alone may turn: what is added keeps the matrix regular.
+        let soft = 1e-10 * total * alone.powf(EXPONENT - 1.0);
+        let length = self.width * self.slices.len() as f64;
+        let soft = Matrix2::from_diagonal(&Vector2::new(soft, soft * length * length));
         let at = |place: Vector2<f64>| {
             let inner = self.contact(shift - place[0], tilt - place[1]);
             let outer = self.contact(place[0], place[1]);
             let rest = outer.force - inner.force - push;
             (inner, outer, rest)
         };
-        let length = self.width * self.slices.len() as f64;
         let size = |rest: &Vector2<f64>, inner: &Contact| {
-            let largest = self.centrifugal + inner.force[0];
+            let negligible = total * (NEGLIGIBLE * length).powf(EXPONENT);
+            let largest = (self.centrifugal + inner.force[0]).max(negligible);
             (rest[0].abs().max(rest[1].abs() / length)) / largest
         };
         let (mut inner, mut outer, mut rest) = at(place);
@@ -140,30 +149,32 @@ impl Roller {
             if now <= REST {
                 break;
             }
-            let mut slope = inner.slope + outer.slope;
-            // A roller on one slice alone may turn.
-            slope[(1, 1)] += 1e-10 * total * alone.powf(EXPONENT - 1.0) * length * length;
-            slope[(0, 0)] += 1e-10 * total * alone.powf(EXPONENT - 1.0);
+            let slope = inner.slope + outer.slope + soft;
             let step = slope.lu().solve(&-rest)?;
             let before = step.dot(&rest).abs();
-            let mut part = 1.0;
-            loop {
-                let next = place + part * step;
-                let there = at(next);
-                let work = step.dot(&there.2);
-                if work <= 0.9 * before || part < 1e-6 || size(&there.2, &there.0) <= now {
-                    place = next;
+            // The energy is convex: the place of balance along the step is enclosed where it goes too far.
+            let (mut low, mut part, mut high) = (0.0, 1.0, 1.0);
+            for trial in 1..=TRIALS {
+                let there = at(place + part * step);
+                let work = step.dot(&there.2) / before;
+                let is_short = work < -0.5 && part < high;
+                if trial == TRIALS || (work <= 0.5 && !is_short) {
+                    place += part * step;
                     (inner, outer, rest) = there;
                     break;
                 }
-                part *= 0.5;
+                match is_short {
+                    true => low = part,
+                    false => high = part,
+                }
+                part = 0.5 * (low + high);
             }
         }
         if size(&rest, &inner) > ACCEPTED {
             return None;
         }
         // dv/dX = (k_i + k_o)⁻¹ k_i
-        let follow = (inner.slope + outer.slope).try_inverse()? * inner.slope;
+        let follow = (inner.slope + outer.slope + soft).try_inverse()? * inner.slope;
         Some(RollerState {
             force: inner.force,
             stiffness: inner.slope - inner.slope * follow,
@@ -175,7 +186,7 @@ impl Roller {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bearing::geometry::RollerProfile;
+    use crate::bearing::geometry::{RollerGeometry, RollerProfile};
     use approx::assert_relative_eq;
 
     fn roller(profile: RollerProfile, centrifugal: f64) -> Roller {
@@ -187,7 +198,8 @@ mod tests {
             clearance: 0.0,
             profile,
         };
-        Roller::new(&geometry, Material::STEEL, centrifugal, 41)
+        let drop = |z| geometry.drop(z);
+        Roller::new(10e-3, drop, Material::STEEL, centrifugal, 41)
     }
 
     /// By hand: 35948 · 10^(8/9) · 0.01^(10/9) = 278355 · 0.00599484 = 1668.7 N at 10 µm and L = 10 mm.

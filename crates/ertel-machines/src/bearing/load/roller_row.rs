@@ -1,35 +1,145 @@
 //! The rollers of a bearing together.
 
-use ertel_ehl::contact::{Contact, Hertz};
+use ertel_ehl::contact::{Contact, Curvatures, Hertz};
 use nalgebra::SMatrix;
 
 use super::newton::{Reaction, Row, Vector, balance};
 use super::roller::{Roller, RollerState};
-use super::solve::{direction, finish};
+use super::solve::{angles, direction, finish};
 use super::{Distribution, Element, Error, Given, Params, RingContact, Slice};
 use crate::bearing::Material;
-use crate::bearing::geometry::{Ring, RollerGeometry};
-use crate::bearing::kinematics::RollerMotion;
+use crate::bearing::geometry::{Ring, RollerGeometry, TaperedGeometry};
+use crate::bearing::kinematics::{RollerMotion, Speeds};
 
-pub(super) struct Rollers<'a> {
-    pub geometry: &'a RollerGeometry,
-    pub roller: Roller,
-    pub angles: Vec<f64>,
+/// Cylindrical or tapered rollers.
+pub(super) struct Rollers {
+    roller: Roller,
+    /// Places of the rollers, rad.
+    angles: Vec<f64>,
+    /// Contact angles, rad, reduced radii, m, and curvatures, 1/m.
+    raceways: [Raceway; 2],
+    /// Radial play, m.
+    clearance: f64,
+    /// Radius of the rollers' middles and half of their length, m.
+    pitch_radius: f64,
+    half_length: f64,
+    motion: RollerMotion,
+    /// Radially outwards, N.
+    centrifugal: f64,
+    /// Half angle of the rollers and inclination of their axes, rad.
+    half_angle: f64,
+    axis_angle: f64,
 }
 
-impl Rollers<'_> {
-    /// Radial shift and tilt of the raceway at ψ.
-    fn map(angle: f64) -> SMatrix<f64, 2, 5> {
+struct Raceway {
+    angle: f64,
+    radius: f64,
+    curvatures: [Curvatures; 2],
+}
+
+impl Rollers {
+    pub fn cylindrical(
+        geometry: &RollerGeometry,
+        material: Material,
+        speeds: Speeds,
+        params: &Params,
+    ) -> Rollers {
+        let motion = RollerMotion::new(geometry.gamma(), geometry.pitch_diameter, speeds);
+        let mass = geometry.mass(material.density);
+        let centrifugal = 0.5 * mass * geometry.pitch_diameter * motion.cage.powi(2);
+        let drop = |z| geometry.drop(z);
+        Rollers {
+            roller: Roller::new(geometry.length, drop, material, centrifugal, params.slices),
+            angles: angles(geometry.number, params),
+            raceways: Ring::BOTH.map(|ring| Raceway {
+                angle: 0.0,
+                radius: geometry.radius(ring),
+                curvatures: geometry.curvatures(ring),
+            }),
+            clearance: geometry.clearance,
+            pitch_radius: 0.5 * geometry.pitch_diameter,
+            half_length: 0.5 * geometry.length,
+            motion,
+            centrifugal,
+            half_angle: 0.0,
+            axis_angle: 0.0,
+        }
+    }
+
+    /// Tapered rollers between the cup and the cone with its rib, which moves them along their axes with the inner ring.
+    ///
+    /// ```text
+    ///   across the roller's axis:  Q_o cos ν = Q_i cos ν + F_c cos β       along it:  Q_f = (Q_i + Q_o) sin ν + F_c sin β,   β = α_o − ν
+    ///   δ_i + δ_o = δ_r cos α_o + δ_a sin α_o
+    /// ```
+    /// The rib without friction pushes along the axis; ring and rib together then bear Q_o at the cup's angle less F_c. Both contacts are
+    /// taken to be alike stiff.
+    pub fn tapered(
+        geometry: &TaperedGeometry,
+        material: Material,
+        speeds: Speeds,
+        params: &Params,
+    ) -> Rollers {
+        let contact_angles = Ring::BOTH.map(|ring| geometry.angle(ring));
+        let (half_angle, axis_angle) = (geometry.half_angle(), geometry.axis_angle());
+        let motion =
+            RollerMotion::of_cones(half_angle, contact_angles, geometry.apex_distance(), speeds);
+        let mass = geometry.mass(material.density);
+        let centrifugal = 0.5 * mass * geometry.pitch_diameter * motion.cage.powi(2);
+        let normal = centrifugal * axis_angle.cos() / half_angle.cos();
+        let relief = geometry.relief();
+        let drop = |y| (relief.as_ref()).map_or(0.0, |p| p.drop(geometry.length, y)[0]);
+        Rollers {
+            roller: Roller::new(geometry.length, drop, material, normal, params.slices),
+            angles: angles(geometry.number, params),
+            raceways: Ring::BOTH.map(|ring| Raceway {
+                angle: geometry.angle(ring),
+                radius: geometry.radius(ring),
+                curvatures: geometry.curvatures(ring),
+            }),
+            clearance: 0.0,
+            pitch_radius: 0.5 * geometry.pitch_diameter,
+            half_length: 0.5 * geometry.length,
+            motion,
+            centrifugal,
+            half_angle,
+            axis_angle,
+        }
+    }
+
+    /// Shift along the normal of the outer raceway, and tilt of the generator, at ψ.
+    fn map(&self, angle: f64) -> SMatrix<f64, 2, 5> {
         let (s, c) = angle.sin_cos();
+        let (axial, radial) = self.raceways[1].angle.sin_cos();
+        let arm = self.pitch_radius * axial;
         SMatrix::<f64, 2, 5>::from_row_slice(&[
-            c, s, 0.0, 0.0, 0.0, //
-            0.0, 0.0, 0.0, -s, c,
+            c * radial,
+            s * radial,
+            axial,
+            arm * s,
+            -arm * c, //
+            0.0,
+            0.0,
+            0.0,
+            -s,
+            c,
         ])
     }
 
+    /// What the inner ring bears through its rib besides Q_i along the normal of the cup: Q_o − Q_i along that normal, less F_c. Nothing of
+    /// cylindrical rollers.
+    fn thrust(&self, angle: f64) -> Vector {
+        let (s, c) = angle.sin_cos();
+        let normal = self.centrifugal * self.axis_angle.cos() / self.half_angle.cos();
+        let (axial, radial) = self.raceways[1].angle.sin_cos();
+        let [radial, axial] = [normal * radial - self.centrifugal, normal * axial];
+        let moment = self.pitch_radius * axial;
+        Vector::from([radial * c, radial * s, axial, moment * s, -moment * c])
+    }
+
     fn state(&self, angle: f64, shift: &Vector) -> Result<RollerState, Error> {
-        let moved = Self::map(angle) * shift;
-        let found = (self.roller).state(moved[0] - 0.5 * self.geometry.clearance, moved[1]);
+        let moved = self.map(angle) * shift;
+        let found = (self.roller).state(moved[0] - 0.5 * self.clearance, moved[1]);
         found.ok_or(Error::Element {
             degrees: angle.to_degrees(),
         })
@@ -39,8 +149,6 @@ impl Rollers<'_> {
         &self,
         given: [Given; 5],
         material: Material,
-        motion: RollerMotion,
-        centrifugal_force: f64,
         params: &Params,
     ) -> Result<Distribution, Error> {
         let (shift, reaction, info) = balance(self, given, params.tolerance, params.iterations)?;
@@ -49,13 +157,17 @@ impl Rollers<'_> {
             .iter()
             .map(|angle| {
                 let state = self.state(*angle, &shift)?;
+                let contacts = Ring::BOTH.map(|ring| self.contact(ring, &state, material));
+                let both = contacts[0].load + contacts[1].load;
                 Ok(Element {
                     position: *angle,
-                    contacts: Ring::BOTH.map(|ring| self.contact(ring, &state, material, motion)),
-                    cage_speed: motion.cage,
-                    own_speed: motion.element,
-                    attitude: 0.0,
-                    centrifugal_force,
+                    rib_load: both * self.half_angle.sin()
+                        + self.centrifugal * self.axis_angle.sin(),
+                    contacts,
+                    cage_speed: self.motion.cage,
+                    own_speed: self.motion.element,
+                    attitude: self.axis_angle,
+                    centrifugal_force: self.centrifugal,
                     gyroscopic_moment: 0.0,
                 })
             })
@@ -63,14 +175,15 @@ impl Rollers<'_> {
         finish(elements, &shift, &reaction, info)
     }
 
-    fn contact(
-        &self,
-        ring: Ring,
-        state: &RollerState,
-        material: Material,
-        motion: RollerMotion,
-    ) -> RingContact {
-        let radius = self.geometry.radius(ring);
+    /// Spin of ring and roller about the normal from ring to roller, seen from the cage: cones with one apex have the same, ω_R sin ν, at
+    /// both rings.
+    fn spin(&self) -> [f64; 2] {
+        [self.motion.element * self.half_angle.sin(); 2]
+    }
+
+    fn contact(&self, ring: Ring, state: &RollerState, material: Material) -> RingContact {
+        let raceway = &self.raceways[ring.index()];
+        let radius = raceway.radius;
         let hertz = |line_load| {
             let line = Contact::line(radius, line_load);
             match line_load > 0.0 {
@@ -97,28 +210,28 @@ impl Rollers<'_> {
         RingContact {
             ring,
             load,
-            angle: 0.0,
+            angle: raceway.angle,
             radii: [radius, f64::INFINITY],
-            curvatures: self.geometry.curvatures(ring),
+            curvatures: raceway.curvatures,
             semi_axes: [
-                hertz(load / self.geometry.length).half_width,
-                0.5 * self.geometry.length,
+                hertz(0.5 * load / self.half_length).half_width,
+                self.half_length,
             ],
             pressure: slices.iter().fold(0.0, |p, slice| p.max(slice.pressure)),
-            entrainment_speed: motion.entrainment_speed,
-            spin: [0.0; 2],
+            entrainment_speed: self.motion.entrainment_speed,
+            spin: self.spin(),
             slices,
         }
     }
 }
 
-impl Row for Rollers<'_> {
+impl Row for Rollers {
     fn reaction(&self, shift: &Vector) -> Result<Reaction, Error> {
         let mut sum = Reaction::none();
         for angle in &self.angles {
-            let map = Self::map(*angle);
+            let map = self.map(*angle);
             let state = self.state(*angle, shift)?;
-            sum.force += map.transpose() * state.force;
+            sum.force += map.transpose() * state.force + self.thrust(*angle);
             sum.stiffness += map.transpose() * state.stiffness * map;
             sum.largest = sum.largest.max(state.force[0]);
         }
@@ -127,19 +240,27 @@ impl Row for Rollers<'_> {
 
     fn start(&self, load: &Vector) -> Vector {
         let [x, y] = direction(load);
-        let of_roller = 5.0 * load[0].hypot(load[1]) / self.geometry.number as f64;
-        let unit = self.typical_stiffness() * self.longest_step();
-        let squeeze = self.longest_step() * (of_roller / unit).powf(0.9);
-        let radial = squeeze + 0.5 * self.geometry.clearance;
-        Vector::from([radial * x, radial * y, 0.0, 0.0, 0.0])
+        let (axial_part, radial_part) = self.raceways[1].angle.sin_cos();
+        let squeeze = |of_roller: f64| {
+            let unit = self.typical_stiffness() * self.longest_step();
+            self.longest_step() * (of_roller / unit).powf(0.9)
+        };
+        let number = self.angles.len() as f64;
+        let radial_load = load[0].hypot(load[1]) / radial_part;
+        let radial = squeeze(5.0 * radial_load / number) + 0.5 * self.clearance;
+        let axial = match axial_part > 0.0 {
+            true => squeeze(load[2].max(0.0) / (number * axial_part)) / axial_part,
+            false => 0.0,
+        };
+        Vector::from([radial * x, radial * y, axial, 0.0, 0.0])
     }
 
     fn longest_step(&self) -> f64 {
-        0.01 * self.geometry.roller_diameter
+        0.005 * self.pitch_radius
     }
 
     fn arm(&self) -> f64 {
-        0.5 * self.geometry.length
+        self.pitch_radius.max(self.half_length)
     }
 
     fn typical_stiffness(&self) -> f64 {

@@ -5,10 +5,9 @@ use std::f64::consts::TAU;
 use super::ball::Ball;
 use super::ball_row::Balls;
 use super::newton::{Matrix, Reaction, Vector};
-use super::roller::Roller;
 use super::roller_row::Rollers;
 use super::{Distribution, Element, Error, Given, Info, Loads, Params};
-use crate::bearing::kinematics::{RollerMotion, Speeds};
+use crate::bearing::kinematics::Speeds;
 use crate::bearing::{Bearing, Geometry, Material};
 
 /// Solves the equilibrium of the inner ring.
@@ -24,18 +23,30 @@ pub fn solve(
     bearing.geometry.check()?;
     check(bearing, loads, speeds, params)?;
     let given = loads.all();
-    let is_loaded = |given: &Given| *given != Given::Load(0.0);
     match &bearing.geometry {
         Geometry::Ball(geometry) => {
-            if !given[..3].iter().any(is_loaded) && geometry.clearance() >= 0.0 {
-                return Err(Error::Unloaded);
-            }
-            let row = Balls {
-                geometry,
-                ball: Ball::new(geometry, bearing.material, speeds, params),
-                angles: angles(geometry.number, params),
+            let solved = |params: &Params| {
+                let row = Balls {
+                    geometry,
+                    ball: Ball::new(geometry, bearing.material, speeds, params),
+                    angles: angles(geometry.number, params),
+                };
+                row.solve(given, bearing.material, speeds, params)
             };
-            row.solve(given, bearing.material, speeds, params)
+            match solved(params) {
+                Err(Error::Element { .. } | Error::NoConvergence { .. })
+                    if params.gyroscopic_moment && speeds != Speeds::default() =>
+                {
+                    let without = Params {
+                        gyroscopic_moment: false,
+                        ..*params
+                    };
+                    let mut found = solved(&without)?;
+                    found.info.gyroscopic_slip = true;
+                    Ok(found)
+                }
+                other => other,
+            }
         }
         Geometry::CylindricalRoller(geometry) => {
             let mut given = given;
@@ -44,18 +55,17 @@ pub fn solve(
                 // No force follows from an axial shift.
                 _ => given[2] = Given::Shift(0.0),
             }
-            if !given[..2].iter().any(is_loaded) && geometry.clearance >= 0.0 {
-                return Err(Error::Unloaded);
+            let row = Rollers::cylindrical(geometry, bearing.material, speeds, params);
+            row.solve(given, bearing.material, params)
+        }
+        Geometry::TaperedRoller(geometry) => {
+            if let Given::Load(load) = given[2]
+                && load <= 0.0
+            {
+                return Err(Error::Separation(load));
             }
-            let motion = RollerMotion::new(geometry.gamma(), geometry.pitch_diameter, speeds);
-            let mass = geometry.mass(bearing.material.density);
-            let centrifugal = 0.5 * mass * geometry.pitch_diameter * motion.cage.powi(2);
-            let row = Rollers {
-                geometry,
-                roller: Roller::new(geometry, bearing.material, centrifugal, params.slices),
-                angles: angles(geometry.number, params),
-            };
-            row.solve(given, bearing.material, motion, centrifugal, params)
+            let row = Rollers::tapered(geometry, bearing.material, speeds, params);
+            row.solve(given, bearing.material, params)
         }
     }
 }
@@ -93,7 +103,7 @@ fn check(bearing: &Bearing, loads: &Loads, speeds: Speeds, params: &Params) -> R
     Ok(())
 }
 
-fn angles(number: usize, params: &Params) -> Vec<f64> {
+pub(super) fn angles(number: usize, params: &Params) -> Vec<f64> {
     (0..number)
         .map(|j| params.first_element + TAU * j as f64 / number as f64)
         .collect()

@@ -1,7 +1,9 @@
 use std::f64::consts::PI;
 
 use super::*;
-use crate::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile};
+use crate::bearing::geometry::{
+    BallGeometry, Play, RollerGeometry, RollerProfile, TaperedGeometry,
+};
 use crate::bearing::kinematics::Speeds;
 use crate::bearing::{Bearing, Geometry, Material};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
@@ -31,6 +33,17 @@ fn cylindrical(clearance: f64) -> RollerGeometry {
         pitch_diameter: 54e-3,
         number: 14,
         clearance,
+        profile: RollerProfile::Logarithmic,
+    }
+}
+
+fn tapered() -> TaperedGeometry {
+    TaperedGeometry {
+        roller_diameter: 8e-3,
+        length: 11e-3,
+        pitch_diameter: 46e-3,
+        number: 16,
+        cup_angle: 14_f64.to_radians(),
         profile: RollerProfile::Logarithmic,
     }
 }
@@ -82,8 +95,8 @@ fn loads_of_an_independent_program() {
     }
 }
 
-/// With stiffnesses at the loaded angle the same bearings carry almost alike: the curvature along rolling changes by γ (1 − cos α), 6 % of 0.2 at
-/// 20 degrees, and the stiffness by less.
+/// With stiffnesses at the loaded angle the same bearings carry almost alike: the curvature along rolling changes by γ (1 − cos α), 6 % of
+/// 0.2 at 20 degrees, and the stiffness by less.
 #[test]
 fn loaded_and_free_angle_differ_little() {
     let geometry = Geometry::Ball(typical(15e-6));
@@ -168,9 +181,9 @@ fn sjoevalls_integrals() {
     }
 }
 
-/// Harris and Kotzalas, Essential Concepts of Bearing Technology, 5th ed., 2007, table 7.4, point contact, single row: J_r and J_a of F_r = Z Q_max J_r cos α and
-/// F_a = Z Q_max J_a sin α under ε = ½ (1 + δ_a tan α/δ_r), to the printed digits (1.67 stands for 5/3), with so many balls and such small shifts that loads are integrals and all
-/// angles one.
+/// Harris and Kotzalas, Essential Concepts of Bearing Technology, 5th ed., 2007, table 7.4, point contact, single row: J_r and J_a of F_r =
+/// Z Q_max J_r cos α and F_a = Z Q_max J_a sin α under ε = ½ (1 + δ_a tan α/δ_r), to the printed digits (1.67 stands for 5/3), with so many
+/// balls and such small shifts that loads are integrals and all angles one.
 #[test]
 fn table_of_harris() {
     let table = [
@@ -216,6 +229,7 @@ fn stiffness_of_the_ring() {
     for geometry in [
         Geometry::Ball(typical(15e-6)),
         Geometry::CylindricalRoller(cylindrical(5e-6)),
+        Geometry::TaperedRoller(tapered()),
     ] {
         for inner in [0.0, 2000.0] {
             let at = |shift: [f64; 5]| {
@@ -290,6 +304,42 @@ fn five_loads() {
     }
 }
 
+/// A moment alone presses balls and rollers on opposite sides, and a preload needs no load at all: shifts that follow from it are zero.
+#[test]
+fn moments_and_preloads_alone() {
+    let squeezed = BallGeometry {
+        play: Play::Clearance(-6e-6),
+        ..typical(0.0)
+    };
+    for geometry in [
+        Geometry::Ball(typical(15e-6)),
+        Geometry::Ball(squeezed),
+        Geometry::CylindricalRoller(cylindrical(5e-6)),
+        Geometry::CylindricalRoller(cylindrical(-5e-6)),
+    ] {
+        let loads = Loads {
+            tilt: [Given::Load(0.0), Given::Load(15.0)],
+            ..Loads::forces(0.0, 0.0)
+        };
+        let found = at_rest(geometry, &loads, &Params::default());
+        assert_relative_eq!(found.moment[1], 15.0, max_relative = 1e-7);
+        assert!(found.tilt[1] > 0.0);
+    }
+    let still = at_rest(
+        Geometry::Ball(squeezed),
+        &Loads::forces(0.0, 0.0),
+        &Params::default(),
+    );
+    assert_abs_diff_eq!(still.shift[0], 0.0, epsilon = 1e-12);
+    let loads = still.loads(Ring::Inner);
+    assert!(loads[0] > 0.0 && loads.iter().all(|q| (q - loads[0]).abs() < 1e-6 * loads[0]));
+    // δ = 3 µm of both contacts
+    let approach: f64 = (still.elements[0].contacts.iter())
+        .map(|c| Ellipse::of_radii(c.radii).approach(c.load, Material::STEEL.reduced_modulus))
+        .sum();
+    assert_relative_eq!(approach, 3e-6, max_relative = 1e-6);
+}
+
 /// Bearings of all kinds under loads of many sizes and directions converge, in few steps.
 #[test]
 fn a_sweep_of_loads_converges() {
@@ -337,8 +387,8 @@ fn axial_loads_mirror() {
     }
 }
 
-/// At speed the outer ring carries the centrifugal force besides: Σ over balls of (Q_o cos α_o − Q_i cos α_i) = F_c each under outer control but
-/// for the part of the gyroscopic moment.
+/// At speed the outer ring carries the centrifugal force besides: Σ over balls of (Q_o cos α_o − Q_i cos α_i) = F_c each under outer
+/// control but for the part of the gyroscopic moment.
 #[test]
 fn balls_at_speed() {
     let geometry = BallGeometry {
@@ -401,6 +451,57 @@ fn rollers() {
     assert!(tilted.moment[1] > 0.0);
 }
 
+/// Tapered rollers under an axial load alone: Z Q_o sin α_o = F_a, and the forces of cone, cup, rib and inertia on a roller are in balance.
+#[test]
+fn tapered_rollers() {
+    let bearing = Bearing::steel(Geometry::TaperedRoller(tapered()));
+    let angle = 14_f64.to_radians();
+    for inner_speed in [0.0, 1000.0] {
+        let speeds = Speeds {
+            inner: inner_speed,
+            outer: 0.0,
+        };
+        let loads = Loads::forces(0.0, 4000.0);
+        let found = bearing.solve(&loads, speeds, &Params::default()).unwrap();
+        let element = &found.elements[2];
+        let [inner, outer] = &element.contacts;
+        if inner_speed == 0.0 {
+            assert_relative_eq!(16.0 * outer.load * angle.sin(), 4000.0, max_relative = 1e-8);
+        }
+        // (r, z) on the roller: the cone pushes out, the cup in, the rib along the axis towards the apex.
+        let beta = element.attitude;
+        let sum = [
+            inner.load * inner.angle.cos()
+                - outer.load * angle.cos()
+                - element.rib_load * beta.sin()
+                + element.centrifugal_force,
+            inner.load * inner.angle.sin() - outer.load * angle.sin()
+                + element.rib_load * beta.cos(),
+        ];
+        for part in sum {
+            assert_abs_diff_eq!(part, 0.0, epsilon = 1e-8 * outer.load);
+        }
+        // The ring bears cone and rib.
+        let axial = inner.load * inner.angle.sin() + element.rib_load * beta.cos();
+        assert_relative_eq!(16.0 * axial, 4000.0, max_relative = 1e-8);
+        assert_relative_eq!(inner.spin[0], inner.spin[1], max_relative = 1e-12);
+    }
+    let combined = Loads::forces(6000.0, 3000.0);
+    let found = bearing
+        .solve(&combined, Speeds::default(), &Params::default())
+        .unwrap();
+    let radial: f64 = (found.elements.iter())
+        .map(|e| e.contacts[1].load * angle.cos() * e.position.cos())
+        .sum();
+    assert_relative_eq!(radial, 6000.0, max_relative = 1e-8);
+    let loose = bearing.solve(
+        &Loads::forces(1000.0, 0.0),
+        Speeds::default(),
+        &Params::default(),
+    );
+    assert_eq!(loose, Err(Error::Separation(0.0)));
+}
+
 #[test]
 fn what_cannot_be_solved() {
     let ball = Bearing::steel(Geometry::Ball(typical(15e-6)));
@@ -426,6 +527,11 @@ fn what_cannot_be_solved() {
     assert_eq!(solve(&roller, loose, &defaults), Error::Unloaded);
     let axial = solve(&roller, Loads::forces(100.0, 50.0), &defaults);
     assert_eq!(axial, Error::AxialLoad(50.0));
+    let held = Loads {
+        axial: Given::Shift(0.0),
+        ..Loads::forces(0.0, 0.0)
+    };
+    assert_eq!(solve(&ball, held, &defaults), Error::Unloaded);
     let nan = solve(&ball, Loads::forces(f64::NAN, 0.0), &defaults);
     assert!(matches!(nan, Error::Value { .. }));
     let hasty = Params {

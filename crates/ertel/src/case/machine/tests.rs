@@ -9,6 +9,7 @@ use crate::case::Case;
 
 mod bad;
 mod helical;
+mod loaded;
 mod path;
 mod turn;
 use bad::refused;

@@ -73,7 +73,8 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
         largest(&loads),
     );
     let looks = [Look::Dots, Look::Circles];
-    for (side, points) in loads.into_iter().enumerate() {
+    // The dots of the inner ring within the circles of the outer one.
+    for (side, points) in loads.into_iter().enumerate().rev() {
         of_loads.add(&ring(side), points, looks[side], PALETTE[side]);
     }
     let films: Vec<[Vec<[f64; 2]>; 2]> = [0, 1]
@@ -86,7 +87,7 @@ fn around(title: &str, machine: &MachineSolution) -> Drawing {
     let (factor, unit) = film_unit(largest(&all));
     let high = factor * largest(&all);
     let mut of_films = polar("Film thickness", format!("*h* ({unit})"), high);
-    for (side, [central, minimum]) in films.into_iter().enumerate() {
+    for (side, [central, minimum]) in films.into_iter().enumerate().rev() {
         let scaled = |points: Vec<[f64; 2]>| -> Vec<[f64; 2]> {
             points
                 .into_iter()

@@ -5,7 +5,9 @@ mod life;
 
 use ertel_input::{Bounds, InputError, Table};
 use ertel_machines::bearing::catalogue::Entry;
-use ertel_machines::bearing::geometry::Ring;
+use ertel_machines::bearing::geometry::{
+    Ring, RollerGeometry as CylindricalRollers, TaperedGeometry as TaperedRollers,
+};
 use ertel_machines::bearing::kinematics::{RacewayControl, Speeds};
 use ertel_machines::bearing::load::{Distribution, Error, Given, Loads, Params, RingContact};
 use ertel_machines::bearing::{Bearing, Geometry, Material};
@@ -262,9 +264,11 @@ fn name((element, ring): Place, word: &str) -> String {
 fn contact(geometry: &Geometry, found: &RingContact) -> Option<Contact> {
     match geometry {
         Geometry::Ball(_) => found.ellipse(),
-        Geometry::CylindricalRoller(roller) => (found.load > 0.0).then(|| {
-            Contact::line(found.radii[0], found.load / roller.length).between(found.curvatures)
-        }),
+        Geometry::CylindricalRoller(CylindricalRollers { length, .. })
+        | Geometry::TaperedRoller(TaperedRollers { length, .. }) => {
+            let line = Contact::line(found.radii[0], found.load / length);
+            (found.load > 0.0).then(|| line.between(found.curvatures))
+        }
     }
 }
 

@@ -1,0 +1,249 @@
+//! Bearings under their loads.
+
+use approx::assert_relative_eq;
+use ertel_input::Document;
+use std::path::Path;
+
+use super::REST;
+use super::bad::refused;
+use crate::case::{Case, Mechanics};
+
+/// 6206 as in the table of loads: E = 206 GPa, no clearance to speak of, hardly any speed.
+const LOADED: &str = r#"
+kind = "ball-bearing"
+ball_diameter = "9.525 mm"
+pitch_diameter = "46 mm"
+balls = 9
+inner_groove_curvature = 0.515
+outer_groove_curvature = 0.525
+radial_clearance = "0.001 um"
+inner_ring_speed = "1 rpm"
+radial_load = "2 kN"
+"#;
+
+const NAMED: &str = r#"
+kind = "ball-bearing"
+designation = "6206"
+inner_ring_speed = "3000 rpm"
+radial_load = "2 kN"
+"#;
+
+const ROLLERS: &str = r#"
+kind = "roller-bearing"
+designation = "NU 206 E"
+inner_ring_speed = "3000 rpm"
+radial_load = "5 kN"
+"#;
+
+fn read(machine: &str) -> Case {
+    let steel = "{ youngs_modulus = \"206 GPa\", poissons_ratio = 0.3, density = \"7850 kg/m^3\" }";
+    let rest = REST.replace("\"steel\"", steel);
+    let text = format!("[machine]{machine}{rest}");
+    Case::from_document(
+        &Document::parse("machine.toml", text).unwrap(),
+        Path::new(""),
+    )
+    .unwrap()
+}
+
+/// Loads of each ball, largest pressures and semi-axes, computed by an independent program (rigid rings, exact Hertz contacts): 974.50 N, 653.37 N and
+/// 70.50 N on five balls, none on the others, 2.126484 and 1.950190 GPa.
+#[test]
+fn loads_of_each_ball() {
+    let case = read(LOADED);
+    let whole = case.whole.as_ref().unwrap();
+    assert_eq!(whole.contacts.len(), 18);
+    let loads: Vec<f64> = whole.contacts.iter().step_by(2).map(|c| c.load).collect();
+    for (ball, expected) in [974.498, 653.37, 70.50, 0.0, 0.0, 0.0, 0.0, 70.50, 653.37]
+        .iter()
+        .enumerate()
+    {
+        assert_relative_eq!(loads[ball], *expected, max_relative = 1e-4, epsilon = 0.01);
+    }
+    assert_relative_eq!(
+        whole.contacts[0].hertz_pressure,
+        2.126_484e9,
+        max_relative = 1e-5
+    );
+    assert_relative_eq!(
+        whole.contacts[1].hertz_pressure,
+        1.950_190e9,
+        max_relative = 1e-5
+    );
+    // Σ Q cos ψ
+    let along: f64 = (whole.contacts.iter().step_by(2))
+        .map(|contact| contact.load * contact.place.cos())
+        .sum();
+    assert_relative_eq!(along, 2000.0, max_relative = 1e-6);
+}
+
+/// The case is the governing contact; balls on both sides of the load are alike, and those without load are not solved.
+#[test]
+fn contacts_that_are_solved() {
+    let case = read(LOADED);
+    let whole = case.whole.as_ref().unwrap();
+    assert_eq!(whole.contacts[whole.governing].name, "ball 0, inner ring");
+    assert_relative_eq!(case.contact.load, 974.498, max_relative = 1e-4);
+    assert_eq!(whole.contacts[16].like, Some(2));
+    assert_eq!(whole.contacts[6].like, None);
+    assert_eq!(whole.count(2), 2);
+    let contacts = case.contacts.as_ref().unwrap();
+    let names: Vec<&str> = contacts
+        .study
+        .points
+        .iter()
+        .map(|p| p.label.as_str())
+        .collect();
+    let rings = |ball: usize| ["inner", "outer"].map(|ring| format!("ball {ball}, {ring} ring"));
+    let expected: Vec<String> = (0..3).flat_map(rings).collect();
+    assert_eq!(names, expected);
+    // One of them alone, by the keys that ask for it.
+    let alone = read(&format!("{LOADED}element = 2\nring = \"outer\"\n"));
+    assert!(alone.whole.is_none() && alone.contacts.is_none());
+    let of_study = &contacts.study.points[5].case;
+    assert_eq!(alone.contact, of_study.contact);
+    assert_eq!(alone.motion, of_study.motion);
+}
+
+/// Entrainment as of a single contact: u = ω d_m (1 − γ²)/4 = 314.159 · 0.046 (1 − 0.2070652²)/4 = 3.45793 m/s; no spin where no ball is at an angle.
+#[test]
+fn motion_of_the_contacts() {
+    let case = read(NAMED);
+    assert_relative_eq!(case.motion.entrainment_speed, 3.457_93, max_relative = 1e-5);
+    assert_eq!(case.motion.spin, [0.0; 2]);
+    let thrust = read(&NAMED.replace("radial_load = \"2 kN\"", "axial_load = \"1 kN\""));
+    let whole = thrust.whole.as_ref().unwrap();
+    // All balls alike: at both rings one contact each.
+    assert_eq!(thrust.contacts.as_ref().unwrap().study.points.len(), 2);
+    assert!(whole.contacts.iter().all(|c| c.like == Some(c.side)));
+    let spins = |point: usize| {
+        thrust.contacts.as_ref().unwrap().study.points[point]
+            .case
+            .motion
+            .spin
+    };
+    // Outer control: spin on the inner raceway alone.
+    assert_ne!(spins(0)[0], spins(0)[1]);
+    assert_relative_eq!(spins(1)[0], spins(1)[1], max_relative = 1e-9);
+}
+
+/// Values of the catalogue may be replaced one by one.
+#[test]
+fn designations_and_their_values() {
+    let balls = |case: &Case| {
+        let Mechanics::Bearing(bearing) = &case.whole.as_ref().unwrap().mechanics else {
+            panic!("a bearing");
+        };
+        bearing.bearing.geometry.number()
+    };
+    assert_eq!(balls(&read(NAMED)), 9);
+    assert_eq!(balls(&read(&format!("{NAMED}balls = 8\n"))), 8);
+    let rows = read(NAMED).machine.unwrap().rows;
+    let row = |name: &str| rows.iter().find(|(n, _)| n == name).unwrap().1.clone();
+    assert!(row("ball diameter D").contains("9.525 mm (published"));
+    assert!(row("inner groove radius over D").contains("0.52 (estimated"));
+    // C3 of a bore of 30 mm: 13 to 28 µm.
+    let c3 = read(&NAMED.replace("6206", "6206-2RS/C3"))
+        .machine
+        .unwrap()
+        .rows;
+    assert!(c3.iter().any(|(_, value)| value.starts_with("20.5 µm")));
+}
+
+/// Rollers are lines under their mean load per length: Q/L, with 4.08 F/Z of the heaviest one within the clearance's effect.
+#[test]
+fn rollers_are_lines() {
+    let case = read(ROLLERS);
+    assert!(case.contact.kind.is_line());
+    let whole = case.whole.as_ref().unwrap();
+    let Mechanics::Bearing(bearing) = &whole.mechanics else {
+        panic!("a bearing");
+    };
+    let heaviest = bearing.distribution.elements[0].contacts[0].load;
+    let number = bearing.bearing.geometry.number() as f64;
+    assert!(
+        (4.08..6.5).contains(&(heaviest * number / 5000.0)),
+        "{heaviest}"
+    );
+    let along: f64 = (bearing.distribution.elements.iter())
+        .map(|e| e.contacts[0].load * e.position.cos())
+        .sum();
+    assert_relative_eq!(along, 5000.0, max_relative = 1e-6);
+}
+
+#[test]
+fn bad_bearings_are_refused_with_their_reason() {
+    for (machine, old, new, words) in [
+        (
+            NAMED,
+            "6206",
+            "6299",
+            &["no bearing `6299`", "the nearest ones are 62"][..],
+        ),
+        (
+            NAMED,
+            "6206",
+            "NU 206 E",
+            &["has cylindrical rollers", "roller-bearing"],
+        ),
+        (NAMED, "6206", "30206", &["tapered roller bearing"]),
+        (
+            NAMED,
+            "\"2 kN\"",
+            "\"0 N\"",
+            &["no element carries load", "radial_load"],
+        ),
+        (NAMED, "\"2 kN\"", "\"2 m\"", &["radial_load"]),
+        (
+            NAMED,
+            "radial_load",
+            "ring = \"inner\"\nradial_load",
+            &["which ball is not said"],
+        ),
+        (
+            NAMED,
+            "radial_load",
+            "element = 9\nring = \"inner\"\nradial_load",
+            &["element", "8"],
+        ),
+        (
+            NAMED,
+            "radial_load",
+            "element = 4\nring = \"inner\"\nradial_load",
+            &["carries no load"],
+        ),
+        (
+            NAMED,
+            "radial_load",
+            "contact_angle = \"0 deg\"\nradial_clearance = \"5 um\"\nradial_load",
+            &["say the same thing twice"],
+        ),
+        (
+            NAMED,
+            "radial_load",
+            "balls = 40\nradial_load",
+            &["40 elements"],
+        ),
+        (
+            NAMED,
+            "radial_load",
+            "thermal_resistance = \"1 K/W\"\nradial_load",
+            &["ambient_temperature"],
+        ),
+        (
+            NAMED,
+            "radial_load",
+            "contamination_factor = 2\nradial_load",
+            &["contamination_factor"],
+        ),
+        (
+            ROLLERS,
+            "radial_load",
+            "axial_load = \"1 kN\"\nradial_load",
+            &["no axial load"],
+        ),
+        (LOADED, "balls = 9", "", &["missing key `balls`"]),
+    ] {
+        refused(machine, old, new, words);
+    }
+}

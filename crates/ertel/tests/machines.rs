@@ -1,0 +1,133 @@
+//! Whole machines from a case file to their figures.
+
+use std::path::Path;
+
+use approx::assert_relative_eq;
+use ertel::case::Case;
+use ertel::machine::figures;
+use ertel::output;
+use ertel::run;
+use ertel::solution::Figure;
+use ertel::solve::NoObserver;
+use ertel::study::solve_machine;
+use ertel_input::Document;
+
+/// All balls of a bearing under thrust are alike.
+const THRUST: &str = r#"
+title = "6206 under thrust"
+[machine]
+kind = "ball-bearing"
+designation = "6206"
+inner_ring_speed = "3000 rpm"
+axial_load = "500 N"
+contamination_factor = 0.5
+thermal_resistance = "0.5 K/W"
+ambient_temperature = "20 degC"
+[bodies]
+body_1 = "steel"
+body_2 = "steel"
+[lubricant]
+temperature = "70 degC"
+iso_vg = 68
+base_oil = "mineral"
+shear_thinning = { law = "estimate" }
+[mesh]
+target_error = 0.05
+[solver]
+newtonian = true
+"#;
+
+fn read(text: &str) -> Case {
+    Case::from_document(
+        &Document::parse("bearing.toml", text).unwrap(),
+        Path::new(""),
+    )
+    .unwrap()
+}
+
+/// Two contacts stand for eighteen; their sums are nine times theirs, and each is what it is when solved alone.
+#[test]
+fn a_bearing_under_thrust() {
+    let case = read(THRUST);
+    let contacts = case.contacts.as_ref().unwrap();
+    let solved = solve_machine(contacts, &mut NoObserver);
+    assert_eq!(solved.n_contacts(), 2);
+    assert_eq!(solved.n_failed(), 0);
+    assert!(!solved.is_partial());
+    let found = figures(&case, &solved);
+    let value = |name: &str| found.find(name).unwrap().estimate.value;
+    let power = |contact: usize| {
+        let solution = solved.solution(contact).unwrap();
+        solution.figure(Figure::FrictionPower).unwrap().value
+    };
+    let parts = value("friction_power_rolling") + value("friction_power_spin");
+    assert_relative_eq!(parts, 9.0 * (power(0) + power(1)), max_relative = 1e-12);
+    let slip = value("friction_power_differential_slip");
+    assert!(slip > 0.0);
+    assert_relative_eq!(value("friction_power"), parts + slip, max_relative = 1e-12);
+    // 3000 rpm = 314.159 rad/s; 20 °C and half a Kelvin per Watt.
+    let torque = value("friction_power") / 314.159_265;
+    assert_relative_eq!(value("friction_torque"), torque, max_relative = 1e-8);
+    let temperature = 293.15 + 0.5 * value("friction_power");
+    assert_relative_eq!(
+        value("bearing_temperature"),
+        temperature,
+        max_relative = 1e-12
+    );
+    // The contact of the last ball is the one of the first; alone it is the same to the last bit.
+    let central = |contact: usize| solved.solution(contact).unwrap().summary.film_central.value;
+    assert_eq!(central(0), central(16));
+    let alone = read(&format!(
+        "{}\n",
+        THRUST.replace("axial_load", "element = 5\nring = \"outer\"\naxial_load")
+    ));
+    let alone = run::solve(&alone, &mut NoObserver).unwrap();
+    assert_eq!(alone.summary.film_central.value, central(11));
+
+    let json = output::machine_json(&case.echo(), &solved, &found).unwrap();
+    assert_eq!(json["format"], "ertel-machine");
+    assert_eq!(json["n_solved"], 2);
+    assert_eq!(json["contacts"][17]["solved_as"], 2);
+    assert_eq!(json["figures"]["friction_torque"]["unit"], "N m");
+    let table = output::machine_table(&solved);
+    assert_eq!(table.lines().count(), 19);
+    let widths: Vec<usize> = table
+        .lines()
+        .map(|line| line.matches(',').count())
+        .collect();
+    assert!(widths[1..].iter().all(|w| *w >= widths[0]), "{widths:?}");
+    let report = output::machine_report(&case.echo(), &solved, &found, None);
+    for expected in [
+        "friction torque of all contacts",
+        "ball 0, inner ring and 8 more",
+        "modified rating life",
+    ] {
+        assert!(report.contains(expected), "{expected} is not in\n{report}");
+    }
+    // 70 °C are not where this heat leads to.
+    assert!(report.contains("solve once more"), "{report}");
+}
+
+/// Lives by hand: P = 500 · Y with F_a/(Z D²) = 500/(9 · 90.7256) = 0.6123 MPa between 0.345 (Y 1.99) and 0.689 (Y 1.71): Y = 1.99 − 0.28 · 0.7772 = 1.77238,
+/// P = 886.2 N, C = 19452.5 N: L_10 = (C/P)³ = 10576 million.
+#[test]
+fn lives_of_a_bearing() {
+    let case = read(&THRUST.replace("target_error = 0.05", "target_error = 0.2"));
+    let mut solved = solve_machine(case.contacts.as_ref().unwrap(), &mut NoObserver);
+    let found = figures(&case, &solved);
+    let value = |name: &str| found.find(name).unwrap().estimate.value;
+    assert_relative_eq!(value("equivalent_load"), 886.2, max_relative = 1e-3);
+    assert_relative_eq!(value("basic_rating_life"), 10_576.0, max_relative = 3e-3);
+    // Revolutions to seconds: 2π/ω = 0.02 s each.
+    let seconds = 1e6 * value("basic_rating_life") * 0.02;
+    assert_relative_eq!(
+        value("basic_rating_life_time"),
+        seconds,
+        max_relative = 1e-9
+    );
+    // Without a contact there are no sums over the contacts.
+    solved.contacts[1] = None;
+    let partial = figures(&case, &solved);
+    assert!(partial.find("friction_torque").is_none());
+    assert!(partial.find("basic_rating_life").is_some());
+}
