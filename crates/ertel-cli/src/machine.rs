@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
-use ertel::case::Case;
+use ertel::case::{Case, MachineContacts};
 use ertel::machine::figures;
 use ertel::output;
 use ertel::study::MachineSolution;
@@ -14,6 +14,24 @@ use crate::events::{Events, path_text};
 use crate::failure::Failure;
 use crate::print;
 use crate::solve::{RESOLVE, WRITING, not_shown};
+
+/// How the governing contact of a machine is asked for alone: `machine.element=0 and machine.ring=inner`.
+pub fn choice(contacts: &MachineContacts) -> String {
+    let machine = &contacts.machine;
+    let name = &machine.contacts[machine.governing].name;
+    let points = &contacts.study.points;
+    let point = points.iter().find(|point| point.label == *name);
+    let values = point.or(points.first()).map(|point| &point.values[..]);
+    let keys = contacts.study.columns.iter().zip(values.unwrap_or(&[]));
+    let set = keys.map(|(column, value)| {
+        let value = value.to_string();
+        match value.contains(' ') {
+            true => format!("{}=\"{value}\"", column.key),
+            false => format!("{}={value}", column.key),
+        }
+    });
+    set.collect::<Vec<_>>().join(" and ")
+}
 
 /// Writes what was solved of a machine; returns in words what that is.
 ///

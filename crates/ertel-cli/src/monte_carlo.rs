@@ -39,10 +39,11 @@ pub fn samples(
             "{file}: --monte-carlo samples the inputs of one contact, but this case has a [curve]"
         )));
     }
-    if case.contacts.is_some() {
+    if let Some(contacts) = &case.contacts {
         return Err(Failure::Argument(format!(
             "{file}: --monte-carlo samples the inputs of one contact, but this case is a whole machine: choose one of its contacts with --set, such as \
-             machine.element=0 and machine.ring=inner"
+             {}",
+            crate::machine::choice(contacts)
         )));
     }
     let params = MonteCarloParams {

@@ -182,9 +182,11 @@ pub fn n_points(case: &Case) -> usize {
 
 /// Refuses a cross-check of what one method alone solves.
 fn may_cross_check(case: &Case) -> Result<(), Failure> {
-    if case.contacts.is_some() {
-        let text = "--cross-check takes one contact, and the case is a whole machine: choose one of its contacts with --set, such as machine.element=0 and machine.ring=inner";
-        return Err(Failure::Argument(text.to_owned()));
+    if let Some(contacts) = &case.contacts {
+        return Err(Failure::Argument(format!(
+            "--cross-check takes one contact, and the case is a whole machine: choose one of its contacts with --set, such as {}",
+            crate::machine::choice(contacts)
+        )));
     }
     if case.curve.is_some() {
         let text = "--cross-check takes one contact, and the case has a [curve]: --set or a file of its own makes one of it";

@@ -54,10 +54,10 @@ fn every_machine_is_estimated_and_checked() {
                 "91.5 mm",
                 "22.4388 deg",
                 "8.382 mm",
-                "1.437",
+                "1.43",
             ],
         ),
-        ("cam-turn", &["flat follower", "16 mm", "104.72 rad/s"]),
+        ("cam-turn", &["flat follower", "18 mm", "104.72 rad/s"]),
         // Boundary dimensions of ISO 15, and the cage speed ω_i (1 − γ)/2 by hand.
         (
             "bearing-6206",
@@ -116,5 +116,7 @@ fn whole_machines_are_no_single_contact() {
         assert_eq!(refused.status.code(), Some(2));
         let message = text(&refused.stderr);
         assert!(message.contains("machine.element=0"), "{message}");
+        let of_gears = text(&ertel(arguments, &shipped("fzg-c")).stderr);
+        assert!(of_gears.contains("machine.position=\"0 m\""), "{of_gears}");
     }
 }

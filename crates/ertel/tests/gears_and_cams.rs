@@ -18,7 +18,7 @@ body_2 = "steel"
 temperature = "90 degC"
 density = { law = "dowson-higginson", rho_0 = "860 kg/m^3" }
 viscosity = { law = "roelands", mu_0 = "20 mPa.s", alpha = "16 1/GPa" }
-shear_thinning = { law = "eyring", tau_0 = "5 MPa" }
+shear_thinning = { law = "ree-eyring", tau_0 = "5 MPa" }
 [mesh]
 preset = "coarse"
 "#;

@@ -234,6 +234,6 @@ rows! {
     }
     PART {
         angle: ANGLE => "angle of the cam that it takes";
-        law: LIFT_LAWS => "";
+        law: LIFT_LAWS => "how it runs";
     }
 }

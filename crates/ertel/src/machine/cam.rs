@@ -43,8 +43,13 @@ fn mechanics(cam: &CamMechanics) -> Vec<MachineFigure> {
         source: "",
     };
     let mut figures = Vec::new();
-    let pressed = cam.points.iter();
-    if let Some(highest) = pressed.max_by(|a, b| a.hertz_pressure.total_cmp(&b.hertz_pressure)) {
+    // A hair more, so that of equal ones the first is taken.
+    let is_higher = |a: &CamPoint, b: &CamPoint| a.hertz_pressure > b.hertz_pressure * (1.0 + 1e-9);
+    let highest = (cam.points.iter()).reduce(|best, point| match is_higher(point, best) {
+        true => point,
+        false => best,
+    });
+    if let Some(highest) = highest {
         figures.push(figure(
             "hertz_pressure_maximum",
             "largest Hertz pressure",
@@ -84,7 +89,7 @@ fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<MachineFigur
         estimate: of_model(cam.points[i].angle),
         unit: "rad",
         section: Section::Films,
-        source: "",
+        source: "films are steady ones: where the entrainment nearly vanishes, squeeze leaves more",
     })
 }
 

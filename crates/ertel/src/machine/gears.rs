@@ -110,10 +110,11 @@ fn thinnest(gears: &GearMechanics, solved: &MachineSolution) -> Option<MachineFi
     })
 }
 
-/// A solved contact: its coefficient of traction, and the resistance to rolling f per length, N/m.
+/// A solved contact: its coefficient of traction, the resistance to rolling f per length, and the bar of the whole loss over u_m, N/m.
 struct Rubbing {
     coefficient: Estimate,
     resistance: Estimate,
+    total_bar: Estimate,
 }
 
 /// Friction of a contact at a point of the path.
@@ -132,9 +133,14 @@ fn rubbing(at: &PathPoint, point: &PointSolution) -> Option<Rubbing> {
         error: (power.error.zip(coefficient.error))
             .map(|(power, mu)| (power + mu * sliding) / at.entrainment_speed),
     };
+    let total_bar = Estimate {
+        value: 0.0,
+        error: power.error.map(|error| error / at.entrainment_speed),
+    };
     Some(Rubbing {
         coefficient,
         resistance,
+        total_bar,
     })
 }
 
@@ -264,6 +270,7 @@ struct Loss {
 fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
     let mut coefficient = Vec::new();
     let mut resistance = Vec::new();
+    let mut total = Vec::new();
     for (i, at) in gears.path.iter().enumerate() {
         if solved.machine.contacts[i].like.is_none() {
             continue;
@@ -271,8 +278,10 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
         let rubbing = rubbing(at, solved.of(i)?)?;
         coefficient.push((at.position, rubbing.coefficient));
         resistance.push((at.position, rubbing.resistance));
+        total.push((at.position, rubbing.total_bar));
     }
     let (coefficient, resistance) = (Curve::new(coefficient)?, Curve::new(resistance)?);
+    let total = Curve::new(total)?;
     let sum =
         |of: &dyn Fn(&PathPoint) -> f64| gears.pair.loss(&gears.operation, gears.sharing, of).ok();
     let sliding = sum(&|p| coefficient.at(p.position))?;
@@ -287,6 +296,7 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
     };
     let rolling = sum(&|p| per_slide(p, resistance.at(p.position)))?.power;
     let rolling_bar = sum(&|p| per_slide(p, resistance.bar_at(p.position)))?.power;
+    let total_bar = sum(&|p| per_slide(p, total.bar_at(p.position)))?.power;
     let bar = |value: f64| coefficient.has_bars().then_some(value);
     let at_friction_1 = sliding.loss_factor * gears.operation.power();
     Some(Loss {
@@ -300,7 +310,7 @@ fn loss(gears: &GearMechanics, solved: &MachineSolution) -> Option<Loss> {
         },
         total: Estimate {
             value: sliding.power + rolling,
-            error: bar(sliding_bar + rolling_bar),
+            error: total.has_bars().then_some(total_bar),
         },
         mean_friction: Estimate {
             value: sliding.mean_friction,

@@ -371,7 +371,8 @@ fn contacts(turn: &[CamPoint]) -> Vec<MachineContact> {
             (is_fast && is_contact(point)).then_some([
                 point.load_per_length,
                 point.reduced_radius,
-                point.u_1,
+                // Not u_1, which may vanish but for rounding.
+                point.entrainment_speed,
                 point.u_2,
             ])
         })

@@ -217,7 +217,10 @@ fn rows(file: &str, text: &str) -> Result<(Vec<f64>, Vec<f64>), CsvError> {
         lifts.push(csv.required_number(row, &lift)?);
     }
     let n = angles.len();
-    if n > 1 && (angles[n - 1] - angles[0] - TURN).abs() < 1e-9 && lifts[n - 1] == lifts[0] {
+    if n > 1
+        && (angles[n - 1] - angles[0] - TURN).abs() < 1e-9
+        && (lifts[n - 1] - lifts[0]).abs() < 1e-12
+    {
         angles.pop();
         lifts.pop();
     }

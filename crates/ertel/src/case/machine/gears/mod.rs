@@ -54,7 +54,7 @@ impl Teeth {
 
     /// Names for a pair; where the pitch circles at work are not the reference circles, they say so.
     fn names(self, pair: &GearPair) -> Names {
-        let is_shifted = pair.working_radii != pair.reference_radii;
+        let is_shifted = is_shifted(pair);
         match self {
             Teeth::Straight => Names {
                 machine: "pinion (body 2) and wheel (body 1) of a spur gear",
@@ -181,6 +181,12 @@ fn load_key(stage: Option<i64>) -> &'static str {
     }
 }
 
+/// Whether a pair does not work at its reference circles.
+fn is_shifted(pair: &GearPair) -> bool {
+    let change = pair.working_radii[0] - pair.reference_radii[0];
+    change.abs() > 1e-9 * pair.reference_radii[0]
+}
+
 /// Rows of the report about the pair.
 fn tell(
     rows: &mut Rows,
@@ -210,7 +216,7 @@ fn tell(
         rows.number("transverse pressure angle α_t", alpha, "deg");
         rows.number("base helix angle β_b", beta, "deg");
     }
-    if pair.working_radii != pair.reference_radii {
+    if is_shifted(pair) {
         let [one, two] = pair.shifts.map(|x| format!("{x:.4}"));
         rows.text("profile shifts x_1, x_2", format!("{one}, {two}"));
         rows.number("centre distance a_w", 1e3 * pair.centre_distance, "mm");

@@ -287,7 +287,6 @@ fn bad_gears_are_refused() {
             "addendum_pinion = \"1 mm\"\naddendum_wheel = \"1 mm\"",
             &["do not take over"],
         ),
-        ("internal = true", &["tips", "wheel_teeth"]),
         ("load_sharing = \"half\"", &["`load_sharing` is one of"]),
         ("points = -3", &["points", "2 to 1000"]),
         ("load_share = 0.5", &["load of a single contact"]),
@@ -308,6 +307,13 @@ fn bad_gears_are_refused() {
     ] {
         refused(&path, "kind", &format!("{new}\nkind"), words);
     }
+    let internal = path.replace("pinion_teeth = 20", "pinion_teeth = 60");
+    refused(
+        &internal,
+        "wheel_teeth = 40",
+        "wheel_teeth = 66\ninternal = true",
+        &["tips", "wheel_teeth"],
+    );
     // One contact has one load.
     refused(
         GEAR,
