@@ -8,8 +8,8 @@ use ertel::machine::figures;
 use ertel::output;
 use ertel::run;
 use ertel::solution::Figure;
-use ertel::solve::NoObserver;
-use ertel::study::solve_machine;
+use ertel::solve::{NoObserver, Observer};
+use ertel::study::{CurveObserver, solve_machine};
 use ertel_input::Document;
 
 /// All balls of a bearing under thrust are alike.
@@ -130,4 +130,26 @@ fn lives_of_a_bearing() {
     let partial = figures(&case, &solved);
     assert!(partial.find("friction_torque").is_none());
     assert!(partial.find("basic_rating_life").is_some());
+}
+
+/// Stops at once.
+struct Stop;
+
+impl Observer for Stop {
+    fn cancelled(&self) -> bool {
+        true
+    }
+}
+
+impl CurveObserver for Stop {}
+
+/// A machine that is stopped keeps what it has, which is less than all, and no contact counts as failed.
+#[test]
+fn a_machine_that_is_stopped() {
+    let case = read(THRUST);
+    let solved = solve_machine(case.contacts.as_ref().unwrap(), &mut Stop);
+    assert!(solved.is_partial());
+    assert_eq!(solved.n_failed(), 0);
+    let found = figures(&case, &solved);
+    assert!(found.find("friction_power").is_none());
 }
