@@ -554,9 +554,11 @@ fn init_writes_templates_that_pass_the_check() {
         names,
         [
             "bearing",
+            "bearing-ball",
             "roller-bearing",
             "gear",
             "helical-gear",
+            "fzg",
             "cam",
             "rig",
             "ball",
@@ -579,7 +581,7 @@ fn init_writes_templates_that_pass_the_check() {
     assert!(read(&folder, "rig.toml").contains("ball-on-disc"));
     let unknown = ertel(&folder, &["init", "geer"]);
     code(&unknown, 2);
-    assert!(stderr(&unknown).contains("one of: bearing, roller-bearing, gear"));
+    assert!(stderr(&unknown).contains("one of: bearing, bearing-ball, roller-bearing, gear"));
 }
 
 #[test]
