@@ -104,7 +104,7 @@ def test_contacts(machine: ertel.MachineSolution) -> None:
 
 def test_figures(machine: ertel.MachineSolution) -> None:
     torque = machine.figures["friction_torque"]
-    assert isinstance(torque, ertel.MachineFigure) and torque.unit == "N.m" and torque.words and torque.value > 0.0
+    assert isinstance(torque, ertel.MachineFigure) and torque.unit == "N m" and torque.words and torque.value > 0.0
     assert machine.friction_torque is torque is machine.figure("friction_torque")
     assert machine.figure("torque") is None
     with pytest.raises(AttributeError, match="friction_torque"):

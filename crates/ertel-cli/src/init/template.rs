@@ -445,6 +445,8 @@ pub fn named(name: &str) -> Result<&'static Template, Failure> {
 
 #[cfg(test)]
 mod tests {
+    use ertel::warning::{Warning, WarningKind};
+
     use super::*;
 
     /// With the `# ` of these lines removed.
@@ -460,12 +462,18 @@ mod tests {
         case.unwrap_or_else(|e| panic!("{}: {e}\n{text}", template.name))
     }
 
+    /// A data sheet has no viscosity under pressure: that the pressure lies beyond what is known is said of each such oil.
+    fn is_known(template: &Template, warning: &Warning) -> bool {
+        matches!(template.oil, Oil::DataSheet) && warning.kind == WarningKind::LawRange
+    }
+
     /// As it stands, with each section that may be added, and with all of them.
     #[test]
     fn every_template_is_a_good_case() {
         for template in TEMPLATES {
             let case = read(template, &template.text());
-            assert_eq!(case.warnings, [], "{}", template.name);
+            let told = case.warnings.iter().filter(|w| !is_known(template, w));
+            assert_eq!(told.count(), 0, "{}: {:?}", template.name, case.warnings);
             let mut all = template.case.to_owned();
             for (name, option) in template.options() {
                 let option = uncommented(&option);

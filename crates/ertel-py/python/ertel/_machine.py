@@ -98,8 +98,17 @@ class MachineContact:
 class MachineSolution:
     """The solution of a whole machine. Numbers in SI.
 
-    Figures of the machine are attributes (``machine.friction_torque``), and items of :attr:`figures`. Figures that are sums over the
-    contacts are there only where all contacts are solved.
+    Figures of the machine are attributes (``machine.friction_torque``), and items of :attr:`figures`. Those that are sums over the contacts are
+    there only where all contacts are solved.
+
+    Attributes
+    ----------
+    case : Case
+        What was solved.
+    figures : dict of str to MachineFigure
+        Figures of the machine by their names.
+    contacts : list of MachineContact
+        All contacts, unloaded ones among them; of a bearing those of each element with both rings.
     """
 
     def __init__(self, case: Case, native: _ertel.NativeMachine) -> None:
@@ -114,9 +123,7 @@ class MachineSolution:
             )
             for name, entry in self._document["figures"].items()
         }
-        """Figures of the machine by their names."""
         self.contacts: list[MachineContact] = _contacts(self._document["contacts"], self.place_name)
-        """All contacts, unloaded ones among them; of a bearing each element's at both rings."""
 
     def to_dict(self) -> dict[str, Any]:
         """What ``machine.json`` has."""
