@@ -70,6 +70,12 @@ impl NativeCase {
         self.case.curve.is_some()
     }
 
+    /// Whether it describes a whole machine, whose contacts are all solved.
+    #[getter]
+    fn is_machine(&self) -> bool {
+        self.case.contacts.is_some()
+    }
+
     /// What the user should know about the input.
     #[getter]
     fn warnings(&self) -> Vec<String> {

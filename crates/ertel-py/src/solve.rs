@@ -8,12 +8,13 @@ use std::time::Duration;
 use ertel::run;
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
-use ertel::study::{CurveObserver, solve_curve as run_curve};
+use ertel::study::{CurveObserver, solve_curve as run_curve, solve_machine as run_machine};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
 use crate::case::{NativeCase, json};
 use crate::errors;
+use crate::machine::NativeMachine;
 use crate::pool::Threads;
 use crate::solution::{NativeCurve, NativeSolution};
 
@@ -177,4 +178,27 @@ pub fn solve_curve(
     let document = ertel::output::curve_json(&case.case.echo(), &solution);
     let document = json(&document.map_err(crate::case::unwritable)?)?;
     Ok(NativeCurve::new(&case.case, curve, solution, document))
+}
+
+/// Solves the contacts of a machine.
+#[pyfunction]
+#[pyo3(signature = (case, progress=None))]
+pub fn solve_machine(
+    py: Python<'_>,
+    case: &NativeCase,
+    progress: Option<Py<PyAny>>,
+) -> PyResult<NativeMachine> {
+    let Some(contacts) = &case.case.contacts else {
+        return Err(errors::CaseError::new_err("the case is no whole machine"));
+    };
+    let wanted = progress.is_some();
+    let solution = beside_python(py, progress.as_ref(), |sender, cancel| {
+        let mut messages = Messages {
+            sender,
+            wanted,
+            cancel,
+        };
+        run_machine(contacts, &mut messages)
+    })?;
+    NativeMachine::new(&case.case, solution)
 }

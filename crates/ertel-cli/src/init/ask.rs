@@ -5,7 +5,7 @@ use std::io::{BufRead, Read};
 use ertel::warning::WarningKind;
 use ertel_input::InputError;
 
-use super::template::{COMMON, TEMPLATES, Template, named};
+use super::template::{TEMPLATES, Template, named};
 use crate::failure::Failure;
 
 /// Longest answer, bytes.
@@ -34,7 +34,7 @@ pub fn ask(
     ));
     let given = template.read(&[]).map_err(failed)?.given;
     let mut settings: Vec<String> = Vec::new();
-    for (key, question) in template.questions.iter().chain(COMMON) {
+    for (key, question) in template.questions() {
         let pointer = format!("/{}", key.replace('.', "/"));
         let value = given.pointer(&pointer);
         let value = value.map_or_else(String::new, |v| {
@@ -146,7 +146,7 @@ mod tests {
     /// Wrong answers are told and asked for again; a slip of a unit is asked about.
     #[test]
     fn answers_are_checked_at_once() {
-        let answers = "6\n20 mm\n40\n40,5 N\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n80 degC\n80 degC\n\n\n0.02 1/GPa\n\n";
+        let answers = "8\n20 mm\n40\n40,5 N\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n80 degC\n80 degC\n\n\n0.02 1/GPa\n\n";
         let (text, said) = answered(None, answers);
         let case = Case::from_text("case.toml", &text.unwrap(), Path::new("")).unwrap();
         assert_eq!(case.contact.load, 40.0);

@@ -1,6 +1,7 @@
 """Film thickness, pressure, traction and temperature of elastohydrodynamic contacts.
 
-A contact is a :class:`Case`; solving it gives a :class:`Result` (or a :class:`Curve`, where the case varies a quantity):
+A contact is a :class:`Case`; solving it gives a :class:`Result` (a :class:`Curve` where the case varies a quantity, a
+:class:`MachineSolution` where it describes a whole machine, such as a :class:`Bearing`):
 
 >>> import ertel
 >>> case = ertel.Case.from_file("ball-on-disc.toml")   # doctest: +SKIP
@@ -12,7 +13,7 @@ Numbers are in SI. Bad input raises :class:`CaseError` with the words of the pro
 :class:`ConvergenceError`, files that cannot be written :class:`OutputError`.
 """
 
-from ._case import Case, estimate
+from ._case import Case, estimate, solve
 from ._data import (
     FilmFit,
     Fit,
@@ -27,6 +28,8 @@ from ._data import (
     viscosity,
 )
 from ._ertel import CaseError, ConvergenceError, OutputError, __version__
+from ._machine import MachineContact, MachineFigure, MachineSolution
+from ._machines import Bearing, Cam, GearPair
 from ._result import Curve, Quantity, Result
 from ._study import StudySummary, compare, merge, sweep
 
@@ -34,6 +37,8 @@ from ._study import StudySummary, compare, merge, sweep
 ConvergenceError.report = property(str)  # type: ignore[method-assign,assignment,misc]
 
 __all__ = [
+    "Bearing",
+    "Cam",
     "Case",
     "CaseError",
     "ConvergenceError",
@@ -41,6 +46,10 @@ __all__ = [
     "FilmFit",
     "Fit",
     "Fluid",
+    "GearPair",
+    "MachineContact",
+    "MachineFigure",
+    "MachineSolution",
     "OutputError",
     "Quantity",
     "Result",
@@ -56,6 +65,7 @@ __all__ = [
     "merge",
     "own_data",
     "solids",
+    "solve",
     "sweep",
     "viscosity",
 ]

@@ -10,6 +10,7 @@ from typing import Any
 
 from . import _ertel, _toml
 from ._ertel import CaseError
+from ._machine import MachineSolution
 from ._result import Curve, Result
 
 Progress = bool | Callable[[dict[str, Any]], object] | None
@@ -95,6 +96,11 @@ class Case:
         return self._native.is_curve
 
     @property
+    def is_machine(self) -> bool:
+        """Whether it describes a whole machine, as a bearing under its loads: then :meth:`solve` gives a :class:`MachineSolution`."""
+        return self._native.is_machine
+
+    @property
     def given(self) -> dict[str, Any]:
         """Keys and values as they were given."""
         return json.loads(self._native.given())
@@ -117,8 +123,8 @@ class Case:
         """The same in words, as ``ertel estimate`` shows it."""
         return self._native.estimate_report()
 
-    def solve(self, progress: Progress = None, start: Result | None = None) -> Result | Curve:
-        """Solve the contact.
+    def solve(self, progress: Progress = None, start: Result | None = None) -> Result | Curve | MachineSolution:
+        """Solve the contact, the points of its curve, or all contacts of its machine.
 
         Ctrl-C stops after the iteration; other Python threads run on meanwhile.
 
@@ -132,13 +138,14 @@ class Case:
 
         Returns
         -------
-        Result or Curve
-            A curve where the case has a ``[curve]``.
+        Result, Curve or MachineSolution
+            A curve where the case has a ``[curve]``, a machine where it describes a whole one. Points and contacts that fail are kept with
+            their reasons.
 
         Raises
         ------
         ConvergenceError
-            With how far it came, why, and what to try.
+            Of a single contact, with how far it came, why, and what to try.
         KeyboardInterrupt
             On Ctrl-C.
         """
@@ -147,6 +154,10 @@ class Case:
             if start is not None:
                 raise CaseError("a curve starts from the dry contact: leave out `start`")
             return Curve(self, _ertel.solve_curve(self._native, listener))
+        if self.is_machine:
+            if start is not None:
+                raise CaseError("the contacts of a machine start from each other: leave out `start`")
+            return MachineSolution(self, _ertel.solve_machine(self._native, listener))
         if start is not None and not isinstance(start, Result):
             raise CaseError(f"start: the result of a similar case, not a {type(start).__name__}")
         native = None if start is None else start._started()
@@ -154,7 +165,7 @@ class Case:
 
     def __reduce__(self) -> tuple[Any, ...]:
         native = self._native
-        return (_restored, (native.name, native.text, str(native.folder)))
+        return (_restored, (type(self), native.name, native.text, str(native.folder)))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case):
@@ -167,11 +178,12 @@ class Case:
     def __repr__(self) -> str:
         kind = self.si["contact"]["kind"]
         title = f" {self.title!r}" if self.title else ""
-        return f"<ertel.Case{title}: {kind} contact>"
+        what = f"whole machine, {kind} contacts" if self.is_machine else f"{kind} contact"
+        return f"<ertel.Case{title}: {what}>"
 
 
-def _restored(name: str, text: str, folder: str) -> Case:
-    return Case.from_text(text, name=name, folder=folder)
+def _restored(cls: type[Case], name: str, text: str, folder: str) -> Case:
+    return cls.from_text(text, name=name, folder=folder)
 
 
 def _listener(progress: Progress) -> Callable[[str], None] | None:
@@ -207,3 +219,8 @@ def _show(event: Mapping[str, Any]) -> None:
 def estimate(case: Case) -> dict[str, Any]:
     """What formulas say about a case; see :meth:`Case.estimate`."""
     return case.estimate()
+
+
+def solve(case: Case, progress: Progress = None, start: Result | None = None) -> Result | Curve | MachineSolution:
+    """Solve a case; see :meth:`Case.solve`."""
+    return case.solve(progress, start)

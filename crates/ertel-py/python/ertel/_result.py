@@ -89,6 +89,12 @@ _FIGURE_NAMES: dict[str, tuple[str, str]] = {name: (words, symbol) for name, wor
 _FIELD_NAMES: dict[str, tuple[str, str]] = {name: (unit, words) for name, unit, words in _ertel.field_names()}
 
 
+def _read(entry: dict[str, Any], uncertainty: float | None = None) -> Quantity:
+    """A figure as JSON has it."""
+    place = (entry["x"], entry["y"]) if "x" in entry else None
+    return Quantity(entry["value"], entry["error"], uncertainty, entry["unit"], entry["resolved"] is not False, place)
+
+
 # Points of a grid: with some twenty fields these take half a gigabyte.
 _MOST_GRID_POINTS = 5_000_000
 
@@ -200,9 +206,7 @@ class Result:
         if entry is None:
             return None
         bars = (self._document.get("uncertainty") or {}).get(name)
-        bar = bars.get("half_width") if isinstance(bars, dict) else None
-        place = (entry["x"], entry["y"]) if "x" in entry else None
-        return Quantity(entry["value"], entry["error"], bar, entry["unit"], entry["resolved"] is not False, place)
+        return _read(entry, bars.get("half_width") if isinstance(bars, dict) else None)
 
     @property
     def sensitivities(self) -> dict[str, dict[str, float]]:

@@ -4,7 +4,8 @@ use serde_json::{Map, Value, json};
 
 use super::super::curve::point_json;
 use super::super::result_json::{FORMAT_VERSION, units};
-use crate::case::CaseEcho;
+use super::warning_texts;
+use crate::case::{CaseEcho, RINGS};
 use crate::machine::MachineFigures;
 use crate::run::NUMERICS;
 use crate::study::MachineSolution;
@@ -22,6 +23,7 @@ pub fn machine_json(
     figures: &MachineFigures,
 ) -> serde_json::Result<Value> {
     let whole = &machine.machine;
+    let warnings = warning_texts(machine, figures);
     let figures: Map<String, Value> = (figures.all.iter())
         .map(|figure| {
             let value = json!({
@@ -44,6 +46,9 @@ pub fn machine_json(
                 "hertz_pressure": contact.hertz_pressure,
                 "solved_as": contact.like.map(|like| like + 1),
             });
+            if whole.has_sides() {
+                value["ring"] = json!(RINGS[contact.side]);
+            }
             if let Some(point) = &machine.contacts[i] {
                 let mut point = point_json(i, point)?;
                 if let Some(keys) = point.as_object_mut() {
@@ -71,6 +76,7 @@ pub fn machine_json(
         "n_failed": machine.n_failed(),
         "complete": !machine.is_partial(),
         "wall_seconds": machine.wall_seconds,
+        "warnings": warnings,
         "contacts": contacts,
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units(whole.is_line),

@@ -1,0 +1,252 @@
+"""Whole machines: their figures, and the contacts of which these are made."""
+
+from __future__ import annotations
+
+import html
+import io
+import json
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _ertel
+from ._result import _FIGURE_NAMES, Quantity, _read
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from ._case import Case
+
+
+@dataclass(frozen=True, repr=False)
+class MachineFigure(Quantity):
+    """A figure of a whole machine, in SI; ``float(figure)`` is its value.
+
+    Attributes
+    ----------
+    value : float
+        From the solutions of all contacts, or from a formula.
+    error : float or None
+        Half-width of the bar that the discretisation errors of the contacts make; None where it comes from a formula alone.
+    unit : str
+        SI unit, empty for a pure number.
+    words : str
+        What it is.
+    source : str
+        Where the formula comes from, or what is left out; may be empty.
+    """
+
+    words: str = ""
+    source: str = ""
+
+
+@dataclass(frozen=True)
+class MachineContact:
+    """One contact of a machine.
+
+    Attributes
+    ----------
+    name : str
+        Which it is: ``"ball 3, inner ring"``.
+    place : float
+        Where it is: angle from the load round a bearing (rad), distance from the pitch point along the line of action (m), angle of a cam
+        (rad); :attr:`MachineSolution.place_name` says which.
+    ring : str or None
+        ``"inner"`` or ``"outer"`` in a bearing, else None.
+    load : float
+        N, or N/m of a line contact; 0 where nothing presses.
+    hertz_pressure : float
+        Largest pressure of the dry contact, Pa.
+    solved_as : int or None
+        Place in :attr:`MachineSolution.contacts` of the contact that was solved for it and all like it: itself or one before; None where
+        nothing presses.
+    figures : dict of str to Quantity, or None
+        The figures of the solved contact by the names of :meth:`Result.figures`, the same object for contacts that are alike; None where
+        nothing presses, and where the solve failed.
+    failure : str or None
+        Why the solve failed, if it did.
+    """
+
+    name: str
+    place: float
+    ring: str | None
+    load: float
+    hertz_pressure: float
+    solved_as: int | None
+    figures: dict[str, Quantity] | None = field(default=None, repr=False)
+    failure: str | None = None
+
+    def figure(self, name: str) -> Quantity | None:
+        """A figure by its name, as of :meth:`Result.figure`; None where this contact does not have it.
+
+        Raises
+        ------
+        KeyError
+            With the names that there are.
+        """
+        if name not in _FIGURE_NAMES:
+            raise KeyError(f"no figure `{name}`: there are {', '.join(_FIGURE_NAMES)}")
+        return None if self.figures is None else self.figures.get(name)
+
+    def __getattr__(self, name: str) -> Any:
+        if name in _FIGURE_NAMES:
+            return self.figure(name)
+        raise AttributeError(f"a contact of a machine has no attribute `{name}`")
+
+
+class MachineSolution:
+    """The solution of a whole machine. Numbers in SI.
+
+    Figures of the machine are attributes (``machine.friction_torque``), and items of :attr:`figures`. Those that are sums over the contacts are
+    there only where all contacts are solved.
+
+    Attributes
+    ----------
+    case : Case
+        What was solved.
+    figures : dict of str to MachineFigure
+        Figures of the machine by their names.
+    contacts : list of MachineContact
+        All contacts, unloaded ones among them; of a bearing those of each element with both rings.
+    """
+
+    def __init__(self, case: Case, native: _ertel.NativeMachine) -> None:
+        self.case = case
+        self._native: _ertel.NativeMachine | None = native
+        self._document: dict[str, Any] = json.loads(native.document())
+        self._table = native.table()
+        self._report = native.report()
+        self.figures: dict[str, MachineFigure] = {
+            name: MachineFigure(
+                value=entry["value"], error=entry["error"], unit=entry["unit"], words=entry["words"], source=entry["source"]
+            )
+            for name, entry in self._document["figures"].items()
+        }
+        self.contacts: list[MachineContact] = _contacts(self._document["contacts"], self.place_name)
+
+    def to_dict(self) -> dict[str, Any]:
+        """What ``machine.json`` has."""
+        return self._document
+
+    @property
+    def report(self) -> str:
+        """What ``ertel solve`` shows."""
+        return self._report
+
+    @property
+    def table(self) -> str:
+        """What ``machine.csv`` has: a line for each contact, units in the titles of the columns."""
+        return self._table
+
+    def to_pandas(self) -> pd.DataFrame:
+        """The table of the contacts, units in the titles of the columns."""
+        import pandas as pd
+
+        return pd.read_csv(io.StringIO(self._table))
+
+    @property
+    def warnings(self) -> list[str]:
+        """What to know about the result, one sentence each; failed contacts first."""
+        return self._document["warnings"]
+
+    @property
+    def failures(self) -> list[tuple[int, str]]:
+        """Place and reason of the contacts without solution; those that are alike once."""
+        contacts = enumerate(self.contacts)
+        return [(i, c.failure) for i, c in contacts if c.failure is not None and c.solved_as == i]
+
+    @property
+    def failed(self) -> bool:
+        """Whether a contact has no solution: figures that are sums over all are left out then."""
+        return bool(self.failures)
+
+    @property
+    def governing_contact(self) -> MachineContact:
+        """The contact under the largest pressure, or that of the pitch point."""
+        return self.contacts[self._document["governing_contact"] - 1]
+
+    @property
+    def place_name(self) -> str:
+        """What :attr:`MachineContact.place` is: ``"angle"`` (rad), ``"position"`` (m) or ``"cam_angle"`` (rad)."""
+        first = self._document["contacts"][0]
+        return next(name for name in _PLACES if name in first)
+
+    def figure(self, name: str) -> MachineFigure | None:
+        """A figure of the machine by its name; None where this machine does not have it."""
+        return self.figures.get(name)
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Write what ``ertel solve`` writes; a former result in the folder is replaced, anything else is not.
+
+        Raises
+        ------
+        OutputError
+            When the folder holds something else, or cannot be written.
+        """
+        if self._native is None:
+            raise RuntimeError("files of a machine: only in the process that solved it; this one was pickled")
+        self._native.save(Path(folder))
+        return Path(folder)
+
+    def __getattr__(self, name: str) -> Any:
+        figures = self.__dict__.get("figures", {})
+        if name in figures:
+            return figures[name]
+        have = f": its figures are {', '.join(figures)}" if figures and not name.startswith("_") else ""
+        raise AttributeError(f"this machine has no attribute `{name}`{have}")
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self.figures})
+
+    def __len__(self) -> int:
+        return len(self.contacts)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_native": None}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
+    def __repr__(self) -> str:
+        failed = f", {len(self.failures)} failed" if self.failed else ""
+        n = self._document["n_solved"]
+        return f"<ertel.MachineSolution: {len(self)} contacts, {n} different ones solved{failed}>"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><td>{html.escape(figure.words)}</td><td>{html.escape(str(figure))}</td></tr>" for figure in self.figures.values()
+        )
+        title = html.escape(self.case.title or "ertel machine")
+        warnings = "".join(f"<li>{html.escape(w)}</li>" for w in self.warnings)
+        notes = f"<ul>{warnings}</ul>" if warnings else ""
+        return f"<table><caption>{title}</caption><tbody>{rows}</tbody></table>{notes}"
+
+
+_PLACES = ("angle", "position", "cam_angle")
+
+
+def _contacts(entries: list[dict[str, Any]], place: str) -> list[MachineContact]:
+    solved: list[tuple[dict[str, Quantity] | None, str | None]] = []
+    for entry in entries:
+        solution = entry.get("solution") or {}
+        figures = solution.get("figures")
+        by_name = None if figures is None else {name: _read(figure) for name, figure in figures.items()}
+        solved.append((by_name, solution.get("reason")))
+    contacts = []
+    for entry in entries:
+        like = None if entry["solved_as"] is None else entry["solved_as"] - 1
+        figures, failure = (None, None) if like is None else solved[like]
+        contacts.append(
+            MachineContact(
+                name=entry["name"],
+                place=entry[place],
+                ring=entry.get("ring"),
+                load=entry["load"],
+                hertz_pressure=entry["hertz_pressure"],
+                solved_as=like,
+                figures=figures,
+                failure=failure,
+            )
+        )
+    return contacts
