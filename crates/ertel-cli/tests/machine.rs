@@ -116,7 +116,8 @@ fn whole_machines_are_no_single_contact() {
         assert_eq!(refused.status.code(), Some(2));
         let message = text(&refused.stderr);
         assert!(message.contains("machine.element=0"), "{message}");
-        let of_gears = text(&ertel(arguments, &shipped("fzg-c")).stderr);
-        assert!(of_gears.contains("machine.position=\"0 m\""), "{of_gears}");
+        let refused = ertel(arguments, &shipped("fzg-c"));
+        let message = text(&refused.stderr);
+        assert!(message.contains("machine.position=\"0 m\""), "{message}");
     }
 }
