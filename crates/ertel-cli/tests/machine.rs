@@ -117,7 +117,7 @@ fn whole_machines_are_no_single_contact() {
         let message = text(&refused.stderr);
         assert!(message.contains("machine.element=0"), "{message}");
         let refused = ertel(arguments, &shipped("fzg-c"));
-        let of_gears = text(&refused.stderr);
-        assert!(of_gears.contains("machine.position=\"0 m\""), "{of_gears}");
+        let message = text(&refused.stderr);
+        assert!(message.contains("machine.position=\"0 m\""), "{message}");
     }
 }
