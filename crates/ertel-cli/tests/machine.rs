@@ -21,7 +21,12 @@ fn shipped(name: &str) -> PathBuf {
 /// Radii, loads and speeds worked out by hand in the tests of the machines.
 #[test]
 fn every_machine_is_estimated_and_checked() {
-    let machines: [(&str, &[&str]); 6] = [
+    let machines: [(&str, &[&str]); 7] = [
+        // The cage turns at ω (1 − D/d_m)/2 with D = 9.525 mm, d_m = 46 mm, ω = 314.159 rad/s; ½ m d_m ω_c² with steel of 7850 kg/m³.
+        (
+            "bearing-6206",
+            &["30, 62, 16 mm", "124.554 rad/s", "1.26738 N", "2000 N"],
+        ),
         ("ball-on-disc", &["9.525 mm", "30 N"]),
         (
             "ball-bearing",
@@ -66,11 +71,10 @@ fn every_machine_is_estimated_and_checked() {
             "{name}: {}",
             text(&check.stderr)
         );
-        assert!(
-            !text(&check.stderr).contains("warning"),
-            "{}",
-            text(&check.stderr)
-        );
+        // The whole bearing has a roughness, which its film comes near to.
+        let is_known = |line: &str| name == "bearing-6206" && line.contains("times the roughness");
+        let mut warnings = (text(&check.stderr).lines()).filter(|line| line.contains("warning"));
+        assert!(warnings.all(is_known), "{}", text(&check.stderr));
         let estimate = ertel(&["estimate"], &case);
         assert_eq!(
             estimate.status.code(),
