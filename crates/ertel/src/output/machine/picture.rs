@@ -159,7 +159,7 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
         ],
     )];
     let hertz = values(machine, 0, |i| Some(whole.contacts[i].hertz_pressure));
-    let (factor, unit) = pressure_unit(largest(&[hertz.clone()]));
+    let (factor, unit) = pressure_unit(largest(std::slice::from_ref(&hertz)));
     let label = format!("Hertz pressure *p*_{{h}} ({unit})");
     charts.push(chart(
         &label,
