@@ -138,6 +138,10 @@ cases/machine/roller-bearing.toml
     machine.profile={ kind = "iso-16281", diameter = "10 mm" }
     machine.profile={ kind = "table", position = ["0 mm", "3 mm", "6 mm"], drop = ["0 um", "1 um", "9 um"] }
     machine.profile={ kind = "table", file = "trace.csv" }
+cases/machine/bearing-6206.toml
+    machine.thermal_resistance="0.5 K/W"
+    machine={ kind = "roller-bearing", designation = "NU 206", radial_load = "2 kN", inner_ring_speed = "3000 rpm" }
+    machine={ kind = "roller-bearing", designation = "NU 206", radial_load = "2 kN", inner_ring_speed = "3000 rpm", thermal_resistance = "0.5 K/W" }
 "#;
 
 /// Keys in tables of a list, which cannot be set by their path.

@@ -143,14 +143,15 @@ class Cam(_MachineCase):
     Parameters
     ----------
     kind : str
-        Kind of the machine in the case file: ``"cam-and-flat-tappet"``, the contact with a flat tappet at one angle.
+        Kind of the machine in the case file: ``"cam"``, with a flat, curved, roller or finger follower at one angle or over a turn, or
+        ``"cam-and-flat-tappet"``, one contact from lift and acceleration.
     bodies : str or mapping
         Material of cam and follower, ``"steel"``, or ``{"body_1": ..., "body_2": ...}`` with the follower as body 1 and the cam as body 2.
     lubricant, temperature, folder
         As for :class:`Bearing`.
     **keys
-        Sections of the case as for :class:`Bearing`, and the keys of ``[machine]`` (docs/reference/case-file.md): ``base_radius="15 mm"``,
-        ``lift="2 mm"``, ``cam_speed="1000 rpm"``, ``width="12 mm"``, ...
+        Sections of the case as for :class:`Bearing`, and the keys of ``[machine]`` (docs/reference/case-file.md): ``follower="flat"``,
+        ``base_radius="15 mm"``, ``lift="8 mm"``, ``cam_speed="1000 rpm"``, ``angle="turn"``, ...
 
     Raises
     ------
@@ -161,7 +162,7 @@ class Cam(_MachineCase):
     def __init__(
         self,
         *,
-        kind: str = "cam-and-flat-tappet",
+        kind: str = "cam",
         bodies: str | Mapping[str, Any] | None = None,
         lubricant: str | Mapping[str, Any] | None = None,
         temperature: Any = None,

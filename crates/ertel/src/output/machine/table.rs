@@ -4,7 +4,12 @@ use std::fmt::Write;
 
 use crate::case::RINGS;
 use crate::files::text_field;
-use crate::study::{MachineSolution, columns};
+use crate::study::{Column, MachineSolution, columns};
+
+/// The columns of studies, but for the Hertz pressure, which every contact has from the mechanics.
+fn figures() -> impl Iterator<Item = Column> {
+    columns().filter(|column| column.name != "hertz_pressure")
+}
 
 /// The table as text, SI. Contacts that are alike repeat the figures of the one that was solved; those that nothing presses have none.
 pub fn machine_table(machine: &MachineSolution) -> String {
@@ -14,7 +19,7 @@ pub fn machine_table(machine: &MachineSolution) -> String {
     let axis = format!("{}_{}", whole.axis.name(), whole.axis.unit());
     let ring = if whole.has_sides() { "ring," } else { "" };
     let mut text = format!("contact,{axis},{ring}name,load_{unit},hertz_pressure_Pa,solved_as");
-    for column in columns() {
+    for column in figures() {
         for title in std::iter::once(column.title(is_line)).chain(column.error_title(is_line)) {
             let _ = write!(text, ",{title}");
         }
@@ -39,7 +44,7 @@ pub fn machine_table(machine: &MachineSolution) -> String {
             like,
         ]);
         if let Some(point) = machine.of(i) {
-            let cells = columns().flat_map(|column| column.fields(point, is_line));
+            let cells = figures().flat_map(|column| column.fields(point, is_line));
             row.extend(cells.map(|(_, cell)| cell.to_string()));
         }
         row.resize(width, String::new());
