@@ -242,7 +242,12 @@ fn every_shipped_case_passes_the_check() {
                 path.ends_with("measured-films.toml")
                     && line.contains("its data hold up to 0.304 GPa")
             };
-            let warns = |line: &&str| line.starts_with("warning") && !is_beyond(line);
+            // About the nose of a cam both surfaces move against each other.
+            let reverses = |line: &&str| {
+                path.ends_with("cam-turn.toml") && line.contains("opposite directions")
+            };
+            let warns =
+                |line: &&str| line.starts_with("warning") && !is_beyond(line) && !reverses(line);
             let error = stderr(&output);
             assert_eq!(error.lines().find(warns), None);
             n_cases += 1;
