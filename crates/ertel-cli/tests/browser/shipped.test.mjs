@@ -25,7 +25,15 @@ function thin(text) {
 
 function kindOf(text) {
   if (/^\[\[axis\]\]/m.test(text)) return "study";
-  return /^\[curve\]/m.test(text) ? "curve" : "contact";
+  if (/^\[curve\]/m.test(text)) return "curve";
+  // A whole machine has a table of its contacts.
+  return /^(designation|position = "path"|angle = "turn")/m.test(text) ? "machine" : "contact";
+}
+
+// What of the coarse settings a case takes: an axis over one of them has its own, and a mesh by a preset has no target.
+function coarse(text) {
+  if (/^preset/m.test(text)) return COARSE.slice(2);
+  return /^key = "mesh\.target_error"/m.test(text) ? COARSE.slice(1) : COARSE;
 }
 
 cpSync(CASES, cases, { recursive: true });
@@ -61,11 +69,12 @@ describe("shipped cases", () => {
     const kind = kindOf(text);
     test(name, async () => {
       const output = join(folder, name.replaceAll("/", "-"));
-      const set = (kind === "study" && /^key = "mesh\.target_error"/m.test(text) ? COARSE.slice(1) : COARSE).flatMap((one) => ["--set", one]);
+      const set = coarse(text).flatMap((one) => ["--set", one]);
       run(kind === "study" ? "sweep" : "solve", join(cases, file), "--output", output, "--quiet", "--accept-unresolved", ...set);
       const isLine = kind === "contact" && JSON.parse(readFileSync(join(output, "result.json"), "utf8")).kind === "line";
       const expected = kind === "contact" ? { charts: isLine ? 2 : 4, maps: isLine ? 0 : 1 } : { charts: 2, maps: 0 };
-      await look(name, join(output, "report.html"), expected);
+      // Half of the elements of a bearing carry nothing: their lines have gaps.
+      await look(name, join(output, "report.html"), expected, { scattered: kind === "machine" });
     });
   }
   test("samples of uncertain inputs", async () => {
