@@ -10,7 +10,7 @@ use ertel_machines::bearing::Geometry;
 use ertel_machines::bearing::kinematics::deformed_radius;
 
 use super::slip::{Slip, SlipFriction, stress};
-use super::{MachineFigure, Section, figure_of, sum};
+use super::{MachineFigure, Section, figure_of, of_model, sum};
 use crate::case::{BearingMechanics, Case};
 use crate::solution::{Estimate, Figure};
 use crate::study::{MachineSolution, PointSolution};
@@ -35,23 +35,21 @@ pub(super) fn figures(
     let [load, pressure] = heaviest.fold([0.0_f64; 2], |[q, p], [load, pressure]| {
         [q.max(load), p.max(pressure)]
     });
-    let plain = |section, name, words, value, unit| MachineFigure {
+    let figure = |name, words, value, unit| MachineFigure {
         name,
         words,
-        estimate: Estimate { value, error: None },
+        estimate: of_model(value),
         unit,
-        section,
+        section: Section::Mechanics,
         source: "",
     };
-    let mechanics_of =
-        |name, words, value, unit| plain(Section::Mechanics, name, words, value, unit);
-    figures.push(mechanics_of(
+    figures.push(figure(
         "element_load_maximum",
         "largest load of an element",
         load,
         "N",
     ));
-    figures.push(mechanics_of(
+    figures.push(figure(
         "hertz_pressure_maximum",
         "largest Hertz pressure",
         pressure,
@@ -64,9 +62,11 @@ pub(super) fn figures(
         Geometry::TaperedRoller(roller) => roller.length,
     };
     let film = sum(solved, |_, point| {
-        scaled(figure_of(point, Figure::FrictionPower)?, length)
+        Some(scaled(figure_of(point, Figure::FrictionPower)?, length))
     });
-    let rolling = sum(solved, |_, point| scaled(rolling_power(point)?, length));
+    let rolling = sum(solved, |_, point| {
+        Some(scaled(rolling_power(point)?, length))
+    });
     if let (Some(film), Some(rolling)) = (film, rolling) {
         figures.extend(friction(case, mechanics, solved, [film, rolling], warnings));
     }
@@ -74,11 +74,11 @@ pub(super) fn figures(
     figures
 }
 
-fn scaled(estimate: Estimate, factor: f64) -> Option<Estimate> {
-    Some(Estimate {
+fn scaled(estimate: Estimate, factor: f64) -> Estimate {
+    Estimate {
         value: factor * estimate.value,
         error: estimate.error.map(|error| factor * error),
-    })
+    }
 }
 
 /// Friction by its parts, torque and temperature, from the powers of films and of rolling.
@@ -136,10 +136,7 @@ fn friction(
             Section::Friction,
             "friction_power_differential_slip",
             "power lost by differential slip",
-            Estimate {
-                value: slip,
-                error: None,
-            },
+            of_model(slip),
             "W",
             "differential slip (Heathcote 1921): by the laws of the lubricant at the dry pressure and the central film of each contact",
         ),
@@ -212,10 +209,7 @@ fn differential_slip(
     let slip = sum(solved, |i, point| {
         let side = solved.machine.contacts[i].side;
         let found = slip_power(case, mechanics, side, point)?;
-        (found.mean_traction < IMPOSSIBLE).then_some(Estimate {
-            value: found.power,
-            error: None,
-        })
+        (found.mean_traction < IMPOSSIBLE).then_some(of_model(found.power))
     });
     slip.map(|slip| slip.value)
 }

@@ -14,15 +14,10 @@ use std::f64::consts::TAU;
 use ertel_machines::cam::CamPoint;
 
 use super::curve::Curve;
-use super::{MachineFigure, Section, figure_of};
+use super::{MachineFigure, Section, figure_of, of_model};
 use crate::case::CamMechanics;
 use crate::solution::{Estimate, Figure};
 use crate::study::MachineSolution;
-
-/// A figure without bar.
-fn of_model(value: f64) -> Estimate {
-    Estimate { value, error: None }
-}
 
 /// The figures of a cam.
 pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution) -> Vec<MachineFigure> {
@@ -79,10 +74,7 @@ fn mechanics(cam: &CamMechanics) -> Vec<MachineFigure> {
 
 /// Where the film is thinnest.
 fn thinnest(cam: &CamMechanics, solved: &MachineSolution) -> Option<MachineFigure> {
-    let films = solved
-        .solved()
-        .filter_map(|(i, point)| Some((i, figure_of(point, Figure::FilmMinimum)?.value)));
-    let (i, _) = films.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let i = super::thinnest(solved)?;
     Some(MachineFigure {
         name: "film_minimum_angle",
         words: "smallest film at the angle of the cam",

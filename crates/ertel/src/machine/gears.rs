@@ -15,18 +15,13 @@ use ertel_machines::gear::safety::{micropitting, scuffing};
 use ertel_machines::gear::{FlashMethod, PathPoint, ThermalBody};
 
 use super::curve::Curve;
-use super::{MachineFigure, Section, figure_of};
+use super::{MachineFigure, Section, figure_of, of_model};
 use crate::case::{Body, Case, GearMechanics};
 use crate::solution::{Estimate, Figure};
 use crate::study::{MachineSolution, PointSolution};
 
 /// σ over Ra of normally distributed heights, as quoted.
 const RMS_OVER_RA: f64 = 1.25;
-
-/// A figure without bar.
-fn of_model(value: f64) -> Estimate {
-    Estimate { value, error: None }
-}
 
 /// The figures of a pair of gears.
 pub(super) fn figures(
@@ -96,10 +91,7 @@ fn mechanics(gears: &GearMechanics) -> Vec<MachineFigure> {
 
 /// Where the film is thinnest.
 fn thinnest(gears: &GearMechanics, solved: &MachineSolution) -> Option<MachineFigure> {
-    let films = solved
-        .solved()
-        .filter_map(|(i, point)| Some((i, figure_of(point, Figure::FilmMinimum)?.value)));
-    let (i, _) = films.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let i = super::thinnest(solved)?;
     Some(MachineFigure {
         name: "film_minimum_position",
         words: "smallest film at the distance from the pitch point",

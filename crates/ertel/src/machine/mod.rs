@@ -100,6 +100,20 @@ pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {
     MachineFigures { all, warnings }
 }
 
+/// A figure without bar: that of a formula.
+fn of_model(value: f64) -> Estimate {
+    Estimate { value, error: None }
+}
+
+/// The contact with the smallest film, by its place among the contacts.
+fn thinnest(solved: &MachineSolution) -> Option<usize> {
+    let films = solved
+        .solved()
+        .filter_map(|(i, point)| Some((i, figure_of(point, Figure::FilmMinimum)?.value)));
+    let (i, _) = films.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    Some(i)
+}
+
 /// A figure of a contact.
 fn figure_of(point: &PointSolution, figure: Figure) -> Option<Estimate> {
     let found = point.outcome.solution()?.figure(figure)?;
