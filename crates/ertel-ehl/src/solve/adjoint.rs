@@ -176,6 +176,7 @@ pub fn adjoints(
             let params = GmresParams {
                 tolerance: (tolerance / reached).max(least),
                 max_iterations: 100,
+                ..GmresParams::default()
             };
             let mut step = vec![0.0; n + 1];
             let product = |x: &[f64], y: &mut [f64]| apply(x, y, products);

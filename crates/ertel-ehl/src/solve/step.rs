@@ -235,6 +235,7 @@ impl Bordered {
         let params = GmresParams {
             tolerance: accuracy.tolerance(update),
             max_iterations,
+            ..GmresParams::default()
         };
         let product = |x: &[f64], y: &mut [f64]| {
             apply(x, y);

@@ -14,10 +14,6 @@ use crate::contact::Gap;
 /// Angles at which f is known: 0.25° apart, by which the load is exact to 1e-5.
 const ANGLES: usize = 1440;
 
-/// Sweeps of the relaxation at most, and the change of f at which it ends.
-const SWEEPS: usize = 20_000;
-const SETTLED: f64 = 1e-12;
-
 /// f around a gap.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FarPressure {
@@ -34,8 +30,35 @@ pub struct PressureThere {
     pub gradient: [f64; 2],
 }
 
+/// The angles before and after one.
+fn beside(n: usize) -> (usize, usize) {
+    ((n + ANGLES - 1) % ANGLES, (n + 1) % ANGLES)
+}
+
+/// f where there is pressure, by elimination from an angle without pressure on; `own` holds the factor of f and the drag.
+fn pressures(own: &[[f64; 2]], side: &[f64], full: &[bool], f: &mut [f64]) {
+    let start = full.iter().position(|full| !full).unwrap_or(0);
+    let around = |n: usize| (start + n) % ANGLES;
+    // f_n = value + factor f_(n+1).
+    let mut rows = vec![[0.0; 2]; ANGLES];
+    for n in (0..ANGLES).map(around).filter(|n| full[*n]) {
+        let (before, _) = beside(n);
+        let ([mass, drag], (low, high)) = (own[n], (side[before], side[n]));
+        let pivot = mass + low + high - low * rows[before][1];
+        rows[n] = [(drag + low * rows[before][0]) / pivot, high / pivot];
+    }
+    for n in (0..ANGLES).rev().map(around) {
+        let (_, after) = beside(n);
+        f[n] = match full[n] {
+            true => rows[n][0] + rows[n][1] * f[after],
+            false => 0.0,
+        };
+    }
+}
+
 impl FarPressure {
-    /// Around a gap whose surfaces entrain along the motion, by projected successive over-relaxation.
+    /// Around a gap whose surfaces entrain along the motion. Pressure is solved for where the gap closes, then also wherever what flows in would
+    /// raise it above zero: f grows from one set to the next, and ends at the only solution.
     pub fn new(gap: &Gap) -> FarPressure {
         let step = 2.0 * PI / ANGLES as f64;
         let kappa = gap.curvature_ratio;
@@ -56,22 +79,19 @@ impl FarPressure {
                 ]
             })
             .collect();
+        let mut full: Vec<bool> = own.iter().map(|[_, drag]| *drag > 0.0).collect();
         let mut f = vec![0.0_f64; ANGLES];
-        let factor = 2.0 / (1.0 + 3.0 * step);
-        for _ in 0..SWEEPS {
-            let mut change = 0.0_f64;
-            for n in 0..ANGLES {
-                let (before, after) = ((n + ANGLES - 1) % ANGLES, (n + 1) % ANGLES);
-                let [mass, drag] = own[n];
-                let (low, high) = (side[before], side[n]);
-                let goal = (drag + low * f[before] + high * f[after]) / (mass + low + high);
-                let next = (f[n] + factor * (goal - f[n])).max(0.0);
-                change = change.max((next - f[n]).abs());
-                f[n] = next;
-            }
-            if change < SETTLED {
+        loop {
+            pressures(&own, &side, &full, &mut f);
+            let fills = |n: usize| {
+                let (before, after) = beside(n);
+                own[n][1] + side[before] * f[before] + side[n] * f[after] > 0.0
+            };
+            let more: Vec<usize> = (0..ANGLES).filter(|n| !full[*n] && fills(*n)).collect();
+            if more.is_empty() {
                 break;
             }
+            more.into_iter().for_each(|n| full[n] = true);
         }
         FarPressure {
             gap: gap.clone(),

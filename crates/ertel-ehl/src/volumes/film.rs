@@ -95,10 +95,21 @@ fn inside(region: &Region, grid: &Grid, i: usize, j: usize) -> f64 {
         let [x, y] = region.unit(grid.turn.to_motion(at));
         x.hypot(y)
     };
+    // Far from the end no distance to it is asked for: it does not change by more within a cell than what its sides are long.
+    let beyond = radius(0.0, 0.0) - 1.0;
+    let sides = [[grid.spacing[0], 0.0], [0.0, grid.spacing[1]]];
+    let most: f64 = (sides
+        .map(|side| region.unit(grid.turn.to_motion(side)))
+        .iter())
+    .map(|[x, y]| x.hypot(*y))
+    .sum();
+    if beyond.abs() > 0.5 * most {
+        return f64::from(u8::from(beyond < 0.0));
+    }
     let change =
         (radius(0.5, 0.0) - radius(-0.5, 0.0)).abs() + (radius(0.0, 0.5) - radius(0.0, -0.5)).abs();
     match change > 0.0 {
-        true => (0.5 + (1.0 - radius(0.0, 0.0)) / change).clamp(0.0, 1.0),
+        true => (0.5 - beyond / change).clamp(0.0, 1.0),
         false => 1.0,
     }
 }

@@ -110,6 +110,7 @@ fn cycles_converge_on_all_grids() {
         let params = GmresParams {
             tolerance: 1e-7,
             max_iterations: 60,
+            ..GmresParams::default()
         };
         let mut state = level.state.clone();
         state.pressure.iter_mut().for_each(|p| *p *= 1.01);

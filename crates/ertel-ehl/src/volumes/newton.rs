@@ -122,6 +122,8 @@ pub fn newton(
     let linear = GmresParams {
         tolerance: params.krylov_tolerance,
         max_iterations: params.max_krylov_iterations,
+        // A loose tolerance.
+        twice: false,
     };
     let [nx, _] = system.grid.n;
     let is_given = |k: usize| !system.grid.is_unknown(k % nx, k / nx);

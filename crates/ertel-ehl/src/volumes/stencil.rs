@@ -3,6 +3,7 @@
 //! ```text
 //!   M ≈ L U on the places of M,   u_ii = … + θ Σ|entries of the product that have no place|      (Wittum 1989)
 //! ```
+//! Blocks of lines are factorised and solved for each by itself, on as many cores as there are.
 //! Vectors have [`REACH`] layers of zeros around the rectangle, so that every place of a row has a number.
 
 use rayon::prelude::*;
@@ -30,6 +31,10 @@ const LEAST_PIVOT: f32 = 1e-3;
 
 /// Rows that a thread takes at a time.
 pub const BATCH: usize = 16;
+
+/// Blocks of lines of an incomplete factorisation, and lines of one at least. Their number does not depend on the machine, so that results do not either.
+const BLOCKS: usize = 2;
+const LEAST_LINES: usize = 32;
 
 /// Where an unknown and what lies beside it stand in vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,11 +105,11 @@ impl Lines {
         &self.values[(line * PLACES + place) * nx..][..nx]
     }
 
-    /// What stands at a place of the rows of a line, in a vector that begins at the line `from` of vectors.
+    /// What stands at a place of the rows of a line in a vector.
     #[inline(always)]
-    fn at<'a>(&self, x: &'a [f32], from: usize, line: usize, place: usize) -> &'a [f32] {
+    fn at<'a>(&self, x: &'a [f32], line: usize, place: usize) -> &'a [f32] {
         let layout = self.layout;
-        let start = (line + place / SIDE - from) * layout.width() + place % SIDE;
+        let start = (line + place / SIDE) * layout.width() + place % SIDE;
         &x[start..][..layout.n[0]]
     }
 }
@@ -129,7 +134,7 @@ pub fn residual(matrix: &Lines, b: &[f32], x: &[f32], r: &mut [f32]) {
         let r = &mut r[REACH..][..nx];
         r.copy_from_slice(&b[layout.at(0, j)..][..nx]);
         for t in 0..PLACES {
-            take_off(r, matrix.of(j, t), matrix.at(x, 0, j, t));
+            take_off(r, matrix.of(j, t), matrix.at(x, j, t));
         }
     });
 }
@@ -171,81 +176,113 @@ impl Incomplete {
     /// Factorises rows whose largest entry is 1.
     pub fn new(layout: Layout, rows: &[Row]) -> Incomplete {
         let updates: Vec<Update> = (0..CENTRE).map(Update::by).collect();
-        let [nx, ny] = layout.n;
-        let mut done: Vec<Row> = Vec::with_capacity(rows.len());
-        for j in 0..ny {
-            for i in 0..nx {
-                let mut row = rows[j * nx + i];
-                let mut lost = 0.0_f32;
-                for (lower, update) in updates.iter().enumerate() {
-                    // Entries beyond the rectangle are zero.
-                    if row[lower] == 0.0 {
-                        continue;
-                    }
-                    let pivot = (j + lower / SIDE - REACH) * nx + (i + lower % SIDE) - REACH;
-                    let other = &done[pivot];
-                    let factor = row[lower] * other[CENTRE];
-                    row[lower] = factor;
-                    for (upper, place) in &update.kept {
-                        row[*place] -= factor * other[*upper];
-                    }
-                    let beyond = update
-                        .dropped
-                        .iter()
-                        .map(|upper| (factor * other[*upper]).abs());
-                    lost += beyond.sum::<f32>();
-                }
-                let pivot = row[CENTRE] + STRENGTHENED * lost;
-                row[CENTRE] = 1.0 / pivot.abs().max(LEAST_PIVOT).copysign(pivot);
-                done.push(row);
-            }
-        }
+        let nx = layout.n[0];
+        let blocks: Vec<Vec<Row>> = rows
+            .par_chunks(block(layout) * nx)
+            .map(|rows| factorised(nx, rows, &updates))
+            .collect();
         Incomplete {
-            lines: Lines::new(layout, &done),
+            lines: Lines::new(layout, &blocks.concat()),
         }
     }
 
     /// Adds (L U)⁻¹ r to x; r is overwritten.
     pub fn add_solution(&self, r: &mut [f32], x: &mut [f32]) {
+        let layout = self.lines.layout;
+        let width = layout.width();
+        let of_unknowns = REACH * width..(REACH + layout.n[1]) * width;
+        let lines = block(layout);
+        let [r, x] = [r, x].map(|v| v[of_unknowns.clone()].par_chunks_mut(lines * width));
+        r.zip(x)
+            .enumerate()
+            .for_each(|(k, (r, x))| self.solve_block(k * lines, r, x));
+    }
+
+    /// The same of the lines of a block, which begins with the line `first`.
+    fn solve_block(&self, first: usize, r: &mut [f32], x: &mut [f32]) {
         let rows = &self.lines;
-        let layout = rows.layout;
-        let ([nx, ny], width) = (layout.n, layout.width());
+        let ([nx, _], width) = (rows.layout.n, rows.layout.width());
+        let n = r.len() / width;
         // The lines before and behind, then what depends on the values beside.
         let [before, behind] = [REACH * SIDE, (REACH + 1) * SIDE];
-        for j in 0..ny {
-            let (done, line) = r.split_at_mut((j + REACH) * width);
-            let line = &mut line[..width];
+        for j in 0..n {
+            let (done, line) = r.split_at_mut(j * width);
             for t in 0..before {
-                take_off(
-                    &mut line[REACH..][..nx],
-                    rows.of(j, t),
-                    rows.at(done, 0, j, t),
-                );
+                if let Some(other) = (j + t / SIDE).checked_sub(REACH) {
+                    let values = &done[other * width + t % SIDE..][..nx];
+                    take_off(&mut line[REACH..][..nx], rows.of(first + j, t), values);
+                }
             }
-            let [far, near] = [before, before + 1].map(|t| rows.of(j, t));
+            let [far, near] = [before, before + 1].map(|t| rows.of(first + j, t));
             let [mut second, mut last] = [0.0; 2];
             for ((r, far), near) in line[REACH..].iter_mut().zip(far).zip(near) {
                 *r = (*r - far * second) - near * last;
                 [second, last] = [last, *r];
             }
         }
-        for j in (0..ny).rev() {
-            let (line, done) = r.split_at_mut((j + REACH + 1) * width);
-            let line = &mut line[(j + REACH) * width..][REACH..][..nx];
+        for j in (0..n).rev() {
+            let (line, done) = r.split_at_mut((j + 1) * width);
+            let line = &mut line[j * width..][REACH..][..nx];
             for t in behind..PLACES {
-                take_off(line, rows.of(j, t), rows.at(done, j + REACH + 1, j, t));
+                // Counted from the line after this one.
+                let other = t / SIDE - REACH - 1;
+                if j + 1 + other < n {
+                    let values = &done[other * width + t % SIDE..][..nx];
+                    take_off(line, rows.of(first + j, t), values);
+                }
             }
-            let [pivot, near, far] = [CENTRE, CENTRE + 1, CENTRE + 2].map(|t| rows.of(j, t));
+            let of_line = |t| rows.of(first + j, t);
+            let [pivot, near, far] = [CENTRE, CENTRE + 1, CENTRE + 2].map(of_line);
             let [mut second, mut last] = [0.0; 2];
             for i in (0..nx).rev() {
                 line[i] = ((line[i] - far[i] * second) - near[i] * last) * pivot[i];
                 [second, last] = [last, line[i]];
             }
-            for (x, r) in x[layout.at(0, j)..].iter_mut().zip(line) {
+            for (x, r) in x[j * width + REACH..].iter_mut().zip(line) {
                 *x += *r;
             }
         }
     }
+}
+
+/// Lines of a block.
+fn block(layout: Layout) -> usize {
+    layout.n[1].div_ceil(BLOCKS).max(LEAST_LINES)
+}
+
+/// The factors of a block of lines; what lies beyond it counts for nothing.
+fn factorised(nx: usize, rows: &[Row], updates: &[Update]) -> Vec<Row> {
+    let mut done: Vec<Row> = Vec::with_capacity(rows.len());
+    for (k, row) in rows.iter().enumerate() {
+        let (i, j) = (k % nx, k / nx);
+        let mut row = *row;
+        for (t, entry) in row.iter_mut().enumerate() {
+            let line = (j + t / SIDE).checked_sub(REACH);
+            if line.is_none_or(|line| (line + 1) * nx > rows.len()) {
+                *entry = 0.0;
+            }
+        }
+        let mut lost = 0.0_f32;
+        for (lower, update) in updates.iter().enumerate() {
+            // Entries beyond the rectangle are zero.
+            if row[lower] == 0.0 {
+                continue;
+            }
+            let pivot = (j + lower / SIDE - REACH) * nx + (i + lower % SIDE) - REACH;
+            let other = &done[pivot];
+            let factor = row[lower] * other[CENTRE];
+            row[lower] = factor;
+            for (upper, place) in &update.kept {
+                row[*place] -= factor * other[*upper];
+            }
+            let beyond = (update.dropped.iter()).map(|upper| (factor * other[*upper]).abs());
+            lost += beyond.sum::<f32>();
+        }
+        let pivot = row[CENTRE] + STRENGTHENED * lost;
+        row[CENTRE] = 1.0 / pivot.abs().max(LEAST_PIVOT).copysign(pivot);
+        done.push(row);
+    }
+    done
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Newton's step: the linearised equation and its load, by preconditioned Krylov iterations.
 
 use ertel_fem::linear::gmres::{GmresParams, gmres};
+use rayon::prelude::*;
 
 use super::preconditioner::Preconditioner;
 use super::system::{Linearised, State, System};
@@ -15,6 +16,113 @@ pub struct Step {
     pub krylov_iterations: usize,
 }
 
+/// Nodes that a thread takes at a time.
+const BATCH: usize = 8192;
+
+/// The linearised equation in pressures and separation: rows in heights of the film, P itself where it is not solved for, the load at the end.
+pub struct Equation<'a> {
+    system: &'a System,
+    at: &'a Linearised,
+    /// Size of each row.
+    scale: Vec<f64>,
+    /// What each node stands for.
+    areas: Vec<f64>,
+}
+
+impl<'a> Equation<'a> {
+    /// At a state, with the sizes of its rows.
+    pub fn new(system: &'a System, at: &'a Linearised, scale: &[f64]) -> Equation<'a> {
+        let grid = &system.grid;
+        Equation {
+            system,
+            at,
+            scale: scale.to_vec(),
+            areas: (grid.nodes())
+                .map(|[i, j]| grid.share(i, j) * grid.cell())
+                .collect(),
+        }
+    }
+
+    /// Number of rows: nodes, and the load.
+    pub fn n_rows(&self) -> usize {
+        self.areas.len() + 1
+    }
+
+    /// The right side for which G changes by `rows` where the film is wetted, P elsewhere, and the load by `missing`. What stands at nodes whose
+    /// pressure is given counts for nothing.
+    pub fn right(&self, rows: &[f64], missing: f64) -> Vec<f64> {
+        let grid = &self.system.grid;
+        let mut right = vec![0.0; self.n_rows()];
+        for (k, [i, j]) in grid.nodes().enumerate() {
+            if grid.is_unknown(i, j) {
+                right[k] = rows[k] / self.scale[k];
+            }
+        }
+        right[rows.len()] = missing;
+        right
+    }
+
+    /// The product with changes of pressures and separation.
+    pub fn apply(&self, x: &[f64], y: &mut [f64]) {
+        let n = self.areas.len();
+        let change = self.system.change(self.at, &x[..n], x[n]);
+        let rows = y[..n].par_iter_mut().zip(&change).enumerate();
+        rows.with_min_len(BATCH).for_each(|(k, (y, change))| {
+            let row = if self.at.wetted[k] { *change } else { x[k] };
+            *y = row / self.scale[k];
+        });
+        y[n] = self.load(&x[..n]);
+    }
+
+    fn load(&self, pressure: &[f64]) -> f64 {
+        pressure.iter().zip(&self.areas).map(|(p, a)| p * a).sum()
+    }
+}
+
+/// Approximate solutions of an [`Equation`].
+pub struct Inverse<'a, 'p> {
+    equation: &'a Equation<'a>,
+    preconditioner: &'a mut Preconditioner<'p>,
+    /// What the preconditioner makes of the change of G by the separation, and its load.
+    by_separation: Vec<f64>,
+    load_by_separation: f64,
+}
+
+impl<'a, 'p> Inverse<'a, 'p> {
+    /// By a preconditioner of the same state.
+    pub fn new(
+        equation: &'a Equation<'a>,
+        preconditioner: &'a mut Preconditioner<'p>,
+    ) -> Inverse<'a, 'p> {
+        let (at, n) = (equation.at, equation.areas.len());
+        let mut rows = (equation.system).change_by(at, &vec![0.0; n], &vec![1.0; n]);
+        for (k, value) in rows.iter_mut().enumerate() {
+            *value = match at.wetted[k] {
+                true => *value / equation.scale[k],
+                false => 0.0,
+            };
+        }
+        let by_separation = preconditioner.solve(&rows);
+        Inverse {
+            load_by_separation: equation.load(&by_separation),
+            equation,
+            preconditioner,
+            by_separation,
+        }
+    }
+
+    /// Solves approximately in place.
+    pub fn solve(&mut self, r: &mut [f64]) {
+        let n = self.by_separation.len();
+        let pressure = self.preconditioner.solve(&r[..n]);
+        let separation = (self.equation.load(&pressure) - r[n]) / self.load_by_separation;
+        for ((r, pressure), by) in r.iter_mut().zip(&pressure).zip(&self.by_separation) {
+            *r = pressure - separation * by;
+        }
+        r[n] = separation;
+    }
+}
+
 impl System {
     /// Newton's step by preconditioned Krylov iterations in pressures and separation.
     pub fn step(
@@ -24,73 +132,19 @@ impl System {
         preconditioner: &mut Preconditioner,
         params: GmresParams,
     ) -> Step {
-        let rows: Vec<f64> = (0..self.grid.n_nodes())
+        let n = self.grid.n_nodes();
+        let rows: Vec<f64> = (0..n)
             .map(|k| match at.wetted[k] {
                 true => -at.outflow[k],
                 false => -state.pressure[k],
             })
             .collect();
-        let by_separation = self.by_separation(at, preconditioner);
-        let right = (rows.as_slice(), at.missing_load);
-        self.respond(at, right, &by_separation, preconditioner, params)
-    }
-
-    /// What the preconditioner makes of the change of G by the separation.
-    pub fn by_separation(&self, at: &Linearised, preconditioner: &mut Preconditioner) -> Vec<f64> {
-        let n = self.grid.n_nodes();
-        let mut rows = self.change_by(at, &vec![0.0; n], &vec![1.0; n]);
-        for (k, value) in rows.iter_mut().enumerate() {
-            *value = match at.wetted[k] {
-                true => *value / preconditioner.scale[k],
-                false => 0.0,
-            };
-        }
-        preconditioner.solve(&rows)
-    }
-
-    /// Changes of pressures and separation for which G changes by `rows` where the film is wetted, P elsewhere, and the load by `load`. What
-    /// stands at nodes whose pressure is given counts for nothing.
-    pub fn respond(
-        &self,
-        at: &Linearised,
-        (rows, missing): (&[f64], f64),
-        by_separation: &[f64],
-        preconditioner: &mut Preconditioner,
-        params: GmresParams,
-    ) -> Step {
-        let grid = &self.grid;
-        let n = grid.n_nodes();
-        let areas: Vec<f64> = (grid.nodes())
-            .map(|[i, j]| grid.share(i, j) * grid.cell())
-            .collect();
-        let load = |p: &[f64]| -> f64 { p.iter().zip(&areas).map(|(p, a)| p * a).sum() };
-        // Rows in heights of the film; the load at the end.
-        let scale = preconditioner.scale.clone();
-        let mut right = vec![0.0; n + 1];
-        for (k, [i, j]) in grid.nodes().enumerate() {
-            if grid.is_unknown(i, j) {
-                right[k] = rows[k] / scale[k];
-            }
-        }
-        right[n] = missing;
-        let load_by_separation = load(by_separation);
-        let apply = |x: &[f64], y: &mut [f64]| {
-            let change = self.change(at, &x[..n], x[n]);
-            for k in 0..n {
-                let row = if at.wetted[k] { change[k] } else { x[k] };
-                y[k] = row / scale[k];
-            }
-            y[n] = load(&x[..n]);
-        };
-        let precondition = |r: &mut [f64]| {
-            let pressure = preconditioner.solve(&r[..n]);
-            let separation = (load(&pressure) - r[n]) / load_by_separation;
-            for k in 0..n {
-                r[k] = pressure[k] - separation * by_separation[k];
-            }
-            r[n] = separation;
-        };
+        let equation = Equation::new(self, at, &preconditioner.scale);
+        let mut inverse = Inverse::new(&equation, preconditioner);
+        let right = equation.right(&rows, at.missing_load);
         let mut x = vec![0.0; n + 1];
+        let apply = |x: &[f64], y: &mut [f64]| equation.apply(x, y);
+        let precondition = |r: &mut [f64]| inverse.solve(r);
         let krylov_iterations = match gmres(apply, precondition, &right, &mut x, params) {
             Ok(info) => info.iterations,
             Err(error) => error.iterations,

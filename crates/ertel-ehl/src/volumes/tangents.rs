@@ -10,7 +10,8 @@
 
 use std::sync::Arc;
 
-use ertel_fem::linear::gmres::GmresParams;
+use ertel_fem::linear::gmres::{GmresParams, dot};
+use ertel_fem::linear::recycled::Recycled;
 use rayon::prelude::*;
 
 use super::beyond::Beyond;
@@ -19,6 +20,7 @@ use super::figures::figures;
 use super::grid::Grid;
 use super::level::{Level, convolution, first_system, refined};
 use super::preconditioner::{Pattern, Preconditioner};
+use super::step::{Equation, Inverse};
 use super::system::{Linearised, State, System};
 use crate::contact::Inlet;
 use crate::engine::Problem;
@@ -47,10 +49,8 @@ const LEAST: usize = 5;
 const LINEAR: GmresParams = GmresParams {
     tolerance: 1e-5,
     max_iterations: 100,
+    twice: true,
 };
-
-/// Share of a right side from which what is new in it is solved for as exactly as all of it, for others to build on.
-const LEAST_NEW: f64 = 1e-3;
 
 /// Right sides, as heights of the film, that are rounding: steps of inputs that count make some of 1e-7 to 1e-3.
 const ROUNDING: f64 = 1e-11;
@@ -155,135 +155,54 @@ impl<Plan> Side<'_, Plan> {
     }
 }
 
-/// A grid of the solution with what its linear systems share.
-struct Solver<'a> {
-    level: &'a Level,
-    at: Linearised,
-    preconditioner: Preconditioner<'a>,
-    by_separation: Vec<f64>,
-    /// Right sides that were solved for, at right angles to each other as heights of the film, with their solutions: inputs move the equation in few
-    /// ways, as speed and viscosity do.
-    known: Vec<(Vector, Vector)>,
+/// A grid of the solution for both sides of an input, and how the equation there differs between them.
+struct Moved {
+    grids: [(System, State); 2],
+    right: Vec<f64>,
 }
 
-/// Values at the nodes, and that of the load or of the separation.
-#[derive(Clone)]
-struct Vector {
-    nodes: Vec<f64>,
-    last: f64,
-}
-
-impl Vector {
-    fn add(&mut self, factor: f64, other: &Vector) {
-        for (value, other) in self.nodes.iter_mut().zip(&other.nodes) {
-            *value += factor * other;
-        }
-        self.last += factor * other.last;
-    }
-
-    fn scaled(mut self, factor: f64) -> Vector {
-        self.nodes.iter_mut().for_each(|value| *value *= factor);
-        self.last *= factor;
-        self
-    }
-}
-
-impl Solver<'_> {
-    /// Product of right sides as heights of the film.
-    fn product(&self, a: &Vector, b: &Vector) -> f64 {
-        let nodes = a.nodes.iter().zip(&b.nodes).zip(&self.preconditioner.scale);
-        nodes.map(|((a, b), s)| a * b / (s * s)).sum::<f64>() + a.last * b.last
-    }
-
-    /// Solves for a right side, of which only what those before it do not hold is new.
-    ///
-    /// # Errors
-    /// When the Krylov iterations run out.
-    fn solve(&mut self, right: Vector) -> Result<Vector, NoDerivative> {
-        let size = self.product(&right, &right).sqrt();
-        let mut solution = Vector {
-            nodes: vec![0.0; right.nodes.len()],
-            last: 0.0,
-        };
-        let mut rest = right;
-        for (known, by) in &self.known {
-            let share = self.product(&rest, known);
-            rest.add(-share, known);
-            solution.add(share, by);
-        }
-        let left = self.product(&rest, &rest).sqrt();
-        if left <= LINEAR.tolerance * size {
-            return Ok(solution);
-        }
-        // What is small need not be exact, but is no base for others then.
-        let is_new = left > LEAST_NEW * size;
-        let tolerance = match is_new {
-            true => LINEAR.tolerance,
-            false => LINEAR.tolerance * size / left,
-        };
-        let step = self.level.system.respond(
-            &self.at,
-            (&rest.nodes, rest.last),
-            &self.by_separation,
-            &mut self.preconditioner,
-            GmresParams {
-                tolerance,
-                ..LINEAR
-            },
-        );
-        if step.krylov_iterations >= LINEAR.max_iterations {
-            return Err(NoDerivative::LinearSolver);
-        }
-        let found = Vector {
-            nodes: step.pressure,
-            last: step.separation,
-        };
-        solution.add(1.0, &found);
-        if is_new {
-            let found = found.scaled(1.0 / left);
-            self.known.push((rest.scaled(1.0 / left), found));
-        }
-        Ok(solution)
-    }
-
-    /// Moves both sides of an input on to this grid; tells whether it moves at all.
-    ///
-    /// # Errors
-    /// When the Krylov iterations run out.
-    fn advance<Plan>(&mut self, sides: &mut [Side<Plan>; 2]) -> Result<bool, NoDerivative> {
-        let own = self.level;
-        let next = sides.each_mut().map(|side| side.next(own));
-        let equations = next
-            .each_ref()
-            .map(|(system, state)| system.linearise(state));
+impl<Plan: Sync> Side<'_, Plan> {
+    /// Both sides on the next grid; `None` where the input moves nothing.
+    fn both(
+        sides: &mut [Self; 2],
+        own: &Level,
+        at: &Linearised,
+        equation: &Equation,
+    ) -> Option<Moved> {
+        let mut next = sides.each_mut().map(|side| side.next(own));
+        let equations = (next.each_ref()).map(|(system, state)| system.linearise(state));
         let [below, above] = &equations;
-        let rows: Vec<f64> = (self.at.wetted.iter().enumerate())
+        let rows: Vec<f64> = (at.wetted.iter().enumerate())
             .map(|(k, wetted)| match wetted {
                 true => -0.5 * (above.outflow[k] - below.outflow[k]),
                 false => 0.0,
             })
             .collect();
-        let load = 0.5 * (above.missing_load - below.missing_load);
-        let right = Vector {
-            nodes: rows,
-            last: load,
-        };
+        let missing = 0.5 * (above.missing_load - below.missing_load);
+        let right = equation.right(&rows, missing);
         // What does not move the first grid moves none.
-        if sides[0].levels.is_empty() && self.product(&right, &right) < ROUNDING * ROUNDING {
-            return Ok(false);
+        if sides[0].levels.is_empty() && dot(&right, &right) < ROUNDING * ROUNDING {
+            return None;
         }
-        let step = self.solve(right)?;
-        let moved = sides.iter_mut().zip(next).zip(equations);
-        for (((side, (system, mut state)), equation), sign) in moved.zip([-1.0, 1.0]) {
+        for ((_, state), equation) in next.iter_mut().zip(equations) {
             state.contents = equation.contents;
+        }
+        Some(Moved { grids: next, right })
+    }
+
+    /// Moves both sides on to the next grid by the derivatives of its pressures and of its separation.
+    fn advance(sides: &mut [Self; 2], moved: Moved, at: &Linearised, by: &[f64]) {
+        let n = at.wetted.len();
+        for ((side, (system, mut state)), sign) in
+            sides.iter_mut().zip(moved.grids).zip([-1.0, 1.0])
+        {
             // Where the film has broken there is no pressure, not even what a linear solver leaves: the next grid would take that for a full gap.
-            let changes = step.nodes.iter().zip(&self.at.wetted);
-            for (p, (change, wetted)) in state.pressure.iter_mut().zip(changes) {
+            for (p, (change, wetted)) in state.pressure.iter_mut().zip(by.iter().zip(&at.wetted)) {
                 if *wetted {
                     *p += sign * change;
                 }
             }
-            state.separation += sign * step.last;
+            state.separation += sign * by[n];
             side.levels.push(Level {
                 films: system.films(&state),
                 system,
@@ -291,7 +210,6 @@ impl Solver<'_> {
                 patch: None,
             });
         }
-        Ok(true)
     }
 }
 
@@ -325,22 +243,38 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
                     .map(|_| Err(NoDerivative::LinearSolver))
                     .collect();
             };
-            let by_separation = level.system.by_separation(&at, &mut preconditioner);
-            let mut solver = Solver {
-                level,
-                at,
-                preconditioner,
-                by_separation,
-                known: Vec::new(),
+            let equation = Equation::new(&level.system, &at, &preconditioner.scale);
+            let moved: Vec<Option<Moved>> = (sides.par_iter_mut().zip(&moving))
+                .map(|(sides, moves)| match sides {
+                    Ok(sides) if *moves => Side::both(sides, level, &at, &equation),
+                    _ => None,
+                })
+                .collect();
+            let mut inverse = Inverse::new(&equation, &mut preconditioner);
+            // Inputs move the equation in few ways, as speed and viscosity do: what serves one of them serves the others.
+            let mut recycled = Recycled::default();
+            let mut solve = |right: &[f64]| {
+                let mut x = vec![0.0; equation.n_rows()];
+                let apply = |x: &[f64], y: &mut [f64]| equation.apply(x, y);
+                let solved = recycled.solve(apply, |r| inverse.solve(r), right, &mut x, LINEAR);
+                solved.map(|_| x).map_err(|_| NoDerivative::LinearSolver)
             };
-            for (end, moves) in sides.iter_mut().zip(&mut moving) {
-                if let (Ok(sides), true) = (end.as_mut(), *moves) {
-                    match solver.advance(sides) {
-                        Ok(moved) => *moves = moved,
-                        Err(reason) => *end = Err(reason),
-                    }
-                }
+            let solved: Vec<_> = (moved.iter())
+                .map(|moved| moved.as_ref().map(|moved| solve(&moved.right)))
+                .collect();
+            for (moves, moved) in moving.iter_mut().zip(&moved) {
+                *moves = moved.is_some();
             }
+            let all = sides.par_iter_mut().zip(moved).zip(solved);
+            all.for_each(|((end, moved), solved)| {
+                let (Ok(sides), Some(moved), Some(solved)) = (end.as_mut(), moved, solved) else {
+                    return;
+                };
+                match solved {
+                    Ok(by) => Side::advance(sides, moved, &at, &by),
+                    Err(reason) => *end = Err(reason),
+                }
+            });
         }
         (sides.into_par_iter().zip(inputs))
             .map(|(sides, input)| {

@@ -1,5 +1,7 @@
 //! GMRES with right preconditioning (Saad and Schultz 1986; Saad 2003, algorithm 9.5).
 
+use rayon::prelude::*;
+
 /// When to stop.
 #[derive(Clone, Copy, Debug)]
 pub struct GmresParams {
@@ -7,6 +9,8 @@ pub struct GmresParams {
     pub tolerance: f64,
     /// Largest number of iterations; there is no restart.
     pub max_iterations: usize,
+    /// Whether each direction is made orthogonal to those before it twice, so that round-off does not stall tight tolerances.
+    pub twice: bool,
 }
 
 impl Default for GmresParams {
@@ -14,6 +18,7 @@ impl Default for GmresParams {
         GmresParams {
             tolerance: 1e-10,
             max_iterations: 200,
+            twice: true,
         }
     }
 }
@@ -72,15 +77,13 @@ pub fn gmres(
         apply(&z, &mut w);
         preconditioned.push(z);
         let norm_w = norm(&w);
-        // Modified Gram-Schmidt, twice: round-off must not stall tight tolerances.
+        // Modified Gram-Schmidt.
         let mut h = vec![0.0; k + 2];
-        for _ in 0..2 {
+        for _ in 0..if params.twice { 2 } else { 1 } {
             for (i, v) in basis.iter().enumerate() {
                 let c = dot(v, &w);
                 h[i] += c;
-                for (wi, vi) in w.iter_mut().zip(v) {
-                    *wi -= c * vi;
-                }
+                add(&mut w, -c, v);
             }
         }
         h[k + 1] = norm(&w);
@@ -122,9 +125,7 @@ pub fn gmres(
         };
     }
     for (yi, z) in y.iter().zip(&preconditioned) {
-        for (xi, zi) in x.iter_mut().zip(z) {
-            *xi += yi * zi;
-        }
+        add(x, *yi, z);
     }
     if residual <= params.tolerance {
         Ok(GmresInfo {
@@ -139,8 +140,28 @@ pub fn gmres(
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+/// Numbers of a vector that a thread takes at a time; the same on every machine, so that sums are too. Shorter vectors are not worth a second thread.
+const CHUNK: usize = 32_768;
+
+/// a·b.
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let serial = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+    if a.len() <= 2 * CHUNK {
+        return serial(a, b);
+    }
+    let sums: Vec<f64> = (a.par_chunks(CHUNK).zip(b.par_chunks(CHUNK)))
+        .map(|(a, b)| serial(a, b))
+        .collect();
+    sums.iter().sum()
+}
+
+/// a + c b in place of a.
+pub fn add(a: &mut [f64], c: f64, b: &[f64]) {
+    let serial = |a: &mut [f64], b: &[f64]| a.iter_mut().zip(b).for_each(|(a, b)| *a += c * b);
+    match a.len() <= 2 * CHUNK {
+        true => serial(a, b),
+        false => (a.par_chunks_mut(CHUNK).zip(b.par_chunks(CHUNK))).for_each(|(a, b)| serial(a, b)),
+    }
 }
 
 fn norm(a: &[f64]) -> f64 {
@@ -177,6 +198,7 @@ mod tests {
                 GmresParams {
                     tolerance: 1e-12,
                     max_iterations: 100,
+                    ..GmresParams::default()
                 },
             )
             .unwrap();
@@ -221,6 +243,7 @@ mod tests {
         let params = GmresParams {
             tolerance: 1e-12,
             max_iterations: 100,
+            ..GmresParams::default()
         };
         let solve = |matrix: f64, right: f64| {
             let rhs: Vec<f64> = b.iter().map(|v| right * v).collect();
@@ -257,6 +280,7 @@ mod tests {
         let params = GmresParams {
             tolerance: 1e-12,
             max_iterations: 3,
+            ..GmresParams::default()
         };
         let e = gmres(convection_diffusion, |_| {}, &b, &mut x, params).unwrap_err();
         assert_eq!(e.iterations, 3);

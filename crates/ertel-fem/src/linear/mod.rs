@@ -10,6 +10,7 @@ pub mod fronts;
 pub mod gmres;
 pub mod lu;
 pub mod ordering;
+pub mod recycled;
 
 /// Asked now and then during long work, from any thread: whether to give up.
 pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);

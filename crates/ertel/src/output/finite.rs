@@ -2,10 +2,10 @@
 //!
 //! Whatever serde can write is looked at, so that a new figure or field needs no line here; a new part of a solution has to be named once.
 
+mod numbers;
+
 use std::collections::BTreeMap;
 
-use minijinja::Value;
-use minijinja::value::{Serde, ValueKind};
 use serde::Serialize;
 
 use crate::case::CaseEcho;
@@ -91,26 +91,10 @@ fn temperatures(thermal: &Thermal) -> Option<String> {
         .or_else(|| find("thermal.field", &thermal.field))
 }
 
-/// Path of the first number of a value that is not finite. Values of the templates keep such numbers, where those of JSON have none.
+/// Path of the first number of a value that is not finite.
 fn find(name: &str, value: &impl Serialize) -> Option<String> {
-    let path = first(&Value::from(Serde(value)))?;
+    let path = numbers::first_not_finite(value)?;
     Some(format!("{name}{path}"))
-}
-
-fn first(value: &Value) -> Option<String> {
-    match value.kind() {
-        ValueKind::Number => {
-            let number = f64::try_from(value.clone()).ok()?;
-            (!number.is_finite()).then(String::new)
-        }
-        ValueKind::Map => value.try_iter().ok()?.find_map(|key| {
-            let path = first(&value.get_item(&key).ok()?)?;
-            Some(format!(".{key}{path}"))
-        }),
-        ValueKind::Seq => (value.try_iter().ok()?.enumerate())
-            .find_map(|(i, element)| Some(format!("[{i}]{}", first(&element)?))),
-        _ => None,
-    }
 }
 
 #[cfg(test)]

@@ -252,6 +252,7 @@ impl<'a> HeatNewton<'a> {
             let params = GmresParams {
                 tolerance,
                 max_iterations,
+                ..GmresParams::default()
             };
             let multiply = |x: &[f64], y: &mut [f64]| matrix.multiply(x, y);
             gmres(multiply, |x| ilu.solve(x), right, &mut change, params)
