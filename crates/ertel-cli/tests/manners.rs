@@ -560,6 +560,7 @@ fn init_writes_templates_that_pass_the_check() {
             "helical-gear",
             "fzg",
             "cam",
+            "cam-contact",
             "rig",
             "ball",
             "line",
@@ -577,6 +578,10 @@ fn init_writes_templates_that_pass_the_check() {
         let is_known = |line: &str| match name {
             "bearing" | "fzg" => {
                 line.contains("its data hold up to") || line.contains("times the roughness: mixed")
+            }
+            // A flat follower moves against the cam on a part of the turn.
+            "cam" => {
+                line.contains("its data hold up to") || line.contains("in opposite directions")
             }
             _ => false,
         };

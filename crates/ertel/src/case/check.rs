@@ -173,7 +173,8 @@ pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
     let ratio = case.motion.slide_to_roll_ratio;
     if ratio.abs() > 2.0 {
         let text = format!(
-            "the slide-to-roll ratio {ratio} is beyond 2: the surfaces move in opposite directions"
+            "the slide-to-roll ratio {} is beyond 2: the surfaces move in opposite directions",
+            digits(ratio, 6)
         );
         warnings.push(Warning::beyond(
             WarningKind::OppositeMotion,
@@ -187,8 +188,9 @@ pub(super) fn warnings(case: &Case, hertz: &Hertz) -> Vec<Warning> {
             case.motion.slide_to_roll_ratio_across,
         );
         let text = format!(
-            "the slide-to-roll ratio across the motion is {across}, and that of both components together {} is beyond 2: the surfaces move \
+            "the slide-to-roll ratio across the motion is {}, and that of both components together {} is beyond 2: the surfaces move \
              in opposite directions",
+            digits(across, 6),
             digits(size, 6)
         );
         warnings.push(Warning::beyond(WarningKind::OppositeMotion, size, text));
