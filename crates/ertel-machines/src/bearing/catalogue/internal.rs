@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 use super::clearance::{ClearanceClass, radial_clearance};
 use super::{Boundary, Designation, Series, Special};
 use crate::bearing::Geometry;
-use crate::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile, TaperedGeometry};
+use crate::bearing::geometry::{
+    BallGeometry, Play, RollerGeometry, RollerProfile, TaperedGeometry,
+};
 
 /// How a value is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -249,8 +251,8 @@ fn balls(designation: &Designation, boundary: &Boundary) -> Internal {
         value: Play::Clearance(gap.value),
         origin: gap.origin,
     };
-    let known = (PUBLISHED.iter())
-        .find(|row| row.0 == designation.series && row.1 == designation.code);
+    let known =
+        (PUBLISHED.iter()).find(|row| row.0 == designation.series && row.1 == designation.code);
     match known {
         Some(&(_, _, ball, pitch, number, source)) => Internal::Ball {
             ball_diameter: Sourced::published(ball * 1e-3, source),

@@ -299,7 +299,12 @@ fn from_designation_to_life_and_friction() {
 /// From a designation to the load of each element.
 #[test]
 fn a_designation_can_be_solved() {
-    for (name, axial) in [("6309", 500.0), ("7206B", 2000.0), ("NU210E", 0.0), ("32208", 1500.0)] {
+    for (name, axial) in [
+        ("6309", 500.0),
+        ("7206B", 2000.0),
+        ("NU210E", 0.0),
+        ("32208", 1500.0),
+    ] {
         let geometry = find(name).unwrap().geometry();
         let speeds = Speeds {
             inner: 150.0,

@@ -1,7 +1,7 @@
 //! Basic load ratings of ball bearings from the internal geometry.
 
-use super::table::interpolate;
 use super::Error;
+use super::table::interpolate;
 use crate::bearing::geometry::BallGeometry;
 
 /// b_m of radial and angular contact ball bearings of today's steels (ISO 281:2007, table 1).
