@@ -3,10 +3,9 @@
 use std::path::Path;
 use std::sync::atomic::Ordering;
 
-use ertel::case::{Case, MachineContacts};
-use ertel::machine::figures;
+use ertel::case::MachineContacts;
+use ertel::machine::{SolvedMachine, figures};
 use ertel::output;
-use ertel::study::MachineSolution;
 use serde_json::json;
 
 use crate::args::SolveArgs;
@@ -39,12 +38,16 @@ pub fn choice(contacts: &MachineContacts) -> String {
 ///
 /// Results that cannot be written, contacts that failed or are not resolved, an interruption.
 pub fn write(
-    case: &Case,
-    solution: &MachineSolution,
+    solved: &SolvedMachine,
     folder: &Path,
     arguments: &SolveArgs,
     events: &Events,
 ) -> Result<String, Failure> {
+    let SolvedMachine {
+        case,
+        solution,
+        balance,
+    } = solved;
     if solution.solved().next().is_none() {
         return Err(Failure::Interrupted);
     }
@@ -84,6 +87,16 @@ pub fn write(
         return Err(Failure::NotConverged(format!(
             "{failed} of {all} contacts failed, and no sums are given; the reasons are in {}",
             folder.join("report.txt").display()
+        )));
+    }
+    if let Some(balance) = balance.filter(|balance| !balance.is_found()) {
+        return Err(Failure::NotConverged(format!(
+            "no balance of heat in {} rounds: with the lubricant at {:.1} K the heat leads to {:.1} K; results of the last round are in {}\n  = help: start \
+             nearer to it with the temperature of the lubricant, or check `thermal_resistance`",
+            balance.rounds,
+            balance.temperature,
+            balance.temperature + balance.rest,
+            folder.display()
         )));
     }
     let solutions = solution.solved().filter_map(|(_, p)| p.outcome.solution());

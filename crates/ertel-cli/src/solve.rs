@@ -10,7 +10,7 @@ use ertel::params::SensitivityDemand;
 use ertel::run;
 use ertel::solution::{Solution, Unresolved};
 use ertel::solve::{DiscretisationError, SolveError};
-use ertel::study::{CurveSolution, solve_curve, solve_machine};
+use ertel::study::{CurveSolution, solve_curve};
 use ertel::warning::{Warning, by_kind};
 use serde_json::{Value, json};
 
@@ -119,11 +119,12 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         drop(progress);
         return write_curve(case, curve, &solution, folder, arguments, events);
     }
-    if let Some(contacts) = &case.contacts {
+    if case.contacts.is_some() {
         events.warn(&case.warnings);
-        let solution = solve_machine(contacts, &mut progress);
-        drop(progress);
-        return machine::write(case, &solution, folder, arguments, events);
+        if let Some(solved) = ertel::machine::solve(case, &mut progress)? {
+            drop(progress);
+            return machine::write(&solved, folder, arguments, events);
+        }
     }
     events.warn(&case.warnings);
     let solution = run::solve(case, &mut progress);

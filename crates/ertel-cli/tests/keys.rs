@@ -140,8 +140,10 @@ cases/machine/roller-bearing.toml
     machine.profile={ kind = "table", file = "trace.csv" }
 cases/machine/bearing-6206.toml
     machine.thermal_resistance="0.5 K/W"
+    machine.heat_balance=true
     machine={ kind = "roller-bearing", designation = "NU 206", radial_load = "2 kN", inner_ring_speed = "3000 rpm" }
     machine={ kind = "roller-bearing", designation = "NU 206", radial_load = "2 kN", inner_ring_speed = "3000 rpm", thermal_resistance = "0.5 K/W" }
+    machine={ kind = "roller-bearing", designation = "30206", radial_load = "2 kN", axial_load = "1 kN", inner_ring_speed = "3000 rpm" }
 "#;
 
 /// Keys in tables of a list, which cannot be set by their path.

@@ -5,10 +5,11 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use ertel::machine::solve as run_machine;
 use ertel::run;
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
-use ertel::study::{CurveObserver, solve_curve as run_curve, solve_machine as run_machine};
+use ertel::study::{CurveObserver, solve_curve as run_curve};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
@@ -188,17 +189,21 @@ pub fn solve_machine(
     case: &NativeCase,
     progress: Option<Py<PyAny>>,
 ) -> PyResult<NativeMachine> {
-    let Some(contacts) = &case.case.contacts else {
+    if case.case.contacts.is_none() {
         return Err(errors::CaseError::new_err("the case is no whole machine"));
-    };
+    }
     let wanted = progress.is_some();
-    let solution = beside_python(py, progress.as_ref(), |sender, cancel| {
+    let solved = beside_python(py, progress.as_ref(), |sender, cancel| {
         let mut messages = Messages {
             sender,
             wanted,
             cancel,
         };
-        run_machine(contacts, &mut messages)
+        run_machine(&case.case, &mut messages)
     })?;
-    NativeMachine::new(&case.case, solution)
+    let solved = solved.map_err(errors::input)?;
+    match solved {
+        Some(solved) => NativeMachine::new(&solved.case, solved.solution),
+        None => Err(errors::CaseError::new_err("the case is no whole machine")),
+    }
 }

@@ -72,15 +72,20 @@ rows! {
         element: Count => "number of one ball, from 0 at the radial load on: with `ring`, its contact alone";
         folders: Switch => "whether the results of each contact are written into a folder of its own, too; optional, false";
         dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the catalogue; optional, computed by ISO 281 and ISO 76";
-        contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it or `grease_cleanliness` there is no modified life";
+        contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it, `cleanliness` or `grease_cleanliness` there is no modified life";
         grease_cleanliness: Choice(&["high", "normal", "typical-contamination", "severe-contamination", "very-severe-contamination"]) => r"e_C of a
             grease by its cleanliness, in place of `contamination_factor`";
+        cleanliness: Choice(&["extreme", "high", "normal", "slight-contamination", "typical-contamination", "severe-contamination",
+            "very-severe-contamination"]) => r"e_C by the cleanliness of any lubricant, in place of `contamination_factor`: the middle of the guide values of
+            ISO 281, table 13";
         reliability: Number => "per cent, 90 to 99.95; optional, 90";
         ep_additives: Switch => "whether effective extreme-pressure additives are in the lubricant; optional, false";
         lubrication: Choice(&["oil-bath", "grease"]) => "how it comes to the bearing, for the models of friction beside the result; optional";
         thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional: the report tells the temperature
             that the heat of the contacts leads to"#;
         ambient_temperature: Quantity(&[D::TEMPERATURE]) => "of the surroundings, with `thermal_resistance`";
+        heat_balance: Switch => r"whether the contacts are solved again, with the lubricant at the temperature that their heat leads to, until both agree within 0.1 K;
+            starts at the temperature of the lubricant; optional, false";
     }
     ROLLER_BEARING {
         ring: RINGS => "the raceway of the contact";
@@ -92,24 +97,34 @@ rows! {
         hertz_pressure: PRESSURE, usual [HERTZ_PRESSURE], aside "largest pressure of the dry contact, in place of the load";
         profile: Table(PROFILE) => "as for [rollers](#rollers); optional";
         misalignment: ANGLE => "as for [rollers](#rollers), only with a profile; under bearing loads the tilt of the inner ring; optional";
-        designation: Text => r#"a bearing of the catalogue, such as `"NU 206 E"`, in place of dimensions"#;
+        designation: Text => r#"a bearing of the catalogue, such as `"NU 206 E"` or `"30206"`, in place of dimensions"#;
+        contact_angle: ANGLE => "α of the cup, half of its angle: with it, or by their designation, the rollers are tapered";
         rollers: Count => "number of rollers Z";
-        radial_clearance: LENGTH => "radial internal clearance";
+        radial_clearance: LENGTH => "radial internal clearance; not of tapered rollers";
         roller_profile: Choice(&["cylinder", "logarithmic"]) => "relief of the rollers under bearing loads: none, or the reference profile of ISO/TS 16281";
         radial_load: FORCE => r#"force on the inner ring across the axis, at roller 0; with this key the file describes
             [a bearing under its loads](#a-bearing-under-its-loads)"#;
+        axial_load: FORCE => "of tapered rollers: force on the inner ring along the axis that presses the rings together";
+        axial_preload: LENGTH => "of tapered rollers: axial shift of the rings against each other beyond first touch, in place of `axial_load`";
         moment: Quantity(&[D::ENERGY]) => "tilting moment on the inner ring, in place of `misalignment`";
+        roller_contacts: Choice(&["lines", "finite"]), default "lines" => r#"how contacts are solved: `"lines"` under the mean load per length, or `"finite"`
+            rollers over their whole length with relief and tilt"#;
         element: Count => "number of one roller, from 0 at the radial load on: with `ring`, its contact alone";
         folders: Switch => "whether the results of each contact are written into a folder of its own, too; optional, false";
-        dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the catalogue; without C there is no rating life";
-        contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it or `grease_cleanliness` there is no modified life";
+        dynamic_load_rating, static_load_rating, fatigue_load_limit: FORCE => "C, C_0 and C_u of the catalogue; optional, those of its catalogue for tapered rollers, else computed by ISO 281 and ISO 76";
+        contamination_factor: Number => "e_C of ISO 281, above 0 up to 1; without it, `cleanliness` or `grease_cleanliness` there is no modified life";
         grease_cleanliness: Choice(&["high", "normal", "typical-contamination", "severe-contamination", "very-severe-contamination"]) => r"e_C of a
             grease by its cleanliness, in place of `contamination_factor`";
+        cleanliness: Choice(&["extreme", "high", "normal", "slight-contamination", "typical-contamination", "severe-contamination",
+            "very-severe-contamination"]) => r"e_C by the cleanliness of any lubricant, in place of `contamination_factor`: the middle of the guide values of
+            ISO 281, table 13";
         reliability: Number => "per cent, 90 to 99.95; optional, 90";
         ep_additives: Switch => "whether effective extreme-pressure additives are in the lubricant; optional, false";
         lubrication: Choice(&["oil-bath", "grease"]) => "how it comes to the bearing, for the models of friction beside the result; optional";
         thermal_resistance: Quantity(&[PER_WATT]) => r#"from the bearing to its surroundings (`"0.5 K/W"`), optional"#;
         ambient_temperature: Quantity(&[D::TEMPERATURE]) => "of the surroundings, with `thermal_resistance`";
+        heat_balance: Switch => r"whether the contacts are solved again, with the lubricant at the temperature that their heat leads to, until both agree within 0.1 K;
+            starts at the temperature of the lubricant; optional, false";
     }
     SPUR_GEAR {
         module: LENGTH, usual [MODULES] => "m";

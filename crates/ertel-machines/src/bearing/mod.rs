@@ -10,7 +10,7 @@
 //! use ertel_machines::bearing::{Bearing, catalogue};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let geometry = catalogue::find("6206-2RS/C3")?.geometry()?;
+//! let geometry = catalogue::find("6206-2RS/C3")?.geometry();
 //! let speeds = Speeds { inner: 150.0, outer: 0.0 };
 //! let solved = Bearing::steel(geometry).solve(&Loads::forces(2000.0, 500.0), speeds, &Params::default())?;
 //! let heaviest = solved.heaviest(Ring::Inner).expect("nine balls");

@@ -65,6 +65,26 @@ impl Origin {
     }
 }
 
+impl super::Case {
+    /// The same case with its lubricant at another temperature, K.
+    ///
+    /// # Errors
+    /// Laws of the lubricant that do not reach there; a case made in code.
+    pub(crate) fn at_temperature(&self, temperature: f64) -> Result<Self, InputError> {
+        let folder = (self.origin.as_ref()).map_or(Path::new(""), |origin| &origin.folder);
+        let key = match self.given.get("temperature") {
+            Some(_) => "temperature",
+            None => "lubricant.temperature",
+        };
+        let setting = format!("{key}={temperature} K");
+        let case = Self::from_text_with("case", &self.source, folder, &[setting])?;
+        Ok(Self {
+            output: self.output.clone(),
+            ..case
+        })
+    }
+}
+
 /// Whether correlations make a matrix that is not negative in any direction.
 fn is_possible(correlations: &[Correlation]) -> bool {
     let mut keys: Vec<&String> = correlations.iter().flat_map(|c| &c.keys).collect();

@@ -82,8 +82,8 @@ use geometry::Geometry;
 pub use inputs::Origin;
 pub use lubricant::Lubricant;
 pub use machine::{
-    BearingMechanics, CamMechanics, Contamination, GearLimits, GearMechanics, LifeInputs,
-    MachineAxis, MachineContact, MachineContacts, Mechanics, RINGS, WholeMachine,
+    BearingMechanics, CamMechanics, ContactKind, Contamination, GearLimits, GearMechanics,
+    LifeInputs, MachineAxis, MachineContact, MachineContacts, Mechanics, RINGS, WholeMachine,
 };
 pub use params::{read_mesh, read_solver};
 pub use study::Study;

@@ -9,9 +9,9 @@
 use ertel_machines::bearing::Geometry;
 use ertel_machines::bearing::kinematics::deformed_radius;
 
-use super::slip::{Slip, SlipFriction, stress};
+use super::slip::{Slip, stress};
 use super::{MachineFigure, Section, figure_of, of_model, sum};
-use crate::case::{BearingMechanics, Case};
+use crate::case::{BearingMechanics, Case, ContactKind};
 use crate::solution::{Estimate, Figure};
 use crate::study::{MachineSolution, PointSolution};
 use crate::warning::{Warning, WarningKind};
@@ -55,11 +55,21 @@ pub(super) fn figures(
         pressure,
         "Pa",
     ));
-    let length = match &mechanics.bearing.geometry {
-        Geometry::Ball(_) => 1.0,
+    let rib = mechanics.distribution.elements.iter().map(|e| e.rib_load);
+    let rib = rib.fold(0.0, f64::max);
+    if rib > 0.0 {
+        figures.push(figure(
+            "rib_load_maximum",
+            "largest load of a roller on the rib",
+            rib,
+            "N",
+        ));
+    }
+    let length = match (mechanics.contacts, &mechanics.bearing.geometry) {
         // Lines are solved per length.
-        Geometry::CylindricalRoller(roller) => roller.length,
-        Geometry::TaperedRoller(roller) => roller.length,
+        (ContactKind::Lines, Geometry::CylindricalRoller(roller)) => roller.length,
+        (ContactKind::Lines, Geometry::TaperedRoller(roller)) => roller.length,
+        _ => 1.0,
     };
     let film = sum(solved, |_, point| {
         Some(scaled(figure_of(point, Figure::FrictionPower)?, length))
@@ -113,18 +123,43 @@ fn friction(
     let spins = elements
         .iter()
         .any(|e| e.contacts.iter().any(|c| c.spin[0] != c.spin[1]));
+    let mut film = film;
     if spins {
-        let spin = Estimate {
+        let on_films = Estimate {
             value: film.value - rolling.value,
             error: film.error.zip(rolling.error).map(|(a, b)| a + b),
         };
+        // A film without shear thinning resists spin by stresses that no lubricant has.
+        let limited = match case.solver.newtonian && case.lubricant.shear_thinning.is_some() {
+            true => spin_power(case, mechanics, solved),
+            false => None,
+        };
+        let (spin, source) = match limited {
+            Some(spin) => (
+                of_model(spin),
+                "spin: by the laws of the lubricant at the dry pressure and the central film of each contact, for the films are solved without shear thinning",
+            ),
+            None => (on_films, ""),
+        };
+        if let Some(spin) = limited {
+            film = Estimate {
+                value: rolling.value + spin,
+                error: rolling.error,
+            };
+        } else if case.solver.newtonian && traction_maximum(solved) > IMPOSSIBLE {
+            warnings.push(Warning::new(
+                WarningKind::Friction,
+                "the torque is not to be relied on: the films are solved without shear thinning and resist spin more than any lubricant can; give \
+                 `shear_thinning`, such as `{ law = \"estimate\" }` beside `base_oil`",
+            ));
+        }
         add(
             Section::Friction,
             "friction_power_spin",
             "power lost by spin",
             spin,
             "W",
-            "",
+            source,
         );
     }
     let slip = match is_ball {
@@ -170,7 +205,14 @@ fn friction(
                 error: power.error.map(|error| error / relative),
             },
             "N m",
-            "torque of the contacts: without cage, seals and churning of the oil",
+            match mechanics.bearing.geometry {
+                Geometry::TaperedRoller(_) => {
+                    "torque of the raceway contacts: without the rib, cage, seals and churning of the oil; SKF's model alone knows of the rib"
+                }
+                Geometry::Ball(_) | Geometry::CylindricalRoller(_) => {
+                    "torque of the contacts: without cage, seals and churning of the oil"
+                }
+            },
         );
     }
     if let Some([resistance, ambient]) = mechanics.life.cooling {
@@ -200,6 +242,31 @@ fn friction(
     figures
 }
 
+/// Power of spin in all contacts within the limits of the lubricant, W.
+fn spin_power(case: &Case, mechanics: &BearingMechanics, solved: &MachineSolution) -> Option<f64> {
+    let spin = sum(solved, |i, point| {
+        let slip = slip_of(mechanics, solved.machine.contacts[i].side, point)?;
+        let [ring, ball] = point.case.motion.spin;
+        Some(of_model(slip.spin(ball - ring, stress_of(case)).power))
+    });
+    spin.map(|spin| spin.value)
+}
+
+/// Largest mean ratio of shear stress to pressure that spin alone asks of a film without shear thinning: friction power over load and mean sliding speed.
+fn traction_maximum(solved: &MachineSolution) -> f64 {
+    let of = |point: &PointSolution| {
+        let [ring, ball] = point.case.motion.spin;
+        let solution = point.outcome.solution()?;
+        let power = figure_of(point, Figure::FrictionPower)?.value - rolling_power(point)?.value;
+        // The mean distance from the middle of an ellipse is at most 2/3 of its longer half-axis.
+        let reach = (solution.hertz.half_width_y?).max(solution.hertz.half_width);
+        let speed = (ball - ring).abs() * reach * 2.0 / 3.0;
+        (speed > 0.0).then(|| power / (point.case.contact.load * speed))
+    };
+    let of = solved.solved().filter_map(|(_, point)| of(point));
+    of.fold(0.0, f64::max)
+}
+
 /// Power of the differential slip in all contacts, W; `None` where it cannot be true.
 fn differential_slip(
     case: &Case,
@@ -207,8 +274,8 @@ fn differential_slip(
     solved: &MachineSolution,
 ) -> Option<f64> {
     let slip = sum(solved, |i, point| {
-        let side = solved.machine.contacts[i].side;
-        let found = slip_power(case, mechanics, side, point)?;
+        let slip = slip_of(mechanics, solved.machine.contacts[i].side, point)?;
+        let found = slip.friction(stress_of(case));
         (found.mean_traction < IMPOSSIBLE).then_some(of_model(found.power))
     });
     slip.map(|slip| slip.value)
@@ -226,32 +293,30 @@ fn rolling_power(point: &PointSolution) -> Option<Estimate> {
     })
 }
 
-/// Power of the differential slip at a ring, W; `None` of rollers, and where the contact was not solved.
-fn slip_power(
-    case: &Case,
-    mechanics: &BearingMechanics,
-    side: usize,
-    point: &PointSolution,
-) -> Option<SlipFriction> {
+/// What slips at a ring; `None` of rollers, and where the contact was not solved.
+fn slip_of(mechanics: &BearingMechanics, side: usize, point: &PointSolution) -> Option<Slip> {
     let Geometry::Ball(geometry) = &mechanics.bearing.geometry else {
         return None;
     };
     let solution = point.outcome.solution()?;
     let deformed = deformed_radius(geometry.groove[side], geometry.ball_diameter);
-    let slip = Slip {
+    Some(Slip {
         half_widths: [solution.hertz.half_width, solution.hertz.half_width_y?],
         hertz_pressure: solution.hertz.pressure,
         film: solution.summary.film_central.value,
         speed: point.case.motion.entrainment_speed,
         curvature: 0.5 / (deformed * point.case.contact.radius),
-    };
+    })
+}
+
+/// Shear stress, Pa, by pressure, Pa, and shear rate, 1/s. It is limited whether or not the films are solved as Newtonian.
+fn stress_of(case: &Case) -> impl Fn(f64, f64) -> f64 {
     let lubricant = &case.lubricant;
-    // The stress is limited in slip, whether or not the films are solved as Newtonian.
     let thinning = lubricant.shear_thinning.as_ref();
-    Some(slip.friction(|pressure, rate| {
+    move |pressure, rate| {
         let viscosity = lubricant
             .viscosity
             .viscosity(pressure, lubricant.temperature);
         stress(thinning, viscosity, pressure, rate)
-    }))
+    }
 }

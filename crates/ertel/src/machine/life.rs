@@ -1,17 +1,13 @@
-//! Rating lives of a bearing, and the models of friction that catalogues give, beside what the films say.
+//! Rating lives of a bearing.
 //!
 //! ```text
 //!   κ = ν/ν_1     L_nmr = a_1 a_ISO L_10r     time = 2π L/ω
 //! ```
-//! Sources: ISO 281:2007, ISO/TS 16281:2008; SKF and Schaeffler catalogues for the moments.
+//! Sources: ISO 281:2007, ISO/TS 16281:2008.
 
 use std::f64::consts::TAU;
 
 use ertel_machines::bearing::catalogue::Series;
-use ertel_machines::bearing::friction::{
-    PalmgrenOil, PalmgrenSeries, SkfParams, SkfSeries, SkfState, palmgren_load, palmgren_moment,
-    skf_moment,
-};
 use ertel_machines::bearing::geometry::{BallGeometry, Play, Ring};
 use ertel_machines::bearing::{Geometry, life};
 
@@ -55,13 +51,13 @@ pub(super) fn figures(
 
 /// What was found so far.
 #[derive(Default)]
-struct Collected {
+pub(super) struct Collected {
     figures: Vec<MachineFigure>,
     warnings: Vec<Warning>,
 }
 
 impl Collected {
-    fn add(
+    pub(super) fn add(
         &mut self,
         section: Section,
         (name, words): (&'static str, &'static str),
@@ -82,6 +78,139 @@ impl Collected {
 
 const ISO_281: &str = "ISO 281:2007; ISO 76 for C_0";
 const ISO_16281: &str = "ISO/TS 16281:2008: L_10r by the load of each element on each ring";
+const ISO_16281_ROLLERS: &str = "ISO/TS 16281:2008: L_10r by the load of each slice of each roller on each ring, pressure at the ends by its eq. 60";
+const CATALOGUE: &str = "C and C_0 of the catalogue: NSK, Rolling Bearings, E1102";
+const GIVEN: &str = "C and C_0 as given";
+
+/// A rating and how it is known.
+struct Rating {
+    value: f64,
+    source: &'static str,
+}
+
+/// C, in this order: given, of the catalogue, computed; likewise C_0.
+fn rating(
+    given: Option<f64>,
+    published: Option<f64>,
+    computed: impl FnOnce() -> Result<f64, life::Error>,
+) -> Result<Rating, life::Error> {
+    let known = |value, source| Ok(Rating { value, source });
+    match (given, published) {
+        (Some(value), _) => known(value, GIVEN),
+        (None, Some(value)) => known(value, CATALOGUE),
+        (None, None) => known(computed()?, ISO_281),
+    }
+}
+
+/// What ISO 281 and ISO 76 take of a bearing.
+enum Rated<'a> {
+    Balls {
+        geometry: &'a BallGeometry,
+        nominal: f64,
+    },
+    Rollers(life::RollerRow),
+}
+
+impl<'a> Rated<'a> {
+    fn of(mechanics: &'a BearingMechanics) -> Rated<'a> {
+        match &mechanics.bearing.geometry {
+            Geometry::Ball(geometry) => Rated::Balls {
+                geometry,
+                nominal: nominal_angle(mechanics, geometry),
+            },
+            Geometry::CylindricalRoller(roller) => Rated::Rollers(roller.into()),
+            Geometry::TaperedRoller(roller) => Rated::Rollers(roller.into()),
+        }
+    }
+
+    fn kind(&self) -> life::Kind {
+        match self {
+            Rated::Balls { .. } => life::Kind::Ball,
+            Rated::Rollers(_) => life::Kind::Roller,
+        }
+    }
+
+    fn exponent(&self) -> f64 {
+        match self {
+            Rated::Balls { .. } => life::BALL_EXPONENT,
+            Rated::Rollers(_) => life::ROLLER_EXPONENT,
+        }
+    }
+
+    fn dynamic_rating(&self) -> Result<f64, life::Error> {
+        match self {
+            Rated::Balls { geometry, nominal } => life::ball_rating(geometry, *nominal),
+            Rated::Rollers(row) => life::roller_rating(row),
+        }
+    }
+
+    fn static_rating(&self) -> Result<f64, life::Error> {
+        match self {
+            Rated::Balls { geometry, nominal } => {
+                life::deep_groove_static_rating(geometry, *nominal)
+            }
+            Rated::Rollers(row) => Ok(life::roller_static_rating(row)),
+        }
+    }
+
+    fn equivalent_load(&self, [radial, axial]: [f64; 2]) -> Result<f64, life::Error> {
+        match self {
+            Rated::Balls { geometry, nominal } => {
+                life::dynamic_equivalent_load(geometry, *nominal, radial, axial)
+            }
+            Rated::Rollers(row) => life::roller_equivalent_load(row, radial, axial),
+        }
+    }
+
+    fn static_equivalent_load(&self, [radial, axial]: [f64; 2]) -> Result<f64, life::Error> {
+        let factors = match self {
+            Rated::Balls { nominal, .. } if nominal.to_degrees() > STEEP => [0.5, 0.26],
+            Rated::Balls { .. } => [0.6, 0.5],
+            Rated::Rollers(row) if row.angle > 0.0 => life::roller_static_factors(row.angle)?,
+            Rated::Rollers(_) => [1.0, 0.0],
+        };
+        Ok(life::static_equivalent_load(factors, radial, axial))
+    }
+
+    fn reference_life(
+        &self,
+        mechanics: &BearingMechanics,
+        rating: f64,
+    ) -> Result<life::ReferenceLife, life::Error> {
+        let turning = match mechanics.speeds.inner != 0.0 {
+            true => Ring::Inner,
+            false => Ring::Outer,
+        };
+        let found = &mechanics.distribution;
+        match self {
+            Rated::Balls { geometry, nominal } => {
+                let [inner, outer] = Ring::BOTH.map(|ring| found.loads(ring));
+                life::reference_life(geometry, *nominal, rating, [&inner, &outer], turning)
+            }
+            Rated::Rollers(row) => {
+                let [inner, outer] = Ring::BOTH.map(|ring| found.slice_loads(ring));
+                life::roller_reference_life(row, rating, [&inner, &outer], turning)
+            }
+        }
+    }
+
+    /// C_u by the contacts of balls, and by the static rating of rollers.
+    fn fatigue_limit(
+        &self,
+        mechanics: &BearingMechanics,
+        static_rating: f64,
+    ) -> Result<f64, life::Error> {
+        let bearing = &mechanics.bearing;
+        match self {
+            Rated::Balls { geometry, nominal } => {
+                Ok(life::fatigue_limit(geometry, bearing.material, *nominal))
+            }
+            Rated::Rollers(row) => {
+                life::simple_fatigue_limit(self.kind(), static_rating, row.pitch_diameter)
+            }
+        }
+    }
+}
 
 fn collect(
     case: &Case,
@@ -91,7 +220,6 @@ fn collect(
     let inputs = &mechanics.life;
     let pitch = mechanics.bearing.geometry.pitch_diameter();
     let relative = mechanics.speeds.relative().abs();
-    let [radial, axial] = mechanics.loads;
     let lubricant = &case.lubricant;
     let viscosity = lubricant.ambient_viscosity() / lubricant.ambient_density();
     let kappa = match relative > 0.0 {
@@ -108,143 +236,68 @@ fn collect(
         }
         false => None,
     };
-    // Rollers: no source of f_c, so the rating must be given.
-    let (kind, rating, reference) = match &mechanics.bearing.geometry {
-        Geometry::Ball(geometry) => {
-            let nominal = nominal_angle(mechanics, geometry);
-            let rating = match inputs.dynamic_rating {
-                Some(rating) => rating,
-                None => life::ball_rating(geometry, nominal)?,
-            };
-            out.add(
-                Section::Life,
-                ("dynamic_load_rating", "dynamic load rating C"),
-                rating,
-                "N",
-                ISO_281,
-            );
-            let equivalent = life::dynamic_equivalent_load(geometry, nominal, radial, axial)?;
-            out.add(
-                Section::Life,
-                ("equivalent_load", "equivalent load P"),
-                equivalent,
-                "N",
-                ISO_281,
-            );
-            let basic = life::basic_life(rating, equivalent, life::BALL_EXPONENT)?;
-            lives(
-                out,
-                ("basic_rating_life", "basic_rating_life_time"),
-                basic,
-                relative,
-            );
-            let turning = match mechanics.speeds.inner != 0.0 {
-                true => Ring::Inner,
-                false => Ring::Outer,
-            };
-            let [inner, outer] = Ring::BOTH.map(|ring| mechanics.distribution.loads(ring));
-            let found = life::reference_life(geometry, nominal, rating, [&inner, &outer], turning)?;
-            (life::Kind::Ball, rating, Some(found))
-        }
-        Geometry::CylindricalRoller(_) | Geometry::TaperedRoller(_) => {
-            match inputs.dynamic_rating {
-                Some(rating) => {
-                    let basic = life::basic_life(rating, radial, life::ROLLER_EXPONENT)?;
-                    lives(
-                        out,
-                        ("basic_rating_life", "basic_rating_life_time"),
-                        basic,
-                        relative,
-                    );
-                    (life::Kind::Roller, rating, None)
-                }
-                None => {
-                    out.warnings.push(Warning::new(
-                    WarningKind::Other,
-                    "no rating life: the rating of a roller bearing is not computed; give `dynamic_load_rating` of its catalogue",
-                ));
-                    return Ok(());
-                }
-            }
-        }
-    };
-    let static_rating = match (&mechanics.bearing.geometry, inputs.static_rating) {
-        (_, Some(given)) => Some(given),
-        (Geometry::Ball(geometry), None) => {
-            life::deep_groove_static_rating(geometry, nominal_angle(mechanics, geometry)).ok()
-        }
-        (Geometry::CylindricalRoller(_) | Geometry::TaperedRoller(_), None) => None,
-    };
-    if let Some(static_rating) = static_rating {
+    let rated = Rated::of(mechanics);
+    let published = mechanics.entry.as_ref().and_then(|entry| entry.ratings);
+    let published = published.map(|ratings| ratings.value);
+    let dynamic = rating(inputs.dynamic_rating, published.map(|r| r[0]), || {
+        rated.dynamic_rating()
+    })?;
+    out.add(
+        Section::Life,
+        ("dynamic_load_rating", "dynamic load rating C"),
+        dynamic.value,
+        "N",
+        dynamic.source,
+    );
+    let equivalent = rated.equivalent_load(mechanics.loads)?;
+    out.add(
+        Section::Life,
+        ("equivalent_load", "equivalent load P"),
+        equivalent,
+        "N",
+        ISO_281,
+    );
+    let basic = life::basic_life(dynamic.value, equivalent, rated.exponent())?;
+    let keys = ("basic_rating_life", "basic_rating_life_time");
+    lives(out, keys, basic, relative);
+    let fixed = rating(inputs.static_rating, published.map(|r| r[1]), || {
+        rated.static_rating()
+    });
+    // Ratings of some geometries are beyond the tables of ISO 76: the life goes on without them.
+    let fixed = fixed.ok();
+    if let Some(fixed) = &fixed {
         out.add(
             Section::Life,
             ("static_load_rating", "static load rating C_0"),
-            static_rating,
+            fixed.value,
             "N",
-            ISO_281,
+            fixed.source,
         );
-        let is_steep = matches!(&mechanics.bearing.geometry,
-            Geometry::Ball(g) if nominal_angle(mechanics, g).to_degrees() > STEEP);
-        let factors = match (kind, is_steep) {
-            (life::Kind::Roller, _) => [1.0, 0.0],
-            (life::Kind::Ball, true) => [0.5, 0.26],
-            (life::Kind::Ball, false) => [0.6, 0.5],
-        };
-        let load = life::static_equivalent_load(factors, radial, axial);
-        let safety = static_rating / load;
-        out.add(
-            Section::Safety,
-            ("static_safety_factor", "static safety C_0/P_0"),
-            safety,
-            "",
-            "static safety: ISO 76",
-        );
-        if safety < 1.0 {
-            out.warnings.push(Warning::new(
-                WarningKind::Strength,
-                format!(
-                    "the static equivalent load of {load:.0} N is beyond the static rating of {static_rating:.0} N: raceways are dented for good"
-                ),
-            ));
-        }
-        moments(mechanics, viscosity, [static_rating, load], out);
+        let load = rated.static_equivalent_load(mechanics.loads)?;
+        static_safety(out, fixed.value, load);
+        super::moments::add(mechanics, viscosity, [fixed.value, load], out);
     }
-    let (basis, equivalent) = match reference {
-        Some(found) => {
-            let keys = ("reference_rating_life", "reference_rating_life_time");
-            lives(out, keys, found.life, relative);
-            out.add(
-                Section::Life,
-                (
-                    "reference_equivalent_load",
-                    "reference equivalent load P_ref",
-                ),
-                found.equivalent_load,
-                "N",
-                ISO_16281,
-            );
-            (found.life, found.equivalent_load)
-        }
-        None => (
-            life::basic_life(rating, radial, life::ROLLER_EXPONENT)?,
-            radial,
-        ),
+    let reference = rated.reference_life(mechanics, dynamic.value)?;
+    let source = match rated {
+        Rated::Balls { .. } => ISO_16281,
+        Rated::Rollers(_) => ISO_16281_ROLLERS,
     };
-    let limit = match (
-        &mechanics.bearing.geometry,
-        inputs.fatigue_limit,
-        static_rating,
-    ) {
-        (_, Some(given), _) => Some(given),
-        (Geometry::Ball(geometry), None, _) => Some(life::fatigue_limit(
-            geometry,
-            mechanics.bearing.material,
-            nominal_angle(mechanics, geometry),
-        )),
-        (_, None, Some(static_rating)) => {
-            Some(life::simple_fatigue_limit(kind, static_rating, pitch)?)
-        }
-        (_, None, None) => None,
+    let keys = ("reference_rating_life", "reference_rating_life_time");
+    lives_of(out, keys, reference.life, relative, source);
+    out.add(
+        Section::Life,
+        (
+            "reference_equivalent_load",
+            "reference equivalent load P_ref",
+        ),
+        reference.equivalent_load,
+        "N",
+        source,
+    );
+    let limit = match (inputs.fatigue_limit, &fixed) {
+        (Some(given), _) => Some(given),
+        (None, Some(fixed)) => Some(rated.fatigue_limit(mechanics, fixed.value)?),
+        (None, None) => None,
     };
     if let Some(limit) = limit {
         out.add(
@@ -260,28 +313,25 @@ fn collect(
         if inputs.contamination.is_none() {
             out.warnings.push(Warning::new(
                 WarningKind::Other,
-                "no modified rating life: give `contamination_factor` e_C from 0 to 1 (ISO 281, annex A), or `grease_cleanliness`",
+                "no modified rating life: give `cleanliness`, or `contamination_factor` e_C from 0 to 1 (ISO 281, annex A)",
             ));
         }
         return Ok(());
     };
-    let factor = match contamination {
-        Contamination::Factor(factor) => factor,
-        Contamination::Grease(class) => life::contamination_factor(class, kappa, pitch)?,
-    };
+    let (factor, source) = contamination_factor(mechanics, contamination, kappa)?;
     out.add(
         Section::Life,
         ("contamination_factor", "contamination factor e_C"),
         factor,
         "",
-        ISO_281,
+        source,
     );
     let oil = life::Lubrication {
         viscosity_ratio: kappa,
         contamination: factor,
         additives: inputs.additives,
     };
-    let a_iso = life::life_factor(kind, oil, limit, equivalent)?;
+    let a_iso = life::life_factor(rated.kind(), oil, limit, reference.equivalent_load)?;
     out.add(
         Section::Life,
         ("life_factor", "life factor a_ISO"),
@@ -297,27 +347,76 @@ fn collect(
         "",
         ISO_281,
     );
-    let modified = life::modified_life(basis, a_1, a_iso);
+    let modified = life::modified_life(reference.life, a_1, a_iso);
     let keys = ("modified_rating_life", "modified_rating_life_time");
     lives(out, keys, modified, relative);
     Ok(())
 }
 
+/// e_C and where it comes from.
+fn contamination_factor(
+    mechanics: &BearingMechanics,
+    contamination: Contamination,
+    kappa: f64,
+) -> Result<(f64, &'static str), life::Error> {
+    let pitch = mechanics.bearing.geometry.pitch_diameter();
+    Ok(match contamination {
+        Contamination::Factor(factor) => (factor, ISO_281),
+        Contamination::Grease(class) => (life::contamination_factor(class, kappa, pitch)?, ISO_281),
+        Contamination::Guide(class) => {
+            let mean = (mechanics.entry.as_ref()).map_or(pitch, |e| e.boundary.mean_diameter());
+            let [low, high] = life::contamination_guide(class, mean)?;
+            (
+                0.5 * (low + high),
+                "e_C: the middle of the guide values for this cleanliness (ISO 281, table 13)",
+            )
+        }
+    })
+}
+
+/// C_0/P_0, and what is damaged where it is too low.
+fn static_safety(out: &mut Collected, rating: f64, load: f64) {
+    let safety = rating / load;
+    out.add(
+        Section::Safety,
+        ("static_safety_factor", "static safety C_0/P_0"),
+        safety,
+        "",
+        "static safety: ISO 76",
+    );
+    if safety < 1.0 {
+        out.warnings.push(Warning::new(
+            WarningKind::Strength,
+            format!(
+                "the static equivalent load of {load:.0} N is beyond the static rating of {rating:.0} N: raceways are dented for good"
+            ),
+        ));
+    }
+}
+
 /// A life in revolutions and in time.
-fn lives(out: &mut Collected, (name, time): (&'static str, &'static str), life: f64, speed: f64) {
-    let (words, of_time, source) = match name {
-        "basic_rating_life" => ("basic rating life L_10", "  the same in time", ISO_281),
-        "reference_rating_life" => (
-            "reference rating life L_10r",
-            "  the same in time",
-            ISO_16281,
-        ),
-        _ => (
-            "modified rating life L_nmr",
-            "  the same in time",
-            ISO_16281,
-        ),
+fn lives(out: &mut Collected, names: (&'static str, &'static str), life: f64, speed: f64) {
+    let source = match names.0 {
+        "basic_rating_life" => ISO_281,
+        _ => "L_nmr = a_1 a_ISO(P_ref) L_10r",
     };
+    lives_of(out, names, life, speed, source);
+}
+
+/// The same with its source.
+fn lives_of(
+    out: &mut Collected,
+    (name, time): (&'static str, &'static str),
+    life: f64,
+    speed: f64,
+    source: &'static str,
+) {
+    let words = match name {
+        "basic_rating_life" => "basic rating life L_10",
+        "reference_rating_life" => "reference rating life L_10r",
+        _ => "modified rating life L_nmr",
+    };
+    let of_time = "  the same in time";
     out.add(
         Section::Life,
         (name, words),
@@ -332,79 +431,6 @@ fn lives(out: &mut Collected, (name, time): (&'static str, &'static str), life: 
             life * TAU / speed,
             "s",
             source,
-        );
-    }
-}
-
-/// Moments by the models of catalogues, where they cover the series.
-fn moments(
-    mechanics: &BearingMechanics,
-    viscosity: f64,
-    [static_rating, static_load]: [f64; 2],
-    out: &mut Collected,
-) {
-    let Some(entry) = &mechanics.entry else {
-        return;
-    };
-    let [radial, axial] = mechanics.loads;
-    let speed = mechanics.speeds.relative();
-    let skf = match entry.designation.series {
-        Series::DeepGroove60 => Some(SkfSeries::S60),
-        Series::DeepGroove62 => Some(SkfSeries::S62),
-        Series::DeepGroove63 => Some(SkfSeries::S63),
-        _ => None,
-    };
-    let state = SkfState {
-        bore: entry.boundary.bore,
-        outside: entry.boundary.outside,
-        speed,
-        viscosity,
-        radial,
-        axial,
-        static_rating,
-    };
-    let params = SkfParams {
-        replenishment: if mechanics.life.is_grease { 6e-8 } else { 3e-8 },
-        ..SkfParams::default()
-    };
-    if let Some(moment) = skf.and_then(|series| skf_moment(series, &state, &params).ok()) {
-        out.add(
-            Section::Friction,
-            ("friction_torque_skf", "beside it: torque by SKF's model"),
-            moment.total(),
-            "N m",
-            "SKF: a mineral oil, without seals and churning; its rolling part stands for cage and oil as well",
-        );
-    }
-    let palmgren = match entry.designation.series {
-        Series::DeepGroove60 => PalmgrenSeries::DeepGroove60,
-        Series::DeepGroove62 => PalmgrenSeries::DeepGroove62,
-        Series::DeepGroove63 => PalmgrenSeries::DeepGroove63,
-        Series::Angular72B => PalmgrenSeries::Angular72B,
-        Series::Angular73B => PalmgrenSeries::Angular73B,
-        Series::CylindricalNu10 => PalmgrenSeries::Cylindrical10,
-        Series::CylindricalNu2 => PalmgrenSeries::Cylindrical2,
-        Series::CylindricalNu3 => PalmgrenSeries::Cylindrical3,
-        Series::Tapered302 | Series::Tapered303 => return,
-    };
-    let supply = match mechanics.life.is_grease {
-        true => PalmgrenOil::Grease,
-        false => PalmgrenOil::Bath,
-    };
-    let mean = entry.boundary.mean_diameter();
-    let load = palmgren_load(palmgren, radial, axial);
-    let moment = (palmgren.factors(supply, static_load, static_rating).ok())
-        .and_then(|factors| palmgren_moment(factors, mean, speed, viscosity, load).ok());
-    if let Some(moment) = moment {
-        out.add(
-            Section::Friction,
-            (
-                "friction_torque_palmgren",
-                "beside it: torque by Palmgren's model",
-            ),
-            moment.total(),
-            "N m",
-            "Palmgren: with the churning of an oil bath, or run-in grease (Schaeffler HR 1, 2006)",
         );
     }
 }

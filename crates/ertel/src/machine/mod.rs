@@ -4,8 +4,12 @@ mod bearing;
 mod cam;
 mod curve;
 mod gears;
+mod heat;
 mod life;
+mod moments;
 mod slip;
+
+pub use heat::{Balance, SolvedMachine, solve};
 
 use crate::case::{Case, Mechanics};
 use crate::solution::{Estimate, Figure};

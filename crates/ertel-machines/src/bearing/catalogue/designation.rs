@@ -1,155 +1,7 @@
 //! What a designation says.
 
-use super::Boundary;
 use super::clearance::ClearanceClass;
-use super::dimensions as table;
-use crate::bearing::friction::{PalmgrenSeries, SkfSeries};
-
-/// Series of the catalogue.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Series {
-    /// Deep groove ball bearings 60.
-    DeepGroove60,
-    /// 62.
-    DeepGroove62,
-    /// 63.
-    DeepGroove63,
-    /// Angular contact ball bearings 72..B.
-    Angular72B,
-    /// 73..B.
-    Angular73B,
-    /// Cylindrical roller bearings NU10.
-    CylindricalNu10,
-    /// NU2..E.
-    CylindricalNu2,
-    /// NU3..E.
-    CylindricalNu3,
-    /// Tapered roller bearings 302.
-    Tapered302,
-    /// 303.
-    Tapered303,
-}
-
-impl Series {
-    /// All of them.
-    pub const ALL: [Series; 10] = [
-        Series::DeepGroove60,
-        Series::DeepGroove62,
-        Series::DeepGroove63,
-        Series::Angular72B,
-        Series::Angular73B,
-        Series::CylindricalNu10,
-        Series::CylindricalNu2,
-        Series::CylindricalNu3,
-        Series::Tapered302,
-        Series::Tapered303,
-    ];
-
-    /// What stands before and after the bore code.
-    fn affixes(self) -> [&'static str; 2] {
-        match self {
-            Series::DeepGroove60 => ["60", ""],
-            Series::DeepGroove62 => ["62", ""],
-            Series::DeepGroove63 => ["63", ""],
-            Series::Angular72B => ["72", "B"],
-            Series::Angular73B => ["73", "B"],
-            Series::CylindricalNu10 => ["NU10", ""],
-            Series::CylindricalNu2 => ["NU2", "E"],
-            Series::CylindricalNu3 => ["NU3", "E"],
-            Series::Tapered302 => ["302", ""],
-            Series::Tapered303 => ["303", ""],
-        }
-    }
-
-    /// Rows of bore code, d, D and B (mm), and further dimensions.
-    fn rows(self) -> Vec<Vec<f64>> {
-        fn all<const N: usize>(rows: &[[f64; N]]) -> Vec<Vec<f64>> {
-            rows.iter().map(|row| row.to_vec()).collect()
-        }
-        match self {
-            Series::DeepGroove60 => all(&table::DEEP_GROOVE_60),
-            Series::DeepGroove62 => all(&table::DEEP_GROOVE_62),
-            Series::DeepGroove63 => all(&table::DEEP_GROOVE_63),
-            Series::Angular72B => all(&table::ANGULAR_72B),
-            Series::Angular73B => all(&table::ANGULAR_73B),
-            Series::CylindricalNu10 => all(&table::CYLINDRICAL_NU10),
-            Series::CylindricalNu2 => all(&table::CYLINDRICAL_NU2),
-            Series::CylindricalNu3 => all(&table::CYLINDRICAL_NU3),
-            Series::Tapered302 => all(&table::TAPERED_302),
-            Series::Tapered303 => all(&table::TAPERED_303),
-        }
-    }
-
-    /// Nominal contact angle of ratings, rad; `None` of tapered roller bearings, whose angles differ.
-    pub fn nominal_angle(self) -> Option<f64> {
-        match self {
-            Series::DeepGroove60
-            | Series::DeepGroove62
-            | Series::DeepGroove63
-            | Series::CylindricalNu10
-            | Series::CylindricalNu2
-            | Series::CylindricalNu3 => Some(0.0),
-            Series::Angular72B | Series::Angular73B => Some(40_f64.to_radians()),
-            Series::Tapered302 | Series::Tapered303 => None,
-        }
-    }
-
-    /// Its series in SKF's model of friction, which is here for deep groove ball bearings.
-    pub fn skf(self) -> Option<SkfSeries> {
-        match self {
-            Series::DeepGroove60 => Some(SkfSeries::S60),
-            Series::DeepGroove62 => Some(SkfSeries::S62),
-            Series::DeepGroove63 => Some(SkfSeries::S63),
-            _ => None,
-        }
-    }
-
-    /// Its series in Palmgren's model of friction.
-    pub fn palmgren(self) -> PalmgrenSeries {
-        match self {
-            Series::DeepGroove60 => PalmgrenSeries::DeepGroove60,
-            Series::DeepGroove62 => PalmgrenSeries::DeepGroove62,
-            Series::DeepGroove63 => PalmgrenSeries::DeepGroove63,
-            Series::Angular72B => PalmgrenSeries::Angular72B,
-            Series::Angular73B => PalmgrenSeries::Angular73B,
-            Series::CylindricalNu10 => PalmgrenSeries::Cylindrical10,
-            Series::CylindricalNu2 => PalmgrenSeries::Cylindrical2,
-            Series::CylindricalNu3 => PalmgrenSeries::Cylindrical3,
-            Series::Tapered302 | Series::Tapered303 => PalmgrenSeries::Tapered302,
-        }
-    }
-
-    /// X_0 and Y_0 of the static equivalent load; `None` of tapered roller bearings, whose factors differ. Schaeffler, HR 1, 2006.
-    pub fn static_factors(self) -> Option<[f64; 2]> {
-        match self {
-            Series::DeepGroove60 | Series::DeepGroove62 | Series::DeepGroove63 => Some([0.6, 0.5]),
-            Series::Angular72B | Series::Angular73B => Some([0.5, 0.26]),
-            Series::CylindricalNu10 | Series::CylindricalNu2 | Series::CylindricalNu3 => {
-                Some([1.0, 0.0])
-            }
-            Series::Tapered302 | Series::Tapered303 => None,
-        }
-    }
-
-    /// Bore codes of the catalogue.
-    pub fn codes(self) -> impl Iterator<Item = u8> {
-        self.rows().into_iter().map(|row| row[0] as u8)
-    }
-
-    /// Dimensions of a bore code.
-    pub(super) fn boundary(self, code: u8) -> Option<Boundary> {
-        let row = (self.rows().into_iter()).find(|row| row[0] == f64::from(code))?;
-        let further = (row.len() > 4).then(|| [row[4] * 1e-3, row[5] * 1e-3]);
-        let tapered = matches!(self, Series::Tapered302 | Series::Tapered303);
-        Some(Boundary {
-            bore: row[1] * 1e-3,
-            outside: row[2] * 1e-3,
-            width: row[3] * 1e-3,
-            raceways: further.filter(|_| !tapered),
-            taper_widths: further.filter(|_| tapered),
-        })
-    }
-}
+use super::series::Series;
 
 /// A designation taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -277,8 +129,16 @@ pub(super) fn parse(given: &str) -> Result<Designation, DesignationError> {
         if let Some(class) = class {
             clearance = class;
         }
-        let is_design = affix == "E" && rest == "E";
-        if !rest.is_empty() && !is_design {
+        // B, C and D of tapered roller bearings are those of other contact angles, or of pairs.
+        if series.is_tapered() && rest.starts_with(['B', 'C', 'D']) {
+            return Err(fail());
+        }
+        let is_design = (affix == "E" && rest == "E") || affix == "X";
+        let rest = match is_design {
+            true => rest.strip_prefix(affix).unwrap_or(rest),
+            false => rest,
+        };
+        if !rest.is_empty() {
             ignored.push(rest.to_string());
         }
     }

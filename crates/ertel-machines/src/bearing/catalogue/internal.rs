@@ -3,9 +3,11 @@
 use std::f64::consts::PI;
 
 use super::clearance::{ClearanceClass, radial_clearance};
-use super::{Boundary, Designation, Series};
+use super::{Boundary, Designation, Series, Special};
 use crate::bearing::Geometry;
-use crate::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile};
+use crate::bearing::geometry::{
+    BallGeometry, Play, RollerGeometry, RollerProfile, TaperedGeometry,
+};
 
 /// How a value is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +84,21 @@ pub enum Internal {
         /// Relief of the rollers.
         profile: Sourced<RollerProfile>,
     },
+    /// Of tapered roller bearings.
+    Tapered {
+        /// Roller diameter in the middle D_w, m.
+        roller_diameter: Sourced<f64>,
+        /// Contact length of a roller, m.
+        length: Sourced<f64>,
+        /// Pitch diameter d_m through the middles of the rollers, m.
+        pitch_diameter: Sourced<f64>,
+        /// Number of rollers Z.
+        number: Sourced<usize>,
+        /// Contact angle of the outer raceway, rad.
+        contact_angle: Sourced<f64>,
+        /// Relief of the rollers.
+        profile: Sourced<RollerProfile>,
+    },
 }
 
 impl Internal {
@@ -116,22 +133,29 @@ impl Internal {
                 clearance: clearance.value,
                 profile: profile.value,
             }),
+            Internal::Tapered {
+                roller_diameter,
+                length,
+                pitch_diameter,
+                number,
+                contact_angle,
+                profile,
+            } => Geometry::TaperedRoller(TaperedGeometry {
+                roller_diameter: roller_diameter.value,
+                length: length.value,
+                pitch_diameter: pitch_diameter.value,
+                number: number.value,
+                cup_angle: contact_angle.value,
+                profile: profile.value,
+            }),
         }
     }
 }
 
-/// The inside of such a bearing is not known here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the internal geometry of tapered roller bearings is not in the catalogue")]
-pub struct NoModel;
-
 impl super::Entry {
     /// The geometry to calculate with.
-    ///
-    /// # Errors
-    /// Tapered roller bearings.
-    pub fn geometry(&self) -> Result<Geometry, NoModel> {
-        self.internal.map(|i| i.geometry()).ok_or(NoModel)
+    pub fn geometry(&self) -> Geometry {
+        self.internal.geometry()
     }
 }
 
@@ -158,6 +182,16 @@ const RACEWAYS: &str = "raceway diameters F and E in Schaeffler, Rolling Bearing
 const LENGTH_RULE: &str = "L = 0.62 B";
 const PROFILE_RULE: &str = "reference profile of ISO/TS 16281";
 const ANGLE_SOURCE: &str = "suffix B: 40 degrees";
+const TAPER_ANGLE: &str = "ISO 355";
+const TAPER_DIAMETER_RULE: &str = "D_w = (D − d)/4";
+const TAPER_LENGTH_RULE: &str = "L = 0.8 C";
+const TAPER_NUMBER_RULE: &str = "Z = 0.9 π d_m/D_w, rounded: elements and bars of a cage";
+const NSK: &str = "NSK, Rolling Bearings, catalogue E1102";
+
+/// Ratings that a maker publishes, kN, in N.
+pub(super) fn published_ratings(ratings: [f64; 2]) -> Sourced<[f64; 2]> {
+    Sourced::published(ratings.map(|kilonewtons| 1e3 * kilonewtons), NSK)
+}
 
 fn middle(rollers: bool, class: ClearanceClass, bore: f64) -> Sourced<f64> {
     match radial_clearance(rollers, class, bore) {
@@ -171,54 +205,63 @@ fn filled(share: f64, pitch: f64, diameter: f64) -> usize {
 }
 
 /// Internal geometry of a bearing of the catalogue.
-pub(super) fn internal(designation: &Designation, boundary: &Boundary) -> Option<Internal> {
-    let clearance = |rollers| middle(rollers, designation.clearance, boundary.bore);
-    match designation.series {
-        Series::DeepGroove60 | Series::DeepGroove62 | Series::DeepGroove63 => {
-            let gap = clearance(false);
-            let play = Sourced {
-                value: Play::Clearance(gap.value),
-                origin: gap.origin,
-            };
-            let groove = Sourced::estimated([0.52, 0.53], GROOVE_RULE);
-            let known = (PUBLISHED.iter())
-                .find(|row| row.0 == designation.series && row.1 == designation.code);
-            if let Some(&(_, _, ball, pitch, number, source)) = known {
-                return Some(Internal::Ball {
-                    ball_diameter: Sourced::published(ball * 1e-3, source),
-                    pitch_diameter: Sourced::published(pitch * 1e-3, source),
-                    number: Sourced::published(number, source),
-                    groove,
-                    play,
-                });
-            }
-            Some(estimated_balls(boundary, 0.6, NUMBER_RULE, groove, play))
-        }
-        Series::Angular72B | Series::Angular73B => {
-            let play = Sourced::published(Play::FreeAngle(40_f64.to_radians()), ANGLE_SOURCE);
-            let groove = Sourced::estimated([0.52, 0.53], GROOVE_RULE);
-            Some(estimated_balls(
-                boundary,
-                0.8,
-                FULL_NUMBER_RULE,
-                groove,
-                play,
-            ))
-        }
-        Series::CylindricalNu10 | Series::CylindricalNu2 | Series::CylindricalNu3 => {
-            let [inner, outer] = boundary.raceways?;
+pub(super) fn internal(designation: &Designation, boundary: &Boundary) -> Internal {
+    match boundary.special {
+        Special::None => balls(designation, boundary),
+        Special::Raceways { inner, outer } => {
             let (diameter, pitch) = (0.5 * (outer - inner), 0.5 * (outer + inner));
             let number = filled(0.8, pitch, diameter);
-            Some(Internal::Cylindrical {
+            Internal::Cylindrical {
                 roller_diameter: Sourced::published(diameter, RACEWAYS),
                 length: Sourced::estimated(0.62 * boundary.width, LENGTH_RULE),
                 pitch_diameter: Sourced::published(pitch, RACEWAYS),
                 number: Sourced::estimated(number, FULL_NUMBER_RULE),
-                clearance: clearance(true),
+                clearance: middle(true, designation.clearance, boundary.bore),
                 profile: Sourced::estimated(RollerProfile::Logarithmic, PROFILE_RULE),
-            })
+            }
         }
-        Series::Tapered302 | Series::Tapered303 => None,
+        Special::Taper {
+            cup_width,
+            contact_angle,
+            ..
+        } => {
+            let diameter = 0.25 * (boundary.outside - boundary.bore);
+            let pitch = boundary.mean_diameter();
+            let number = filled(0.9, pitch, diameter);
+            Internal::Tapered {
+                roller_diameter: Sourced::estimated(diameter, TAPER_DIAMETER_RULE),
+                length: Sourced::estimated(0.8 * cup_width, TAPER_LENGTH_RULE),
+                pitch_diameter: Sourced::estimated(pitch, PITCH_RULE),
+                number: Sourced::estimated(number, TAPER_NUMBER_RULE),
+                contact_angle: Sourced::published(contact_angle, TAPER_ANGLE),
+                profile: Sourced::estimated(RollerProfile::Logarithmic, PROFILE_RULE),
+            }
+        }
+    }
+}
+
+fn balls(designation: &Designation, boundary: &Boundary) -> Internal {
+    let groove = Sourced::estimated([0.52, 0.53], GROOVE_RULE);
+    if matches!(designation.series, Series::Angular72B | Series::Angular73B) {
+        let play = Sourced::published(Play::FreeAngle(40_f64.to_radians()), ANGLE_SOURCE);
+        return estimated_balls(boundary, 0.8, FULL_NUMBER_RULE, groove, play);
+    }
+    let gap = middle(false, designation.clearance, boundary.bore);
+    let play = Sourced {
+        value: Play::Clearance(gap.value),
+        origin: gap.origin,
+    };
+    let known =
+        (PUBLISHED.iter()).find(|row| row.0 == designation.series && row.1 == designation.code);
+    match known {
+        Some(&(_, _, ball, pitch, number, source)) => Internal::Ball {
+            ball_diameter: Sourced::published(ball * 1e-3, source),
+            pitch_diameter: Sourced::published(pitch * 1e-3, source),
+            number: Sourced::published(number, source),
+            groove,
+            play,
+        },
+        None => estimated_balls(boundary, 0.6, NUMBER_RULE, groove, play),
     }
 }
 

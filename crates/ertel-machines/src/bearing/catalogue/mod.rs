@@ -7,10 +7,13 @@ mod clearance;
 mod designation;
 mod dimensions;
 mod internal;
+mod series;
+mod tapered;
 
 pub use clearance::{ClearanceClass, radial_clearance};
-pub use designation::{Designation, DesignationError, Series};
-pub use internal::{Internal, NoModel, Origin, Sourced};
+pub use designation::{Designation, DesignationError};
+pub use internal::{Internal, Origin, Sourced};
+pub use series::Series;
 
 /// Boundary dimensions, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,10 +24,31 @@ pub struct Boundary {
     pub outside: f64,
     /// Width B; of tapered roller bearings that of the cone.
     pub width: f64,
-    /// Diameters of the inner and outer raceway, F and E, of cylindrical roller bearings.
-    pub raceways: Option<[f64; 2]>,
-    /// Widths of the cup C and of the whole bearing T of tapered roller bearings.
-    pub taper_widths: Option<[f64; 2]>,
+    /// What only some kinds have.
+    pub special: Special,
+}
+
+/// Dimensions that only some kinds of bearings have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Special {
+    /// None: ball bearings.
+    None,
+    /// Diameters of the raceways of cylindrical roller bearings, m.
+    Raceways {
+        /// F, of the inner ring.
+        inner: f64,
+        /// E, of the outer ring.
+        outer: f64,
+    },
+    /// Of tapered roller bearings.
+    Taper {
+        /// Width of the cup C, m.
+        cup_width: f64,
+        /// Width of the whole bearing T, m.
+        width: f64,
+        /// Contact angle α, rad: half of the cup's angle.
+        contact_angle: f64,
+    },
 }
 
 impl Boundary {
@@ -41,8 +65,10 @@ pub struct Entry {
     pub designation: Designation,
     /// Its boundary dimensions.
     pub boundary: Boundary,
-    /// Its internal geometry; `None` of tapered roller bearings, for which neither a source nor a rule was found.
-    pub internal: Option<Internal>,
+    /// Its internal geometry.
+    pub internal: Internal,
+    /// Load ratings C and C_0, N, and who gives them; known of tapered roller bearings.
+    pub ratings: Option<Sourced<[f64; 2]>>,
 }
 
 /// The bearing of a designation such as `6206-2RS/C3`, `7210 B`, `NU 206 E` or `30206`.
@@ -56,7 +82,9 @@ pub fn find(designation: &str) -> Result<Entry, DesignationError> {
         .boundary(designation.code)
         .ok_or_else(|| designation::unknown(&designation.name()))?;
     let internal = internal::internal(&designation, &boundary);
+    let ratings = designation.series.ratings(designation.code);
     Ok(Entry {
+        ratings: ratings.map(internal::published_ratings),
         designation,
         boundary,
         internal,

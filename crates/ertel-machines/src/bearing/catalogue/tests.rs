@@ -1,6 +1,8 @@
 use super::*;
 use crate::bearing::kinematics::Speeds;
-use crate::bearing::life::ball_rating;
+use crate::bearing::life::{
+    RollerRow, ball_rating, roller_factors, roller_rating, roller_static_rating,
+};
 use crate::bearing::load::{Loads, Params};
 use crate::bearing::{Bearing, Geometry};
 use approx::assert_relative_eq;
@@ -32,15 +34,80 @@ fn boundary_dimensions() {
         assert_eq!(millimetres(&find(name).unwrap()), dimensions, "{name}");
     }
     let tapered = find("30206").unwrap();
+    let Special::Taper {
+        cup_width, width, ..
+    } = tapered.boundary.special
+    else {
+        panic!("{tapered:?}")
+    };
     // C = 14 mm, T = 17.25 mm
     assert_eq!(
-        tapered
-            .boundary
-            .taper_widths
-            .map(|w| w.map(|x| (x * 1e6).round())),
-        Some([14e3, 17.25e3])
+        [cup_width, width].map(|x| (x * 1e6).round()),
+        [14e3, 17.25e3]
     );
-    assert_eq!(tapered.geometry(), Err(NoModel));
+}
+
+/// Contact angles of ISO 355 against e = 1.5 tan α, two digits of which NSK's tables have.
+#[test]
+fn contact_angles_against_a_catalogue() {
+    let rows = include_str!("data/tapered_e.csv").lines();
+    let mut number = 0;
+    for row in rows.filter(|row| row.starts_with('3')) {
+        let (name, e) = row.split_once(',').unwrap();
+        let entry = find(name).unwrap();
+        assert_eq!(entry.designation.name(), name);
+        let Special::Taper { contact_angle, .. } = entry.boundary.special else {
+            panic!("{name}")
+        };
+        let factors = roller_factors(contact_angle).unwrap();
+        let e: f64 = e.parse().unwrap();
+        assert!(
+            (factors.limit - e).abs() < 0.0075,
+            "{name}: {e} {factors:?}"
+        );
+        number += 1;
+    }
+    assert_eq!(number, 102);
+}
+
+/// The rule for tapered rollers against a catalogue: ratings by ISO 281 and ISO 76 of the estimated geometries of 102 bearings are on average within 3 % of
+/// those of NSK, and single ones within 15 %; but for 30202 and 30203, whose ratings it overestimates by up to 33 and 47 %. Rollers of a 30206: 8 mm against about 7.5 mm, and 16 against 17.
+#[test]
+fn the_rule_for_tapered_rollers_against_a_catalogue() {
+    let mut ratios = Vec::new();
+    for name in all().filter(|name| name.starts_with("3")) {
+        let entry = find(&name).unwrap();
+        let Geometry::TaperedRoller(geometry) = entry.geometry() else {
+            panic!("{name}")
+        };
+        let row = RollerRow::from(&geometry);
+        let [dynamic, fixed] = entry.ratings.unwrap().value;
+        let of = [
+            roller_rating(&row).unwrap() / dynamic,
+            roller_static_rating(&row) / fixed,
+        ];
+        let is_small = ["30202", "30203"].contains(&name.as_str());
+        let band = if is_small { 0.5 } else { 0.15 };
+        assert!(of.iter().all(|r| (r - 1.0).abs() < band), "{name}: {of:?}");
+        ratios.push(of);
+    }
+    assert_eq!(ratios.len(), 102);
+    for k in [0, 1] {
+        let mean = ratios.iter().map(|of| of[k]).sum::<f64>() / ratios.len() as f64;
+        assert!((mean - 1.0).abs() < 0.03, "{mean}");
+    }
+}
+
+/// The rule for cylindrical rollers: C_r of NU 206 E and NU 2210's smaller sister NU 210 E by ISO 281 within 15 % of 44 kN and 73.5 kN (SKF).
+#[test]
+fn the_rule_for_cylindrical_rollers_against_a_catalogue() {
+    for (name, rating) in [("NU206E", 44e3), ("NU210E", 73.5e3), ("NU306E", 58.5e3)] {
+        let Geometry::CylindricalRoller(geometry) = find(name).unwrap().geometry() else {
+            panic!("{name}")
+        };
+        let found = roller_rating(&RollerRow::from(&geometry)).unwrap();
+        assert_relative_eq!(found, rating, max_relative = 0.15);
+    }
 }
 
 /// Bore codes say the bore in all series, widths are those of the diameter series, and all bearings that have a model make a geometry.
@@ -58,17 +125,16 @@ fn the_whole_catalogue() {
             code => 5.0 * f64::from(code),
         };
         assert_relative_eq!(entry.boundary.bore, bore * 1e-3, max_relative = 1e-12);
-        if let Ok(geometry) = entry.geometry() {
-            geometry.check().unwrap_or_else(|e| panic!("{name}: {e}"));
-            let (d, pitch) = (geometry.element_diameter(), geometry.pitch_diameter());
-            assert!(
-                pitch - d > entry.boundary.bore && pitch + d < entry.boundary.outside,
-                "{name}"
-            );
-            number += 1;
-        }
+        let geometry = entry.geometry();
+        geometry.check().unwrap_or_else(|e| panic!("{name}: {e}"));
+        let (d, pitch) = (geometry.element_diameter(), geometry.pitch_diameter());
+        assert!(
+            pitch - d > entry.boundary.bore && pitch + d < entry.boundary.outside,
+            "{name}"
+        );
+        number += 1;
     }
-    assert_eq!(number, 24 * 4 + 23 + 22 + 20 + 18);
+    assert_eq!(number, 24 * 4 + 23 + 22 + 20 + 18 + 102);
 }
 
 /// The rule against catalogues: ratings by ISO 281 of the estimated geometries of 61 deep groove ball bearings are on average within 3 % of
@@ -83,7 +149,7 @@ fn the_rule_against_catalogues() {
             .map(|row| {
                 let (name, rating) = row.split_once(',').unwrap();
                 let entry = find(name).unwrap();
-                let Ok(Geometry::Ball(geometry)) = entry.geometry() else {
+                let Geometry::Ball(geometry) = entry.geometry() else {
                     panic!("{name}")
                 };
                 ball_rating(&geometry, 0.0).unwrap() / (1e3 * rating.parse::<f64>().unwrap())
@@ -149,13 +215,13 @@ fn unknown_designations_name_the_nearest() {
 #[test]
 fn values_and_their_origin() {
     let mut entry = find("6206 C3").unwrap();
-    let Some(Internal::Ball {
+    let Internal::Ball {
         ball_diameter,
         number,
         play,
         groove,
         ..
-    }) = &mut entry.internal
+    } = &mut entry.internal
     else {
         panic!()
     };
@@ -168,12 +234,12 @@ fn values_and_their_origin() {
     );
     assert_eq!(number.value, 9);
     *groove = Sourced::given([0.515, 0.525]);
-    let Ok(Geometry::Ball(geometry)) = entry.geometry() else {
+    let Geometry::Ball(geometry) = entry.geometry() else {
         panic!()
     };
     assert_eq!(geometry.groove, [0.515, 0.525]);
     // NU206-E: F = 37.5 mm, E = 55.5 mm
-    let roller = find("NU206E").unwrap().geometry().unwrap();
+    let roller = find("NU206E").unwrap().geometry();
     assert_relative_eq!(roller.element_diameter(), 9e-3, max_relative = 1e-9);
     assert_relative_eq!(roller.pitch_diameter(), 46.5e-3, max_relative = 1e-9);
 }
@@ -187,7 +253,7 @@ fn from_designation_to_life_and_friction() {
     use crate::bearing::geometry::Ring;
     use crate::bearing::life::*;
     let entry = find("6206").unwrap();
-    let Ok(Geometry::Ball(geometry)) = entry.geometry() else {
+    let Geometry::Ball(geometry) = entry.geometry() else {
         panic!()
     };
     let series = entry.designation.series;
@@ -216,15 +282,16 @@ fn from_designation_to_life_and_friction() {
         radial: 2000.0,
         axial: 0.0,
         static_rating,
+        axial_factor: 0.0,
     };
-    let skf = skf_moment(series.skf().unwrap(), &state, &SkfParams::default()).unwrap();
+    let skf = skf_moment(series.skf(), &state, &SkfParams::default()).unwrap();
     assert_relative_eq!(skf.total(), 41.998_795e-3, max_relative = 1e-6);
     let load = static_equivalent_load(series.static_factors().unwrap(), 2000.0, 0.0);
     let factors = series
         .palmgren()
         .factors(PalmgrenOil::Bath, load, static_rating)
         .unwrap();
-    let decisive = palmgren_load(series.palmgren(), 2000.0, 0.0);
+    let decisive = palmgren_load(series.palmgren(), 2000.0, 0.0, 0.0);
     let palmgren = palmgren_moment(factors, 0.046, speed, 30e-6, decisive).unwrap();
     assert_relative_eq!(palmgren.total(), 53.8e-3, max_relative = 5e-3);
 }
@@ -232,8 +299,13 @@ fn from_designation_to_life_and_friction() {
 /// From a designation to the load of each element.
 #[test]
 fn a_designation_can_be_solved() {
-    for (name, axial) in [("6309", 500.0), ("7206B", 2000.0), ("NU210E", 0.0)] {
-        let geometry = find(name).unwrap().geometry().unwrap();
+    for (name, axial) in [
+        ("6309", 500.0),
+        ("7206B", 2000.0),
+        ("NU210E", 0.0),
+        ("32208", 1500.0),
+    ] {
+        let geometry = find(name).unwrap().geometry();
         let speeds = Speeds {
             inner: 150.0,
             outer: 0.0,
@@ -249,17 +321,22 @@ fn a_designation_can_be_solved() {
 fn the_catalogue_is_solved() {
     use crate::bearing::load::Given;
     for name in all().step_by(3) {
-        let Ok(geometry) = find(&name).unwrap().geometry() else {
-            continue;
-        };
+        let geometry = find(&name).unwrap().geometry();
         let pitch = geometry.pitch_diameter() * 1e3;
         let fast = 0.5e6 / pitch * std::f64::consts::PI / 30.0;
         for (inner, tilt, stress) in [(0.0, 0.0, 1.0), (fast, 5e-4, 0.01), (fast, 5e-4, 1.0)] {
+            let is_tapered = matches!(geometry, Geometry::TaperedRoller(_));
+            if is_tapered && stress < 1.0 {
+                // The centrifugal force of the rollers pushes the rings apart.
+                continue;
+            }
             // N/mm² of the square of the pitch diameter
             let radial = stress * pitch * pitch;
             let axial = match geometry {
                 Geometry::CylindricalRoller(_) => 0.0,
-                _ => 0.3 * radial,
+                Geometry::Ball(_) => 0.3 * radial,
+                // Less would let the rings fall apart.
+                Geometry::TaperedRoller(_) => 0.7 * radial,
             };
             let speeds = Speeds { inner, outer: 0.0 };
             let loads = Loads {
@@ -277,7 +354,7 @@ fn the_catalogue_is_solved() {
 #[test]
 fn gyroscopic_slip_is_told() {
     use crate::bearing::load::Given;
-    let geometry = find("7224B").unwrap().geometry().unwrap();
+    let geometry = find("7224B").unwrap().geometry();
     let loads = Loads {
         tilt: [Given::Load(0.0); 2],
         ..Loads::forces(4050.0, -520.0)

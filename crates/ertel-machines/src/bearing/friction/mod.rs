@@ -5,11 +5,13 @@
 
 mod palmgren;
 mod skf;
+mod skf_series;
 
 pub use palmgren::{
     PalmgrenFactors, PalmgrenMoment, PalmgrenOil, PalmgrenSeries, palmgren_load, palmgren_moment,
 };
-pub use skf::{SkfMoment, SkfParams, SkfSeries, SkfState, skf_moment};
+pub use skf::{SkfMoment, SkfParams, SkfState, skf_moment};
+pub use skf_series::SkfSeries;
 
 /// Heat from a moment (N·m) at a relative speed of the rings (rad/s), W.
 pub fn frictional_power(moment: f64, relative_speed: f64) -> f64 {

@@ -34,6 +34,8 @@ pub enum PalmgrenSeries {
     Cylindrical22,
     /// Tapered roller bearings 302, 303 and 313.
     Tapered302,
+    /// 320, 322, 323 and 329.
+    Tapered320,
 }
 
 /// Factors of a bearing.
@@ -69,6 +71,7 @@ impl PalmgrenSeries {
             PalmgrenSeries::Cylindrical3 => ([1.3, 2.0], 0.000_35, 0.0),
             PalmgrenSeries::Cylindrical22 => ([2.0, 3.0], 0.0004, 0.0),
             PalmgrenSeries::Tapered302 => ([2.0, 3.0], 0.0004, 0.0),
+            PalmgrenSeries::Tapered320 => ([3.0, 4.5], 0.0004, 0.0),
         };
         let load = match b > 0.0 {
             true => {
@@ -104,13 +107,14 @@ impl PalmgrenMoment {
     }
 }
 
-/// Decisive load P_1 of a single bearing, N.
+/// Decisive load P_1 of a single bearing, N; Y of tapered roller bearings, which other kinds leave aside.
 ///
-/// deep groove: max(3.3 F_a − 0.1 F_r, F_r); 40-degree angular contact: max(F_a − 0.1 F_r, F_r); rollers: F_r
-///
-/// Source: Schaeffler, HR 1, 2006, page 60. Tapered roller bearings: max(2 Y F_a, F_r) there, with the Y of the bearing, which is not known
-/// here.
-pub fn palmgren_load(series: PalmgrenSeries, radial: f64, axial: f64) -> f64 {
+/// ```text
+///   deep groove: max(3.3 F_a − 0.1 F_r, F_r)        40-degree angular contact: max(F_a − 0.1 F_r, F_r)
+///   cylindrical rollers: F_r                        tapered rollers: max(2 Y F_a, F_r)
+/// ```
+/// Source: Schaeffler, HR 1, 2006, page 60.
+pub fn palmgren_load(series: PalmgrenSeries, radial: f64, axial: f64, axial_factor: f64) -> f64 {
     let (radial, axial) = (radial.abs(), axial.abs());
     match series {
         PalmgrenSeries::DeepGroove60
@@ -122,8 +126,10 @@ pub fn palmgren_load(series: PalmgrenSeries, radial: f64, axial: f64) -> f64 {
         PalmgrenSeries::Cylindrical10
         | PalmgrenSeries::Cylindrical2
         | PalmgrenSeries::Cylindrical3
-        | PalmgrenSeries::Cylindrical22
-        | PalmgrenSeries::Tapered302 => radial,
+        | PalmgrenSeries::Cylindrical22 => radial,
+        PalmgrenSeries::Tapered302 | PalmgrenSeries::Tapered320 => {
+            (2.0 * axial_factor * axial).max(radial)
+        }
     }
 }
 
@@ -189,22 +195,25 @@ mod tests {
         assert_relative_eq!(at(100.1).oil, at(99.9).oil, max_relative = 1e-2);
     }
 
+    /// Y = 1.6: 2 · 1.6 · 1000 N.
     #[test]
     fn decisive_loads() {
+        let tapered = |axial| palmgren_load(PalmgrenSeries::Tapered302, 1000.0, axial, 1.6);
+        assert_eq!([tapered(1000.0), tapered(100.0)], [3200.0, 1000.0]);
         assert_eq!(
-            palmgren_load(PalmgrenSeries::DeepGroove62, 1000.0, 100.0),
+            palmgren_load(PalmgrenSeries::DeepGroove62, 1000.0, 100.0, 0.0),
             1000.0
         );
         assert_eq!(
-            palmgren_load(PalmgrenSeries::DeepGroove62, 1000.0, -1000.0),
+            palmgren_load(PalmgrenSeries::DeepGroove62, 1000.0, -1000.0, 0.0),
             3200.0
         );
         assert_eq!(
-            palmgren_load(PalmgrenSeries::Angular72B, 1000.0, 3000.0),
+            palmgren_load(PalmgrenSeries::Angular72B, 1000.0, 3000.0, 0.0),
             2900.0
         );
         assert_eq!(
-            palmgren_load(PalmgrenSeries::Cylindrical2, 1000.0, 3000.0),
+            palmgren_load(PalmgrenSeries::Cylindrical2, 1000.0, 3000.0, 0.0),
             1000.0
         );
     }

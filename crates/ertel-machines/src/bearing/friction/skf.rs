@@ -1,56 +1,16 @@
-//! SKF's model of friction in deep groove ball bearings, without seals and drag.
+//! SKF's model of friction, without seals and drag.
 
+use super::skf_series::{SkfSeries, Variables};
 use super::{Error, not_negative, positive};
-
-/// Series with constants R_1, R_2, S_1 and S_2.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SkfSeries {
-    /// 2, 3.
-    S2,
-    /// 42, 43.
-    S42,
-    /// 60, 630.
-    S60,
-    /// 62, 622.
-    S62,
-    /// 63, 623.
-    S63,
-    /// 64.
-    S64,
-    /// 160, 161.
-    S160,
-    /// 618.
-    S618,
-    /// 619.
-    S619,
-}
-
-impl SkfSeries {
-    fn constants(self) -> [f64; 4] {
-        match self {
-            SkfSeries::S2 => [4.4e-7, 1.7, 2.00e-3, 100.0],
-            SkfSeries::S42 => [5.4e-7, 0.96, 3.00e-3, 40.0],
-            SkfSeries::S60 => [4.1e-7, 1.7, 3.73e-3, 14.6],
-            SkfSeries::S62 => [3.9e-7, 1.7, 3.23e-3, 36.5],
-            SkfSeries::S63 => [3.7e-7, 1.7, 2.84e-3, 92.8],
-            SkfSeries::S64 => [3.6e-7, 1.7, 2.43e-3, 198.0],
-            SkfSeries::S160 => [4.3e-7, 1.7, 4.63e-3, 4.25],
-            SkfSeries::S618 => [4.7e-7, 1.7, 6.50e-3, 0.78],
-            SkfSeries::S619 => [4.3e-7, 1.7, 4.75e-3, 3.6],
-        }
-    }
-}
 
 /// Constants of lubrication.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SkfParams {
     /// K_rs: 3e-8 of low oil baths and oil jets, 6e-8 of grease and oil-air.
     pub replenishment: f64,
-    /// K_z of the bearing's type: 3.1 of deep groove ball bearings.
-    pub geometry: f64,
     /// μ_bl of boundary lubrication.
     pub boundary_friction: f64,
-    /// μ_EHL of a full film: 0.05 of mineral oils.
+    /// μ_EHL of a full film: 0.05 of mineral oils. Roller bearings have their own, [`SkfSeries::film_friction`].
     pub film_friction: f64,
 }
 
@@ -59,7 +19,6 @@ impl Default for SkfParams {
     fn default() -> SkfParams {
         SkfParams {
             replenishment: 3e-8,
-            geometry: 3.1,
             boundary_friction: 0.12,
             film_friction: 0.05,
         }
@@ -81,8 +40,10 @@ pub struct SkfState {
     pub radial: f64,
     /// F_a, N.
     pub axial: f64,
-    /// C_0, N.
+    /// C_0, N: of deep groove ball bearings.
     pub static_rating: f64,
+    /// Y: of tapered roller bearings.
+    pub axial_factor: f64,
 }
 
 /// Moments and what they are made of.
@@ -109,18 +70,14 @@ impl SkfMoment {
     }
 }
 
-/// Frictional moment of a deep groove ball bearing.
+/// Frictional moment of a bearing.
 ///
 /// ```text
 ///   M_rr = φ_ish φ_rs G_rr (ν n)^0.6        M_sl = G_sl [φ_bl μ_bl + (1 − φ_bl) μ_EHL]
-///   radial:   G_rr = R_1 d_m^1.96 F_r^0.54                    G_sl = S_1 d_m^(−0.26) F_r^(5/3)
-///   combined: G_rr = R_1 d_m^1.96 (F_r + R_2 F_a/sin α_F)^0.54   G_sl = S_1 d_m^(−0.145) (F_r⁵ + S_2 d_m^1.5 F_a⁴/sin α_F)^(1/3)
-///   α_F = 24.6 (F_a/C_0)^0.24 degrees
 ///   φ_ish = 1/[1 + 1.84e-9 (n d_m)^1.28 ν^0.64]     φ_rs = exp{−K_rs ν n (d + D) √[K_z/(2(D − d))]}
 ///   φ_bl = exp[−2.6e-8 (n ν)^1.4 d_m]
 /// ```
-/// in mm, N, 1/min, mm²/s, N·mm. Source: SKF, Rolling Bearings (general catalogue), as a public implementation quotes it; there, loads
-/// enter in kN, which these formulas do not allow.
+/// in mm, N, 1/min, mm²/s, N·mm; G_rr and G_sl by the kind of bearing ([`SkfSeries`]). Source: SKF, Rolling Bearings (general catalogue).
 ///
 /// # Errors
 /// Numbers that are not positive.
@@ -135,38 +92,21 @@ pub fn skf_moment(
     let speed = state.speed.abs() * 30.0 / std::f64::consts::PI;
     let n = not_negative("speed", speed)?;
     let nu = positive("viscosity", state.viscosity)? * 1e6;
-    let radial = not_negative("radial load", state.radial.abs())?;
-    let axial = not_negative("axial load", state.axial.abs())?;
     let pitch = 0.5 * (bore + outside);
-    let [r_1, r_2, s_1, s_2] = series.constants();
-    let size = r_1 * pitch.powf(1.96);
-    let (rolling_variable, sliding_variable) = match axial > 0.0 {
-        false => (
-            size * radial.powf(0.54),
-            s_1 * pitch.powf(-0.26) * radial.powf(5.0 / 3.0),
-        ),
-        true => {
-            let ratio = axial / positive("static rating", state.static_rating)?;
-            let angle = (24.6 * ratio.powf(0.24)).to_radians();
-            let sliding = radial.powi(5) + s_2 * pitch.powf(1.5) * axial.powi(4) / angle.sin();
-            (
-                size * (radial + r_2 * axial / angle.sin()).powf(0.54),
-                s_1 * pitch.powf(-0.145) * sliding.cbrt(),
-            )
-        }
-    };
+    let Variables { rolling, sliding } = series.variables(pitch, n, state)?;
     let inlet_heating = 1.0 / (1.0 + 1.84e-9 * (n * pitch).powf(1.28) * nu.powf(0.64));
-    let width = (params.geometry / (2.0 * (outside - bore))).sqrt();
+    let width = (series.geometry_constant() / (2.0 * (outside - bore))).sqrt();
     let starvation = (-params.replenishment * nu * n * (bore + outside) * width).exp();
     let boundary = (-2.6e-8 * (n * nu).powf(1.4) * pitch).exp();
-    let friction = boundary * params.boundary_friction + (1.0 - boundary) * params.film_friction;
+    let film = series.film_friction().unwrap_or(params.film_friction);
+    let friction = boundary * params.boundary_friction + (1.0 - boundary) * film;
     Ok(SkfMoment {
-        rolling_variable,
-        sliding_variable,
+        rolling_variable: rolling,
+        sliding_variable: sliding,
         inlet_heating,
         starvation,
-        rolling: 1e-3 * inlet_heating * starvation * rolling_variable * (nu * n).powf(0.6),
-        sliding: 1e-3 * sliding_variable * friction,
+        rolling: 1e-3 * inlet_heating * starvation * rolling * (nu * n).powf(0.6),
+        sliding: 1e-3 * sliding * friction,
     })
 }
 
@@ -196,6 +136,7 @@ mod tests {
                 radial: v(5) * 1e3,
                 axial: v(6) * 1e3,
                 static_rating,
+                axial_factor: 0.0,
             };
             let found = skf_moment(series, &state, &SkfParams::default()).unwrap();
             let numbers = [
@@ -215,6 +156,27 @@ mod tests {
         assert_eq!(rows, 6);
     }
 
+    /// 30206 by hand at 1000/min, 30 mm²/s, F_r = 2000 N and F_a = 1000 N with Y = 1.6: 1.76e-6 · 46^2.38 = 0.0159534, (2000 + 10.9 · 1600)^0.31 =
+    /// 19440^0.31 = 21.3499, G_rr = 0.340604, (ν n)^0.6 = 30000^0.6 = 485.593; φ_ish = 1/(1 + 1.84e-9 · 46000^1.28 · 30^0.64) = 0.985156,
+    /// φ_rs = exp(−3e-8 · 30000 · 92 √(6/64)) = 0.974967: M_rr = 158.86 N mm; G_sl = 0.017 · 46^0.82 · 5200 = 2041.39, φ_bl = exp(−2.6e-8 · 30000^1.4 ·
+    /// 46) = 0.109050, μ_sl = 0.013086 + 0.001782 = 0.0148679: M_sl = 30.351 N mm.
+    #[test]
+    fn tapered_rollers_by_hand() {
+        let state = SkfState {
+            bore: 0.030,
+            outside: 0.062,
+            speed: 1000.0 * std::f64::consts::PI / 30.0,
+            viscosity: 30e-6,
+            radial: 2000.0,
+            axial: 1000.0,
+            static_rating: 0.0,
+            axial_factor: 1.6,
+        };
+        let found = skf_moment(SkfSeries::Tapered302, &state, &SkfParams::default()).unwrap();
+        assert_relative_eq!(found.rolling, 158.86e-3, max_relative = 1e-3);
+        assert_relative_eq!(found.sliding, 30.351e-3, max_relative = 1e-3);
+    }
+
     #[test]
     fn bad_numbers() {
         let state = SkfState {
@@ -225,6 +187,7 @@ mod tests {
             radial: 1000.0,
             axial: 100.0,
             static_rating: 0.0,
+            axial_factor: 0.0,
         };
         let solve = |state| skf_moment(SkfSeries::S62, &state, &SkfParams::default());
         assert!(solve(state).is_err());

@@ -35,6 +35,16 @@ pub struct Factors {
     pub limit: f64,
 }
 
+impl Factors {
+    /// P = F_r where F_a/F_r ≤ e, else X F_r + Y F_a; N.
+    pub fn equivalent_load(&self, radial: f64, axial: f64) -> f64 {
+        match axial <= self.limit * radial {
+            true => radial,
+            false => self.radial * radial + self.axial * axial,
+        }
+    }
+}
+
 /// X, Y and e of single-row ball bearings at the nominal contact angle (rad) under F_a/(Z D²) (Pa), both interpolated.
 ///
 /// Source: ISO 281:2007, table 3. Beyond the table's loads its last values hold.
@@ -78,11 +88,7 @@ pub fn dynamic_equivalent_load(
 ) -> Result<f64, Error> {
     let (radial, axial) = (radial.abs(), axial.abs());
     let area = geometry.number as f64 * geometry.ball_diameter.powi(2);
-    let factors = factors(nominal_angle, axial / area)?;
-    Ok(match axial <= factors.limit * radial {
-        true => radial,
-        false => factors.radial * radial + factors.axial * axial,
-    })
+    Ok(factors(nominal_angle, axial / area)?.equivalent_load(radial, axial))
 }
 
 /// Static equivalent radial load P_0, N, with the factors X_0 and Y_0 of the bearing's type.

@@ -10,6 +10,8 @@ mod factor;
 mod fatigue_limit;
 mod rating;
 mod reference;
+mod roller_rating;
+mod roller_reference;
 mod table;
 
 pub use contamination::{Cleanliness, GuideCleanliness, contamination_factor, contamination_guide};
@@ -18,8 +20,13 @@ pub use factor::{
     Kind, Lubrication, life_factor, reference_viscosity, reliability_factor, viscosity_ratio,
 };
 pub use fatigue_limit::{fatigue_limit, fatigue_limit_of_contact, simple_fatigue_limit};
-pub use rating::{ball_rating, ball_rating_factor, deep_groove_static_rating, roller_rating};
+pub use rating::{ball_rating, ball_rating_factor, deep_groove_static_rating};
 pub use reference::{ReferenceLife, equivalent_element_load, reference_life};
+pub use roller_rating::{
+    RollerRow, roller_equivalent_load, roller_factors, roller_rating, roller_rating_factor,
+    roller_static_factors, roller_static_rating,
+};
+pub use roller_reference::{roller_reference_life, stress_riser};
 
 /// Exponent of the life of ball bearings, L10 = (C/P)³.
 pub const BALL_EXPONENT: f64 = 3.0;

@@ -1,13 +1,11 @@
-//! Basic load ratings from the internal geometry.
+//! Basic load ratings of ball bearings from the internal geometry.
 
+use super::Error;
 use super::table::interpolate;
-use super::{Error, positive};
-use crate::bearing::geometry::{BallGeometry, RollerGeometry};
+use crate::bearing::geometry::BallGeometry;
 
 /// b_m of radial and angular contact ball bearings of today's steels (ISO 281:2007, table 1).
 const B_M_BALL: f64 = 1.3;
-/// b_m of cylindrical roller bearings.
-const B_M_ROLLER: f64 = 1.1;
 /// Ball diameter from which the exponent changes, mm.
 const LARGE_BALL: f64 = 25.4;
 
@@ -56,22 +54,6 @@ pub fn ball_rating(geometry: &BallGeometry, nominal_angle: f64) -> Result<f64, E
     Ok(B_M_BALL * f_c * nominal_angle.cos().powf(0.7) * number * size)
 }
 
-/// Basic dynamic radial load rating C_r of a single-row cylindrical roller bearing, N, of the factor f_c that ISO 281 gives for its γ.
-///
-/// C_r = b_m f_c L^(7/9) Z^(3/4) D^(29/27),  L and D in mm
-///
-/// Source: ISO 281:2007, eq. for radial roller bearings, as a public implementation for slewing bearings quotes it. The table of f_c was
-/// not found in a source.
-///
-/// # Errors
-/// f_c that is not positive.
-pub fn roller_rating(geometry: &RollerGeometry, f_c: f64) -> Result<f64, Error> {
-    let number = (geometry.number as f64).powf(0.75);
-    let length = (geometry.length * 1e3).powf(7.0 / 9.0);
-    let diameter = (geometry.roller_diameter * 1e3).powf(29.0 / 27.0);
-    Ok(B_M_ROLLER * positive("f_c", f_c)? * length * number * diameter)
-}
-
 /// Basic static radial load rating C_0r of a single-row ball bearing, N, at the nominal contact angle α (rad).
 ///
 /// C_0r = f_0 Z D² cos α,  D in mm
@@ -94,7 +76,7 @@ pub fn deep_groove_static_rating(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::bearing::geometry::{Play, RollerProfile};
+    use crate::bearing::geometry::Play;
     use approx::assert_relative_eq;
 
     fn of(ball: f64, pitch: f64, number: usize) -> BallGeometry {
@@ -128,21 +110,5 @@ mod tests {
     fn large_balls() {
         let [small, large] = [25.4e-3, 25.4001e-3].map(|d| ball_rating(&of(d, 120e-3, 9), 0.0));
         assert_relative_eq!(small.unwrap(), large.unwrap(), max_relative = 1e-4);
-    }
-
-    /// By hand: 1.1 · 88 · 10^(7/9) · 14^(3/4) · 10^(29/27) = 96.8 · 5.99484 · 7.237624 · 11.85957 = 49810 N.
-    #[test]
-    fn rollers_by_hand() {
-        let bearing = RollerGeometry {
-            roller_diameter: 10e-3,
-            length: 10e-3,
-            pitch_diameter: 54e-3,
-            number: 14,
-            clearance: 0.0,
-            profile: RollerProfile::Cylinder,
-        };
-        let rating = roller_rating(&bearing, 88.0).unwrap();
-        assert_relative_eq!(rating, 49_810.0, max_relative = 1e-3);
-        assert!(roller_rating(&bearing, 0.0).is_err());
     }
 }

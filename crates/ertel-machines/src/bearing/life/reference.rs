@@ -10,13 +10,13 @@ const RESTING: f64 = 10.0 / 3.0;
 /// Reference life and what it is made of.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReferenceLife {
-    /// Q_ci and Q_ce: loads of a ball that each ring bears for a million revolutions, N.
+    /// Q_ci and Q_ce: loads of an element that each ring bears for a million revolutions, N.
     pub rating: [f64; 2],
-    /// Q_ei and Q_ee: equivalent loads of a ball on each ring, N.
+    /// Q_ei and Q_ee: equivalent loads of an element on each ring, N.
     pub equivalent: [f64; 2],
     /// L_10r, revolutions.
     pub life: f64,
-    /// P_ref = C_r/(L_10r/10⁶)^(1/3), N.
+    /// P_ref = C_r/(L_10r/10⁶)^(1/p), N; p = 3 of balls, 10/3 of rollers.
     pub equivalent_load: f64,
 }
 

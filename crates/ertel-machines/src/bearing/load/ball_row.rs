@@ -138,6 +138,7 @@ impl Balls<'_> {
                 ),
                 spin: motion.spin(ring, angle, speeds),
                 slices: Vec::new(),
+                tilt: 0.0,
             }
         });
         Element {

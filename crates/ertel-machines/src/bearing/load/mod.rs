@@ -207,6 +207,8 @@ pub struct RingContact {
     pub spin: [f64; 2],
     /// Slices of rollers; none of balls.
     pub slices: Vec<Slice>,
+    /// By how much a roller is tilted against the raceway, rad: it comes nearer towards larger positions of its slices; 0 of balls.
+    pub tilt: f64,
 }
 
 impl RingContact {
@@ -262,6 +264,17 @@ impl Distribution {
     pub fn loads(&self, ring: Ring) -> Vec<f64> {
         let contacts = self.elements.iter().map(|e| &e.contacts[ring.index()]);
         contacts.map(|contact| contact.load).collect()
+    }
+
+    /// Loads of all slices of all rollers on a ring, N; none of balls.
+    pub fn slice_loads(&self, ring: Ring) -> Vec<Vec<f64>> {
+        let contacts = self.elements.iter().map(|e| &e.contacts[ring.index()]);
+        let loads = contacts.map(|contact| {
+            let length = 2.0 * contact.semi_axes[1] / contact.slices.len().max(1) as f64;
+            let slices = contact.slices.iter();
+            slices.map(|slice| slice.line_load * length).collect()
+        });
+        loads.collect()
     }
 
     /// The contact under the largest load on a ring.

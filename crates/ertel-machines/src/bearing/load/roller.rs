@@ -41,6 +41,8 @@ pub(crate) struct RollerState {
     pub force: Vector2<f64>,
     /// Change of both with shift, m, and tilt, rad, of the inner raceway.
     pub stiffness: Matrix2<f64>,
+    /// Tilts of the roller against both raceways, rad.
+    pub tilts: [f64; 2],
 }
 
 /// Force and moment of one contact with their slopes by shift and tilt, and the load of each slice.
@@ -118,6 +120,7 @@ impl Roller {
                 slices: [both.slices.clone(), both.slices],
                 force: both.force,
                 stiffness: 0.5 * both.slope,
+                tilts: [0.5 * tilt; 2],
             });
         }
         let push = Vector2::new(self.centrifugal, 0.0);
@@ -179,6 +182,7 @@ impl Roller {
             force: inner.force,
             stiffness: inner.slope - inner.slope * follow,
             slices: [inner.slices, outer.slices],
+            tilts: [tilt - place[1], place[1]],
         })
     }
 }

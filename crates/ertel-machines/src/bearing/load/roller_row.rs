@@ -221,6 +221,7 @@ impl Rollers {
             entrainment_speed: self.motion.entrainment_speed,
             spin: self.spin(),
             slices,
+            tilt: state.tilts[ring.index()],
         }
     }
 }

@@ -3,9 +3,11 @@
 use std::f64::consts::FRAC_PI_2;
 
 use ertel_input::{Bounds, InputError, Table};
+use ertel_machines::bearing::geometry::{Ring, radius_along};
+use ertel_machines::bearing::kinematics::{deformed_radius, heathcote_number};
 use ertel_quantity::Dimension;
 
-use super::bearing::{Ring, SOURCE, gamma, rolling};
+use super::bearing::{SOURCE, gamma, radius_formula, read_ring, rolling};
 use super::spin::{self, BallInGrooves};
 use super::{Machine, Rows, point_load, required_length};
 use crate::contact::{Contact, Hertz, Motion};
@@ -24,14 +26,14 @@ const CURVATURE: Bounds = Bounds::open(0.5, f64::INFINITY);
 ///
 /// Source: Harris and Kotzalas 2007, chapter 2 (curvatures ρ of ball and raceways).
 pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machine, InputError> {
-    let ring = Ring::read(table)?;
+    let ring = read_ring(table)?;
     let diameter = required_length(table, "ball_diameter")?;
     let pitch_diameter = required_length(table, "pitch_diameter")?;
     let angle = table.required_quantity("contact_angle", Dimension::ANGLE, ANGLE)?;
     let gamma = gamma(table, "ball_diameter", diameter, pitch_diameter, angle)?;
     let curvature = read_curvature(table, ring)?;
     let radii = [
-        ring.radius_of_rolling(diameter, gamma),
+        radius_along(ring, diameter, gamma),
         diameter / (2.0 - 1.0 / curvature),
     ];
     let ball = 2.0 / diameter;
@@ -49,26 +51,25 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
         ),
     );
     rows.number("γ = D cos α/d_m", gamma, "");
-    rows.length(ring.formula(), radii[0]);
+    rows.length(radius_formula(ring), radii[0]);
     rows.length("R_y = D/(2 − 1/f)", radii[1]);
     rows.number("load of the ball", contact.load, "N");
-    let (motion, relative_speed) = rolling(table, pitch_diameter, gamma, &mut rows)?;
+    let (motion, speeds) = rolling(table, pitch_diameter, gamma, &mut rows)?;
     let ball = BallInGrooves {
         diameter,
         pitch_diameter,
         angle,
-        relative_speed,
+        speeds,
     };
     let motion = Motion {
         spin: spin::read(table, ring, &ball, &mut rows)?,
         ..motion
     };
     let hertz = Hertz::new(&contact, reduced_modulus);
-    let heathcote = heathcote_slip(
+    let heathcote = heathcote_number(
         hertz.half_width_y.unwrap_or(0.0),
+        deformed_radius(curvature, diameter),
         radii[0],
-        diameter,
-        curvature,
     );
     rows.text(
         "Heathcote slip b²/(2 R_d R_x)",
@@ -89,18 +90,6 @@ pub(super) fn read(table: &mut Table<'_>, reduced_modulus: f64) -> Result<Machin
     })
 }
 
-/// Slide-to-roll ratio at the ends of the ellipse, against its middle: ball and groove touch on a surface of the radius R_d, whose distance
-/// from both axes of rotation changes by y²/(2 R_d).
-///
-/// b²/(2 R_d) (2/D ± 1/r) = b²/(2 R_d R_x),  R_d = 2 f D/(2 f + 1)
-///
-/// with the semi-axis b across the motion, R_x, the diameter D of the ball in m, the radius f D of the groove.
-/// Source: Harris and Kotzalas 2007, chapters 2 (deformed surfaces) and 9 (Heathcote).
-fn heathcote_slip(b: f64, radius: f64, diameter: f64, curvature: f64) -> f64 {
-    let deformed = 2.0 * curvature * diameter / (2.0 * curvature + 1.0);
-    b * b / (2.0 * deformed * radius)
-}
-
 /// The curvature f of the groove in question; that of the other ring may be given, too, so that `ring` alone need change.
 fn read_curvature(table: &mut Table<'_>, ring: Ring) -> Result<f64, InputError> {
     let inner = table.optional_number("inner_groove_curvature", CURVATURE)?;
@@ -114,16 +103,4 @@ fn read_curvature(table: &mut Table<'_>, ring: Ring) -> Result<f64, InputError> 
             .missing(key)
             .with_help("the radius of the groove over the diameter of the ball, such as 0.52")
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// By hand for the inner ring of a 6206: R_d = 1.04 · 9.525/2.04 = 4.8559 mm, R_x = 3.7764 mm, b = 1.2 mm: 1.44/(2 · 18.338) = 0.03926.
-    #[test]
-    fn heathcote() {
-        let slip = heathcote_slip(1.2e-3, 3.7764e-3, 9.525e-3, 0.52);
-        approx::assert_relative_eq!(slip, 0.039_26, max_relative = 1e-3);
-    }
 }

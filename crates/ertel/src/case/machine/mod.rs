@@ -16,7 +16,7 @@ mod whole;
 
 pub use cam_turn::CamMechanics;
 pub use gears::{GearLimits, GearMechanics};
-pub use loaded_bearing::{BearingMechanics, Contamination, LifeInputs};
+pub use loaded_bearing::{BearingMechanics, ContactKind, Contamination, LifeInputs};
 pub(super) use whole::contacts;
 pub use whole::{Axis as MachineAxis, MachineContact, MachineContacts, RINGS, WholeMachine};
 
@@ -65,6 +65,15 @@ fn kind(table: &mut Table<'_>) -> Result<MachineKind, InputError> {
     let text = table
         .optional_str("kind")?
         .map(|text| text.replace('_', "-"));
+    if text.is_none()
+        && let Some(designation) = table.optional_str("designation")?
+        && let Some(elements) = Elements::of_designation(designation)
+    {
+        return Ok(match elements {
+            Elements::Balls => MachineKind::BallBearing,
+            Elements::Rollers | Elements::TaperedRollers => MachineKind::RollerBearing,
+        });
+    }
     match KINDS.iter().find(|(name, _)| text.as_deref() == Some(name)) {
         Some((_, kind)) => Ok(*kind),
         None => table.required_choice("kind", &KINDS),

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use ertel_input::{InputError, Table};
+use ertel_machines::bearing::geometry::radius_along;
 
-use super::bearing::{Ring, SOURCE, gamma, rolling};
+use super::bearing::{SOURCE, gamma, radius_formula, read_ring, rolling};
 use super::{Machine, Rows, line_load, required_length};
 use crate::case::roller::read_roller;
 use crate::contact::Contact;
@@ -16,13 +17,13 @@ pub(super) fn read(
     reduced_modulus: f64,
     folder: &Path,
 ) -> Result<Machine, InputError> {
-    let ring = Ring::read(table)?;
+    let ring = read_ring(table)?;
     let diameter = required_length(table, "roller_diameter")?;
     let pitch_diameter = required_length(table, "pitch_diameter")?;
     let length = required_length(table, "roller_length")?;
     // Cylindrical rollers have the contact angle 0.
     let gamma = gamma(table, "roller_diameter", diameter, pitch_diameter, 0.0)?;
-    let radius = ring.radius_of_rolling(diameter, gamma);
+    let radius = radius_along(ring, diameter, gamma);
     let own = 2.0 / diameter;
     let bodies = [[radius.recip() - own, 0.0], [own, 0.0]];
     let mut contact = Contact::line(radius, 0.0).between(bodies);
@@ -42,7 +43,7 @@ pub(super) fn read(
         ),
     );
     rows.number("γ = D/d_m", gamma, "");
-    rows.length(ring.formula(), contact.radius);
+    rows.length(radius_formula(ring), contact.radius);
     rows.number("load of the roller", line_load * length, "N");
     rows.number("load per length Q/l", line_load, "N/m");
     let (motion, _) = rolling(table, pitch_diameter, gamma, &mut rows)?;

@@ -4,18 +4,19 @@ use std::f64::consts::FRAC_PI_2;
 
 use ertel_input::{Bounds, InputError, Table};
 use ertel_machines::bearing::Geometry;
-use ertel_machines::bearing::catalogue::{self, Entry, Internal, Origin, Sourced};
-use ertel_machines::bearing::geometry::{BallGeometry, Play, RollerGeometry, RollerProfile};
+use ertel_machines::bearing::catalogue::{self, Entry, Internal, Origin, Sourced, Special};
+use ertel_machines::bearing::geometry::{BallGeometry, Play};
 use ertel_quantity::Dimension;
 
 use super::super::{Rows, required_length};
+use super::rollers;
 use crate::case::contact::RADIUS;
 use crate::words::{digits, length};
 
 /// Clearances, m; negative where the elements are squeezed.
-const CLEARANCE: Bounds = Bounds::closed(-1e-3, 1e-2);
+pub(super) const CLEARANCE: Bounds = Bounds::closed(-1e-3, 1e-2);
 /// Free contact angles, rad.
-const ANGLE: Bounds = Bounds::closed(0.0, FRAC_PI_2);
+pub(super) const ANGLE: Bounds = Bounds::closed(0.0, FRAC_PI_2);
 /// Radius of a groove over the diameter of the ball.
 const CURVATURE: Bounds = Bounds::open(0.5, f64::INFINITY);
 
@@ -26,6 +27,53 @@ pub(in crate::case::machine) enum Elements {
     Balls,
     /// Cylindrical rollers.
     Rollers,
+    /// Tapered rollers.
+    TaperedRollers,
+}
+
+impl Elements {
+    /// What one of them is called.
+    pub fn word(self) -> &'static str {
+        match self {
+            Elements::Balls => "ball",
+            Elements::Rollers | Elements::TaperedRollers => "roller",
+        }
+    }
+
+    /// The kind of machine that has them, and what they are.
+    fn names(self) -> [&'static str; 2] {
+        match self {
+            Elements::Balls => ["ball-bearing", "balls"],
+            Elements::Rollers => ["roller-bearing", "cylindrical rollers"],
+            Elements::TaperedRollers => ["roller-bearing", "tapered rollers"],
+        }
+    }
+
+    /// Those of a bearing of the catalogue.
+    fn of(entry: &Entry) -> Elements {
+        match entry.internal {
+            Internal::Ball { .. } => Elements::Balls,
+            Internal::Cylindrical { .. } => Elements::Rollers,
+            Internal::Tapered { .. } => Elements::TaperedRollers,
+        }
+    }
+
+    /// Those of a designation; `None` of unknown ones.
+    pub fn of_designation(designation: &str) -> Option<Elements> {
+        catalogue::find(designation)
+            .ok()
+            .map(|entry| Elements::of(&entry))
+    }
+
+    /// Rollers of a file: tapered ones by their designation or their contact angle.
+    pub(super) fn of_rollers(table: &mut Table<'_>) -> Result<Elements, InputError> {
+        let named = table.optional_str("designation")?;
+        let is_tapered = named.and_then(Elements::of_designation) == Some(Elements::TaperedRollers);
+        Ok(match is_tapered || table.contains("contact_angle") {
+            true => Elements::TaperedRollers,
+            false => Elements::Rollers,
+        })
+    }
 }
 
 /// A bearing as the file describes it.
@@ -44,7 +92,7 @@ pub(super) fn read(table: &mut Table<'_>, elements: Elements) -> Result<Inside, 
         Some(given) => Some(find(table, given, elements)?),
         None => None,
     };
-    let known = entry.as_ref().and_then(|entry| entry.internal);
+    let known = entry.as_ref().map(|entry| entry.internal);
     let mut rows = Rows::default();
     if let Some(entry) = &entry {
         let boundary = &entry.boundary;
@@ -53,7 +101,15 @@ pub(super) fn read(table: &mut Table<'_>, elements: Elements) -> Result<Inside, 
         rows.text("bearing", entry.designation.name());
         rows.text(
             "bore, outside, width",
-            format!("{d}, {outside}, {b} mm (ISO 15)"),
+            match boundary.special {
+                Special::Taper { width, .. } => {
+                    let t = digits(1e3 * width, 4);
+                    format!("{d}, {outside}, {b} mm, {t} mm with the cup (ISO 355)")
+                }
+                Special::None | Special::Raceways { .. } => {
+                    format!("{d}, {outside}, {b} mm (ISO 15)")
+                }
+            },
         );
         let ignored = &entry.designation.ignored;
         if !ignored.is_empty() {
@@ -62,7 +118,10 @@ pub(super) fn read(table: &mut Table<'_>, elements: Elements) -> Result<Inside, 
     }
     let geometry = match elements {
         Elements::Balls => Geometry::Ball(balls(table, known, &mut rows)?),
-        Elements::Rollers => Geometry::CylindricalRoller(rollers(table, known, &mut rows)?),
+        Elements::Rollers => Geometry::CylindricalRoller(rollers::read(table, known, &mut rows)?),
+        Elements::TaperedRollers => {
+            Geometry::TaperedRoller(rollers::read_tapered(table, known, &mut rows)?)
+        }
     };
     geometry
         .check()
@@ -84,33 +143,20 @@ fn find(table: &Table<'_>, given: &str, elements: Elements) -> Result<Entry, Inp
                 "the nearest ones are {near}; a bearing that is not in it is described by its dimensions"
             ))
     })?;
-    let kind = match entry.internal {
-        Some(Internal::Ball { .. }) => Some(Elements::Balls),
-        Some(Internal::Cylindrical { .. }) => Some(Elements::Rollers),
-        None => None,
-    };
-    match kind {
-        Some(kind) if kind == elements => Ok(entry),
-        Some(_) => {
-            let (own, other) = match elements {
-                Elements::Balls => ("cylindrical rollers", "roller-bearing"),
-                Elements::Rollers => ("balls", "ball-bearing"),
-            };
-            Err(table
-                .error("designation", format!("{given} has {own}"))
-                .with_help(format!("use kind = \"{other}\"")))
-        }
-        None => Err(table
-            .error(
-                "designation",
-                format!("{given} is a tapered roller bearing, whose inside has no model here"),
-            )
-            .with_help("deep groove and angular contact ball bearings and cylindrical roller bearings have one")),
+    let own = Elements::of(&entry);
+    if own == elements {
+        return Ok(entry);
     }
+    let [kind, names] = own.names();
+    let error = table.error("designation", format!("{given} has {names}"));
+    Err(match kind == elements.names()[0] {
+        true => error.with_help("tapered rollers have a `contact_angle`, cylindrical ones none"),
+        false => error.with_help(format!("use kind = \"{kind}\"")),
+    })
 }
 
 /// How a value is known, in words.
-fn origin(origin: Origin) -> String {
+pub(super) fn origin(origin: Origin) -> String {
     match origin {
         Origin::Published(source) => format!("published: {source}"),
         Origin::Estimated(rule) => format!("estimated: {rule}"),
@@ -119,7 +165,7 @@ fn origin(origin: Origin) -> String {
 }
 
 /// A length of the file, or else that of the catalogue.
-fn length_or(
+pub(super) fn length_or(
     table: &mut Table<'_>,
     key: &str,
     known: Option<Sourced<f64>>,
@@ -133,7 +179,7 @@ fn length_or(
 }
 
 /// The number of elements, likewise.
-fn number_or(
+pub(super) fn number_or(
     table: &mut Table<'_>,
     key: &str,
     known: Option<Sourced<usize>>,
@@ -231,74 +277,4 @@ fn read_play(
             "the radial internal clearance, such as \"10 um\", or `contact_angle`, the contact angle without load",
         )),
     }
-}
-
-fn rollers(
-    table: &mut Table<'_>,
-    known: Option<Internal>,
-    rows: &mut Rows,
-) -> Result<RollerGeometry, InputError> {
-    let (mut d, mut l, mut pitch, mut number) = (None, None, None, None);
-    let (mut gap, mut profile) = (None, Sourced::given(RollerProfile::Cylinder));
-    if let Some(Internal::Cylindrical {
-        roller_diameter,
-        length,
-        pitch_diameter,
-        number: n,
-        clearance,
-        profile: p,
-    }) = known
-    {
-        (d, l, pitch) = (Some(roller_diameter), Some(length), Some(pitch_diameter));
-        (number, gap, profile) = (Some(n), Some(clearance), p);
-    }
-    let roller_diameter = length_or(table, "roller_diameter", d)?;
-    let roller_length = length_or(table, "roller_length", l)?;
-    let pitch_diameter = length_or(table, "pitch_diameter", pitch)?;
-    let number = number_or(table, "rollers", number)?;
-    let given = table.optional_quantity("radial_clearance", Dimension::LENGTH, CLEARANCE)?;
-    let clearance = match (given, gap) {
-        (Some(given), _) => Sourced::given(given),
-        (None, Some(known)) => known,
-        (None, None) => return Err(table.missing("radial_clearance")),
-    };
-    if let Some(chosen) = table.optional_choice(
-        "roller_profile",
-        &[
-            ("cylinder", RollerProfile::Cylinder),
-            ("logarithmic", RollerProfile::Logarithmic),
-        ],
-    )? {
-        profile = Sourced::given(chosen);
-    }
-    let told = |value: String, how: Origin| format!("{value} ({})", origin(how));
-    rows.text(
-        "roller diameter D",
-        told(length(roller_diameter.value), roller_diameter.origin),
-    );
-    rows.text(
-        "roller length L",
-        told(length(roller_length.value), roller_length.origin),
-    );
-    rows.text(
-        "pitch diameter d_m",
-        told(length(pitch_diameter.value), pitch_diameter.origin),
-    );
-    rows.text("rollers Z", told(number.value.to_string(), number.origin));
-    let gap = format!("{} µm", digits(1e6 * clearance.value, 4));
-    rows.text("radial clearance", told(gap, clearance.origin));
-    let shape = match profile.value {
-        RollerProfile::Cylinder => "a cylinder",
-        RollerProfile::Crown(_) => "crowned",
-        RollerProfile::Logarithmic => "logarithmic (ISO/TS 16281)",
-    };
-    rows.text("profile", told(shape.to_owned(), profile.origin));
-    Ok(RollerGeometry {
-        roller_diameter: roller_diameter.value,
-        length: roller_length.value,
-        pitch_diameter: pitch_diameter.value,
-        number: number.value,
-        clearance: clearance.value,
-        profile: profile.value,
-    })
 }

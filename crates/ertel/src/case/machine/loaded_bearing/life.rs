@@ -1,7 +1,7 @@
 //! What a rating life needs beside loads and speeds: ratings, cleanliness, reliability, and how the oil comes to the bearing.
 
 use ertel_input::{Bounds, InputError, Table};
-use ertel_machines::bearing::life::Cleanliness;
+use ertel_machines::bearing::life::{Cleanliness, GuideCleanliness};
 use ertel_quantity::Dimension;
 
 /// Ratings, N.
@@ -18,6 +18,8 @@ pub enum Contamination {
     Factor(f64),
     /// A class of cleanliness of a grease.
     Grease(Cleanliness),
+    /// A class of cleanliness of any lubricant, by the middle of its guide values.
+    Guide(GuideCleanliness),
 }
 
 /// What the file says of ratings, cleanliness and heat.
@@ -39,6 +41,8 @@ pub struct LifeInputs {
     pub is_grease: bool,
     /// Thermal resistance from the bearing to its surroundings, K/W, and their temperature, K.
     pub cooling: Option<[f64; 2]>,
+    /// Whether the contacts are solved at the temperature that their heat leads to, and not at that of the lubricant.
+    pub heat_balance: bool,
 }
 
 /// Reads the keys.
@@ -58,16 +62,30 @@ pub(super) fn read(table: &mut Table<'_>) -> Result<LifeInputs, InputError> {
         ("very-severe-contamination", Cleanliness::VerySevere),
     ];
     let class = table.optional_choice("grease_cleanliness", &classes)?;
-    let contamination = match (factor, class) {
-        (Some(_), Some(_)) => {
-            return Err(table.error(
-                "contamination_factor",
-                "`contamination_factor` and `grease_cleanliness` say the same thing twice; keep one of them",
-            ));
-        }
-        (Some(factor), None) => Some(Contamination::Factor(factor)),
-        (None, class) => class.map(Contamination::Grease),
-    };
+    let guides = [
+        ("extreme", GuideCleanliness::Extreme),
+        ("high", GuideCleanliness::High),
+        ("normal", GuideCleanliness::Normal),
+        ("slight-contamination", GuideCleanliness::Slight),
+        ("typical-contamination", GuideCleanliness::Typical),
+        ("severe-contamination", GuideCleanliness::Severe),
+        ("very-severe-contamination", GuideCleanliness::VerySevere),
+    ];
+    let guide = table.optional_choice("cleanliness", &guides)?;
+    let given = [
+        factor.map(|f| ("contamination_factor", Contamination::Factor(f))),
+        class.map(|class| ("grease_cleanliness", Contamination::Grease(class))),
+        guide.map(|class| ("cleanliness", Contamination::Guide(class))),
+    ];
+    let mut given = given.into_iter().flatten();
+    let contamination = given.next();
+    if let (Some((first, _)), Some((second, _))) = (contamination, given.next()) {
+        return Err(table.error(
+            first,
+            format!("`{first}` and `{second}` say the same thing twice; keep one of them"),
+        ));
+    }
+    let contamination = contamination.map(|(_, contamination)| contamination);
     let reliability = table.optional_number("reliability", Bounds::closed(90.0, 99.95))?;
     let additives = table.optional_bool("ep_additives")?.unwrap_or(false);
     let supplies = [("oil-bath", false), ("grease", true)];
@@ -83,6 +101,12 @@ pub(super) fn read(table: &mut Table<'_>) -> Result<LifeInputs, InputError> {
         ]),
         None => None,
     };
+    let heat_balance = table.optional_bool("heat_balance")?.unwrap_or(false);
+    if heat_balance && cooling.is_none() {
+        return Err(table.missing("thermal_resistance").with_help(
+            "the temperature of a bearing in balance of heat needs `thermal_resistance` and `ambient_temperature`",
+        ));
+    }
     Ok(LifeInputs {
         dynamic_rating,
         static_rating,
@@ -92,5 +116,6 @@ pub(super) fn read(table: &mut Table<'_>) -> Result<LifeInputs, InputError> {
         additives,
         is_grease,
         cooling,
+        heat_balance,
     })
 }

@@ -2,22 +2,23 @@
 
 mod geometry;
 mod life;
+mod rollers;
 
 use ertel_input::{Bounds, InputError, Table};
 use ertel_machines::bearing::catalogue::Entry;
-use ertel_machines::bearing::geometry::{
-    Ring, RollerGeometry as CylindricalRollers, TaperedGeometry as TaperedRollers,
-};
+use ertel_machines::bearing::geometry::{Play, Ring};
 use ertel_machines::bearing::kinematics::{RacewayControl, Speeds};
 use ertel_machines::bearing::load::{Distribution, Error, Given, Loads, Params, RingContact};
-use ertel_machines::bearing::{Bearing, Geometry, Material};
+use ertel_machines::bearing::{Bearing, Geometry, Material, life as ratings};
 use ertel_quantity::Dimension;
 
 pub(super) use geometry::Elements;
+use geometry::Inside;
 pub use life::{Contamination, LifeInputs};
 
 use super::whole::{Axis, Choice, MachineContact, WholeMachine, like};
 use super::{ANGULAR_SPEED, Machine, Mechanics, Rows, Steel};
+use crate::contact::roller::{Profile, Roller};
 use crate::contact::{Contact, Motion};
 use crate::warning::{Warning, WarningKind};
 use crate::words::{digits, length, pressure};
@@ -47,6 +48,19 @@ pub struct BearingMechanics {
     pub distribution: Distribution,
     /// Ratings, cleanliness, cooling.
     pub life: LifeInputs,
+    /// How its contacts are solved.
+    pub contacts: ContactKind,
+}
+
+/// How contacts of a bearing are solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContactKind {
+    /// Ellipses of balls.
+    Ellipses,
+    /// Rollers as lines under their mean load per length.
+    Lines,
+    /// Rollers over their whole length, with relief and tilt.
+    FiniteRollers,
 }
 
 /// An element, by its number from the load on, and a ring.
@@ -58,7 +72,12 @@ pub(super) fn read(
     elements: Elements,
     steel: &Steel,
 ) -> Result<Machine, InputError> {
+    let elements = match elements {
+        Elements::Balls => Elements::Balls,
+        Elements::Rollers | Elements::TaperedRollers => Elements::of_rollers(table)?,
+    };
     let inside = geometry::read(table, elements)?;
+    let kind = contact_kind(table, elements, &inside.geometry)?;
     let speed = |table: &mut Table<'_>, key: &str| {
         table.optional_quantity(key, Dimension::ANGULAR_SPEED, ANGULAR_SPEED)
     };
@@ -88,19 +107,22 @@ pub(super) fn read(
     }
     let distribution = bearing
         .solve(&loads, speeds, &params)
-        .map_err(|error| not_distributed(table, &error))?;
-    let word = word(elements);
+        .map_err(|error| not_distributed(table, &error, &inside, &loads))?;
+    let word = elements.word();
     let chosen = chosen(table, distribution.elements.len(), word)?;
     let governing = chosen.unwrap_or_else(|| heaviest(&distribution));
     let found = at(&distribution, governing);
-    let contact = contact(&inside.geometry, found).ok_or_else(|| {
+    let contact = contact(&inside.geometry, kind, found).ok_or_else(|| {
         table.error(
             "element",
             format!("{} carries no load", name(governing, word)),
         )
     })?;
-    let motion = motion(table, found)?;
+    let motion = motion(table, kind, found)?;
     let life = life::read(table)?;
+    if kind == ContactKind::Lines {
+        warnings.extend(uneven(found, &name(governing, word)));
+    }
     let folders = table.optional_bool("folders")?.unwrap_or(false);
     let mut rows = Rows::default();
     rows.text(
@@ -111,7 +133,7 @@ pub(super) fn read(
     tell(&mut rows, &distribution, (governing, word));
     let [x, y, axial] = distribution.force;
     let whole = chosen.is_none().then(|| {
-        let contacts = contacts(&inside.geometry, &distribution, word);
+        let contacts = contacts(&inside.geometry, kind, &distribution, word);
         let is_it = |c: &MachineContact| c.name == name(governing, word);
         let named = inside.entry.as_ref().map(|e| e.designation.name());
         WholeMachine {
@@ -124,7 +146,7 @@ pub(super) fn read(
             axis: Axis::Around,
             governing: contacts.iter().position(is_it).unwrap_or(0),
             contacts,
-            is_line: elements == Elements::Rollers,
+            is_line: kind == ContactKind::Lines,
             folders,
             mechanics: Mechanics::Bearing(Box::new(BearingMechanics {
                 bearing,
@@ -133,12 +155,13 @@ pub(super) fn read(
                 speeds,
                 distribution: distribution.clone(),
                 life,
+                contacts: kind,
             })),
         }
     });
     let across = match elements {
         Elements::Balls => 0.5 * inside.geometry.element_diameter(),
-        Elements::Rollers => f64::INFINITY,
+        Elements::Rollers | Elements::TaperedRollers => f64::INFINITY,
     };
     Ok(Machine {
         contact,
@@ -151,11 +174,38 @@ pub(super) fn read(
     })
 }
 
-/// What its elements are called.
-fn word(elements: Elements) -> &'static str {
-    match elements {
-        Elements::Balls => "ball",
-        Elements::Rollers => "roller",
+/// How contacts are solved.
+fn contact_kind(
+    table: &mut Table<'_>,
+    elements: Elements,
+    geometry: &Geometry,
+) -> Result<ContactKind, InputError> {
+    if elements == Elements::Balls {
+        return Ok(ContactKind::Ellipses);
+    }
+    let kinds = [
+        ("lines", ContactKind::Lines),
+        ("finite", ContactKind::FiniteRollers),
+    ];
+    let kind = table.optional_choice("roller_contacts", &kinds)?;
+    let kind = kind.unwrap_or(ContactKind::Lines);
+    match kind == ContactKind::FiniteRollers && relief(geometry).is_none() {
+        true => Err(table
+            .error(
+                "roller_contacts",
+                "rollers without relief press with sharp ends, at which the pressure of elastic bodies has no bound",
+            )
+            .with_help("give `roller_profile = \"logarithmic\"`, or solve them as \"lines\"")),
+        false => Ok(kind),
+    }
+}
+
+/// Length of rollers, m, and their relief; `None` of balls and of rollers without relief.
+fn relief(geometry: &Geometry) -> Option<(f64, Profile)> {
+    match geometry {
+        Geometry::Ball(_) => None,
+        Geometry::CylindricalRoller(roller) => Some((roller.length, roller.relief()?)),
+        Geometry::TaperedRoller(roller) => Some((roller.length, roller.relief()?)),
     }
 }
 
@@ -167,7 +217,7 @@ fn params(table: &mut Table<'_>, elements: Elements) -> Result<Params, InputErro
     ];
     let control = match elements {
         Elements::Balls => table.optional_choice("raceway_control", &controls)?,
-        Elements::Rollers => None,
+        Elements::Rollers | Elements::TaperedRollers => None,
     };
     Ok(Params {
         control: control.unwrap_or_default(),
@@ -222,17 +272,78 @@ fn loads(table: &mut Table<'_>, elements: Elements) -> Result<Loads, InputError>
     })
 }
 
+/// Static equivalent loads, in static ratings, from which on they are the reason why no equilibrium is found.
+const OVERLOAD: f64 = 3.0;
+
 /// Says why a bearing has no load distribution.
-fn not_distributed(table: &Table<'_>, error: &Error) -> InputError {
+fn not_distributed(table: &Table<'_>, error: &Error, inside: &Inside, loads: &Loads) -> InputError {
+    let given = |load: &Given| match load {
+        Given::Load(load) => load.abs(),
+        Given::Shift(_) => 0.0,
+    };
     let told = table.error_here(error.to_string());
     match error {
         Error::Unloaded => {
             told.with_help("give `radial_load`, `axial_load` or `axial_preload` other than zero")
         }
-        Error::NoConvergence { .. } | Error::Element { .. } => told.with_help(
-            "check loads, speeds and dimensions: such a bearing has no equilibrium that was found",
-        ),
+        Error::Separation(_) => {
+            let factor = 1.25 * inside.geometry.free_angle().tan();
+            told.with_help(format!(
+                "give `axial_load`, {} of the radial load or more, so that half of the rollers carry, or `axial_preload`",
+                digits(factor, 2)
+            ))
+        }
+        Error::NoConvergence { .. } | Error::Element { .. } => {
+            let load = given(&loads.radial[0]).max(given(&loads.axial));
+            let rating = static_rating(inside);
+            if rating.is_some_and(|rating| load > OVERLOAD * rating) {
+                let rating = rating.unwrap_or(f64::NAN);
+                let key = match given(&loads.radial[0]) >= given(&loads.axial) {
+                    true => "radial_load",
+                    false => "axial_load",
+                };
+                return table
+                    .error(
+                        key,
+                        format!(
+                            "{} kN are {} times the static load rating C_0 of {} kN: the elements are pressed so deep into the rings that no equilibrium was found",
+                            digits(1e-3 * load, 4),
+                            digits(load / rating, 3),
+                            digits(1e-3 * rating, 4),
+                        ),
+                    )
+                    .with_help("the raceways are dented for good from about the static rating on: give a smaller load, or a larger bearing");
+            }
+            let help = match inside.geometry {
+                Geometry::TaperedRoller(roller) => format!(
+                    "a radial load pushes the rings of tapered rollers apart: give `axial_load` of at least {} of the radial load, so that half of the \
+                     rollers carry, or `axial_preload`",
+                    digits(1.25 * roller.cup_angle.tan(), 2)
+                ),
+                _ => "check loads, speeds and dimensions: such a bearing has no equilibrium that was found".to_owned(),
+            };
+            told.with_help(help)
+        }
         _ => told,
+    }
+}
+
+/// C_0, N, as far as catalogue or geometry tell.
+fn static_rating(inside: &Inside) -> Option<f64> {
+    let published = inside.entry.as_ref().and_then(|entry| entry.ratings);
+    if let Some(published) = published {
+        return Some(published.value[1]);
+    }
+    match &inside.geometry {
+        Geometry::Ball(ball) => {
+            let nominal = match ball.play {
+                Play::FreeAngle(angle) => angle,
+                Play::Clearance(_) => 0.0,
+            };
+            ratings::deep_groove_static_rating(ball, nominal).ok()
+        }
+        Geometry::CylindricalRoller(roller) => Some(ratings::roller_static_rating(&roller.into())),
+        Geometry::TaperedRoller(roller) => Some(ratings::roller_static_rating(&roller.into())),
     }
 }
 
@@ -260,16 +371,27 @@ fn name((element, ring): Place, word: &str) -> String {
     format!("{word} {element}, {} ring", ring.name())
 }
 
-/// The contact for a solver: an ellipse of a ball; of a roller the line under its mean load per length. `None` where nothing presses.
-fn contact(geometry: &Geometry, found: &RingContact) -> Option<Contact> {
-    match geometry {
-        Geometry::Ball(_) => found.ellipse(),
-        Geometry::CylindricalRoller(CylindricalRollers { length, .. })
-        | Geometry::TaperedRoller(TaperedRollers { length, .. }) => {
-            let line = Contact::line(found.radii[0], found.load / length);
-            (found.load > 0.0).then(|| line.between(found.curvatures))
-        }
+/// The contact for a solver: an ellipse of a ball; of a roller the line under its mean load per length, or the whole roller with its tilt. `None` where
+/// nothing presses.
+fn contact(geometry: &Geometry, kind: ContactKind, found: &RingContact) -> Option<Contact> {
+    if found.load <= 0.0 {
+        return None;
     }
+    let radius = found.radii[0];
+    let contact = match kind {
+        ContactKind::Ellipses => return found.ellipse(),
+        ContactKind::Lines => Contact::line(radius, 0.5 * found.load / found.semi_axes[1]),
+        ContactKind::FiniteRollers => {
+            let (length, profile) = relief(geometry)?;
+            let roller = Roller {
+                length,
+                profile,
+                misalignment: found.tilt,
+            };
+            Contact::of_roller(radius, found.load, roller)
+        }
+    };
+    Some(contact.between(found.curvatures))
 }
 
 /// The contact under the largest pressure.
@@ -287,14 +409,50 @@ fn heaviest(distribution: &Distribution) -> Place {
     best
 }
 
+/// Share of the mean load per length, above one, from which on a line under it does not stand for its roller.
+const UNEVEN: f64 = 1.5;
+
+/// What to know of a roller that is solved as a line.
+fn uneven(contact: &RingContact, name: &str) -> Option<Warning> {
+    let share = peak_slice(contact).filter(|share| *share > UNEVEN)?;
+    Some(Warning::beyond(
+        WarningKind::Other,
+        share,
+        format!(
+            "{name} is solved as a line under its mean load per length, but its heaviest slice carries {} times that{}: give `roller_contacts = \"finite\"`",
+            digits(share, 3),
+            match contact.tilt.abs() > 1e-9 {
+                true => format!(
+                    " (it is tilted by {} mrad)",
+                    digits(1e3 * contact.tilt.abs(), 3)
+                ),
+                false => String::new(),
+            }
+        ),
+    ))
+}
+
+/// Load per length of the heaviest slice of a roller over its mean; `None` of balls, and where nothing presses.
+pub(crate) fn peak_slice(contact: &RingContact) -> Option<f64> {
+    let n = contact.slices.len();
+    let sum: f64 = contact.slices.iter().map(|slice| slice.line_load).sum();
+    let most = (contact.slices.iter()).fold(0.0_f64, |most, slice| most.max(slice.line_load));
+    (sum > 0.0).then(|| most * n as f64 / sum)
+}
+
 /// Every element at both rings. An element that the inner ring does not touch is pressed by its inertia alone: such contacts are told, not solved.
-fn contacts(geometry: &Geometry, distribution: &Distribution, word: &str) -> Vec<MachineContact> {
+fn contacts(
+    geometry: &Geometry,
+    kind: ContactKind,
+    distribution: &Distribution,
+    word: &str,
+) -> Vec<MachineContact> {
     let places = || (0..distribution.elements.len()).flat_map(|e| Ring::BOTH.map(|r| (e, r)));
-    let apart: Vec<Option<[f64; 6]>> = places()
+    let apart: Vec<Option<[f64; 7]>> = places()
         .map(|place| {
             let found = at(distribution, place);
             let is_held = at(distribution, (place.0, Ring::Inner)).load > 0.0;
-            let solved = contact(geometry, found).filter(|_| is_held)?;
+            let solved = contact(geometry, kind, found).filter(|_| is_held)?;
             let [own, other] = found.spin;
             Some([
                 solved.load,
@@ -307,6 +465,7 @@ fn contacts(geometry: &Geometry, distribution: &Distribution, word: &str) -> Vec
                 found.entrainment_speed,
                 own,
                 other,
+                (solved.roller.as_ref()).map_or(0.0, |roller| roller.misalignment),
             ])
         })
         .collect();
@@ -321,7 +480,7 @@ fn contacts(geometry: &Geometry, distribution: &Distribution, word: &str) -> Vec
                 ],
                 place: distribution.elements[element].position,
                 side: ring.index(),
-                load: contact(geometry, found).map_or(0.0, |contact| contact.load),
+                load: contact(geometry, kind, found).map_or(0.0, |contact| contact.load),
                 hertz_pressure: found.pressure,
                 like,
             }
@@ -329,13 +488,21 @@ fn contacts(geometry: &Geometry, distribution: &Distribution, word: &str) -> Vec
         .collect()
 }
 
-/// The motion of a contact, which rolls and may spin.
-fn motion(table: &Table<'_>, contact: &RingContact) -> Result<Motion, InputError> {
+/// The motion of a contact, which rolls; balls may spin. Tapered rollers spin with their raceways, so that nothing slides: along the contact their
+/// speed is that of its middle.
+fn motion(
+    table: &Table<'_>,
+    kind: ContactKind,
+    contact: &RingContact,
+) -> Result<Motion, InputError> {
     let speed = contact.entrainment_speed;
     let straight = super::motion(table, "inner_ring_speed", speed, speed)?;
-    Ok(Motion {
-        spin: contact.spin,
-        ..straight
+    Ok(match kind {
+        ContactKind::Ellipses => Motion {
+            spin: contact.spin,
+            ..straight
+        },
+        ContactKind::Lines | ContactKind::FiniteRollers => straight,
     })
 }
 
@@ -374,6 +541,21 @@ fn tell(rows: &mut Rows, found: &Distribution, (governing, word): (Place, &str))
     rows.number("  its load", contact.load, "N");
     rows.text("  its Hertz pressure", pressure(contact.pressure));
     rows.number("  its contact angle", contact.angle.to_degrees(), "deg");
+    if let Some(share) = peak_slice(contact) {
+        rows.number(
+            "  load per length of its heaviest slice, over the mean",
+            share,
+            "",
+        );
+    }
+    let rib = found
+        .elements
+        .iter()
+        .map(|e| e.rib_load)
+        .fold(0.0, f64::max);
+    if rib > 0.0 {
+        rows.number("largest load of a roller on the rib", rib, "N");
+    }
     rows.text(
         "source",
         "loads: ISO/TS 16281 with forces of inertia; motion: Jones 1959, Harris and Kotzalas 2007",

@@ -35,6 +35,14 @@ inner_ring_speed = "3000 rpm"
 radial_load = "5 kN"
 "#;
 
+const TAPERED: &str = r#"
+kind = "roller-bearing"
+designation = "30206"
+inner_ring_speed = "3000 rpm"
+radial_load = "5 kN"
+axial_load = "2 kN"
+"#;
+
 fn read(machine: &str) -> Case {
     let steel = "{ youngs_modulus = \"206 GPa\", poissons_ratio = 0.3, density = \"7850 kg/m^3\" }";
     let rest = REST.replace("\"steel\"", steel);
@@ -171,6 +179,63 @@ fn rollers_are_lines() {
     assert_relative_eq!(along, 5000.0, max_relative = 1e-6);
 }
 
+/// A designation says the kind of bearing. Loads by hand: at the cup Σ Q sin α = F_a, each Q over 10.9 mm/0.8·14 mm of length.
+#[test]
+fn tapered_rollers() {
+    let case = read(TAPERED);
+    let without_kind = read(&TAPERED.replace("kind = \"roller-bearing\"", ""));
+    assert_eq!(case.contact, without_kind.contact);
+    let whole = case.whole.as_ref().unwrap();
+    let Mechanics::Bearing(bearing) = &whole.mechanics else {
+        panic!("a bearing");
+    };
+    let elements = &bearing.distribution.elements;
+    // The cup bears all; the centrifugal force of the rollers acts outwards, across the axis.
+    let cup = |part: &dyn Fn(f64) -> f64| -> f64 {
+        elements
+            .iter()
+            .map(|e| e.contacts[1].load * part(e.position))
+            .sum()
+    };
+    let angle = 14.036_1_f64.to_radians();
+    assert_relative_eq!(cup(&|_| angle.sin()), 2000.0, max_relative = 1e-6);
+    assert_relative_eq!(
+        cup(&|psi| angle.cos() * psi.cos()),
+        5000.0,
+        max_relative = 1e-4
+    );
+    assert!(whole.is_line && elements.iter().all(|e| e.rib_load > 0.0));
+    let length = 0.8 * 14e-3;
+    assert_relative_eq!(
+        whole.contacts[0].load * length,
+        elements[0].contacts[0].load,
+        max_relative = 1e-12
+    );
+    assert_eq!(case.motion.spin, [0.0; 2]);
+}
+
+/// Tilted rollers are solved over their length with the tilt of each contact: half of the tilt of the rings in the plane of the load, nearly nothing across it.
+#[test]
+fn finite_rollers_are_tilted() {
+    let tilted = format!("{ROLLERS}misalignment = \"0.5 mrad\"\n");
+    let lines = read(&format!("{ROLLERS}misalignment = \"2.5 mrad\"\n"));
+    let told = |case: &Case| {
+        case.warnings
+            .iter()
+            .any(|w| w.text.contains("heaviest slice"))
+    };
+    assert!(told(&lines) && !told(&read(ROLLERS)));
+    let case = read(&format!("{tilted}roller_contacts = \"finite\"\n"));
+    assert!(!told(&case));
+    let roller = case.contact.roller.as_ref().unwrap();
+    assert_relative_eq!(roller.misalignment.abs(), 0.25e-3, max_relative = 0.05);
+    let whole = case.whole.as_ref().unwrap();
+    assert!(!whole.is_line);
+    assert_relative_eq!(case.contact.load, whole.contacts[whole.governing].load);
+    let straight = read(&format!("{ROLLERS}roller_contacts = \"finite\"\n"));
+    assert_eq!(straight.contact.roller.as_ref().unwrap().misalignment, 0.0);
+}
+
 #[test]
 fn bad_bearings_are_refused_with_their_reason() {
     for (machine, old, new, words) in [
@@ -186,7 +251,48 @@ fn bad_bearings_are_refused_with_their_reason() {
             "NU 206 E",
             &["has cylindrical rollers", "roller-bearing"],
         ),
-        (NAMED, "6206", "30206", &["tapered roller bearing"]),
+        (
+            NAMED,
+            "6206",
+            "30206",
+            &["has tapered rollers", "roller-bearing"],
+        ),
+        (
+            TAPERED,
+            "axial_load = \"2 kN\"",
+            "",
+            &["needs an axial load", "0.31 of the radial load"],
+        ),
+        (
+            TAPERED,
+            "axial_load = \"2 kN\"",
+            "axial_load = \"1 N\"",
+            &["0.31 of the radial load"],
+        ),
+        (
+            TAPERED,
+            "radial_load",
+            "radial_clearance = \"5 um\"\nradial_load",
+            &["how the bearing is set"],
+        ),
+        (
+            NAMED,
+            "\"2 kN\"",
+            "\"2000 kN\"",
+            &["radial_load", "static load rating", "11.26 kN"],
+        ),
+        (
+            ROLLERS,
+            "radial_load",
+            "roller_profile = \"cylinder\"\nroller_contacts = \"finite\"\nradial_load",
+            &["without relief", "logarithmic"],
+        ),
+        (
+            NAMED,
+            "radial_load",
+            "contamination_factor = 0.5\ncleanliness = \"high\"\nradial_load",
+            &["say the same thing twice"],
+        ),
         (
             NAMED,
             "\"2 kN\"",

@@ -1,0 +1,217 @@
+//! Series of bearings, and what they are called elsewhere.
+
+use super::{Boundary, Special, dimensions as table, tapered};
+use crate::bearing::friction::{PalmgrenSeries, SkfSeries};
+
+/// Series of the catalogue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Series {
+    /// Deep groove ball bearings 60.
+    DeepGroove60,
+    /// 62.
+    DeepGroove62,
+    /// 63.
+    DeepGroove63,
+    /// Angular contact ball bearings 72..B.
+    Angular72B,
+    /// 73..B.
+    Angular73B,
+    /// Cylindrical roller bearings NU10.
+    CylindricalNu10,
+    /// NU2..E.
+    CylindricalNu2,
+    /// NU3..E.
+    CylindricalNu3,
+    /// Tapered roller bearings 302.
+    Tapered302,
+    /// 303.
+    Tapered303,
+    /// 320..X.
+    Tapered320X,
+    /// 322.
+    Tapered322,
+    /// 323.
+    Tapered323,
+}
+
+impl Series {
+    /// All of them.
+    pub const ALL: [Series; 13] = [
+        Series::DeepGroove60,
+        Series::DeepGroove62,
+        Series::DeepGroove63,
+        Series::Angular72B,
+        Series::Angular73B,
+        Series::CylindricalNu10,
+        Series::CylindricalNu2,
+        Series::CylindricalNu3,
+        Series::Tapered302,
+        Series::Tapered303,
+        Series::Tapered320X,
+        Series::Tapered322,
+        Series::Tapered323,
+    ];
+
+    /// Whether its bearings have tapered rollers.
+    pub fn is_tapered(self) -> bool {
+        matches!(
+            self,
+            Series::Tapered302
+                | Series::Tapered303
+                | Series::Tapered320X
+                | Series::Tapered322
+                | Series::Tapered323
+        )
+    }
+
+    /// What stands before and after the bore code.
+    pub(super) fn affixes(self) -> [&'static str; 2] {
+        match self {
+            Series::DeepGroove60 => ["60", ""],
+            Series::DeepGroove62 => ["62", ""],
+            Series::DeepGroove63 => ["63", ""],
+            Series::Angular72B => ["72", "B"],
+            Series::Angular73B => ["73", "B"],
+            Series::CylindricalNu10 => ["NU10", ""],
+            Series::CylindricalNu2 => ["NU2", "E"],
+            Series::CylindricalNu3 => ["NU3", "E"],
+            Series::Tapered302 => ["302", ""],
+            Series::Tapered303 => ["303", ""],
+            Series::Tapered320X => ["320", "X"],
+            Series::Tapered322 => ["322", ""],
+            Series::Tapered323 => ["323", ""],
+        }
+    }
+
+    /// Rows of bore code, d, D and B (mm), and further dimensions.
+    fn rows(self) -> Vec<Vec<f64>> {
+        fn all<const N: usize>(rows: &[[f64; N]]) -> Vec<Vec<f64>> {
+            rows.iter().map(|row| row.to_vec()).collect()
+        }
+        match self {
+            Series::DeepGroove60 => all(&table::DEEP_GROOVE_60),
+            Series::DeepGroove62 => all(&table::DEEP_GROOVE_62),
+            Series::DeepGroove63 => all(&table::DEEP_GROOVE_63),
+            Series::Angular72B => all(&table::ANGULAR_72B),
+            Series::Angular73B => all(&table::ANGULAR_73B),
+            Series::CylindricalNu10 => all(&table::CYLINDRICAL_NU10),
+            Series::CylindricalNu2 => all(&table::CYLINDRICAL_NU2),
+            Series::CylindricalNu3 => all(&table::CYLINDRICAL_NU3),
+            Series::Tapered302 => all(&tapered::TAPERED_302),
+            Series::Tapered303 => all(&tapered::TAPERED_303),
+            Series::Tapered320X => all(&tapered::TAPERED_320X),
+            Series::Tapered322 => all(&tapered::TAPERED_322),
+            Series::Tapered323 => all(&tapered::TAPERED_323),
+        }
+    }
+
+    /// Nominal contact angle of ratings, rad; `None` of tapered roller bearings, whose angles differ.
+    pub fn nominal_angle(self) -> Option<f64> {
+        match self {
+            Series::DeepGroove60
+            | Series::DeepGroove62
+            | Series::DeepGroove63
+            | Series::CylindricalNu10
+            | Series::CylindricalNu2
+            | Series::CylindricalNu3 => Some(0.0),
+            Series::Angular72B | Series::Angular73B => Some(40_f64.to_radians()),
+            Series::Tapered302
+            | Series::Tapered303
+            | Series::Tapered320X
+            | Series::Tapered322
+            | Series::Tapered323 => None,
+        }
+    }
+
+    /// Its series in SKF's model of friction.
+    pub fn skf(self) -> SkfSeries {
+        match self {
+            Series::DeepGroove60 => SkfSeries::S60,
+            Series::DeepGroove62 => SkfSeries::S62,
+            Series::DeepGroove63 => SkfSeries::S63,
+            Series::Angular72B | Series::Angular73B => SkfSeries::AngularContact,
+            Series::CylindricalNu10 => SkfSeries::Cylindrical10,
+            Series::CylindricalNu2 | Series::CylindricalNu3 => SkfSeries::Cylindrical2,
+            Series::Tapered302 => SkfSeries::Tapered302,
+            Series::Tapered303 => SkfSeries::Tapered303,
+            Series::Tapered320X => SkfSeries::Tapered320X,
+            Series::Tapered322 => SkfSeries::Tapered322,
+            Series::Tapered323 => SkfSeries::Tapered323,
+        }
+    }
+
+    /// Its series in Palmgren's model of friction.
+    pub fn palmgren(self) -> PalmgrenSeries {
+        match self {
+            Series::DeepGroove60 => PalmgrenSeries::DeepGroove60,
+            Series::DeepGroove62 => PalmgrenSeries::DeepGroove62,
+            Series::DeepGroove63 => PalmgrenSeries::DeepGroove63,
+            Series::Angular72B => PalmgrenSeries::Angular72B,
+            Series::Angular73B => PalmgrenSeries::Angular73B,
+            Series::CylindricalNu10 => PalmgrenSeries::Cylindrical10,
+            Series::CylindricalNu2 => PalmgrenSeries::Cylindrical2,
+            Series::CylindricalNu3 => PalmgrenSeries::Cylindrical3,
+            Series::Tapered302 | Series::Tapered303 => PalmgrenSeries::Tapered302,
+            Series::Tapered320X | Series::Tapered322 | Series::Tapered323 => {
+                PalmgrenSeries::Tapered320
+            }
+        }
+    }
+
+    /// X_0 and Y_0 of the static equivalent load; `None` of tapered roller bearings, whose factors follow from their angles. Schaeffler, HR 1,
+    /// 2006.
+    pub fn static_factors(self) -> Option<[f64; 2]> {
+        match self {
+            Series::DeepGroove60 | Series::DeepGroove62 | Series::DeepGroove63 => Some([0.6, 0.5]),
+            Series::Angular72B | Series::Angular73B => Some([0.5, 0.26]),
+            Series::CylindricalNu10 | Series::CylindricalNu2 | Series::CylindricalNu3 => {
+                Some([1.0, 0.0])
+            }
+            Series::Tapered302
+            | Series::Tapered303
+            | Series::Tapered320X
+            | Series::Tapered322
+            | Series::Tapered323 => None,
+        }
+    }
+
+    /// Bore codes of the catalogue.
+    pub fn codes(self) -> impl Iterator<Item = u8> {
+        self.rows().into_iter().map(|row| row[0] as u8)
+    }
+
+    fn row(self, code: u8) -> Option<Vec<f64>> {
+        (self.rows().into_iter()).find(|row| row[0] == f64::from(code))
+    }
+
+    /// Dimensions of a bore code.
+    pub(super) fn boundary(self, code: u8) -> Option<Boundary> {
+        let row = self.row(code)?;
+        let special = match row[4..] {
+            [inner, outer] => Special::Raceways {
+                inner: inner * 1e-3,
+                outer: outer * 1e-3,
+            },
+            [cup_width, width, degrees, ..] => Special::Taper {
+                cup_width: cup_width * 1e-3,
+                width: width * 1e-3,
+                contact_angle: degrees.to_radians(),
+            },
+            _ => Special::None,
+        };
+        Some(Boundary {
+            bore: row[1] * 1e-3,
+            outside: row[2] * 1e-3,
+            width: row[3] * 1e-3,
+            special,
+        })
+    }
+
+    /// C and C_0, kN, where the table has them.
+    pub(super) fn ratings(self, code: u8) -> Option<[f64; 2]> {
+        match self.row(code)?[..] {
+            [.., dynamic, static_rating] if self.is_tapered() => Some([dynamic, static_rating]),
+            _ => None,
+        }
+    }
+}

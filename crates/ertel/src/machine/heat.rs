@@ -1,0 +1,168 @@
+//! A bearing in balance of heat: its contacts are solved at the temperature that their friction leads to.
+//!
+//! ```text
+//!   T = T_ambient + R P(T)
+//! ```
+//! by the secant method on T_ambient + R P(T) − T. P falls with T, so that the first step goes half of the way.
+
+use ertel_input::InputError;
+
+use super::figures;
+use crate::case::{Case, Mechanics};
+use crate::study::{CurveObserver, MachineSolution, solve_machine};
+
+/// K by which the temperature that the heat leads to may differ from that of the lubricant.
+const TOLERANCE: f64 = 0.1;
+/// Rounds at the most.
+const ROUNDS: usize = 8;
+/// Largest step, K.
+const STEP: f64 = 40.0;
+
+/// A machine that was solved, with the case at whose temperature it was.
+#[derive(Clone, Debug)]
+pub struct SolvedMachine {
+    /// The case of the last round; the machine's own without a balance of heat.
+    pub case: Case,
+    /// The contacts.
+    pub solution: MachineSolution,
+    /// How the balance was found; `None` where the case asks for none, or where contacts failed or were not solved.
+    pub balance: Option<Balance>,
+}
+
+/// A balance of heat.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Balance {
+    /// Temperature of the lubricant in the last round, K.
+    pub temperature: f64,
+    /// By how much the temperature that the heat leads to is higher, K.
+    pub rest: f64,
+    /// Rounds, each with all contacts.
+    pub rounds: usize,
+}
+
+impl Balance {
+    /// Whether it was found.
+    pub fn is_found(&self) -> bool {
+        self.rest.abs() < TOLERANCE
+    }
+}
+
+/// Solves the contacts of a machine, at the temperature of its balance of heat where the case asks for it; `None` of a case that is no machine.
+///
+/// # Errors
+/// Laws of the lubricant that do not reach a temperature on the way.
+pub fn solve(
+    case: &Case,
+    observer: &mut dyn CurveObserver,
+) -> Result<Option<SolvedMachine>, InputError> {
+    let Some(contacts) = &case.contacts else {
+        return Ok(None);
+    };
+    let mut solved = SolvedMachine {
+        case: case.clone(),
+        solution: solve_machine(contacts, observer),
+        balance: None,
+    };
+    if !asks_for_balance(&solved.solution) {
+        return Ok(Some(solved));
+    }
+    let mut before: Option<[f64; 2]> = None;
+    for rounds in 1..=ROUNDS {
+        let Some(aim) = temperature(&solved) else {
+            return Ok(Some(solved));
+        };
+        let own = solved.case.lubricant.temperature;
+        let balance = Balance {
+            temperature: own,
+            rest: aim - own,
+            rounds,
+        };
+        solved.balance = Some(balance);
+        if balance.is_found() || rounds == ROUNDS {
+            break;
+        }
+        let next = own + step(before, [own, balance.rest]);
+        before = Some([own, balance.rest]);
+        let case = solved.case.at_temperature(next)?;
+        let Some(contacts) = case.contacts.clone() else {
+            break;
+        };
+        solved.solution = solve_machine(&contacts, observer);
+        solved.case = case;
+    }
+    tell(&mut solved);
+    Ok(Some(solved))
+}
+
+/// Whether the case asks for a balance.
+fn asks_for_balance(solution: &MachineSolution) -> bool {
+    match &solution.machine.mechanics {
+        Mechanics::Bearing(bearing) => bearing.life.heat_balance,
+        Mechanics::Gears(_) | Mechanics::Cam(_) => false,
+    }
+}
+
+/// The temperature that the heat of all contacts leads to, K.
+fn temperature(solved: &SolvedMachine) -> Option<f64> {
+    let figures = figures(&solved.case, &solved.solution);
+    Some(figures.find("bearing_temperature")?.estimate.value)
+}
+
+/// The next step, K, from the points (temperature, rest) before and now: half of the rest at first, then by the secant, which must fall.
+fn step(before: Option<[f64; 2]>, [own, rest]: [f64; 2]) -> f64 {
+    let slope = before.map(|[at, was]| (rest - was) / (own - at));
+    let step = match slope {
+        Some(slope) if slope < -0.2 => -rest / slope,
+        _ => 0.5 * rest,
+    };
+    step.clamp(-STEP, STEP)
+}
+
+/// Tells of the balance among the rows of the machine.
+fn tell(solved: &mut SolvedMachine) {
+    let (Some(balance), Some(machine)) = (solved.balance, &mut solved.case.machine) else {
+        return;
+    };
+    let rest = format!("{:.2} K", balance.rest);
+    let text = match balance.is_found() {
+        true => format!(
+            "at {:.1} K after {} rounds, within {rest}",
+            balance.temperature, balance.rounds
+        ),
+        false => format!(
+            "not found in {} rounds: the lubricant was at {:.1} K in the last one, and the heat led {rest} further",
+            balance.rounds, balance.temperature
+        ),
+    };
+    machine.rows.push(("balance of heat".to_owned(), text));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A power of 60 W that halves with every 20 K, 1 K/W: the root of x = 60 · 2^(−x/20) by halving an interval.
+    #[test]
+    fn secant() {
+        let rest = |x: f64| 60.0 * (-x / 20.0).exp2() - x;
+        let (mut low, mut high) = (0.0, 60.0);
+        for _ in 0..60 {
+            let middle: f64 = 0.5 * (low + high);
+            if rest(middle) > 0.0 {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let (mut x, mut before) = (60.0, None);
+        let mut rounds = 0;
+        while rest(x).abs() >= TOLERANCE {
+            let now = [x, rest(x)];
+            x += step(before, now);
+            before = Some(now);
+            rounds += 1;
+            assert!(rounds < ROUNDS, "{x}");
+        }
+        assert!((x - low).abs() < 0.1, "{x} {low}");
+    }
+}

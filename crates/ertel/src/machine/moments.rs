@@ -1,0 +1,82 @@
+//! Frictional moments of bearings by the models of catalogues, beside what the films say.
+
+use ertel_machines::bearing::friction::{
+    PalmgrenOil, SkfParams, SkfState, palmgren_load, palmgren_moment, skf_moment,
+};
+use ertel_machines::bearing::{Geometry, life};
+
+use super::Section;
+use super::life::Collected;
+use crate::case::BearingMechanics;
+
+/// Adds them where the bearing has a series; viscosity in m²/s, C_0 and P_0 in N.
+pub(super) fn add(
+    mechanics: &BearingMechanics,
+    viscosity: f64,
+    [static_rating, static_load]: [f64; 2],
+    out: &mut Collected,
+) {
+    let Some(entry) = &mechanics.entry else {
+        return;
+    };
+    let [radial, axial] = mechanics.loads;
+    let speed = mechanics.speeds.relative();
+    let axial_factor = match &mechanics.bearing.geometry {
+        Geometry::TaperedRoller(roller) => {
+            life::roller_factors(roller.cup_angle).map_or(0.0, |factors| factors.axial)
+        }
+        Geometry::Ball(_) | Geometry::CylindricalRoller(_) => 0.0,
+    };
+    let state = SkfState {
+        bore: entry.boundary.bore,
+        outside: entry.boundary.outside,
+        speed,
+        viscosity,
+        radial,
+        axial,
+        static_rating,
+        axial_factor,
+    };
+    let params = SkfParams {
+        replenishment: if mechanics.life.is_grease { 6e-8 } else { 3e-8 },
+        ..SkfParams::default()
+    };
+    let series = entry.designation.series;
+    if let Ok(moment) = skf_moment(series.skf(), &state, &params) {
+        out.add(
+            Section::Friction,
+            ("friction_torque_skf", "beside it: torque by SKF's model"),
+            moment.total(),
+            "N m",
+            match series.is_tapered() {
+                true => {
+                    "SKF: a mineral oil, without seals and churning; its sliding part alone stands for the rib, its rolling part for cage and oil as well"
+                }
+                false => {
+                    "SKF: a mineral oil, without seals and churning; its rolling part stands for cage and oil as well"
+                }
+            },
+        );
+    }
+    let palmgren = series.palmgren();
+    let supply = match mechanics.life.is_grease {
+        true => PalmgrenOil::Grease,
+        false => PalmgrenOil::Bath,
+    };
+    let mean = entry.boundary.mean_diameter();
+    let load = palmgren_load(palmgren, radial, axial, axial_factor);
+    let moment = (palmgren.factors(supply, static_load, static_rating).ok())
+        .and_then(|factors| palmgren_moment(factors, mean, speed, viscosity, load).ok());
+    if let Some(moment) = moment {
+        out.add(
+            Section::Friction,
+            (
+                "friction_torque_palmgren",
+                "beside it: torque by Palmgren's model",
+            ),
+            moment.total(),
+            "N m",
+            "Palmgren: with the churning of an oil bath, or run-in grease (Schaeffler HR 1, 2006)",
+        );
+    }
+}
