@@ -313,8 +313,8 @@ fn write_curve(
             folder.join("curve.csv").display()
         )));
     }
-    let points = solution.points.iter().filter_map(|p| p.outcome.solution());
-    let n_unresolved = points.filter(|s| !s.unresolved.is_empty()).count();
+    let unresolved = solution.points.iter().filter(|p| p.is_unresolved());
+    let n_unresolved = unresolved.count();
     if n_unresolved > 0 && !accept_unresolved {
         return Err(points_not_resolved(
             n_unresolved,
@@ -341,12 +341,11 @@ fn tell_curve(
     if let Some(keys) = curve.as_object_mut() {
         keys.remove("points");
     }
-    let warnings = solution.points.iter().enumerate().flat_map(|(i, point)| {
-        let solved = point.outcome.solution();
-        solved
-            .into_iter()
-            .flat_map(move |s| s.warnings.iter().map(move |w| (i, w)))
-    });
+    let all: Vec<_> = (solution.points.iter())
+        .map(ertel::study::PointSolution::warnings)
+        .collect();
+    let warnings = all.iter().enumerate();
+    let warnings = warnings.flat_map(|(i, of)| of.iter().map(move |w| (i, w)));
     events.warn_of_points(&by_kind(warnings));
     events.emit(
         "result",
