@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use ertel::case::{Case, MachineContacts};
-use ertel::machine::figures;
+use ertel::machine::MachineFigures;
 use ertel::output;
 use ertel::study::MachineSolution;
 use serde_json::json;
@@ -40,7 +40,7 @@ pub fn choice(contacts: &MachineContacts) -> String {
 /// Results that cannot be written, contacts that failed or are not resolved, an interruption.
 pub fn write(
     case: &Case,
-    solution: &MachineSolution,
+    (solution, figures): (&MachineSolution, &MachineFigures),
     folder: &Path,
     arguments: &SolveArgs,
     events: &Events,
@@ -48,13 +48,12 @@ pub fn write(
     if solution.solved().next().is_none() {
         return Err(Failure::Interrupted);
     }
-    let figures = figures(case, solution);
     let echo = case.echo();
     WRITING.store(true, Ordering::SeqCst);
-    output::write_machine(&echo, solution, &figures, folder, &case.output)?;
+    output::write_machine(&echo, solution, figures, folder, &case.output)?;
     WRITING.store(false, Ordering::SeqCst);
     let shown = if events.is_on() {
-        let mut result = output::machine_json(&echo, solution, &figures).map_err(not_shown)?;
+        let mut result = output::machine_json(&echo, solution, figures).map_err(not_shown)?;
         // Each contact was told when it was solved.
         if let Some(keys) = result.as_object_mut() {
             keys.remove("contacts");
@@ -68,7 +67,7 @@ pub fn write(
     } else if arguments.quiet {
         Ok(())
     } else {
-        let text = output::machine_report(&echo, solution, &figures, Some(folder));
+        let text = output::machine_report(&echo, solution, figures, Some(folder));
         print::stdout(&text)
     };
     let (all, failed) = (solution.n_contacts(), solution.n_failed());

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use ertel::case::{Case, Curve};
 use ertel::cross_check::Verdict;
+use ertel::machine::figures;
 use ertel::output;
 use ertel::params::SensitivityDemand;
 use ertel::run;
@@ -20,7 +21,7 @@ use crate::failure::Failure;
 use crate::given::Given;
 use crate::inputs;
 use crate::machine;
-use crate::monte_carlo;
+use crate::monte_carlo::{self, Solved};
 use crate::print;
 use crate::progress::Progress;
 use crate::{cases, check};
@@ -123,7 +124,12 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         events.warn(&case.warnings);
         let solution = solve_machine(contacts, &mut progress);
         drop(progress);
-        return machine::write(case, &solution, folder, arguments, events);
+        let figures = figures(case, &solution);
+        let written = machine::write(case, (&solution, &figures), folder, arguments, events);
+        if let (Some(samples), Ok(_) | Err(Failure::Unresolved(_))) = (&samples, &written) {
+            monte_carlo::run(samples, &Solved::Machine(&figures), arguments)?;
+        }
+        return written;
     }
     events.warn(&case.warnings);
     let solution = run::solve(case, &mut progress);
@@ -158,7 +164,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         print::stdout(&(text + &more))
     };
     if let Some(samples) = &samples {
-        monte_carlo::run(samples, &solution, arguments)?;
+        monte_carlo::run(samples, &Solved::Contact(&solution), arguments)?;
     }
     if arguments.cross_check {
         cross_check(case, &solution, folder, arguments, events)?;

@@ -434,3 +434,24 @@ fn text_of_point(document: &Document, quantity: &Quantity, node: &Node) -> Strin
     }
     result
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use ertel_input::keys::CURVE;
+
+    use super::*;
+
+    /// The table of the keys knows what may vary.
+    #[test]
+    fn the_table_lists_what_may_vary() {
+        let row = CURVE.iter().find(|row| row.keys.contains(&"quantity"));
+        let Some(Kind::Choice(listed)) = row.map(|row| row.kind) else {
+            panic!("a choice");
+        };
+        let all = QUANTITIES.iter().chain(OF_MACHINES.iter());
+        let own: BTreeSet<&str> = all.map(|q| q.path).collect();
+        assert_eq!(own, listed.iter().copied().collect());
+    }
+}
