@@ -7,6 +7,7 @@ use ertel::estimate::{CaseEstimate, estimate};
 use ertel::output;
 use ertel::run;
 use ertel::solution::Solution;
+use ertel::solve::SolveError;
 use ertel::study::value_text;
 use ertel::warning::WarningKind;
 use serde_json::json;
@@ -84,17 +85,10 @@ fn rows(rows: &[(&str, String)]) -> String {
 fn check(case: &Case, file: &str) -> Result<(), Failure> {
     let Some(curve) = &case.curve else {
         let refused = |error| Failure::Argument(format!("{file}: {}", Failure::from(error)));
-        for point in case
-            .contacts
-            .iter()
-            .flat_map(|contacts| &contacts.study.points)
-        {
-            run::check(&point.case).map_err(refused)?;
-        }
-        return run::check(case).map_err(refused);
+        return check_contacts(case).map_err(refused);
     };
     for (i, point) in curve.points.iter().enumerate() {
-        run::check(&point.case).map_err(|error| {
+        check_contacts(&point.case).map_err(|error| {
             Failure::Argument(format!(
                 "{file}: point {} of the curve ({}): {}",
                 i + 1,
@@ -104,6 +98,15 @@ fn check(case: &Case, file: &str) -> Result<(), Failure> {
         })?;
     }
     Ok(())
+}
+
+/// Whether the solve of a contact, or of those of a machine, would begin.
+fn check_contacts(case: &Case) -> Result<(), SolveError> {
+    let contacts = case.contacts.iter();
+    for point in contacts.flat_map(|contacts| &contacts.study.points) {
+        run::check(&point.case)?;
+    }
+    run::check(case)
 }
 
 /// What can be said of a case before it is solved.
@@ -118,9 +121,9 @@ impl Checked {
         let (n_points, n_solves) = match &case.curve {
             None => (n_points(case), n_points(case)),
             Some(curve) => {
-                let n = curve.points.len();
+                let contacts = curve.points.iter().map(|point| n_points(&point.case));
                 let beside = usize::from(curve.newtonian) + usize::from(curve.isothermal);
-                (n, n * (1 + beside))
+                (curve.points.len(), contacts.sum::<usize>() * (1 + beside))
             }
         };
         Self {

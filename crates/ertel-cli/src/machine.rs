@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::atomic::Ordering;
 
 use ertel::case::MachineContacts;
-use ertel::machine::{SolvedMachine, figures};
+use ertel::machine::{MachineFigures, SolvedMachine};
 use ertel::output;
 use serde_json::json;
 
@@ -38,7 +38,7 @@ pub fn choice(contacts: &MachineContacts) -> String {
 ///
 /// Results that cannot be written, contacts that failed or are not resolved, an interruption.
 pub fn write(
-    solved: &SolvedMachine,
+    (solved, figures): (&SolvedMachine, &MachineFigures),
     folder: &Path,
     arguments: &SolveArgs,
     events: &Events,
@@ -51,13 +51,12 @@ pub fn write(
     if solution.solved().next().is_none() {
         return Err(Failure::Interrupted);
     }
-    let figures = figures(case, solution);
     let echo = case.echo();
     WRITING.store(true, Ordering::SeqCst);
-    output::write_machine(&echo, solution, &figures, folder, &case.output)?;
+    output::write_machine(&echo, solution, figures, folder, &case.output)?;
     WRITING.store(false, Ordering::SeqCst);
     let shown = if events.is_on() {
-        let mut result = output::machine_json(&echo, solution, &figures).map_err(not_shown)?;
+        let mut result = output::machine_json(&echo, solution, figures).map_err(not_shown)?;
         // Each contact was told when it was solved.
         if let Some(keys) = result.as_object_mut() {
             keys.remove("contacts");
@@ -71,7 +70,7 @@ pub fn write(
     } else if arguments.quiet {
         Ok(())
     } else {
-        let text = output::machine_report(&echo, solution, &figures, Some(folder));
+        let text = output::machine_report(&echo, solution, figures, Some(folder));
         print::stdout(&text)
     };
     let (all, failed) = (solution.n_contacts(), solution.n_failed());
@@ -91,11 +90,9 @@ pub fn write(
     }
     if let Some(balance) = balance.filter(|balance| !balance.is_found()) {
         return Err(Failure::NotConverged(format!(
-            "no balance of heat in {} rounds: with the lubricant at {:.1} K the heat leads to {:.1} K; results of the last round are in {}\n  = help: start \
-             nearer to it with the temperature of the lubricant, or check `thermal_resistance`",
-            balance.rounds,
-            balance.temperature,
-            balance.temperature + balance.rest,
+            "{}; results of the last round are in {}\n  = help: start nearer to it with the temperature of the lubricant, or check \
+             `thermal_resistance`",
+            balance.words(),
             folder.display()
         )));
     }

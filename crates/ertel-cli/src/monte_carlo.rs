@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use ertel::case::{Case, Study};
+use ertel::machine::MachineFigures;
 use ertel::output;
 use ertel::solution::Solution;
 use ertel::study::monte_carlo::{MonteCarlo, MonteCarloParams, study_of};
@@ -39,13 +40,6 @@ pub fn samples(
             "{file}: --monte-carlo samples the inputs of one contact, but this case has a [curve]"
         )));
     }
-    if let Some(contacts) = &case.contacts {
-        return Err(Failure::Argument(format!(
-            "{file}: --monte-carlo samples the inputs of one contact, but this case is a whole machine: choose one of its contacts with --set, such as \
-             {}",
-            crate::machine::choice(contacts)
-        )));
-    }
     let params = MonteCarloParams {
         n,
         seed: arguments.seed,
@@ -70,11 +64,19 @@ pub fn samples(
     }))
 }
 
+/// What is solved once with the values of the case, beside the samples.
+pub enum Solved<'a> {
+    /// A contact.
+    Contact(&'a Solution),
+    /// A whole machine.
+    Machine(&'a MachineFigures),
+}
+
 /// Solves the samples, or what is left of them, and writes what they come to.
 ///
 /// # Errors
 /// A folder that cannot be written, an interruption, samples that were not solved.
-pub fn run(samples: &Samples, solution: &Solution, arguments: &SolveArgs) -> Result<(), Failure> {
+pub fn run(samples: &Samples, solved: &Solved<'_>, arguments: &SolveArgs) -> Result<(), Failure> {
     let Samples { study, folder } = samples;
     let params = SweepParams {
         threads: Some(1),
@@ -90,11 +92,18 @@ pub fn run(samples: &Samples, solution: &Solution, arguments: &SolveArgs) -> Res
             folder.display()
         )));
     }
-    let found = MonteCarlo::of(study, &finished_points(study, folder)?);
+    let records = finished_points(study, folder)?;
+    let (found, first_order) = match solved {
+        Solved::Contact(solution) => {
+            let found = MonteCarlo::of(study, &records);
+            (found, solution.uncertainty.as_ref())
+        }
+        Solved::Machine(figures) => (MonteCarlo::of_machines(study, &records, figures), None),
+    };
     let pictures = study.points[0].case.output.pictures;
-    output::write_monte_carlo(&found, solution, folder, pictures)?;
+    output::write_monte_carlo(&found, first_order, folder, pictures)?;
     if !arguments.quiet {
-        print::stdout(&output::monte_carlo_report(&found, solution))?;
+        print::stdout(&output::monte_carlo_report(&found, first_order))?;
         print::stdout(&format!("\n  {}\n", folder.display()))?;
     }
     match summary.failures.len() {

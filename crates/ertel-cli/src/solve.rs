@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use ertel::case::{Case, Curve};
 use ertel::cross_check::Verdict;
+use ertel::machine::figures;
 use ertel::output;
 use ertel::params::SensitivityDemand;
 use ertel::run;
@@ -20,7 +21,7 @@ use crate::failure::Failure;
 use crate::given::Given;
 use crate::inputs;
 use crate::machine;
-use crate::monte_carlo;
+use crate::monte_carlo::{self, Solved};
 use crate::print;
 use crate::progress::Progress;
 use crate::{cases, check};
@@ -123,7 +124,12 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         events.warn(&case.warnings);
         if let Some(solved) = ertel::machine::solve(case, &mut progress)? {
             drop(progress);
-            return machine::write(&solved, folder, arguments, events);
+            let figures = figures(&solved.case, &solved.solution);
+            let written = machine::write((&solved, &figures), folder, arguments, events);
+            if let (Some(samples), Ok(_) | Err(Failure::Unresolved(_))) = (&samples, &written) {
+                monte_carlo::run(samples, &Solved::Machine(&figures), arguments)?;
+            }
+            return written;
         }
     }
     events.warn(&case.warnings);
@@ -159,7 +165,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
         print::stdout(&(text + &more))
     };
     if let Some(samples) = &samples {
-        monte_carlo::run(samples, &solution, arguments)?;
+        monte_carlo::run(samples, &Solved::Contact(&solution), arguments)?;
     }
     if arguments.cross_check {
         cross_check(case, &solution, folder, arguments, events)?;
@@ -314,8 +320,8 @@ fn write_curve(
             folder.join("curve.csv").display()
         )));
     }
-    let points = solution.points.iter().filter_map(|p| p.outcome.solution());
-    let n_unresolved = points.filter(|s| !s.unresolved.is_empty()).count();
+    let unresolved = solution.points.iter().filter(|p| p.is_unresolved());
+    let n_unresolved = unresolved.count();
     if n_unresolved > 0 && !accept_unresolved {
         return Err(points_not_resolved(
             n_unresolved,
@@ -342,12 +348,11 @@ fn tell_curve(
     if let Some(keys) = curve.as_object_mut() {
         keys.remove("points");
     }
-    let warnings = solution.points.iter().enumerate().flat_map(|(i, point)| {
-        let solved = point.outcome.solution();
-        solved
-            .into_iter()
-            .flat_map(move |s| s.warnings.iter().map(move |w| (i, w)))
-    });
+    let all: Vec<_> = (solution.points.iter())
+        .map(ertel::study::PointSolution::warnings)
+        .collect();
+    let warnings = all.iter().enumerate();
+    let warnings = warnings.flat_map(|(i, of)| of.iter().map(move |w| (i, w)));
     events.warn_of_points(&by_kind(warnings));
     events.emit(
         "result",

@@ -9,7 +9,7 @@ use ertel::output;
 use ertel::run;
 use ertel::solution::Figure;
 use ertel::solve::{NoObserver, Observer};
-use ertel::study::{CurveObserver, solve_machine};
+use ertel::study::{CurveObserver, PointSolution, solve_curve, solve_machine};
 use ertel_input::Document;
 
 /// All balls of a bearing under thrust are alike.
@@ -226,4 +226,184 @@ fn a_machine_that_is_stopped() {
     assert_eq!(solved.n_failed(), 0);
     let found = figures(&case, &solved);
     assert!(found.find("friction_power").is_none());
+}
+
+/// The path of FZG gears on few points.
+const GEARS: &str = r#"
+title = "FZG-C14 over torque"
+[machine]
+kind = "spur-gear"
+template = "FZG-C14"
+pinion_torque = "100 N.m"
+pinion_speed = "1500 rpm"
+position = "path"
+points = 3
+load_sharing = "thirds"
+pinion_ra = "0.4 um"
+wheel_ra = "0.4 um"
+[bodies]
+body_1 = "steel"
+body_2 = "steel"
+[lubricant]
+temperature = "90 degC"
+iso_vg = 100
+base_oil = "mineral"
+[mesh]
+preset = "coarse"
+[solver]
+newtonian = true
+"#;
+
+/// Each point of a curve is the machine that its case is alone; where it starts from the point before, within the error bars.
+#[test]
+fn a_curve_of_whole_machines() {
+    let curve =
+        "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"100 N.m\", \"110 N.m\"]\n";
+    let case = read(&format!("{GEARS}{curve}"));
+    let curve = case.curve.as_ref().unwrap();
+    assert!(case.contacts.is_none(), "its points have the contacts");
+    let solved = solve_curve(curve, &mut NoObserver);
+    assert_eq!((solved.points.len(), solved.n_failed()), (2, 0));
+    for (point, torque) in solved.points.iter().zip(["100 N.m", "110 N.m"]) {
+        let alone = read(&GEARS.replace("100 N.m", torque));
+        let machine = solve_machine(alone.contacts.as_ref().unwrap(), &mut NoObserver);
+        let expected = figures(&alone, &machine);
+        let found = &point.machine.as_ref().unwrap().figures;
+        assert_eq!(found.all.len(), expected.all.len());
+        for (found, expected) in found.all.iter().zip(&expected.all) {
+            assert_eq!(found.name, expected.name);
+            let (a, b) = (found.estimate, expected.estimate);
+            let bars = [a, b].map(|e| e.error.unwrap_or(1e-9 * e.value.abs()));
+            assert!(
+                (a.value - b.value).abs() <= bars[0] + bars[1],
+                "{torque}: {} is {a:?}, alone {b:?}",
+                found.name
+            );
+        }
+        let governing = machine.solution(machine.machine.governing).unwrap();
+        let own = point.outcome.solution().unwrap();
+        assert_relative_eq!(
+            own.hertz.pressure,
+            governing.hertz.pressure,
+            max_relative = 1e-12
+        );
+    }
+    // The first contact of the second point starts from that of the first.
+    let warm = |point: &PointSolution| {
+        let solutions = point.solutions();
+        solutions.iter().filter(|s| s.stats.warm).count()
+    };
+    let [first, second] = [&solved.points[0], &solved.points[1]].map(warm);
+    assert!(second > first, "{first} and {second} warm starts");
+    let table = output::curve_table(&solved);
+    let (head, rows) = table.split_once('\n').unwrap();
+    for title in [
+        "pinion_torque_J",
+        "mesh_loss",
+        "mesh_loss_error",
+        "friction_power_W",
+        "contacts",
+    ] {
+        assert!(head.split(',').any(|t| t == title), "{title}: {head}");
+    }
+    assert!(
+        rows.lines()
+            .all(|row| row.split(',').count() == head.split(',').count())
+    );
+    let report = output::curve_report(&case.echo(), &solved, None);
+    assert!(report.contains("over the power at the pinion"), "{report}");
+    let json = output::curve_json(&case.echo(), &solved).unwrap();
+    assert!(
+        json["points"][1]["figures"]["mesh_efficiency"]["value"]
+            .as_f64()
+            .unwrap()
+            > 0.9
+    );
+    let files = output::curve_files(&case.echo(), &solved, &case.output).unwrap();
+    assert!(files.iter().any(|f| f.name == "mesh-loss-curve.svg"));
+}
+
+/// A curve of a chosen contact has that contact alone.
+#[test]
+fn a_curve_of_one_contact_of_a_machine() {
+    let text = GEARS
+        .replace("\"path\"", "\"pitch point\"")
+        .replace("points = 3\n", "");
+    let curve =
+        "[curve]\nquantity = \"machine.pinion_speed\"\nvalues = [\"500 rpm\", \"1000 rpm\"]\n";
+    let case = read(&format!("{text}{curve}"));
+    let points = &case.curve.as_ref().unwrap().points;
+    assert!(
+        points
+            .iter()
+            .all(|p| p.case.contacts.is_none() && p.case.whole.is_none())
+    );
+}
+
+/// A contact that fails leaves its point without sums, and with its reason.
+#[test]
+fn a_point_with_a_failed_contact() {
+    let curve =
+        "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"50 N.m\", \"200 N.m\"]\n";
+    let text = GEARS.replace("newtonian = true", "newtonian = true\nmax_iterations = 1");
+    let case = read(&format!("{text}{curve}"));
+    let solved = solve_curve(case.curve.as_ref().unwrap(), &mut NoObserver);
+    assert_eq!(solved.n_failed(), 2);
+    let reason = solved.points[0].outcome.reason().unwrap();
+    assert!(reason.contains("contacts failed"), "{reason}");
+    let table = output::curve_table(&solved);
+    assert!(
+        table
+            .lines()
+            .next()
+            .unwrap()
+            .contains("loss_factor_ohlendorf")
+    );
+    assert!(!table.contains("mesh_loss"), "{table}");
+}
+
+/// Every key of a machine with a number may vary along a curve.
+#[test]
+fn any_number_of_a_machine_varies() {
+    for (base, key, old, values) in [
+        (THRUST, "axial_load", "", "[\"400 N\", \"500 N\"]"),
+        (THRUST, "contamination_factor", "", "[0.3, 0.5]"),
+        (
+            THRUST,
+            "thermal_resistance",
+            "",
+            "[\"0.4 K/W\", \"0.6 K/W\"]",
+        ),
+        (
+            THRUST,
+            "ambient_temperature",
+            "",
+            "[\"20 degC\", \"30 degC\"]",
+        ),
+        (
+            THRUST,
+            "radial_clearance",
+            "radial_clearance = \"10 um\"\n",
+            "[\"5 um\", \"15 um\"]",
+        ),
+        (
+            GEARS,
+            "face_width",
+            "face_width = \"14 mm\"\n",
+            "[\"10 mm\", \"20 mm\"]",
+        ),
+        (GEARS, "pinion_ra", "", "[\"0.2 um\", \"0.8 um\"]"),
+        (
+            GEARS,
+            "tip_relief",
+            "tip_relief = \"10 um\"\ntip_relief_length = \"2 mm\"\n",
+            "[\"5 um\", \"15 um\"]",
+        ),
+    ] {
+        let text = base.replace("[bodies]", &format!("{old}[bodies]"));
+        let curve = format!("[curve]\nquantity = \"machine.{key}\"\nvalues = {values}\n");
+        let case = read(&format!("{text}{curve}"));
+        let points = &case.curve.as_ref().unwrap().points;
+        assert!(points.iter().all(|p| p.case.contacts.is_some()), "{key}");
+    }
 }

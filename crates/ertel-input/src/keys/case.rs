@@ -128,10 +128,28 @@ rows! {
     pub CURVE {
         quantity: Choice(&[
             "motion.entrainment_speed", "motion.slide_to_roll_ratio", "motion.body_1_speed", "motion.body_2_speed", "motion.ball_speed",
-            "motion.plane_speed", "contact.load", "contact.hertz_pressure", "contact.radius", "inlet.oil_layer", "inlet.meniscus_distance",
-            "lubricant.temperature", "temperature", "machine.entrainment_speed", "machine.slide_to_roll_ratio", "machine.ball_speed",
-            "machine.disc_speed", "machine.load", "machine.ball_load", "machine.roller_load", "machine.hertz_pressure",
-            "machine.inner_ring_speed", "machine.outer_ring_speed", "machine.pinion_speed", "machine.pinion_torque", "machine.cam_speed",
+            "motion.plane_speed", "contact.load", "contact.hertz_pressure", "contact.radius", "inlet.oil_layer",
+            "inlet.meniscus_distance", "lubricant.temperature", "temperature", "machine.ball_diameter", "machine.ball_radius",
+            "machine.load", "machine.hertz_pressure", "machine.ball_speed", "machine.disc_speed", "machine.entrainment_speed",
+            "machine.slide_to_roll_ratio", "machine.slide_to_roll_ratio_across", "machine.body_1_speed", "machine.body_2_speed",
+            "machine.skew_angle", "machine.body_1_spin", "machine.body_2_spin", "machine.pitch_diameter",
+            "machine.inner_groove_curvature", "machine.outer_groove_curvature", "machine.contact_angle", "machine.inner_ring_speed",
+            "machine.outer_ring_speed", "machine.ball_load", "machine.radial_clearance", "machine.radial_load", "machine.axial_load",
+            "machine.axial_preload", "machine.moment", "machine.misalignment", "machine.dynamic_load_rating",
+            "machine.static_load_rating", "machine.fatigue_load_limit", "machine.contamination_factor", "machine.reliability",
+            "machine.thermal_resistance", "machine.ambient_temperature", "machine.roller_diameter", "machine.roller_length",
+            "machine.roller_load", "machine.module", "machine.pressure_angle", "machine.face_width", "machine.pinion_torque",
+            "machine.pinion_speed", "machine.load_share", "machine.addendum_pinion", "machine.addendum_wheel",
+            "machine.pinion_profile_shift", "machine.wheel_profile_shift", "machine.centre_distance", "machine.pinion_tip_diameter",
+            "machine.wheel_tip_diameter", "machine.pinion_root_diameter", "machine.wheel_root_diameter", "machine.pinion_face_width",
+            "machine.wheel_face_width", "machine.tip_relief", "machine.pinion_tip_relief", "machine.wheel_tip_relief",
+            "machine.tip_relief_length", "machine.tooth_stiffness", "machine.blank_factor", "machine.pinion_bore_diameter",
+            "machine.wheel_bore_diameter", "machine.bulk_temperature", "machine.scuffing_temperature", "machine.permissible_lambda",
+            "machine.pinion_ra", "machine.wheel_ra", "machine.oil_factor", "machine.normal_module", "machine.normal_pressure_angle",
+            "machine.helix_angle", "machine.base_radius", "machine.lift", "machine.lift_acceleration", "machine.cam_speed",
+            "machine.width", "machine.top_dwell", "machine.lift_tolerance", "machine.eccentricity", "machine.follower_radius",
+            "machine.follower_offset", "machine.roller_slip", "machine.pivot_x", "machine.pivot_y", "machine.arm_length",
+            "machine.spring_rate", "machine.preload", "machine.moving_mass", "machine.extra_force",
         ]) => r"key path of what varies, which the case must contain; the values of the curve replace its value. One of";
         values: List => "2 to 1000 different values, in the order of solving";
         from, to: Number => "in place of `values`: a range, ends included; decreasing ranges are allowed";
@@ -139,9 +157,9 @@ rows! {
         spacing: Choice(&["linear", "log"]), default "linear" => "equal steps or equal ratios";
         folders: Switch, default "false" => "`true`: also write the full results of each point in a separate folder";
         newtonian: Switch, default "false" => r"`true`: each point is also solved without shear thinning, for comparison (an error for a
-            lubricant without shear thinning)";
+            lubricant without shear thinning, and for whole machines)";
         isothermal: Switch, default "false" => r"`true`: each point is also solved without heat, for comparison (an error for a case without
-            heat)";
+            heat, and for whole machines)";
     }
     /// `[[correlation]]`.
     pub CORRELATION {

@@ -10,8 +10,11 @@
 //! Each point is the case read once more with this value in place of the file's, so that every check
 //! applies; errors point to the line of the curve.
 
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::LazyLock;
 
+use ertel_input::keys::{Kind, MACHINES};
 use ertel_input::tree::{Node, Value};
 use ertel_input::{Bounds, Document, InputError, Table};
 use ertel_quantity::Dimension;
@@ -194,6 +197,28 @@ const QUANTITIES: [Quantity; 28] = [
     ),
 ];
 
+/// All keys of machines that have a number, which may vary as well.
+static OF_MACHINES: LazyLock<Vec<Quantity>> = LazyLock::new(|| {
+    let rows = MACHINES.iter().flat_map(|(_, rows)| rows.iter());
+    let mut found: Vec<Quantity> = Vec::new();
+    for row in rows {
+        let dimension = match row.kind {
+            Kind::Number => Dimension::DIMENSIONLESS,
+            Kind::Quantity([dimension]) => *dimension,
+            _ => continue,
+        };
+        for key in row.keys {
+            let path = format!("machine.{key}");
+            let mut known = QUANTITIES.iter().chain(&found);
+            if !known.any(|q| q.path == path) {
+                let name = key.replace('_', " ").leak();
+                found.push(quantity(path.leak(), name, "", dimension));
+            }
+        }
+    }
+    found
+});
+
 const fn quantity(
     path: &'static str,
     name: &'static str,
@@ -216,7 +241,15 @@ impl Quantity {
 
     /// SI unit, `m/s`; empty for a pure number.
     pub fn unit(&self) -> String {
-        self.dimension.si_unit()
+        match self.is_torque() {
+            true => "N m".to_owned(),
+            false => self.dimension.si_unit(),
+        }
+    }
+
+    /// Whether it is a torque: machines have no energies.
+    pub fn is_torque(&self) -> bool {
+        self.dimension == Dimension::ENERGY && self.path.starts_with("machine.")
     }
 }
 
@@ -257,6 +290,12 @@ pub(super) fn read(
         };
         return Err(table.error("isothermal", reason));
     }
+    if base.whole.is_some() && (newtonian || isothermal) {
+        let key = if newtonian { "newtonian" } else { "isothermal" };
+        return Err(table
+            .error(key, format!("`{key}` solves a single contact beside each point, and this case is a whole machine"))
+            .with_help("choose one of its contacts in [machine], or make two curves of it"));
+    }
     table.finish()?;
     let points = values
         .into_iter()
@@ -276,8 +315,8 @@ fn read_quantity(
     table: &mut Table<'_>,
     contact: &Contact,
 ) -> Result<Quantity, InputError> {
-    let (present, absent): (Vec<Quantity>, Vec<Quantity>) = QUANTITIES
-        .iter()
+    let (present, absent): (Vec<Quantity>, Vec<Quantity>) = (QUANTITIES.iter())
+        .chain(OF_MACHINES.iter())
         .partition(|q| document.tree().entry(q.path).is_some());
     let path = table.required_str("quantity").map_err(|error| {
         let paths: Vec<&str> = present.iter().map(|q| q.path).collect();
@@ -352,7 +391,7 @@ fn point(
         node,
         value: value.clone(),
     };
-    let (mut point, _) = StudyPoint::read(document, folder, &[setting], told)?;
+    let (mut point, _) = StudyPoint::read(document, folder, &[setting], &BTreeMap::new(), told)?;
     point.case.source = source;
     Ok(point)
 }
@@ -394,4 +433,25 @@ fn text_of_point(document: &Document, quantity: &Quantity, node: &Node) -> Strin
         start = end;
     }
     result
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use ertel_input::keys::CURVE;
+
+    use super::*;
+
+    /// The table of the keys knows what may vary.
+    #[test]
+    fn the_table_lists_what_may_vary() {
+        let row = CURVE.iter().find(|row| row.keys.contains(&"quantity"));
+        let Some(Kind::Choice(listed)) = row.map(|row| row.kind) else {
+            panic!("a choice");
+        };
+        let all = QUANTITIES.iter().chain(OF_MACHINES.iter());
+        let own: BTreeSet<&str> = all.map(|q| q.path).collect();
+        assert_eq!(own, listed.iter().copied().collect());
+    }
 }

@@ -146,6 +146,8 @@ impl Case {
         let Some(origin) = &self.origin else {
             return Ok(self.clone());
         };
-        Self::without_curve(&origin.document, &origin.folder, values)
+        let mut case = Self::without_curve(&origin.document, &origin.folder, values.clone())?;
+        case.read_contacts(&origin.document, &origin.folder, &values)?;
+        Ok(case)
     }
 }

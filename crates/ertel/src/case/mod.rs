@@ -69,7 +69,7 @@ use crate::params::{
     ElasticModel, LinearSolver, MeshParams, OutputParams, SolverParams, ThermalParams,
 };
 
-use crate::warning::{Warning, WarningKind};
+use crate::warning::Warning;
 use bodies::Bodies;
 pub use bodies::Body;
 pub use builder::{CaseBuilder, Setting};
@@ -139,8 +139,8 @@ pub struct Case {
     pub curve: Option<Curve>,
     /// The machine of which the contact is the governing one, if the file describes one without a choice of its contacts.
     pub whole: Option<Arc<WholeMachine>>,
-    /// The contacts of that machine, each a case of its own, as [`crate::study::solve_machine`] solves them; `None` with a `[curve]` and for
-    /// points of studies, which follow the governing contact.
+    /// The contacts of that machine, each a case of its own, as [`crate::study::solve_machine`] solves them; `None` with a `[curve]`, whose
+    /// points have them, and for the points of a study before they are solved ([`Study::whole_point`] has them).
     pub contacts: Option<Arc<MachineContacts>>,
 }
 
@@ -178,18 +178,24 @@ impl Case {
     pub fn from_document(document: &Document, folder: &Path) -> Result<Self, InputError> {
         let mut case = Self::without_curve(document, folder, BTreeMap::new())?;
         case.curve = curve::read(document, folder, &case)?;
-        match (&case.whole, &case.curve) {
-            (Some(whole), None) => {
-                let contacts = machine::contacts(document, folder, &case, whole)?;
-                case.contacts = Some(Arc::new(contacts));
-            }
-            (Some(_), Some(_)) => case.warnings.push(Warning::new(
-                WarningKind::Other,
-                "the curve follows the governing contact of the machine at each of its points, not the sums over all contacts",
-            )),
-            (None, _) => {}
+        if case.curve.is_none() {
+            case.read_contacts(document, folder, &BTreeMap::new())?;
         }
         Ok(case)
+    }
+
+    /// Reads the contacts of a whole machine, with other values, SI, at the key paths `replaced`.
+    fn read_contacts(
+        &mut self,
+        document: &Document,
+        folder: &Path,
+        replaced: &BTreeMap<String, f64>,
+    ) -> Result<(), InputError> {
+        if let Some(whole) = &self.whole {
+            let contacts = machine::contacts(document, folder, self, whole, replaced)?;
+            self.contacts = Some(Arc::new(contacts));
+        }
+        Ok(())
     }
 
     /// The case with other values, SI, at the key paths `replaced`.

@@ -5,7 +5,7 @@ use ertel_input::csv::{Column, CsvError, CsvTable};
 use ertel_input::excerpt;
 use ertel_quantity::Dimension;
 
-use super::{Measurand, temperature_key};
+use super::{Measurand, N_MEASURANDS, temperature_key};
 
 /// A quantity that a column sets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ pub(super) const OPERATING: [(Operating, &str, &[Dimension]); 4] = [
 ];
 
 /// Columns that are measured, with the names of their uncertainties.
-pub(super) const MEASURED: [(&str, &str, Dimension); 3] = [
+pub(super) const MEASURED: [(&str, &str, Dimension); N_MEASURANDS] = [
     (
         "film central",
         "film central uncertainty",
@@ -55,6 +55,21 @@ pub(super) const MEASURED: [(&str, &str, Dimension); 3] = [
     (
         "traction coefficient",
         "traction coefficient uncertainty",
+        Dimension::DIMENSIONLESS,
+    ),
+    (
+        "friction torque",
+        "friction torque uncertainty",
+        Dimension::ENERGY,
+    ),
+    (
+        "friction power",
+        "friction power uncertainty",
+        Dimension::POWER,
+    ),
+    (
+        "mesh loss",
+        "mesh loss uncertainty",
         Dimension::DIMENSIONLESS,
     ),
 ];
@@ -100,7 +115,7 @@ impl Operating {
             Operating::Sliding => (&[], &[]),
             Operating::Load => (
                 &["machine.load", "machine.ball_load", "machine.roller_load"],
-                &["pinion_torque"],
+                &["radial_load", "axial_load", "pinion_torque"],
             ),
         };
         let key = |path: &&&str| has(&path["machine.".len()..]);

@@ -2,11 +2,11 @@
 
 use ertel_quantity::Dimension;
 
-use super::{Measurand, Measured, Measurement, Statistics};
+use super::{Measurand, Measured, Measurement, N_MEASURANDS, Statistics};
 use crate::case::study::AxisValue;
 use crate::solution::Estimate;
-use crate::study::Column;
 use crate::study::journal::Record;
+use crate::study::titled;
 
 /// Measurements beside the results at their points.
 #[derive(Clone, Debug)]
@@ -37,7 +37,7 @@ pub struct ComparedRow {
     /// What became of the point.
     pub outcome: Outcome,
     /// The figures, in the order of [`Measurand::ALL`]; `None` where nothing was measured.
-    pub figures: [Option<Compared>; 3],
+    pub figures: [Option<Compared>; N_MEASURANDS],
 }
 
 /// What became of a point.
@@ -89,6 +89,12 @@ impl Compared {
     }
 }
 
+/// Whether something was measured that depends on the traction: all but films.
+fn measured_friction(figures: &[Option<Measurement>; N_MEASURANDS]) -> bool {
+    let mut of = Measurand::ALL.iter().zip(figures);
+    of.any(|(figure, measured)| !figure.is_film() && measured.is_some())
+}
+
 /// Names of figures that are not resolved, without the traction where none was measured: films do not depend on it.
 fn that_counts(names: &str, traction_was_measured: bool) -> String {
     let counts = |name: &&str| traction_was_measured || *name != "traction_coefficient";
@@ -119,7 +125,7 @@ impl Comparison {
                     Some(record) => Outcome::Solved {
                         unresolved: that_counts(
                             record.field("unresolved").unwrap_or_default(),
-                            row.figures[Measurand::Traction as usize].is_some(),
+                            measured_friction(&row.figures),
                         ),
                     },
                 },
@@ -168,12 +174,13 @@ impl Comparison {
 
 /// A figure of a solved point.
 fn estimate(record: &Record, figure: Measurand) -> Option<Estimate> {
-    // Films and coefficients have the same unit in all contacts.
-    let column = Column::of(figure.figure());
-    let number = |title: String| record.field(&title)?.parse::<f64>().ok();
+    let number = |name: &str| {
+        let field = record.field(&titled(name, figure.unit()))?;
+        field.parse::<f64>().ok()
+    };
     Some(Estimate {
-        value: number(column.title(false))?,
-        error: number(column.error_title(false)?),
+        value: number(figure.name())?,
+        error: number(&format!("{}_error", figure.name())),
     })
 }
 

@@ -26,7 +26,7 @@ use ertel_input::{Document, InputError};
 
 use crate::case::Study;
 use crate::case::study::PointColumn;
-use crate::solution::{Figure, Kind};
+use crate::solution::Figure;
 use crate::study::journal::PointKey;
 
 pub use comparison::{Compared, ComparedRow, Comparison, Outcome};
@@ -42,38 +42,81 @@ pub enum Measurand {
     FilmMinimum,
     /// Traction coefficient.
     Traction,
+    /// Friction torque of a whole machine, N m.
+    FrictionTorque,
+    /// Power that a whole machine loses, W.
+    FrictionPower,
+    /// Power lost in the mesh of gears over that at the pinion.
+    MeshLoss,
 }
+
+/// Number of figures that may be measured.
+pub const N_MEASURANDS: usize = Measurand::ALL.len();
 
 impl Measurand {
     /// All, in the order of tables.
-    pub const ALL: [Measurand; 3] = [
+    pub const ALL: [Measurand; 6] = [
         Measurand::FilmCentral,
         Measurand::FilmMinimum,
         Measurand::Traction,
+        Measurand::FrictionTorque,
+        Measurand::FrictionPower,
+        Measurand::MeshLoss,
     ];
 
-    /// The computed figure that it is compared with.
-    pub fn figure(self) -> Figure {
+    /// The figure of a contact that it is compared with; `None` of those that only whole machines have.
+    fn figure(self) -> Option<Figure> {
         match self {
-            Measurand::FilmCentral => Figure::FilmCentral,
-            Measurand::FilmMinimum => Figure::FilmMinimum,
-            Measurand::Traction => Figure::TractionCoefficient,
+            Measurand::FilmCentral => Some(Figure::FilmCentral),
+            Measurand::FilmMinimum => Some(Figure::FilmMinimum),
+            Measurand::Traction => Some(Figure::TractionCoefficient),
+            _ => None,
         }
     }
 
-    /// Name of its columns, without the unit.
+    /// Whether a whole machine has it; of films it has the smallest ones.
+    pub fn is_of_machines(self) -> bool {
+        self != Measurand::Traction
+    }
+
+    /// Whether a single contact has it.
+    pub fn is_of_contacts(self) -> bool {
+        self.figure().is_some()
+    }
+
+    /// Name of its columns, without the unit: that of the figure in results.
     pub fn name(self) -> &'static str {
-        self.figure().name()
+        match self {
+            Measurand::FrictionTorque => "friction_torque",
+            Measurand::FrictionPower => "friction_power",
+            Measurand::MeshLoss => "mesh_loss",
+            _ => self.figure().map_or("", Figure::name),
+        }
     }
 
     /// Its name in words.
     pub fn words(self) -> &'static str {
-        self.figure().words()
+        match self {
+            Measurand::FrictionTorque => "friction torque",
+            Measurand::FrictionPower => "power lost",
+            Measurand::MeshLoss => "power lost over that at the pinion",
+            _ => self.figure().map_or("", Figure::words),
+        }
+    }
+
+    /// Its SI unit; empty of a pure number.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Measurand::FilmCentral | Measurand::FilmMinimum => "m",
+            Measurand::FrictionTorque => "N m",
+            Measurand::FrictionPower => "W",
+            Measurand::Traction | Measurand::MeshLoss => "",
+        }
     }
 
     /// Whether it is a film thickness.
     pub fn is_film(self) -> bool {
-        self.figure().kind() == Kind::Length
+        self.unit() == "m"
     }
 }
 
@@ -94,7 +137,7 @@ pub struct MeasuredRow {
     /// Number of the point in the study, from 0.
     pub point: usize,
     /// What was measured, in the order of [`Measurand::ALL`].
-    pub figures: [Option<Measurement>; 3],
+    pub figures: [Option<Measurement>; N_MEASURANDS],
 }
 
 /// Measurements, and the study of a case at their operating points.
@@ -137,6 +180,18 @@ pub enum MeasuredError {
     /// The table is wrong.
     #[error(transparent)]
     Table(#[from] CsvError),
+    /// A figure was measured that the case does not have.
+    #[error("{}: `{figure}` is a figure of {of}, and the case is {case}", path.display())]
+    NoSuchFigure {
+        /// The file.
+        path: PathBuf,
+        /// Name of its column.
+        figure: &'static str,
+        /// What has it.
+        of: &'static str,
+        /// What the case is.
+        case: &'static str,
+    },
     /// A point is no case that can be solved, or the base case is wrong.
     #[error(transparent)]
     Case(#[from] InputError),
@@ -147,7 +202,7 @@ struct Content {
     /// What varies; as many values as there are rows.
     columns: Vec<PointColumn>,
     /// Line and figures of each row.
-    rows: Vec<(usize, [Option<Measurement>; 3])>,
+    rows: Vec<(usize, [Option<Measurement>; N_MEASURANDS])>,
     notes: Vec<String>,
 }
 
@@ -188,6 +243,7 @@ impl Measured {
         let mut study = Study::of_points(base, &replaced, path, &text, columns)?;
         let same = distinct(&mut study);
         let point_of_row = written.into_iter().map(|point| same[point]);
+        check_figures(path, &study, &rows)?;
         let row = |((line, figures), point): ((usize, _), usize)| MeasuredRow {
             line,
             point,
@@ -207,6 +263,39 @@ impl Measured {
         let index = figure as usize;
         self.rows.iter().any(|row| row.figures[index].is_some())
     }
+}
+
+/// Refuses figures of whole machines beside a single contact, and the other way round.
+fn check_figures(
+    path: &Path,
+    study: &Study,
+    rows: &[(usize, [Option<Measurement>; N_MEASURANDS])],
+) -> Result<(), MeasuredError> {
+    let is_machine = study.points.iter().all(|p| p.case.whole.is_some());
+    let (contact, machine) = ("a single contact", "a whole machine");
+    for figure in Measurand::ALL {
+        let has = match is_machine {
+            true => figure.is_of_machines(),
+            false => figure.is_of_contacts(),
+        };
+        let was_measured = |(_, figures): &(usize, [Option<Measurement>; N_MEASURANDS])| {
+            figures[figure as usize].is_some()
+        };
+        if !has && rows.iter().any(was_measured) {
+            let [of, case] = if is_machine {
+                [contact, machine]
+            } else {
+                [machine, contact]
+            };
+            return Err(MeasuredError::NoSuchFigure {
+                path: path.to_owned(),
+                figure: figure.name(),
+                of,
+                case,
+            });
+        }
+    }
+    Ok(())
 }
 
 /// Keeps the rows that are written alike once, the first of them; says which one each was.

@@ -25,7 +25,7 @@ use ertel_quantity::Unit;
 use super::columns::Operating;
 use super::table::impossible;
 use super::turned::{self, Turned};
-use super::{Content, Measurand, Measurement, ReadParams, column};
+use super::{Content, Measurand, Measurement, N_MEASURANDS, ReadParams, column};
 use crate::case::study::PointColumn;
 
 /// Thermometer of a rig.
@@ -293,7 +293,7 @@ fn read_step(
     let mut turned = turned::Rows::of(case);
     for row in table.rows() {
         let figures = figures(table, row, columns, &mut without_film)?;
-        if figures == [None; 3] {
+        if figures == [None; N_MEASURANDS] {
             empty.push(row.line);
             continue;
         }
@@ -355,12 +355,12 @@ fn figures(
     row: &Row,
     columns: &Columns,
     without_film: &mut Vec<usize>,
-) -> Result<[Option<Measurement>; 3], CsvError> {
+) -> Result<[Option<Measurement>; N_MEASURANDS], CsvError> {
     let number = |own: &Option<Column>| match own {
         Some(own) => table.number(row, own),
         None => Ok(None),
     };
-    let mut figures = [None; 3];
+    let mut figures = [None; N_MEASURANDS];
     let deviation = number(&columns.deviation)?.filter(|deviation| *deviation > 0.0);
     for (figure, own, uncertainty) in [
         (Measurand::FilmCentral, &columns.film, deviation),

@@ -8,7 +8,7 @@ use super::columns::{
     MEASURED, MeasuredColumns, OPERATING, Operating, find, names, open_name, uncertainty,
 };
 use super::turned::{self, Turned};
-use super::{Content, Measurand, Measurement, ReadParams, column};
+use super::{Content, Measurand, Measurement, N_MEASURANDS, ReadParams, column};
 use crate::case::study::{PointColumn, split_title};
 
 /// Columns about a row that say nothing about its operating point, in small letters and without their unit.
@@ -40,8 +40,8 @@ const WORDS: [&str; 23] = [
 
 /// What a table may have, for messages.
 const CHOICES: &str = "quantities are `entrainment_speed`, `slide_to_roll_ratio`, `load`, `temperature`, and any key of the case, \
-    such as `contact.radius`; measured are `film_central`, `film_minimum`, `traction_coefficient`, each with \
-    `_uncertainty` if known; all with their units, as in `film_central_nm` or `film_central [nm]`; a `comment` is skipped; \
+    such as `contact.radius`; measured are `film_central`, `film_minimum`, `traction_coefficient`, and of whole \
+    machines `friction_torque`, `friction_power`, `mesh_loss`, each with `_uncertainty` if known; all with their units, as in `film_central_nm` or `film_central [nm]`; a `comment` is skipped; \
     other titles are told as in `--column film=\"Film (nm)\"` or `--column film=Film:nm`";
 
 /// Thickest film that is believed, m: beyond it the unit was mistaken.
@@ -203,11 +203,11 @@ fn rows(
     let mut empty = Vec::new();
     let mut turned = turned::Rows::of(case);
     for row in table.rows() {
-        let mut figures = [None; 3];
+        let mut figures = [None; N_MEASURANDS];
         for columns in measured {
             figures[columns.figure as usize] = measurement(table, row, columns)?;
         }
-        if figures == [None; 3] {
+        if figures == [None; N_MEASURANDS] {
             empty.push(row.line);
             continue;
         }
@@ -333,7 +333,7 @@ pub(super) fn impossible(figure: Measurand, value: f64, cell: &str) -> Option<St
             "{name}: {cell} is far beyond any film; at most 10 mm are believed"
         ));
     }
-    (value.abs() > LARGEST_TRACTION && !figure.is_film()).then(|| {
+    (value.abs() > LARGEST_TRACTION && figure == Measurand::Traction).then(|| {
         format!("{name}: {cell} is far beyond any traction; at most {LARGEST_TRACTION} is believed")
     })
 }

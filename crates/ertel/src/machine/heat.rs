@@ -8,7 +8,7 @@
 use ertel_input::InputError;
 
 use super::figures;
-use crate::case::{Case, Mechanics};
+use crate::case::{Case, MachineContacts, Mechanics};
 use crate::study::{CurveObserver, MachineSolution, solve_machine};
 
 /// K by which the temperature that the heat leads to may differ from that of the lubricant.
@@ -45,6 +45,16 @@ impl Balance {
     pub fn is_found(&self) -> bool {
         self.rest.abs() < TOLERANCE
     }
+
+    /// How it was not found, in words.
+    pub fn words(&self) -> String {
+        format!(
+            "no balance of heat in {} rounds: with the lubricant at {:.1} K the heat leads to {:.1} K",
+            self.rounds,
+            self.temperature,
+            self.temperature + self.rest
+        )
+    }
 }
 
 /// Solves the contacts of a machine, at the temperature of its balance of heat where the case asks for it; `None` of a case that is no machine.
@@ -55,12 +65,20 @@ pub fn solve(
     case: &Case,
     observer: &mut dyn CurveObserver,
 ) -> Result<Option<SolvedMachine>, InputError> {
+    solve_by(case, |contacts| solve_machine(contacts, observer))
+}
+
+/// The same with what solves the contacts at a temperature.
+pub(crate) fn solve_by(
+    case: &Case,
+    mut solve_contacts: impl FnMut(&MachineContacts) -> MachineSolution,
+) -> Result<Option<SolvedMachine>, InputError> {
     let Some(contacts) = &case.contacts else {
         return Ok(None);
     };
     let mut solved = SolvedMachine {
         case: case.clone(),
-        solution: solve_machine(contacts, observer),
+        solution: solve_contacts(contacts),
         balance: None,
     };
     if !asks_for_balance(&solved.solution) {
@@ -87,7 +105,7 @@ pub fn solve(
         let Some(contacts) = case.contacts.clone() else {
             break;
         };
-        solved.solution = solve_machine(&contacts, observer);
+        solved.solution = solve_contacts(&contacts);
         solved.case = case;
     }
     tell(&mut solved);

@@ -9,6 +9,7 @@ mod life;
 mod moments;
 mod slip;
 
+pub(crate) use heat::solve_by;
 pub use heat::{Balance, SolvedMachine, solve};
 
 use crate::case::{Case, Mechanics};

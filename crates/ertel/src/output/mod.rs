@@ -45,7 +45,7 @@ pub use machine::{machine_json, machine_report, machine_table, write_machine};
 pub use monte_carlo::{MONTE_CARLO, monte_carlo_report, write_monte_carlo};
 pub use report::report;
 pub use result_json::{FORMAT, FORMAT_VERSION, result_json};
-pub use study::{study_films, study_tractions};
+pub use study::{StudyPicture, study_pictures};
 pub use target::check_target;
 
 use std::fs;

@@ -7,11 +7,13 @@ use serde_json::{Value, json};
 
 use super::figure::{axis_name, unit_of_size};
 use super::lines::Lines;
+use super::machine::TOLD;
+use super::pictures::film_unit;
 use super::{OutputError, replace_picture};
 use crate::files::write_whole;
 use crate::params::PictureFormats;
-use crate::solution::{Solution, Uncertainties};
-use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES};
+use crate::solution::{FigureUncertainty, Uncertainties};
+use crate::study::monte_carlo::{Distribution, MonteCarlo, QUANTILES, Sampled};
 use crate::words::digits;
 use ertel_plot::{Axis, Chart, Drawing, Look, PALETTE, Series, Side, side_by_side};
 
@@ -27,11 +29,11 @@ const PICTURE: &str = "monte-carlo";
 /// Files that cannot be written.
 pub fn write_monte_carlo(
     found: &MonteCarlo,
-    solution: &Solution,
+    first_order: Option<&Uncertainties>,
     folder: &Path,
     pictures: PictureFormats,
 ) -> Result<(), OutputError> {
-    let document = json(found, solution.uncertainty.as_ref());
+    let document = json(found, first_order);
     let failed = |path: &Path, source: std::io::Error| OutputError::Io {
         path: path.to_owned(),
         source,
@@ -43,7 +45,7 @@ pub fn write_monte_carlo(
     replace_picture(
         folder,
         PICTURE,
-        Some(&picture(found, solution)),
+        Some(&picture(found, first_order)),
         pictures,
         PictureFormats::default(),
     )
@@ -76,26 +78,46 @@ fn json(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Value {
 
 /// Standard deviation to first order.
 fn standard(figure: &Distribution, first_order: Option<&Uncertainties>) -> Option<f64> {
-    Some(0.5 * first_order?.get(figure.figure)?.half_width)
+    Some(0.5 * reading(figure, first_order)?.half_width)
+}
+
+/// The figure and its uncertainty to first order; whole machines have none.
+fn reading<'a>(
+    figure: &Distribution,
+    first_order: Option<&'a Uncertainties>,
+) -> Option<&'a FigureUncertainty> {
+    match figure.figure {
+        Sampled::Contact(figure) => first_order?.get(figure),
+        Sampled::Machine { .. } => None,
+    }
+}
+
+/// Figures that are shown: of machines the main ones; all are in the file.
+fn shown(found: &MonteCarlo) -> impl Iterator<Item = &Distribution> {
+    let is_shown = |figure: &&Distribution| match figure.figure {
+        Sampled::Contact(_) => true,
+        Sampled::Machine { name, .. } => TOLD.contains(&name),
+    };
+    found.figures.iter().filter(is_shown)
 }
 
 /// The table for the terminal.
-pub fn monte_carlo_report(found: &MonteCarlo, solution: &Solution) -> String {
+pub fn monte_carlo_report(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> String {
     let mut out = Lines::default();
     out.heading(&format!(
         "Uncertainty of the inputs, {} of {} samples solved (95 % intervals)",
         found.n_solved, found.n
     ));
-    for figure in &found.figures {
+    for figure in shown(found) {
         let (factor, unit) = unit(figure);
         let value = |v: f64| digits(factor * v, 4);
         let [low, .., high] = figure.quantiles;
-        let first = standard(figure, solution.uncertainty.as_ref());
+        let first = standard(figure, first_order);
         let first = first.map_or(String::new(), |s| {
             format!(", to first order ± {}", digits(2.0 * factor * s, 3))
         });
         out.row(
-            &figure.figure.title(),
+            &title(figure),
             format!(
                 "{} to {}{unit}, median {}, ± {} (two standard deviations, each ± {:.0} %){first}",
                 value(low),
@@ -119,22 +141,38 @@ pub fn monte_carlo_report(found: &MonteCarlo, solution: &Solution) -> String {
     out.text()
 }
 
+/// What a figure is, in words.
+fn title(figure: &Distribution) -> String {
+    match figure.figure {
+        Sampled::Contact(figure) => figure.title(),
+        Sampled::Machine { words, .. } => words.to_owned(),
+    }
+}
+
 /// Factor and unit in which a figure is shown.
 fn unit(figure: &Distribution) -> (f64, String) {
-    let (factor, unit) = unit_of_size(figure.figure.kind(), figure.mean);
+    let (factor, unit) = match figure.figure {
+        Sampled::Contact(of) => unit_of_size(of.kind(), figure.mean),
+        Sampled::Machine { unit: "m", .. } => film_unit(figure.mean),
+        Sampled::Machine { unit: "N m", .. } if figure.mean < 1.0 => (1e3, "N mm"),
+        Sampled::Machine { unit, .. } => (1.0, unit),
+    };
     let space = if unit.is_empty() { "" } else { " " };
     (factor, format!("{space}{unit}"))
 }
 
 /// Frequencies of the samples, and the normal distribution of the first order.
-fn picture(found: &MonteCarlo, solution: &Solution) -> Drawing {
-    let charts: Vec<Chart> = found.figures.iter().map(|f| chart(f, solution)).collect();
+fn picture(found: &MonteCarlo, first_order: Option<&Uncertainties>) -> Drawing {
+    let charts: Vec<Chart> = shown(found).map(|f| chart(f, first_order)).collect();
     side_by_side("Uncertainty of the inputs", &charts, 2)
 }
 
-fn chart(figure: &Distribution, solution: &Solution) -> Chart {
+fn chart(figure: &Distribution, first_order: Option<&Uncertainties>) -> Chart {
     let (factor, unit) = unit(figure);
-    let name = axis_name(figure.figure);
+    let name = match figure.figure {
+        Sampled::Contact(figure) => axis_name(figure),
+        Sampled::Machine { words, .. } => words.to_owned(),
+    };
     let values: Vec<f64> = figure.values.iter().map(|v| factor * v).collect();
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -159,9 +197,7 @@ fn chart(figure: &Distribution, solution: &Solution) -> Chart {
         colour: PALETTE[0].into(),
         side: Side::Left,
     }];
-    let first_order = solution.uncertainty.as_ref();
-    let reading = first_order.and_then(|u| u.get(figure.figure));
-    if let Some(first) = reading.filter(|u| u.half_width > 0.0) {
+    if let Some(first) = reading(figure, first_order).filter(|u| u.half_width > 0.0) {
         let (centre, standard) = (factor * first.value, 0.5 * factor * first.half_width);
         let normal = |x: f64| {
             let z = (x - centre) / standard;

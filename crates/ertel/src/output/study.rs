@@ -4,10 +4,11 @@ use std::collections::{HashMap, HashSet};
 
 use ertel_quantity::Unit;
 
+use super::machine::{DRAWN, Drawn};
 use super::pictures::{ERROR_BARS, film_unit};
 use crate::solution::Figure;
 use crate::study::journal::{PointKey, Record};
-use crate::study::{Column, ISOTHERMAL, StudyEcho};
+use crate::study::{Column, ISOTHERMAL, StudyEcho, titled};
 use crate::words::digits;
 use ertel_plot::{Axis, Chart, Drawing, ErrorBars, Look, PALETTE, Series, side_by_side};
 
@@ -25,35 +26,117 @@ const PANELS_IN_A_ROW: usize = 3;
 const LEGEND_GREY: &str = "#404040";
 
 /// A figure of the points with its look.
-type Shown = (Figure, Look);
+struct Shown {
+    /// Title of its column, and of that of its error bar.
+    titles: [String; 2],
+    words: String,
+    look: Look,
+}
 
-const FILMS: [Shown; 2] = [
-    (Figure::FilmCentral, Look::LineAndDots),
-    (Figure::FilmMinimum, Look::LineAndRings),
-];
+impl Shown {
+    fn of(figure: Figure, look: Look) -> Shown {
+        let column = Column::of(figure);
+        // Films and coefficients have the same unit in all contacts.
+        let error = column.error_title(false).unwrap_or_default();
+        Shown {
+            titles: [column.title(false), error],
+            words: figure.words().to_owned(),
+            look,
+        }
+    }
+}
 
-const TRACTION: [Shown; 1] = [(Figure::TractionCoefficient, Look::LineAndDots)];
+/// A picture of a study, with the name of its file.
+pub struct StudyPicture {
+    /// Name without suffix.
+    pub name: &'static str,
+    /// The picture; `None` where the study has none of that name.
+    pub drawing: Option<Drawing>,
+}
+
+/// Every picture that studies may have: of contacts films and tractions, of whole machines their figures.
+pub fn study_pictures(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Vec<StudyPicture> {
+    let is_machine = |record: &Record| record.field("contacts").is_some();
+    let machine = (study.points.iter())
+        .filter_map(|(key, _)| records.get(key))
+        .find(|record| is_machine(record));
+    let mut pictures = vec![StudyPicture {
+        name: "traction",
+        drawing: study_tractions(study, records),
+    }];
+    for drawn in &DRAWN {
+        let drawing = match (machine.is_some(), drawn.name) {
+            (true, _) => study_figures(study, records, drawn),
+            (false, "film") => study_films(study, records),
+            (false, _) => None,
+        };
+        pictures.push(StudyPicture {
+            name: drawn.name,
+            drawing,
+        });
+    }
+    pictures
+}
+
+/// Figures of whole machines likewise.
+fn study_figures(
+    study: &StudyEcho,
+    records: &HashMap<PointKey, Record>,
+    drawn: &Drawn,
+) -> Option<Drawing> {
+    let layout = Layout::new(study)?;
+    let figures: Vec<Shown> = (drawn.figures.iter())
+        .map(|name| [name.to_string(), format!("{name}_error")].map(|n| titled(&n, drawn.unit())))
+        .zip(drawn.figures)
+        .filter(|(titles, _)| has_field(study, records, &titles[0]))
+        .enumerate()
+        .map(|(i, (titles, name))| Shown {
+            look: drawn.look(i, has_field(study, records, &titles[1])),
+            titles,
+            words: name.replace('_', " "),
+        })
+        .collect();
+    let largest = layout.values(study, records, &figures);
+    let (scale, label) = drawn.scale(largest.fold(0.0, |l: f64, v| l.max(v.abs())));
+    layout.picture(study, records, &figures, scale, &label)
+}
+
+/// Whether some point has a number there.
+fn has_field(study: &StudyEcho, records: &HashMap<PointKey, Record>, title: &str) -> bool {
+    (0..study.points.len()).any(|point| field(study, records, point, title).is_some())
+}
 
 /// Central films with dots and minimum films with rings, with their error bars, over the axis with the most numbers, a colour for
 /// each combination of the others, and a panel for each value of one of them where these are more than there are colours; dashed
 /// the points without heat, where an axis switches it. `None` where no axis has three numbers, or there are too many
 /// combinations.
-pub fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Drawing> {
+fn study_films(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Drawing> {
     let layout = Layout::new(study)?;
-    let largest = layout.values(study, records, &FILMS).fold(0.0, f64::max);
+    let films = [
+        Shown::of(Figure::FilmCentral, Look::LineAndDots),
+        Shown::of(Figure::FilmMinimum, Look::LineAndRings),
+    ];
+    let largest = layout.values(study, records, &films).fold(0.0, f64::max);
     let (factor, unit) = film_unit(largest);
     let label = format!("Film thickness *h* ({unit})");
-    layout.picture(study, records, &FILMS, factor, &label)
+    layout.picture(study, records, &films, [factor, 0.0], &label)
 }
 
 /// Traction coefficients likewise; `None` also where nothing slides.
-pub fn study_tractions(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Drawing> {
+fn study_tractions(study: &StudyEcho, records: &HashMap<PointKey, Record>) -> Option<Drawing> {
     let layout = Layout::new(study)?;
     let slides = |i| field(study, records, i, "slide_to_roll_ratio").is_some_and(|s| s != 0.0);
     if !(0..study.points.len()).any(slides) {
         return None;
     }
-    layout.picture(study, records, &TRACTION, 1.0, "Traction coefficient")
+    let traction = [Shown::of(Figure::TractionCoefficient, Look::LineAndDots)];
+    layout.picture(
+        study,
+        records,
+        &traction,
+        [1.0, 0.0],
+        "Traction coefficient",
+    )
 }
 
 /// A figure of a point.
@@ -171,10 +254,8 @@ impl Layout {
         figures: &[Shown],
     ) -> impl Iterator<Item = f64> {
         let all = (0..self.xs.len()).flat_map(move |i| {
-            figures.iter().filter_map(move |(figure, _)| {
-                // Films and coefficients have the same unit in all contacts.
-                field(study, records, i, &Column::of(*figure).title(false))
-            })
+            let of = figures.iter();
+            of.filter_map(move |figure| field(study, records, i, &figure.titles[0]))
         });
         all.collect::<Vec<f64>>().into_iter()
     }
@@ -185,11 +266,11 @@ impl Layout {
         study: &StudyEcho,
         records: &HashMap<PointKey, Record>,
         figures: &[Shown],
-        factor: f64,
+        scale: [f64; 2],
         y_label: &str,
     ) -> Option<Drawing> {
         let charts: Vec<Chart> = (0..self.panels.len())
-            .map(|panel| self.chart(study, records, figures, (factor, y_label), panel))
+            .map(|panel| self.chart(study, records, figures, (scale, y_label), panel))
             .filter(|chart| {
                 let mut points = chart.series.iter().flat_map(|s| &s.points);
                 points.any(|p| p[1].is_finite())
@@ -208,7 +289,7 @@ impl Layout {
         study: &StudyEcho,
         records: &HashMap<PointKey, Record>,
         figures: &[Shown],
-        (factor, y_label): (f64, &str),
+        ([factor, summand], y_label): ([f64; 2], &str),
         panel: usize,
     ) -> Chart {
         let x_range = range(self.xs.iter().copied());
@@ -216,7 +297,10 @@ impl Layout {
             true => Axis::log_close_around(&self.x_label, self.xs.iter().copied()),
             false => Axis::linear_around(&self.x_label, self.xs.iter().copied()),
         };
-        let heights = || self.values(study, records, figures).map(|h| factor * h);
+        let heights = || {
+            let values = self.values(study, records, figures);
+            values.map(|h| factor * h + summand)
+        };
         let largest = heights().fold(0.0, |l: f64, h| l.max(h.abs()));
         // The traction of a contact that rolls is round-off of either sign.
         let heights = || heights().filter(|h| h.abs() > ROUND_OFF * largest);
@@ -233,23 +317,22 @@ impl Layout {
         for curve in self.curves.iter().filter(|c| c.panel == panel) {
             let colour = (self.labels.iter().zip(PALETTE)).find(|(l, _)| **l == curve.label);
             let colour = colour.map_or(PALETTE[0], |(_, colour)| colour);
-            for (i, (figure, look)) in figures.iter().enumerate() {
-                let column = Column::of(*figure);
-                let [title, error_title] = [Some(column.title(false)), column.error_title(false)]
-                    .map(Option::unwrap_or_default);
+            for (i, figure) in figures.iter().enumerate() {
+                let [title, error_title] = &figure.titles;
                 let colour = match single {
                     true => PALETTE[i],
                     false => colour,
                 };
-                let value = |point: usize, title: &str| {
-                    field(study, records, point, title).map(|value| factor * value)
+                let value = |point: usize| {
+                    field(study, records, point, title).map(|value| factor * value + summand)
                 };
                 let mut points: Vec<[f64; 2]> = (curve.points.iter())
-                    .map(|i| [self.xs[*i], value(*i, &title).unwrap_or(f64::NAN)])
+                    .map(|i| [self.xs[*i], value(*i).unwrap_or(f64::NAN)])
                     .collect();
                 points.sort_by(|a, b| a[0].total_cmp(&b[0]));
                 let bars = curve.points.iter().filter_map(|i| {
-                    let (h, error) = (value(*i, &title)?, value(*i, &error_title)?);
+                    let h = value(*i)?;
+                    let error = factor * field(study, records, *i, error_title)?;
                     Some([self.xs[*i], h - error, h + error])
                 });
                 chart.error_bars.push(ErrorBars {
@@ -257,7 +340,7 @@ impl Layout {
                     colour: colour.to_owned(),
                 });
                 let label = match (curve.is_isothermal, single, i) {
-                    (false, true, _) => figure.words().to_owned(),
+                    (false, true, _) => figure.words.clone(),
                     (false, false, 0) => curve.label.clone(),
                     _ => String::new(),
                 };
@@ -266,7 +349,7 @@ impl Layout {
                     points,
                     look: match curve.is_isothermal {
                         true => Look::Dashed,
-                        false => *look,
+                        false => figure.look,
                     },
                     colour: colour.to_owned(),
                     ..Series::default()
@@ -280,7 +363,7 @@ impl Layout {
             ..Series::default()
         };
         if !single && figures.len() > 1 {
-            let looks = figures.iter().map(|(f, look)| entry(f.words(), *look));
+            let looks = figures.iter().map(|f| entry(&f.words, f.look));
             chart.series.extend(looks);
         }
         if self.curves.iter().any(|curve| curve.is_isothermal) {

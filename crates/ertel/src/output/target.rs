@@ -13,7 +13,7 @@ use super::machine::MACHINE_FORMAT;
 use super::result_json::FORMAT;
 
 /// Files that a result may hold; with any other file in it, a folder is not replaced.
-pub(super) const OWN_FILES: [&str; 63] = [
+pub(super) const OWN_FILES: [&str; 84] = [
     "result.json",
     super::html::REPORT_PAGE,
     "curve.json",
@@ -61,6 +61,27 @@ pub(super) const OWN_FILES: [&str; 63] = [
     "interferogram.pdf",
     "cross-film.pdf",
     "cross-check.csv",
+    "friction-torque-curve.svg",
+    "friction-torque-curve.png",
+    "friction-torque-curve.pdf",
+    "friction-power-curve.svg",
+    "friction-power-curve.png",
+    "friction-power-curve.pdf",
+    "mesh-loss-curve.svg",
+    "mesh-loss-curve.png",
+    "mesh-loss-curve.pdf",
+    "friction-coefficient-curve.svg",
+    "friction-coefficient-curve.png",
+    "friction-coefficient-curve.pdf",
+    "temperature-curve.svg",
+    "temperature-curve.png",
+    "temperature-curve.pdf",
+    "safety-curve.svg",
+    "safety-curve.png",
+    "safety-curve.pdf",
+    "life-curve.svg",
+    "life-curve.png",
+    "life-curve.pdf",
     "machine.json",
     "machine.csv",
     "around.svg",

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::{Outcome, PointSolution};
-use crate::solution::{Estimate, Figure, Kind, MixedLubrication, Thermal, Unresolved};
+use super::{MachinePoint, Outcome, PointSolution};
+use crate::solution::{Estimate, Figure, Kind, MixedLubrication, Solution, Thermal, Unresolved};
 
 /// A column of a table, and beside it that of its error bar if it has one.
 #[derive(Clone, Copy)]
@@ -72,10 +72,7 @@ impl Column {
             Source::Estimate(kind, _) => kind.unit(is_line),
             Source::Plain(unit, _) => unit,
         };
-        match unit {
-            "" => name.to_owned(),
-            unit => format!("{name}_{}", unit.replace('/', "_per_").replace(' ', "_")),
-        }
+        titled(name, unit)
     }
 
     /// Titles with the cells of a point: value and error bar, or the value alone.
@@ -106,6 +103,105 @@ impl Column {
             Source::Plain(..) => true,
         }
     }
+}
+
+/// A name with its unit as `N_per_m`.
+pub(crate) fn titled(name: &str, unit: &str) -> String {
+    match unit {
+        "" => name.to_owned(),
+        unit => format!("{name}_{}", unit.replace('/', "_per_").replace(' ', "_")),
+    }
+}
+
+/// Titles with the cells of a point: of a single contact those of all columns, of a whole machine its figures.
+pub fn point_fields(point: &PointSolution, is_line: bool) -> Vec<(String, Cell)> {
+    match &point.machine {
+        None => columns().flat_map(|c| c.fields(point, is_line)).collect(),
+        Some(machine) => machine_fields(point, machine),
+    }
+}
+
+/// The figures of a machine with their error bars, and what belongs to the solve.
+fn machine_fields(point: &PointSolution, machine: &MachinePoint) -> Vec<(String, Cell)> {
+    let MachinePoint { solution, figures } = machine;
+    let text = |name: &str, text: String| (name.to_owned(), Cell::Text(text));
+    let count = |name: &str, n: usize| (name.to_owned(), Cell::Count(n));
+    let mut fields = vec![
+        text("converged", point.outcome.solution().is_some().to_string()),
+        count("contacts", solution.n_contacts()),
+        count("contacts_failed", solution.n_failed()),
+    ];
+    for figure in &figures.all {
+        let Estimate { value, error } = figure.estimate;
+        let of = titled(figure.name, figure.unit);
+        let error_of = titled(&format!("{}_error", figure.name), figure.unit);
+        fields.extend([(of, Cell::Number(value)), (error_of, error.into())]);
+    }
+    let solutions = point.solutions();
+    let sum = |of: fn(&Solution) -> usize| solutions.iter().map(|s| of(s)).sum();
+    let mut unresolved: Vec<&str> = Vec::new();
+    for name in solutions
+        .iter()
+        .flat_map(|s| &s.unresolved)
+        .map(Unresolved::name)
+    {
+        if !unresolved.contains(&name) {
+            unresolved.push(name);
+        }
+    }
+    let uncertain = (figures.all.iter()).filter(|figure| !figure.estimate.is_resolved());
+    let uncertain: Vec<&str> = uncertain.map(|figure| figure.name).collect();
+    fields.extend([
+        count("newton_iterations", sum(newton_iterations)),
+        count("krylov_iterations", sum(krylov_iterations)),
+        text("unresolved", unresolved.join(" ")),
+        text("uncertain_figures", uncertain.join(" ")),
+        ("seconds".to_owned(), Cell::Number(point.seconds)),
+        text(
+            "reason",
+            point.outcome.reason().unwrap_or_default().to_owned(),
+        ),
+    ]);
+    fields
+}
+
+fn newton_iterations(solution: &Solution) -> usize {
+    solution
+        .stats
+        .levels
+        .iter()
+        .map(|l| l.newton_iterations)
+        .sum()
+}
+
+fn krylov_iterations(solution: &Solution) -> usize {
+    solution
+        .stats
+        .levels
+        .iter()
+        .map(|l| l.krylov_iterations)
+        .sum()
+}
+
+/// Titles of several points in their order, each once: points of a machine may lack figures that others have.
+pub(crate) fn joint_titles<'a>(points: impl IntoIterator<Item = Vec<&'a str>>) -> Vec<&'a str> {
+    let mut titles: Vec<&str> = Vec::new();
+    for own in points {
+        if own == titles {
+            continue;
+        }
+        let mut place = 0;
+        for title in own {
+            match titles.iter().position(|known| *known == title) {
+                Some(at) => place = at + 1,
+                None => {
+                    titles.insert(place, title);
+                    place += 1;
+                }
+            }
+        }
+    }
+    titles
 }
 
 fn solved(point: &PointSolution, figure: Figure) -> Option<crate::solution::Located> {
@@ -265,8 +361,8 @@ const DERIVED: &[Column] = &[
     plain!("speed_group", "", s => s.groups.speed),
     plain!("moes_load", "", s => s.groups.moes_load),
     plain!("moes_material", "", s => s.groups.moes_material),
-    plain!("newton_iterations", "", s => s.stats.levels.iter().map(|l| l.newton_iterations).sum::<usize>()),
-    plain!("krylov_iterations", "", s => s.stats.levels.iter().map(|l| l.krylov_iterations).sum::<usize>()),
+    plain!("newton_iterations", "", s => newton_iterations(s)),
+    plain!("krylov_iterations", "", s => krylov_iterations(s)),
     Column::plain("pressure_unknowns", "", |point| {
         let solved = point.outcome.solution().and_then(|s| s.stats.solved());
         solved.map(|level| level.n_pressure_dofs).into()
@@ -301,6 +397,19 @@ const DERIVED: &[Column] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Points that lack figures lead to no column twice, and each column stands behind those before it at its point.
+    #[test]
+    fn titles_of_points_that_lack_some() {
+        let all = joint_titles([
+            vec!["a", "d"],
+            vec!["a", "b", "c", "d", "e"],
+            vec!["a", "x", "d"],
+        ]);
+        assert_eq!(all, ["a", "x", "b", "c", "d", "e"]);
+        assert_eq!(joint_titles([vec!["a", "b"], vec!["a", "b"]]), ["a", "b"]);
+        assert_eq!(titled("friction_torque", "N m"), "friction_torque_N_m");
+    }
 
     #[test]
     fn titles_have_units() {

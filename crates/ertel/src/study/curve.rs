@@ -1,7 +1,9 @@
 //! A curve: point by point, each from the solution of the last.
 
 use ertel_fem::platform::Instant;
+use ertel_quantity::Dimension;
 
+use super::machine::cores;
 use super::plan::Plan;
 use super::point::{Ends, Interrupted, PointSolution, Task};
 use super::walk::Walk;
@@ -67,6 +69,7 @@ pub fn solve_curve(curve: &Curve, observer: &mut dyn CurveObserver) -> CurveSolu
             ahead: plan.ahead(index).map(|i| &curve.points[i].case).collect(),
             beside: [curve.newtonian, curve.isothermal],
             fields: curve.folders,
+            workers: cores(),
         };
         let (point, ends) = task.solve(from, observer)?;
         observer.finished(index, &point);
@@ -81,8 +84,14 @@ pub fn solve_curve(curve: &Curve, observer: &mut dyn CurveObserver) -> CurveSolu
     }
 }
 
-/// A value of what varies with its unit: `0.4 m/s`.
+/// A value of what varies with its unit: `0.4 m/s`, `1000 rpm`.
 pub fn value_text(quantity: &Quantity, value: f64) -> String {
-    let text = format!("{} {}", digits(value, 6), quantity.unit());
+    let text = match quantity.dimension == Dimension::ANGULAR_SPEED {
+        true => format!("{} rpm", digits(value * RPM, 6)),
+        false => format!("{} {}", digits(value, 6), quantity.unit()),
+    };
     text.trim_end().to_owned()
 }
+
+/// Revolutions per minute of 1 rad/s.
+pub(crate) const RPM: f64 = 30.0 / std::f64::consts::PI;

@@ -46,10 +46,19 @@ impl PointKey {
         case.origin = None;
         case.output = crate::params::OutputParams::default();
         case.warnings.clear();
-        // Contact and motion hold all that the machine says.
+        // Contact and motion hold all that the machine says, and the mechanics all of its contacts.
         case.machine = None;
+        case.contacts = None;
+        let mut what = "";
+        if let Some(whole) = &mut case.whole {
+            let whole = Arc::make_mut(whole);
+            whole.title.clear();
+            whole.folders = false;
+            // Journals before had the governing contact alone.
+            what = " machine";
+        }
         // Whatever a case comes to hold, its debug text holds, too.
-        let text = format!("{NUMERICS} {case:?}");
+        let text = format!("{NUMERICS}{what} {case:?}");
         PointKey(xxh3_128(text.as_bytes()))
     }
 }

@@ -1,16 +1,19 @@
 //! A machine: its contacts side by side on all cores, each from the one that the plan of a study says.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
-use std::time::Instant;
+
+use ertel_fem::platform::Instant;
 
 use super::curve::CurveObserver;
 use super::plan::Plan;
-use super::point::{Ends, Interrupted, PointSolution, Task};
+use super::point::{Ends, Interrupted, Outcome, PointSolution, Task};
 use super::walk::Walk;
 use crate::case::{MachineContacts, Study, WholeMachine};
-use crate::solution::Solution;
+use crate::run::Start;
+use crate::solution::{IterationRecord, Solution};
 use crate::solve::Observer;
 
 /// What became of the contacts of a machine.
@@ -56,6 +59,18 @@ impl MachineSolution {
         failed.count()
     }
 
+    /// How many of its contacts have no solution, and why the first of them; `None` where all are solved.
+    pub fn failure(&self) -> Option<String> {
+        let mut failed = self.solved().filter_map(|(i, point)| match &point.outcome {
+            Outcome::Failed(reason) => Some((i, reason)),
+            Outcome::Solved(_) => None,
+        });
+        let (first, reason) = failed.next()?;
+        let n = 1 + failed.count();
+        let (all, name) = (self.n_contacts(), &self.machine.contacts[first].name);
+        Some(format!("{n} of {all} contacts failed; {name}: {reason}"))
+    }
+
     /// Whether the user stopped it before the last contact.
     pub fn is_partial(&self) -> bool {
         self.solved().count() < self.n_contacts()
@@ -69,62 +84,108 @@ fn distinct(machine: &WholeMachine) -> Vec<usize> {
     own.map(|(i, _)| i).collect()
 }
 
-/// Solves the contacts of a machine. A contact that fails is kept with its reason. When the observer cancels, the contacts until then are returned.
+/// What the contacts that start from no other one of their machine have reached, by their places: those of the next point of a curve or a study
+/// start from it.
+pub(super) type RootStarts = BTreeMap<usize, Arc<Start>>;
+
+/// Solves the contacts of a machine on all cores. A contact that fails is kept with its reason. When the observer cancels, the contacts until then are
+/// returned.
 ///
 /// Fields and iterations are kept only where the machine asks for folders.
 pub fn solve_machine(
     contacts: &MachineContacts,
     observer: &mut dyn CurveObserver,
 ) -> MachineSolution {
+    let (solution, _) = solve_contacts(contacts, &RootStarts::new(), cores(), observer);
+    solution
+}
+
+/// As many contacts as are solved side by side.
+pub(crate) fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// As [`solve_machine`], as many contacts at a time as there are `workers`, and those that start from no other one of the machine from `starts`;
+/// returns what these have reached. What it comes to does not depend on the number of workers.
+pub(super) fn solve_contacts(
+    contacts: &MachineContacts,
+    starts: &RootStarts,
+    workers: usize,
+    observer: &mut dyn CurveObserver,
+) -> (MachineSolution, RootStarts) {
     let clock = Instant::now();
     let MachineContacts { machine, study } = contacts;
     let n = study.points.len();
     let plan = Plan::new(study);
     let walk = Walk::<Ends>::new(&plan, &vec![true; n]);
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let places = distinct(machine);
     let shared = Shared {
         study,
         plan: &plan,
         walk: &walk,
+        starts,
+        places: &places,
         fields: machine.folders,
         cancelled: AtomicBool::new(false),
     };
     let mut found = vec![None; machine.contacts.len()];
-    let places = distinct(machine);
-    std::thread::scope(|scope| {
-        let (sender, receiver) = std::sync::mpsc::channel();
-        for _ in 0..cores.min(n).max(1) {
-            let (shared, sender) = (&shared, sender.clone());
-            scope.spawn(move || shared.work(&sender));
-        }
-        drop(sender);
-        for message in receiver {
-            match message {
-                Message::Begun(index) => {
-                    observer.point(index, n, &study.points[index].label);
-                }
-                Message::Ended(index, point) => {
-                    observer.finished(index, &point);
-                    found[places[index]] = Some(*point);
-                }
-                Message::Alive => {}
+    let mut reached = starts.clone();
+    let mut keep = |ended: Ended, observer: &mut dyn CurveObserver| {
+        observer.finished(ended.index, &ended.point);
+        let place = places[ended.index];
+        reached.extend(ended.root.map(|root| (place, root)));
+        found[place] = Some(*ended.point);
+    };
+    let workers = workers.clamp(1, n.max(1));
+    if workers == 1 {
+        // Interrupted or not, what is solved counts.
+        let _ = walk.run(|index, from| {
+            let (ended, ends) = shared.solve(index, from, observer)?;
+            keep(ended, observer);
+            Ok::<_, Interrupted>(ends)
+        });
+    } else {
+        std::thread::scope(|scope| {
+            let (sender, receiver) = std::sync::mpsc::channel();
+            for _ in 0..workers {
+                let (shared, sender) = (&shared, sender.clone());
+                scope.spawn(move || shared.work(&sender));
             }
-            if observer.cancelled() {
-                shared.cancelled.store(true, Ordering::Relaxed);
+            drop(sender);
+            for message in receiver {
+                match message {
+                    Message::Begun(index) => {
+                        observer.point(index, n, &study.points[index].label);
+                    }
+                    Message::Ended(ended) => keep(ended, observer),
+                    Message::Alive => {}
+                }
+                if observer.cancelled() {
+                    shared.cancelled.store(true, Ordering::Relaxed);
+                }
             }
-        }
-    });
-    MachineSolution {
+        });
+    }
+    let solution = MachineSolution {
         machine: machine.clone(),
         contacts: found,
         wall_seconds: clock.elapsed().as_secs_f64(),
-    }
+    };
+    (solution, reached)
+}
+
+/// A contact that is finished.
+struct Ended {
+    index: usize,
+    point: Box<PointSolution>,
+    /// What it has reached, where it starts from no other contact.
+    root: Option<Arc<Start>>,
 }
 
 /// What a thread tells.
 enum Message {
     Begun(usize),
-    Ended(usize, Box<PointSolution>),
+    Ended(Ended),
     /// An iteration: the moment to ask whether the user wants to stop.
     Alive,
 }
@@ -134,6 +195,8 @@ struct Shared<'a> {
     study: &'a Study,
     plan: &'a Plan,
     walk: &'a Walk<Ends>,
+    starts: &'a RootStarts,
+    places: &'a [usize],
     fields: bool,
     cancelled: AtomicBool,
 }
@@ -144,18 +207,8 @@ impl Shared<'_> {
         let solve = || {
             // Interrupted or not, what is solved counts.
             let _ = self.walk.run(|index, from| {
-                let _ = sender.send(Message::Begun(index));
-                let points = &self.study.points;
-                let task = Task {
-                    point: &points[index],
-                    place: (index, points.len()),
-                    label: points[index].label.clone(),
-                    ahead: self.plan.ahead(index).map(|i| &points[i].case).collect(),
-                    beside: [false; 2],
-                    fields: self.fields,
-                };
-                let (point, ends) = task.solve(from, &mut Teller(self, sender))?;
-                let _ = sender.send(Message::Ended(index, Box::new(point)));
+                let (ended, ends) = self.solve(index, from, &mut Teller(self, sender))?;
+                let _ = sender.send(Message::Ended(ended));
                 Ok::<_, Interrupted>(ends)
             });
         };
@@ -164,13 +217,44 @@ impl Shared<'_> {
             Err(_) => solve(),
         }
     }
+
+    /// Solves a contact from the one that the plan says, or from where it was at another point.
+    fn solve(
+        &self,
+        index: usize,
+        from: Ends,
+        observer: &mut dyn CurveObserver,
+    ) -> Result<(Ended, Ends), Interrupted> {
+        let points = &self.study.points;
+        let is_root = self.plan.parents[index].is_none();
+        let from = match is_root {
+            true => Ends::of_contact(self.starts.get(&self.places[index]).cloned()),
+            false => from,
+        };
+        let task = Task {
+            point: &points[index],
+            place: (index, points.len()),
+            label: points[index].label.clone(),
+            ahead: self.plan.ahead(index).map(|i| &points[i].case).collect(),
+            beside: [false; 2],
+            fields: self.fields,
+            workers: 1,
+        };
+        let (point, ends) = task.solve(from, observer)?;
+        let ended = Ended {
+            index,
+            point: Box::new(point),
+            root: is_root.then(|| ends.own()).flatten(),
+        };
+        Ok((ended, ends))
+    }
 }
 
 /// Tells the thread that waits, and stops the solver when the user wants.
 struct Teller<'a, 'b>(&'a Shared<'b>, &'a Sender<Message>);
 
 impl Observer for Teller<'_, '_> {
-    fn iteration(&mut self, _record: &crate::solution::IterationRecord) {
+    fn iteration(&mut self, _record: &IterationRecord) {
         let _ = self.1.send(Message::Alive);
     }
 
@@ -179,4 +263,43 @@ impl Observer for Teller<'_, '_> {
     }
 }
 
-impl CurveObserver for Teller<'_, '_> {}
+impl CurveObserver for Teller<'_, '_> {
+    fn point(&mut self, index: usize, _n_points: usize, _label: &str) {
+        let _ = self.1.send(Message::Begun(index));
+    }
+}
+
+/// Tells of the contacts of a machine as parts of a point of a curve or a study.
+pub(super) struct MachineObserver<'a> {
+    pub(super) observer: &'a mut dyn CurveObserver,
+    /// Place of the point, and number of points.
+    pub(super) place: (usize, usize),
+    /// Its values.
+    pub(super) label: &'a str,
+}
+
+impl Observer for MachineObserver<'_> {
+    fn level(&mut self, level: usize, n_levels: usize, n_pressure: usize, n_displacement: usize) {
+        (self.observer).level(level, n_levels, n_pressure, n_displacement);
+    }
+
+    fn iteration(&mut self, record: &IterationRecord) {
+        self.observer.iteration(record);
+    }
+
+    fn round(&mut self, round: usize, change: f64, rise: f64) {
+        self.observer.round(round, change, rise);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.observer.cancelled()
+    }
+}
+
+impl CurveObserver for MachineObserver<'_> {
+    fn point(&mut self, _index: usize, _n_points: usize, contact: &str) {
+        let (index, n_points) = self.place;
+        let label = format!("{}: {contact}", self.label);
+        self.observer.point(index, n_points, &label);
+    }
+}

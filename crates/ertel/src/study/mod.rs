@@ -12,10 +12,14 @@ pub(crate) mod point;
 pub(crate) mod table;
 pub(crate) mod walk;
 
-pub use columns::{Cell, Column, columns};
+pub use columns::{Cell, Column, columns, point_fields};
+pub(crate) use columns::{joint_titles, titled};
+pub(crate) use curve::RPM;
 pub use curve::{CurveObserver, CurveSolution, solve_curve, value_text};
 pub use error::StudyError;
+use machine::MachineObserver;
+pub(crate) use machine::cores;
 pub use machine::{MachineSolution, solve_machine};
-pub use point::{Outcome, PointSolution};
+pub use point::{MachinePoint, Outcome, PointSolution};
 pub(crate) use table::ISOTHERMAL;
 pub use table::{POINTS, STUDY_FORMAT, StudyEcho, TABLE};

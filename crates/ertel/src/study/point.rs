@@ -2,12 +2,14 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
-use std::time::Instant;
 
-use super::CurveObserver;
-use crate::case::Case;
-use crate::case::CaseEcho;
+use ertel_fem::platform::Instant;
+
+use super::machine::{MachineSolution, RootStarts, solve_contacts};
+use super::{CurveObserver, MachineObserver};
 use crate::case::study::StudyPoint;
+use crate::case::{Case, CaseEcho};
+use crate::machine::{MachineFigures, SolvedMachine, figures, solve_by};
 use crate::reference::film_formulas;
 use crate::run::{Start, groups, solve_from};
 use crate::solution::{
@@ -15,6 +17,7 @@ use crate::solution::{
     SurfaceField, ThermalReduction,
 };
 use crate::solve::SolveError;
+use crate::warning::{Warning, by_kind};
 
 /// A point of a curve or a study, solved or not.
 #[derive(Clone, Debug)]
@@ -25,8 +28,10 @@ pub struct PointSolution {
     pub case: CaseEcho,
     /// Film-thickness formulas.
     pub formulas: Vec<FormulaFilm>,
-    /// Its solution, or why there is none.
+    /// Its solution, or why there is none; of a whole machine that of the governing contact, where all contacts are solved.
     pub outcome: Outcome,
+    /// The whole machine, where the point is one.
+    pub machine: Option<Arc<MachinePoint>>,
     /// The same point without shear thinning, where that is asked for.
     pub newtonian: Option<Outcome>,
     /// The same point without heat, likewise.
@@ -35,7 +40,44 @@ pub struct PointSolution {
     pub seconds: f64,
 }
 
+/// A whole machine at a point of a curve or a study.
+#[derive(Clone, Debug)]
+pub struct MachinePoint {
+    /// Its contacts.
+    pub solution: MachineSolution,
+    /// Its figures; without sums where a contact is not solved.
+    pub figures: MachineFigures,
+}
+
 impl PointSolution {
+    /// Every solution of the point: one, or those of the contacts of a machine.
+    pub fn solutions(&self) -> Vec<&Solution> {
+        match &self.machine {
+            None => self.outcome.solution().into_iter().collect(),
+            Some(machine) => {
+                let solved = machine.solution.solved();
+                solved.filter_map(|(_, p)| p.outcome.solution()).collect()
+            }
+        }
+    }
+
+    /// Whether it has figures that its mesh does not resolve.
+    pub fn is_unresolved(&self) -> bool {
+        let mut solutions = self.solutions().into_iter();
+        solutions.any(|solution| !solution.unresolved.is_empty())
+    }
+
+    /// What to know about it; of the contacts of a machine the worst of each kind.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let Some(machine) = &self.machine else {
+            return (self.outcome.solution()).map_or(Vec::new(), |s| s.warnings.clone());
+        };
+        let contacts = self.solutions().into_iter().enumerate();
+        let of = contacts.flat_map(|(i, s)| s.warnings.iter().map(move |w| (i, w)));
+        let of = by_kind(of).into_iter().map(|merged| merged.worst);
+        machine.figures.warnings.iter().cloned().chain(of).collect()
+    }
+
     /// The Newtonian solution, if there is one.
     pub fn newtonian_solution(&self) -> Option<&Solution> {
         self.newtonian.as_ref().and_then(Outcome::solution)
@@ -118,7 +160,12 @@ pub(crate) struct Task<'a> {
     pub(crate) beside: [bool; 2],
     /// Whether its fields and iterations are kept.
     pub(crate) fields: bool,
+    /// Contacts of a machine that are solved side by side.
+    pub(crate) workers: usize,
 }
+
+/// Why a point that is a machine has no contacts.
+const NO_CONTACTS: &str = "the contacts of the machine can no longer be read: a file that the case is read from has changed";
 
 type Simplify = fn(&mut Case);
 
@@ -133,6 +180,23 @@ const SIMPLER: [(&str, Simplify); 2] = [
 pub(crate) struct Ends {
     own: Option<Arc<Start>>,
     beside: [Option<Arc<Start>>; 2],
+    /// Of a machine those of its contacts that start from no other.
+    roots: RootStarts,
+}
+
+impl Ends {
+    /// Those of a single contact.
+    pub(super) fn of_contact(own: Option<Arc<Start>>) -> Ends {
+        Ends {
+            own,
+            ..Ends::default()
+        }
+    }
+
+    /// What the contact itself has reached.
+    pub(super) fn own(&self) -> Option<Arc<Start>> {
+        self.own.clone()
+    }
 }
 
 /// The user wants to stop.
@@ -150,7 +214,10 @@ impl Task<'_> {
         let clock = Instant::now();
         let case = &self.point.case;
         let (index, n_points) = self.place;
-        observer.point(index, n_points, &self.label);
+        match &case.whole {
+            Some(_) => return self.solve_machine(ends, observer),
+            None => observer.point(index, n_points, &self.label),
+        }
         let from = ends.own.as_deref();
         let (outcome, end) = attempt(case, from, &self.ahead, self.fields, observer)?;
         ends.own = end.or(ends.own);
@@ -173,16 +240,83 @@ impl Task<'_> {
             ends.beside[i] = end.or(ends.beside[i].take());
         }
         let [newtonian, isothermal] = beside;
+        let point = PointSolution {
+            newtonian,
+            isothermal,
+            ..self.ended(outcome, &clock)
+        };
+        Ok((point, ends))
+    }
+
+    /// What became of the point, without simpler cases beside it.
+    fn ended(&self, outcome: Outcome, clock: &Instant) -> PointSolution {
+        let case = &self.point.case;
         let lubricant = &case.lubricant;
         let slope = (lubricant.viscosity).pressure_viscosity_slope(lubricant.temperature);
-        let point = PointSolution {
+        PointSolution {
             value: self.point.value(),
             case: case.echo(),
             formulas: film_formulas(&case.contact, &groups(case, slope), case.relative_density()),
             outcome,
-            newtonian,
-            isothermal,
+            machine: None,
+            newtonian: None,
+            isothermal: None,
             seconds: clock.elapsed().as_secs_f64(),
+        }
+    }
+
+    /// Solves all contacts of a machine. The first ones of each mesh start from those of the other point.
+    fn solve_machine(
+        &self,
+        ends: Ends,
+        observer: &mut dyn CurveObserver,
+    ) -> Result<(PointSolution, Ends), Interrupted> {
+        let clock = Instant::now();
+        let mut observer = MachineObserver {
+            observer,
+            place: self.place,
+            label: &self.label,
+        };
+        let mut roots = ends.roots.clone();
+        let solved = solve_by(&self.point.case, |contacts| {
+            let (solution, reached) = solve_contacts(contacts, &roots, self.workers, &mut observer);
+            roots = reached;
+            solution
+        });
+        let ends = Ends { roots, ..ends };
+        let solved = match solved {
+            Ok(Some(solved)) => solved,
+            Ok(None) => {
+                return Ok((
+                    self.ended(Outcome::Failed(NO_CONTACTS.to_owned()), &clock),
+                    ends,
+                ));
+            }
+            Err(error) => {
+                return Ok((self.ended(Outcome::Failed(error.to_string()), &clock), ends));
+            }
+        };
+        let SolvedMachine {
+            case,
+            solution,
+            balance,
+        } = solved;
+        if solution.is_partial() {
+            return Err(Interrupted);
+        }
+        let figures = figures(&case, &solution);
+        let governing = solution.solution(solution.machine.governing);
+        let lost = balance.filter(|balance| !balance.is_found());
+        let failure = solution.failure().or(lost.map(|balance| balance.words()));
+        let outcome = match (failure, governing) {
+            (None, Some(governing)) => Outcome::Solved(Box::new(governing.clone())),
+            (None, None) => Outcome::Failed("the governing contact is not loaded".to_owned()),
+            (Some(reason), _) => Outcome::Failed(reason),
+        };
+        let point = PointSolution {
+            case: case.echo(),
+            machine: Some(Arc::new(MachinePoint { solution, figures })),
+            ..self.ended(outcome, &clock)
         };
         Ok((point, ends))
     }

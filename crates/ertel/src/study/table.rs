@@ -7,7 +7,7 @@ use std::path::Path;
 use ertel_input::file::{LARGEST_OWN, read_bytes};
 use serde::{Deserialize, Serialize};
 
-use super::columns::{Column, columns};
+use super::columns::{Column, joint_titles, point_fields};
 use super::journal::{PointKey, Record, Title};
 use super::{Outcome, PointSolution, StudyError};
 use crate::case::study::{AxisValue, Study};
@@ -142,11 +142,13 @@ impl StudyEcho {
             .filter_map(|(i, (key, values))| Some((i, values, records.get(key)?)))
             .collect();
         let isothermal = self.isothermal_points();
-        let names = finished
-            .first()
-            .map_or(&[][..], |(_, _, record)| &record.fields);
+        let titles_of = finished.iter().map(|(_, _, record)| {
+            let titles = record.fields.iter().map(|(name, _)| &**name);
+            titles.collect()
+        });
+        let names = joint_titles(titles_of);
         let titles = self.columns.iter().map(String::as_str);
-        for title in titles.chain(names.iter().map(|(name, _)| &**name)) {
+        for title in titles.chain(names.iter().copied()) {
             text.push(',');
             text.push_str(&text_field(title));
         }
@@ -158,7 +160,7 @@ impl StudyEcho {
                 text.push(',');
                 text.push_str(&text_field(value));
             }
-            for (name, _) in names {
+            for name in names.iter().copied() {
                 text.push(',');
                 match isothermal.and_then(|isothermal| reduction(name, record, isothermal)) {
                     Some(value) => {
@@ -215,8 +217,24 @@ fn belongs(name: &str) -> bool {
 
 /// The fields of a point, by the titles of their columns: its operating point, then its figures.
 pub(crate) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
+    let is_line = point.case.contact.kind.is_line();
+    let mut fields = match point.machine {
+        None => operating_point(point, is_line),
+        // Each of its contacts has its own; the rest of it is told by the axes.
+        Some(_) => Vec::new(),
+    };
+    let figures = point_fields(point, is_line).into_iter();
+    for (title, cell) in figures.filter(|(title, _)| belongs(title)) {
+        fields.push((title, cell.to_string().replace(['\n', '\r'], " ")));
+    }
+    (fields.into_iter())
+        .map(|(title, value)| (title.into(), value.into()))
+        .collect()
+}
+
+/// Load, speeds, temperature and radii of a contact.
+fn operating_point(point: &PointSolution, is_line: bool) -> Vec<(String, String)> {
     let case = &point.case;
-    let is_line = case.contact.kind.is_line();
     let number = |value: f64| format!("{value:e}");
     let load = if is_line { "load_N_per_m" } else { "load_N" };
     let motion = &case.motion;
@@ -240,27 +258,20 @@ pub(crate) fn fields(point: &PointSolution) -> Vec<(Title, Box<str>)> {
             fields.push((name.to_owned(), number(value)));
         }
     }
-    let columns = columns().filter(|column| belongs(column.name));
-    for (title, cell) in columns.flat_map(|column| column.fields(point, is_line)) {
-        fields.push((title, cell.to_string().replace(['\n', '\r'], " ")));
-    }
-    (fields.into_iter())
-        .map(|(title, value)| (title.into(), value.into()))
-        .collect()
+    fields
 }
 
 /// The record of a point.
 pub(crate) fn record(key: PointKey, point: &PointSolution) -> Record {
-    let solution = point.outcome.solution();
     Record {
         key,
-        converged: solution.is_some(),
+        converged: point.outcome.solution().is_some(),
         reason: match &point.outcome {
             Outcome::Failed(reason) => reason.clone(),
             Outcome::Solved(_) => String::new(),
         },
         fields: fields(point),
-        warnings: solution.map_or(Vec::new(), |s| s.warnings.clone()),
+        warnings: point.warnings(),
         seconds: point.seconds,
     }
 }

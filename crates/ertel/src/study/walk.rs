@@ -108,6 +108,11 @@ impl<E> Walk<E> {
         self.bell.notify_all();
     }
 
+    /// Points that are being solved.
+    pub(crate) fn n_running(&self) -> usize {
+        self.lock().n_running
+    }
+
     /// Whether the walk has been stopped.
     pub(crate) fn is_stopped(&self) -> bool {
         self.lock().stopped

@@ -16,24 +16,42 @@ use crate::study::table::{POINTS, StudyEcho, TABLE};
 use crate::warning::by_kind;
 
 /// Every file that a study writes into its folder.
-pub const FILES: [&str; 11] = [
+pub const FILES: [&str; 32] = [
     LOCK,
     JOURNAL,
     POINTS,
     TABLE,
+    REPORT_PAGE,
     "film.svg",
     "film.pdf",
     "film.png",
     "traction.svg",
     "traction.pdf",
     "traction.png",
-    REPORT_PAGE,
+    "friction-torque.svg",
+    "friction-torque.pdf",
+    "friction-torque.png",
+    "friction-power.svg",
+    "friction-power.pdf",
+    "friction-power.png",
+    "mesh-loss.svg",
+    "mesh-loss.pdf",
+    "mesh-loss.png",
+    "friction-coefficient.svg",
+    "friction-coefficient.pdf",
+    "friction-coefficient.png",
+    "temperature.svg",
+    "temperature.pdf",
+    "temperature.png",
+    "safety.svg",
+    "safety.pdf",
+    "safety.png",
+    "life.svg",
+    "life.pdf",
+    "life.png",
 ];
 /// Folder within that of a study, with the results of its points where these are asked for.
 pub const FOLDERS: &str = "points";
-/// Name without suffix of the picture of its films, and of that of its tractions.
-const FILMS: &str = "film";
-const TRACTIONS: &str = "traction";
 
 /// Makes the folder of a study, or opens a former one, and writes the list of points there.
 pub(super) fn open(folder: &Path, echo: &StudyEcho) -> Result<(Journal, Entries), SweepError> {
@@ -133,14 +151,11 @@ pub(super) fn write_results(
     let page = study_page(&echo.title, &table, echo.columns.len(), warnings);
     write(TABLE, table)?;
     write(REPORT_PAGE, page)?;
-    for (name, picture) in [
-        (FILMS, output::study_films(echo, records)),
-        (TRACTIONS, output::study_tractions(echo, records)),
-    ] {
+    for picture in output::study_pictures(echo, records) {
         output::replace_picture(
             folder,
-            name,
-            picture.as_ref(),
+            picture.name,
+            picture.drawing.as_ref(),
             echo.pictures,
             PictureFormats::default(),
         )?;
@@ -160,8 +175,10 @@ pub(super) fn has_folder(
     study: &Study,
     record: Option<&Record>,
 ) -> bool {
-    record.is_some_and(|r| !r.converged)
-        || point_folder(folder, index, study.points.len())
-            .join("result.json")
-            .exists()
+    let results = match study.points[index].case.whole {
+        Some(_) => "machine.json",
+        None => "result.json",
+    };
+    let point = point_folder(folder, index, study.points.len());
+    record.is_some_and(|r| !r.converged) || point.join(results).exists()
 }

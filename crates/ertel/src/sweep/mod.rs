@@ -13,10 +13,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use crate::case::Study;
-use crate::study::StudyEcho;
 use crate::study::journal::{PointKey, Record};
 use crate::study::plan::Plan;
 use crate::study::walk::Walk;
+use crate::study::{StudyEcho, cores};
 use crate::warning::{Merged, by_kind};
 use folder::{has_folder, look, open, write_results};
 use work::Shared;
@@ -177,6 +177,8 @@ pub fn sweep_part(
     let mut records = entries.records;
     observer.begin(mine.len(), n_kept);
     let walk = Walk::new(plan, &wanted);
+    let threads = params.threads.unwrap_or(1).max(1);
+    let jobs = params.jobs.unwrap_or(cores().div_ceil(threads));
     let shared = Shared {
         study,
         echo: &echo,
@@ -186,11 +188,9 @@ pub fn sweep_part(
         params,
         observer,
         walk: &walk,
+        threads: jobs * threads,
         n_again: AtomicUsize::new(0),
     };
-    let threads = params.threads.unwrap_or(1).max(1);
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let jobs = params.jobs.unwrap_or(cores.div_ceil(threads));
     let jobs = jobs.clamp(1, walk.n_needed.max(1));
     let (sender, receiver) = std::sync::mpsc::channel::<(usize, Record)>();
     let pools: Vec<rayon::ThreadPool> = (0..jobs)

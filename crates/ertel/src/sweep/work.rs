@@ -26,6 +26,8 @@ pub(super) struct Shared<'a> {
     pub(super) params: &'a SweepParams,
     pub(super) observer: &'a dyn SweepObserver,
     pub(super) walk: &'a Walk<Ends>,
+    /// Threads of all points together.
+    pub(super) threads: usize,
     /// Points solved that are not wanted.
     pub(super) n_again: AtomicUsize,
 }
@@ -65,13 +67,19 @@ impl Shared<'_> {
             ahead: self.plan.ahead(index).map(|i| &points[i].case).collect(),
             beside: [false; 2],
             fields: folders,
+            // Cores without a point of their own help with the contacts of a machine.
+            workers: self.threads / self.walk.n_running().max(1),
         };
         let solved = task.solve(from, &mut Stop(self));
         let (solved, ends) = solved.map_err(|Interrupted| None)?;
         if let (true, Some(solution)) = (folders, solved.outcome.solution()) {
             let target = point_folder(self.folder, index, points.len());
-            output::write(&solved.case, solution, &target, &point.case.output)
-                .map_err(|e| Some(e.into()))?;
+            let (case, params) = (&solved.case, &point.case.output);
+            match &solved.machine {
+                None => output::write(case, solution, &target, params),
+                Some(of) => output::write_machine(case, &of.solution, &of.figures, &target, params),
+            }
+            .map_err(|e| Some(e.into()))?;
         }
         Ok((record(key, &solved), ends))
     }

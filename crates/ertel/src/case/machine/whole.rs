@@ -1,5 +1,6 @@
 //! All contacts of a machine: its case file with the keys of one contact after the other put in.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -154,12 +155,13 @@ pub struct MachineContacts {
     pub study: Study,
 }
 
-/// Reads the contacts that are to be solved.
+/// Reads the contacts that are to be solved, with other values, SI, at the key paths `replaced`.
 pub(in crate::case) fn contacts(
     document: &Document,
     folder: &Path,
     case: &Case,
     machine: &Arc<WholeMachine>,
+    replaced: &BTreeMap<String, f64>,
 ) -> Result<MachineContacts, InputError> {
     let at = document.tree().entry("machine");
     let span = at.map_or(0..0, |entry| entry.key_span.clone());
@@ -191,8 +193,9 @@ pub(in crate::case) fn contacts(
                 })
                 .collect();
         }
-        let (mut point, varied) =
-            StudyPoint::read(document, folder, &settings, |_| contact.name.clone())?;
+        let (mut point, varied) = StudyPoint::read(document, folder, &settings, replaced, |_| {
+            contact.name.clone()
+        })?;
         point.label.clone_from(&contact.name);
         point.case.source = format!("# {}\n{}", contact.name, to_toml(varied.tree()));
         points.push(point);

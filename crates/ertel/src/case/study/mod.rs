@@ -86,7 +86,8 @@ impl Reader {
     fn read(&self, index: usize) -> Result<StudyPoint, InputError> {
         let settings = settings_of(&self.groups, index);
         let told = |label: &str| format!("point {} of {}: {label}", index + 1, self.name);
-        let (mut point, varied) = StudyPoint::read(&self.case, &self.folder, &settings, told)?;
+        let (mut point, varied) =
+            StudyPoint::read(&self.case, &self.folder, &settings, &BTreeMap::new(), told)?;
         point.case.source = format!(
             "# Point {} of {}: {}\n{}",
             index + 1,
@@ -127,17 +128,19 @@ pub struct StudyPoint {
     pub values: Vec<AxisValue>,
     /// The values as they are shown: `contact.load = 10 N, motion.entrainment_speed = 0.1 m/s`.
     pub label: String,
-    /// The case; in a study that was read without its text and where its quantities come from ([`Study::whole_point`] has them).
+    /// The case; in a study that was read without its text, the contacts of a machine and where its quantities come from
+    /// ([`Study::whole_point`] has them).
     pub case: Case,
 }
 
 impl StudyPoint {
-    /// Reads the case of a document with settings in place, and returns the document with them; `told` says in an error
-    /// which point it is, of its label.
+    /// Reads the case of a document with settings in place and other values, SI, at the key paths `replaced`, of a whole machine with its
+    /// contacts, and returns the document with the settings; `told` says in an error which point it is, of its label.
     pub(super) fn read(
         document: &Document,
         folder: &Path,
         settings: &[Setting],
+        replaced: &BTreeMap<String, f64>,
         told: impl Fn(&str) -> String,
     ) -> Result<(Self, Document), InputError> {
         let label = settings
@@ -153,7 +156,9 @@ impl StudyPoint {
             for setting in settings {
                 varied.put(&setting.key, &setting.key_span, setting.node.clone())?;
             }
-            Case::without_curve(&varied, folder, BTreeMap::new())
+            let mut case = Case::without_curve(&varied, folder, replaced.clone())?;
+            case.read_contacts(&varied, folder, replaced)?;
+            Ok(case)
         };
         let mut case = read().map_err(|error| error.with_help(told(&label)))?;
         let keys = settings.iter().map(|s| s.key.as_str());
@@ -204,7 +209,7 @@ impl Study {
         }
     }
 
-    /// A point whose case has its text and where its quantities come from, read once more; `None` where that fails now, or the points
+    /// A point whose case has its text, the contacts of a machine and where its quantities come from, read once more; `None` where that fails now, or the points
     /// were made in code and have all of it.
     pub fn whole_point(&self, index: usize) -> Option<StudyPoint> {
         self.reader.as_ref()?.read(self.places[index]).ok()
@@ -336,6 +341,7 @@ fn build(
             // There may be a million of them.
             let case = &mut point.case;
             (case.origin, case.given) = (None, serde_json::Value::Null);
+            case.contacts = None;
             case.source = String::new();
             Ok((point, files))
         })

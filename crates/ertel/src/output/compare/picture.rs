@@ -17,14 +17,14 @@ const ROOM: f64 = 1.1;
 /// Colour of rows where the other quantities have more settings than there are colours.
 const MANY: &str = "#404040";
 
-/// Films in one diagram and traction in another, over the column with the most settings; a colour for each setting of the other
+/// Films in one diagram, traction and figures of machines in others, over the column with the most settings; a colour for each setting of the other
 /// columns. `None` where no column is a number.
 pub fn comparison_picture(comparison: &Comparison) -> Option<Drawing> {
     let layout = Layout::new(comparison)?;
-    let (films, tractions): (Vec<Measurand>, Vec<Measurand>) =
+    let (films, others): (Vec<Measurand>, Vec<Measurand>) =
         comparison.figures().partition(|f| f.is_film());
-    let charts: Vec<Chart> = [films, tractions]
-        .into_iter()
+    let others = others.into_iter().map(|figure| vec![figure]);
+    let charts: Vec<Chart> = (std::iter::once(films).chain(others))
         .filter(|figures| !figures.is_empty())
         .map(|figures| layout.chart(comparison, &figures))
         .collect();
@@ -74,12 +74,15 @@ impl Layout {
 
     fn chart(&self, comparison: &Comparison, figures: &[Measurand]) -> Chart {
         let rows = || comparison.rows.iter().zip(&self.group);
-        let (factor, y_label) = match figures[0].is_film() {
-            true => {
-                let (factor, unit) = unit_of(comparison, figures[0]);
-                (factor, format!("Film thickness *h* ({unit})"))
-            }
-            false => (1.0, "Traction coefficient".to_owned()),
+        let (factor, unit) = unit_of(comparison, figures[0]);
+        let mut name = figures[0].words().to_owned();
+        if let Some(first) = name.get_mut(..1) {
+            first.make_ascii_uppercase();
+        }
+        let y_label = match (figures[0].is_film(), unit) {
+            (true, unit) => format!("Film thickness *h* ({unit})"),
+            (false, "") => name,
+            (false, unit) => format!("{name} ({unit})"),
         };
         let (x_label, shown) = self.x_unit(comparison);
         let x_of = |row: &ComparedRow| row.values[self.x].number().map_or(f64::NAN, shown);
@@ -250,7 +253,7 @@ mod tests {
     use ertel_quantity::Dimension;
 
     use super::*;
-    use crate::compare::Outcome;
+    use crate::compare::{N_MEASURANDS, Outcome};
 
     fn comparison(columns: &[(&str, Dimension)], rows: &[&[f64]]) -> Comparison {
         let row = |values: &&[f64]| ComparedRow {
@@ -260,7 +263,7 @@ mod tests {
                 .map(|(value, (_, dimension))| AxisValue::Number(*value, *dimension))
                 .collect(),
             outcome: Outcome::Open,
-            figures: [None; 3],
+            figures: [None; N_MEASURANDS],
         };
         Comparison {
             title: String::new(),

@@ -51,15 +51,20 @@ pub fn comparison_report(comparison: &Comparison, folder: Option<&Path>) -> Stri
 
 /// Factor and unit in which a figure is shown.
 pub(super) fn unit_of(comparison: &Comparison, figure: Measurand) -> (f64, &'static str) {
-    if !figure.is_film() {
-        return (1.0, "");
+    if !figure.is_film() && figure != Measurand::FrictionTorque {
+        return (1.0, figure.unit());
     }
     let measured = comparison
         .rows
         .iter()
         .filter_map(|r| r.figures[figure as usize]);
     // Films of a speed ramp go through both units: the thinnest decides.
-    film_unit(measured.fold(f64::MAX, |smallest, c| smallest.min(c.measured.value)))
+    let smallest = measured.fold(f64::MAX, |smallest, c| smallest.min(c.measured.value));
+    match figure.is_film() {
+        true => film_unit(smallest),
+        false if smallest < 1.0 => (1e3, "N mm"),
+        false => (1.0, "N m"),
+    }
 }
 
 fn write_rows(text: &mut String, comparison: &Comparison, figure: Measurand) {

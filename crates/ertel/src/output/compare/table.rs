@@ -3,6 +3,7 @@
 use crate::case::study::AxisValue;
 use crate::compare::{Comparison, Measurand, Outcome};
 use crate::files::text_field;
+use crate::study::titled;
 
 /// The table as text, SI.
 pub fn comparison_table(comparison: &Comparison) -> String {
@@ -10,8 +11,7 @@ pub fn comparison_table(comparison: &Comparison) -> String {
     let mut header = vec!["line".to_owned(), "point".to_owned()];
     header.extend(comparison.columns.iter().map(|title| text_field(title)));
     for figure in &figures {
-        let unit = if figure.is_film() { "_m" } else { "" };
-        let name = figure.name();
+        let (name, unit) = (figure.name(), figure.unit());
         for (part, unit) in [
             ("measured", unit),
             ("measured_uncertainty", unit),
@@ -20,7 +20,7 @@ pub fn comparison_table(comparison: &Comparison) -> String {
             ("difference", ""),
             ("within", ""),
         ] {
-            header.push(format!("{name}_{part}{unit}"));
+            header.push(titled(&format!("{name}_{part}"), unit));
         }
     }
     header.extend(["converged", "unresolved", "reason"].map(str::to_owned));

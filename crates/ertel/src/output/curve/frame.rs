@@ -3,7 +3,7 @@
 use ertel_quantity::Dimension;
 
 use crate::case::curve::Quantity;
-use crate::study::{CurveSolution, PointSolution};
+use crate::study::{CurveSolution, PointSolution, RPM};
 use crate::words::pressure_unit;
 use ertel_plot::{Axis, AxisScale, Chart, Marker};
 
@@ -89,6 +89,8 @@ fn shown_unit(quantity: &Quantity, size: f64) -> (fn(f64) -> f64, &'static str) 
         Dimension::PRESSURE => (|v| 1e-9 * v, "GPa"),
         Dimension::LENGTH => (|v| 1e3 * v, "mm"),
         Dimension::TEMPERATURE => (|v| v - 273.15, "°C"),
+        Dimension::ANGULAR_SPEED => (|v| RPM * v, "rpm"),
+        _ if quantity.is_torque() => (|v| v, "N m"),
         _ => (|v| v, ""),
     }
 }

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::super::machine::machine_figures_json;
 use super::super::result_json::{FORMAT_VERSION, figures_json, units};
 use crate::case::CaseEcho;
 use crate::run::NUMERICS;
@@ -37,11 +38,29 @@ pub fn curve_json(case: &CaseEcho, curve: &CurveSolution) -> serde_json::Result<
     }))
 }
 
-/// A point of a curve, as in `points` of [`curve_json`]; `index` counts from 0.
+/// A point of a curve, as in `points` of [`curve_json`]; `index` counts from 0. Of a whole machine its figures.
 ///
 /// # Errors
 /// Those of serde.
 pub fn point_json(index: usize, point: &PointSolution) -> serde_json::Result<Value> {
+    if let Some(machine) = &point.machine {
+        let warnings = point.warnings();
+        let mut json = json!({
+            "point": index + 1,
+            "value": point.value,
+            "converged": point.outcome.solution().is_some(),
+            "seconds": point.seconds,
+            "figures": machine_figures_json(&machine.figures),
+            "n_contacts": machine.solution.n_contacts(),
+            "n_failed": machine.solution.n_failed(),
+            "unresolved": point.is_unresolved(),
+            "warnings": texts(&warnings),
+        });
+        if let Some(reason) = point.outcome.reason() {
+            json["reason"] = json!(reason);
+        }
+        return Ok(json);
+    }
     let formulas: Vec<Value> = point
         .formulas
         .iter()

@@ -2,6 +2,7 @@
 
 mod frame;
 mod json;
+mod machine;
 mod picture;
 mod report;
 mod stribeck;
@@ -17,6 +18,7 @@ use std::path::Path;
 
 use super::folder::{NewFolder, OutputFile, Part};
 use super::html::{REPORT_PAGE, curve_page};
+use super::machine::{check as check_machine, write_files_of_machine};
 use super::pictures::Picture;
 use super::{OutputError, finite, write_files, write_picture};
 use crate::case::CaseEcho;
@@ -42,9 +44,16 @@ pub fn write_curve(
     if folders {
         let width = curve.n_points.to_string().len();
         for (i, point) in curve.points.iter().enumerate() {
-            if let Outcome::Solved(solution) = &point.outcome {
-                let part = folder.point(&format!("{:0width$}", i + 1))?;
-                write_files(&part, &point.case, solution, params)?;
+            let Outcome::Solved(solution) = &point.outcome else {
+                continue;
+            };
+            let part = folder.point(&format!("{:0width$}", i + 1))?;
+            match &point.machine {
+                None => write_files(&part, &point.case, solution, params)?,
+                Some(of) => {
+                    let (solution, figures) = (&of.solution, &of.figures);
+                    write_files_of_machine(&part, &point.case, solution, figures, params)?;
+                }
             }
         }
     }
@@ -68,6 +77,9 @@ pub fn curve_files(
 
 fn check_curve(curve: &CurveSolution) -> Result<(), OutputError> {
     for (i, point) in curve.points.iter().enumerate() {
+        if let Some(machine) = &point.machine {
+            check_machine(&machine.solution, &machine.figures)?;
+        }
         let besides = [&point.newtonian, &point.isothermal].map(Option::as_ref);
         for outcome in [[Some(&point.outcome); 1].as_slice(), &besides].concat() {
             let solution = outcome.and_then(Outcome::solution);
@@ -110,6 +122,9 @@ fn write_files_of_curve(
 
 /// Every picture of a curve.
 fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
+    if curve.points.iter().any(|point| point.machine.is_some()) {
+        return machine::pictures(title, curve);
+    }
     let picture = |name, chart: Chart| Picture::new(name, chart.drawing());
     let film = picture("film-curve", film_chart(title, curve));
     let traction = traction_chart(title, curve).map(|chart| picture("traction-curve", chart));

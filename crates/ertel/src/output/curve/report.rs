@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::super::figure::{estimate, number, peak, temperature};
+use super::super::machine::{TOLD, shown};
 use super::super::mixed::share;
 use crate::case::CaseEcho;
 use crate::solution::MixedLubrication;
@@ -19,7 +20,11 @@ pub fn curve_report(case: &CaseEcho, curve: &CurveSolution, folder: Option<&Path
     }
     let rule = "─".repeat(title.chars().count().max(4));
     let mut text = format!("{title}\n{rule}\n\nCurve over {}\n", curve.quantity.path);
-    let rows = rows(curve);
+    let is_machine = curve.points.iter().any(|p| p.machine.is_some());
+    let rows = match is_machine {
+        true => rows_of_machines(curve),
+        false => rows(curve),
+    };
     let width = |j: usize| rows.iter().map(|r| r[j].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
     for row in &rows {
@@ -120,20 +125,47 @@ fn rows(curve: &CurveSolution) -> Vec<Vec<String>> {
     rows
 }
 
+/// The table of whole machines with its header: those of the main figures that they have.
+fn rows_of_machines(curve: &CurveSolution) -> Vec<Vec<String>> {
+    let figure = |p: &PointSolution, name: &str| p.machine.as_ref()?.figures.find(name).cloned();
+    let found = |name: &str| curve.points.iter().find_map(|p| figure(p, name));
+    let columns: Vec<(&str, &str)> = (TOLD.iter())
+        .filter_map(|name| Some((*name, found(name)?.words)))
+        .collect();
+    let mut head = vec![curve.quantity.name.to_owned()];
+    head.extend(columns.iter().map(|(_, words)| (*words).to_owned()));
+    head.extend(["contacts".to_owned(), "time".to_owned()]);
+    let mut rows = vec![head];
+    for point in &curve.points {
+        let mut row = vec![value_text(&curve.quantity, point.value)];
+        row.extend((columns.iter()).map(|(name, _)| {
+            figure(point, name).map_or_else(|| "-".to_owned(), |figure| shown(&figure))
+        }));
+        row.push(match &point.machine {
+            None => "failed".to_owned(),
+            Some(of) => match (of.solution.n_contacts(), of.solution.n_failed()) {
+                (all, 0) => all.to_string(),
+                (all, failed) => format!("{failed} of {all} failed"),
+            },
+        });
+        row.push(format!("{} s", digits(point.seconds, 2)));
+        rows.push(row);
+    }
+    rows
+}
+
 /// Failures, and warnings with the points that they are about.
 fn write_remarks(text: &mut String, curve: &CurveSolution) {
-    let mut warnings = Vec::new();
     for (i, point) in curve.points.iter().enumerate() {
-        match &point.outcome {
-            Outcome::Failed(reason) => {
-                let _ = writeln!(text, "\n  ! point {} failed: {reason}", i + 1);
-            }
-            Outcome::Solved(s) => {
-                let told = s.warnings.iter().filter(|w| !w.kind.is_note());
-                warnings.extend(told.map(|w| (i, w)));
-            }
+        if let Outcome::Failed(reason) = &point.outcome {
+            let _ = writeln!(text, "\n  ! point {} failed: {reason}", i + 1);
         }
     }
+    let all: Vec<_> = curve.points.iter().map(PointSolution::warnings).collect();
+    let warnings = all.iter().enumerate().flat_map(|(i, of)| {
+        let told = of.iter().filter(|w| !w.kind.is_note());
+        told.map(move |w| (i, w))
+    });
     for merged in by_kind(warnings) {
         let _ = writeln!(text, "\n  ! {}", merged.line(curve.points.len()));
     }

@@ -24,18 +24,7 @@ pub fn machine_json(
 ) -> serde_json::Result<Value> {
     let whole = &machine.machine;
     let warnings = warning_texts(machine, figures);
-    let figures: Map<String, Value> = (figures.all.iter())
-        .map(|figure| {
-            let value = json!({
-                "value": figure.estimate.value,
-                "error": figure.estimate.error,
-                "unit": figure.unit,
-                "words": figure.words,
-                "source": figure.source,
-            });
-            (figure.name.to_owned(), value)
-        })
-        .collect();
+    let figures = machine_figures_json(figures);
     let contacts = (whole.contacts.iter().enumerate())
         .map(|(i, contact)| {
             let mut value = json!({
@@ -81,4 +70,20 @@ pub fn machine_json(
         "case": { "given": case.given, "si": serde_json::to_value(case)? },
         "units": units(whole.is_line),
     }))
+}
+
+/// The figures of a machine by their names.
+pub(in crate::output) fn machine_figures_json(figures: &MachineFigures) -> Map<String, Value> {
+    (figures.all.iter())
+        .map(|figure| {
+            let value = json!({
+                "value": figure.estimate.value,
+                "error": figure.estimate.error,
+                "unit": figure.unit,
+                "words": figure.words,
+                "source": figure.source,
+            });
+            (figure.name.to_owned(), value)
+        })
+        .collect()
 }

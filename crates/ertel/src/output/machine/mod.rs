@@ -1,14 +1,17 @@
 //! Results of a machine: `machine.json`, `machine.csv`, pictures, a report, and folders of its contacts.
 
 mod json;
+mod over;
 mod picture;
 mod report;
 mod table;
 
+pub(super) use json::machine_figures_json;
 pub use json::{MACHINE_FORMAT, machine_json};
+pub(super) use over::{DRAWN, Drawn, TOLD};
 pub(super) use picture::pictures as machine_pictures;
 pub use report::machine_report;
-pub(super) use report::{warning_texts, write_contacts, write_figures};
+pub(super) use report::{shown, warning_texts, write_contacts, write_figures};
 pub use table::machine_table;
 
 use std::path::Path;
@@ -49,7 +52,10 @@ pub fn write_machine(
 }
 
 /// Refuses numbers that are none.
-fn check(machine: &MachineSolution, figures: &MachineFigures) -> Result<(), OutputError> {
+pub(super) fn check(
+    machine: &MachineSolution,
+    figures: &MachineFigures,
+) -> Result<(), OutputError> {
     for (i, point) in machine.solved() {
         let found =
             (point.outcome.solution()).and_then(|s| finite::first_not_finite(&point.case, s));
@@ -69,7 +75,7 @@ fn check(machine: &MachineSolution, figures: &MachineFigures) -> Result<(), Outp
     }
 }
 
-fn write_files_of_machine(
+pub(super) fn write_files_of_machine(
     root: &Part,
     case: &CaseEcho,
     machine: &MachineSolution,

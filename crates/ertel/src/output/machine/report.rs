@@ -66,7 +66,7 @@ pub(in crate::output) fn write_figures(out: &mut Lines, figures: &MachineFigures
 }
 
 /// A figure with its unit as people read it.
-fn shown(figure: &MachineFigure) -> String {
+pub(in crate::output) fn shown(figure: &MachineFigure) -> String {
     let e = figure.estimate;
     match figure.unit {
         "m" => estimate(&e),

@@ -6,6 +6,7 @@ mod sampling;
 mod statistics;
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use crate::case::Case;
 use crate::case::study::{AxisValue, MOST_POINTS, Study, StudyColumn, StudyPoint};
@@ -13,7 +14,7 @@ use crate::params::SensitivityDemand;
 use ertel_input::Input;
 
 pub use sampling::SampleError;
-pub use statistics::{Distribution, MonteCarlo, QUANTILES};
+pub use statistics::{Distribution, MonteCarlo, QUANTILES, Sampled};
 
 /// Most samples.
 pub const MOST_SAMPLES: usize = MOST_POINTS;
@@ -81,6 +82,11 @@ fn point(
             reason: error.message().to_owned(),
         })?;
     sampled.output.sensitivities = SensitivityDemand::Off;
+    if let Some(contacts) = &mut sampled.contacts {
+        for point in &mut Arc::make_mut(contacts).study.points {
+            point.case.output.sensitivities = SensitivityDemand::Off;
+        }
+    }
     sampled.source = format!(
         "# Sample {} of the inputs: {label}\n{}",
         index + 1,

@@ -3,8 +3,9 @@
 use serde::Serialize;
 
 use crate::case::study::Study;
+use crate::machine::MachineFigures;
 use crate::solution::Figure;
-use crate::study::columns::Column;
+use crate::study::columns::{Column, titled};
 use crate::study::journal::Record;
 
 /// Probabilities of the quantiles.
@@ -23,11 +24,45 @@ pub struct MonteCarlo {
     pub figures: Vec<Distribution>,
 }
 
+/// A figure of samples.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub enum Sampled {
+    /// That of a contact.
+    Contact(Figure),
+    /// That of a whole machine.
+    Machine {
+        /// Name in results.
+        name: &'static str,
+        /// What it is, in words.
+        words: &'static str,
+        /// SI unit.
+        unit: &'static str,
+    },
+}
+
+impl Sampled {
+    /// Name in results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Sampled::Contact(figure) => figure.name(),
+            Sampled::Machine { name, .. } => name,
+        }
+    }
+
+    /// Title of its column in the table of the samples.
+    fn title(self, is_line: bool) -> String {
+        match self {
+            Sampled::Contact(figure) => Column::of(figure).title(is_line),
+            Sampled::Machine { name, unit, .. } => titled(name, unit),
+        }
+    }
+}
+
 /// How a figure is distributed.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Distribution {
     /// Which.
-    pub figure: Figure,
+    pub figure: Sampled,
     /// Mean, SI.
     pub mean: f64,
     /// Standard deviation, SI.
@@ -44,14 +79,37 @@ pub struct Distribution {
 }
 
 impl MonteCarlo {
-    /// Of a study whose points are samples, as far as they are finished.
+    /// Of a study whose points are samples of a contact, as far as they are finished.
     pub fn of(study: &Study, records: &[Option<Record>]) -> MonteCarlo {
+        let figures = Figure::TRACED.into_iter().map(Sampled::Contact);
+        MonteCarlo::of_figures(study, records, figures)
+    }
+
+    /// Of a study whose points are samples of a whole machine that has these figures.
+    pub fn of_machines(
+        study: &Study,
+        records: &[Option<Record>],
+        figures: &MachineFigures,
+    ) -> MonteCarlo {
+        let figures = figures.all.iter().map(|figure| Sampled::Machine {
+            name: figure.name,
+            words: figure.words,
+            unit: figure.unit,
+        });
+        MonteCarlo::of_figures(study, records, figures)
+    }
+
+    fn of_figures(
+        study: &Study,
+        records: &[Option<Record>],
+        figures: impl Iterator<Item = Sampled>,
+    ) -> MonteCarlo {
         let solved: Vec<(usize, &Record)> = (records.iter().enumerate())
             .filter_map(|(i, record)| Some((i, record.as_ref().filter(|r| r.converged)?)))
             .collect();
         let is_line = (study.points.first()).is_some_and(|p| p.case.contact.kind.is_line());
-        let of = |figure: Figure| {
-            let column = Column::of(figure).title(is_line);
+        let of = |figure: Sampled| {
+            let column = figure.title(is_line);
             let values: Vec<f64> = (solved.iter())
                 .map(|(_, record)| record.field(&column)?.parse().ok())
                 .collect::<Option<_>>()?;
@@ -87,7 +145,7 @@ impl MonteCarlo {
                 .iter()
                 .map(|column| column.key.clone())
                 .collect(),
-            figures: Figure::TRACED.into_iter().filter_map(of).collect(),
+            figures: figures.filter_map(of).collect(),
         }
     }
 }

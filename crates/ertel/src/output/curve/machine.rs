@@ -1,0 +1,68 @@
+//! Figures of whole machines over the quantity of a curve.
+
+use super::super::machine::{DRAWN, Drawn};
+use super::super::pictures::{ERROR_BARS, Picture};
+use super::frame::{curve_chart, fit_y, largest, points_over};
+use crate::machine::MachineFigure;
+use crate::study::{CurveSolution, PointSolution};
+use ertel_plot::{Chart, ErrorBars, PALETTE, Series, Side};
+
+/// A picture of each kind of figure that the machines have.
+pub(super) fn pictures(title: &str, curve: &CurveSolution) -> Vec<Picture> {
+    let charts = DRAWN
+        .iter()
+        .filter_map(|drawn| Some((drawn, chart(title, curve, drawn)?)));
+    charts
+        .map(|(drawn, chart)| Picture::new(drawn.curve, chart.drawing()))
+        .collect()
+}
+
+/// A figure of a point.
+fn figure<'a>(point: &'a PointSolution, name: &str) -> Option<&'a MachineFigure> {
+    point.machine.as_ref()?.figures.find(name)
+}
+
+/// Figures over the quantity, with the bars that they have; `None` where no point has one.
+fn chart(title: &str, curve: &CurveSolution, drawn: &Drawn) -> Option<Chart> {
+    let figures = drawn.figures.iter().flat_map(|name| {
+        let of = curve.points.iter().filter_map(|point| figure(point, name));
+        of.map(|figure| figure.estimate.value.abs())
+    });
+    let size = largest(figures);
+    let ([factor, summand], label) = drawn.scale(size);
+    let mut chart = curve_chart(title, curve, &label);
+    for (i, name) in drawn.figures.iter().enumerate() {
+        let mut of = curve.points.iter().filter_map(|point| figure(point, name));
+        let Some(words) = of.next().map(|figure| figure.words) else {
+            continue;
+        };
+        let over = |of: &dyn Fn(&MachineFigure) -> Option<f64>| {
+            points_over(curve, |p| Some(factor * of(figure(p, name)?)? + summand))
+        };
+        let ends = |sign: f64| over(&|f| Some(f.estimate.value + sign * f.estimate.error?));
+        let bars: Vec<[f64; 3]> = (ends(-1.0).into_iter().zip(ends(1.0)))
+            .map(|([x, low], [_, high])| [x, low, high])
+            .filter(|bar| bar.iter().all(|v| v.is_finite()))
+            .collect();
+        let look = drawn.look(i, !bars.is_empty());
+        chart.error_bars.push(ErrorBars {
+            bars,
+            colour: PALETTE[i].to_owned(),
+        });
+        chart.series.push(Series {
+            label: words.to_owned(),
+            points: over(&|f| Some(f.estimate.value)),
+            look,
+            colour: PALETTE[i].to_owned(),
+            side: Side::Left,
+        });
+    }
+    if chart.series.is_empty() {
+        return None;
+    }
+    if chart.error_bars.iter().any(|of| !of.bars.is_empty()) {
+        chart.error_label = ERROR_BARS.to_owned();
+    }
+    fit_y(&mut chart);
+    Some(chart)
+}

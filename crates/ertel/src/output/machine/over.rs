@@ -1,0 +1,163 @@
+//! Which figures of machines are drawn over the quantity of a curve or the axis of a study, and told of each point in its report.
+
+use super::super::pictures::film_unit;
+use ertel_plot::Look;
+
+/// Figures that are drawn in one picture.
+pub(in crate::output) struct Drawn {
+    /// Name of the picture of a study.
+    pub name: &'static str,
+    /// Name of the picture of a curve.
+    pub curve: &'static str,
+    /// What its upright axis shows.
+    pub axis: &'static str,
+    scale: Scale,
+    /// The figures, by their names in the registry.
+    pub figures: &'static [&'static str],
+}
+
+/// How values are shown.
+#[derive(Clone, Copy)]
+enum Scale {
+    Film,
+    Torque,
+    Unit(&'static str),
+    Share,
+    Celsius,
+    Pure,
+}
+
+/// Every picture of machines over what varies; a machine has those whose figures it has.
+pub(in crate::output) const DRAWN: [Drawn; 8] = [
+    Drawn {
+        name: "film",
+        curve: "film-curve",
+        axis: "Film thickness *h*",
+        scale: Scale::Film,
+        figures: &["film_central", "film_minimum"],
+    },
+    Drawn {
+        name: "friction-torque",
+        curve: "friction-torque-curve",
+        axis: "Friction torque",
+        scale: Scale::Torque,
+        figures: &[
+            "friction_torque",
+            "friction_torque_skf",
+            "friction_torque_palmgren",
+        ],
+    },
+    Drawn {
+        name: "friction-power",
+        curve: "friction-power-curve",
+        axis: "Power lost",
+        scale: Scale::Unit("W"),
+        figures: &[
+            "friction_power",
+            "friction_power_rolling",
+            "friction_power_models",
+        ],
+    },
+    Drawn {
+        name: "mesh-loss",
+        curve: "mesh-loss-curve",
+        axis: "Power lost over the power at the pinion",
+        scale: Scale::Share,
+        figures: &["mesh_loss"],
+    },
+    Drawn {
+        name: "friction-coefficient",
+        curve: "friction-coefficient-curve",
+        axis: "Mean coefficient of friction",
+        scale: Scale::Pure,
+        figures: &["friction_coefficient_mean", "friction_coefficient_schlenk"],
+    },
+    Drawn {
+        name: "temperature",
+        curve: "temperature-curve",
+        axis: "Temperature",
+        scale: Scale::Celsius,
+        figures: &["bearing_temperature", "contact_temperature"],
+    },
+    Drawn {
+        name: "safety",
+        curve: "safety-curve",
+        axis: "Safety",
+        scale: Scale::Pure,
+        figures: &[
+            "static_safety_factor",
+            "scuffing_safety",
+            "micropitting_safety",
+        ],
+    },
+    Drawn {
+        name: "life",
+        curve: "life-curve",
+        axis: "Rating life",
+        scale: Scale::Unit("million revolutions"),
+        figures: &[
+            "modified_rating_life",
+            "reference_rating_life",
+            "basic_rating_life",
+        ],
+    },
+];
+
+/// Figures that the report of a curve tells of each point.
+pub(in crate::output) const TOLD: [&str; 12] = [
+    "film_minimum",
+    "lambda_minimum",
+    "friction_torque",
+    "friction_power",
+    "mesh_loss",
+    "friction_coefficient_mean",
+    "bearing_temperature",
+    "contact_temperature",
+    "static_safety_factor",
+    "scuffing_safety",
+    "micropitting_safety",
+    "modified_rating_life",
+];
+
+impl Drawn {
+    /// SI unit of its figures in the registry.
+    pub fn unit(&self) -> &'static str {
+        match self.scale {
+            Scale::Film => "m",
+            Scale::Torque => "N m",
+            Scale::Unit(unit) => unit,
+            Scale::Celsius => "K",
+            Scale::Share | Scale::Pure => "",
+        }
+    }
+
+    /// Factor and summand that lead from SI to what is shown, and the label of the axis, where the largest value is of this size (SI).
+    pub fn scale(&self, largest: f64) -> ([f64; 2], String) {
+        let (factor, summand, unit) = match self.scale {
+            Scale::Film => {
+                let (factor, unit) = film_unit(largest);
+                (factor, 0.0, unit)
+            }
+            Scale::Torque if largest < 1.0 => (1e3, 0.0, "N mm"),
+            Scale::Torque => (1.0, 0.0, "N m"),
+            Scale::Unit(unit) => (1.0, 0.0, unit),
+            Scale::Share => (100.0, 0.0, "%"),
+            Scale::Celsius => (1.0, -273.15, "°C"),
+            Scale::Pure => (1.0, 0.0, ""),
+        };
+        let label = match unit {
+            "" => self.axis.to_owned(),
+            unit => format!("{} ({unit})", self.axis),
+        };
+        ([factor, summand], label)
+    }
+
+    /// How its figure of this number is drawn: all but the first dashed where formulas alone make them, without bars.
+    pub fn look(&self, figure: usize, has_bars: bool) -> Look {
+        match (figure, has_bars) {
+            (0, _) => Look::LineAndDots,
+            (_, true) => Look::LineAndRings,
+            (_, false) => Look::Dashed,
+        }
+    }
+}
