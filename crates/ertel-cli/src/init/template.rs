@@ -349,7 +349,7 @@ const OPTIONS: [(&str, &str); 6] = [
     (
         "curve",
         "\
-## One quantity over a range, each value solved in turn; of a whole machine the contact under the largest pressure.
+## One quantity over a range, each value solved in turn; of a whole machine all of its contacts.
 # [curve]
 # quantity = \"{quantity}\"
 # from = \"{from}\"
