@@ -269,3 +269,21 @@ fn samples_of_whole_machines() {
     let correlation = &power["correlations"]["machine.pinion_torque"];
     assert!(correlation.as_f64().unwrap() > 0.99, "{power}");
 }
+
+/// What is solved beside each point is a single contact.
+#[test]
+fn a_curve_of_machines_has_no_newtonian_beside_it() {
+    let oil = "base_oil = \"mineral\"\nshear_thinning = { law = \"estimate\" }";
+    let gears = GEARS
+        .replace("base_oil = \"mineral\"", oil)
+        .replace("newtonian = true", "max_iterations = 60");
+    let curve = "[curve]\nquantity = \"machine.pinion_torque\"\nvalues = [\"50 N.m\", \"60 N.m\"]\nnewtonian = true\n";
+    let folder = workspace(&(gears + curve));
+    let refused = common::ertel(&folder, &["solve", "gears.toml"]);
+    assert_eq!(refused.status.code(), Some(2));
+    let message = text(&refused.stderr);
+    assert!(
+        message.contains("this case is a whole machine"),
+        "{message}"
+    );
+}
