@@ -194,6 +194,7 @@ fn of_main(target: Target, content: Vec<u8>) -> Input {
 /// A study with its base case and its points, as far as they are there.
 fn study(path: &Path, content: Vec<u8>, text: &str) -> io::Result<Input> {
     let mut input = of_main(Target::Study, content);
+    let mut text_beside = text.to_owned();
     for line in text.lines() {
         let Some((key, value)) = line.split_once('=') else {
             continue;
@@ -201,8 +202,14 @@ fn study(path: &Path, content: Vec<u8>, text: &str) -> io::Result<Input> {
         let name = value.trim().trim_matches('"');
         let beside = path.with_file_name(name);
         if matches!(key.trim(), "case" | "points") && name.contains('.') && beside.is_file() {
-            input.set(name, fs::read(beside)?);
+            // Files of an input are in one folder.
+            let own = name.rsplit('/').next().unwrap_or(name);
+            text_beside = text_beside.replace(name, own);
+            input.set(own, fs::read(&beside)?);
         }
+    }
+    if text_beside != text {
+        input.set(input.target.main_file(), text_beside.into_bytes());
     }
     Ok(input)
 }

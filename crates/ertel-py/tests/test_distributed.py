@@ -60,6 +60,25 @@ def test_killed_workers_lose_nothing(study: Path, tmp_path: Path) -> None:
     assert rows.attrs["summary"]["n_new"] == 0, "the client solved what the workers should"
 
 
+def test_machines_are_points(tmp_path: Path, cases: Path) -> None:
+    """Gears, all contacts along their path at each point."""
+    (tmp_path / "gears.toml").write_text((cases / "machine" / "fzg-c.toml").read_text())
+    study = tmp_path / "torques.toml"
+    study.write_text(
+        'case = "gears.toml"\n'
+        '[[axis]]\nkey = "machine.pinion_torque"\nvalues = ["50 N.m", "100 N.m", "200 N.m"]\n'
+        '[[axis]]\nkey = "machine.points"\nvalues = [3]\n'
+    )
+    ertel.sweep(study, tmp_path / "alone")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        rows = ertel_distributed.sweep(study, client, tmp_path / "spread", points_per_task=1)
+    assert rows["converged"].all() and (rows["mesh_loss"] > 0.0).all()
+    assert (tmp_path / "spread" / "results.csv").read_bytes() == (tmp_path / "alone" / "results.csv").read_bytes()
+
+
 def test_bad_studies_are_refused_before_anything_is_sent(tmp_path: Path) -> None:
     path = tmp_path / "bad.toml"
     path.write_text('case = "nowhere.toml"\n[[axis]]\nkey = "contact.load"\nvalues = ["1 N"]\n')

@@ -130,6 +130,32 @@ def test_tables(machine: ertel.MachineSolution) -> None:
     assert rows["film_central_m"].tolist() == pytest.approx(films, rel=1e-6, nan_ok=True)
 
 
+GEARS = {
+    "template": "FZG-C14",
+    "pinion_torque": "100 N.m",
+    "pinion_speed": "1500 rpm",
+    "position": "path",
+    "points": 3,
+    "bodies": "steel",
+    "lubricant": OIL,
+    "temperature": "90 degC",
+    "mesh": {"preset": "coarse"},
+    "solver": {"newtonian": True},
+}
+
+
+def test_points_of_a_curve_are_machines() -> None:
+    pytest.importorskip("pandas")
+    curve = {"quantity": "machine.pinion_torque", "values": ["100 N.m", "110 N.m"]}
+    solved = ertel.solve(ertel.GearPair(**GEARS, curve=curve))
+    assert isinstance(solved, ertel.Curve) and solved.failures == []
+    rows = solved.to_pandas()
+    alone = ertel.solve(ertel.GearPair(**GEARS))
+    assert isinstance(alone, ertel.MachineSolution)
+    assert rows["friction_power_W"][0] == pytest.approx(float(alone.friction_power), rel=1e-6)
+    assert (rows["mesh_loss"] > 0.0).all() and (rows["mesh_loss_error"] > 0.0).all()
+
+
 def test_the_program_says_the_same(machine: ertel.MachineSolution, program: str, tmp_path: Path) -> None:
     path = tmp_path / "bearing.toml"
     path.write_text(machine.case.text)

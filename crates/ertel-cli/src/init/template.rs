@@ -370,7 +370,7 @@ const OPTIONS: [(&str, &str); 6] = [
     (
         "curve",
         "\
-## One quantity over a range, each value solved in turn.
+## One quantity over a range, each value solved in turn; of a whole machine all of its contacts.
 # [curve]
 # quantity = \"{quantity}\"
 # from = \"{from}\"

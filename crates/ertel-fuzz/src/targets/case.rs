@@ -26,10 +26,14 @@ pub fn run(folder: &Path) -> Result<Verdict, Defect> {
         Ok(case) => case,
         Err(error) => return check_place(&error, folder),
     };
-    set_up(&case)?;
     let points = case.curve.iter().flat_map(|curve| &curve.points);
-    for point in points.take(MOST_POINTS) {
-        set_up(&point.case)?;
+    let cases = points.map(|point| &point.case).take(MOST_POINTS);
+    for case in std::iter::once(&case).chain(cases) {
+        set_up(case)?;
+        let contacts = case.contacts.iter().flat_map(|of| &of.study.points);
+        for contact in contacts.take(MOST_POINTS) {
+            set_up(&contact.case)?;
+        }
     }
     Ok(Verdict::Taken)
 }

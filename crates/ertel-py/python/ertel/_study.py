@@ -121,7 +121,7 @@ def compare(
     jobs: int | None = None,
     progress: Progress = None,
 ) -> pd.DataFrame:
-    """Solve a case at the points of a table of measured films or tractions, as ``ertel compare`` does.
+    """Solve a case at the points of a table of measured films or tractions, or of torques and losses of a machine, as ``ertel compare`` does.
 
     Parameters
     ----------

@@ -14,8 +14,8 @@ function parseCsv(text) {
   return rows;
 }
 
-const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_Pa_s", "Pa.s"], ["_per_s", "1/s"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"]];
-const PLAIN = ["film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "converged"];
+const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_million_revolutions", "million revolutions"], ["_Pa_s", "Pa.s"], ["_per_s", "1/s"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"]];
+const PLAIN = ["film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "friction_torque_N_m", "friction_power_W", "mesh_loss", "scuffing_safety", "micropitting_safety", "static_safety_factor", "modified_rating_life_million_revolutions", "converged"];
 
 const WORDS = {
   film_central: "central film", film_minimum: "minimum film", pressure_maximum: "largest pressure", pressure_central: "smooth pressure maximum", hertz_pressure: "Hertz pressure",
