@@ -11,7 +11,7 @@ use ertel::params::SensitivityDemand;
 use ertel::run;
 use ertel::solution::{Solution, Unresolved};
 use ertel::solve::{DiscretisationError, SolveError};
-use ertel::study::{CurveSolution, solve_curve};
+use ertel::study::{CurveSolution, solve_curve, solve_in_balance};
 use ertel::warning::{Warning, by_kind};
 use serde_json::{Value, json};
 
@@ -122,7 +122,7 @@ fn solve(job: &Job, arguments: &SolveArgs, events: &Events) -> Result<String, Fa
     }
     if case.contacts.is_some() {
         events.warn(&case.warnings);
-        if let Some(solved) = ertel::machine::solve(case, &mut progress)? {
+        if let Some(solved) = solve_in_balance(case, &mut progress)? {
             drop(progress);
             let figures = figures(&solved.case, &solved.solution);
             let written = machine::write((&solved, &figures), folder, arguments, events);

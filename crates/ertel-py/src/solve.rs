@@ -5,11 +5,10 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use ertel::machine::solve as run_machine;
 use ertel::run;
 use ertel::solution::IterationRecord;
 use ertel::solve::Observer;
-use ertel::study::{CurveObserver, solve_curve as run_curve};
+use ertel::study::{CurveObserver, solve_curve as run_curve, solve_in_balance};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
@@ -199,7 +198,7 @@ pub fn solve_machine(
             wanted,
             cancel,
         };
-        run_machine(&case.case, &mut messages)
+        solve_in_balance(&case.case, &mut messages)
     })?;
     let solved = solved.map_err(errors::input)?;
     match solved {

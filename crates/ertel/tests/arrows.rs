@@ -22,7 +22,7 @@ pub const SOLVER: [&str; 14] = [
 ];
 
 /// The modules of the crate `ertel`, likewise; those of the solver are below them all.
-pub const CASES: [&str; 15] = [
+pub const CASES: [&str; 16] = [
     "files",
     "case",
     "reference",
@@ -32,8 +32,9 @@ pub const CASES: [&str; 15] = [
     "run",
     "cross_check",
     "estimate",
-    "study",
+    "point",
     "machine",
+    "study",
     "fit",
     "compare",
     "output",

@@ -4,12 +4,12 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use ertel::case::Case;
-use ertel::machine::{self, figures};
+use ertel::machine::figures;
 use ertel::output;
 use ertel::run;
 use ertel::solution::Figure;
 use ertel::solve::{NoObserver, Observer};
-use ertel::study::{CurveObserver, PointSolution, solve_curve, solve_machine};
+use ertel::study::{CurveObserver, PointSolution, solve_curve, solve_in_balance, solve_machine};
 use ertel_input::Document;
 
 /// All balls of a bearing under thrust are alike.
@@ -149,7 +149,7 @@ fn a_bearing_in_balance_of_heat() {
     let text = THRUST
         .replace("target_error = 0.05", "target_error = 0.1")
         .replace("[bodies]", "heat_balance = true\n[bodies]");
-    let solved = machine::solve(&read(&text), &mut NoObserver)
+    let solved = solve_in_balance(&read(&text), &mut NoObserver)
         .unwrap()
         .unwrap();
     let balance = solved.balance.unwrap();
@@ -183,7 +183,7 @@ fn tapered_rollers_by_their_designation() {
         )
         .replace("target_error = 0.05", "target_error = 0.1");
     let case = read(&text);
-    let solved = machine::solve(&case, &mut NoObserver)
+    let solved = solve_in_balance(&case, &mut NoObserver)
         .unwrap()
         .unwrap()
         .solution;

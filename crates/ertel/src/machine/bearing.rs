@@ -12,8 +12,8 @@ use ertel_machines::bearing::kinematics::deformed_radius;
 use super::slip::{Slip, stress};
 use super::{MachineFigure, Section, figure_of, of_model, sum};
 use crate::case::{BearingMechanics, Case, ContactKind};
+use crate::point::{MachineSolution, PointSolution};
 use crate::solution::{Estimate, Figure};
-use crate::study::{MachineSolution, PointSolution};
 use crate::warning::{Warning, WarningKind};
 
 /// Ratio of shear stress to pressure, mean over a contact, that no lubricant transmits.

@@ -16,8 +16,8 @@ use ertel_machines::cam::CamPoint;
 use super::curve::Curve;
 use super::{MachineFigure, Section, figure_of, of_model};
 use crate::case::CamMechanics;
+use crate::point::MachineSolution;
 use crate::solution::{Estimate, Figure};
-use crate::study::MachineSolution;
 
 /// The figures of a cam.
 pub(super) fn figures(cam: &CamMechanics, solved: &MachineSolution) -> Vec<MachineFigure> {

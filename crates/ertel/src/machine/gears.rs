@@ -17,8 +17,8 @@ use ertel_machines::gear::{FlashMethod, PathPoint, ThermalBody};
 use super::curve::Curve;
 use super::{MachineFigure, Section, figure_of, of_model};
 use crate::case::{Body, Case, GearMechanics};
+use crate::point::{MachineSolution, PointSolution};
 use crate::solution::{Estimate, Figure};
-use crate::study::{MachineSolution, PointSolution};
 
 /// σ over Ra of normally distributed heights, as quoted.
 const RMS_OVER_RA: f64 = 1.25;

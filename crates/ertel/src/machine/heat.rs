@@ -9,7 +9,7 @@ use ertel_input::InputError;
 
 use super::figures;
 use crate::case::{Case, MachineContacts, Mechanics};
-use crate::study::{CurveObserver, MachineSolution, solve_machine};
+use crate::point::MachineSolution;
 
 /// K by which the temperature that the heat leads to may differ from that of the lubricant.
 const TOLERANCE: f64 = 0.1;
@@ -57,18 +57,11 @@ impl Balance {
     }
 }
 
-/// Solves the contacts of a machine, at the temperature of its balance of heat where the case asks for it; `None` of a case that is no machine.
+/// Solves the contacts of a machine, by what solves them at a temperature, at that of its balance of heat where the case asks for it; `None` of a case that is
+/// no machine.
 ///
 /// # Errors
 /// Laws of the lubricant that do not reach a temperature on the way.
-pub fn solve(
-    case: &Case,
-    observer: &mut dyn CurveObserver,
-) -> Result<Option<SolvedMachine>, InputError> {
-    solve_by(case, |contacts| solve_machine(contacts, observer))
-}
-
-/// The same with what solves the contacts at a temperature.
 pub(crate) fn solve_by(
     case: &Case,
     mut solve_contacts: impl FnMut(&MachineContacts) -> MachineSolution,

@@ -10,86 +10,12 @@ mod moments;
 mod slip;
 
 pub(crate) use heat::solve_by;
-pub use heat::{Balance, SolvedMachine, solve};
+pub use heat::{Balance, SolvedMachine};
 
 use crate::case::{Case, Mechanics};
+pub use crate::point::{MachineFigure, MachineFigures, Section};
+use crate::point::{MachineSolution, PointSolution};
 use crate::solution::{Estimate, Figure};
-use crate::study::{MachineSolution, PointSolution};
-use crate::warning::Warning;
-
-/// A figure of a whole machine.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MachineFigure {
-    /// Name in results and Python: `friction_torque`.
-    pub name: &'static str,
-    /// What it is, in words.
-    pub words: &'static str,
-    /// The figure, SI; its bar is that of the solved contacts, `None` where it comes from a formula alone.
-    pub estimate: Estimate,
-    /// Its SI unit; empty of a pure number.
-    pub unit: &'static str,
-    /// Part of the report.
-    pub section: Section,
-    /// Where the formula comes from, or what is left out.
-    pub source: &'static str,
-}
-
-/// Parts of the report of a machine, in their order.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Section {
-    /// Loads and motion.
-    Mechanics,
-    /// Films over roughness.
-    Films,
-    /// Friction, power and heat.
-    Friction,
-    /// Surface and bulk temperatures.
-    Temperature,
-    /// Safety against damage.
-    Safety,
-    /// Rating life.
-    Life,
-}
-
-impl Section {
-    /// Every section in its order.
-    pub const ALL: [Section; 6] = [
-        Section::Mechanics,
-        Section::Films,
-        Section::Friction,
-        Section::Temperature,
-        Section::Safety,
-        Section::Life,
-    ];
-
-    /// Its heading.
-    pub fn heading(self) -> &'static str {
-        match self {
-            Section::Mechanics => "Loads and motion",
-            Section::Films => "Films",
-            Section::Friction => "Friction",
-            Section::Temperature => "Temperature",
-            Section::Safety => "Safety",
-            Section::Life => "Life",
-        }
-    }
-}
-
-/// The figures of a machine, and what to know about them.
-#[derive(Clone, Debug, Default)]
-pub struct MachineFigures {
-    /// The figures in their order.
-    pub all: Vec<MachineFigure>,
-    /// What to know.
-    pub warnings: Vec<Warning>,
-}
-
-impl MachineFigures {
-    /// A figure by its name.
-    pub fn find(&self, name: &str) -> Option<&MachineFigure> {
-        self.all.iter().find(|figure| figure.name == name)
-    }
-}
 
 /// The figures of a machine; those that are sums over its contacts only where all of them are solved.
 pub fn figures(case: &Case, solved: &MachineSolution) -> MachineFigures {

@@ -5,10 +5,11 @@ use ertel_quantity::Dimension;
 
 use super::machine::cores;
 use super::plan::Plan;
-use super::point::{Ends, Interrupted, PointSolution, Task};
+use super::point::{Ends, Interrupted, Task};
 use super::walk::Walk;
 use crate::case::Curve;
 use crate::case::curve::Quantity;
+use crate::point::PointSolution;
 use crate::solve::Observer;
 use crate::words::digits;
 

@@ -6,87 +6,33 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
 
 use ertel_fem::platform::Instant;
+use ertel_input::InputError;
 
 use super::curve::CurveObserver;
 use super::plan::Plan;
-use super::point::{Ends, Interrupted, Outcome, PointSolution, Task};
+use super::point::{Ends, Interrupted, Task};
 use super::walk::Walk;
-use crate::case::{MachineContacts, Study, WholeMachine};
+use crate::case::{Case, MachineContacts, Study};
+use crate::machine::{SolvedMachine, solve_by};
+use crate::point::{MachineSolution, PointSolution, distinct};
 use crate::run::Start;
-use crate::solution::{IterationRecord, Solution};
+use crate::solution::IterationRecord;
 use crate::solve::Observer;
-
-/// What became of the contacts of a machine.
-#[derive(Clone, Debug)]
-pub struct MachineSolution {
-    /// The machine.
-    pub machine: Arc<WholeMachine>,
-    /// What became of each contact that stands for others, by its place among the contacts; `None` where nothing presses, another contact
-    /// stands for it, or the user stopped before.
-    pub contacts: Vec<Option<PointSolution>>,
-    /// Wall time, s.
-    pub wall_seconds: f64,
-}
-
-impl MachineSolution {
-    /// What became of the contact that stands for this one.
-    pub fn of(&self, contact: usize) -> Option<&PointSolution> {
-        let like = self.machine.contacts[contact].like?;
-        self.contacts[like].as_ref()
-    }
-
-    /// Its solution, if it has one.
-    pub fn solution(&self, contact: usize) -> Option<&Solution> {
-        self.of(contact)?.outcome.solution()
-    }
-
-    /// The contacts that were solved, with their places.
-    pub fn solved(&self) -> impl Iterator<Item = (usize, &PointSolution)> {
-        let contacts = self.contacts.iter().enumerate();
-        contacts.filter_map(|(i, point)| Some((i, point.as_ref()?)))
-    }
-
-    /// Contacts to be solved, those alike counted once.
-    pub fn n_contacts(&self) -> usize {
-        distinct(&self.machine).len()
-    }
-
-    /// Those of them without solution.
-    pub fn n_failed(&self) -> usize {
-        let failed = self
-            .solved()
-            .filter(|(_, p)| p.outcome.solution().is_none());
-        failed.count()
-    }
-
-    /// How many of its contacts have no solution, and why the first of them; `None` where all are solved.
-    pub fn failure(&self) -> Option<String> {
-        let mut failed = self.solved().filter_map(|(i, point)| match &point.outcome {
-            Outcome::Failed(reason) => Some((i, reason)),
-            Outcome::Solved(_) => None,
-        });
-        let (first, reason) = failed.next()?;
-        let n = 1 + failed.count();
-        let (all, name) = (self.n_contacts(), &self.machine.contacts[first].name);
-        Some(format!("{n} of {all} contacts failed; {name}: {reason}"))
-    }
-
-    /// Whether the user stopped it before the last contact.
-    pub fn is_partial(&self) -> bool {
-        self.solved().count() < self.n_contacts()
-    }
-}
-
-/// Places of the contacts that are solved.
-fn distinct(machine: &WholeMachine) -> Vec<usize> {
-    let contacts = machine.contacts.iter().enumerate();
-    let own = contacts.filter(|(i, contact)| contact.like == Some(*i));
-    own.map(|(i, _)| i).collect()
-}
 
 /// What the contacts that start from no other one of their machine have reached, by their places: those of the next point of a curve or a study
 /// start from it.
 pub(super) type RootStarts = BTreeMap<usize, Arc<Start>>;
+
+/// Solves a whole machine on all cores, at the temperature of its balance of heat where the case asks for it; `None` of a case that is no machine.
+///
+/// # Errors
+/// Laws of the lubricant that do not reach a temperature on the way.
+pub fn solve_in_balance(
+    case: &Case,
+    observer: &mut dyn CurveObserver,
+) -> Result<Option<SolvedMachine>, InputError> {
+    solve_by(case, |contacts| solve_machine(contacts, observer))
+}
 
 /// Solves the contacts of a machine on all cores. A contact that fails is kept with its reason. When the observer cancels, the contacts until then are
 /// returned.

@@ -12,6 +12,7 @@ pub(crate) mod point;
 pub(crate) mod table;
 pub(crate) mod walk;
 
+pub use crate::point::{MachinePoint, MachineSolution, Outcome, PointSolution};
 pub use columns::{Cell, Column, columns, point_fields};
 pub(crate) use columns::{joint_titles, titled};
 pub(crate) use curve::RPM;
@@ -19,7 +20,6 @@ pub use curve::{CurveObserver, CurveSolution, solve_curve, value_text};
 pub use error::StudyError;
 use machine::MachineObserver;
 pub(crate) use machine::cores;
-pub use machine::{MachineSolution, solve_machine};
-pub use point::{MachinePoint, Outcome, PointSolution};
+pub use machine::{solve_in_balance, solve_machine};
 pub(crate) use table::ISOTHERMAL;
 pub use table::{POINTS, STUDY_FORMAT, StudyEcho, TABLE};

@@ -5,147 +5,16 @@ use std::sync::Arc;
 
 use ertel_fem::platform::Instant;
 
-use super::machine::{MachineSolution, RootStarts, solve_contacts};
+use super::machine::{RootStarts, solve_contacts};
 use super::{CurveObserver, MachineObserver};
+use crate::case::Case;
 use crate::case::study::StudyPoint;
-use crate::case::{Case, CaseEcho};
-use crate::machine::{MachineFigures, SolvedMachine, figures, solve_by};
+use crate::machine::{SolvedMachine, figures, solve_by};
+use crate::point::{MachinePoint, Outcome, PointSolution};
 use crate::reference::film_formulas;
 use crate::run::{Start, groups, solve_from};
-use crate::solution::{
-    Centreline, ElementFields, Estimate, FilmReduction, FilmTemperatures, FormulaFilm, Solution,
-    SurfaceField, ThermalReduction,
-};
+use crate::solution::{Centreline, ElementFields, FilmTemperatures, Solution, SurfaceField};
 use crate::solve::SolveError;
-use crate::warning::{Warning, by_kind};
-
-/// A point of a curve or a study, solved or not.
-#[derive(Clone, Debug)]
-pub struct PointSolution {
-    /// Value of what varies, SI; in a study of the first axis, NaN where that has no numbers.
-    pub value: f64,
-    /// The point's case.
-    pub case: CaseEcho,
-    /// Film-thickness formulas.
-    pub formulas: Vec<FormulaFilm>,
-    /// Its solution, or why there is none; of a whole machine that of the governing contact, where all contacts are solved.
-    pub outcome: Outcome,
-    /// The whole machine, where the point is one.
-    pub machine: Option<Arc<MachinePoint>>,
-    /// The same point without shear thinning, where that is asked for.
-    pub newtonian: Option<Outcome>,
-    /// The same point without heat, likewise.
-    pub isothermal: Option<Outcome>,
-    /// Wall time, s.
-    pub seconds: f64,
-}
-
-/// A whole machine at a point of a curve or a study.
-#[derive(Clone, Debug)]
-pub struct MachinePoint {
-    /// Its contacts.
-    pub solution: MachineSolution,
-    /// Its figures; without sums where a contact is not solved.
-    pub figures: MachineFigures,
-}
-
-impl PointSolution {
-    /// Every solution of the point: one, or those of the contacts of a machine.
-    pub fn solutions(&self) -> Vec<&Solution> {
-        match &self.machine {
-            None => self.outcome.solution().into_iter().collect(),
-            Some(machine) => {
-                let solved = machine.solution.solved();
-                solved.filter_map(|(_, p)| p.outcome.solution()).collect()
-            }
-        }
-    }
-
-    /// Whether it has figures that its mesh does not resolve.
-    pub fn is_unresolved(&self) -> bool {
-        let mut solutions = self.solutions().into_iter();
-        solutions.any(|solution| !solution.unresolved.is_empty())
-    }
-
-    /// What to know about it; of the contacts of a machine the worst of each kind.
-    pub fn warnings(&self) -> Vec<Warning> {
-        let Some(machine) = &self.machine else {
-            return (self.outcome.solution()).map_or(Vec::new(), |s| s.warnings.clone());
-        };
-        let contacts = self.solutions().into_iter().enumerate();
-        let of = contacts.flat_map(|(i, s)| s.warnings.iter().map(move |w| (i, w)));
-        let of = by_kind(of).into_iter().map(|merged| merged.worst);
-        machine.figures.warnings.iter().cloned().chain(of).collect()
-    }
-
-    /// The Newtonian solution, if there is one.
-    pub fn newtonian_solution(&self) -> Option<&Solution> {
-        self.newtonian.as_ref().and_then(Outcome::solution)
-    }
-
-    /// The isothermal solution, if there is one.
-    pub fn isothermal_solution(&self) -> Option<&Solution> {
-        self.isothermal.as_ref().and_then(Outcome::solution)
-    }
-
-    /// What heat does to film and traction: beside the point's isothermal solution, else as its own stages tell.
-    pub fn thermal_reduction(&self) -> Option<ThermalReduction> {
-        let thermal = self.outcome.solution()?;
-        let Some(isothermal) = self.isothermal_solution() else {
-            return thermal.thermal.as_ref()?.reduction;
-        };
-        let (with, without) = (&thermal.summary, &isothermal.summary);
-        let slides = self.case.motion.slides();
-        let isothermal_traction = isothermal.traction.coefficient;
-        Some(ThermalReduction {
-            film_central: Estimate::reduction(with.film_central, without.film_central),
-            film_minimum: Estimate::reduction(with.film_minimum, without.film_minimum),
-            traction: slides
-                .then(|| Estimate::reduction(thermal.traction.coefficient, isothermal_traction)),
-            isothermal_traction,
-        })
-    }
-
-    /// What shear thinning does to the film: beside the point's Newtonian solution, else as its own stages tell.
-    pub fn film_reduction(&self) -> Option<FilmReduction> {
-        let thinned = self.outcome.solution()?;
-        let Some(newtonian) = self.newtonian_solution() else {
-            return thinned.film_reduction;
-        };
-        let (with, without) = (&thinned.summary, &newtonian.summary);
-        Some(FilmReduction {
-            central: Estimate::reduction(with.film_central, without.film_central),
-            minimum: Estimate::reduction(with.film_minimum, without.film_minimum),
-        })
-    }
-}
-
-/// What became of a point.
-#[derive(Clone, Debug)]
-pub enum Outcome {
-    /// Solved.
-    Solved(Box<Solution>),
-    /// Not solved; the reason in one sentence.
-    Failed(String),
-}
-
-impl Outcome {
-    /// The solution, if there is one.
-    pub fn solution(&self) -> Option<&Solution> {
-        match self {
-            Outcome::Solved(solution) => Some(solution),
-            Outcome::Failed(_) => None,
-        }
-    }
-
-    /// The reason of a failure.
-    pub fn reason(&self) -> Option<&str> {
-        match self {
-            Outcome::Solved(_) => None,
-            Outcome::Failed(reason) => Some(reason),
-        }
-    }
-}
 
 /// A point to be solved.
 pub(crate) struct Task<'a> {

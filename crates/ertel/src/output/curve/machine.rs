@@ -44,7 +44,7 @@ fn chart(title: &str, curve: &CurveSolution, drawn: &Drawn) -> Option<Chart> {
             .map(|([x, low], [_, high])| [x, low, high])
             .filter(|bar| bar.iter().all(|v| v.is_finite()))
             .collect();
-        let look = drawn.look(i, !bars.is_empty());
+        let look = drawn.look(chart.series.len(), !bars.is_empty());
         chart.error_bars.push(ErrorBars {
             bars,
             colour: PALETTE[i].to_owned(),

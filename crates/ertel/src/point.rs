@@ -1,0 +1,277 @@
+//! What becomes of a point of a curve or a study: a contact, or a whole machine with its contacts and figures.
+
+use std::sync::Arc;
+
+use crate::case::{CaseEcho, WholeMachine};
+use crate::solution::{Estimate, FilmReduction, FormulaFilm, Solution, ThermalReduction};
+use crate::warning::{Warning, by_kind};
+
+/// A point of a curve or a study, solved or not.
+#[derive(Clone, Debug)]
+pub struct PointSolution {
+    /// Value of what varies, SI; in a study of the first axis, NaN where that has no numbers.
+    pub value: f64,
+    /// The point's case.
+    pub case: CaseEcho,
+    /// Film-thickness formulas.
+    pub formulas: Vec<FormulaFilm>,
+    /// Its solution, or why there is none; of a whole machine that of the governing contact, where all contacts are solved.
+    pub outcome: Outcome,
+    /// The whole machine, where the point is one.
+    pub machine: Option<Arc<MachinePoint>>,
+    /// The same point without shear thinning, where that is asked for.
+    pub newtonian: Option<Outcome>,
+    /// The same point without heat, likewise.
+    pub isothermal: Option<Outcome>,
+    /// Wall time, s.
+    pub seconds: f64,
+}
+
+/// A whole machine at a point of a curve or a study.
+#[derive(Clone, Debug)]
+pub struct MachinePoint {
+    /// Its contacts.
+    pub solution: MachineSolution,
+    /// Its figures; without sums where a contact is not solved.
+    pub figures: MachineFigures,
+}
+
+impl PointSolution {
+    /// Every solution of the point: one, or those of the contacts of a machine.
+    pub fn solutions(&self) -> Vec<&Solution> {
+        match &self.machine {
+            None => self.outcome.solution().into_iter().collect(),
+            Some(machine) => {
+                let solved = machine.solution.solved();
+                solved.filter_map(|(_, p)| p.outcome.solution()).collect()
+            }
+        }
+    }
+
+    /// Whether it has figures that its mesh does not resolve.
+    pub fn is_unresolved(&self) -> bool {
+        let mut solutions = self.solutions().into_iter();
+        solutions.any(|solution| !solution.unresolved.is_empty())
+    }
+
+    /// What to know about it; of the contacts of a machine the worst of each kind.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let Some(machine) = &self.machine else {
+            return (self.outcome.solution()).map_or(Vec::new(), |s| s.warnings.clone());
+        };
+        let contacts = self.solutions().into_iter().enumerate();
+        let of = contacts.flat_map(|(i, s)| s.warnings.iter().map(move |w| (i, w)));
+        let of = by_kind(of).into_iter().map(|merged| merged.worst);
+        machine.figures.warnings.iter().cloned().chain(of).collect()
+    }
+
+    /// The Newtonian solution, if there is one.
+    pub fn newtonian_solution(&self) -> Option<&Solution> {
+        self.newtonian.as_ref().and_then(Outcome::solution)
+    }
+
+    /// The isothermal solution, if there is one.
+    pub fn isothermal_solution(&self) -> Option<&Solution> {
+        self.isothermal.as_ref().and_then(Outcome::solution)
+    }
+
+    /// What heat does to film and traction: beside the point's isothermal solution, else as its own stages tell.
+    pub fn thermal_reduction(&self) -> Option<ThermalReduction> {
+        let thermal = self.outcome.solution()?;
+        let Some(isothermal) = self.isothermal_solution() else {
+            return thermal.thermal.as_ref()?.reduction;
+        };
+        let (with, without) = (&thermal.summary, &isothermal.summary);
+        let slides = self.case.motion.slides();
+        let isothermal_traction = isothermal.traction.coefficient;
+        Some(ThermalReduction {
+            film_central: Estimate::reduction(with.film_central, without.film_central),
+            film_minimum: Estimate::reduction(with.film_minimum, without.film_minimum),
+            traction: slides
+                .then(|| Estimate::reduction(thermal.traction.coefficient, isothermal_traction)),
+            isothermal_traction,
+        })
+    }
+
+    /// What shear thinning does to the film: beside the point's Newtonian solution, else as its own stages tell.
+    pub fn film_reduction(&self) -> Option<FilmReduction> {
+        let thinned = self.outcome.solution()?;
+        let Some(newtonian) = self.newtonian_solution() else {
+            return thinned.film_reduction;
+        };
+        let (with, without) = (&thinned.summary, &newtonian.summary);
+        Some(FilmReduction {
+            central: Estimate::reduction(with.film_central, without.film_central),
+            minimum: Estimate::reduction(with.film_minimum, without.film_minimum),
+        })
+    }
+}
+
+/// What became of a point.
+#[derive(Clone, Debug)]
+pub enum Outcome {
+    /// Solved.
+    Solved(Box<Solution>),
+    /// Not solved; the reason in one sentence.
+    Failed(String),
+}
+
+impl Outcome {
+    /// The solution, if there is one.
+    pub fn solution(&self) -> Option<&Solution> {
+        match self {
+            Outcome::Solved(solution) => Some(solution),
+            Outcome::Failed(_) => None,
+        }
+    }
+
+    /// The reason of a failure.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Outcome::Solved(_) => None,
+            Outcome::Failed(reason) => Some(reason),
+        }
+    }
+}
+
+/// What became of the contacts of a machine.
+#[derive(Clone, Debug)]
+pub struct MachineSolution {
+    /// The machine.
+    pub machine: Arc<WholeMachine>,
+    /// What became of each contact that stands for others, by its place among the contacts; `None` where nothing presses, another contact
+    /// stands for it, or the user stopped before.
+    pub contacts: Vec<Option<PointSolution>>,
+    /// Wall time, s.
+    pub wall_seconds: f64,
+}
+
+impl MachineSolution {
+    /// What became of the contact that stands for this one.
+    pub fn of(&self, contact: usize) -> Option<&PointSolution> {
+        let like = self.machine.contacts[contact].like?;
+        self.contacts[like].as_ref()
+    }
+
+    /// Its solution, if it has one.
+    pub fn solution(&self, contact: usize) -> Option<&Solution> {
+        self.of(contact)?.outcome.solution()
+    }
+
+    /// The contacts that were solved, with their places.
+    pub fn solved(&self) -> impl Iterator<Item = (usize, &PointSolution)> {
+        let contacts = self.contacts.iter().enumerate();
+        contacts.filter_map(|(i, point)| Some((i, point.as_ref()?)))
+    }
+
+    /// Contacts to be solved, those alike counted once.
+    pub fn n_contacts(&self) -> usize {
+        distinct(&self.machine).len()
+    }
+
+    /// Those of them without solution.
+    pub fn n_failed(&self) -> usize {
+        let failed = self
+            .solved()
+            .filter(|(_, p)| p.outcome.solution().is_none());
+        failed.count()
+    }
+
+    /// How many of its contacts have no solution, and why the first of them; `None` where all are solved.
+    pub fn failure(&self) -> Option<String> {
+        let mut failed = self.solved().filter_map(|(i, point)| match &point.outcome {
+            Outcome::Failed(reason) => Some((i, reason)),
+            Outcome::Solved(_) => None,
+        });
+        let (first, reason) = failed.next()?;
+        let n = 1 + failed.count();
+        let (all, name) = (self.n_contacts(), &self.machine.contacts[first].name);
+        Some(format!("{n} of {all} contacts failed; {name}: {reason}"))
+    }
+
+    /// Whether the user stopped it before the last contact.
+    pub fn is_partial(&self) -> bool {
+        self.solved().count() < self.n_contacts()
+    }
+}
+
+/// Places of the contacts that are solved.
+pub(crate) fn distinct(machine: &WholeMachine) -> Vec<usize> {
+    let contacts = machine.contacts.iter().enumerate();
+    let own = contacts.filter(|(i, contact)| contact.like == Some(*i));
+    own.map(|(i, _)| i).collect()
+}
+
+/// A figure of a whole machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MachineFigure {
+    /// Name in results and Python: `friction_torque`.
+    pub name: &'static str,
+    /// What it is, in words.
+    pub words: &'static str,
+    /// The figure, SI; its bar is that of the solved contacts, `None` where it comes from a formula alone.
+    pub estimate: Estimate,
+    /// Its SI unit; empty of a pure number.
+    pub unit: &'static str,
+    /// Part of the report.
+    pub section: Section,
+    /// Where the formula comes from, or what is left out.
+    pub source: &'static str,
+}
+
+/// Parts of the report of a machine, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Section {
+    /// Loads and motion.
+    Mechanics,
+    /// Films over roughness.
+    Films,
+    /// Friction, power and heat.
+    Friction,
+    /// Surface and bulk temperatures.
+    Temperature,
+    /// Safety against damage.
+    Safety,
+    /// Rating life.
+    Life,
+}
+
+impl Section {
+    /// Every section in its order.
+    pub const ALL: [Section; 6] = [
+        Section::Mechanics,
+        Section::Films,
+        Section::Friction,
+        Section::Temperature,
+        Section::Safety,
+        Section::Life,
+    ];
+
+    /// Its heading.
+    pub fn heading(self) -> &'static str {
+        match self {
+            Section::Mechanics => "Loads and motion",
+            Section::Films => "Films",
+            Section::Friction => "Friction",
+            Section::Temperature => "Temperature",
+            Section::Safety => "Safety",
+            Section::Life => "Life",
+        }
+    }
+}
+
+/// The figures of a machine, and what to know about them.
+#[derive(Clone, Debug, Default)]
+pub struct MachineFigures {
+    /// The figures in their order.
+    pub all: Vec<MachineFigure>,
+    /// What to know.
+    pub warnings: Vec<Warning>,
+}
+
+impl MachineFigures {
+    /// A figure by its name.
+    pub fn find(&self, name: &str) -> Option<&MachineFigure> {
+        self.all.iter().find(|figure| figure.name == name)
+    }
+}
