@@ -24,6 +24,7 @@
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
 //! | [`figures`], [`summary`] | figures, error bars, warnings |
+//! | [`heat`] | temperatures of film and surfaces |
 //! | [`reduction`] | the film beside that of the Newtonian fluid |
 //! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`scope`] | which contacts it solves |
@@ -44,6 +45,7 @@ pub mod fields;
 pub mod figures;
 pub mod film;
 pub mod grid;
+pub mod heat;
 pub mod level;
 pub mod multigrid;
 pub mod newton;

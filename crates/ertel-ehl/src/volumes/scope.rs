@@ -22,10 +22,6 @@ pub fn why_not(about: &About) -> Option<&'static str> {
             !about.has_half_spaces,
             "need half-spaces, no finite-element bodies",
         ),
-        (
-            about.heats,
-            "solve isothermal contacts alone ([solver] isothermal = true leaves the heat out)",
-        ),
     ];
     reasons
         .into_iter()

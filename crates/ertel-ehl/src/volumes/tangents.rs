@@ -289,6 +289,7 @@ impl Solver<'_> {
                 system,
                 state,
                 patch: None,
+                warm: None,
             });
         }
         Ok(true)
