@@ -248,7 +248,13 @@ impl Engine for FiniteVolumes {
                     |system: &mut System, state: &mut State, observer: &mut dyn Observer| {
                         solve_on(problem, system, state, n, observer)
                     };
-                match rounds.run(n, (&mut system, &mut state), start, again, observer) {
+                match rounds.run(
+                    (n, problem.plan.target_error),
+                    (&mut system, &mut state),
+                    start,
+                    again,
+                    observer,
+                ) {
                     Ok((found, infos)) => {
                         info = infos.into_iter().fold(info, NewtonInfo::and);
                         warm = Some(found);

@@ -1,4 +1,5 @@
-//! Finite volumes on regular grids: a monotone engine for isothermal point contacts of half-spaces, flooded or starved, Newtonian or thinned by stress.
+//! Finite volumes on regular grids: a monotone engine for point contacts of half-spaces, flooded or starved, Newtonian or thinned by stress, of one temperature
+//! or, flooded, with the heat of film and bodies.
 //!
 //! ```text
 //!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
@@ -64,7 +65,7 @@ pub mod thinning;
 pub mod transfer;
 
 pub use engine::{FiniteVolumes, Plan, Volumes};
-pub use scope::{About, why_not};
+pub use scope::{About, HeatAbout, why_not};
 
 #[cfg(test)]
 mod tests;

@@ -42,7 +42,7 @@ pub fn balance<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Balance {
         for [i, j] in grid.nodes() {
             let k = grid.index(i, j);
             let weight = area * grid.cell() * share(levels, l, i, j);
-            if weight == 0.0 || !grid.is_unknown(i, j) {
+            if weight == 0.0 {
                 continue;
             }
             let [shear, compression, size] = warm.account.made[k];

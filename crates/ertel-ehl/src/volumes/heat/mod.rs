@@ -31,3 +31,6 @@ pub mod transport;
 pub mod warmth;
 
 pub use rounds::{Settings, Warm};
+
+#[cfg(test)]
+mod tests;

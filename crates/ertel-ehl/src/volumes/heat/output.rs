@@ -5,7 +5,7 @@ use crate::engine::{Engine, Film, Observer, Problem};
 use crate::params::ThermalParams;
 use crate::post::thermal::cross_film::profile_of;
 use crate::solution::{
-    Coupling, Estimate, Figure, FilmTemperatures, HeatBalance, Measured, Thermal, ThermalReduction,
+    Coupling, Estimate, Figure, HeatBalance, Measured, Thermal, ThermalReduction,
 };
 use crate::solve::SolveError;
 use crate::volumes::engine::{FiniteVolumes, Plan, Volumes};
@@ -49,7 +49,7 @@ pub fn thermal(
             rounds: effort.rounds,
             contraction: effort.contraction,
             change: effort.change,
-            tolerance: problem.plan.heat.tolerance,
+            tolerance: (problem.plan.heat).in_force(problem.plan.target_error),
             n_temperatures: warm.temperatures.film.len(),
             iterations: effort.iterations,
             krylov_iterations: effort.krylov_iterations,

@@ -13,7 +13,6 @@ use crate::forms::energy::{Heat, Heights};
 use crate::solve::SolveError;
 use crate::solve::heat::newton::HeatError;
 use crate::solve::heat::relaxation::Relaxation;
-use crate::solve::heat::stopping::StoppingRule;
 use crate::solve::tuning::heat::{INNER_SHARE, NEGLIGIBLE_RISE};
 use crate::volumes::contents::missing;
 use crate::volumes::level::{Level, Sampled, within};
@@ -38,6 +37,13 @@ impl Default for Settings {
             tolerance: 1e-4,
             max_rounds: 40,
         }
+    }
+}
+
+impl Settings {
+    /// The tolerance of films that are told with some relative error.
+    pub fn in_force(&self, target_error: f64) -> f64 {
+        self.tolerance.max(SHARE * target_error)
     }
 }
 
@@ -69,6 +75,18 @@ pub struct Warm {
     /// Effort.
     pub effort: Effort,
 }
+
+/// Share of the films' target that rounds may leave of temperatures and films.
+const SHARE: f64 = 0.25;
+
+/// Ratio of changes from round to round beyond which the flow is held from then on.
+const SLOW: f64 = 0.3;
+
+/// Rounds at most on a grid that is a start alone: too coarse for the film, it has nodes that go on changing.
+const ROUNDS_OF_STARTS: usize = 5;
+
+/// Change, in tolerances, beyond which ratios say nothing.
+const BELIEVED: f64 = 30.0;
 
 /// Steps for the temperatures in a round at most.
 const MOST_STEPS: usize = 12;
@@ -147,7 +165,7 @@ impl<'a> Rounds<'a> {
     /// When rounds run out, a film is not found, or the observer cancels.
     pub fn run(
         &self,
-        level: usize,
+        (level, target, is_start): (usize, f64, bool),
         (system, state): (&mut System, &mut State),
         (bodies, mut own): (Bodies, Temperatures),
         mut solve: impl FnMut(
@@ -161,20 +179,22 @@ impl<'a> Rounds<'a> {
         let mut infos = Vec::new();
         let (mut change, mut first) = (1.0_f64, 0.0);
         let mut relaxation = Relaxation::default();
-        let stopping = StoppingRule {
-            tolerance: self.settings.tolerance,
-            inner_share: INNER_SHARE,
-            by_error: true,
+        let mut hold = false;
+        let tolerance = self.settings.in_force(target);
+        let most = match is_start {
+            true => self.settings.max_rounds.min(ROUNDS_OF_STARTS),
+            false => self.settings.max_rounds,
         };
-        for round in 1..=self.settings.max_rounds {
+        for round in 1..=most {
             if observer.cancelled() {
                 return Err(SolveError::Interrupted);
             }
             let clock = Instant::now();
             let before = (own.clone(), state.clone());
             let centre = centre(system, state);
-            let aim = (INNER_SHARE * change).max(0.1 * self.settings.tolerance);
-            self.temperatures(system, state, &bodies, &mut own, aim, &mut effort)?;
+            let aim = (INNER_SHARE * change).max(INNER_SHARE * tolerance);
+            let holds = level == 0 && round == 1 || hold;
+            self.temperatures(system, state, &bodies, &mut own, (aim, holds), &mut effort)?;
             let defect: Vec<f64> = (own.film.iter().zip(&before.0.film))
                 .map(|(new, t)| new - t)
                 .collect();
@@ -196,11 +216,8 @@ impl<'a> Rounds<'a> {
                 });
             }
             let rise = largest_rise(&own, self.heat);
-            let largest = |a: &[f64], b: &[f64]| {
-                (a.iter().zip(b)).fold(0.0_f64, |m, (a, b)| m.max((a - b).abs()))
-            };
             let previous = change;
-            change = (largest(&own.film, &before.0.film) / rise)
+            change = (mean_rise(&own.film, &before.0.film, &state.pressure) / rise)
                 .max((self::centre(system, state) / centre - 1.0).abs())
                 .max(mean_change(&state.pressure, &before.1.pressure))
                 / share;
@@ -213,7 +230,10 @@ impl<'a> Rounds<'a> {
                 effort.contraction = (change / first).powf(1.0 / (round - 1) as f64);
             }
             let ratio = (round > 1).then_some(change / previous);
-            if stopping.holds(change, share, ratio) {
+            hold |= ratio.is_some_and(|ratio| ratio > SLOW);
+            let settled = ratio.is_some_and(|ratio| has_settled(change, share, ratio, tolerance));
+            // The grids before the first whose figures are told are a start alone.
+            if settled || is_start && round == most {
                 let clock = Instant::now();
                 let account = self.account(system, state, &mut own);
                 effort.seconds += clock.elapsed().as_secs_f64();
@@ -242,7 +262,7 @@ impl<'a> Rounds<'a> {
         state: &State,
         bodies: &Bodies,
         own: &mut Temperatures,
-        aim: f64,
+        (aim, holds): (f64, bool),
         effort: &mut Effort,
     ) -> Result<(), SolveError> {
         let of = self.film_heat(system);
@@ -256,7 +276,10 @@ impl<'a> Rounds<'a> {
             temperature: &own.film.clone(),
             held: &[],
         };
-        let held = Columns::new(&of, &as_it_stands).conductance;
+        let held = match holds {
+            true => Columns::new(&of, &as_it_stands).conductance,
+            false => Vec::new(),
+        };
         for _ in 0..MOST_STEPS {
             let now = Films {
                 temperature: &own.film.clone(),
@@ -269,13 +292,6 @@ impl<'a> Rounds<'a> {
             }
             effort.iterations += 1;
             effort.krylov_iterations += info.krylov_iterations;
-            if std::env::var("HEAT").is_ok() {
-                eprintln!(
-                    "  heat step {:?} rise {}",
-                    info,
-                    largest_rise(own, self.heat)
-                );
-            }
             if info.change < aim * largest_rise(own, self.heat) {
                 break;
             }
@@ -308,6 +324,15 @@ impl<'a> Rounds<'a> {
     }
 }
 
+/// Whether what is left after a change is below a tolerance: of changes that shrink by a ratio the geometric series of those that follow. A ratio is believed of changes that are small
+/// themselves.
+fn has_settled(change: f64, share: f64, ratio: f64, tolerance: f64) -> bool {
+    // Of a share of the whole change the ratio is 1 − share at the least.
+    let left = share * change * ratio / (1.0 - ratio);
+    ratio < 1.0 && left < tolerance && change < BELIEVED * tolerance
+        || change < INNER_SHARE * tolerance
+}
+
 /// What the gaps lack at the nodes.
 fn lacking(system: &System, films: &[f64], contents: &[f64]) -> Vec<f64> {
     let density = system.fluid.at(0.0).density[0];
@@ -330,6 +355,18 @@ fn mean_change(a: &[f64], b: &[f64]) -> f64 {
         square += a * a;
     }
     (sum / square).sqrt()
+}
+
+/// Root mean square change of the temperatures of the film where there is pressure, K.
+fn mean_rise(a: &[f64], b: &[f64], pressure: &[f64]) -> f64 {
+    let f = a.len() / pressure.len();
+    let (mut sum, mut n) = (0.0, 0);
+    for (k, _) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+        let change = (k * f..(k + 1) * f).map(|m| (a[m] - b[m]) * (a[m] - b[m]));
+        sum += change.sum::<f64>();
+        n += f;
+    }
+    (sum / (n as f64).max(1.0)).sqrt()
 }
 
 /// Largest rise over the inlet, K.

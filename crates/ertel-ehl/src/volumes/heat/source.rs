@@ -1,10 +1,10 @@
 //! Temperature of the surface of a moving body under heat that flows into the cells of a grid.
 //!
 //! ```text
-//!   T = ∫∫ q/(2πkr) e^{−(u r − u·x)/2χ} dA           moving point source (Carslaw and Jaeger 1959, eq. 10.2(2), both sides of the half-space)
-//!     = 1/ρc ∫₀^∞ X(t) Y(t) θ(t) dt/√(πχt)           the same as a sum of instantaneous sources over a cell (10.2(1)), χ = k/ρc
+//!   T = ∫∫ q/(2πkr) e^{−(u r − u·x)/2χ} dA           moving point source (Jaeger 1942; Carslaw and Jaeger 1959, section 10.7)
+//!     = 1/ρc ∫₀^∞ X(t) Y(t) θ(t) dt/√(πχt)           the same as a sum of instantaneous sources over a cell (section 10.2), χ = k/ρc
 //!   X = ½[erf((x − ut + ½h)/√(4χt)) − erf((x − ut − ½h)/√(4χt))],   Y likewise across
-//!   θ = Σ_n (−1)ⁿ e^{−n²D²/χt}                       images: the bulk temperature at the depth D (Carslaw and Jaeger, section 10.10)
+//!   θ = Σ_n (−1)ⁿ e^{−n²D²/χt}                       images: the bulk temperature at the depth D
 //! ```
 //! With u = 0 it is a body at rest, which only the depth D keeps cool far from the contact.
 //!
@@ -194,7 +194,7 @@ mod tests {
             .collect()
     }
 
-    /// Jaeger's uniform band (J. Proc. R. Soc. N.S.W. 76, 1942, 203; Carslaw and Jaeger 1959, eq. 10.7(3)), integrated here by itself: T = 2χq/πku ∫ e^ξ K₀|ξ| dξ from L(x/b − 1) to L(x/b + 1), L = ub/2χ.
+    /// Jaeger's uniform band (J. Proc. R. Soc. N.S.W. 76, 1942, 203; Carslaw and Jaeger 1959, section 10.7), integrated here by itself: T = 2χq/πku ∫ e^ξ K₀|ξ| dξ from L(x/b − 1) to L(x/b + 1), L = ub/2χ.
     #[test]
     fn jaegers_band() {
         // K₀ by ∫ e^{−z cosh t} dt.
@@ -250,7 +250,7 @@ mod tests {
         assert!(((at as f64 + 0.5 - 200.0) / 200.0 - 0.6522).abs() < 0.01);
     }
 
-    /// A square at rest on a half-space has ln(1 + √2) 4/π of q h/2k at its middle (Carslaw and Jaeger 1959, 10.5), where the depth is 300 times its width; and a wide layer of
+    /// A square at rest on a half-space has ln(1 + √2) 4/π of q h/2k at its middle (Carslaw and Jaeger 1959, section 10.5), where the depth is 300 times its width; and a wide layer of
     /// depth D rises by q D/k.
     #[test]
     fn bodies_at_rest() {

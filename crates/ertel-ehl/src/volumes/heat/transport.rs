@@ -79,7 +79,21 @@ pub struct Moved {
     pub temperature: Vec<f64>,
     /// Heat into the bodies, W/m².
     pub flux: [Vec<f64>; 2],
+    /// Sweeps that changed something.
+    pub sweeps: usize,
 }
+
+/// How often nodes are taken.
+#[derive(Clone, Copy, Debug)]
+pub enum Sweeps {
+    /// So often: linear in what is asked for.
+    Count(usize),
+    /// Until a sweep changes nothing, so often at most.
+    UpTo(usize),
+}
+
+/// Change in a sweep that is none, beside the largest one.
+const SETTLED: f64 = 1e-3;
 
 impl<'a> Transport<'a> {
     /// With the mass flow of the film equation through the faces, at temperatures.
@@ -226,23 +240,44 @@ impl<'a> Transport<'a> {
     }
 
     /// Changes of the temperatures within the film for which R changes by `rows` there, and the heat into both bodies, by changes of the walls. Nodes are taken in the
-    /// order of the flow and against it in turn, `sweeps` times.
-    pub fn moved(&self, walls: [&[f64]; 2], rows: Option<&[f64]>, sweeps: usize) -> Moved {
+    /// order of the flow and against it in turn, as often as `sweeps` says.
+    pub fn moved(&self, walls: [&[f64]; 2], rows: Option<&[f64]>, sweeps: Sweeps) -> Moved {
         let [f, h] = self.columns.n;
         let n = self.grid.n_nodes();
         let mut temperature = vec![0.0; n * f];
         let mut at_heights = vec![0.0; n * h];
-        for sweep in 0..sweeps {
+        let mut done = 0;
+        loop {
+            let mut largest = [0.0_f64; 2];
             let mut visit = |k: usize| {
                 let mut from = [0.0; MOST_NODES];
                 self.arriving(k, &at_heights, &mut from);
-                let nodes = &mut temperature[k * f..][..f];
-                self.inner(k, &from, [walls[0][k], walls[1][k]], rows, nodes);
-                self.raise(nodes, &mut at_heights[k * h..][..h]);
+                let mut nodes = [0.0; MOST_NODES];
+                self.inner(k, &from, [walls[0][k], walls[1][k]], rows, &mut nodes[..f]);
+                let own = &mut temperature[k * f..][..f];
+                for (old, new) in own.iter_mut().zip(nodes) {
+                    largest = [
+                        largest[0].max(new.abs()),
+                        largest[1].max((new - *old).abs()),
+                    ];
+                    *old = new;
+                }
+                self.raise(own, &mut at_heights[k * h..][..h]);
             };
-            match sweep % 2 {
+            match done % 2 {
                 0 => self.order.iter().for_each(|k| visit(*k as usize)),
                 _ => self.order.iter().rev().for_each(|k| visit(*k as usize)),
+            }
+            let [size, change] = largest;
+            match sweeps {
+                Sweeps::Count(count) if done + 1 >= count => break,
+                // The last one changed nothing.
+                Sweeps::UpTo(_) if done > 0 && change <= SETTLED * size => break,
+                Sweeps::UpTo(most) if done + 1 >= most => {
+                    done += 1;
+                    break;
+                }
+                _ => done += 1,
             }
         }
         let mut flux = [vec![0.0; n], vec![0.0; n]];
@@ -256,20 +291,10 @@ impl<'a> Transport<'a> {
                 flux[b][k] = -own - self.projected(k, &from, row);
             }
         }
-        Moved { temperature, flux }
-    }
-
-    /// Largest difference that a further sweep makes, over the largest change.
-    pub fn unsettled(&self, walls: [&[f64]; 2], rows: Option<&[f64]>, sweeps: usize) -> f64 {
-        let [here, next] = [sweeps, sweeps + 2].map(|n| self.moved(walls, rows, n).temperature);
-        let (mut largest, mut difference) = (0.0_f64, 0.0_f64);
-        for (a, b) in here.iter().zip(&next) {
-            largest = largest.max(b.abs());
-            difference = difference.max((a - b).abs());
-        }
-        match largest > 0.0 {
-            true => difference / largest,
-            false => 0.0,
+        Moved {
+            temperature,
+            flux,
+            sweeps: done.max(1),
         }
     }
 

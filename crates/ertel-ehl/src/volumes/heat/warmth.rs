@@ -118,7 +118,9 @@ pub fn of_film(
         size => size.min(2.0 * largest).copysign(g),
     });
     let with = flow(&law, weight, g, [omega, 0.0], rule);
-    let uniform = fluid.close(pressure, g, [demand.omega, 0.0], rule);
+    let uniform = fluid
+        .local(pressure, None)
+        .flow(g, [demand.omega, 0.0], rule);
     for d in 0..2 {
         let factor = (with.flow[d] - without.flow[d]) / uniform.flow[d] * (mu / standing);
         if factor.is_finite() && factor > 0.0 {
