@@ -249,7 +249,7 @@ impl Engine for FiniteVolumes {
                         solve_on(problem, system, state, n, observer)
                     };
                 match rounds.run(
-                    (n, problem.plan.target_error),
+                    (n, problem.plan.target_error, n + 1 < LEAST_GRIDS),
                     (&mut system, &mut state),
                     start,
                     again,

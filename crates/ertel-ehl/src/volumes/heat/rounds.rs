@@ -375,3 +375,18 @@ fn largest_rise(own: &Temperatures, heat: &Heat) -> f64 {
         .map(|t| (t - heat.inlet_temperature).abs())
         .fold(NEGLIGIBLE_RISE, f64::max)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: changes of 0.1 that shrink by a tenth leave 0.011; half of them taken, 0.0056; such that shrink by little leave more than they are, and ratios of large ones say nothing.
+    #[test]
+    fn what_is_left_counts() {
+        assert!(has_settled(0.1, 1.0, 0.1, 0.0112) && !has_settled(0.1, 1.0, 0.1, 0.011));
+        assert!(has_settled(0.1, 0.5, 0.1, 0.0056));
+        assert!(!has_settled(0.1, 1.0, 0.9, 0.5) && !has_settled(0.1, 1.0, 1.2, 0.5));
+        assert!(!has_settled(0.1, 1.0, 1e-3, 1e-3));
+        assert!(has_settled(1e-5, 1.0, 2.0, 1e-3));
+    }
+}

@@ -30,7 +30,8 @@ pub struct MovingBody {
 /// Gauss points to a panel of time.
 const POINTS: usize = 6;
 
-/// Growth of the panels of time where nothing passes by, and the first one, as a share of the time in which heat spreads over a cell or a cell passes.
+/// Growth of the panels of time where nothing passes by, and the first one, as a share of the time in which heat spreads over a cell or through the depth, or a cell
+/// passes.
 const GROWTH: f64 = 1.7;
 const FIRST: f64 = 1e-3;
 
@@ -72,7 +73,8 @@ impl MovingBody {
             .fold(f64::INFINITY, f64::min);
         let smallest = size[0].min(size[1]);
         let spreading = smallest * smallest / chi;
-        let mut ends = vec![0.0, FIRST * spreading.min(passage)];
+        let through = self.depth * self.depth / chi;
+        let mut ends = vec![0.0, FIRST * spreading.min(passage).min(through)];
         let forgotten = FORGOTTEN * 4.0 * self.depth * self.depth / (PI * PI * chi);
         loop {
             let t = ends[ends.len() - 1];
@@ -276,6 +278,9 @@ mod tests {
                 assert_relative_eq!(along[7 * j + i], across[7 * i + j], max_relative = 1e-9);
             }
         }
-        assert!(along[3 * 7 + 5] > 2.0 * along[3 * 7 + 1]);
+        // Of point sources e^{u·x/2χ} downstream over e^{−u·x/2χ} upstream, x two cells.
+        let chi = steel([0.0; 2], 1.0).diffusivity();
+        let ratio = along[3 * 7 + 5] / along[3 * 7 + 1];
+        assert_relative_eq!(ratio, (0.4 * 2e-5 / chi).exp(), max_relative = 0.03);
     }
 }

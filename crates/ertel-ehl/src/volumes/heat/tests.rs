@@ -21,8 +21,9 @@ use crate::volumes::tests::problem;
 const AMBIENT: f64 = 313.15;
 const CONDUCTIVITY: f64 = 0.13;
 const VISCOSITY: f64 = 0.04;
+const FILM: f64 = 1e-7;
 
-/// Rise at mid-film, K, and heat of shear, W/m², in the middle of a uniform film of 25 nm between surfaces that slide by their mean speed, m/s, and take away all heat.
+/// Rise at mid-film, K, and heat of shear, W/m², in the middle of a uniform film of 100 nm between surfaces that slide by their mean speed, m/s, and take away all heat.
 fn couette(speed: f64, viscosity: &ViscosityLaw) -> (f64, f64, f64) {
     let motion = Motion::straight(speed, 1.0);
     let problem = problem(&motion, 0.01);
@@ -58,7 +59,7 @@ fn couette(speed: f64, viscosity: &ViscosityLaw) -> (f64, f64, f64) {
     };
     let grid = Grid::covering([[-1.0, 1.0], [-1.0, 1.0]], 0.25, true, &zone);
     let n = grid.n_nodes();
-    let film = 25e-9 / scales.film;
+    let film = FILM / scales.film;
     let system = System {
         convolution: Convolution::new(&grid, 0.3).into(),
         gap: vec![film; n],
@@ -119,7 +120,7 @@ fn couette(speed: f64, viscosity: &ViscosityLaw) -> (f64, f64, f64) {
 fn couette_flow_by_hand() {
     let (rise, made, flux) = couette(1.0, &ViscosityLaw::constant(VISCOSITY).unwrap());
     assert_relative_eq!(rise, VISCOSITY / (8.0 * CONDUCTIVITY), max_relative = 1e-4);
-    assert_relative_eq!(made, VISCOSITY / 25e-9, max_relative = 1e-6);
+    assert_relative_eq!(made, VISCOSITY / FILM, max_relative = 1e-6);
     assert_relative_eq!(flux, 0.5 * made, max_relative = 1e-3);
 }
 
@@ -141,7 +142,7 @@ fn nahmes_film() {
     assert_relative_eq!(rise, (nahme / 8.0).ln_1p() / slope, max_relative = 1e-2);
     let x = (nahme / 8.0).sqrt();
     let thinned = x.asinh() / (x * (1.0 + x * x).sqrt());
-    let cold = VISCOSITY * speed * speed / 25e-9;
+    let cold = VISCOSITY * speed * speed / FILM;
     assert_relative_eq!(made, cold * thinned, max_relative = 1e-2);
 }
 
