@@ -167,6 +167,17 @@ impl FilmFluid {
         })
     }
 
+    /// ρ̄, μ̄ and their first two derivatives by P at a temperature in K.
+    pub fn at_temperature(&self, pressure: f64, temperature: f64) -> PointFluid {
+        let mut properties = self.properties.over_temperature(pressure.max(0.0));
+        let [rho, ln_mu] = self.in_force(pressure, properties.at(temperature));
+        let mu = ln_mu.value.exp();
+        PointFluid {
+            density: [rho.value, rho.p, rho.pp],
+            viscosity: [mu, mu * ln_mu.p, mu * (ln_mu.p * ln_mu.p + ln_mu.pp)],
+        }
+    }
+
     /// What the fluid makes of ρ̄ and ln μ̄ at P, or at P = 0 for pressures below.
     #[inline(always)]
     fn in_force(&self, pressure: f64, [mut rho, mut ln_mu]: [Jet2; 2]) -> [Jet2; 2] {

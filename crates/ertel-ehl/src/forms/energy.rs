@@ -162,6 +162,11 @@ impl Heights {
         self.points.points()
     }
 
+    /// Of each height, the weights of the integral from −½ to it.
+    pub fn below(&self) -> &[Nodal] {
+        &self.below
+    }
+
     /// Weights of the integral over s.
     pub fn weights(&self) -> &[f64] {
         self.points.weights()

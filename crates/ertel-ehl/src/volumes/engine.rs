@@ -8,6 +8,8 @@ use super::contents::Arrival;
 use super::ending::{Ends, balance_error};
 use super::figures::{bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
+use super::heat::Settings;
+use super::heat::rounds::Rounds;
 use super::level::{Level, convolution, first_state, first_system, refined};
 use super::newton::{NewtonInfo, NewtonParams, newton};
 use super::patches::{first_cell, grid};
@@ -36,6 +38,8 @@ pub struct Plan {
     pub most_grids: usize,
     /// Half-widths by which a patch goes beyond the dry contact, in cells of it.
     pub margin: f64,
+    /// Heat, where it counts.
+    pub heat: Settings,
 }
 
 impl Plan {
@@ -50,6 +54,7 @@ impl Plan {
                 ..NewtonParams::default()
             },
             margin: 45.0,
+            heat: Settings::default(),
         }
     }
 }
@@ -153,12 +158,7 @@ fn solve_on(
             system.lambda = speed * problem.scales.lambda;
             system.fluid = problem.fluid.with_softness(*softness);
             let info = newton(system, &pattern, state, params, about, observer);
-            all = NewtonInfo {
-                iterations: all.iterations + info.iterations,
-                krylov_iterations: all.krylov_iterations + info.krylov_iterations,
-                seconds: [0, 1, 2].map(|i: usize| all.seconds[i] + info.seconds[i]),
-                ..info
-            };
+            all = all.and(info);
             if info.interrupted || !info.converged {
                 break;
             }
@@ -235,8 +235,35 @@ impl Engine for FiniteVolumes {
                 }
                 Some(before) => refined(problem, before, grid, deflection),
             };
+            let rounds = Rounds::new(problem, problem.plan.heat);
+            let start = (rounds.as_ref()).map(|rounds| rounds.start(&system, found.levels.last()));
+            if let (Some(rounds), Some((_, temperatures)), true) = (&rounds, &start, n > 0) {
+                rounds.warm_up(&mut system, &state, temperatures);
+            }
             let operator = clock.elapsed().as_secs_f64();
-            let info = solve_on(problem, &mut system, &mut state, n, observer)?;
+            let mut info = solve_on(problem, &mut system, &mut state, n, observer)?;
+            let mut warm = None;
+            if let (Some(rounds), Some(start), true) = (&rounds, start, info.converged) {
+                let again =
+                    |system: &mut System, state: &mut State, observer: &mut dyn Observer| {
+                        solve_on(problem, system, state, n, observer)
+                    };
+                match rounds.run(
+                    (n, problem.plan.target_error, n + 1 < LEAST_GRIDS),
+                    (&mut system, &mut state),
+                    start,
+                    again,
+                    observer,
+                ) {
+                    Ok((found, infos)) => {
+                        info = infos.into_iter().fold(info, NewtonInfo::and);
+                        warm = Some(found);
+                    }
+                    Err(SolveError::Interrupted) => return Err(SolveError::Interrupted),
+                    Err(error) if found.levels.len() < LEAST_GRIDS => return Err(error),
+                    Err(_) => info.converged = false,
+                }
+            }
             if !info.converged {
                 if let Some(before) = found.levels.last_mut() {
                     before.patch = None;
@@ -256,16 +283,19 @@ impl Engine for FiniteVolumes {
                 system,
                 state,
                 patch: None,
+                warm,
             });
             let cells = found.levels[n].system.grid.n_nodes();
             let [assembly, factorisation, krylov] = info.seconds;
-            let known = operator + assembly + factorisation + krylov;
+            let heat = (found.levels[n].warm.as_ref()).map_or(0.0, |warm| warm.effort.seconds);
+            let known = operator + assembly + factorisation + krylov + heat;
             found.stats.push(LevelStats {
                 seconds: Timings {
                     operator,
                     assembly,
                     factorisation,
                     krylov,
+                    heat,
                     other: clock.elapsed().as_secs_f64() - known,
                     ..Timings::default()
                 },

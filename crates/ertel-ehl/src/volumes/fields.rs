@@ -3,9 +3,13 @@
 use super::composite::Composite;
 use super::film::{PatchedFilm, node_fields};
 use super::grid::Grid;
+use crate::contact::Shape;
 use crate::engine::{Film, PointFields, Problem, Profile};
+use crate::film::FilmNodes;
 use crate::post::fields::surface_of;
-use crate::solution::{ElementFields, Polynomials, SurfaceField};
+use crate::solution::{
+    ElementFields, FilmTemperatures, Polynomials, SurfaceField, TemperaturePolynomials,
+};
 
 /// The centreline: at the distance of the nodes of each grid, as far as the next one goes.
 pub fn profile(film: &PatchedFilm) -> Profile {
@@ -53,6 +57,26 @@ fn along_motion(grid: &Grid) -> [f64; 2] {
     reach
 }
 
+/// Temperatures of points that have some.
+pub fn temperatures(nodes: &FilmNodes, points: &[PointFields]) -> FilmTemperatures {
+    let mut temperatures = FilmTemperatures::default();
+    for profile in points
+        .iter()
+        .filter_map(|point| point.temperature.as_deref())
+    {
+        temperatures.push(nodes, &profile.temperature);
+    }
+    temperatures
+}
+
+/// Fields at the nodes of all grids together.
+pub fn nodes(shape: &Shape, film: &PatchedFilm) -> Vec<PointFields> {
+    let mesh = Composite::new(film.levels());
+    (mesh.nodes.iter())
+        .map(|(l, [i, j])| node_fields(shape, &film.levels()[*l], *i, *j))
+        .collect()
+}
+
 /// Fields at the nodes of all grids together, with triangles between them.
 pub fn surface<Plan>(problem: &Problem<Plan>, film: &PatchedFilm) -> (SurfaceField, ElementFields) {
     let mesh = Composite::new(film.levels());
@@ -76,7 +100,17 @@ pub fn surface<Plan>(problem: &Problem<Plan>, film: &PatchedFilm) -> (SurfaceFie
         cells: mesh.cells,
         pressure: linear(&surface.pressure),
         film_thickness: linear(&surface.film_thickness),
-        temperatures: None,
+        temperatures: (problem.fluid.nodes())
+            .filter(|_| points.iter().all(|point| point.temperature.is_some()))
+            .map(|nodes| {
+                let at_nodes = temperatures(nodes, &points);
+                TemperaturePolynomials {
+                    mid: linear(&at_nodes.mid),
+                    mean: linear(&at_nodes.mean),
+                    body_1: linear(&at_nodes.body_1),
+                    body_2: linear(&at_nodes.body_2),
+                }
+            }),
     };
     (surface, elements)
 }

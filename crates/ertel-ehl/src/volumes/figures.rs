@@ -10,6 +10,7 @@
 use super::fields::profile;
 use super::film::PatchedFilm;
 use super::grid::Grid;
+use super::heat::figures::note_heat;
 use super::level::Level;
 use crate::engine::figures::{note_film, note_friction, share_of_film};
 use crate::engine::hills::hills;
@@ -90,7 +91,11 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
         outlet(&profile),
         meniscus,
     );
-    note_friction(&mut figures, problem, &problem.fluid, &film, false);
+    let heats = finest.warm.is_some();
+    note_friction(&mut figures, problem, &problem.fluid, &film, heats);
+    if let (true, Some(nodes)) = (heats, problem.fluid.nodes()) {
+        note_heat(&mut figures, problem, &film, nodes);
+    }
     figures
 }
 

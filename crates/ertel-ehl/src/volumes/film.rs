@@ -131,6 +131,7 @@ pub fn node_fields(shape: &Shape, level: &Level, i: usize, j: usize) -> PointFie
             missing: (level.state.contents.get(k)).map_or(0.0, |content| {
                 missing(level.films[k], *content, level.ambient_density())
             }),
+            temperature: (level.warm.as_ref()).map(|warm| Box::new(warm.temperatures.profile(k))),
             ..PointFields::default()
         },
     )
@@ -215,6 +216,11 @@ fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
             fields.pressure += w * node.pressure;
             deflection += w * node.deflection;
             fields.missing += w * node.missing;
+            if let Some(profile) = node.temperature {
+                let sum = fields.temperature.get_or_insert_default();
+                let values = sum.temperature.iter_mut().zip(profile.temperature);
+                values.for_each(|(sum, t)| *sum += w * t);
+            }
             for (sum, slope) in fields
                 .pressure_gradient
                 .iter_mut()

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::contents::Arrival;
 use super::convolution::Convolution;
 use super::grid::Grid;
+use super::heat::Warm;
 use super::system::{State, System};
 use crate::contact::Gap;
 use crate::elastic::compliance;
@@ -20,6 +21,8 @@ pub struct Level {
     pub films: Vec<f64>,
     /// Where the next grid lies on this one: its first and last node here along each direction.
     pub patch: Option<[[usize; 2]; 2]>,
+    /// Heat, where it counts.
+    pub warm: Option<Warm>,
 }
 
 impl Level {
@@ -39,7 +42,7 @@ impl Level {
 }
 
 /// Share of the cell of a node that lies in a patch.
-fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
+pub(super) fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
     let along = |[low, high]: [usize; 2], at: usize, ends: bool| match at {
         _ if at < low || at > high => 0.0,
         _ if at == low || (at == high && ends) => 0.5,
@@ -74,6 +77,7 @@ pub fn first_system<Plan>(
         lambda: problem.scales.lambda,
         entrainment: problem.entrainment,
         arrival: Arrival::of(problem),
+        warmth: Vec::new(),
         grid,
     }
 }
@@ -111,7 +115,8 @@ pub fn refined<Plan>(
     convolution: Arc<Convolution>,
 ) -> (System, State) {
     let coarse = before.system.grid.clone();
-    let start = [0, 1].map(|d: usize| (grid.first[d].div_euclid(2) - coarse.first[d]) as usize);
+    let sampled = Sampled::new(&coarse, &grid);
+    let start = sampled.start;
     let patch = [0, 1].map(|d: usize| [start[d], start[d] + (grid.n[d] - 1) / 2]);
     before.patch = Some(patch);
     let own = &before.state;
@@ -133,10 +138,6 @@ pub fn refined<Plan>(
     let outer = beyond(before, &problem.shape.gap, &by_inside);
     let mut system = first_system(problem, grid, convolution);
     system.load = before.system.load - before.system.integral(&own.pressure) + load_inside;
-    let sampled = Sampled {
-        coarse: &coarse,
-        start,
-    };
     let mut pressure = vec![0.0; system.grid.n_nodes()];
     for [i, j] in system.grid.nodes() {
         let k = system.grid.index(i, j);
@@ -171,13 +172,21 @@ fn beyond(level: &Level, gap: &Gap, by_inside: &[f64]) -> Vec<f64> {
 }
 
 /// Values of a coarse grid at the nodes of one with half the spacing inside it.
-struct Sampled<'a> {
+pub(super) struct Sampled<'a> {
     coarse: &'a Grid,
     /// The coarse node at which the fine grid begins.
     start: [usize; 2],
 }
 
-impl Sampled<'_> {
+impl<'a> Sampled<'a> {
+    /// Of a coarse grid at the nodes of a fine one inside it.
+    pub(super) fn new(coarse: &'a Grid, fine: &Grid) -> Sampled<'a> {
+        Sampled {
+            coarse,
+            start: [0, 1].map(|d: usize| (fine.first[d].div_euclid(2) - coarse.first[d]) as usize),
+        }
+    }
+
     fn at(&self, values: &[f64], x: i64, y: i64) -> f64 {
         let [cx, cy] = self.coarse.n.map(|n| n as i64);
         let y = match self.coarse.half && y >= cy {
@@ -195,7 +204,7 @@ impl Sampled<'_> {
     }
 
     /// Between the nodes by straight lines: no new extremum.
-    fn linear(&self, values: &[f64], i: usize, j: usize) -> f64 {
+    pub(super) fn linear(&self, values: &[f64], i: usize, j: usize) -> f64 {
         0.25 * self.corners(values, i, j).iter().sum::<f64>()
     }
 
@@ -210,7 +219,7 @@ impl Sampled<'_> {
     }
 
     /// Between the nodes by cubics.
-    fn cubic(&self, values: &[f64], i: usize, j: usize) -> f64 {
+    pub(super) fn cubic(&self, values: &[f64], i: usize, j: usize) -> f64 {
         let [x, y] = [self.start[0] + i / 2, self.start[1] + j / 2].map(|n| n as i64);
         let between = |v: [f64; 4]| (9.0 * (v[1] + v[2]) - v[0] - v[3]) / 16.0;
         let along = |y: i64| match i % 2 {

@@ -1,4 +1,5 @@
-//! Finite volumes on regular grids: a monotone engine for isothermal point contacts of half-spaces, flooded or starved, Newtonian or thinned by stress.
+//! Finite volumes on regular grids: a monotone engine for point contacts of half-spaces, flooded or starved, Newtonian or thinned by stress, of one temperature
+//! or, flooded, with the heat of film and bodies.
 //!
 //! ```text
 //!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
@@ -24,6 +25,7 @@
 //! | [`level`] | from a grid to one with cells of half the size on a smaller patch |
 //! | [`film`], [`composite`], [`fields`] | the film on all patches together; its mesh and fields |
 //! | [`figures`], [`summary`] | figures, error bars, warnings |
+//! | [`heat`] | temperatures of film and surfaces |
 //! | [`reduction`] | the film beside that of the Newtonian fluid |
 //! | [`tangents`] | derivatives of the figures by inputs |
 //! | [`scope`] | which contacts it solves |
@@ -44,6 +46,7 @@ pub mod fields;
 pub mod figures;
 pub mod film;
 pub mod grid;
+pub mod heat;
 pub mod level;
 pub mod multigrid;
 pub mod newton;
@@ -62,7 +65,7 @@ pub mod thinning;
 pub mod transfer;
 
 pub use engine::{FiniteVolumes, Plan, Volumes};
-pub use scope::{About, why_not};
+pub use scope::{About, HeatAbout, why_not};
 
 #[cfg(test)]
 mod tests;

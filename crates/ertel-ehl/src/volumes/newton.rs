@@ -58,6 +58,19 @@ pub struct NewtonInfo {
     pub seconds: [f64; 3],
 }
 
+impl NewtonInfo {
+    /// With the effort of a run before another one, whose end counts.
+    #[must_use]
+    pub fn and(self, next: NewtonInfo) -> NewtonInfo {
+        NewtonInfo {
+            iterations: self.iterations + next.iterations,
+            krylov_iterations: self.krylov_iterations + next.krylov_iterations,
+            seconds: [0, 1, 2].map(|i: usize| self.seconds[i] + next.seconds[i]),
+            ..next
+        }
+    }
+}
+
 /// Largest pressure, in p_h, below which changes are told beside it.
 const LOW: f64 = 0.1;
 

@@ -9,12 +9,28 @@ pub struct About {
     pub is_roller: bool,
     /// The bodies are half-spaces.
     pub has_half_spaces: bool,
-    /// Its temperature varies.
-    pub heats: bool,
+    /// What of its heat finite volumes have to do with, where its temperature varies.
+    pub heat: Option<HeatAbout>,
+}
+
+/// What of the heat of a contact decides.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct HeatAbout {
+    /// A body spins about the normal of the contact.
+    pub spins: bool,
+    /// Oil is short.
+    pub is_starved: bool,
+    /// Conductivity or heat capacity of a body change with its temperature.
+    pub bodies_vary: bool,
+    /// Temperatures within the bodies are asked for.
+    pub asks_for_bodies: bool,
+    /// Sensitivities are asked for.
+    pub asks_for_sensitivities: bool,
 }
 
 /// Why finite volumes do not solve a contact, in words that follow "finite volumes"; `None` where they do.
 pub fn why_not(about: &About) -> Option<&'static str> {
+    let heat = about.heat.unwrap_or_default();
     let reasons = [
         (about.is_line, "do not solve line contacts"),
         (about.is_roller, "do not solve rollers of finite length"),
@@ -22,13 +38,53 @@ pub fn why_not(about: &About) -> Option<&'static str> {
             !about.has_half_spaces,
             "need half-spaces, no finite-element bodies",
         ),
+        (heat.spins, "do not solve for the heat of bodies that spin"),
         (
-            about.heats,
-            "solve isothermal contacts alone ([solver] isothermal = true leaves the heat out)",
+            heat.is_starved,
+            "do not solve for the heat of starved contacts",
+        ),
+        (
+            heat.bodies_vary,
+            "do not solve for the heat of bodies whose conductivity or heat capacity changes with temperature",
+        ),
+        (
+            heat.asks_for_bodies,
+            "find no temperatures within the bodies ([thermal] field)",
+        ),
+        (
+            heat.asks_for_sensitivities,
+            "find no sensitivities where heat counts ([output] sensitivities)",
         ),
     ];
     reasons
         .into_iter()
         .find(|(applies, _)| *applies)
         .map(|(_, reason)| reason)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Heat is no reason in itself, but what finite volumes cannot do with it is.
+    #[test]
+    fn what_heat_they_solve_for() {
+        let about = |heat| About {
+            has_half_spaces: true,
+            heat,
+            ..About::default()
+        };
+        assert_eq!(why_not(&about(None)), None);
+        assert_eq!(why_not(&about(Some(HeatAbout::default()))), None);
+        let spins = HeatAbout {
+            spins: true,
+            ..HeatAbout::default()
+        };
+        assert!(why_not(&about(Some(spins))).is_some_and(|reason| reason.contains("spin")));
+        let starved = HeatAbout {
+            is_starved: true,
+            ..HeatAbout::default()
+        };
+        assert!(why_not(&about(Some(starved))).is_some_and(|reason| reason.contains("starved")));
+    }
 }

@@ -16,6 +16,7 @@ use super::convolution::Convolution;
 use super::faces::{Face, Node, Resistance, face};
 use super::film::slopes;
 use super::grid::{Grid, RING};
+use super::heat::warmth::Warmth;
 use super::passing::Passing;
 use super::thinning::Thinned;
 use crate::contact::Planar;
@@ -42,6 +43,8 @@ pub struct System {
     pub entrainment: Planar,
     /// How oil arrives.
     pub arrival: Arrival,
+    /// What temperatures make of the film at the nodes; none where there is one temperature.
+    pub warmth: Vec<Warmth>,
 }
 
 /// Pressures and separation.
@@ -119,9 +122,9 @@ impl System {
     /// The equation and its derivatives at a state.
     pub fn linearise(&self, state: &State) -> Linearised {
         let films = self.films(state);
-        let nodes: Vec<Node> = (state.pressure.par_iter().zip(&films))
+        let nodes: Vec<Node> = (state.pressure.par_iter().zip(&films).enumerate())
             .with_min_len(BATCH)
-            .map(|(p, film)| self.node(*p, *film))
+            .map(|(k, (p, film))| self.node(k, *p, *film))
             .collect();
         let thinned = self.thinned(&nodes, &state.pressure);
         let mut faces = [0, 1].map(|direction| self.faces(&nodes, &thinned, direction));
@@ -166,7 +169,9 @@ impl System {
             let gradient = slopes(grid, pressure, i, j);
             let slide = self.fluid.slide().at(grid.place(i, j));
             let node = (&nodes[k], grid.spacing[0]);
-            Thinned::at(&self.fluid, node, gradient, grid.turn.to_axes(slide), rule)
+            let slide = grid.turn.to_axes(slide);
+            let warmth = self.warmth.get(k).map(|warmth| warmth.flow);
+            Thinned::at(&self.fluid, node, gradient, slide, warmth, rule)
         };
         (0..nodes.len())
             .into_par_iter()
@@ -181,9 +186,20 @@ impl System {
         grid.is_unknown(i, j) && (self.arrival).may_press(grid.place(i, j)[0], grid.spacing[0])
     }
 
-    fn node(&self, pressure: f64, film: f64) -> Node {
-        let point = self.fluid.at(pressure);
-        let ([rho, rho_p, _], [mu, mu_p, _]) = (point.density, point.viscosity);
+    fn node(&self, k: usize, pressure: f64, film: f64) -> Node {
+        let warmth = self.warmth.get(k);
+        let point = match warmth {
+            None => self.fluid.at(pressure),
+            Some(warmth) => self.fluid.at_temperature(pressure, warmth.temperature),
+        };
+        let ([mut rho, mut rho_p, _], [mut mu, mut mu_p, _]) = (point.density, point.viscosity);
+        if let Some(warmth) = warmth {
+            (rho, rho_p) = (warmth.density * rho, warmth.density * rho_p);
+            // Where nothing thins, it is all in the viscosity.
+            if self.fluid.is_newtonian() {
+                (mu, mu_p) = (mu / warmth.flow[0], mu_p / warmth.flow[0]);
+            }
+        }
         Node {
             pressure,
             film,
@@ -224,10 +240,14 @@ impl System {
                 let velocity = grid
                     .turn
                     .to_axes(self.entrainment.at(grid.turn.to_motion(at)));
+                let drift = match (self.warmth.get(k), self.warmth.get(k + step)) {
+                    (Some(a), Some(b)) => 0.5 * (a.drift[direction] + b.drift[direction]),
+                    _ => 0.0,
+                };
                 // Nothing is dragged across the rows of a half.
                 let u = match grid.half && direction == 1 {
                     true => 0.0,
-                    false => velocity[direction],
+                    false => velocity[direction] + drift,
                 };
                 let behind = (k + 2 * step).min(nodes.len() - 1);
                 let beyond = [&nodes[k - step], &nodes[behind]];

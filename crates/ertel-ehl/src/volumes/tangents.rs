@@ -208,6 +208,7 @@ impl<Plan: Sync> Side<'_, Plan> {
                 system,
                 state,
                 patch: None,
+                warm: None,
             });
         }
     }

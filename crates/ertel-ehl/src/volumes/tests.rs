@@ -107,6 +107,7 @@ fn system(half: bool, entrainment: Planar) -> (System, State) {
         lambda: 0.1,
         entrainment,
         arrival: Arrival::Flooded,
+        warmth: Vec::new(),
         grid,
     };
     (system, state)
@@ -219,6 +220,7 @@ fn second_order_for_manufactured_fields() {
                 spin: 0.0,
             },
             arrival: Arrival::Flooded,
+            warmth: Vec::new(),
             grid: grid.clone(),
         };
         let state = State {

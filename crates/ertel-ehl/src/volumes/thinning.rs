@@ -32,21 +32,28 @@ const NO_GRADIENT: f64 = 1e-4;
 /// Film below which κ is that of this film, in h²: half of what a parabola rises by over a cell. Stresses grow without bound as a film vanishes, and on
 /// grids too coarse for the smallest one, where it is below zero, Newton's method then does not converge (a ball at 1.9 GPa with L 19 and Eyring's
 /// fluid; it does from 0.1 on). What the last grids find does not change with it.
-const UNRESOLVED: f64 = 0.25;
+pub(super) const UNRESOLVED: f64 = 0.25;
 
 /// e-folds of the fluidity by the stress at the walls from which on κ is that of this gradient: many more than a solution has.
-const FOLDS: f64 = 40.0;
+pub(super) const FOLDS: f64 = 40.0;
 
 /// e-folds below the ambient viscosity at which that of a thinned film levels off: gradients on the way to a solution would make it vanish.
 const GONE: f64 = 10.0;
 
 /// κ and its derivatives by G_∥, G_⊥, Ω and P.
+#[derive(Clone, Copy, Debug)]
 struct Factor {
     value: f64,
     by: [f64; 4],
 }
 
 impl Factor {
+    /// Where nothing thins.
+    const NONE: Factor = Factor {
+        value: 1.0,
+        by: [0.0; 4],
+    };
+
     /// Of the flow along a direction i of the frame of the sliding, driven by the gradient there, which may have been held up.
     fn new(closure: &Closure, i: usize, gradient: f64, is_held: bool) -> Factor {
         let slopes = &closure.slopes[i];
@@ -68,23 +75,48 @@ impl Factor {
     }
 }
 
-impl Thinned {
-    /// At a node of a grid with cells of the size h, with the gradient of the pressure and the sliding velocity along the grid; 1 where no
-    /// stress is found.
-    pub fn at(
-        fluid: &FilmFluid,
-        (node, h): (&Node, f64),
-        gradient: [f64; 2],
-        slide: [f64; 2],
-        rule: &mut CrossFilm,
-    ) -> Thinned {
-        let Some([smallest, largest]) = fluid.stresses_between(node.pressure, FOLDS) else {
-            return Thinned::default();
-        };
+/// κ along and across the sliding; `None` where no stress is found.
+fn factors(
+    fluid: &FilmFluid,
+    pressure: f64,
+    demand: &Demand,
+    rule: &mut CrossFilm,
+) -> Option<[Factor; 2]> {
+    let [smallest, largest] = fluid.stresses_between(pressure, FOLDS)?;
+    let (own, omega) = (demand.gradient, demand.omega);
+    let least = NO_GRADIENT * smallest;
+    if own[0].abs().max(own[1].abs()).max(omega) < least {
+        return None;
+    }
+    let g = own.map(|g| match g.abs() {
+        size if size < least => least,
+        size => size.min(2.0 * largest).copysign(g),
+    });
+    let held = [0, 1].map(|i: usize| g[i] != own[i]);
+    let closure = fluid.close(pressure, g, [omega, 0.0], rule);
+    let [along, across] = [0, 1].map(|i| Factor::new(&closure, i, g[i], held[i]));
+    (along.value > 0.0 && across.value > 0.0).then_some([along, across])
+}
+
+/// What a film sees of the gradient of the pressure and of the sliding, in the frame of the latter.
+pub(super) struct Demand {
+    /// H, or what counts in place of it.
+    pub film: f64,
+    /// Direction of the sliding along the grid.
+    pub direction: [f64; 2],
+    /// ∂P along and across it.
+    pub slopes: [f64; 2],
+    /// G.
+    pub gradient: [f64; 2],
+    /// Ω.
+    pub omega: f64,
+}
+
+impl Demand {
+    /// At a node of a grid with cells of the size h.
+    pub fn new(node: &Node, h: f64, gradient: [f64; 2], slide: [f64; 2]) -> Demand {
         let film = node.film.max(UNRESOLVED * h * h);
-        let [ln_mu, ln_mu_by_p] = node.ln_viscosity;
         let speed = slide[0].hypot(slide[1]);
-        let omega = speed * ln_mu.exp() / film;
         // Without sliding the fluid knows no direction.
         let [c, s] = match speed > 0.0 {
             true => slide.map(|u| u / speed),
@@ -94,21 +126,49 @@ impl Thinned {
             c * gradient[0] + s * gradient[1],
             c * gradient[1] - s * gradient[0],
         ];
-        let own = slopes.map(|p| film * p);
-        let least = NO_GRADIENT * smallest;
-        if own[0].abs().max(own[1].abs()).max(omega) < least {
-            return Thinned::default();
+        Demand {
+            film,
+            direction: [c, s],
+            gradient: slopes.map(|p| film * p),
+            slopes,
+            omega: speed * node.ln_viscosity[0].exp() / film,
         }
-        let g = own.map(|g| match g.abs() {
-            size if size < least => least,
-            size => size.min(2.0 * largest).copysign(g),
-        });
-        let held = [0, 1].map(|i: usize| g[i] != own[i]);
-        let closure = fluid.close(node.pressure, g, [omega, 0.0], rule);
-        let [along, across] = [0, 1].map(|i| Factor::new(&closure, i, g[i], held[i]));
-        if !(along.value > 0.0 && across.value > 0.0) {
-            return Thinned::default();
-        }
+    }
+}
+
+impl Thinned {
+    /// At a node of a grid with cells of the size h, with the gradient of the pressure and the sliding velocity along the grid; 1 where no
+    /// stress is found. `warmth`: factors of κ along and across the sliding where the temperature varies across the film.
+    pub fn at(
+        fluid: &FilmFluid,
+        (node, h): (&Node, f64),
+        gradient: [f64; 2],
+        slide: [f64; 2],
+        warmth: Option<[f64; 2]>,
+        rule: &mut CrossFilm,
+    ) -> Thinned {
+        let demand = Demand::new(node, h, gradient, slide);
+        let of_stress = factors(fluid, node.pressure, &demand, rule);
+        let [along, across] = match (of_stress, warmth) {
+            (None, None) => return Thinned::default(),
+            (Some(factors), None) => factors,
+            (factors, Some(warmth)) => {
+                let mut factors = factors.unwrap_or([Factor::NONE; 2]);
+                for (factor, by_heat) in factors.iter_mut().zip(warmth) {
+                    factor.value *= by_heat;
+                    factor.by = factor.by.map(|slope| by_heat * slope);
+                }
+                factors
+            }
+        };
+        let Demand {
+            film,
+            slopes,
+            omega,
+            direction: [c, s],
+            ..
+        } = demand;
+        let [ln_mu, ln_mu_by_p] = node.ln_viscosity;
         let jet = |factor: &Factor| -> Jet {
             let [by_along, by_across, by_omega, by_p] = factor.by;
             [
@@ -198,6 +258,7 @@ mod tests {
             (&at, 0.1),
             [0.0; 2],
             slide,
+            None,
             &mut CrossFilm::default(),
         );
         let x = (slide[0] * at.ln_viscosity[0].exp() / 0.2 * fluid.stress_scale() / 5e6).asinh();
@@ -224,7 +285,7 @@ mod tests {
                 let at = |x: [f64; 4]| {
                     let node = node(&fluid, x[0], x[1]);
                     let rule = &mut CrossFilm::default();
-                    Thinned::at(&fluid, (&node, 0.1), [x[2], x[3]], slide, rule)
+                    Thinned::at(&fluid, (&node, 0.1), [x[2], x[3]], slide, None, rule)
                 };
                 let x = [0.5, 0.2, gradient[0], gradient[1]];
                 let found = at(x);

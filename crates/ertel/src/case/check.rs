@@ -3,6 +3,7 @@
 use ertel_input::{Bounds, InputError, Table};
 
 use super::Case;
+use super::thermal::SolidHeat;
 use crate::contact::{Contact, ContactKind, Hertz, equivalent_body};
 use crate::params::{ElasticModel, Method};
 use crate::volumes;
@@ -320,11 +321,15 @@ const MESH_KEYS_OF_ELEMENTS: [&str; 11] = [
     "elastic_order",
 ];
 
+/// Those of [thermal], likewise.
+const THERMAL_KEYS_OF_ELEMENTS: [&str; 2] = ["solid_elements", "surface_order"];
+
 /// Refuses finite volumes for contacts that they do not solve, and keys beside them that have no effect.
 pub(super) fn finite_volumes(
     case: &Case,
     solver: Option<&Table<'_>>,
     mesh: Option<&Table<'_>>,
+    thermal: Option<&Table<'_>>,
 ) -> Result<(), InputError> {
     let Some(solver) = solver.filter(|_| case.solver.method == Some(Method::FiniteVolumes)) else {
         return Ok(());
@@ -340,6 +345,7 @@ pub(super) fn finite_volumes(
     let keys = [
         (Some(solver), &SOLVER_KEYS_OF_ELEMENTS[..]),
         (mesh, &MESH_KEYS_OF_ELEMENTS[..]),
+        (thermal, &THERMAL_KEYS_OF_ELEMENTS[..]),
     ];
     for (table, keys) in keys {
         let Some(table) = table else { continue };
@@ -348,7 +354,8 @@ pub(super) fn finite_volumes(
             return Err(table
                 .error(key, format!("`{key}` has no effect on finite volumes"))
                 .with_help(
-                    "remove it; of [mesh], finite volumes take target_error, preset, max_unknowns, inlet, outlet and side",
+                    "remove it; of [mesh], finite volumes take target_error, preset, max_unknowns, inlet, outlet and side; of [thermal] all but \
+                     solid_elements, surface_order and field",
                 ));
         }
     }
@@ -356,13 +363,15 @@ pub(super) fn finite_volumes(
 }
 
 impl Case {
-    /// Whether the case file has a key of `[solver]` or `[mesh]` that finite volumes have no use for.
+    /// Whether the case file has a key of `[solver]`, `[mesh]` or `[thermal]` that finite volumes have no use for.
     pub fn has_key_of_elements(&self) -> bool {
         let has = |table: &str, keys: &[&str]| {
             let table = &self.given[table];
             keys.iter().any(|key| table.get(key).is_some())
         };
-        has("solver", &SOLVER_KEYS_OF_ELEMENTS) || has("mesh", &MESH_KEYS_OF_ELEMENTS)
+        has("solver", &SOLVER_KEYS_OF_ELEMENTS)
+            || has("mesh", &MESH_KEYS_OF_ELEMENTS)
+            || has("thermal", &THERMAL_KEYS_OF_ELEMENTS)
     }
 }
 
@@ -372,7 +381,30 @@ pub fn finite_volumes_refuse(case: &Case) -> Option<&'static str> {
         is_line: case.contact.kind.is_line(),
         is_roller: case.contact.roller.is_some(),
         has_half_spaces: case.elastic_model() == ElasticModel::HalfSpace,
-        heats: case.thermal().is_some(),
+        heat: heat_about(case),
+    })
+}
+
+/// Change of a property from the bulk temperature of a body by some kelvins, relative, that is none.
+const CONSTANT: f64 = 1e-6;
+const WARMER: f64 = 30.0;
+
+/// What of its heat finite volumes have to do with.
+fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
+    let params = case.thermal()?;
+    let heat = case.heat().ok().flatten();
+    let varies = |body: &SolidHeat| {
+        let t = body.temperature;
+        let differs = |at: &dyn Fn(f64) -> f64| (at(t + WARMER) / at(t) - 1.0).abs() > CONSTANT;
+        differs(&|t| body.conductivity.conductivity(0.0, t))
+            || differs(&|t| body.heat_capacity.heat_capacity(0.0, t))
+    };
+    Some(volumes::HeatAbout {
+        spins: case.motion.spin != [0.0; 2],
+        is_starved: case.supply.is_limited(),
+        bodies_vary: heat.is_some_and(|heat| varies(&heat.body_1) || varies(&heat.body_2)),
+        asks_for_bodies: params.field,
+        asks_for_sensitivities: case.wants_sensitivities(),
     })
 }
 

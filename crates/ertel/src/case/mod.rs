@@ -310,7 +310,12 @@ impl Case {
         };
         check::body_of_wide_contact(&case, tables.main())?;
         check::finite_elements_of_soft_bodies(&case, &document.root())?;
-        check::finite_volumes(&case, solver_table.as_ref(), mesh_table.as_ref())?;
+        check::finite_volumes(
+            &case,
+            solver_table.as_ref(),
+            mesh_table.as_ref(),
+            thermal_table.as_ref(),
+        )?;
         case.warnings = check::warnings(&case, &hertz);
         case.warnings.extend(of_machine);
         case.warnings.extend(range_warnings);

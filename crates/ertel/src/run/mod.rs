@@ -164,7 +164,9 @@ pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {
         return method;
     }
-    if asks_for_elements(case) || finite_volumes_refuse(case).is_some() {
+    // Where heat counts, both take as long for contacts that both solve.
+    let is_left = case.thermal().is_some() || finite_volumes_refuse(case).is_some();
+    if asks_for_elements(case) || is_left {
         return Method::FiniteElements;
     }
     let is_easy = || {
@@ -206,6 +208,8 @@ fn may_be_tried_again(case: &Case, first: Method, error: &SolveError) -> bool {
             | SolveError::Krylov(_)
             | SolveError::Factorisation(_)
             | SolveError::GridNotConverged { .. }
+            | SolveError::NotCoupled { .. }
+            | SolveError::Heat(_)
     );
     let is_left_open = case.solver.method.is_none() && !asks_for_elements(case);
     let other_solves = match first {

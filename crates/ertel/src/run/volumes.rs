@@ -7,12 +7,14 @@ use super::{Recorder, peak_memory};
 use crate::case::Case;
 use crate::engine::{Engine, Solved};
 use crate::params::{DEFAULT_TARGET_ERROR, MeshPreset, Method};
+use crate::post;
 use crate::post::fields::centreline_of;
 use crate::problem::problem_by_slices;
 use crate::sensitivity::by_derivatives;
 use crate::solution::{SensitivityMethod, Solution, Stats};
 use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
+use crate::volumes::heat::{Settings, output};
 use crate::volumes::tangents::Tangents;
 use crate::volumes::{FiniteVolumes, Plan, fields, reduction, summary};
 
@@ -38,24 +40,60 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         wall_seconds: 0.0,
         peak_memory: None,
     };
-    let film_reduction = match case.shear_thinning() {
+    let isothermal = match &problem.heat {
         None => None,
         Some(_) => {
+            let beside = problem_by_slices(case).with_plan(plan(case));
+            output::isothermal(beside, solved.levels.len(), recorder.observer)?
+        }
+    };
+    let film_reduction = match (case.shear_thinning(), &isothermal, &problem.heat) {
+        (None, ..) | (_, None, Some(_)) => None,
+        (Some(_), thinned, _) => {
             let mut newtonian = case.clone();
             newtonian.solver.newtonian = true;
-            let newtonian = problem_by_slices(&newtonian).with_plan(plan(case));
-            reduction::film_reduction(&solved, newtonian, recorder.observer)?
+            let mut newtonian = problem_by_slices(&newtonian).with_plan(plan(case));
+            newtonian.heat = None;
+            let thinned = thinned.as_ref().unwrap_or(&solved);
+            reduction::film_reduction(thinned, newtonian, recorder.observer)?
         }
     };
     let film = PatchedFilm::new(&problem.shape, &solved.levels);
     let measured = solved.measured(&problem).with_meniscus(&case.supply);
     let (surface, elements) = fields::surface(&problem, &film);
-    let warnings = summary::warnings(&problem, &solved, &film, &measured);
+    let mut warnings = summary::warnings(&problem, &solved, &film, &measured);
+    let thermal = (case.thermal()).and_then(|params| {
+        let thermal = output::thermal(
+            &problem,
+            &solved,
+            &film,
+            &measured,
+            isothermal.as_ref(),
+            params,
+        )?;
+        let extents = &problem.extents;
+        warnings.extend(post::thermal::warnings(
+            &thermal,
+            &case.lubricant.temperature_ranges,
+            params,
+            &problem.scales,
+            problem.shape.symmetry,
+            [
+                extents.inlet,
+                extents.outlet,
+                extents.side * problem.shape.zone.axis_ratio,
+            ],
+        ));
+        let heat = problem.heat.iter();
+        warnings
+            .extend(heat.flat_map(|heat| post::thermal::at_rest::warnings(heat, &thermal, params)));
+        Some(thermal)
+    });
     let found = Found {
         extents: problem.extents,
         summary: summary::summarise(&problem, &solved, &measured),
         film_reduction,
-        thermal: None,
+        thermal,
         centreline: centreline_of(
             &fields::profile(&film),
             &problem.shape,
@@ -89,5 +127,16 @@ fn plan(case: &Case) -> Plan {
         MeshPreset::Normal => DEFAULT_TARGET_ERROR,
         MeshPreset::Fine => 0.25 * DEFAULT_TARGET_ERROR,
     });
-    Plan::new(target, mesh.max_unknowns.unwrap_or(MAX_UNKNOWNS))
+    let plan = Plan::new(target, mesh.max_unknowns.unwrap_or(MAX_UNKNOWNS));
+    match case.thermal() {
+        None => plan,
+        Some(thermal) => Plan {
+            heat: Settings {
+                depth: thermal.depth,
+                tolerance: thermal.tolerance,
+                max_rounds: thermal.max_iterations,
+            },
+            ..plan
+        },
+    }
 }

@@ -5,6 +5,7 @@
 //! ```
 
 use crate::contact::{Planar, Scales, Symmetry};
+use crate::engine::PointFields;
 use crate::film::FilmFluid;
 use crate::film::closure::mid_stress;
 use crate::film::cross_film::CrossFilm;
@@ -25,11 +26,30 @@ pub(super) fn profile(
     fluid: &FilmFluid,
     scales: &Scales,
     body_1: &Planar,
+    place: [f64; 2],
+) -> Option<CrossProfile> {
+    profile_of(
+        d.contact.shape.symmetry,
+        |at| fields_at(d, state, at),
+        fluid,
+        scales,
+        body_1,
+        place,
+    )
+}
+
+/// The same of a film whose fields are known at places of the part that is solved.
+pub fn profile_of(
+    symmetry: Symmetry,
+    fields: impl FnOnce([f64; 2]) -> Option<PointFields>,
+    fluid: &FilmFluid,
+    scales: &Scales,
+    body_1: &Planar,
     [x, y]: [f64; 2],
 ) -> Option<CrossProfile> {
     // Where half of the contact is solved, y ≤ 0, the other one is its mirror image.
-    let mirrored = d.contact.shape.symmetry == Symmetry::Half && y > 0.0;
-    let fields = fields_at(d, state, [x, if mirrored { -y } else { y }])?;
+    let mirrored = symmetry == Symmetry::Half && y > 0.0;
+    let fields = fields([x, if mirrored { -y } else { y }])?;
     let temperatures = fluid
         .nodes()?
         .through(&fields.temperature.as_deref()?.temperature);

@@ -4,7 +4,7 @@
 //! - `field`: temperature of the whole film and of both bodies.
 
 pub mod at_rest;
-mod cross_film;
+pub mod cross_film;
 mod field;
 
 use ertel_rheology::provenance::TemperatureRange;
@@ -199,7 +199,7 @@ fn surface(d: &Discretisation, state: &State, space: &HeatSpace) -> FilmTemperat
 
 impl FilmTemperatures {
     /// Adds a point from the temperatures at the film's nodes.
-    pub(in crate::post) fn push(&mut self, film: &FilmNodes, values: &Nodal) {
+    pub(crate) fn push(&mut self, film: &FilmNodes, values: &Nodal) {
         let [body_1, body_2] = walls(film, values);
         self.mid.push(film.through(values).at(0.0));
         self.mean.push(film.mean(values));

@@ -26,7 +26,7 @@ mod inflow;
 pub mod missing;
 pub mod newton;
 pub mod recovery;
-mod relaxation;
+pub mod relaxation;
 pub mod sides;
 pub mod space;
 pub mod stopping;

@@ -16,7 +16,7 @@ use crate::solve::tuning::heat::{GROWTH, SILENT_ROUNDS, SLOW, SMALLEST};
 
 /// What is known from the rounds before.
 #[derive(Debug, Default)]
-pub(super) struct Relaxation {
+pub struct Relaxation {
     rounds: usize,
     defect: Vec<f64>,
     share: f64,

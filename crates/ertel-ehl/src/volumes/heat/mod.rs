@@ -1,0 +1,36 @@
+//! Heat by finite volumes: temperatures across the film at the nodes of each grid, and those of the surfaces of two moving half-spaces.
+//!
+//! ```text
+//!   film:    ρc h (u ∂T/∂x + v ∂T/∂y) + c ω ∂T/∂s − k/h ∂²T/∂s² = h(Q_shear + Q_comp)        [`columns`], [`transport`]
+//!   bodies:  T_w = T_bulk + K * q                                                            [`source`], [`spreading`]
+//!   K_film, ρ̄, ū of the film equation by the temperatures                                    [`warmth`]
+//! ```
+//! Equations and laws of the film are those of the finite elements ([`crate::forms::energy`]).
+//!
+//! | module | what |
+//! |---|---|
+//! | [`source`] | temperature of a moving body by the heat that flows into cells |
+//! | [`spreading`] | the same on a grid, by fast Fourier transforms |
+//! | [`columns`] | the energy equation of the film over each node |
+//! | [`transport`] | what flows from node to node |
+//! | [`temperatures`] | Newton's method for film and surfaces |
+//! | [`warmth`] | what temperatures make of the film equation |
+//! | [`rounds`] | film and heat in turn, from grid to grid |
+//! | [`figures`], [`output`] | temperatures and heat in numbers; for results |
+//!
+//! Theory: Heat by finite volumes.
+
+pub mod columns;
+pub mod figures;
+pub mod output;
+pub mod rounds;
+pub mod source;
+pub mod spreading;
+pub mod temperatures;
+pub mod transport;
+pub mod warmth;
+
+pub use rounds::{Settings, Warm};
+
+#[cfg(test)]
+mod tests;

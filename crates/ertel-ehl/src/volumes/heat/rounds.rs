@@ -1,0 +1,392 @@
+//! Film and heat in turn on a grid, until neither changes.
+//!
+//! Temperatures are found for the films and pressures of the last round with the flow held ([`crate::forms::energy`]), then films and pressures at those
+//! temperatures. Where changes hardly shrink, only a share of each is taken ([`crate::solve::heat::relaxation`]).
+
+use ertel_fem::platform::Instant;
+
+use super::columns::{Columns, FilmHeat, Films};
+use super::temperatures::{self, Account, Bodies, Temperatures, step, unheated};
+use super::warmth::warmth;
+use crate::engine::{Observer, Problem};
+use crate::forms::energy::{Heat, Heights};
+use crate::solve::SolveError;
+use crate::solve::heat::newton::HeatError;
+use crate::solve::heat::relaxation::Relaxation;
+use crate::solve::tuning::heat::{INNER_SHARE, NEGLIGIBLE_RISE};
+use crate::volumes::contents::missing;
+use crate::volumes::level::{Level, Sampled, within};
+use crate::volumes::newton::NewtonInfo;
+use crate::volumes::system::{State, System};
+
+/// How heat is solved for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Depth of the bodies, half-widths.
+    pub depth: f64,
+    /// Relative change from round to round, and the error that it leaves, at which film and heat have converged.
+    pub tolerance: f64,
+    /// Rounds at most.
+    pub max_rounds: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings {
+            depth: 3.15,
+            tolerance: 1e-4,
+            max_rounds: 40,
+        }
+    }
+}
+
+impl Settings {
+    /// The tolerance of films that are told with some relative error.
+    pub fn in_force(&self, target_error: f64) -> f64 {
+        self.tolerance.max(SHARE * target_error)
+    }
+}
+
+/// Effort on the heat of a grid.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Effort {
+    /// Rounds of film and heat.
+    pub rounds: usize,
+    /// Ratio by which changes shrank from round to round.
+    pub contraction: f64,
+    /// The last change.
+    pub change: f64,
+    /// Steps for the temperatures.
+    pub iterations: usize,
+    /// Krylov iterations for them.
+    pub krylov_iterations: usize,
+    /// Wall seconds for them.
+    pub seconds: f64,
+}
+
+/// Heat of a grid.
+pub struct Warm {
+    /// The bodies below it.
+    pub bodies: Bodies,
+    /// Temperatures.
+    pub temperatures: Temperatures,
+    /// Heat made and carried off at each node.
+    pub account: Account,
+    /// Effort.
+    pub effort: Effort,
+}
+
+/// Share of the films' target that rounds may leave of temperatures and films.
+const SHARE: f64 = 0.25;
+
+/// Ratio of changes from round to round beyond which the flow is held from then on.
+const SLOW: f64 = 0.3;
+
+/// Rounds at most on a grid that is a start alone: too coarse for the film, it has nodes that go on changing.
+const ROUNDS_OF_STARTS: usize = 5;
+
+/// Change, in tolerances, beyond which ratios say nothing.
+const BELIEVED: f64 = 30.0;
+
+/// Steps for the temperatures in a round at most.
+const MOST_STEPS: usize = 12;
+
+/// What a round needs besides films and temperatures.
+pub struct Rounds<'a> {
+    /// Heat of the contact.
+    pub heat: &'a Heat,
+    /// Heights at which the film is heated.
+    pub heights: Heights,
+    /// Settings.
+    pub settings: Settings,
+}
+
+impl<'a> Rounds<'a> {
+    /// Of a problem, where heat counts.
+    pub fn new<Plan>(problem: &'a Problem<Plan>, settings: Settings) -> Option<Rounds<'a>> {
+        Some(Rounds {
+            heat: problem.heat.as_ref()?,
+            heights: temperatures::heights(&problem.fluid)?,
+            settings,
+        })
+    }
+
+    /// Heat to begin with on a grid, from that of the grid before.
+    pub fn start(&self, system: &System, before: Option<&Level>) -> (Bodies, Temperatures) {
+        let (grid, heat) = (&system.grid, self.heat);
+        let f = system.fluid.nodes().map_or(2, |nodes| nodes.n());
+        let mut bodies = Bodies::new(grid, heat, self.settings.depth);
+        let mut own = unheated(grid, heat, f);
+        let Some((level, warm, patch)) =
+            before.and_then(|level| Some((level, level.warm.as_ref()?, level.patch?)))
+        else {
+            return (bodies, own);
+        };
+        let coarse = &level.system.grid;
+        let sampled = Sampled::new(coarse, grid);
+        for m in 0..f {
+            let layer: Vec<f64> = warm
+                .temperatures
+                .film
+                .iter()
+                .skip(m)
+                .step_by(f)
+                .copied()
+                .collect();
+            for [i, j] in grid.nodes() {
+                own.film[grid.index(i, j) * f + m] = sampled.linear(&layer, i, j);
+            }
+        }
+        for b in 0..2 {
+            let flux = &warm.temperatures.flux[b];
+            let beyond: Vec<f64> = (coarse.nodes().zip(flux))
+                .map(|([i, j], q)| q * (1.0 - within(patch, coarse.half, i, j)))
+                .collect();
+            let mut outer = warm.bodies.rise(coarse, b, &beyond);
+            (outer.iter_mut().zip(&warm.bodies.outer[b])).for_each(|(t, outer)| *t += outer);
+            for [i, j] in grid.nodes() {
+                let k = grid.index(i, j);
+                own.flux[b][k] = sampled.linear(flux, i, j);
+                bodies.outer[b][k] = sampled.cubic(&outer, i, j);
+            }
+        }
+        (bodies, own)
+    }
+
+    /// Makes the film equation one of the temperatures.
+    pub fn warm_up(&self, system: &mut System, state: &State, temperatures: &Temperatures) {
+        let films = system.films(state);
+        system.warmth = warmth(system, &state.pressure, &films, &temperatures.film);
+    }
+
+    /// Rounds on a grid whose film has been solved at the temperatures that come; `solve` solves it again.
+    ///
+    /// # Errors
+    /// When rounds run out, a film is not found, or the observer cancels.
+    pub fn run(
+        &self,
+        (level, target, is_start): (usize, f64, bool),
+        (system, state): (&mut System, &mut State),
+        (bodies, mut own): (Bodies, Temperatures),
+        mut solve: impl FnMut(
+            &mut System,
+            &mut State,
+            &mut dyn Observer,
+        ) -> Result<NewtonInfo, SolveError>,
+        observer: &mut dyn Observer,
+    ) -> Result<(Warm, Vec<NewtonInfo>), SolveError> {
+        let mut effort = Effort::default();
+        let mut infos = Vec::new();
+        let (mut change, mut first) = (1.0_f64, 0.0);
+        let mut relaxation = Relaxation::default();
+        let mut hold = false;
+        let tolerance = self.settings.in_force(target);
+        let most = match is_start {
+            true => self.settings.max_rounds.min(ROUNDS_OF_STARTS),
+            false => self.settings.max_rounds,
+        };
+        for round in 1..=most {
+            if observer.cancelled() {
+                return Err(SolveError::Interrupted);
+            }
+            let clock = Instant::now();
+            let before = (own.clone(), state.clone());
+            let centre = centre(system, state);
+            let aim = (INNER_SHARE * change).max(INNER_SHARE * tolerance);
+            let holds = level == 0 && round == 1 || hold;
+            self.temperatures(system, state, &bodies, &mut own, (aim, holds), &mut effort)?;
+            let defect: Vec<f64> = (own.film.iter().zip(&before.0.film))
+                .map(|(new, t)| new - t)
+                .collect();
+            let share = relaxation.share(&defect);
+            if share < 1.0 {
+                for (t, (old, d)) in own.film.iter_mut().zip(before.0.film.iter().zip(&defect)) {
+                    *t = old + share * d;
+                }
+            }
+            self.warm_up(system, state, &own);
+            effort.seconds += clock.elapsed().as_secs_f64();
+            let info = solve(system, state, observer)?;
+            infos.push(info);
+            if !info.converged {
+                return Err(SolveError::GridNotConverged {
+                    level,
+                    iterations: info.iterations,
+                    change: info.change,
+                });
+            }
+            let rise = largest_rise(&own, self.heat);
+            let previous = change;
+            change = (mean_rise(&own.film, &before.0.film, &state.pressure) / rise)
+                .max((self::centre(system, state) / centre - 1.0).abs())
+                .max(mean_change(&state.pressure, &before.1.pressure))
+                / share;
+            observer.round(round, change, rise);
+            effort.rounds = round;
+            effort.change = change;
+            if round == 1 {
+                first = change;
+            } else {
+                effort.contraction = (change / first).powf(1.0 / (round - 1) as f64);
+            }
+            let ratio = (round > 1).then_some(change / previous);
+            hold |= ratio.is_some_and(|ratio| ratio > SLOW);
+            let settled = ratio.is_some_and(|ratio| has_settled(change, share, ratio, tolerance));
+            // The grids before the first whose figures are told are a start alone.
+            if settled || is_start && round == most {
+                let clock = Instant::now();
+                let account = self.account(system, state, &mut own);
+                effort.seconds += clock.elapsed().as_secs_f64();
+                let warm = Warm {
+                    bodies,
+                    temperatures: own,
+                    account,
+                    effort,
+                };
+                return Ok((warm, infos));
+            }
+            relaxation.taken(share, defect);
+        }
+        Err(SolveError::NotCoupled {
+            level,
+            rounds: effort.rounds,
+            change,
+            contraction: effort.contraction,
+        })
+    }
+
+    /// Temperatures at the films as they stand.
+    fn temperatures(
+        &self,
+        system: &System,
+        state: &State,
+        bodies: &Bodies,
+        own: &mut Temperatures,
+        (aim, holds): (f64, bool),
+        effort: &mut Effort,
+    ) -> Result<(), SolveError> {
+        let of = self.film_heat(system);
+        let at = system.linearise(state);
+        let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
+        let lacking = lacking(system, &films, &at.contents);
+        let as_it_stands = Films {
+            pressure: &state.pressure,
+            film: &films,
+            missing: &lacking,
+            temperature: &own.film.clone(),
+            held: &[],
+        };
+        let held = match holds {
+            true => Columns::new(&of, &as_it_stands).conductance,
+            false => Vec::new(),
+        };
+        for _ in 0..MOST_STEPS {
+            let now = Films {
+                temperature: &own.film.clone(),
+                held: &held,
+                ..as_it_stands
+            };
+            let (_, info) = step(&of, bodies, &now, &at.faces, own);
+            if !info.is_finite || info.change.is_nan() {
+                return Err(HeatError::NotFinite.into());
+            }
+            effort.iterations += 1;
+            effort.krylov_iterations += info.krylov_iterations;
+            if info.change < aim * largest_rise(own, self.heat) {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    fn film_heat<'b>(&'b self, system: &'b System) -> FilmHeat<'b> {
+        FilmHeat {
+            grid: &system.grid,
+            fluid: &system.fluid,
+            heat: self.heat,
+            heights: &self.heights,
+        }
+    }
+
+    /// Heat made and carried off.
+    fn account(&self, system: &System, state: &State, own: &mut Temperatures) -> Account {
+        let at = system.linearise(state);
+        let films: Vec<f64> = at.nodes.iter().map(|node| node.film).collect();
+        let lacking = lacking(system, &films, &at.contents);
+        let now = Films {
+            pressure: &state.pressure,
+            film: &films,
+            missing: &lacking,
+            temperature: &own.film.clone(),
+            held: &[],
+        };
+        temperatures::account(&self.film_heat(system), &now, &at.faces, own)
+    }
+}
+
+/// Whether what is left after a change is below a tolerance: of changes that shrink by a ratio the geometric series of those that follow. A ratio is believed of changes that are small
+/// themselves.
+fn has_settled(change: f64, share: f64, ratio: f64, tolerance: f64) -> bool {
+    // Of a share of the whole change the ratio is 1 − share at the least.
+    let left = share * change * ratio / (1.0 - ratio);
+    ratio < 1.0 && left < tolerance && change < BELIEVED * tolerance
+        || change < INNER_SHARE * tolerance
+}
+
+/// What the gaps lack at the nodes.
+fn lacking(system: &System, films: &[f64], contents: &[f64]) -> Vec<f64> {
+    let density = system.fluid.at(0.0).density[0];
+    (films.iter().zip(contents))
+        .map(|(film, content)| missing(*film, *content, density))
+        .collect()
+}
+
+/// H at the centre.
+fn centre(system: &System, state: &State) -> f64 {
+    let [i, j] = system.grid.centre();
+    system.films(state)[system.grid.index(i, j)]
+}
+
+/// Root mean square change of the pressure where there is some.
+fn mean_change(a: &[f64], b: &[f64]) -> f64 {
+    let (mut sum, mut square) = (0.0, 0.0);
+    for (a, b) in a.iter().zip(b) {
+        sum += (a - b) * (a - b);
+        square += a * a;
+    }
+    (sum / square).sqrt()
+}
+
+/// Root mean square change of the temperatures of the film where there is pressure, K.
+fn mean_rise(a: &[f64], b: &[f64], pressure: &[f64]) -> f64 {
+    let f = a.len() / pressure.len();
+    let (mut sum, mut n) = (0.0, 0);
+    for (k, _) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+        let change = (k * f..(k + 1) * f).map(|m| (a[m] - b[m]) * (a[m] - b[m]));
+        sum += change.sum::<f64>();
+        n += f;
+    }
+    (sum / (n as f64).max(1.0)).sqrt()
+}
+
+/// Largest rise over the inlet, K.
+fn largest_rise(own: &Temperatures, heat: &Heat) -> f64 {
+    (own.film.iter())
+        .map(|t| (t - heat.inlet_temperature).abs())
+        .fold(NEGLIGIBLE_RISE, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By hand: changes of 0.1 that shrink by a tenth leave 0.011; half of them taken, 0.0056; such that shrink by little leave more than they are, and ratios of large ones say nothing.
+    #[test]
+    fn what_is_left_counts() {
+        assert!(has_settled(0.1, 1.0, 0.1, 0.0112) && !has_settled(0.1, 1.0, 0.1, 0.011));
+        assert!(has_settled(0.1, 0.5, 0.1, 0.0056));
+        assert!(!has_settled(0.1, 1.0, 0.9, 0.5) && !has_settled(0.1, 1.0, 1.2, 0.5));
+        assert!(!has_settled(0.1, 1.0, 1e-3, 1e-3));
+        assert!(has_settled(1e-5, 1.0, 2.0, 1e-3));
+    }
+}

@@ -1,0 +1,286 @@
+//! Temperature of the surface of a moving body under heat that flows into the cells of a grid.
+//!
+//! ```text
+//!   T = ∫∫ q/(2πkr) e^{−(u r − u·x)/2χ} dA           moving point source (Jaeger 1942; Carslaw and Jaeger 1959, section 10.7)
+//!     = 1/ρc ∫₀^∞ X(t) Y(t) θ(t) dt/√(πχt)           the same as a sum of instantaneous sources over a cell (section 10.2), χ = k/ρc
+//!   X = ½[erf((x − ut + ½h)/√(4χt)) − erf((x − ut − ½h)/√(4χt))],   Y likewise across
+//!   θ = Σ_n (−1)ⁿ e^{−n²D²/χt}                       images: the bulk temperature at the depth D
+//! ```
+//! With u = 0 it is a body at rest, which only the depth D keeps cool far from the contact.
+//!
+//! Theory: Heat by finite volumes.
+
+use std::f64::consts::PI;
+
+use ertel_fem::quadrature::Quadrature;
+
+/// A body below a grid of cells, SI.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MovingBody {
+    /// k, W/(m·K).
+    pub conductivity: f64,
+    /// ρc, J/(m³·K).
+    pub capacity: f64,
+    /// Velocity along the directions of the grid, m/s.
+    pub velocity: [f64; 2],
+    /// D, m.
+    pub depth: f64,
+}
+
+/// Gauss points to a panel of time.
+const POINTS: usize = 6;
+
+/// Growth of the panels of time where nothing passes by, and the first one, as a share of the time in which heat spreads over a cell or through the depth, or a cell
+/// passes.
+const GROWTH: f64 = 1.7;
+const FIRST: f64 = 1e-3;
+
+/// e-folds by which a body that ends at a depth has forgotten a source, and widths of the plume that are all of it.
+const FORGOTTEN: f64 = 30.0;
+const WIDTHS: f64 = 5.0;
+
+/// Terms of θ.
+const TERMS: usize = 8;
+
+impl MovingBody {
+    /// χ, m²/s.
+    pub fn diffusivity(&self) -> f64 {
+        self.conductivity / self.capacity
+    }
+
+    /// θ.
+    fn memory(&self, time: f64) -> f64 {
+        let b = self.depth * self.depth / (self.diffusivity() * time);
+        let sign = |n: usize| if n % 2 == 0 { 1.0 } else { -1.0 };
+        match b > PI {
+            true => {
+                1.0 + (1..TERMS)
+                    .map(|n| 2.0 * sign(n) * (-b * (n * n) as f64).exp())
+                    .sum::<f64>()
+            }
+            // The same sum by Poisson's formula.
+            false => (0..TERMS)
+                .map(|n| 2.0 * (PI / b).sqrt() * (-(PI * (n as f64 + 0.5)).powi(2) / b).exp())
+                .sum(),
+        }
+    }
+
+    /// Ends of the panels of time for cells of a size, m, that are no further than some distance from the source.
+    fn panels(&self, size: [f64; 2], farthest: [f64; 2]) -> Vec<f64> {
+        let chi = self.diffusivity();
+        let passage = (0..2)
+            .map(|d| size[d] / self.velocity[d].abs())
+            .fold(f64::INFINITY, f64::min);
+        let smallest = size[0].min(size[1]);
+        let spreading = smallest * smallest / chi;
+        let through = self.depth * self.depth / chi;
+        let mut ends = vec![0.0, FIRST * spreading.min(passage).min(through)];
+        let forgotten = FORGOTTEN * 4.0 * self.depth * self.depth / (PI * PI * chi);
+        loop {
+            let t = ends[ends.len() - 1];
+            let width = (4.0 * chi * t).sqrt();
+            let has_left = |d: usize| self.velocity[d].abs() * t - farthest[d] > WIDTHS * width;
+            if t > forgotten || has_left(0) || has_left(1) {
+                return ends;
+            }
+            // Edges of cells pass by within `passage`, blurred by the width of the plume.
+            let blurred = (0..2)
+                .map(|d| size[d].max(width) / self.velocity[d].abs())
+                .fold(f64::INFINITY, f64::min);
+            let grown = GROWTH * t;
+            let next = match grown - t > blurred {
+                // Between the edges of cells where nothing blurs them.
+                true if blurred == passage => ((t / passage + 0.5).floor() + 0.5) * passage,
+                true => t + blurred,
+                false => grown,
+            };
+            ends.push(if next > t * (1.0 + 1e-9) {
+                next
+            } else {
+                t + passage
+            });
+        }
+    }
+
+    /// Rise of the surface temperature, K/(W/m²), of the cells at offsets from one that takes in heat: −n ≤ i ≤ n along the first direction, −m ≤ j ≤ m along the
+    /// second, row by row. Cells are `size` m wide.
+    pub fn response(&self, size: [f64; 2], [n, m]: [usize; 2]) -> Vec<f64> {
+        let chi = self.diffusivity();
+        let counts = [2 * n + 1, 2 * m + 1];
+        let farthest = [n as f64 * size[0], m as f64 * size[1]];
+        let rule = Quadrature::simplex(1, 2 * POINTS - 1);
+        let mut response = vec![0.0; counts[0] * counts[1]];
+        let mut shares = counts.map(|n| vec![0.0; n]);
+        for ends in self.panels(size, farthest).windows(2) {
+            let [low, high] = [ends[0], ends[1]].map(f64::sqrt);
+            for (x, w) in rule.points.iter().zip(&rule.weights) {
+                let root = low + (high - low) * x[0];
+                let time = root * root;
+                // dt/√t = 2 d√t
+                let weight = 2.0 * w * (high - low) * self.memory(time)
+                    / (self.capacity * (PI * chi).sqrt());
+                for d in 0..2 {
+                    covered(
+                        &mut shares[d],
+                        size[d],
+                        self.velocity[d] * time,
+                        (4.0 * chi).sqrt() * root,
+                    );
+                }
+                let [along, across] = &shares;
+                let first = along.iter().position(|x| *x != 0.0).unwrap_or(0);
+                let last = along.iter().rposition(|x| *x != 0.0).map_or(0, |k| k + 1);
+                for (row, y) in response.chunks_exact_mut(counts[0]).zip(across) {
+                    if *y == 0.0 {
+                        continue;
+                    }
+                    let factor = weight * y;
+                    for (sum, x) in row[first..last].iter_mut().zip(&along[first..last]) {
+                        *sum += factor * x;
+                    }
+                }
+            }
+        }
+        response
+    }
+}
+
+/// Shares of the heat of a cell that has moved by `shift` and spread over `width`, at the middles of the cells around: ½ erf differences.
+fn covered(shares: &mut [f64], size: f64, shift: f64, width: f64) {
+    let middle = (shares.len() / 2) as f64;
+    let edge = |k: usize| {
+        let x = ((k as f64 - middle - 0.5) * size - shift) / width;
+        if x.abs() > 6.0 {
+            x.signum()
+        } else {
+            libm::erf(x)
+        }
+    };
+    let mut before = edge(0);
+    for (k, share) in shares.iter_mut().enumerate() {
+        let next = edge(k + 1);
+        *share = 0.5 * (next - before);
+        before = next;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn steel(velocity: [f64; 2], depth: f64) -> MovingBody {
+        MovingBody {
+            conductivity: 46.0,
+            capacity: 7850.0 * 470.0,
+            velocity,
+            depth,
+        }
+    }
+
+    /// Rise at places x/b of a band of heat q(x) that is 2b wide, in units of q₀ b/k, along the middle of a long row of cells.
+    fn band(peclet: f64, flux: impl Fn(f64) -> f64, half: usize) -> Vec<f64> {
+        let b = 1e-4;
+        let chi = steel([0.0; 2], 1.0).diffusivity();
+        let body = steel([2.0 * chi * peclet / b, 0.0], 1.0);
+        let h = 2.0 * b / (2 * half) as f64;
+        // One cell across, far longer than the band is wide.
+        let n = 2 * half;
+        let response = body.response([h, 4000.0 * b], [n, 0]);
+        let x = |i: usize| (i as f64 + 0.5 - half as f64) / half as f64;
+        (0..n)
+            .map(|i| {
+                let sum: f64 = (0..n).map(|j| response[n + i - j] * flux(x(j))).sum();
+                sum * body.conductivity / b
+            })
+            .collect()
+    }
+
+    /// Jaeger's uniform band (J. Proc. R. Soc. N.S.W. 76, 1942, 203; Carslaw and Jaeger 1959, section 10.7), integrated here by itself: T = 2χq/πku ∫ e^ξ K₀|ξ| dξ from L(x/b − 1) to L(x/b + 1), L = ub/2χ.
+    #[test]
+    fn jaegers_band() {
+        // K₀ by ∫ e^{−z cosh t} dt.
+        let k0 = |z: f64| -> f64 {
+            let n = 4000;
+            let step = 12.0 / f64::from(n);
+            (0..n)
+                .map(|k| step * (-z * ((f64::from(k) + 0.5) * step).cosh()).exp())
+                .sum()
+        };
+        for peclet in [0.5, 5.0] {
+            let found = band(peclet, |_| 1.0, 200);
+            for i in [40, 200, 300, 390] {
+                let x = (i as f64 + 0.5 - 200.0) / 200.0;
+                let (low, high) = (peclet * (x - 1.0), peclet * (x + 1.0));
+                // ξ = ±y² takes the logarithm of K₀ away.
+                let part = |end: f64, sign: f64| -> f64 {
+                    let n = 1000;
+                    let step = end.sqrt() / f64::from(n);
+                    (0..n)
+                        .map(|k| {
+                            let y = (f64::from(k) + 0.5) * step;
+                            2.0 * y * step * (sign * y * y).exp() * k0(y * y)
+                        })
+                        .sum()
+                };
+                let integral = part(-low, -1.0) + part(high, 1.0);
+                let exact = integral / (PI * peclet);
+                assert_relative_eq!(found[i], exact, max_relative = 2e-3);
+            }
+        }
+    }
+
+    /// Bands that move fast: largest rises √2/√π of a uniform flux at its end, 0.78598 of an elliptic one at 0.6522, in units of Q/(b e √(u/b)) with Q the heat of the
+    /// band (one-dimensional conduction, integrated separately).
+    #[test]
+    fn fast_bands() {
+        let peclet: f64 = 2000.0;
+        let unit = (2.0 * peclet).sqrt();
+        let uniform = band(peclet, |_| 0.5, 200);
+        // At the end of the last cell, half a cell behind its middle.
+        let last = uniform[399] * unit * (1.0 + 0.5 * 0.5 / 400.0);
+        assert_relative_eq!(last, 0.797_884_6, max_relative = 3e-3);
+        let ellipse = band(peclet, |x| 2.0 / PI * (1.0 - x * x).max(0.0).sqrt(), 200);
+        let (at, largest) =
+            ellipse.iter().enumerate().fold(
+                (0, 0.0),
+                |best, (i, t)| {
+                    if *t > best.1 { (i, *t) } else { best }
+                },
+            );
+        assert_relative_eq!(largest * unit, 0.785_983_4, max_relative = 3e-3);
+        assert!(((at as f64 + 0.5 - 200.0) / 200.0 - 0.6522).abs() < 0.01);
+    }
+
+    /// A square at rest on a half-space has ln(1 + √2) 4/π of q h/2k at its middle (Carslaw and Jaeger 1959, section 10.5), where the depth is 300 times its width; and a wide layer of
+    /// depth D rises by q D/k.
+    #[test]
+    fn bodies_at_rest() {
+        let body = steel([0.0; 2], 0.3);
+        let found = body.response([1e-3; 2], [0, 0])[0];
+        let exact = 4.0 / PI * (1.0 + 2.0_f64.sqrt()).ln() * 0.5e-3 / 46.0;
+        // The image at twice the depth takes away h²/(2π k 2D)·2.
+        assert_relative_eq!(found, exact, max_relative = 2e-3);
+        let layer = steel([0.0; 2], 1e-3);
+        let wide = layer.response([0.1; 2], [0, 0])[0];
+        assert_relative_eq!(wide, 1e-3 / 46.0, max_relative = 1e-6);
+    }
+
+    /// A body that moves the other way, or along the second direction, has the mirrored field.
+    #[test]
+    fn motion_in_any_direction() {
+        let along = steel([0.4, 0.0], 1e-2).response([1e-5; 2], [3, 3]);
+        let back = steel([-0.4, 0.0], 1e-2).response([1e-5; 2], [3, 3]);
+        let across = steel([0.0, 0.4], 1e-2).response([1e-5; 2], [3, 3]);
+        for j in 0..7 {
+            for i in 0..7 {
+                assert_relative_eq!(along[7 * j + i], back[7 * j + 6 - i], max_relative = 1e-9);
+                assert_relative_eq!(along[7 * j + i], across[7 * i + j], max_relative = 1e-9);
+            }
+        }
+        // Of point sources e^{u·x/2χ} downstream over e^{−u·x/2χ} upstream, x two cells.
+        let chi = steel([0.0; 2], 1.0).diffusivity();
+        let ratio = along[3 * 7 + 5] / along[3 * 7 + 1];
+        assert_relative_eq!(ratio, (0.4 * 2e-5 / chi).exp(), max_relative = 0.03);
+    }
+}

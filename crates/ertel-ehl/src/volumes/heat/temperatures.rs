@@ -1,0 +1,245 @@
+//! Temperatures of the film and of the surfaces of both bodies at given films.
+//!
+//! ```text
+//!   film:  R(T) = 0 at the inner nodes          walls:  T_w − T_beyond − K * q(T) = 0,  q = −R at the walls
+//! ```
+//! Newton's method; the linear equations are those of the walls alone, as the film follows from them by a march along the flow.
+
+use ertel_fem::linear::gmres::{GmresParams, gmres};
+
+use super::columns::{Columns, FilmHeat, Films};
+use super::source::MovingBody;
+use super::spreading::Spreading;
+use super::transport::{Moved, Sweeps, Transport};
+use crate::film::TemperatureProfile;
+use crate::forms::energy::{Heat, Heights};
+use crate::volumes::faces::Face;
+use crate::volumes::grid::Grid;
+
+/// Temperatures at the nodes of a grid and the heat that flows into the bodies.
+#[derive(Clone, Debug, Default)]
+pub struct Temperatures {
+    /// At the nodes of the film, from body 1 to body 2, node by node, K.
+    pub film: Vec<f64>,
+    /// Heat into both bodies, W/m².
+    pub flux: [Vec<f64>; 2],
+}
+
+impl Temperatures {
+    /// Those across the film at a node.
+    pub fn profile(&self, k: usize) -> TemperatureProfile {
+        let f = self.film.len() / self.flux[0].len();
+        let mut profile = TemperatureProfile::default();
+        profile.temperature[..f].copy_from_slice(&self.film[k * f..][..f]);
+        profile
+    }
+}
+
+/// Both bodies under a grid.
+pub struct Bodies {
+    spreading: [Spreading; 2],
+    /// Temperatures of both surfaces without the heat of this grid, K.
+    pub outer: [Vec<f64>; 2],
+}
+
+/// Data of a body, at its bulk temperature.
+pub fn moving_body(heat: &Heat, b: usize, grid: &Grid, depth: f64) -> MovingBody {
+    let body = &heat.bodies[b];
+    let t = body.bulk_temperature;
+    MovingBody {
+        conductivity: body.conductivity.conductivity(0.0, t),
+        capacity: body.density * body.heat_capacity.heat_capacity(0.0, t),
+        velocity: grid.turn.to_axes(body.velocity.centre),
+        depth: depth * heat.length,
+    }
+}
+
+impl Bodies {
+    /// Below a grid, with no heat beyond it, down to a depth in half-widths.
+    pub fn new(grid: &Grid, heat: &Heat, depth: f64) -> Bodies {
+        let bodies = [0, 1].map(|b: usize| moving_body(heat, b, grid, depth));
+        Bodies {
+            spreading: bodies.map(|body| Spreading::new(grid, &body, heat.length)),
+            outer: [0, 1].map(|b: usize| vec![heat.bodies[b].bulk_temperature; grid.n_nodes()]),
+        }
+    }
+
+    /// Rise of the surface of a body by heat at the nodes, K.
+    pub fn rise(&self, grid: &Grid, body: usize, flux: &[f64]) -> Vec<f64> {
+        // What a node stands for ends at the edge of the grid.
+        let mut flux = flux.to_vec();
+        let [nx, ny] = grid.n;
+        for row in flux.chunks_exact_mut(nx) {
+            row[0] *= 0.5;
+            row[nx - 1] *= 0.5;
+        }
+        flux[..nx].iter_mut().for_each(|q| *q *= 0.5);
+        if !grid.half {
+            flux[(ny - 1) * nx..].iter_mut().for_each(|q| *q *= 0.5);
+        }
+        self.spreading[body].apply(&flux)
+    }
+}
+
+/// Largest change of a temperature in a step, and how far one may fall below the coldest that comes in, K, as by the finite elements.
+const LARGEST_CHANGE: f64 = 60.0;
+const BELOW: f64 = 2.0;
+
+/// Relative residual of the linear solves, and Krylov iterations at most.
+const KRYLOV_TOLERANCE: f64 = 1e-2;
+const MOST_KRYLOV: usize = 80;
+
+/// Sweeps at most.
+const MOST_SWEEPS: usize = 16;
+
+/// What a step came to.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct StepInfo {
+    /// Largest change of a temperature, K.
+    pub change: f64,
+    /// Krylov iterations.
+    pub krylov_iterations: usize,
+    /// Sweeps of each.
+    pub sweeps: usize,
+    /// Whether the equations are finite.
+    pub is_finite: bool,
+}
+
+/// One of Newton's steps; also what the equations were before it.
+pub fn step(
+    of: &FilmHeat,
+    bodies: &Bodies,
+    films: &Films,
+    faces: &[Vec<Face>; 2],
+    temperatures: &mut Temperatures,
+) -> (Columns, StepInfo) {
+    let grid = of.grid;
+    let n = grid.n_nodes();
+    let f = of.nodes();
+    let columns = Columns::new(of, films);
+    let mut info = StepInfo {
+        is_finite: columns.is_finite(),
+        ..StepInfo::default()
+    };
+    if !info.is_finite {
+        return (columns, info);
+    }
+    let transport = Transport::new(grid, of.heights, &columns, faces, &temperatures.film);
+    note_flux(&transport, f, temperatures);
+    let missing = missing(grid, bodies, f, temperatures);
+    let rows: Vec<f64> = transport.residual().iter().map(|r| -r).collect();
+    let zeros = vec![0.0; n];
+    let still = [zeros.as_slice(), zeros.as_slice()];
+    // Heat by the film's own residual spreads, too.
+    let own = transport.moved(still, Some(&rows), Sweeps::UpTo(MOST_SWEEPS));
+    let sweeps = Sweeps::Count(own.sweeps);
+    let by_own = [0, 1].map(|b: usize| bodies.rise(grid, b, &own.flux[b]));
+    let mut right = vec![0.0; 2 * n];
+    for k in transport.unknown().iter().map(|k| *k as usize) {
+        for b in 0..2 {
+            right[b * n + k] = missing[b][k] + by_own[b][k];
+        }
+    }
+    let apply = |x: &[f64], y: &mut [f64]| {
+        let moved = transport.moved([&x[..n], &x[n..]], None, sweeps);
+        y.copy_from_slice(x);
+        for b in 0..2 {
+            let rise = bodies.rise(grid, b, &moved.flux[b]);
+            for k in transport.unknown().iter().map(|k| *k as usize) {
+                y[b * n + k] -= rise[k];
+            }
+        }
+    };
+    let mut walls = vec![0.0; 2 * n];
+    let params = GmresParams {
+        tolerance: KRYLOV_TOLERANCE,
+        max_iterations: MOST_KRYLOV,
+    };
+    info.krylov_iterations = match gmres(apply, |_| (), &right, &mut walls, params) {
+        Ok(info) => info.iterations,
+        Err(error) => error.iterations,
+    };
+    info.sweeps = own.sweeps;
+    let Moved { temperature, .. } =
+        transport.moved([&walls[..n], &walls[n..]], Some(&rows), sweeps);
+    let heat = of.heat;
+    let coldest = (heat.bodies.iter())
+        .map(|body| body.bulk_temperature)
+        .fold(heat.inlet_temperature, f64::min);
+    for (t, change) in temperatures.film.iter_mut().zip(&temperature) {
+        let next = (*t + change.clamp(-LARGEST_CHANGE, LARGEST_CHANGE)).max(coldest - BELOW);
+        info.change = info.change.max((next - *t).abs());
+        *t = next;
+    }
+    (columns, info)
+}
+
+/// Heat into the bodies by the equations of the walls.
+fn note_flux(transport: &Transport, f: usize, temperatures: &mut Temperatures) {
+    for k in transport.unknown().iter().map(|k| *k as usize) {
+        let rows = &transport.residual()[k * f..][..f];
+        temperatures.flux[0][k] = -rows[0];
+        temperatures.flux[1][k] = -rows[f - 1];
+    }
+}
+
+/// What the surfaces are colder than the heat into the bodies makes them, K.
+fn missing(grid: &Grid, bodies: &Bodies, f: usize, temperatures: &Temperatures) -> [Vec<f64>; 2] {
+    [0, 1].map(|b: usize| {
+        let mut missing = bodies.rise(grid, b, &temperatures.flux[b]);
+        for (k, value) in missing.iter_mut().enumerate() {
+            let node = k * f + if b == 0 { 0 } else { f - 1 };
+            *value += bodies.outer[b][k] - temperatures.film[node];
+        }
+        missing
+    })
+}
+
+/// Temperatures with which lubricant and bodies come, at all nodes.
+pub fn unheated(grid: &Grid, heat: &Heat, f: usize) -> Temperatures {
+    let [first, second] = [0, 1].map(|b: usize| heat.bodies[b].bulk_temperature);
+    let mut column = vec![heat.inlet_temperature; f];
+    column[0] = first;
+    column[f - 1] = second;
+    Temperatures {
+        film: column.repeat(grid.n_nodes()),
+        flux: [0, 1].map(|_| vec![0.0; grid.n_nodes()]),
+    }
+}
+
+/// Heat of the film and of both bodies per area of each unknown node: of shear, compression and its size, carried by the lubricant, into the bodies, W/m².
+pub struct Account {
+    /// At each node.
+    pub made: Vec<[f64; 3]>,
+    /// Likewise.
+    pub carried: Vec<f64>,
+}
+
+/// What the equations say at some temperatures, whose heat into the bodies is set by them.
+pub fn account(
+    of: &FilmHeat,
+    films: &Films,
+    faces: &[Vec<Face>; 2],
+    temperatures: &mut Temperatures,
+) -> Account {
+    let columns = Columns::new(of, films);
+    let transport = Transport::new(of.grid, of.heights, &columns, faces, &temperatures.film);
+    note_flux(&transport, of.nodes(), temperatures);
+    let mut carried = transport.carried().to_vec();
+    // Where temperatures are given, what is made goes on with the lubricant, but for what is known to go into the bodies.
+    for (k, carried) in carried.iter_mut().enumerate() {
+        if !of.grid.is_unknown(k % of.grid.n[0], k / of.grid.n[0]) {
+            let [shear, compression, _] = columns.made[k];
+            *carried = shear + compression - temperatures.flux[0][k] - temperatures.flux[1][k];
+        }
+    }
+    Account {
+        carried,
+        made: columns.made.clone(),
+    }
+}
+
+/// Heights for the nodes of a film.
+pub fn heights(of: &crate::film::FilmFluid) -> Option<Heights> {
+    of.nodes().map(Heights::new)
+}

@@ -1,0 +1,448 @@
+//! What flows from node to node, and the temperatures that follow from those of the walls.
+//!
+//! ```text
+//!   C = c Σ_f m_f (T_f − T_P) + c ω ∂T/∂s,   T_f = T_u + ½(T_u − T_uu)       second-order upwind at each height (Warming and Beam 1976)
+//!   ω(s) = −Σ_f ∫_{−½}^s m_f ds' + (s + ½) Σ_f ∫ m_f ds                        mass flow across the film
+//! ```
+//! m_f is the mean of both nodes, scaled to the mass flow F that the film equation has for the face: what flows in at a height, flows out or to other heights, and
+//! heat is kept as mass is.
+
+use super::columns::Columns;
+use crate::film::MOST_NODES;
+use crate::forms::energy::Heights;
+use crate::volumes::contents::sides;
+use crate::volumes::faces::Face;
+use crate::volumes::grid::Grid;
+
+/// The equations of a grid at some temperatures.
+pub struct Transport<'a> {
+    grid: &'a Grid,
+    heights: &'a Heights,
+    columns: &'a Columns,
+    /// m through the faces behind each node along both directions, height by height.
+    through: [Vec<f64>; 2],
+    /// Nodes, each behind those upstream of it where the flow goes in no circles.
+    order: Vec<u32>,
+    /// ∂R/∂T of each unknown node: `[row + f·column]`.
+    slopes: Vec<f64>,
+    /// Factors of its inner rows and columns, with their pivots.
+    factors: Vec<f64>,
+    pivots: Vec<u8>,
+    /// R.
+    residual: Vec<f64>,
+    /// Convection ∫C ds, W/m².
+    carried: Vec<f64>,
+}
+
+/// A side of a node.
+struct Side {
+    direction: usize,
+    face: usize,
+    weight: f64,
+    /// The node beyond it, the next one, and the one behind the node itself.
+    next: [usize; 2],
+    behind: usize,
+}
+
+fn sides_of(grid: &Grid, k: usize) -> [Side; 4] {
+    let [nx, ny] = grid.n;
+    let (i, j) = (k % nx, k / nx);
+    // Beyond the centreline of a half all is mirrored.
+    let row = |j: usize| match j < ny {
+        true => j,
+        false => 2 * (ny - 1) - j,
+    };
+    let along = |di: i64| (i as i64 + di) as usize + nx * j;
+    let across = |dj: i64| i + nx * row((j as i64 + dj) as usize);
+    let own = sides(grid, k);
+    let reach = [
+        ([along(1), along(2)], along(-1)),
+        ([along(-1), along(-2)], along(1)),
+        ([across(1), across(2)], across(-1)),
+        ([across(-1), across(-2)], across(1)),
+    ];
+    std::array::from_fn(|s| Side {
+        direction: own[s].direction,
+        face: own[s].face,
+        weight: own[s].weight,
+        next: reach[s].0,
+        behind: reach[s].1,
+    })
+}
+
+/// Ratios of a face's mass flow to the mean of its nodes within which the profile is scaled, and not shifted.
+const SCALED: [f64; 2] = [0.5, 2.0];
+
+/// What the inner temperatures of the film and the heat into both bodies come to.
+pub struct Moved {
+    /// Changes of temperatures, node by node.
+    pub temperature: Vec<f64>,
+    /// Heat into the bodies, W/m².
+    pub flux: [Vec<f64>; 2],
+    /// Sweeps that changed something.
+    pub sweeps: usize,
+}
+
+/// How often nodes are taken.
+#[derive(Clone, Copy, Debug)]
+pub enum Sweeps {
+    /// So often: linear in what is asked for.
+    Count(usize),
+    /// Until a sweep changes nothing, so often at most.
+    UpTo(usize),
+}
+
+/// Change in a sweep that is none, beside the largest one.
+const SETTLED: f64 = 1e-3;
+
+impl<'a> Transport<'a> {
+    /// With the mass flow of the film equation through the faces, at temperatures.
+    pub fn new(
+        grid: &'a Grid,
+        heights: &'a Heights,
+        columns: &'a Columns,
+        faces: &[Vec<Face>; 2],
+        temperature: &[f64],
+    ) -> Transport<'a> {
+        let [f, _] = columns.n;
+        let n = grid.n_nodes();
+        let through = [0, 1].map(|d| through(grid, heights, columns, &faces[d], d));
+        let inner = f - 2;
+        let mut transport = Transport {
+            grid,
+            heights,
+            columns,
+            through,
+            order: downstream(grid, faces),
+            slopes: columns.slopes.clone(),
+            factors: vec![0.0; n * inner * inner],
+            pivots: vec![0; n * inner],
+            residual: columns.rows.clone(),
+            carried: vec![0.0; n],
+        };
+        let at_heights = transport.at_heights(temperature);
+        for k in transport.order.clone() {
+            transport.equation(k as usize, temperature, &at_heights);
+        }
+        transport
+    }
+
+    /// R of each node.
+    pub fn residual(&self) -> &[f64] {
+        &self.residual
+    }
+
+    /// Convection of each node, W/m².
+    pub fn carried(&self) -> &[f64] {
+        &self.carried
+    }
+
+    /// Unknown nodes.
+    pub fn unknown(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// Temperatures at all heights.
+    fn at_heights(&self, temperature: &[f64]) -> Vec<f64> {
+        let [f, h] = self.columns.n;
+        let mut all = vec![0.0; self.grid.n_nodes() * h];
+        for (values, nodes) in all.chunks_exact_mut(h).zip(temperature.chunks_exact(f)) {
+            self.raise(nodes, values);
+        }
+        all
+    }
+
+    /// Temperatures at the heights over a node.
+    #[inline(always)]
+    fn raise(&self, nodes: &[f64], values: &mut [f64]) {
+        for (value, shapes) in values.iter_mut().zip(&self.heights.shapes) {
+            *value = nodes.iter().zip(shapes).map(|(t, s)| t * s).sum();
+        }
+    }
+
+    /// Adds the convection of a node to its equation, and factorises it.
+    fn equation(&mut self, k: usize, temperature: &[f64], at_heights: &[f64]) {
+        let [f, h] = self.columns.n;
+        let own = &temperature[k * f..][..f];
+        let mut from = [0.0; MOST_NODES];
+        let mut diagonal = [0.0; MOST_NODES];
+        self.arriving(k, at_heights, &mut from);
+        let mut up = [0.0; MOST_NODES];
+        let mut outflow = 0.0;
+        for side in sides_of(self.grid, k) {
+            if side.weight == 0.0 {
+                continue;
+            }
+            let flow = &self.through[side.direction][side.face * h..][..h];
+            for l in 0..h {
+                let out = side.weight * flow[l];
+                diagonal[l] += if out > 0.0 { 0.5 * out } else { -out };
+                outflow += self.heights.weights()[l] * out;
+                for (m, up) in up[..h].iter_mut().enumerate() {
+                    *up -= self.heights.below()[m][l] * out;
+                }
+            }
+        }
+        for l in 0..h {
+            up[l] += (self.heights.points()[l] + 0.5) * outflow;
+        }
+        let capacity = &self.columns.capacity[k * h..][..h];
+        let slopes = &mut self.slopes[k * f * f..][..f * f];
+        let rows = &mut self.residual[k * f..][..f];
+        let mut carried = 0.0;
+        for l in 0..h {
+            let (shapes, [first, _]) = (&self.heights.shapes[l], &self.heights.slopes[l]);
+            let weight = self.heights.weights()[l] * capacity[l];
+            let slope: f64 = own.iter().zip(first).map(|(t, s)| t * s).sum();
+            let value = from[l] + diagonal[l] * at_heights[k * h + l] + up[l] * slope;
+            carried += weight * value;
+            for a in 0..f {
+                rows[a] += weight * shapes[a] * value;
+            }
+            for b in 0..f {
+                let by = weight * (diagonal[l] * shapes[b] + up[l] * first[b]);
+                for a in 0..f {
+                    slopes[b * f + a] += shapes[a] * by;
+                }
+            }
+        }
+        self.carried[k] = carried;
+        let inner = f - 2;
+        let factors = &mut self.factors[k * inner * inner..][..inner * inner];
+        for b in 0..inner {
+            for a in 0..inner {
+                factors[a * inner + b] = slopes[(b + 1) * f + a + 1];
+            }
+        }
+        factorise(factors, &mut self.pivots[k * inner..][..inner]);
+    }
+
+    /// Σ_f m_f T_f of the temperatures around a node, its own left out, at each height.
+    #[inline(always)]
+    fn arriving(&self, k: usize, at_heights: &[f64], sums: &mut [f64; MOST_NODES]) {
+        let h = self.columns.n[1];
+        *sums = [0.0; MOST_NODES];
+        for side in sides_of(self.grid, k) {
+            if side.weight == 0.0 {
+                continue;
+            }
+            let flow = &self.through[side.direction][side.face * h..][..h];
+            let [next, second] = side.next.map(|n| &at_heights[n * h..][..h]);
+            let behind = &at_heights[side.behind * h..][..h];
+            for l in 0..h {
+                let out = side.weight * flow[l];
+                sums[l] += match out > 0.0 {
+                    true => -0.5 * out * behind[l],
+                    false => out * (1.5 * next[l] - 0.5 * second[l]),
+                };
+            }
+        }
+    }
+
+    /// Changes of the temperatures within the film for which R changes by `rows` there, and the heat into both bodies, by changes of the walls. Nodes are taken in the
+    /// order of the flow and against it in turn, as often as `sweeps` says.
+    pub fn moved(&self, walls: [&[f64]; 2], rows: Option<&[f64]>, sweeps: Sweeps) -> Moved {
+        let [f, h] = self.columns.n;
+        let n = self.grid.n_nodes();
+        let mut temperature = vec![0.0; n * f];
+        let mut at_heights = vec![0.0; n * h];
+        let mut done = 0;
+        loop {
+            let mut largest = [0.0_f64; 2];
+            let mut visit = |k: usize| {
+                let mut from = [0.0; MOST_NODES];
+                self.arriving(k, &at_heights, &mut from);
+                let mut nodes = [0.0; MOST_NODES];
+                self.inner(k, &from, [walls[0][k], walls[1][k]], rows, &mut nodes[..f]);
+                let own = &mut temperature[k * f..][..f];
+                for (old, new) in own.iter_mut().zip(nodes) {
+                    largest = [
+                        largest[0].max(new.abs()),
+                        largest[1].max((new - *old).abs()),
+                    ];
+                    *old = new;
+                }
+                self.raise(own, &mut at_heights[k * h..][..h]);
+            };
+            match done % 2 {
+                0 => self.order.iter().for_each(|k| visit(*k as usize)),
+                _ => self.order.iter().rev().for_each(|k| visit(*k as usize)),
+            }
+            let [size, change] = largest;
+            match sweeps {
+                Sweeps::Count(count) if done + 1 >= count => break,
+                // The last one changed nothing.
+                Sweeps::UpTo(_) if done > 0 && change <= SETTLED * size => break,
+                Sweeps::UpTo(most) if done + 1 >= most => {
+                    done += 1;
+                    break;
+                }
+                _ => done += 1,
+            }
+        }
+        let mut flux = [vec![0.0; n], vec![0.0; n]];
+        for k in self.order.iter().map(|k| *k as usize) {
+            let mut from = [0.0; MOST_NODES];
+            self.arriving(k, &at_heights, &mut from);
+            let nodes = &temperature[k * f..][..f];
+            let slopes = &self.slopes[k * f * f..][..f * f];
+            for (b, row) in [0, f - 1].into_iter().enumerate() {
+                let own: f64 = (0..f).map(|m| slopes[m * f + row] * nodes[m]).sum();
+                flux[b][k] = -own - self.projected(k, &from, row);
+            }
+        }
+        Moved {
+            temperature,
+            flux,
+            sweeps: done.max(1),
+        }
+    }
+
+    /// ∫ φ_a c C ds of convection at each height.
+    #[inline(always)]
+    fn projected(&self, k: usize, from: &[f64; MOST_NODES], a: usize) -> f64 {
+        let h = self.columns.n[1];
+        let capacity = &self.columns.capacity[k * h..][..h];
+        (0..h)
+            .map(|l| self.heights.weights()[l] * capacity[l] * self.heights.shapes[l][a] * from[l])
+            .sum()
+    }
+
+    /// Solves the inner rows of a node.
+    #[inline(always)]
+    fn inner(
+        &self,
+        k: usize,
+        from: &[f64; MOST_NODES],
+        walls: [f64; 2],
+        rows: Option<&[f64]>,
+        nodes: &mut [f64],
+    ) {
+        let f = nodes.len();
+        let inner = f - 2;
+        let slopes = &self.slopes[k * f * f..][..f * f];
+        let mut right = [0.0; MOST_NODES];
+        for a in 0..inner {
+            let own = rows.map_or(0.0, |rows| rows[k * f + a + 1]);
+            right[a] = own
+                - self.projected(k, from, a + 1)
+                - slopes[a + 1] * walls[0]
+                - slopes[(f - 1) * f + a + 1] * walls[1];
+        }
+        let factors = &self.factors[k * inner * inner..][..inner * inner];
+        solve(
+            factors,
+            &self.pivots[k * inner..][..inner],
+            &mut right[..inner],
+        );
+        nodes[0] = walls[0];
+        nodes[f - 1] = walls[1];
+        nodes[1..f - 1].copy_from_slice(&right[..inner]);
+    }
+}
+
+/// m through the faces behind all nodes along a direction.
+fn through(
+    grid: &Grid,
+    heights: &Heights,
+    columns: &Columns,
+    faces: &[Face],
+    direction: usize,
+) -> Vec<f64> {
+    let h = columns.n[1];
+    let step = [1, grid.n[0]][direction];
+    let n = grid.n_nodes();
+    let mut through = vec![0.0; n * h];
+    for (k, flow) in through.chunks_exact_mut(h).enumerate() {
+        if k + step >= n {
+            break;
+        }
+        let [here, there] = [k, k + step].map(|k| &columns.mass[k * h..][..h]);
+        let mut whole = 0.0;
+        for l in 0..h {
+            flow[l] = 0.5 * (here[l][direction] + there[l][direction]);
+            whole += heights.weights()[l] * flow[l];
+        }
+        let wanted = faces[k].flux;
+        let ratio = wanted / whole;
+        match SCALED[0] < ratio && ratio < SCALED[1] {
+            true => flow.iter_mut().for_each(|m| *m *= ratio),
+            false => flow.iter_mut().for_each(|m| *m += wanted - whole),
+        }
+    }
+    through
+}
+
+/// Unknown nodes, each behind those that mass flows from; nodes in circles last.
+fn downstream(grid: &Grid, faces: &[Vec<Face>; 2]) -> Vec<u32> {
+    let n = grid.n_nodes();
+    let is_unknown = |k: usize| grid.is_unknown(k % grid.n[0], k / grid.n[0]);
+    let out = |side: &Side| side.weight * faces[side.direction][side.face].flux;
+    let mut waiting = vec![0_u8; n];
+    let mut order: Vec<u32> = Vec::new();
+    for k in (0..n).filter(|k| is_unknown(*k)) {
+        waiting[k] = sides_of(grid, k)
+            .iter()
+            .filter(|side| out(side) < 0.0 && is_unknown(side.next[0]))
+            .count() as u8;
+        if waiting[k] == 0 {
+            order.push(k as u32);
+        }
+    }
+    let mut next = 0;
+    while let Some(k) = order.get(next).copied() {
+        next += 1;
+        for side in sides_of(grid, k as usize) {
+            let to = side.next[0];
+            if out(&side) > 0.0 && is_unknown(to) && waiting[to] > 0 {
+                waiting[to] -= 1;
+                if waiting[to] == 0 {
+                    order.push(to as u32);
+                }
+            }
+        }
+    }
+    let left = (0..n).filter(|k| waiting[*k] > 0).map(|k| k as u32);
+    let left: Vec<u32> = left.collect();
+    order.extend(left);
+    order
+}
+
+/// Gaussian elimination with pivots, row by row.
+fn factorise(a: &mut [f64], pivots: &mut [u8]) {
+    let n = pivots.len();
+    for k in 0..n {
+        let pivot = (k..n)
+            .max_by(|i, j| a[i * n + k].abs().total_cmp(&a[j * n + k].abs()))
+            .unwrap_or(k);
+        pivots[k] = pivot as u8;
+        if pivot != k {
+            for c in 0..n {
+                a.swap(k * n + c, pivot * n + c);
+            }
+        }
+        let inverse = 1.0 / a[k * n + k];
+        for i in k + 1..n {
+            let factor = a[i * n + k] * inverse;
+            a[i * n + k] = factor;
+            for c in k + 1..n {
+                a[i * n + c] -= factor * a[k * n + c];
+            }
+        }
+    }
+}
+
+fn solve(a: &[f64], pivots: &[u8], b: &mut [f64]) {
+    let n = pivots.len();
+    for k in 0..n {
+        b.swap(k, pivots[k] as usize);
+    }
+    for i in 0..n {
+        let sum: f64 = (0..i).map(|c| a[i * n + c] * b[c]).sum();
+        b[i] -= sum;
+    }
+    for i in (0..n).rev() {
+        let sum: f64 = (i + 1..n).map(|c| a[i * n + c] * b[c]).sum();
+        b[i] = (b[i] - sum) / a[i * n + i];
+    }
+}

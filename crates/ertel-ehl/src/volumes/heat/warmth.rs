@@ -1,0 +1,137 @@
+//! What temperatures make of the film equation, held while its pressures are computed.
+//!
+//! ```text
+//!   q(G, Ω) = q(0, Ω) + K G/12                         flow through a film of varying temperature (see [`crate::film::thermal_closure`])
+//!   κ = 12 (q − q(0, Ω))_d/G_d · μ(T_m)/μ̄ = c κ(T_m)     along and across the sliding: c times that of a film of its mean temperature T_m
+//!   u_s = −12 H q(0, Ω)/(μ̄λ)                            what sliding carries along beside the mean of the surfaces where one side is warmer
+//! ```
+//! c, u_s and the ratio of mean densities change little with the pressure; once film and heat agree the flow is that of the whole profile.
+//!
+//! Theory: Heat by finite volumes.
+
+use rayon::prelude::*;
+
+use crate::film::closure::flow;
+use crate::film::cross_film::CrossFilm;
+use crate::film::{FilmFluid, MOST_NODES};
+use crate::volumes::faces::Node;
+use crate::volumes::film::slopes;
+use crate::volumes::system::System;
+use crate::volumes::thinning::Demand;
+
+/// A node whose film has been warmed.
+#[derive(Clone, Copy, Debug)]
+pub struct Warmth {
+    /// T_m, K.
+    pub temperature: f64,
+    /// Mean density over that at T_m.
+    pub density: f64,
+    /// c along and across the sliding.
+    pub flow: [f64; 2],
+    /// u_s along the grid, over the entrainment speed.
+    pub drift: [f64; 2],
+}
+
+/// Pressure stress, in the stress of sliding, at which flows are told apart from those without it.
+const SMALL: f64 = 1e-2;
+
+/// The same in stresses of a film of one p_h over the half-width, where nothing slides.
+const NO_STRESS: f64 = 1e-6;
+
+/// Nodes that a thread takes at a time.
+const BATCH: usize = 64;
+
+/// Of all nodes of a grid at pressures and films, with the temperatures of the film.
+pub fn warmth(
+    system: &System,
+    pressure: &[f64],
+    films: &[f64],
+    film_temperatures: &[f64],
+) -> Vec<Warmth> {
+    let grid = &system.grid;
+    let f = film_temperatures.len() / grid.n_nodes();
+    let of_node = |rule: &mut CrossFilm, k: usize| {
+        let mut profile = [0.0; MOST_NODES];
+        profile[..f].copy_from_slice(&film_temperatures[k * f..][..f]);
+        let [i, j] = [k % grid.n[0], k / grid.n[0]];
+        let gradient = slopes(grid, pressure, i, j);
+        let slide = grid.turn.to_axes(system.fluid.slide().at(grid.place(i, j)));
+        let place = (pressure[k], films[k], grid.spacing[0]);
+        of_film(
+            &system.fluid,
+            place,
+            gradient,
+            slide,
+            &profile,
+            system.lambda,
+            rule,
+        )
+    };
+    (0..grid.n_nodes())
+        .into_par_iter()
+        .with_min_len(BATCH)
+        .map_init(CrossFilm::default, of_node)
+        .collect()
+}
+
+/// Of a film at a pressure and a thickness on a grid with cells of a size.
+pub fn of_film(
+    fluid: &FilmFluid,
+    (pressure, film, cell): (f64, f64, f64),
+    gradient: [f64; 2],
+    slide: [f64; 2],
+    profile: &crate::film::Nodal,
+    lambda: f64,
+    rule: &mut CrossFilm,
+) -> Warmth {
+    let mean = fluid
+        .nodes()
+        .map_or(profile[0], |nodes| nodes.mean(profile));
+    let thermal = fluid.thermal_values(pressure, profile);
+    let point = fluid.at_temperature(pressure, mean);
+    let ([rho, ..], [mu, mu_p, _]) = (point.density, point.viscosity);
+    let node = Node {
+        pressure,
+        film,
+        ln_viscosity: [mu.ln(), mu_p / mu],
+        ..Node::default()
+    };
+    let mut warmth = Warmth {
+        temperature: mean,
+        density: thermal.density.by_p[0] / rho,
+        flow: [1.0; 2],
+        drift: [0.0; 2],
+    };
+    let demand = Demand::new(&node, cell, gradient, slide);
+    let standing = thermal.viscosity[0];
+    let omega = demand.omega * standing / mu;
+    let law = fluid.thermal_law(pressure, &thermal);
+    let weight = |s: f64| thermal.moment_weight.by_p[0].at(s);
+    let without = flow(&law, weight, [0.0; 2], [omega, 0.0], rule);
+    let stress = without.mid_stress[0].hypot(without.mid_stress[1]);
+    let least = (SMALL * stress).max(NO_STRESS);
+    let [_, largest] = fluid
+        .stresses_between(pressure, crate::volumes::thinning::FOLDS)
+        .unwrap_or([0.0, f64::INFINITY]);
+    let g = demand.gradient.map(|g| match g.abs() {
+        size if size < least => least.copysign(g),
+        size => size.min(2.0 * largest).copysign(g),
+    });
+    let with = flow(&law, weight, g, [omega, 0.0], rule);
+    let uniform = fluid
+        .local(pressure, None)
+        .flow(g, [demand.omega, 0.0], rule);
+    for d in 0..2 {
+        let factor = (with.flow[d] - without.flow[d]) / uniform.flow[d] * (mu / standing);
+        if factor.is_finite() && factor > 0.0 {
+            warmth.flow[d] = factor;
+        }
+    }
+    let by_flow = -12.0 * demand.film / (standing * lambda);
+    let drift = [by_flow * without.flow[0], by_flow * without.flow[1]];
+    if drift.iter().all(|u| u.is_finite()) {
+        let [c, s] = demand.direction;
+        warmth.drift = [c * drift[0] - s * drift[1], s * drift[0] + c * drift[1]];
+    }
+    warmth
+}
