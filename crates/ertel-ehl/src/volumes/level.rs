@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::contents::Arrival;
-use super::convolution::Convolution;
+use super::deflection::Deflection;
 use super::grid::Grid;
 use super::system::{State, System};
 use crate::contact::Gap;
@@ -49,8 +49,8 @@ fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) -> f64 {
 }
 
 /// The deflection of the bodies of a problem on a grid.
-pub fn convolution<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Arc<Convolution> {
-    Arc::new(Convolution::new(
+pub fn convolution<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Arc<Deflection> {
+    Arc::new(Deflection::new(
         grid,
         compliance(&problem.elasticity.bodies),
     ))
@@ -60,7 +60,7 @@ pub fn convolution<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Arc<Convolutio
 pub fn first_system<Plan>(
     problem: &Problem<Plan>,
     grid: Grid,
-    convolution: Arc<Convolution>,
+    convolution: Arc<Deflection>,
 ) -> System {
     let gap = (grid.nodes())
         .map(|[i, j]| problem.shape.gap.value(grid.place(i, j)))
@@ -108,7 +108,7 @@ pub fn refined<Plan>(
     problem: &Problem<Plan>,
     before: &mut Level,
     grid: Grid,
-    convolution: Arc<Convolution>,
+    convolution: Arc<Deflection>,
 ) -> (System, State) {
     let coarse = before.system.grid.clone();
     let start = [0, 1].map(|d: usize| (grid.first[d].div_euclid(2) - coarse.first[d]) as usize);
@@ -126,9 +126,9 @@ pub fn refined<Plan>(
         }
     };
     let load_inside: f64 = (coarse.nodes().zip(&inside))
-        .map(|([_, j], p)| p * centreline(j))
+        .map(|([_, j], p)| p * centreline(j) * coarse.length(1, j))
         .sum::<f64>()
-        * coarse.cell();
+        * coarse.spacing[0];
     let by_inside = before.system.convolution.apply(&inside);
     let outer = beyond(before, &problem.shape.gap, &by_inside);
     let mut system = first_system(problem, grid, convolution);

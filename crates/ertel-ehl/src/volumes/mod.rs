@@ -1,4 +1,4 @@
-//! Finite volumes on regular grids: a monotone engine for isothermal point contacts of half-spaces, flooded or starved, Newtonian or thinned by stress.
+//! Finite volumes on regular grids: a monotone engine for isothermal point contacts and rollers between half-spaces, flooded or starved, Newtonian or thinned by stress.
 //!
 //! ```text
 //!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
@@ -10,7 +10,10 @@
 //! | module | what |
 //! |---|---|
 //! | [`grid`] | nodes of a patch |
+//! | [`rows`] | rows of nodes along a roller |
+//! | [`roller_zone`] | where its pressure ends |
 //! | [`convolution`] | deflection of the half-spaces |
+//! | [`rows_convolution`], [`deflection`] | the same under rows of a roller |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`thinning`] | how stress thins the film at a node |
 //! | [`contents`] | oil in gaps that it does not fill |
@@ -36,6 +39,7 @@ pub mod beyond;
 pub mod composite;
 pub mod contents;
 pub mod convolution;
+pub mod deflection;
 pub mod ending;
 pub mod engine;
 pub mod faces;
@@ -52,6 +56,9 @@ pub mod patches;
 pub mod preconditioner;
 pub mod rectangle;
 pub mod reduction;
+pub mod roller_zone;
+pub mod rows;
+pub mod rows_convolution;
 pub mod scope;
 pub mod stencil;
 pub mod step;

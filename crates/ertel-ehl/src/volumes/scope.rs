@@ -5,8 +5,6 @@
 pub struct About {
     /// All is the same along y.
     pub is_line: bool,
-    /// A roller of finite length.
-    pub is_roller: bool,
     /// The bodies are half-spaces.
     pub has_half_spaces: bool,
     /// Its temperature varies.
@@ -17,7 +15,6 @@ pub struct About {
 pub fn why_not(about: &About) -> Option<&'static str> {
     let reasons = [
         (about.is_line, "do not solve line contacts"),
-        (about.is_roller, "do not solve rollers of finite length"),
         (
             !about.has_half_spaces,
             "need half-spaces, no finite-element bodies",

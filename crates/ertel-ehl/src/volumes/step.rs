@@ -61,7 +61,7 @@ impl System {
         let grid = &self.grid;
         let n = grid.n_nodes();
         let areas: Vec<f64> = (grid.nodes())
-            .map(|[i, j]| grid.share(i, j) * grid.cell())
+            .map(|[i, j]| grid.share(i, j) * grid.cell(j))
             .collect();
         let load = |p: &[f64]| -> f64 { p.iter().zip(&areas).map(|(p, a)| p * a).sum() };
         // Rows in heights of the film; the load at the end.

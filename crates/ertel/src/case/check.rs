@@ -368,7 +368,6 @@ impl Case {
 pub fn finite_volumes_refuse(case: &Case) -> Option<&'static str> {
     volumes::why_not(&volumes::About {
         is_line: case.contact.kind.is_line(),
-        is_roller: case.contact.roller.is_some(),
         has_half_spaces: case.elastic_model() == ElasticModel::HalfSpace,
         heats: case.thermal().is_some(),
     })

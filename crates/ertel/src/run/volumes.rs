@@ -13,6 +13,7 @@ use crate::sensitivity::by_derivatives;
 use crate::solution::{SensitivityMethod, Solution, Stats};
 use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
+use crate::volumes::roller_zone::with_zone_of_film;
 use crate::volumes::tangents::Tangents;
 use crate::volumes::{FiniteVolumes, Plan, fields, reduction, summary};
 
@@ -25,7 +26,7 @@ const MAX_UNKNOWNS: usize = 400_000;
 /// As [`super::solve`].
 pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     let clock = Instant::now();
-    let problem = problem_by_slices(case).with_plan(plan(case));
+    let problem = with_zone_of_film(problem_by_slices(case).with_plan(plan(case)), observer)?;
     let mut recorder = Recorder {
         observer,
         history: Vec::new(),
@@ -43,7 +44,9 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
         Some(_) => {
             let mut newtonian = case.clone();
             newtonian.solver.newtonian = true;
-            let newtonian = problem_by_slices(&newtonian).with_plan(plan(case));
+            let mut newtonian = problem_by_slices(&newtonian).with_plan(plan(case));
+            // On the same grids.
+            newtonian.shape.zone = problem.shape.zone.clone();
             reduction::film_reduction(&solved, newtonian, recorder.observer)?
         }
     };
