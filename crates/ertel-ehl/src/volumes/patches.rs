@@ -97,7 +97,10 @@ const FEWEST_ROWS: f64 = 4.0;
 /// The grid of a roller with cells of the length h along the motion: all of its rows, whose distances are halved with h.
 fn roller_grid(problem: &Problem<Plan>, roller: &RollerZone, h: f64, first: Option<&Grid>) -> Grid {
     let unit = 2.0 * h;
-    let (low, high) = (problem.extents.inlet, problem.extents.outlet);
+    let [low, high] = match first {
+        None => [problem.extents.inlet, problem.extents.outlet],
+        Some(first) => first.bounds()[0],
+    };
     let reach = match first {
         None => f64::INFINITY,
         Some(_) => roller.half_extents()[0] + problem.plan.margin * h,

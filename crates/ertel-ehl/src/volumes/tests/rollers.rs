@@ -10,6 +10,7 @@ use crate::contact::roller::Profile;
 use crate::solve::SolveError;
 use crate::volumes::deflection::Deflection;
 use crate::volumes::grid::RING;
+use crate::volumes::roller_zone::with_zone_of_film;
 use crate::volumes::rows::Rows;
 
 /// Rows from −1 to 1, or to the middle, whose distances change by a factor of six: `n` steps on either side.
@@ -211,11 +212,12 @@ fn balances_and_mirror_images() {
     assert!(value(&right, Figure::EdgePressureRight) > value(&right, Figure::EdgePressureLeft));
 }
 
-/// A roller that is straight up to its ends has no film there: it is told, and not solved.
+/// A roller with two thirds of the drop that makes the pressure uniform has no film at its ends: it is told, and not solved.
 #[test]
 fn ends_that_press_in_are_told() {
-    let straight = Profile::Crown { crown_radius: 1e3 };
-    let problem = roller(straight, 0.0, 0.01);
+    // 1 µm at the ends.
+    let crown = Profile::Crown { crown_radius: 0.5 };
+    let problem = roller(crown, 0.0, 0.002);
     let end = FiniteVolumes.solve(&problem, &mut NoObserver).map(drop);
     match end {
         Err(SolveError::EndCarries { place, .. }) => {
@@ -259,4 +261,26 @@ fn tangents_of_rollers_against_differences_of_solves() {
         let own = derivative / tangents.value(figure);
         assert_relative_eq!(own, difference, max_relative = 0.03, epsilon = 0.02);
     }
+}
+
+/// Rows by the loads per length of the film in place of those of slices: the same films, and loads that add up as before.
+#[test]
+fn rows_by_the_film_have_the_same_films() {
+    let slices = roller(logarithmic(), 1e-4, 0.02);
+    let film = with_zone_of_film(roller(logarithmic(), 1e-4, 0.02), &mut NoObserver).unwrap();
+    let zones = [&slices, &film].map(|problem| problem.shape.zone.roller.clone().unwrap());
+    assert_ne!(zones[0], zones[1]);
+    for y in [-0.7, -0.3, 0.0, 0.5] {
+        let loads = zones
+            .each_ref()
+            .map(|zone| zone.load(y * zone.half_length()));
+        assert_relative_eq!(loads[0], loads[1], max_relative = 0.05);
+    }
+    let films = [&slices, &film].map(|problem| {
+        let measured = solved(problem).measured(problem);
+        [Figure::FilmCentral, Figure::FilmMinimum]
+            .map(|figure| measured.figures.value(figure).unwrap())
+    });
+    assert_relative_eq!(films[0][0], films[1][0], max_relative = 2e-3);
+    assert_relative_eq!(films[0][1], films[1][1], max_relative = 2e-2);
 }
