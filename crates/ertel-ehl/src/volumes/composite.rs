@@ -72,6 +72,10 @@ impl Composite {
                     around.extend(on_patch(low[0], low[1], offset));
                 }
             }
+            // Beyond the end of a roller there is nothing.
+            if around.contains(&NONE) {
+                continue;
+            }
             // A fan from the node in the middle of an edge, or from a corner.
             around.rotate_left(middle.unwrap_or(0));
             for pair in around[1..].windows(2) {

@@ -74,7 +74,7 @@ pub(super) struct Side {
 /// The faces of an unknown node; beyond the centreline of a half all is mirrored.
 pub(super) fn sides(grid: &Grid, k: usize) -> [Side; 4] {
     let [nx, ny] = grid.n;
-    let [dx, dy] = grid.spacing;
+    let [dx, dy] = [0, 1].map(|d: usize| grid.length(d, k / nx));
     let (north, south) = match grid.half && k / nx + 1 == ny {
         true => (0.0, -2.0 / dy),
         false => (1.0 / dy, -1.0 / dy),

@@ -52,7 +52,7 @@ fn corner(x: f64, y: f64) -> f64 {
 }
 
 /// The next length at least as large that transforms fast.
-fn smooth(least: usize) -> usize {
+pub(super) fn smooth(least: usize) -> usize {
     (least..)
         .find(|n| {
             let mut n = *n;

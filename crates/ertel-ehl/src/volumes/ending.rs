@@ -93,14 +93,12 @@ pub fn balance_error(system: &System, at: &Linearised) -> f64 {
         at,
         |k| at.wetted[k] || !at.contents.is_empty(),
         |outflow| outflow,
-    ) * grid.cell()
-        / passing(grid, at)
+    ) / passing(grid, at)
 }
 
 /// The same of the nodes that have too little outflow for a broken film since the last step.
 pub fn entered(system: &System, state: &State, at: &Linearised) -> f64 {
-    gained(system, at, |k| at.wetted[k] && !state.wetted[k], f64::abs) * system.grid.cell()
-        / passing(&system.grid, at)
+    gained(system, at, |k| at.wetted[k] && !state.wetted[k], f64::abs) / passing(&system.grid, at)
 }
 
 /// Sum over the unknown nodes of a kind.
@@ -113,7 +111,7 @@ fn gained(
     let grid = &system.grid;
     (grid.nodes().enumerate())
         .filter(|(k, [i, j])| counts(*k) && grid.is_unknown(*i, *j))
-        .map(|(k, [i, j])| grid.share(i, j) * of(at.outflow[k]))
+        .map(|(k, [i, j])| grid.share(i, j) * grid.cell(j) * of(at.outflow[k]))
         .sum()
 }
 
@@ -121,12 +119,10 @@ fn gained(
 fn passing(grid: &Grid, at: &Linearised) -> f64 {
     let [i, j] = grid.centre();
     let through = |direction: usize, nodes: &mut dyn Iterator<Item = [usize; 2]>| -> f64 {
-        let other = grid.spacing[1 - direction];
         let flux = |[i, j]: [usize; 2]| at.faces[direction][grid.index(i, j)].flux;
         nodes
-            .map(|at| grid.share(at[0], at[1]) * flux(at))
+            .map(|at| grid.share(at[0], at[1]) * grid.length(1 - direction, at[1]) * flux(at))
             .sum::<f64>()
-            * other
     };
     let along = through(0, &mut (0..grid.n[1]).map(|j| [i, j]));
     let across = through(1, &mut (0..grid.n[0]).map(|i| [i, j]));

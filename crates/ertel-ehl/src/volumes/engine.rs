@@ -8,6 +8,7 @@ use super::contents::Arrival;
 use super::ending::{Ends, balance_error};
 use super::figures::{bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
+use super::grid::RING;
 use super::heat::Settings;
 use super::heat::rounds::Rounds;
 use super::level::{Level, convolution, first_state, first_system, refined};
@@ -110,7 +111,7 @@ fn solve_on(
     level: usize,
     observer: &mut dyn Observer,
 ) -> Result<NewtonInfo, SolveError> {
-    let pattern = Pattern::new(&system.grid, system.convolution.inverse()).map_err(|error| {
+    let pattern = Pattern::new(&system.grid, system.convolution.stencils()).map_err(|error| {
         SolveError::Factorisation(LuError {
             n: system.grid.n_nodes(),
             reason: error.to_string(),
@@ -285,6 +286,7 @@ impl Engine for FiniteVolumes {
                 patch: None,
                 warm,
             });
+            check_ends(problem, &found.levels)?;
             let cells = found.levels[n].system.grid.n_nodes();
             let [assembly, factorisation, krylov] = info.seconds;
             let heat = (found.levels[n].warm.as_ref()).map_or(0.0, |warm| warm.effort.seconds);
@@ -337,6 +339,35 @@ fn least_shares(problem: &Problem<Plan>, cell: f64) -> [f64; 2] {
     match Arrival::of(problem) {
         Arrival::Layer(_) if !is_straight => [0.25 * cell, cell],
         _ => [0.0; 2],
+    }
+}
+
+/// Share of the central film below which there is none where a roller ends, and grids from which that is told: coarse ones have films below zero at steep ends.
+const NO_FILM: f64 = 0.02;
+const GRIDS_OF_ENDS: usize = 6;
+
+/// Whether the contact of a roller runs over its end, as the last two grids have found.
+///
+/// # Errors
+/// If it does: the pressure is zero there, and the surfaces touch.
+fn check_ends(problem: &Problem<Plan>, levels: &[Level]) -> Result<(), SolveError> {
+    if problem.shape.zone.roller.is_none() || levels.len() < GRIDS_OF_ENDS {
+        return Ok(());
+    }
+    let at_end = |n: usize| {
+        let levels = &levels[..n];
+        let (h_c, h_m, [_, y]) = films(levels);
+        let rows = levels[n - 1].system.grid.rows.as_ref()?;
+        let presses_in = (rows.ends().iter()).any(|end| (end - y).abs() < rows.step(RING));
+        (presses_in && h_m < NO_FILM * h_c).then_some((y, h_m))
+    };
+    let n = levels.len();
+    match at_end(n - 1).and(at_end(n)) {
+        None => Ok(()),
+        Some((y, film)) => Err(SolveError::EndCarries {
+            place: y * problem.scales.length,
+            film: film * problem.scales.film,
+        }),
     }
 }
 

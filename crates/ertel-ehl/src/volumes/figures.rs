@@ -14,7 +14,7 @@ use super::heat::figures::note_heat;
 use super::level::Level;
 use crate::engine::figures::{note_film, note_friction, share_of_film};
 use crate::engine::hills::hills;
-use crate::engine::{Problem, Profile};
+use crate::engine::{Film, PointTable, Problem, Profile};
 use crate::solution::{Bar, Bars, Figure, Figures, Reading};
 
 /// Central and minimum film in a²/R, the latter with its place.
@@ -61,7 +61,9 @@ fn extreme(grid: &Grid, values: &[f64], i: usize, j: usize) -> (f64, [f64; 2]) {
         let (slope, curvature) = (0.5 * (high - low), high - 2.0 * here + low);
         if curvature != 0.0 && slope.abs() <= curvature.abs() {
             value -= 0.5 * slope * slope / curvature;
-            at[d] -= slope / curvature * grid.spacing[d];
+            let along = slope / curvature;
+            let side = if along > 0.0 { j.max(1) - 1 } else { j };
+            at[d] -= along * grid.step(d, side);
         }
     }
     (value, grid.turn.to_motion(at))
@@ -91,12 +93,69 @@ pub fn figures<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Figures {
         outlet(&profile),
         meniscus,
     );
+    note_roller(&mut figures, problem, finest, film.points());
     let heats = finest.warm.is_some();
     note_friction(&mut figures, problem, &problem.fluid, &film, heats);
     if let (true, Some(nodes)) = (heats, problem.fluid.nodes()) {
         note_heat(&mut figures, problem, &film, nodes);
     }
     figures
+}
+
+/// The largest pressures over the outer quarters of a roller, and the moment of the pressure about its middle.
+fn note_roller<Plan>(
+    figures: &mut Figures,
+    problem: &Problem<Plan>,
+    level: &Level,
+    points: &PointTable,
+) {
+    let Some(roller) = &problem.shape.zone.roller else {
+        return;
+    };
+    let scales = &problem.scales;
+    let (grid, pressure) = (&level.system.grid, &level.state.pressure);
+    let quarter = 0.5 * roller.half_length();
+    let ends = [
+        (Figure::EdgePressureLeft, -1.0),
+        (Figure::EdgePressureRight, 1.0),
+    ];
+    // Where one half is solved, it is the left one.
+    for (figure, sign) in ends.into_iter().take(if grid.half { 1 } else { 2 }) {
+        let largest = (grid.nodes())
+            .filter(|[i, j]| sign * grid.on_axes(*i, *j)[1] >= quarter)
+            .max_by(|a, b| {
+                let [a, b] = [a, b].map(|[i, j]| pressure[grid.index(*i, *j)]);
+                a.total_cmp(&b)
+            });
+        let Some([i, j]) = largest else { continue };
+        let (p, place) = extreme(grid, pressure, i, j);
+        let place = place.map(|x| x * scales.length);
+        figures.note(figure, Reading::new(scales.pressure * p).at(place));
+    }
+    if grid.half {
+        return;
+    }
+    let [force, moment, arms] = points.iter().fold([0.0; 3], |sums, point| {
+        let y = point.fields.place[1];
+        let share = point.area * point.fields.pressure;
+        [
+            sums[0] + share,
+            sums[1] + share * y,
+            sums[2] + share * y.abs(),
+        ]
+    });
+    let unit = scales.pressure * scales.length.powi(2);
+    for (figure, scale) in [
+        (Figure::RollerMoment, unit * scales.length),
+        (Figure::LoadPosition, scales.length / force),
+    ] {
+        // A resultant in the middle is as uncertain as one elsewhere.
+        let reading = Reading {
+            size: scale * arms,
+            ..Reading::new(scale * moment)
+        };
+        figures.note(figure, reading);
+    }
 }
 
 /// Where the film breaks on the centreline: pressures end with the square of the distance, so that their roots point there from the last two nodes.

@@ -31,7 +31,7 @@ impl<'a> PatchedFilm<'a> {
                 (share > 0.0).then(|| {
                     let fields = node_fields(shape, &levels[l], i, j);
                     Point {
-                        area: share * grid.cell(),
+                        area: share * grid.cell(j),
                         within: [&whole, &shorter].map(|region| inside(region, grid, i, j)),
                         in_zone: shape.zone.contains(fields.place),
                         fields,
@@ -91,7 +91,7 @@ pub fn share(levels: &[Level], l: usize, i: usize, j: usize) -> f64 {
 fn inside(region: &Region, grid: &Grid, i: usize, j: usize) -> f64 {
     let radius = |dx: f64, dy: f64| {
         let [x, y] = grid.on_axes(i, j);
-        let at = [x + dx * grid.spacing[0], y + dy * grid.spacing[1]];
+        let at = [x + dx * grid.spacing[0], y + dy * grid.length(1, j)];
         let [x, y] = region.unit(grid.turn.to_motion(at));
         x.hypot(y)
     };
@@ -146,23 +146,21 @@ fn with_film(shape: &Shape, level: &Level, mut fields: PointFields) -> PointFiel
 
 /// Slopes along both directions by differences, one-sided along the edges.
 pub(super) fn slopes(grid: &Grid, values: &[f64], i: usize, j: usize) -> [f64; 2] {
-    let difference = |at: usize, n: usize, mirrored: bool, of: &dyn Fn(usize) -> f64, h: f64| {
+    let difference = |at: usize, n: usize, mirrored: bool, of: &dyn Fn(usize) -> f64, d: usize| {
         if mirrored && at + 1 == n {
             return 0.0;
         }
         let (low, high) = (at.saturating_sub(1), (at + 1).min(n - 1));
-        (of(high) - of(low)) / ((high - low) as f64 * h)
+        let distance = match d == 1 && grid.rows.is_some() {
+            false => (high - low) as f64 * grid.spacing[d],
+            true => grid.on_axes(i, high)[1] - grid.on_axes(i, low)[1],
+        };
+        (of(high) - of(low)) / distance
     };
     let [nx, ny] = grid.n;
     [
-        difference(i, nx, false, &|i| values[grid.index(i, j)], grid.spacing[0]),
-        difference(
-            j,
-            ny,
-            grid.half,
-            &|j| values[grid.index(i, j)],
-            grid.spacing[1],
-        ),
+        difference(i, nx, false, &|i| values[grid.index(i, j)], 0),
+        difference(j, ny, grid.half, &|j| values[grid.index(i, j)], 1),
     ]
 }
 
@@ -195,6 +193,10 @@ fn at(shape: &Shape, level: &Level, place: [f64; 2]) -> Option<PointFields> {
     let axes = grid.turn.to_axes(place);
     let (mut cell, mut weight) = ([0; 2], [0.0; 2]);
     for d in 0..2 {
+        if let Some(rows) = grid.rows.as_ref().filter(|_| d == 1) {
+            (cell[d], weight[d]) = rows.find(axes[d])?;
+            continue;
+        }
         let at = axes[d] / grid.spacing[d] - grid.first[d] as f64;
         let last = (grid.n[d] - 1) as f64;
         // Rounding does not lead out of the grid.

@@ -1,5 +1,8 @@
 //! Regular grids of nodes, each in the middle of its volume.
 
+use std::sync::Arc;
+
+use super::rows::Rows;
 use crate::contact::{HertzZone, Turn};
 
 /// Layers of nodes along an edge whose pressure is given: what the third-order upwind fluxes reach for.
@@ -18,6 +21,8 @@ pub struct Grid {
     pub half: bool,
     /// From the motion to the principal directions.
     pub turn: Turn,
+    /// Rows of a roller, at uneven distances; `spacing` tells nothing of them.
+    pub rows: Option<Arc<Rows>>,
 }
 
 impl Grid {
@@ -32,6 +37,19 @@ impl Grid {
             n: [0, 1].map(|i: usize| (last[i] - first[i] + 1) as usize),
             half,
             turn: zone.turn,
+            rows: None,
+        }
+    }
+
+    /// The grid over these columns, counted from the middle at the distance h, and the rows of a roller, of which this many come before the middle.
+    pub fn of_roller(columns: [i64; 2], h: f64, rows: Rows, before: usize, half: bool) -> Grid {
+        Grid {
+            spacing: [h, f64::NAN],
+            first: [columns[0], -(before as i64)],
+            n: [(columns[1] - columns[0] + 1) as usize, rows.n()],
+            half,
+            turn: Turn::NONE,
+            rows: Some(Arc::new(rows)),
         }
     }
 
@@ -63,8 +81,35 @@ impl Grid {
     pub fn on_axes(&self, i: usize, j: usize) -> [f64; 2] {
         [
             (self.first[0] + i as i64) as f64 * self.spacing[0],
-            (self.first[1] + j as i64) as f64 * self.spacing[1],
+            match &self.rows {
+                None => (self.first[1] + j as i64) as f64 * self.spacing[1],
+                Some(rows) => rows.places()[j],
+            },
         ]
+    }
+
+    /// Distance from a node of a row to the next one along a direction.
+    #[inline(always)]
+    pub fn step(&self, direction: usize, j: usize) -> f64 {
+        match &self.rows {
+            Some(rows) if direction == 1 => rows.step(j),
+            _ => self.spacing[direction],
+        }
+    }
+
+    /// Length of the cell of a node of a row along a direction.
+    #[inline(always)]
+    pub fn length(&self, direction: usize, j: usize) -> f64 {
+        match &self.rows {
+            Some(rows) if direction == 1 => rows.height(j),
+            _ => self.spacing[direction],
+        }
+    }
+
+    /// Whether a row lies where a roller ends, or beyond: there is no pressure.
+    #[inline(always)]
+    pub fn is_end(&self, j: usize) -> bool {
+        self.rows.as_ref().is_some_and(|rows| rows.is_end(j))
     }
 
     /// Place of a node along and across the motion.
@@ -90,13 +135,18 @@ impl Grid {
     pub fn share(&self, i: usize, j: usize) -> f64 {
         let [nx, ny] = self.n;
         let x = if i == 0 || i + 1 == nx { 0.5 } else { 1.0 };
-        let y = if j == 0 || j + 1 == ny { 0.5 } else { 1.0 };
+        let y = match &self.rows {
+            Some(rows) if rows.height(j) == 0.0 => 0.0,
+            Some(_) if !(self.half && j + 1 == ny) => 1.0,
+            None if j > 0 && j + 1 < ny => 1.0,
+            _ => 0.5,
+        };
         x * y
     }
 
-    /// Area of a cell.
-    pub fn cell(&self) -> f64 {
-        self.spacing[0] * self.spacing[1]
+    /// Area of the cell of a node of a row.
+    pub fn cell(&self, j: usize) -> f64 {
+        self.spacing[0] * self.length(1, j)
     }
 
     /// All nodes, row by row.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::contents::Arrival;
-use super::convolution::Convolution;
+use super::deflection::Deflection;
 use super::grid::Grid;
 use super::heat::Warm;
 use super::system::{State, System};
@@ -52,8 +52,8 @@ pub(super) fn within([x, y]: [[usize; 2]; 2], half: bool, i: usize, j: usize) ->
 }
 
 /// The deflection of the bodies of a problem on a grid.
-pub fn convolution<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Arc<Convolution> {
-    Arc::new(Convolution::new(
+pub fn convolution<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Arc<Deflection> {
+    Arc::new(Deflection::new(
         grid,
         compliance(&problem.elasticity.bodies),
     ))
@@ -63,7 +63,7 @@ pub fn convolution<Plan>(problem: &Problem<Plan>, grid: &Grid) -> Arc<Convolutio
 pub fn first_system<Plan>(
     problem: &Problem<Plan>,
     grid: Grid,
-    convolution: Arc<Convolution>,
+    convolution: Arc<Deflection>,
 ) -> System {
     let gap = (grid.nodes())
         .map(|[i, j]| problem.shape.gap.value(grid.place(i, j)))
@@ -112,7 +112,7 @@ pub fn refined<Plan>(
     problem: &Problem<Plan>,
     before: &mut Level,
     grid: Grid,
-    convolution: Arc<Convolution>,
+    convolution: Arc<Deflection>,
 ) -> (System, State) {
     let coarse = before.system.grid.clone();
     let sampled = Sampled::new(&coarse, &grid);
@@ -131,9 +131,9 @@ pub fn refined<Plan>(
         }
     };
     let load_inside: f64 = (coarse.nodes().zip(&inside))
-        .map(|([_, j], p)| p * centreline(j))
+        .map(|([_, j], p)| p * centreline(j) * coarse.length(1, j))
         .sum::<f64>()
-        * coarse.cell();
+        * coarse.spacing[0];
     let by_inside = before.system.convolution.apply(&inside);
     let outer = beyond(before, &problem.shape.gap, &by_inside);
     let mut system = first_system(problem, grid, convolution);

@@ -1,5 +1,5 @@
-//! Finite volumes on regular grids: a monotone engine for point contacts of half-spaces, flooded or starved, Newtonian or thinned by stress, of one temperature
-//! or, flooded, with the heat of film and bodies.
+//! Finite volumes on regular grids: a monotone engine for point contacts and rollers between half-spaces, flooded or starved, Newtonian or thinned by stress, of one
+//! temperature or, in flooded point contacts, with the heat of film and bodies.
 //!
 //! ```text
 //!   ∇·F = 0,  P ≥ 0,  F = ū ρ̄H − H₊³ρ̄/(μ̄λ) ∇P       one balance of mass for each node
@@ -11,7 +11,10 @@
 //! | module | what |
 //! |---|---|
 //! | [`grid`] | nodes of a patch |
+//! | [`rows`] | rows of nodes along a roller |
+//! | [`roller_zone`] | where its pressure ends |
 //! | [`convolution`] | deflection of the half-spaces |
+//! | [`rows_convolution`], [`deflection`] | the same under rows of a roller |
 //! | [`faces`] | flux through a face and its derivatives |
 //! | [`thinning`] | how stress thins the film at a node |
 //! | [`contents`] | oil in gaps that it does not fill |
@@ -38,6 +41,7 @@ pub mod beyond;
 pub mod composite;
 pub mod contents;
 pub mod convolution;
+pub mod deflection;
 pub mod ending;
 pub mod engine;
 pub mod faces;
@@ -55,6 +59,9 @@ pub mod patches;
 pub mod preconditioner;
 pub mod rectangle;
 pub mod reduction;
+pub mod roller_zone;
+pub mod rows;
+pub mod rows_convolution;
 pub mod scope;
 pub mod stencil;
 pub mod step;

@@ -3,6 +3,8 @@
 use super::contents::Arrival;
 use super::engine::Plan;
 use super::grid::{Grid, RING};
+use super::rows::Rows;
+use crate::contact::roller::RollerZone;
 use crate::contact::{Inlet, Symmetry};
 use crate::engine::Problem;
 
@@ -55,6 +57,9 @@ pub fn bounds<P>(problem: &Problem<P>) -> [[f64; 2]; 2] {
 /// The grid with cells of the size h: the first one over the box, the others within it as far as the margin goes. Its corners are nodes of a
 /// grid with cells of twice the size.
 pub fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
+    if let Some(roller) = &problem.shape.zone.roller {
+        return roller_grid(problem, roller, h, first);
+    }
     let (unit, zone) = (2.0 * h, &problem.shape.zone);
     let region = match first {
         // Nodes whose pressure is given stand beyond the centre at least.
@@ -82,4 +87,36 @@ pub fn grid(problem: &Problem<Plan>, h: f64, first: Option<&Grid>) -> Grid {
     };
     let half = problem.shape.symmetry == Symmetry::Half;
     Grid::covering(region, h, half, zone)
+}
+
+/// Rows of a first grid over its columns, in the lengths by which elements are drawn out along a roller, and the fewest of them before and behind the
+/// middle.
+const ROWS: f64 = 2.0;
+const FEWEST_ROWS: f64 = 4.0;
+
+/// The grid of a roller with cells of the length h along the motion: all of its rows, whose distances are halved with h.
+fn roller_grid(problem: &Problem<Plan>, roller: &RollerZone, h: f64, first: Option<&Grid>) -> Grid {
+    let unit = 2.0 * h;
+    let [low, high] = match first {
+        None => [problem.extents.inlet, problem.extents.outlet],
+        Some(first) => first.bounds()[0],
+    };
+    let reach = match first {
+        None => f64::INFINITY,
+        Some(_) => roller.half_extents()[0] + problem.plan.margin * h,
+    };
+    let columns = [
+        2 * (low.max(-reach) / unit).ceil() as i64,
+        2 * (high.min(reach) / unit).floor() as i64,
+    ];
+    let half = problem.shape.symmetry == Symmetry::Half;
+    let coarsest = first.map_or(h, |first| first.spacing[0]);
+    let finer = (coarsest / h).round() as usize;
+    let (side, middle) = (roller.side(), roller.unit(0.0));
+    let steps = [side + middle, side - middle].map(|length| {
+        let rows = (length / (ROWS * coarsest)).ceil().max(FEWEST_ROWS);
+        rows as usize * finer
+    });
+    let rows = Rows::new(roller, steps, half);
+    Grid::of_roller(columns, h, rows, steps[0] + RING, half)
 }

@@ -10,6 +10,7 @@ use std::sync::OnceLock;
 use ertel_fem::linear::ordering::OrderingError;
 use rayon::prelude::*;
 
+use super::deflection::Stencils;
 use super::grid::{Grid, RING};
 use super::multigrid::{Cycle, Grids};
 use super::stencil::{PLACES, REACH, Row, SIDE};
@@ -24,8 +25,8 @@ pub struct Pattern {
     pub(super) grids: Grids,
     /// The same with a factorisation of all, once it is asked for.
     direct: OnceLock<Option<Grids>>,
-    /// S at the centre, along both directions and on the diagonals.
-    inverse: [f64; 4],
+    /// S.
+    inverse: Stencils,
 }
 
 /// Unknowns up to which a factorisation is all; it costs as much as the cycle at about a half of them.
@@ -42,7 +43,7 @@ impl Pattern {
     ///
     /// # Errors
     /// When no order of elimination is found.
-    pub fn new(grid: &Grid, inverse: [f64; 4]) -> Result<Pattern, OrderingError> {
+    pub fn new(grid: &Grid, inverse: impl Into<Stencils>) -> Result<Pattern, OrderingError> {
         let [nx, ny] = grid.n;
         let n = nx * ny;
         Pattern::with_coarsest(grid, inverse, if n > DIRECT { COARSEST } else { n })
@@ -51,7 +52,7 @@ impl Pattern {
     /// The same with this many unknowns of the coarsest grid at most.
     pub(super) fn with_coarsest(
         grid: &Grid,
-        inverse: [f64; 4],
+        inverse: impl Into<Stencils>,
         coarsest: usize,
     ) -> Result<Pattern, OrderingError> {
         let [nx, ny] = grid.n;
@@ -61,7 +62,7 @@ impl Pattern {
             direct: OnceLock::new(),
             grid: grid.clone(),
             n,
-            inverse,
+            inverse: inverse.into(),
         })
     }
 
@@ -128,9 +129,10 @@ impl Pattern {
             .zip(cross.by_pressure.into_iter().zip(cross.by_film))
         {
             put(place, by_film);
+            let inverse = self.inverse.of((row + place[1]).max(0) as usize);
             for dj in -1..=1_i64 {
                 for di in -1..=1_i64 {
-                    let weight = self.inverse[(di.abs() + 2 * dj.abs()) as usize];
+                    let weight = inverse[(di.abs() + 2 * dj.abs()) as usize];
                     put([place[0] + di, place[1] + dj], by_pressure * weight);
                 }
             }
@@ -161,26 +163,27 @@ impl Cross {
     fn wetted(grid: &Grid, at: &Linearised, k: usize) -> Cross {
         let [nx, ny] = grid.n;
         let mut cross = Cross::default();
-        cross.add(grid, at, (0, k), 1.0, true);
-        cross.add(grid, at, (0, k - 1), -1.0, false);
+        let [dx, dy] = [0, 1].map(|d: usize| grid.length(d, k / nx));
+        cross.add(grid, at, (0, k), 1.0 / dx, true);
+        cross.add(grid, at, (0, k - 1), -1.0 / dx, false);
         // Beyond the centreline of a half all is mirrored.
         match grid.half && k / nx + 1 == ny {
-            true => cross.add(grid, at, (1, k - nx), -2.0, false),
+            true => cross.add(grid, at, (1, k - nx), -2.0 / dy, false),
             false => {
-                cross.add(grid, at, (1, k), 1.0, true);
-                cross.add(grid, at, (1, k - nx), -1.0, false);
+                cross.add(grid, at, (1, k), 1.0 / dy, true);
+                cross.add(grid, at, (1, k - nx), -1.0 / dy, false);
             }
         }
         cross
     }
 
-    /// Adds a face of a direction, at whose first or second end the node lies.
+    /// Adds a face of a direction, whose flux has a weight in the balance, and at whose first or second end the node lies.
     fn add(
         &mut self,
         grid: &Grid,
         at: &Linearised,
         (direction, face): (usize, usize),
-        sign: f64,
+        weight: f64,
         is_first: bool,
     ) {
         let f = &at.faces[direction][face];
@@ -188,7 +191,6 @@ impl Cross {
         if f.by_content != 0.0 && f.from_second == is_first {
             return;
         }
-        let weight = sign / grid.spacing[direction];
         let ends = [face, face + [1, grid.n[0]][direction]];
         let other = 1 + 2 * direction + usize::from(is_first);
         let slots = if is_first { [0, other] } else { [other, 0] };
@@ -264,9 +266,9 @@ impl<'a> Preconditioner<'a> {
         for (unknown, w) in w.iter().enumerate() {
             film[p.node(unknown)] = *w;
         }
-        let [s0, sx, sy, sd] = p.inverse;
         let mut pressure = vec![0.0; grid.n_nodes()];
         for k in (0..p.len()).map(|unknown| p.node(unknown)) {
+            let [s0, sx, sy, sd] = *p.inverse.of(k / nx);
             let below = k - nx;
             let above = match grid.half && k / nx + 1 == ny {
                 true => below,

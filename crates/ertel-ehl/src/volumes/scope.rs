@@ -5,8 +5,6 @@
 pub struct About {
     /// All is the same along y.
     pub is_line: bool,
-    /// A roller of finite length.
-    pub is_roller: bool,
     /// The bodies are half-spaces.
     pub has_half_spaces: bool,
     /// What of its heat finite volumes have to do with, where its temperature varies.
@@ -16,6 +14,8 @@ pub struct About {
 /// What of the heat of a contact decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct HeatAbout {
+    /// A roller of finite length.
+    pub is_roller: bool,
     /// A body spins about the normal of the contact.
     pub spins: bool,
     /// Oil is short.
@@ -33,10 +33,13 @@ pub fn why_not(about: &About) -> Option<&'static str> {
     let heat = about.heat.unwrap_or_default();
     let reasons = [
         (about.is_line, "do not solve line contacts"),
-        (about.is_roller, "do not solve rollers of finite length"),
         (
             !about.has_half_spaces,
             "need half-spaces, no finite-element bodies",
+        ),
+        (
+            heat.is_roller,
+            "do not solve for the heat of rollers of finite length",
         ),
         (heat.spins, "do not solve for the heat of bodies that spin"),
         (

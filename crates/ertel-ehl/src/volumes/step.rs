@@ -38,7 +38,7 @@ impl<'a> Equation<'a> {
             at,
             scale: scale.to_vec(),
             areas: (grid.nodes())
-                .map(|[i, j]| grid.share(i, j) * grid.cell())
+                .map(|[i, j]| grid.share(i, j) * grid.cell(j))
                 .collect(),
         }
     }

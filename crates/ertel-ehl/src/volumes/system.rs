@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use super::beyond::Beyond;
 use super::contents::{Arrival, distribute};
-use super::convolution::Convolution;
+use super::deflection::Deflection;
 use super::faces::{Face, Node, Resistance, face};
 use super::film::slopes;
 use super::grid::{Grid, RING};
@@ -28,7 +28,7 @@ pub struct System {
     /// The nodes.
     pub grid: Grid,
     /// Deflection by the pressures of the grid.
-    pub convolution: Arc<Convolution>,
+    pub convolution: Arc<Deflection>,
     /// Gap and deflection by pressures beyond the grid, at the nodes.
     pub gap: Vec<f64>,
     /// Load that the grid carries.
@@ -114,9 +114,9 @@ impl System {
     /// ∫P over the grid.
     pub fn integral(&self, pressure: &[f64]) -> f64 {
         let sum: f64 = (self.grid.nodes().zip(pressure))
-            .map(|([i, j], p)| self.grid.share(i, j) * p)
+            .map(|([i, j], p)| self.grid.share(i, j) * self.grid.length(1, j) * p)
             .sum();
-        sum * self.grid.cell()
+        sum * self.grid.spacing[0]
     }
 
     /// The equation and its derivatives at a state.
@@ -183,7 +183,9 @@ impl System {
     /// Whether a node is unknown and there may be pressure.
     fn may_press(&self, i: usize, j: usize) -> bool {
         let grid = &self.grid;
-        grid.is_unknown(i, j) && (self.arrival).may_press(grid.place(i, j)[0], grid.spacing[0])
+        grid.is_unknown(i, j)
+            && !grid.is_end(j)
+            && (self.arrival).may_press(grid.place(i, j)[0], grid.spacing[0])
     }
 
     fn node(&self, k: usize, pressure: f64, film: f64) -> Node {
@@ -235,7 +237,7 @@ impl System {
                 let [x, y] = grid.on_axes(i, j);
                 let at = [
                     x + middle[0] * grid.spacing[0],
-                    y + middle[1] * grid.spacing[1],
+                    y + middle[1] * grid.step(1, j),
                 ];
                 let velocity = grid
                     .turn
@@ -251,7 +253,7 @@ impl System {
                 };
                 let behind = (k + 2 * step).min(nodes.len() - 1);
                 let beyond = [&nodes[k - step], &nodes[behind]];
-                let spacing = grid.spacing[direction];
+                let spacing = grid.step(direction, j);
                 let ends = [k, k + step];
                 let resistance =
                     ends.map(|k| Resistance::new(&nodes[k], thinned.get(k), direction));
@@ -266,10 +268,11 @@ impl System {
     fn balance(&self, through: impl Fn(usize, usize) -> f64 + Sync) -> Vec<f64> {
         let grid = &self.grid;
         let [nx, ny] = grid.n;
-        let [dx, dy] = grid.spacing;
+        let dx = grid.spacing[0];
         let mut sums = vec![0.0; grid.n_nodes()];
         let rows = sums.par_chunks_mut(nx).enumerate().with_min_len(ROWS);
         rows.for_each(|(j, sums)| {
+            let dy = grid.length(1, j);
             for (i, sum) in sums.iter_mut().enumerate() {
                 if !grid.is_unknown(i, j) {
                     continue;

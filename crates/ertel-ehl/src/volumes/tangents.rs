@@ -120,13 +120,24 @@ impl<Plan> Side<'_, Plan> {
     fn next(&mut self, own: &Level) -> (System, State) {
         let zone = &self.problem.shape.zone;
         let h = own.system.grid.spacing[0];
-        let grid = Grid {
-            spacing: [h, h * zone.axis_ratio],
-            turn: zone.turn,
-            ..own.system.grid.clone()
+        let before = &own.system.grid;
+        let grid = match (&before.rows, &zone.roller) {
+            (Some(rows), Some(roller)) => Grid {
+                rows: Some(rows.drawn_to(roller.half_length())),
+                ..before.clone()
+            },
+            _ => Grid {
+                spacing: [h, h * zone.axis_ratio],
+                turn: zone.turn,
+                ..before.clone()
+            },
         };
         // Of the same cells, the bodies are half-spaces of the same scaled compliance.
-        let deflection = match grid.spacing == own.system.grid.spacing {
+        let alike = match &grid.rows {
+            None => grid.spacing == before.spacing,
+            Some(_) => grid.rows == before.rows,
+        };
+        let deflection = match alike {
             true => Arc::clone(&own.system.convolution),
             false => convolution(self.problem, &grid),
         };
@@ -236,7 +247,7 @@ impl<Plan: Sync> Derivatives<Plan> for Tangents<'_, Plan> {
         let mut moving = vec![true; sides.len()];
         for level in self.levels {
             let at = level.system.linearise(&level.state);
-            let inverse = level.system.convolution.inverse();
+            let inverse = level.system.convolution.stencils();
             let pattern = Pattern::new(&level.system.grid, inverse).ok();
             let preconditioner = (pattern.as_ref()).and_then(|p| Preconditioner::new(p, &at));
             let Some(mut preconditioner) = preconditioner else {

@@ -379,7 +379,6 @@ impl Case {
 pub fn finite_volumes_refuse(case: &Case) -> Option<&'static str> {
     volumes::why_not(&volumes::About {
         is_line: case.contact.kind.is_line(),
-        is_roller: case.contact.roller.is_some(),
         has_half_spaces: case.elastic_model() == ElasticModel::HalfSpace,
         heat: heat_about(case),
     })
@@ -400,6 +399,7 @@ fn heat_about(case: &Case) -> Option<volumes::HeatAbout> {
             || differs(&|t| body.heat_capacity.heat_capacity(0.0, t))
     };
     Some(volumes::HeatAbout {
+        is_roller: case.contact.kind == ContactKind::Roller,
         spins: case.motion.spin != [0.0; 2],
         is_starved: case.supply.is_limited(),
         bodies_vary: heat.is_some_and(|heat| varies(&heat.body_1) || varies(&heat.body_2)),

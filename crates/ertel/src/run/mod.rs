@@ -157,8 +157,8 @@ fn solve_here(
 /// Moes' groups M and L up to which finite elements take less time for a circular contact, measured by `benches/methods.rs`.
 const ELEMENTS_UP_TO: [f64; 2] = [1500.0, 11.0];
 
-/// The method that a case asks for, or else the one that takes less time: finite volumes for elliptical and starved contacts that they solve, and for
-/// circular ones with thin films, with films so thick that pressures far away count, with steep viscosities, or with shear rates that grow
+/// The method that a case asks for, or else the one that takes less time: finite volumes for rollers of finite length, elliptical and starved contacts that they solve, and
+/// for circular ones with thin films, with films so thick that pressures far away count, with steep viscosities, or with shear rates that grow
 /// exponentially with the stress.
 pub fn first_method(case: &Case) -> Method {
     if let Some(method) = case.solver.method {

@@ -15,6 +15,7 @@ use crate::solution::{SensitivityMethod, Solution, Stats};
 use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::heat::{Settings, output};
+use crate::volumes::roller_zone::with_zone_of_film;
 use crate::volumes::tangents::Tangents;
 use crate::volumes::{FiniteVolumes, Plan, fields, reduction, summary};
 
@@ -27,7 +28,7 @@ const MAX_UNKNOWNS: usize = 400_000;
 /// As [`super::solve`].
 pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     let clock = Instant::now();
-    let problem = problem_by_slices(case).with_plan(plan(case));
+    let problem = with_zone_of_film(problem_by_slices(case).with_plan(plan(case)), observer)?;
     let mut recorder = Recorder {
         observer,
         history: Vec::new(),
@@ -54,6 +55,8 @@ pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution
             newtonian.solver.newtonian = true;
             let mut newtonian = problem_by_slices(&newtonian).with_plan(plan(case));
             newtonian.heat = None;
+            // On the same grids.
+            newtonian.shape.zone = problem.shape.zone.clone();
             let thinned = thinned.as_ref().unwrap_or(&solved);
             reduction::film_reduction(thinned, newtonian, recorder.observer)?
         }

@@ -41,7 +41,7 @@ pub fn balance<Plan>(problem: &Problem<Plan>, levels: &[Level]) -> Balance {
         let grid = &level.system.grid;
         for [i, j] in grid.nodes() {
             let k = grid.index(i, j);
-            let weight = area * grid.cell() * share(levels, l, i, j);
+            let weight = area * grid.cell(j) * share(levels, l, i, j);
             if weight == 0.0 {
                 continue;
             }

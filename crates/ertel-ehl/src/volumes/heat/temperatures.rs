@@ -154,6 +154,7 @@ pub fn step(
     let params = GmresParams {
         tolerance: KRYLOV_TOLERANCE,
         max_iterations: MOST_KRYLOV,
+        ..GmresParams::default()
     };
     info.krylov_iterations = match gmres(apply, |_| (), &right, &mut walls, params) {
         Ok(info) => info.iterations,

@@ -1,0 +1,70 @@
+//! Deflection on a grid: with even rows, or with those of a roller.
+
+use std::sync::Arc;
+
+use super::convolution::Convolution;
+use super::grid::Grid;
+use super::rows_convolution::RowsConvolution;
+
+/// How the bodies deflect under pressures at the nodes.
+pub enum Deflection {
+    /// Of a regular grid.
+    Even(Convolution),
+    /// Of a grid with uneven rows.
+    Rows(RowsConvolution),
+}
+
+impl Deflection {
+    /// Half-spaces of the compliance C over a grid.
+    pub fn new(grid: &Grid, compliance: f64) -> Deflection {
+        match &grid.rows {
+            None => Deflection::Even(Convolution::new(grid, compliance)),
+            Some(rows) => Deflection::Rows(RowsConvolution::new(grid, rows, compliance)),
+        }
+    }
+
+    /// At the nodes, under pressures there.
+    pub fn apply(&self, pressure: &[f64]) -> Vec<f64> {
+        match self {
+            Deflection::Even(convolution) => convolution.apply(pressure),
+            Deflection::Rows(convolution) => convolution.apply(pressure),
+        }
+    }
+
+    /// Nine-point stencils that are nearest to the inverse.
+    pub fn stencils(&self) -> Stencils {
+        match self {
+            Deflection::Even(convolution) => convolution.inverse().into(),
+            Deflection::Rows(convolution) => convolution.stencils(),
+        }
+    }
+}
+
+impl From<Convolution> for Arc<Deflection> {
+    fn from(convolution: Convolution) -> Arc<Deflection> {
+        Arc::new(Deflection::Even(convolution))
+    }
+}
+
+/// Nine-point stencils, one for all rows or one for each: weights at the centre, along the first and the second direction, and on the diagonals.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stencils(Vec<[f64; 4]>);
+
+impl Stencils {
+    /// One for each row.
+    pub fn of_rows(stencils: Vec<[f64; 4]>) -> Stencils {
+        Stencils(stencils)
+    }
+
+    /// That of a row.
+    #[inline(always)]
+    pub fn of(&self, row: usize) -> &[f64; 4] {
+        &self.0[row.min(self.0.len() - 1)]
+    }
+}
+
+impl From<[f64; 4]> for Stencils {
+    fn from(stencil: [f64; 4]) -> Stencils {
+        Stencils(vec![stencil])
+    }
+}

@@ -1,0 +1,81 @@
+//! Where the pressure of a roller ends, by its film on a few coarse grids: slices of the dry contact are off by up to a tenth where ends carry much, and rows
+//! lie near to each other where they say.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::engine::{FiniteVolumes, Plan, Volumes};
+use crate::contact::Symmetry;
+use crate::engine::{Engine, Observer, Problem};
+use crate::solve::SolveError;
+
+/// Grids: the last one has cells of a twentieth of a half-width.
+const GRIDS: usize = 4;
+
+/// The same problem, the zone of a roller by the loads per length that its film carries; as it is where these grids are not solved.
+///
+/// # Errors
+/// When the observer cancels.
+pub fn with_zone_of_film(
+    mut problem: Problem<Plan>,
+    observer: &mut dyn Observer,
+) -> Result<Problem<Plan>, SolveError> {
+    let Some(roller) = problem.shape.zone.roller.clone() else {
+        return Ok(problem);
+    };
+    let plan = problem.plan;
+    problem.plan.most_grids = GRIDS;
+    // All of these grids.
+    problem.plan.target_error = 0.0;
+    let found = FiniteVolumes.solve(&problem, observer);
+    problem.plan = plan;
+    match found {
+        Err(SolveError::Interrupted) => Err(SolveError::Interrupted),
+        Err(_) => Ok(problem),
+        Ok(found) => {
+            let loads = loads(&found);
+            let at = |y: f64| {
+                let y = match problem.shape.symmetry {
+                    Symmetry::Half => -y.abs(),
+                    Symmetry::Full => y,
+                };
+                between(&loads, y)
+            };
+            problem.shape.zone.roller = Some(Arc::new(roller.with_loads(at)));
+            Ok(problem)
+        }
+    }
+}
+
+/// Places along the axis with the load per length there, in units in which that of the line contact under the mean load is 1 on the finest grid, which holds nearly all of it.
+fn loads(found: &Volumes) -> Vec<[f64; 2]> {
+    let Some(finest) = found.levels.last() else {
+        return Vec::new();
+    };
+    let grid = &finest.system.grid;
+    let [nx, ny] = grid.n;
+    let of_row = |j: usize| {
+        let along: f64 = (0..nx)
+            .map(|i| {
+                let share = if i == 0 || i + 1 == nx { 0.5 } else { 1.0 };
+                share * finest.state.pressure[grid.index(i, j)]
+            })
+            .sum();
+        // Of the Hertz pressure of a line, ∫P dX = π/2.
+        [grid.on_axes(0, j)[1], 2.0 / PI * along * grid.spacing[0]]
+    };
+    (0..ny).map(of_row).collect()
+}
+
+/// Between the places by straight lines.
+fn between(loads: &[[f64; 2]], y: f64) -> f64 {
+    let after = loads.partition_point(|[place, _]| *place <= y);
+    let [Some(a), Some(b)] = [after.wrapping_sub(1), after].map(|k| loads.get(k)) else {
+        return match (loads.first(), loads.last()) {
+            (Some(first), _) if y < first[0] => first[1],
+            (_, Some(last)) => last[1],
+            _ => 0.0,
+        };
+    };
+    a[1] + (b[1] - a[1]) * (y - a[0]) / (b[0] - a[0])
+}
