@@ -313,11 +313,11 @@ fn a_curve_of_whole_machines() {
     let report = output::curve_report(&case.echo(), &solved, None);
     assert!(report.contains("over the power at the pinion"), "{report}");
     let json = output::curve_json(&case.echo(), &solved).unwrap();
-    assert!(
-        json["points"][1]["figures"]["mesh_efficiency"]["value"]
-            .as_f64()
-            .unwrap()
-            > 0.9
+    let last = &solved.points[1].machine.as_ref().unwrap().figures;
+    let power = last.find("friction_power").unwrap().estimate.value;
+    assert_eq!(
+        json["points"][1]["figures"]["friction_power"]["value"],
+        power
     );
     let files = output::curve_files(&case.echo(), &solved, &case.output).unwrap();
     assert!(files.iter().any(|f| f.name == "mesh-loss-curve.svg"));
