@@ -554,7 +554,7 @@ fn what_cannot_be_solved() {
 fn the_heaviest_slice_of_a_roller() {
     let geometry = crate::bearing::geometry::RollerGeometry {
         profile: RollerProfile::Cylinder,
-        ..cylindrical()
+        ..cylindrical(0.0)
     };
     let ratio = |tilt: f64| {
         let loads = Loads {
