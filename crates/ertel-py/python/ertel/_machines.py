@@ -45,11 +45,11 @@ class Bearing(_MachineCase):
     Parameters
     ----------
     designation : str, optional
-        A bearing of the catalogue, ``"6206"`` or ``"NU 206"``; without it give the dimensions as keywords (``balls``,
+        A bearing of the catalogue, ``"6206"``, ``"NU 206"`` or ``"30206"``; without it give the dimensions as keywords (``balls``,
         ``ball_diameter``, ``pitch_diameter``, ...).
     kind : str, optional
-        ``"ball-bearing"`` or ``"roller-bearing"``. By default a bearing has rollers where its designation begins with N or a keyword begins
-        with ``roller``, and balls elsewhere.
+        ``"ball-bearing"`` or ``"roller-bearing"``. By default that of the designation; without one, a bearing has rollers where a keyword
+        begins with ``roller``, and balls elsewhere.
     bodies : str or mapping
         Material of rings and elements, ``"steel"``, or ``{"body_1": ..., "body_2": ...}`` with the rings as body 1 and the elements as
         body 2.
@@ -95,9 +95,8 @@ class Bearing(_MachineCase):
         folder: str | os.PathLike[str] = "",
         **keys: Any,
     ) -> None:
-        if kind is None:
-            rolls = str(designation or "").lstrip().upper().startswith("N") or any(key.startswith("roller") for key in keys)
-            kind = "roller-bearing" if rolls else "ball-bearing"
+        if kind is None and designation is None:
+            kind = "roller-bearing" if any(key.startswith("roller") for key in keys) else "ball-bearing"
         keys.update(bodies=bodies, lubricant=lubricant, temperature=temperature)
         super().__init__(folder, {"kind": kind, "designation": designation}, keys)
 

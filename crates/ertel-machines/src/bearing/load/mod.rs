@@ -212,6 +212,13 @@ pub struct RingContact {
 }
 
 impl RingContact {
+    /// Load per length of the heaviest slice of a roller over its mean; `None` of balls, and where nothing presses.
+    pub fn peak_slice(&self) -> Option<f64> {
+        let loads = || self.slices.iter().map(|slice| slice.line_load);
+        let sum: f64 = loads().sum();
+        (sum > 0.0).then(|| loads().fold(0.0, f64::max) * self.slices.len() as f64 / sum)
+    }
+
     /// The contact of a ball for a solver of lubricated contacts, body 1 the ring; `None` of rollers and where nothing touches.
     pub fn ellipse(&self) -> Option<Contact> {
         (self.slices.is_empty() && self.load > 0.0)

@@ -547,3 +547,27 @@ fn what_cannot_be_solved() {
     let bad = solve(&Bearing::steel(bad), Loads::forces(1.0, 0.0), &defaults);
     assert!(matches!(bad, Error::Geometry(_)));
 }
+
+/// Rollers that are cylinders bear evenly without tilt; tilted so that one end is just relieved, the load grows from it as t^(10/9): 19/9 of the mean at the
+/// other end, in the last slice of 41 less by its half width.
+#[test]
+fn the_heaviest_slice_of_a_roller() {
+    let geometry = crate::bearing::geometry::RollerGeometry {
+        profile: RollerProfile::Cylinder,
+        ..cylindrical(0.0)
+    };
+    let ratio = |tilt: f64| {
+        let loads = Loads {
+            radial: [Given::Shift(20e-6), Given::Shift(0.0)],
+            axial: Given::Shift(0.0),
+            tilt: [Given::Shift(0.0), Given::Shift(tilt)],
+        };
+        let found = Bearing::steel(Geometry::CylindricalRoller(geometry))
+            .solve(&loads, Speeds::default(), &Params::default())
+            .unwrap();
+        found.elements[0].contacts[0].peak_slice().unwrap()
+    };
+    assert_relative_eq!(ratio(0.0), 1.0, max_relative = 1e-12);
+    let last = 19.0 / 9.0 * (40.5_f64 / 41.0).powf(10.0 / 9.0);
+    assert_relative_eq!(ratio(4e-3), last, max_relative = 2e-3);
+}

@@ -67,11 +67,11 @@ fn kind(table: &mut Table<'_>) -> Result<MachineKind, InputError> {
         .map(|text| text.replace('_', "-"));
     if text.is_none()
         && let Some(designation) = table.optional_str("designation")?
-        && let Some(elements) = Elements::of_designation(designation)
     {
-        return Ok(match elements {
-            Elements::Balls => MachineKind::BallBearing,
-            Elements::Rollers | Elements::TaperedRollers => MachineKind::RollerBearing,
+        return Ok(match Elements::of_designation(designation) {
+            // Which bearings there are is told where it is looked up.
+            Some(Elements::Balls) | None => MachineKind::BallBearing,
+            Some(Elements::Rollers | Elements::TaperedRollers) => MachineKind::RollerBearing,
         });
     }
     match KINDS.iter().find(|(name, _)| text.as_deref() == Some(name)) {

@@ -2,19 +2,20 @@
 
 mod geometry;
 mod life;
+mod refusal;
 mod rollers;
 
 use ertel_input::{Bounds, InputError, Table};
 use ertel_machines::bearing::catalogue::Entry;
-use ertel_machines::bearing::geometry::{Play, Ring};
+use ertel_machines::bearing::geometry::Ring;
 use ertel_machines::bearing::kinematics::{RacewayControl, Speeds};
-use ertel_machines::bearing::load::{Distribution, Error, Given, Loads, Params, RingContact};
-use ertel_machines::bearing::{Bearing, Geometry, Material, life as ratings};
+use ertel_machines::bearing::load::{Distribution, Given, Loads, Params, RingContact};
+use ertel_machines::bearing::{Bearing, Geometry, Material};
 use ertel_quantity::Dimension;
 
 pub(super) use geometry::Elements;
-use geometry::Inside;
 pub use life::{Contamination, LifeInputs};
+use refusal::not_distributed;
 
 use super::whole::{Axis, Choice, MachineContact, WholeMachine, like};
 use super::{ANGULAR_SPEED, Machine, Mechanics, Rows, Steel};
@@ -120,9 +121,6 @@ pub(super) fn read(
     })?;
     let motion = motion(table, kind, found)?;
     let life = life::read(table)?;
-    if kind == ContactKind::Lines {
-        warnings.extend(uneven(found, &name(governing, word)));
-    }
     let folders = table.optional_bool("folders")?.unwrap_or(false);
     let mut rows = Rows::default();
     rows.text(
@@ -272,81 +270,6 @@ fn loads(table: &mut Table<'_>, elements: Elements) -> Result<Loads, InputError>
     })
 }
 
-/// Static equivalent loads, in static ratings, from which on they are the reason why no equilibrium is found.
-const OVERLOAD: f64 = 3.0;
-
-/// Says why a bearing has no load distribution.
-fn not_distributed(table: &Table<'_>, error: &Error, inside: &Inside, loads: &Loads) -> InputError {
-    let given = |load: &Given| match load {
-        Given::Load(load) => load.abs(),
-        Given::Shift(_) => 0.0,
-    };
-    let told = table.error_here(error.to_string());
-    match error {
-        Error::Unloaded => {
-            told.with_help("give `radial_load`, `axial_load` or `axial_preload` other than zero")
-        }
-        Error::Separation(_) => {
-            let factor = 1.25 * inside.geometry.free_angle().tan();
-            told.with_help(format!(
-                "give `axial_load`, {} of the radial load or more, so that half of the rollers carry, or `axial_preload`",
-                digits(factor, 2)
-            ))
-        }
-        Error::NoConvergence { .. } | Error::Element { .. } => {
-            let load = given(&loads.radial[0]).max(given(&loads.axial));
-            let rating = static_rating(inside);
-            if rating.is_some_and(|rating| load > OVERLOAD * rating) {
-                let rating = rating.unwrap_or(f64::NAN);
-                let key = match given(&loads.radial[0]) >= given(&loads.axial) {
-                    true => "radial_load",
-                    false => "axial_load",
-                };
-                return table
-                    .error(
-                        key,
-                        format!(
-                            "{} kN are {} times the static load rating C_0 of {} kN: the elements are pressed so deep into the rings that no equilibrium was found",
-                            digits(1e-3 * load, 4),
-                            digits(load / rating, 3),
-                            digits(1e-3 * rating, 4),
-                        ),
-                    )
-                    .with_help("the raceways are dented for good from about the static rating on: give a smaller load, or a larger bearing");
-            }
-            let help = match inside.geometry {
-                Geometry::TaperedRoller(roller) => format!(
-                    "a radial load pushes the rings of tapered rollers apart: give `axial_load` of at least {} of the radial load, so that half of the \
-                     rollers carry, or `axial_preload`",
-                    digits(1.25 * roller.cup_angle.tan(), 2)
-                ),
-                _ => "check loads, speeds and dimensions: such a bearing has no equilibrium that was found".to_owned(),
-            };
-            told.with_help(help)
-        }
-        _ => told,
-    }
-}
-
-/// C_0, N, as far as catalogue or geometry tell.
-fn static_rating(inside: &Inside) -> Option<f64> {
-    let published = inside.entry.as_ref().and_then(|entry| entry.ratings);
-    if let Some(published) = published {
-        return Some(published.value[1]);
-    }
-    match &inside.geometry {
-        Geometry::Ball(ball) => {
-            let nominal = match ball.play {
-                Play::FreeAngle(angle) => angle,
-                Play::Clearance(_) => 0.0,
-            };
-            ratings::deep_groove_static_rating(ball, nominal).ok()
-        }
-        Geometry::CylindricalRoller(roller) => Some(ratings::roller_static_rating(&roller.into())),
-        Geometry::TaperedRoller(roller) => Some(ratings::roller_static_rating(&roller.into())),
-    }
-}
-
 /// The single contact that the file asks for.
 fn chosen(table: &mut Table<'_>, n: usize, word: &str) -> Result<Option<Place>, InputError> {
     let most = i64::try_from(n).unwrap_or(i64::MAX) - 1;
@@ -386,7 +309,12 @@ fn contact(geometry: &Geometry, kind: ContactKind, found: &RingContact) -> Optio
             let roller = Roller {
                 length,
                 profile,
-                misalignment: found.tilt,
+                // Nothing of less than a picoradian: rounding, which would tell rollers apart that are alike.
+                misalignment: if found.tilt.abs() < 1e-12 {
+                    0.0
+                } else {
+                    found.tilt
+                },
             };
             Contact::of_roller(radius, found.load, roller)
         }
@@ -407,37 +335,6 @@ fn heaviest(distribution: &Distribution) -> Place {
         }
     }
     best
-}
-
-/// Share of the mean load per length, above one, from which on a line under it does not stand for its roller.
-const UNEVEN: f64 = 1.5;
-
-/// What to know of a roller that is solved as a line.
-fn uneven(contact: &RingContact, name: &str) -> Option<Warning> {
-    let share = peak_slice(contact).filter(|share| *share > UNEVEN)?;
-    Some(Warning::beyond(
-        WarningKind::Other,
-        share,
-        format!(
-            "{name} is solved as a line under its mean load per length, but its heaviest slice carries {} times that{}: give `roller_contacts = \"finite\"`",
-            digits(share, 3),
-            match contact.tilt.abs() > 1e-9 {
-                true => format!(
-                    " (it is tilted by {} mrad)",
-                    digits(1e3 * contact.tilt.abs(), 3)
-                ),
-                false => String::new(),
-            }
-        ),
-    ))
-}
-
-/// Load per length of the heaviest slice of a roller over its mean; `None` of balls, and where nothing presses.
-pub(crate) fn peak_slice(contact: &RingContact) -> Option<f64> {
-    let n = contact.slices.len();
-    let sum: f64 = contact.slices.iter().map(|slice| slice.line_load).sum();
-    let most = (contact.slices.iter()).fold(0.0_f64, |most, slice| most.max(slice.line_load));
-    (sum > 0.0).then(|| most * n as f64 / sum)
 }
 
 /// Every element at both rings. An element that the inner ring does not touch is pressed by its inertia alone: such contacts are told, not solved.
@@ -541,7 +438,7 @@ fn tell(rows: &mut Rows, found: &Distribution, (governing, word): (Place, &str))
     rows.number("  its load", contact.load, "N");
     rows.text("  its Hertz pressure", pressure(contact.pressure));
     rows.number("  its contact angle", contact.angle.to_degrees(), "deg");
-    if let Some(share) = peak_slice(contact) {
+    if let Some(share) = contact.peak_slice() {
         rows.number(
             "  load per length of its heaviest slice, over the mean",
             share,

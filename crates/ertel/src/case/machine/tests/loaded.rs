@@ -218,15 +218,7 @@ fn tapered_rollers() {
 #[test]
 fn finite_rollers_are_tilted() {
     let tilted = format!("{ROLLERS}misalignment = \"0.5 mrad\"\n");
-    let lines = read(&format!("{ROLLERS}misalignment = \"2.5 mrad\"\n"));
-    let told = |case: &Case| {
-        case.warnings
-            .iter()
-            .any(|w| w.text.contains("heaviest slice"))
-    };
-    assert!(told(&lines) && !told(&read(ROLLERS)));
     let case = read(&format!("{tilted}roller_contacts = \"finite\"\n"));
-    assert!(!told(&case));
     let roller = case.contact.roller.as_ref().unwrap();
     assert_relative_eq!(roller.misalignment.abs(), 0.25e-3, max_relative = 0.05);
     let whole = case.whole.as_ref().unwrap();
