@@ -51,7 +51,7 @@ impl MovingBody {
     /// θ.
     fn memory(&self, time: f64) -> f64 {
         let b = self.depth * self.depth / (self.diffusivity() * time);
-        let sign = |n: usize| if n % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
         match b > PI {
             true => {
                 1.0 + (1..TERMS)

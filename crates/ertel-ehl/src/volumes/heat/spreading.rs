@@ -36,7 +36,7 @@ fn smooth(least: usize) -> usize {
     let is_smooth = |n: &usize| {
         let mut n = *n;
         for p in [2, 3, 5] {
-            while n % p == 0 {
+            while n.is_multiple_of(p) {
                 n /= p;
             }
         }
