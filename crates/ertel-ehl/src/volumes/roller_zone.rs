@@ -12,7 +12,8 @@ use crate::solve::SolveError;
 /// Grids: the last one has cells of a twentieth of a half-width.
 const GRIDS: usize = 4;
 
-/// The same problem, the zone of a roller by the loads per length that its film carries; as it is where these grids are not solved.
+/// The same problem, rows drawn around where the loads per length end that the film carries; as it is where these grids are not solved. The zone stays that of
+/// the slices: what is told of it is that of the dry contact.
 ///
 /// # Errors
 /// When the observer cancels.
@@ -41,7 +42,7 @@ pub fn with_zone_of_film(
                 };
                 between(&loads, y)
             };
-            problem.shape.zone.roller = Some(Arc::new(roller.with_loads(at)));
+            problem.shape.zone.roller = Some(Arc::new(roller.drawn_around(at)));
             Ok(problem)
         }
     }

@@ -46,6 +46,12 @@ impl RollerZone {
         RollerZone::new(self.half_length, load, &self.kinks)
     }
 
+    /// The same with rows and meshes drawn around the ends of other loads per length.
+    pub fn drawn_around(&self, load: impl Fn(f64) -> f64) -> RollerZone {
+        let ends = ends(self.half_length, &load);
+        RollerZone::between(ends, self.half_length, |y| self.load(y), &self.kinks)
+    }
+
     /// The same with a mesh that tells whether an edge presses in, which these loads do not know.
     pub fn to_look_at_edges(&self, load: impl Fn(f64) -> f64) -> RollerZone {
         let ends = ends(self.half_length, &load).map(|end| End { cut: false, ..end });
