@@ -87,6 +87,45 @@ fn both_engines_agree() {
     }
 }
 
+/// A tilted roller with a logarithmic profile and a ball with heat, by both methods: figures as above, and temperatures.
+#[test]
+fn both_engines_agree_on_rollers_and_heat() {
+    let motion = "entrainment_speed = \"2 m/s\"\nslide_to_roll_ratio = 0.1";
+    let roller = "kind = \"roller\"\nradius = \"5 mm\"\nlength = \"8 mm\"\nload = \"1 kN\"\nmisalignment = \"0.01 deg\"\n\
+                  profile = { kind = \"logarithmic\", design_load = \"1.5 kN\" }";
+    let mesh = "[mesh]\ntarget_error = 0.01\n[output]\nsensitivities = false";
+    let heat = "[thermal]\n[mesh]\ntarget_error = 0.01\n[output]\nsensitivities = false";
+    let warm = text_of(BALL, motion, heat, "20").replacen(
+        "lubricant = { ",
+        "lubricant = { base_oil = \"mineral\", ",
+        1,
+    );
+    let warm = warm.replace(
+        "mu_0 = ",
+        "beta = \"0.04 1/K\", reference_temperature = \"40 degC\", mu_0 = ",
+    );
+    let cases = [case(roller, motion, mesh), parsed(warm)];
+    for (mut case, asked) in cases.into_iter().zip([
+        &[Figure::RollerMoment, Figure::FrictionPower][..],
+        &[
+            Figure::FilmTemperatureMaximum,
+            Figure::Body1TemperatureMaximum,
+            Figure::TractionCoefficient,
+        ],
+    ]) {
+        case.solver.method = Some(Method::FiniteVolumes);
+        let own = solved(&case);
+        assert_eq!(own.stats.method, Method::FiniteVolumes);
+        let found = cross_check(&case, &own, &mut NoObserver).unwrap();
+        let films = [Figure::FilmCentral, Figure::FilmMinimum];
+        for figure in films.iter().chain(asked) {
+            let crossed = found.figures.iter().find(|c| c.figure == *figure);
+            let crossed = crossed.unwrap_or_else(|| panic!("{figure:?}"));
+            assert_eq!(crossed.verdict(), Verdict::Agrees, "{crossed:?}");
+        }
+    }
+}
+
 /// Fluids that thin by shear, as above and with what thinning does to the film: Eyring's with sliding across and spin, Carreau's in an ellipse at
 /// an angle.
 #[test]

@@ -82,7 +82,7 @@ const LEAST_GRIDS: usize = 4;
 const STEEP: f64 = 4.0;
 
 /// How Newton's method tries again on a grid where it did not converge: with shorter steps, and more of them.
-const AGAIN: (f64, usize) = (0.05, 60);
+const AGAIN: (f64, usize) = (0.05, 100);
 
 /// Multiples of the speed over which a first grid is solved that it does not solve then either. On finer grids they have not helped: the films of
 /// the grid before are a better start than those of another speed.
