@@ -146,7 +146,7 @@ mod tests {
     /// Wrong answers are told and asked for again; a slip of a unit is asked about.
     #[test]
     fn answers_are_checked_at_once() {
-        let answers = "8\n20 mm\n40\n40,5 N\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n80 degC\n80 degC\n\n\n0.02 1/GPa\n\n";
+        let answers = "9\n20 mm\n40\n40,5 N\n40 N\n3000 rpm\n2 m/s\n1.5 m/s\n\n\n80 degC\n80 degC\n\n\n0.02 1/GPa\n\n";
         let (text, said) = answered(None, answers);
         let case = Case::from_text("case.toml", &text.unwrap(), Path::new("")).unwrap();
         assert_eq!(case.contact.load, 40.0);
