@@ -17,6 +17,9 @@ use crate::solution::{Estimate, Figure};
 use crate::warning::{Warning, WarningKind};
 use crate::words::digits;
 
+/// Tilt of a roller that is told, rad.
+const LEAST_TILT: f64 = 1e-9;
+
 /// Ratio of shear stress to pressure, mean over a contact, that no lubricant transmits.
 const IMPOSSIBLE: f64 = 0.15;
 
@@ -98,13 +101,20 @@ fn heaviest_slice(
     let heaviest = contacts.max_by(|a, b| a.pressure.total_cmp(&b.pressure))?;
     let share = heaviest.peak_slice()?;
     if mechanics.contacts == ContactKind::Lines && share > UNEVEN {
+        // Below, a tilt is rounding.
+        let tilt = match heaviest.tilt.abs() > LEAST_TILT {
+            true => format!(
+                ", at a tilt of {} mrad",
+                digits(1e3 * heaviest.tilt.abs(), 3)
+            ),
+            false => String::new(),
+        };
         warnings.push(Warning::new(
             WarningKind::Other,
             format!(
                 "rollers are solved as lines under their mean load per length, but the heaviest slice of the roller under the largest pressure carries {} times \
-                 that, at a tilt of {} mrad: give `roller_contacts = \"finite\"`",
-                digits(share, 3),
-                digits(1e3 * heaviest.tilt.abs(), 3)
+                 that{tilt}: give `roller_contacts = \"finite\"`",
+                digits(share, 3)
             ),
         ));
     }
