@@ -17,7 +17,7 @@ const GRIDS: usize = 4;
 ///
 /// # Errors
 /// When the observer cancels.
-pub fn with_zone_of_film(
+pub fn with_rows_by_film(
     mut problem: Problem<Plan>,
     observer: &mut dyn Observer,
 ) -> Result<Problem<Plan>, SolveError> {

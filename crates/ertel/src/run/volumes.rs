@@ -15,7 +15,7 @@ use crate::solution::{SensitivityMethod, Solution, Stats};
 use crate::solve::{Observer, SolveError};
 use crate::volumes::film::PatchedFilm;
 use crate::volumes::heat::{Settings, output};
-use crate::volumes::roller_zone::with_zone_of_film;
+use crate::volumes::roller_zone::with_rows_by_film;
 use crate::volumes::tangents::Tangents;
 use crate::volumes::{FiniteVolumes, Plan, fields, reduction, summary};
 
@@ -28,7 +28,7 @@ const MAX_UNKNOWNS: usize = 400_000;
 /// As [`super::solve`].
 pub(super) fn solve(case: &Case, observer: &mut dyn Observer) -> Result<Solution, SolveError> {
     let clock = Instant::now();
-    let problem = with_zone_of_film(problem_by_slices(case).with_plan(plan(case)), observer)?;
+    let problem = with_rows_by_film(problem_by_slices(case).with_plan(plan(case)), observer)?;
     let mut recorder = Recorder {
         observer,
         history: Vec::new(),

@@ -10,7 +10,7 @@ use crate::contact::roller::Profile;
 use crate::solve::SolveError;
 use crate::volumes::deflection::Deflection;
 use crate::volumes::grid::RING;
-use crate::volumes::roller_zone::with_zone_of_film;
+use crate::volumes::roller_zone::with_rows_by_film;
 use crate::volumes::rows::Rows;
 
 /// Rows from −1 to 1, or to the middle, whose distances change by a factor of six: `n` steps on either side.
@@ -267,7 +267,7 @@ fn tangents_of_rollers_against_differences_of_solves() {
 #[test]
 fn rows_by_the_film_have_the_same_films() {
     let slices = roller(logarithmic(), 1e-4, 0.02);
-    let film = with_zone_of_film(roller(logarithmic(), 1e-4, 0.02), &mut NoObserver).unwrap();
+    let film = with_rows_by_film(roller(logarithmic(), 1e-4, 0.02), &mut NoObserver).unwrap();
     let zones = [&slices, &film].map(|problem| problem.shape.zone.roller.clone().unwrap());
     assert_ne!(zones[0], zones[1]);
     for y in [-0.7, -0.3, 0.0, 0.5] {
