@@ -394,7 +394,7 @@ fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents
         if let Some(roller) = &shape.zone.roller {
             return roller.side();
         }
-        3.0_f64.max(reach.side.ceil_half())
+        3.0_f64.max(reach.side.ceil_half()).min(end_across(shape))
     });
     let widest = inlet.abs().max(outlet).max(side);
     Extents {
@@ -410,17 +410,38 @@ fn extents(reach: Reach, mesh: &MeshParams, film: f64, shape: &Shape) -> Extents
     }
 }
 
+/// Where bodies end across the motion, for the edge of the contact area: of ellipses that are wide there, whose films do not feel it.
+///
+/// Measured on the inner ring of a 6206 (1.05 kN, 3000 rpm), whose ball ends at 3.4 half-widths: with edges at 2.25, 3, 5 and 26 half-widths both films
+/// are the same to a tenth of their error bars.
+fn end_across(shape: &Shape) -> f64 {
+    let ratio = shape.zone.axis_ratio;
+    match shape.zone.turn.is_none() && ratio > WIDE {
+        true => (shape.ends[1] / ratio).floor_half().max(NEAREST_SIDE),
+        false => f64::INFINITY,
+    }
+}
+
+/// Axis ratio from which an ellipse is wide, and the nearest edge across the motion, in half-widths.
+const WIDE: f64 = 1.5;
+const NEAREST_SIDE: f64 = 2.0;
+
 /// Distance of the outlet edge from the widest place of the dry contact of a roller at least, in half-widths of its line.
 const BEYOND_ROLLER: f64 = 0.3;
 
-/// Rounding up to halves: contact areas that bisection meshes well.
-trait CeilHalf {
+/// Rounding to halves: contact areas that bisection meshes well.
+trait ToHalves {
     fn ceil_half(self) -> f64;
+    fn floor_half(self) -> f64;
 }
 
-impl CeilHalf for f64 {
+impl ToHalves for f64 {
     fn ceil_half(self) -> f64 {
         (2.0 * self).ceil() / 2.0
+    }
+
+    fn floor_half(self) -> f64 {
+        (2.0 * self).floor() / 2.0
     }
 }
 

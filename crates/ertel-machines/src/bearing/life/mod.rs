@@ -33,11 +33,26 @@ pub const BALL_EXPONENT: f64 = 3.0;
 /// Exponent of the life of roller bearings, L10 = (C/P)^(10/3).
 pub const ROLLER_EXPONENT: f64 = 10.0 / 3.0;
 
+/// A value with four digits.
+fn four(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    rounded.to_string()
+}
+
+/// A range in words.
+fn range(low: f64, high: f64) -> String {
+    match (low == f64::NEG_INFINITY, high == f64::INFINITY) {
+        (_, true) => format!("{low} and more"),
+        (true, _) => format!("{high} and less"),
+        _ => format!("{low} to {high}"),
+    }
+}
+
 /// Why there is no rating or life.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// Outside of a standard's table or range, which is not extrapolated.
-    #[error("{name} is {value}; the standard covers {low} to {high}")]
+    #[error("{name} is {}; the standard covers {}", four(*.value), range(*.low, *.high))]
     Range {
         /// What.
         name: &'static str,

@@ -15,7 +15,7 @@ pub use data::{DATA_FORMAT, DATA_VERSION};
 
 use super::lines::{Block, Lines};
 use super::machine::{
-    machine_pictures, machine_table, warning_texts, write_contacts, write_figures,
+    machine_pictures, table_of_pressed, warning_texts, write_figures, write_idle,
 };
 use super::report::{write_case, write_contact, write_effort, write_formulas, write_results};
 use super::{curve_report, curve_table, heat, inputs};
@@ -212,12 +212,12 @@ pub fn machine_page(
     let n_axes = if whole.has_sides() { 2 } else { 1 };
     let data = json!({
         "version": DATA_VERSION,
-        "table": table(&machine_table(machine), n_axes),
+        "table": table(&table_of_pressed(machine), n_axes),
     });
     let results = part(
         |out| {
             write_figures(out, figures);
-            write_contacts(out, machine);
+            write_idle(out, machine);
         },
         "",
     );

@@ -11,8 +11,9 @@ pub use json::{MACHINE_FORMAT, machine_json};
 pub(super) use over::{DRAWN, Drawn, TOLD};
 pub(super) use picture::pictures as machine_pictures;
 pub use report::machine_report;
-pub(super) use report::{shown, warning_texts, write_contacts, write_figures};
+pub(super) use report::{shown, warning_texts, write_figures, write_idle};
 pub use table::machine_table;
+pub(super) use table::table_of_pressed;
 
 use std::path::Path;
 

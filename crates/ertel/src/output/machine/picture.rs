@@ -199,5 +199,6 @@ fn along(title: &str, machine: &MachineSolution) -> Drawing {
             vec![(String::new(), shown(hottest, 1.0), Look::LineAndDots)],
         ));
     }
-    side_by_side(title, &charts, 2)
+    // Two rows.
+    side_by_side(title, &charts, charts.len().div_ceil(2))
 }

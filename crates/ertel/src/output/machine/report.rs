@@ -176,15 +176,17 @@ pub(in crate::output) fn write_contacts(out: &mut Lines, machine: &MachineSoluti
     };
     let widths = (0..head.len()).map(|j| (width(j), 2)).collect();
     out.table(Table { head, rows, widths });
-    let idle = whole
-        .contacts
-        .iter()
-        .filter(|contact| contact.like.is_none());
-    match idle.count() {
+    write_idle(out, machine);
+}
+
+/// How many contacts have no films, and why.
+pub(in crate::output) fn write_idle(out: &mut Lines, machine: &MachineSolution) {
+    let contacts = &machine.machine.contacts;
+    match contacts.iter().filter(|contact| contact.like.is_none()).count() {
         0 => {}
         n => out.note(&format!(
             "{n} of {} contacts are not solved: nothing presses there, or inertia alone",
-            whole.contacts.len()
+            contacts.len()
         )),
     }
 }

@@ -14,11 +14,16 @@ function parseCsv(text) {
   return rows;
 }
 
-const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_million_revolutions", "million revolutions"], ["_Pa_s", "Pa.s"], ["_per_s", "1/s"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"]];
-const PLAIN = ["film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "friction_torque_N_m", "friction_power_W", "mesh_loss", "scuffing_safety", "micropitting_safety", "static_safety_factor", "modified_rating_life_million_revolutions", "converged"];
+const SUFFIXES = [["_kg_per_m3", "kg/m^3"], ["_m_per_s", "m/s"], ["_N_per_m", "N/m"], ["_W_per_m", "W/m"], ["_N_m", "N m"], ["_million_revolutions", "million revolutions"], ["_Pa_s", "Pa.s"], ["_rad_per_s", "rad/s"], ["_per_s", "1/s"], ["_J", "N m"], ["_degC", "°C"], ["_Pa", "Pa"], ["_rad", "rad"], ["_m", "m"], ["_N", "N"], ["_W", "W"], ["_K", "K"]];
+const PLAIN = ["film_central_m", "film_minimum_m", "pressure_central_Pa", "traction_coefficient", "friction_total", "lambda_minimum", "film_temperature_maximum_K", "friction_torque_N_m", "friction_power_W", "friction_power_W_per_m", "mesh_loss", "scuffing_safety", "micropitting_safety", "static_safety_factor", "modified_rating_life_million_revolutions", "converged"];
+// What is shown first of the contacts of a machine.
+const OF_MACHINES = ["name", "load_N", "load_N_per_m", "hertz_pressure_Pa", "entrainment_speed_m_per_s", "slide_to_roll_ratio", "film_central_m", "film_minimum_m", "lambda_minimum", "traction_coefficient", "friction_total", "friction_power_W", "friction_power_W_per_m", "film_temperature_maximum_K"];
+
+// What is drawn first of whole machines over what varies.
+const OF_WHOLE_MACHINES = ["friction_torque_N_m", "mesh_loss", "friction_power_W"];
 
 const WORDS = {
-  film_central: "central film", film_minimum: "minimum film", pressure_maximum: "largest pressure", pressure_central: "smooth pressure maximum", hertz_pressure: "Hertz pressure",
+  name: "contact", film_central: "central film", film_minimum: "minimum film", pressure_maximum: "largest pressure", pressure_central: "smooth pressure maximum", hertz_pressure: "Hertz pressure",
   friction_total: "friction coefficient", lambda_minimum: "lambda ratio", film_temperature_maximum: "largest film temperature",
   shear_stress_maximum: "largest shear stress",
 };
@@ -48,6 +53,7 @@ class TableView {
   constructor({ rows: [head, ...rows], nAxes, leftOut }) {
     this.columns = head.map(describeColumn);
     this.nAxes = nAxes;
+    this.plain = head.includes("solved_as") ? OF_MACHINES : PLAIN;
     this.rows = rows.map((cells, i) => ({ cells, i }));
     const numbers = (c) => this.rows.map((r) => (r.cells[c] === "" ? NaN : Number(r.cells[c])));
     this.columns.forEach((column, c) => {
@@ -86,10 +92,11 @@ class TableView {
     // A curve has at least two points.
     const by = axes.filter((c) => c !== x && distinct(c) > 1 && distinct(c) <= 12 && 2 * distinct(c) <= this.rows.length);
     fill("table-by", [["one curve", ""], ...by.map((c) => [this.columns[c].words, c])], by[0] ?? "");
-    const find = (names) => names.map((n) => this.columns.findIndex((c) => c.title === n && c.isNumber)).find((i) => i >= 0) ?? numeric[0][1];
+    const figures = numeric.filter(([, i]) => i > 0);
+    const find = (names) => names.map((n) => this.columns.findIndex((c) => c.title === n && c.isNumber)).find((i) => i >= 0) ?? (figures[this.nAxes] ?? numeric[0])[1];
     fill("table-y1", [["Central and minimum film", "films"], ...named], this.columns.some((c) => c.title === "film_central_m" && c.isNumber) ? "films" : numeric[0][1]);
     const slides = this.columns.find((c) => c.title === "traction_coefficient")?.numbers.some((v) => Math.abs(v) > 1e-9);
-    fill("table-y2", [["Central and minimum film", "films"], ...named], find(slides ? ["friction_total", "traction_coefficient"] : ["pressure_central_Pa", "pressure_maximum_Pa"]));
+    fill("table-y2", [["Central and minimum film", "films"], ...named], find([...(slides ? ["friction_total", "traction_coefficient"] : ["pressure_central_Pa", "pressure_maximum_Pa"]), ...OF_WHOLE_MACHINES]));
     const positive = this.columns[x].numbers.filter((v) => v > 0);
     const box = document.getElementById("table-log");
     box.checked = positive.length > 2 && positive.length === this.rows.length && Math.max(...positive) > 8 * Math.min(...positive);
@@ -99,8 +106,11 @@ class TableView {
 
   shownColumns() {
     const all = document.getElementById("all-columns").checked;
-    return this.columns.map((c, i) => [c, i]).filter(([c, i]) => all || i <= this.nAxes || (PLAIN.includes(c.title) && this.rows.some((r) => r.cells[i] !== "")));
+    return this.columns.map((c, i) => [c, i]).filter(([c, i]) => all || i <= this.nAxes || (this.plain.includes(c.title) && this.rows.some((r) => this.says(c, r.cells[i]))));
   }
+
+  // Whether a cell is worth a column: zeros, and that points converged, go without saying.
+  says(column, text) { return column.title === "converged" ? text === "false" : text !== "" && Number(text) !== 0; }
 
   cell(column, row) {
     const text = row.cells[this.columns.indexOf(column)];

@@ -10,6 +10,8 @@ function unitOf(unit, size) {
     "Pa.s": [[1, 1, "Pa·s"], [0, 1e3, "mPa·s"]],
     "kg/m^3": [[0, 1, "kg/m³"]],
     "1/s": [[0, 1, "1/s"]],
+    "rad/s": [[0, 30 / Math.PI, "rpm"]],
+    rad: [[0, 180 / Math.PI, "°"]],
   };
   if (unit === "K") return { show: (v) => v - CELSIUS, back: (v) => v + CELSIUS, factor: 1, name: "°C" };
   const [, factor, name] = lists[unit] ? among(lists[unit]) : [0, 1, unit];
