@@ -47,6 +47,28 @@ fn assert_alike(a: &Solution, b: &Solution) {
     }
 }
 
+/// A ball in a groove ends at 3.4 half-widths across the motion, and so does its contact area, to a half; one that goes ten times as far has the same
+/// films.
+#[test]
+fn an_area_that_ends_with_the_ball_has_the_same_films() {
+    let mut case = ellipse([3.776e-3, 0.1238], 0.0);
+    case.contact.load = 1052.0;
+    let [ball, groove] = [[4.763e-3; 2], [18.22e-3, -4.953e-3]];
+    case.contact.body_curvatures = Some([groove, ball].map(|body| body.map(f64::recip)));
+    case.mesh = MeshParams::adaptive(5e-3, ContactKind::Elliptical);
+    case.solver.method = Some(Method::FiniteVolumes);
+    let near = solved(&case);
+    let reach = near.shape.ends[1] / near.shape.zone.axis_ratio;
+    let [_, _, side] = near.extents;
+    assert!(side <= reach && reach - side < 0.5, "{side} {reach}");
+    case.mesh.side = Some(10.0 * reach);
+    let far = solved(&case);
+    for (a, b) in films(&near).iter().zip(films(&far)) {
+        let bar = a.error.unwrap().min(b.error.unwrap());
+        assert!((a.value - b.value).abs() < 0.2 * bar, "{a:?} {b:?}");
+    }
+}
+
 /// Equal radii make the circle: the same mesh, and films to rounding.
 #[test]
 fn equal_radii_make_a_circle() {
