@@ -1,5 +1,5 @@
 //! The contacts by which error bars are tried: a row of `contacts.csv` each, drawn once at random (log-uniform sizes, Hertz pressures of 0.3 to 1.8 GPa, speeds,
-//! viscosities) and not chosen since.
+//! viscosities) and not chosen since, but that two tilts of rollers are a tenth of those drawn, with which the contact runs over the end.
 //!
 //! `angle_deg` is that of the motion to the principal directions of an ellipse, or the tilt of a roller; a zero stands for what a contact does not have.
 
