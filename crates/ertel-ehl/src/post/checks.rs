@@ -69,7 +69,7 @@ pub fn warning(shape: &Shape, e: &Extents, half_width: f64, figures: &Figures) -
     let text = format!(
         "the contact area reaches {:.3} mm from the centre at its {name}, {share:.1} times as far as the bodies, which end {:.3} mm from the \
          centre: thick films build up far away. The film is that of parabolas with oil between them all the way; traction, moment and \
-         friction power are summed as far as the bodies reach, and their error bars hold what the outer half of that adds ([mesh] {key} sets \
+         friction power are summed as far as the bodies reach, and their error bars allow for what the outer half of that adds ([mesh] {key} sets \
          the edge)",
         mm(share * end),
         mm(end),

@@ -6,7 +6,7 @@ use ertel_fem::platform::Instant;
 use super::beyond::Beyond;
 use super::contents::Arrival;
 use super::ending::{Ends, balance_error};
-use super::figures::{bar, bars, figures, films, is_settled};
+use super::figures::{Slowest, bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
 use super::grid::RING;
 use super::heat::Settings;
@@ -187,7 +187,7 @@ fn film_errors(stats: &[LevelStats]) -> [f64; 2] {
     [Figure::FilmCentral, Figure::FilmMinimum].map(|figure| {
         let values = values(figure);
         let here = values[0].unwrap_or(f64::NAN);
-        match bar(values, settled) {
+        match bar(values, settled, Slowest::OF_FILMS) {
             Some(error) if here > 0.0 => error / here,
             _ => f64::INFINITY,
         }
@@ -333,13 +333,18 @@ impl Engine for FiniteVolumes {
 
 /// Relative errors of the central film and of all else that are told at least. Where the flow crosses the grid at an angle, contents spread over a cell to
 /// the sides, which errs by the first order beside an error of second order that may have the other sign. Measured on a ball whose grid is turned: up to
-/// a fifth of a cell in the central film, up to one in the minimum film and the friction at the walls.
-fn least_shares(problem: &Problem<Plan>, cell: f64) -> [f64; 2] {
+/// a fifth of a cell in the central film, up to one in the minimum film and the friction at the walls. With heat, what rounds of film and heat may leave.
+fn least_shares(problem: &Problem<Plan>, cell: f64, warm: bool) -> [f64; 2] {
     let is_straight = problem.shape.zone.turn.is_none() && problem.entrainment.spin == 0.0;
-    match Arrival::of(problem) {
+    let of_arrival = match Arrival::of(problem) {
         Arrival::Layer(_) if !is_straight => [0.25 * cell, cell],
         _ => [0.0; 2],
-    }
+    };
+    let of_rounds = match warm {
+        true => problem.plan.heat.in_force(problem.plan.target_error),
+        false => 0.0,
+    };
+    of_arrival.map(|share| share.max(of_rounds))
 }
 
 /// Share of the central film below which there is none where a roller ends, and grids from which that is told: coarse ones have films below zero at steep ends.
@@ -412,13 +417,15 @@ impl Solved for Volumes {
     fn measured(&self, problem: &Problem<Plan>) -> Measured {
         let mut newest = self.stats.iter().rev().map(|level| &level.figures);
         let of_grids = [(); 3].map(|()| newest.next());
-        let cell = (self.levels.last()).map_or(0.0, |level| level.system.grid.spacing[0]);
+        let finest = self.levels.last();
+        let cell = finest.map_or(0.0, |level| level.system.grid.spacing[0]);
+        let warm = finest.is_some_and(|level| level.warm.is_some());
         let measured = Measured {
             figures: of_grids[0].copied().unwrap_or_default(),
             bars: bars(
                 of_grids,
                 cell * problem.scales.length,
-                least_shares(problem, cell),
+                least_shares(problem, cell, warm),
             ),
             half_width: problem.scales.length,
         };

@@ -6,7 +6,7 @@
 //! Errors of the grid are alike in both films, so that the finest grids are left out.
 
 use super::engine::{FiniteVolumes, Plan, Volumes};
-use super::figures::bar;
+use super::figures::{Slowest, bar};
 use crate::engine::{Engine, Observer, Problem};
 use crate::solution::{Estimate, Figure, FilmReduction};
 use crate::solve::SolveError;
@@ -42,7 +42,7 @@ pub fn film_reduction(
         let values = [0, 1, 2].map(|back| on_grid(last.checked_sub(back)?));
         Some(Estimate {
             value: values[0]?,
-            error: bar(values, false),
+            error: bar(values, false, Slowest::OF_FILMS),
         })
     };
     let [central, minimum] = [Figure::FilmCentral, Figure::FilmMinimum].map(of);

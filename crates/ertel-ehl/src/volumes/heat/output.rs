@@ -10,7 +10,7 @@ use crate::solution::{
 use crate::solve::SolveError;
 use crate::volumes::engine::{FiniteVolumes, Plan, Volumes};
 use crate::volumes::fields::{nodes, profile, temperatures};
-use crate::volumes::figures::bar;
+use crate::volumes::figures::{Slowest, bar};
 use crate::volumes::film::PatchedFilm;
 
 /// Temperatures and heat; `None` for an isothermal solution.
@@ -112,7 +112,7 @@ fn reduction(
         let values = [0, 1, 2].map(|back| on_grid(last.checked_sub(back)?));
         Some(Estimate {
             value: values[0]?,
-            error: bar(values, false),
+            error: bar(values, false, Slowest::OF_FILMS),
         })
     };
     let traction = |back: usize| {
@@ -125,7 +125,11 @@ fn reduction(
         traction: of(Figure::TractionCoefficient).filter(|_| problem.fluid.slides()),
         isothermal_traction: Estimate {
             value: traction(0)?,
-            error: bar([traction(0), traction(1), traction(2)], false),
+            error: bar(
+                [traction(0), traction(1), traction(2)],
+                false,
+                Slowest::OF_FILMS,
+            ),
         },
     })
 }

@@ -1,11 +1,14 @@
 //! Finite volumes beside finite elements: what contacts cost by each, how far their films differ, and whether the error bars of finite volumes hold.
 //!
-//!     cargo bench -p ertel --bench methods -- [--only TEXT] [--calibrate]
+//!     cargo bench -p ertel --bench methods -- [--only TEXT] [--calibrate [--csv FILE]]
 //!
-//! Prints wall seconds of both in turn, their ratio, and both films with bars. With `--calibrate` finite volumes alone, at three targets, against grids of
-//! a target of 0.03 %: how many figures differ by no more than their bars, and the median of bar over difference.
+//! Prints wall seconds of both in turn, their ratio, and both films with bars. With `--calibrate` finite volumes alone solve the contacts of `contacts.csv` at
+//! three targets and against finer grids: how many figures differ by no more than their bars, and how much wider than the differences these are.
 
-use std::path::Path;
+mod calibration;
+mod contacts;
+
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Parser;
@@ -17,6 +20,8 @@ use ertel::solution::{Figure, Solution};
 use ertel::solve::NoObserver;
 use ertel_input::Document;
 
+use contacts::Trial;
+
 #[derive(Parser)]
 struct Args {
     /// Contacts whose name contains this.
@@ -25,6 +30,9 @@ struct Args {
     /// The error bars of finite volumes in place of times.
     #[arg(long)]
     calibrate: bool,
+    /// Writes every comparison of a calibration as a table.
+    #[arg(long)]
+    csv: Option<PathBuf>,
     /// Given by cargo.
     #[arg(long, hide = true)]
     bench: bool,
@@ -91,12 +99,6 @@ const LAWS: [(&str, &str, f64); 5] = [
     ),
 ];
 
-/// A contact: its name and its case file without `[mesh]`.
-struct Trial {
-    name: String,
-    text: String,
-}
-
 /// The ball of 16 mm at 0.8 m/s and 40 mPa·s whose load and pressure-viscosity coefficient give Moes' groups; up to 1500 N, beyond which its speed does.
 fn ball([m, l]: [f64; 2]) -> Trial {
     // M 199.3, L 10.36 at 100 N and 22 1/GPa: M ∝ w u^(−3/4), L ∝ α u^(1/4).
@@ -106,6 +108,7 @@ fn ball([m, l]: [f64; 2]) -> Trial {
     let contact = format!("kind = \"circular\"\nradius = \"16 mm\"\nload = \"{load} N\"");
     let motion = format!("entrainment_speed = \"{speed} m/s\"\nslide_to_roll_ratio = 0.1");
     Trial {
+        family: String::new(),
         name: format!("ball M {m} L {l}"),
         text: text(&contact, &motion, alpha, ""),
     }
@@ -127,6 +130,7 @@ fn ellipse([rx, ry, angle, load, sliding, spin, layer]: [f64; 7]) -> Trial {
         false => String::new(),
     };
     Trial {
+        family: String::new(),
         name: format!("{rx} x {ry} mm, {angle} deg, {load} N, spin {spin}, layer {layer} nm"),
         text: text(&contact, &motion, 22.0, &inlet),
     }
@@ -137,6 +141,7 @@ fn thinned((name, law, sliding): (&str, &str, f64)) -> Trial {
     let slides = format!("slide_to_roll_ratio = {sliding}");
     let text = newtonian.text.replace("slide_to_roll_ratio = 0.1", &slides);
     Trial {
+        family: String::new(),
         name: format!("{name}, sliding {sliding}"),
         text: text.replace(
             "} }\n[contact]",
@@ -154,14 +159,14 @@ fn text(contact: &str, motion: &str, alpha: f64, more: &str) -> String {
 }
 
 impl Trial {
-    fn case(&self, method: Method, target: Option<f64>) -> Case {
+    fn case(&self, method: Method, limits: Option<(f64, usize)>) -> Case {
         let document = Document::parse(self.name.as_str(), self.text.as_str()).expect("TOML");
         let mut case = Case::from_document(&document, Path::new("")).expect("a valid case");
         case.solver.method = Some(method);
         case.output.sensitivities = SensitivityDemand::Off;
-        if let Some(target) = target {
+        if let Some((target, most)) = limits {
             case.mesh.target_error = Some(target);
-            case.mesh.max_unknowns = Some(1_000_000);
+            case.mesh.max_unknowns = Some(most);
         }
         case
     }
@@ -169,13 +174,16 @@ impl Trial {
 
 fn main() {
     let args = Args::parse();
+    if args.calibrate {
+        let mut chosen = contacts::contacts();
+        chosen.retain(|trial| trial.name.contains(&args.only));
+        calibration::calibrate(&chosen, args.csv.as_deref());
+        return;
+    }
     let balls = BALLS.map(ball).into_iter();
     let trials = balls.chain(ELLIPSES.map(ellipse)).chain(LAWS.map(thinned));
     let chosen: Vec<Trial> = trials.filter(|t| t.name.contains(&args.only)).collect();
-    match args.calibrate {
-        true => calibrate(&chosen),
-        false => compare(&chosen),
-    }
+    compare(&chosen);
 }
 
 /// Films of a solution in nm.
@@ -222,53 +230,4 @@ fn compare(trials: &[Trial]) {
             films[1]
         );
     }
-}
-
-fn calibrate(trials: &[Trial]) {
-    let (mut held, mut ratios) = (0, Vec::new());
-    for trial in trials {
-        let at = |target| solve(&trial.case(Method::FiniteVolumes, target), &mut NoObserver);
-        let Ok(reference) = at(Some(3e-4)) else {
-            println!("{}: no reference", trial.name);
-            continue;
-        };
-        for target in [0.03, 0.01, 0.002] {
-            let Ok(own) = at(Some(target)) else {
-                println!("{}: no solution at {target}", trial.name);
-                continue;
-            };
-            for (figure, located) in own.figures() {
-                let there = reference.figure(figure);
-                let (Some(bar), Some(there)) = (located.error, there) else {
-                    continue;
-                };
-                // What neither resolves says nothing.
-                if !located.resolved || !there.resolved || bar == 0.0 {
-                    continue;
-                }
-                // The reference errs, too, by about a third of its bars.
-                let own_error = there.error.unwrap_or(0.0) / 3.0;
-                let difference = (located.value - there.value).abs();
-                ratios.push(bar / difference.max(1e-3 * bar));
-                match difference <= bar + own_error {
-                    true => held += 1,
-                    false => println!(
-                        "{} at {target}: {figure:?} {:.6e} ± {bar:.1e}, {:.6e} ± {:.1e}",
-                        trial.name,
-                        located.value,
-                        there.value,
-                        there.error.unwrap_or(0.0)
-                    ),
-                }
-            }
-        }
-        println!("{}: {held} of {} so far", trial.name, ratios.len());
-    }
-    ratios.sort_by(f64::total_cmp);
-    let share = 100.0 * f64::from(held) / ratios.len() as f64;
-    println!(
-        "{held} of {} figures within their bars ({share:.1} %), median of bar over difference {:.1}",
-        ratios.len(),
-        ratios[ratios.len() / 2]
-    );
 }
