@@ -9,7 +9,7 @@ use super::ending::{Ends, balance_error};
 use super::figures::{bar, bars, figures, films, is_settled};
 use super::film::PatchedFilm;
 use super::grid::RING;
-use super::heat::Settings;
+use super::heat::Params;
 use super::heat::rounds::Rounds;
 use super::level::{Level, convolution, first_state, first_system, refined};
 use super::newton::{NewtonInfo, NewtonParams, newton};
@@ -40,7 +40,7 @@ pub struct Plan {
     /// Half-widths by which a patch goes beyond the dry contact, in cells of it.
     pub margin: f64,
     /// Heat, where it counts.
-    pub heat: Settings,
+    pub heat: Params,
 }
 
 impl Plan {
@@ -55,7 +55,7 @@ impl Plan {
                 ..NewtonParams::default()
             },
             margin: 45.0,
-            heat: Settings::default(),
+            heat: Params::default(),
         }
     }
 }
